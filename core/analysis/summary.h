@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/toolpath/toolpath.h"
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+struct AxisPeaks {
+  double velocity = 0;      ///< largest absolute value [mm/s]
+  double acceleration = 0;  ///< [mm/s2]
+  double jerk = 0;          ///< [mm/s3]
+};
+
+/// Figures of a run.
+struct Summary {
+  double cycle_time = 0;         ///< [s]
+  double programmed_time = 0;    ///< programmed length over programmed feed, rapids, dwells [s]
+  double mean_feed = 0;          ///< executed length over cycle time less dwells [mm/s]
+  double max_contour_error = 0;  ///< largest distance of a programmed corner from the executed path [mm]
+  double peak_feed = 0;          ///< [mm/s]
+  std::array<AxisPeaks, 3> axes;
+  std::vector<double> time_by_cause;  ///< by cause_index(); adds up to cycle_time [s]
+};
+
+/// `rapid_speed` per axis [mm/s].
+Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const Vec3& rapid_speed);
+
+}  // namespace feedscope

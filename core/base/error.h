@@ -1,0 +1,15 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace feedscope {
+
+/// Wrong use or unreadable input: machine file, option, call, file. The message names thing, value, place
+/// and what to do; the command line prints it and leaves with exit code 2.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,36 @@
+#pragma once
+
+/// The one place where units are converted. Inside the core: mm, s, mm/s, mm/s2, mm/s3, rad.
+namespace feedscope::units {
+
+inline constexpr double pi = 3.14159265358979323846;
+
+constexpr double from_mm_min(double v) {
+  return v / 60.0;
+}  ///< mm/min -> mm/s
+constexpr double to_mm_min(double v) {
+  return v * 60.0;
+}  ///< mm/s -> mm/min
+constexpr double from_m_min(double v) {
+  return v * 1000 / 60;
+}  ///< m/min -> mm/s
+constexpr double to_m_min(double v) {
+  return v * 60 / 1000;
+}  ///< mm/s -> m/min
+constexpr double from_m(double v) {
+  return v * 1000.0;
+}  ///< m/s2 -> mm/s2, m/s3 -> mm/s3
+constexpr double to_m(double v) {
+  return v / 1000.0;
+}  ///< mm/s2 -> m/s2, mm/s3 -> m/s3
+constexpr double from_inch(double v) {
+  return v * 25.4;
+}  ///< inch -> mm
+constexpr double from_deg(double v) {
+  return v * pi / 180.0;
+}  ///< degrees -> rad
+constexpr double to_deg(double v) {
+  return v * 180.0 / pi;
+}  ///< rad -> degrees
+
+}  // namespace feedscope::units

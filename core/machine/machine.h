@@ -1,0 +1,71 @@
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/machine/settings.h"
+
+namespace feedscope {
+
+/// Limits of one linear axis.
+struct AxisLimits {
+  double velocity = 0;      ///< [mm/s]
+  double acceleration = 0;  ///< [mm/s2]
+  double jerk = 0;          ///< [mm/s3]
+  double blend_jerk = 0;    ///< on inserted corner blends (Jtb of Essid 2019, table 2) [mm/s3]
+  bool operator==(const AxisLimits&) const = default;
+};
+
+/// Where a number of a machine file comes from.
+struct Provenance {
+  std::string source;    ///< paper and table, or the reason for an assumption
+  bool assumed = false;  ///< no paper gives it
+};
+
+/// A machine tool with its control, as one file in machines/ describes it.
+struct Machine {
+  std::string id;
+  std::string name;
+  std::string control;
+  std::string reference;  ///< paper
+  std::string model;      ///< default model id
+  std::array<AxisLimits, 3> axes;
+  Settings settings;  ///< control settings of the file, in the units of their keys
+  /// By key as in set_value: "X.jerk", "lookahead_blocks".
+  std::map<std::string, Provenance, std::less<>> provenance;
+};
+
+/// Axis keys of machine files, --set and the editor: title, unit and explanation of velocity (m/min),
+/// acceleration (m/s2), jerk (m/s3) and blend_jerk (m/s3).
+const std::vector<SettingSpec>& axis_limit_specs();
+/// Value in the unit of axis_limit_specs(). Throws InputError for an unknown axis ('X', 'Y', 'Z') or limit.
+double axis_limit(const Machine& machine, char axis, std::string_view limit);
+void set_axis_limit(Machine& machine, char axis, std::string_view limit, double value);
+
+/// Reads a machine file (TOML). Throws InputError naming file, line, key, value, bound and the nearest valid
+/// name: unknown or missing key, wrong type, limit not above 0, syntax error, unreadable file.
+/// `model_settings`: specs beyond common_settings() that a [settings] table may hold.
+Machine read_machine(const std::filesystem::path& file, const std::vector<SettingSpec>& model_settings);
+/// As TOML that read_machine reads back to the same machine.
+std::string write_machine(const Machine& machine);
+
+/// The machine files of a folder, sorted by id.
+class MachineLibrary {
+ public:
+  /// Throws InputError if `folder` is no folder.
+  explicit MachineLibrary(std::filesystem::path folder, std::vector<SettingSpec> model_settings);
+  const std::vector<std::string>& ids() const { return ids_; }
+  /// By id, or by file name if it names an existing file. Throws InputError with the nearest id otherwise.
+  Machine load(const std::string& id_or_file) const;
+
+ private:
+  std::filesystem::path folder_;
+  std::vector<SettingSpec> model_settings_;
+  std::vector<std::string> ids_;
+};
+
+}  // namespace feedscope

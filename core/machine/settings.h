@@ -1,0 +1,56 @@
+#pragma once
+
+#include <limits>
+#include <map>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace feedscope {
+
+/// One setting as files, command line and editor show it. The key carries the unit of the value
+/// ("interpolation_period_s"), so a Settings value is always in its key's unit; models convert.
+struct SettingSpec {
+  std::string key;
+  std::string title;        ///< short name for people, without unit
+  std::string unit;         ///< "" for plain numbers and choices
+  std::string explanation;  ///< one sentence
+  double minimum = 0;
+  double maximum = std::numeric_limits<double>::infinity();
+  bool minimum_allowed = true;       ///< false: the value must exceed `minimum`
+  bool whole = false;                ///< whole numbers only
+  double fallback = 0;               ///< where neither machine nor call give a value
+  std::vector<std::string> choices;  ///< not empty: a text setting, first choice is the fallback
+};
+
+/// Settings that every model may read: contour_tolerance_mm, interpolation_period_s, lookahead_blocks,
+/// radial_acceleration_share, radial_jerk_share, curvilinear_jerk_m_s3, tangential_share.
+const std::vector<SettingSpec>& common_settings();
+
+using SettingValue = std::variant<double, std::string>;
+
+/// Control settings of a run by key. Value type; keys sorted.
+class Settings {
+ public:
+  bool has(std::string_view key) const;
+  /// Throws InputError naming the key if it is absent or not of this type.
+  double number(std::string_view key) const;
+  const std::string& text(std::string_view key) const;
+  void set(std::string key, SettingValue value);
+  const std::map<std::string, SettingValue, std::less<>>& values() const { return values_; }
+  bool operator==(const Settings&) const = default;
+
+ private:
+  std::map<std::string, SettingValue, std::less<>> values_;
+};
+
+/// Reads `text` for `spec`; decimal point or comma. Throws InputError naming key, value, bounds or choices.
+SettingValue parse_setting(const SettingSpec& spec, std::string_view text);
+/// Throws InputError naming key, value and bound if `value` breaks `spec`; `place` is put in front.
+void check_setting(const SettingSpec& spec, const SettingValue& value, std::string_view place);
+
+/// The candidate nearest to `word` by edit distance, or "" if none is near.
+std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace feedscope

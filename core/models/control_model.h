@@ -1,0 +1,56 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/machine/machine.h"
+#include "core/toolpath/toolpath.h"
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// What a model is and what it promises.
+struct ModelInfo {
+  std::string id;
+  std::string title;
+  std::string reference;                ///< paper, or "" for a baseline
+  std::string summary;                  ///< two or three sentences
+  std::vector<SettingSpec> settings;    ///< beyond those of common_settings()
+  std::vector<std::string> uses;        ///< keys of common_settings() that it reads
+  std::vector<std::string> guarantees;  ///< one sentence each
+};
+
+/// A published way in which a control turns a path into motion.
+class ControlModel {
+ public:
+  virtual ~ControlModel() = default;
+  virtual const ModelInfo& info() const = 0;
+  /// Deterministic. `settings` as complete_settings gives them. Throws InputError if an axis that moves lacks
+  /// a limit, Cancelled when stopped.
+  Trajectory simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                      Progress* progress = nullptr) const;
+
+ private:
+  virtual Trajectory do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                                 Progress* progress) const = 0;
+};
+
+/// All models, in the order in which they are listed.
+const std::vector<const ControlModel*>& all_models();
+/// Throws InputError with the nearest id.
+const ControlModel& find_model(const std::string& id);
+/// The specs of every model's own settings, for reading machine files.
+std::vector<SettingSpec> all_model_settings();
+/// Specs of what `model` reads: common ones it uses, then its own.
+std::vector<SettingSpec> settings_of(const ControlModel& model);
+
+/// The settings of a run: fallbacks, then the machine's values; every key of settings_of(model) is there.
+Settings complete_settings(const ControlModel& model, const Machine& machine);
+
+/// Applies KEY=VALUE of --set to machine ("X.jerk") or settings ("alpha"). Throws InputError naming key,
+/// value, bounds and the nearest valid key.
+void apply_setting(const std::string& assignment, const ControlModel& model, Machine& machine,
+                   Settings& settings);
+
+}  // namespace feedscope

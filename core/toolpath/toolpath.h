@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/program/program.h"
+#include "core/toolpath/curve.h"
+
+namespace feedscope {
+
+enum class SegmentKind : std::uint8_t { line, arc, dwell };
+
+/// One geometric element of the programmed path; it starts where the one before ends.
+struct Segment {
+  Vec3 end;                ///< [mm]
+  double length = 0;       ///< > 0; 0 for a dwell [mm]
+  double feed = 0;         ///< programmed [mm/s]; 0 for rapids and dwells
+  double dwell = 0;        ///< [s], dwells only
+  std::uint32_t line = 0;  ///< 1-based line of the block
+  std::int32_t arc = -1;   ///< index into Toolpath::arcs, arcs only
+  SegmentKind kind = SegmentKind::line;
+  bool rapid = false;
+};
+
+/// The programmed path: contiguous, in programmed order.
+struct Toolpath {
+  Vec3 start = Vec3::Zero();  ///< [mm]
+  std::vector<Segment> segments;
+  std::vector<Arc> arcs;
+  Bounds bounds;  ///< as Program::bounds [mm]
+
+  const Vec3& start_of(std::size_t i) const { return i == 0 ? start : segments[i - 1].end; }
+  Vec3 tangent_at_start(std::size_t i) const;  ///< unit; zero for a dwell
+  Vec3 tangent_at_end(std::size_t i) const;    ///< unit; zero for a dwell
+  double length() const;                       ///< sum of the segments [mm]
+};
+
+/// Blocks to segments: arcs get frames, helices stay helices, blocks that do not move vanish.
+/// Ends are the programmed points exactly.
+Toolpath build_toolpath(const Program& program);
+
+}  // namespace feedscope

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace feedscope {
+
+/// Why the tool is not faster here.
+enum class CauseKind : std::uint8_t {
+  programmed_feed,
+  rapid,
+  axis_velocity,
+  axis_acceleration,
+  axis_jerk,
+  radial_acceleration,
+  radial_jerk,
+  blend_velocity,             ///< axis velocity on a corner blend
+  blend_radial_acceleration,  ///< share R_A of an axis acceleration on a corner blend
+  blend_radial_jerk,          ///< share R_J of an axis jerk on a corner blend
+  blend_tangential_acceleration,
+  blend_tangential_jerk,
+  curvilinear_jerk,
+  curvature_crossing,
+  interpolation_period,
+  lookahead_horizon,
+  ramp_down,  ///< slowing towards a slower place
+  exact_stop,
+  dwell,
+};
+
+/// Limiting cause, with the axis that sets it where one does.
+struct Cause {
+  CauseKind kind = CauseKind::programmed_feed;
+  std::int8_t axis = -1;  ///< 0 X, 1 Y, 2 Z; -1 none
+  bool operator==(const Cause&) const = default;
+};
+
+/// Stable key for files: "programmed_feed", "axis_jerk_x".
+std::string cause_key(Cause cause);
+/// For people: "programmed feed", "jerk of axis X".
+std::string cause_title(Cause cause);
+/// Every cause there can be, in a fixed order for tables and legends.
+const std::vector<Cause>& all_causes();
+/// Position in all_causes().
+std::size_t cause_index(Cause cause);
+
+}  // namespace feedscope

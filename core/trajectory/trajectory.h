@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/blend/blended_path.h"
+#include "core/trajectory/cause.h"
+
+namespace feedscope {
+
+/// What q(t) of a piece counts.
+enum class Law : std::uint8_t {
+  path_length,  ///< path length from the element's start [mm]
+  parameter,    ///< the blend's own parameter u
+};
+
+/// Motion on (a part of) one path element: q(tau) = q + v tau + a tau^2/2 + j tau^3/6, tau = t - time.
+struct Piece {
+  double time = 0;  ///< start [s]; it ends where the next begins
+  double q = 0;
+  double v = 0;
+  double a = 0;
+  double j = 0;
+  std::uint32_t element = 0;  ///< index into BlendedPath::elements
+  Cause cause;
+  Law law = Law::path_length;
+};
+
+/// Everything at one instant. Vectors by the chain rule from curve and law, nothing differenced.
+struct State {
+  double time = 0;                     ///< [s]
+  double path_length = 0;              ///< executed, from the start [mm]
+  Vec3 position;                       ///< [mm]
+  Vec3 velocity;                       ///< [mm/s]
+  Vec3 acceleration;                   ///< [mm/s2]
+  Vec3 jerk;                           ///< [mm/s3]
+  double speed = 0;                    ///< [mm/s]
+  double tangential_acceleration = 0;  ///< dv/dt [mm/s2]
+  double tangential_jerk = 0;          ///< d2v/dt2 [mm/s3]
+  double programmed_feed = 0;          ///< [mm/s]; for a rapid the axes' speed along it
+  std::uint32_t line = 0;              ///< source line
+  std::uint32_t element = 0;           ///< index into BlendedPath::elements
+  Cause cause;
+};
+
+/// One inserted corner blend, for export and display.
+struct BlendRecord {
+  std::uint32_t line = 0;     ///< of the block that ends at the corner
+  std::uint32_t element = 0;  ///< index into BlendedPath::elements
+  Vec3 corner;                ///< programmed [mm]
+  double turn = 0;            ///< direction change [rad]
+  double transition = 0;      ///< T, from the corner to the blend's ends [mm]
+  double epsilon = 0;         ///< distance of the corner from the blend [mm]
+  double length = 0;          ///< [mm]
+  double min_radius = 0;      ///< [mm]
+  double entry_speed = 0;     ///< [mm/s]
+  double exit_speed = 0;      ///< [mm/s]
+};
+
+/// What a control model says the machine does: executed path and time law as exact pieces.
+class Trajectory {
+ public:
+  Trajectory() = default;
+  /// `lines`, `feeds` [mm/s]: per path element, source line and programmed feed (axes' speed for a rapid).
+  Trajectory(BlendedPath path, std::vector<Piece> pieces, double duration, std::vector<BlendRecord> blends,
+             std::vector<std::uint32_t> lines, std::vector<float> feeds, std::vector<bool> rapid);
+
+  double duration() const { return duration_; }          ///< cycle time [s]
+  double path_length() const { return path_.length(); }  ///< executed [mm]
+  const BlendedPath& path() const { return path_; }
+  const std::vector<Piece>& pieces() const { return pieces_; }
+  const std::vector<BlendRecord>& blends() const { return blends_; }
+
+  /// State at a time, clamped to [0, duration]. At a piece border: the piece that begins there.
+  /// An empty trajectory gives a State at the origin, at rest.
+  State state(double time) const;
+  /// State at the first instant at which the path length is `s`, clamped to [0, path_length()].
+  State state_at_path(double s) const;
+  /// State in a known piece at `tau` from its start; for callers that walk the pieces in order.
+  State state_in_piece(std::size_t piece, double tau) const;
+  std::size_t piece_at(double time) const;
+  double piece_end(std::size_t piece) const;  ///< [s]
+
+  std::uint32_t line_of(std::size_t element) const { return lines_[element]; }
+  double feed_of(std::size_t element) const { return feeds_[element]; }  ///< [mm/s]
+  bool is_rapid(std::size_t element) const { return rapid_[element]; }
+  /// First instant at which the block of `line`, or of the nearest later line that moves, is under way.
+  double time_of_line(std::uint32_t line) const;
+
+ private:
+  BlendedPath path_;
+  std::vector<Piece> pieces_;
+  double duration_ = 0;
+  std::vector<BlendRecord> blends_;
+  std::vector<std::uint32_t> lines_;
+  std::vector<float> feeds_;
+  std::vector<bool> rapid_;
+};
+
+}  // namespace feedscope
