@@ -24,6 +24,7 @@ struct AxisLimits {
 struct Provenance {
   std::string source;    ///< paper and table, or the reason for an assumption
   bool assumed = false;  ///< no paper gives it
+  bool operator==(const Provenance&) const = default;
 };
 
 /// A machine tool with its control, as one file in machines/ describes it.
@@ -37,20 +38,25 @@ struct Machine {
   Settings settings;  ///< control settings of the file, in the units of their keys
   /// By key as in set_value: "X.jerk", "lookahead_blocks".
   std::map<std::string, Provenance, std::less<>> provenance;
+  bool operator==(const Machine&) const = default;
 };
 
-/// Axis keys of machine files, --set and the editor: title, unit and explanation of velocity (m/min),
-/// acceleration (m/s2), jerk (m/s3) and blend_jerk (m/s3).
+/// Axis keys of --set and the editor: title, unit and explanation of velocity (m/min), acceleration (m/s2),
+/// jerk (m/s3) and blend_jerk (m/s3). Machine files put the unit behind: "velocity_m_min".
 const std::vector<SettingSpec>& axis_limit_specs();
 /// Value in the unit of axis_limit_specs(). Throws InputError for an unknown axis ('X', 'Y', 'Z') or limit.
 double axis_limit(const Machine& machine, char axis, std::string_view limit);
+/// Sets it; a changed value has the provenance "set by hand". Throws as axis_limit, and if `value` is not
+/// above 0 or not finite.
 void set_axis_limit(Machine& machine, char axis, std::string_view limit, double value);
 
-/// Reads a machine file (TOML). Throws InputError naming file, line, key, value, bound and the nearest valid
-/// name: unknown or missing key, wrong type, limit not above 0, syntax error, unreadable file.
+/// Reads a machine file (TOML). Every number is a table, { value = 20, source = "paper, table" } or
+/// { value = 20, assumed = "reason" }.
+/// Throws InputError naming file, line, column, key, value, bound and the nearest valid name: unknown or
+/// missing key, wrong type, limit not above 0, number without source, syntax error, unreadable file.
 /// `model_settings`: specs beyond common_settings() that a [settings] table may hold.
 Machine read_machine(const std::filesystem::path& file, const std::vector<SettingSpec>& model_settings);
-/// As TOML that read_machine reads back to the same machine.
+/// As TOML that read_machine reads back to the same machine, bit for bit.
 std::string write_machine(const Machine& machine);
 
 /// The machine files of a folder, sorted by id.

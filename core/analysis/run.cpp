@@ -1,0 +1,82 @@
+#include "core/analysis/run.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "core/base/data_folder.h"
+
+namespace feedscope {
+namespace {
+
+class StopWatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+const SettingSpec& tolerance_spec() {
+  const auto& specs = common_settings();
+  return *std::find_if(specs.begin(), specs.end(),
+                       [](const SettingSpec& spec) { return spec.key == "contour_tolerance_mm"; });
+}
+
+}  // namespace
+
+MachineLibrary shipped_machines() {
+  return MachineLibrary(data_folder() / "machines", all_model_settings());
+}
+
+LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress) {
+  const StopWatch watch;
+  LoadedProgram loaded;
+  loaded.program = std::make_shared<const Program>(read_program(std::move(source), progress));
+  loaded.toolpath = std::make_shared<const Toolpath>(build_toolpath(*loaded.program));
+  loaded.read_time = watch.seconds();
+  return loaded;
+}
+
+LoadedProgram load_program(const std::filesystem::path& file, Progress* progress) {
+  const StopWatch watch;
+  LoadedProgram loaded =
+      load_program(std::make_shared<const SourceText>(SourceText::from_file(file)), progress);
+  loaded.read_time = watch.seconds();
+  return loaded;
+}
+
+Setup make_setup(const SetupRequest& request) {
+  Setup setup;
+  setup.machine = shipped_machines().load(request.machine.empty() ? default_machine : request.machine);
+  setup.model = &find_model(request.model.empty() ? setup.machine.model : request.model);
+  setup.settings = complete_settings(*setup.model, setup.machine);
+  if (request.tolerance) {
+    const SettingSpec& spec = tolerance_spec();
+    check_setting(spec, *request.tolerance, "tolerance");
+    if (setup.settings.has(spec.key)) {
+      setup.settings.set(spec.key, *request.tolerance);
+    }
+  }
+  for (const std::string& assignment : request.assignments) {
+    apply_setting(assignment, *setup.model, setup.machine, setup.settings);
+  }
+  return setup;
+}
+
+Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress) {
+  const StopWatch watch;
+  Run run;
+  run.input = input;
+  run.setup = std::move(setup);
+  run.trajectory = std::make_shared<const Trajectory>(
+      run.setup.model->simulate(*input.toolpath, run.setup.machine, run.setup.settings, progress));
+  const auto& axes = run.setup.machine.axes;
+  run.summary =
+      summarise(*run.trajectory, *input.toolpath, {axes[0].velocity, axes[1].velocity, axes[2].velocity});
+  run.simulate_time = watch.seconds();
+  return run;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/analysis/summary.h"
+#include "core/models/control_model.h"
+
+namespace feedscope {
+
+/// A program read once; every run on it shares it.
+struct LoadedProgram {
+  std::shared_ptr<const Program> program;
+  std::shared_ptr<const Toolpath> toolpath;
+  double read_time = 0;  ///< wall clock, text to toolpath [s]
+};
+
+/// What a program runs on: a machine, one control model and the model's settings.
+struct Setup {
+  Machine machine;
+  const ControlModel* model = nullptr;  ///< one of all_models()
+  Settings settings;                    ///< as complete_settings, then what was asked for
+};
+
+/// How people ask for a setup: on the command line, in a session.
+struct SetupRequest {
+  std::string machine;                   ///< id or file; "" for default_machine
+  std::string model;                     ///< id; "" for the machine's own
+  std::optional<double> tolerance;       ///< contour tolerance [mm]; none: the machine's
+  std::vector<std::string> assignments;  ///< KEY=VALUE, applied last and in order
+};
+
+inline constexpr const char* default_machine = "spinner-mvc850";
+
+/// One program on one machine with one model: everything that is shown or written of it.
+/// Cheap to copy; runs of the same program share program and toolpath.
+struct Run {
+  LoadedProgram input;
+  Setup setup;
+  std::shared_ptr<const Trajectory> trajectory;
+  Summary summary;
+  double simulate_time = 0;  ///< wall clock, summary included [s]
+};
+
+/// The machine files of data_folder().
+MachineLibrary shipped_machines();
+
+/// Reads a text into program and toolpath. A wrong line is a diagnostic of the program.
+/// Throws Cancelled when stopped.
+LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress = nullptr);
+/// Reads a file, or standard input for "-". Throws InputError as SourceText::from_file does.
+LoadedProgram load_program(const std::filesystem::path& file, Progress* progress = nullptr);
+
+/// Throws InputError naming the value, its bounds and the nearest valid name: unknown machine, model or
+/// setting, value out of bounds. A tolerance has no effect on a model that does not read it.
+Setup make_setup(const SetupRequest& request);
+
+/// Simulates and summarises. Throws what ControlModel::simulate throws.
+Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress = nullptr);
+
+}  // namespace feedscope

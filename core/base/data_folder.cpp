@@ -1,0 +1,46 @@
+#include "core/base/data_folder.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace fs = std::filesystem;
+namespace {
+
+bool holds_data(const fs::path& folder) {
+  std::error_code ignored;
+  return fs::is_directory(folder / "machines", ignored);
+}
+
+}  // namespace
+
+fs::path data_folder() {
+  if (const char* given = std::getenv("FEEDSCOPE_DATA"); given != nullptr && *given != '\0') {
+    if (!holds_data(given)) {
+      throw InputError(fmt::format(
+          "FEEDSCOPE_DATA is '{}', which holds no folder machines/; set it to Feedscope's data folder",
+          given));
+    }
+    return given;
+  }
+  std::error_code error;
+  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
+  if (!error) {
+    const fs::path installed = executable.parent_path().parent_path() / "share" / "feedscope";
+    if (holds_data(installed)) {
+      return installed;
+    }
+  }
+  if (holds_data(FEEDSCOPE_SOURCE_DIR)) {
+    return FEEDSCOPE_SOURCE_DIR;
+  }
+  throw InputError(fmt::format(
+      "no data folder: neither ../share/feedscope beside the executable nor '{}' holds machines/; set "
+      "FEEDSCOPE_DATA to the folder that does",
+      FEEDSCOPE_SOURCE_DIR));
+}
+
+}  // namespace feedscope

@@ -1,0 +1,214 @@
+#include "core/machine/settings.h"
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+SettingSpec number_spec(std::string key, std::string title, std::string unit, double fallback,
+                        std::string explanation) {
+  SettingSpec spec;
+  spec.key = std::move(key);
+  spec.title = std::move(title);
+  spec.unit = std::move(unit);
+  spec.explanation = std::move(explanation);
+  spec.fallback = fallback;
+  spec.minimum_allowed = false;
+  return spec;
+}
+
+std::vector<SettingSpec> make_common_settings() {
+  SettingSpec tolerance = number_spec(
+      "contour_tolerance_mm", "Contour tolerance", "mm", 0.01,
+      "How far the control may leave the programmed corners; the larger, the less it slows down there.");
+  tolerance.maximum = 10;
+  SettingSpec period =
+      number_spec("interpolation_period_s", "Interpolation period", "s", 0.002,
+                  "Time between two set points of the control; a block shorter than the feed covers in one "
+                  "period is run slower.");
+  period.maximum = 1;
+  SettingSpec lookahead =
+      number_spec("lookahead_blocks", "Look-ahead", "", 100,
+                  "How many blocks ahead the control plans; it must be able to stop within them, so on short "
+                  "blocks a small number keeps the feed low.");
+  lookahead.minimum = 1;
+  lookahead.minimum_allowed = true;
+  lookahead.maximum = 1e6;
+  lookahead.whole = true;
+  SettingSpec acceleration_share =
+      number_spec("radial_acceleration_share", "Radial share of acceleration", "", 0.2,
+                  "Share of every axis acceleration that turning on a corner blend may use; the rest is left "
+                  "for speeding up and slowing down.");
+  acceleration_share.minimum = 0.01;
+  acceleration_share.maximum = 0.99;
+  acceleration_share.minimum_allowed = true;
+  SettingSpec jerk_share = acceleration_share;
+  jerk_share.key = "radial_jerk_share";
+  jerk_share.title = "Radial share of jerk";
+  jerk_share.explanation =
+      "Share of every axis jerk that turning on a corner blend may use; the rest is left for speeding up and "
+      "slowing down.";
+  SettingSpec curvilinear =
+      number_spec("curvilinear_jerk_m_s3", "Curvilinear jerk", "m/s3", 10,
+                  "Jerk allowed along the path; it bounds the feed on arcs by the cube root of jerk times "
+                  "radius squared.");
+  SettingSpec tangential = number_spec(
+      "tangential_share", "Tangential share of curvilinear jerk", "", 0.6,
+      "Share of the curvilinear jerk given to the tangential direction, the rest to the central one.");
+  tangential.maximum = 1;
+  return {tolerance, period, lookahead, acceleration_share, jerk_share, curvilinear, tangential};
+}
+
+std::string with_unit(double value, const SettingSpec& spec) {
+  return spec.unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, spec.unit);
+}
+
+/// "above 0 mm and at most 10 mm".
+std::string bounds_text(const SettingSpec& spec) {
+  std::string text =
+      fmt::format("{} {}", spec.minimum_allowed ? "at least" : "above", with_unit(spec.minimum, spec));
+  if (std::isfinite(spec.maximum)) {
+    text += fmt::format(" and at most {}", with_unit(spec.maximum, spec));
+  }
+  return spec.whole ? "a whole number " + text : text;
+}
+
+std::string in_front(std::string_view place) {
+  return place.empty() ? "" : fmt::format("{}: ", place);
+}
+
+std::string lower_case(std::string_view text) {
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return lower;
+}
+
+struct EditDistances {
+  std::size_t whole;   ///< to the whole candidate
+  std::size_t prefix;  ///< to its best beginning
+};
+
+EditDistances edit_distances(std::string_view word, std::string_view candidate) {
+  std::vector<std::size_t> row(candidate.size() + 1);
+  for (std::size_t j = 0; j < row.size(); ++j) {
+    row[j] = j;
+  }
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    std::size_t diagonal = row[0];
+    row[0] = i + 1;
+    for (std::size_t j = 0; j < candidate.size(); ++j) {
+      const std::size_t changed = diagonal + (word[i] == candidate[j] ? 0 : 1);
+      diagonal = row[j + 1];
+      row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
+    }
+  }
+  return {row.back(), *std::min_element(row.begin(), row.end())};
+}
+
+}  // namespace
+
+const std::vector<SettingSpec>& common_settings() {
+  static const std::vector<SettingSpec> specs = make_common_settings();
+  return specs;
+}
+
+bool Settings::has(std::string_view key) const {
+  return values_.find(key) != values_.end();
+}
+
+double Settings::number(std::string_view key) const {
+  const auto found = values_.find(key);
+  if (found == values_.end()) {
+    throw InputError(fmt::format("setting '{}' has no value", key));
+  }
+  const double* number = std::get_if<double>(&found->second);
+  if (number == nullptr) {
+    throw InputError(fmt::format("setting '{}' is the text '{}', not a number", key,
+                                 std::get<std::string>(found->second)));
+  }
+  return *number;
+}
+
+const std::string& Settings::text(std::string_view key) const {
+  const auto found = values_.find(key);
+  if (found == values_.end()) {
+    throw InputError(fmt::format("setting '{}' has no value", key));
+  }
+  const std::string* text = std::get_if<std::string>(&found->second);
+  if (text == nullptr) {
+    throw InputError(
+        fmt::format("setting '{}' is the number {}, not a text", key, std::get<double>(found->second)));
+  }
+  return *text;
+}
+
+void Settings::set(std::string key, SettingValue value) {
+  values_.insert_or_assign(std::move(key), std::move(value));
+}
+
+SettingValue parse_setting(const SettingSpec& spec, std::string_view text) {
+  SettingValue value = std::string(text);
+  if (spec.choices.empty()) {
+    std::string digits(text);
+    std::replace(digits.begin(), digits.end(), ',', '.');
+    const char* begin = digits.data() + (digits.starts_with('+') ? 1 : 0);
+    const char* end = digits.data() + digits.size();
+    double number = 0;
+    const auto result = fast_float::from_chars(begin, end, number);
+    if (result.ec != std::errc() || result.ptr != end) {
+      throw InputError(
+          fmt::format("{} = '{}' is no number; it must be {}", spec.key, text, bounds_text(spec)));
+    }
+    value = number;
+  }
+  check_setting(spec, value, "");
+  return value;
+}
+
+void check_setting(const SettingSpec& spec, const SettingValue& value, std::string_view place) {
+  const double* number = std::get_if<double>(&value);
+  if (!spec.choices.empty()) {
+    const std::string text = number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
+    if (number != nullptr ||
+        std::find(spec.choices.begin(), spec.choices.end(), text) == spec.choices.end()) {
+      throw InputError(fmt::format("{}{} = '{}' is no choice; it must be one of: {}", in_front(place),
+                                   spec.key, text, fmt::join(spec.choices, ", ")));
+    }
+    return;
+  }
+  if (number == nullptr) {
+    throw InputError(fmt::format("{}{} = '{}' is a text; it must be a number {}", in_front(place), spec.key,
+                                 std::get<std::string>(value), bounds_text(spec)));
+  }
+  const bool above = spec.minimum_allowed ? *number >= spec.minimum : *number > spec.minimum;
+  const bool whole = !spec.whole || *number == std::floor(*number);
+  if (!std::isfinite(*number) || !above || !(*number <= spec.maximum) || !whole) {
+    throw InputError(fmt::format("{}{} = {} is out of bounds; it must be {}", in_front(place), spec.key,
+                                 *number, bounds_text(spec)));
+  }
+}
+
+std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
+  const std::string wanted = lower_case(word);
+  const std::size_t near = wanted.size() / 3;
+  std::string best;
+  EditDistances least{0, near + 1};
+  for (const std::string& candidate : candidates) {
+    const EditDistances d = edit_distances(wanted, lower_case(candidate));
+    if (d.prefix < least.prefix || (d.prefix == least.prefix && !best.empty() && d.whole < least.whole)) {
+      best = candidate;
+      least = d;
+    }
+  }
+  return wanted.empty() ? "" : best;
+}
+
+}  // namespace feedscope
