@@ -1,0 +1,96 @@
+# What packaging/try, packaging/test and .ci/run share; to be sourced by bash.
+
+readonly project_dir=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+readonly apt_log=$project_dir/build/packages.log
+
+say() { printf '\n== %s\n' "$*"; }
+
+fail() {
+  printf '\n%s: error: %s\n' "$(basename "$0")" "$*" >&2
+  exit 1
+}
+
+# The packages of debian-packages.txt that are not installed.
+missing_packages() {
+  local wanted
+  mapfile -t wanted < <(sed 's/#.*//' "$project_dir/packaging/debian-packages.txt" | awk 'NF { print $1 }')
+  comm -23 <(printf '%s\n' "${wanted[@]}" | sort -u) \
+    <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | awk '$1 == "installed" { print $2 }' | sort -u)
+}
+
+check_system() {
+  local ID='an unknown system' ID_LIKE='' VERSION_ID='' PRETTY_NAME=''
+  [[ -r /etc/os-release ]] && . /etc/os-release
+  if ! command -v dpkg-query >/dev/null || [[ " $ID $ID_LIKE " != *' debian '* ]]; then
+    fail "this is ${PRETTY_NAME:-$ID}; the set-up is for Debian 12. Elsewhere, install what" \
+      "packaging/debian-packages.txt names and run: cmake --preset release && cmake --build --preset release"
+  fi
+  if [[ $ID != debian || $VERSION_ID != 12 ]]; then
+    echo "Note: this is ${PRETTY_NAME:-$ID}; the package names are those of Debian 12."
+  fi
+}
+
+as_root() {
+  if ((EUID == 0)); then
+    "$@"
+  else
+    sudo "$@"
+  fi
+}
+
+# One line that counts packages as dpkg unpacks and configures them; the whole output goes to the log.
+count_packages() {
+  local every=25
+  [[ -t 1 ]] && every=1
+  awk -v log_file="$apt_log" -v every="$every" '
+    { print >> log_file }
+    / newly installed/ { total = $3 }
+    /^(Unpacking|Setting up) / {
+      step[$1]++
+      if (every == 1) printf "\r  unpacked %d, set up %d of %d ", step["Unpacking"], step["Setting"], total
+      else if (step[$1] % every == 0) printf "  %s %d of %d\n", $1 == "Setting" ? "set up" : "unpacked", step[$1], total
+      fflush()
+    }
+    END { if (every == 1) print "" }'
+}
+
+# Installs what is missing of debian-packages.txt; asks nothing and does nothing where all is there.
+install_packages() {
+  check_system
+  local missing
+  mapfile -t missing < <(missing_packages)
+  if ((${#missing[@]} == 0)); then
+    say 'Packages: all there'
+    return
+  fi
+  say "Packages: installing ${missing[*]}"
+  if ((EUID != 0)) && ! command -v sudo >/dev/null; then
+    fail "packages can only be installed as root: run this as root, install sudo, or have root run:" \
+      "apt-get install --no-install-recommends ${missing[*]}"
+  fi
+  mkdir -p "$project_dir/build"
+  : >"$apt_log"
+  local apt=(env DEBIAN_FRONTEND=noninteractive LC_ALL=C apt-get -q -y --no-install-recommends -o DPkg::Lock::Timeout=300
+    -o Dpkg::Use-Pty=0)
+  # Without the thousands of disk syncs of dpkg the set-up takes half the time.
+  if ! { as_root "${apt[@]}" update && as_root "${apt[@]}" install eatmydata; } >>"$apt_log" 2>&1 ||
+    ! as_root eatmydata "${apt[@]}" install "${missing[@]}" 2>&1 | count_packages; then
+    tail -n 20 "$apt_log" >&2
+    fail "the packages could not be installed; the whole output is in $apt_log"
+  fi
+}
+
+# build PRESET TARGET...: configures and builds; ninja shows the progress.
+build() {
+  local preset=$1
+  shift
+  cd "$project_dir"
+  mkdir -p build
+  say "Configuring ($preset)"
+  cmake --preset "$preset" >build/configure.log 2>&1 || {
+    tail -n 40 build/configure.log >&2
+    fail "the build could not be configured; the whole output is in $project_dir/build/configure.log"
+  }
+  say "Building ($preset)"
+  cmake --build --preset "$preset" --target "$@"
+}
