@@ -1,0 +1,150 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <string>
+#include <vector>
+
+namespace feedscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What may include what: each includes itself and what stands before it.
+const std::vector<std::string> stages{"core/base",   "core/machine",  "core/program", "core/toolpath",
+                                      "core/blend",  "core/limits",   "core/feed",    "core/trajectory",
+                                      "core/models", "core/analysis", "core/export",  "ui",
+                                      "app"};
+
+struct SourceFile {
+  std::string path;  ///< from the project's top level
+  std::vector<std::string> lines;
+};
+
+std::vector<SourceFile> sources_under(const std::vector<std::string>& folders) {
+  const fs::path top = FEEDSCOPE_SOURCE_DIR;
+  std::vector<SourceFile> files;
+  for (const std::string& folder : folders) {
+    for (const auto& entry : fs::recursive_directory_iterator(top / folder)) {
+      if (entry.path().extension() == ".h" || entry.path().extension() == ".cpp") {
+        SourceFile file{fs::relative(entry.path(), top).generic_string(), {}};
+        std::ifstream in(entry.path());
+        for (std::string line; std::getline(in, line);) {
+          file.lines.push_back(line);
+        }
+        files.push_back(std::move(file));
+      }
+    }
+  }
+  return files;
+}
+
+/// The name in an #include line, or "".
+std::string included(const std::string& line) {
+  static const std::regex pattern(R"(^\s*#\s*include\s*[<"]([^>"]+)[>"])");
+  std::smatch match;
+  return std::regex_search(line, match, pattern) ? match[1].str() : "";
+}
+
+/// "FILE:LINE: #include NAME" for every include that `wrong(file, name)` objects to.
+template <typename Predicate>
+std::vector<std::string> includes_where(const std::vector<SourceFile>& files, Predicate wrong) {
+  std::vector<std::string> found;
+  for (const SourceFile& file : files) {
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const std::string name = included(file.lines[i]);
+      if (!name.empty() && wrong(file, name)) {
+        found.push_back(file.path + ":" + std::to_string(i + 1) + ": #include " + name);
+      }
+    }
+  }
+  return found;
+}
+
+/// Position of the stage that holds `path`; the number of stages if none does.
+std::size_t stage_of(const std::string& path) {
+  const auto holds = [&](const std::string& stage) { return path.starts_with(stage + "/"); };
+  return static_cast<std::size_t>(std::find_if(stages.begin(), stages.end(), holds) - stages.begin());
+}
+
+TEST(Layering, TheFoldersOfTheCoreAreTheStages) {
+  for (const auto& entry : fs::directory_iterator(fs::path(FEEDSCOPE_SOURCE_DIR) / "core")) {
+    if (entry.is_directory()) {
+      EXPECT_THAT(stages, testing::Contains("core/" + entry.path().filename().string()));
+    }
+  }
+}
+
+TEST(Layering, IncludesRunOneWay) {
+  const auto upwards = [](const SourceFile& file, const std::string& name) {
+    const std::size_t stage = stage_of(name);
+    return stage < stages.size() && stage > stage_of(file.path);
+  };
+  EXPECT_THAT(includes_where(sources_under({"core", "ui", "app"}), upwards), testing::IsEmpty());
+}
+
+TEST(Layering, NothingIncludesTests) {
+  const auto test = [](const SourceFile&, const std::string& name) { return name.starts_with("tests/"); };
+  EXPECT_THAT(includes_where(sources_under({"core", "ui", "app"}), test), testing::IsEmpty());
+}
+
+TEST(Layering, ProjectHeadersAreIncludedFromTheTopLevel) {
+  const auto found_beside = [](const SourceFile& file, const std::string& name) {
+    const fs::path beside = fs::path(FEEDSCOPE_SOURCE_DIR) / fs::path(file.path).parent_path() / name;
+    return fs::exists(beside);
+  };
+  EXPECT_THAT(includes_where(sources_under({"core", "ui", "app", "tests"}), found_beside),
+              testing::IsEmpty());
+}
+
+TEST(Layering, CoreKnowsNeitherQtNorVtk) {
+  static const std::regex window(R"(^(Q[A-Z].*|Qt.*|vtk.*|GL/.*)$)");
+  const auto is_window = [](const SourceFile&, const std::string& name) {
+    return std::regex_match(name, window);
+  };
+  EXPECT_THAT(includes_where(sources_under({"core"}), is_window), testing::IsEmpty());
+}
+
+TEST(Layering, HeadersOfTheCoreIncludeNoLibraryButEigen) {
+  static const std::regex library(R"(^(fmt|nlohmann|CLI|fast_float|toml\+\+|tbb)[/.].*$)");
+  const auto is_library = [](const SourceFile& file, const std::string& name) {
+    return file.path.ends_with(".h") && std::regex_match(name, library);
+  };
+  EXPECT_THAT(includes_where(sources_under({"core"}), is_library), testing::IsEmpty());
+}
+
+TEST(Layering, SceneKnowsNoWidgets) {
+  static const std::regex widget(
+      R"(^(QtWidgets/.*|QtCharts/.*|QApplication|Q.*(Widget|Window|Dialog|Action|Button|Layout|View|Chart|Slider|Box|Label|Menu|Edit|Bar))$)");
+  const auto is_widget = [](const SourceFile&, const std::string& name) {
+    return std::regex_match(name, widget) || name.starts_with("ui/views/") || name.starts_with("ui/charts/");
+  };
+  EXPECT_THAT(includes_where(sources_under({"ui/scene"}), is_widget), testing::IsEmpty());
+}
+
+TEST(Layering, NoFileIsLongerThan500Lines) {
+  std::vector<std::string> found;
+  for (const SourceFile& file : sources_under({"core", "ui", "app", "tests"})) {
+    if (file.lines.size() > 500) {
+      found.push_back(file.path + ": " + std::to_string(file.lines.size()) + " lines");
+    }
+  }
+  EXPECT_THAT(found, testing::IsEmpty());
+}
+
+TEST(Layering, TheTopLevelHoldsWhatTheDesignNames) {
+  const std::vector<std::string> allowed{
+      "CMakeLists.txt", "CMakePresets.json", "LICENSE",   "README.md", "app",   "build",
+      "core",           "machines",          "packaging", "resources", "tests", "ui"};
+  for (const auto& entry : fs::directory_iterator(FEEDSCOPE_SOURCE_DIR)) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(name.starts_with(".") || std::find(allowed.begin(), allowed.end(), name) != allowed.end())
+        << name;
+  }
+}
+
+}  // namespace
+}  // namespace feedscope
