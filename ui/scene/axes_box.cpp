@@ -1,0 +1,235 @@
+#include "ui/scene/axes_box.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "core/base/units.h"
+#include "ui/scene/ticks.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double text_pixels = 13;
+constexpr double tick_length = 5;
+constexpr double label_gap = 9;       // from the edge
+constexpr double label_spacing = 14;  // between labels of one edge
+constexpr double grid_spacing = 45;   // at least, between grid lines
+constexpr double shortest_axis = 24;  // an edge that looks shorter has no labels
+constexpr double end_on = 1e-6;
+
+double side(const Bounds& box, int axis, bool high) {
+  return high ? box.max[axis] : box.min[axis];
+}
+
+/// One edge of the box as it is seen.
+struct Edge {
+  Vec2 from, to;
+  Vec2 outward;  ///< unit, away from the box
+
+  double length() const { return (to - from).norm(); }
+  Vec2 along() const { return (to - from).normalized(); }
+};
+
+class Layouter {
+ public:
+  Layouter(const SceneFrame& frame, const Projection& projection, double scale)
+      : frame_(frame), projection_(projection), scale_(scale), style_{.size = text_pixels * scale} {
+    layout_.low = layout_.high = projection.to_display(Vec3::Zero());
+  }
+
+  AxesLayout run() {
+    std::array<std::optional<Edge>, 3> edges;
+    for (int axis = 0; axis < 3; ++axis) {
+      edges[axis] = labelled_edge(axis);
+      if (edges[axis]) {
+        ticks_[axis] = ticks_along(axis, *edges[axis]);
+      }
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      for (const bool high : {false, true}) {
+        if (facing(axis, high) < -end_on) {
+          add_face(axis, high);
+        }
+      }
+    }
+    for (int axis = 0; axis < 3; ++axis) {
+      if (edges[axis]) {
+        add_labels(axis, *edges[axis]);
+      }
+    }
+    return std::move(layout_);
+  }
+
+ private:
+  double facing(int axis, bool high) const { return (high ? 1 : -1) * projection_.towards[axis]; }
+
+  Vec2 display(int axis, double a, int other, double b, int third, double c) const {
+    Vec3 p;
+    p[axis] = a;
+    p[other] = b;
+    p[third] = c;
+    return projection_.to_display(p);
+  }
+
+  void cover(const Vec2& p) {
+    layout_.low = layout_.low.cwiseMin(p);
+    layout_.high = layout_.high.cwiseMax(p);
+  }
+
+  /// The outer edge along `axis` that is lowest on the screen, or leftmost if it stands upright.
+  std::optional<Edge> labelled_edge(int axis) const {
+    const int other = (axis + 1) % 3;
+    const int third = (axis + 2) % 3;
+    const Vec2 centre = projection_.to_display(Vec3::Zero());
+    std::optional<Edge> best;
+    double best_rank = 0;
+    for (const bool b : {false, true}) {
+      for (const bool c : {false, true}) {
+        const double facing_b = facing(other, b);
+        const double facing_c = facing(third, c);
+        if (facing_b * facing_c > end_on) {
+          continue;  // both faces seen, or both hidden: an inner edge
+        }
+        Edge edge;
+        const double at_b = side(frame_.box, other, b);
+        const double at_c = side(frame_.box, third, c);
+        edge.from = display(axis, frame_.box.min[axis], other, at_b, third, at_c);
+        edge.to = display(axis, frame_.box.max[axis], other, at_b, third, at_c);
+        if (edge.length() < shortest_axis * scale_) {
+          continue;
+        }
+        const Vec2 along = edge.along();
+        const bool upright = std::abs(along.y()) > 0.9;
+        const Vec2 middle = (edge.from + edge.to) / 2;
+        edge.outward = Vec2(-along.y(), along.x());
+        const double away = edge.outward.dot(middle - centre);
+        const bool outside =
+            std::abs(away) > 1 ? away > 0 : (upright ? edge.outward.x() : edge.outward.y()) < 0;
+        if (!outside) {
+          edge.outward = -edge.outward;
+        }
+        const double rank = upright ? middle.x() : middle.y();
+        if (!best || rank < best_rank - 0.5) {
+          best = edge;
+          best_rank = rank;
+        }
+      }
+    }
+    return best;
+  }
+
+  Ticks ticks_along(int axis, const Edge& edge) const {
+    const double from = frame_.to_mm(axis, frame_.box.min[axis]);
+    const double to = frame_.to_mm(axis, frame_.box.max[axis]);
+    const Vec2 along = edge.along().cwiseAbs();
+    for (int most = std::max(1, static_cast<int>(edge.length() / (grid_spacing * scale_)));; --most) {
+      Ticks ticks = round_ticks(from, to, most);
+      Vec2 largest = Vec2::Zero();
+      for (const std::string& label : ticks.labels) {
+        largest = largest.cwiseMax(Canvas::text_size(label, style_));
+      }
+      const Vec2 needed = largest.array() + label_spacing * scale_;
+      const double spacing =
+          ticks.step / frame_.unit * edge.length() / (frame_.box.max[axis] - frame_.box.min[axis]);
+      const bool apart = spacing * along.x() >= needed.x() || spacing * along.y() >= needed.y();
+      if (apart || ticks.values.size() < 2) {
+        return ticks;
+      }
+    }
+  }
+
+  double tick_position(int axis, double value) const { return (value - frame_.centre[axis]) / frame_.unit; }
+
+  void add_face(int axis, bool high) {
+    const double at = side(frame_.box, axis, high);
+    for (int step = 1; step <= 2; ++step) {
+      const int along = (axis + step) % 3;
+      const int across = (axis + 3 - step) % 3;
+      const double from = frame_.box.min[along];
+      const double to = frame_.box.max[along];
+      for (const double value : ticks_[across].values) {
+        const double c = tick_position(across, value);
+        layout_.grid.push_back(
+            {display(along, from, across, c, axis, at), display(along, to, across, c, axis, at)});
+      }
+      for (const bool far : {false, true}) {
+        const double c = side(frame_.box, across, far);
+        const Vec2 p = display(along, from, across, c, axis, at);
+        const Vec2 q = display(along, to, across, c, axis, at);
+        layout_.frame.push_back({p, q});
+        cover(p);
+        cover(q);
+      }
+    }
+  }
+
+  void add_text(std::string text, const Vec2& place, const TextStyle& style) {
+    const Vec2 size = Canvas::text_size(text, style);
+    const double c = std::abs(std::cos(style.angle));
+    const double s = std::abs(std::sin(style.angle));
+    const Vec2 half = Vec2(size.x() * c + size.y() * s, size.x() * s + size.y() * c) / 2;
+    const Vec2 centre = place - Vec2(style.horizontal * half.x(), style.vertical * half.y());
+    cover(centre - half);
+    cover(centre + half);
+    layout_.labels.push_back({std::move(text), place, style});
+  }
+
+  void add_labels(int axis, const Edge& edge) {
+    TextStyle style = style_;
+    constexpr double slant = 0.35;
+    style.horizontal = edge.outward.x() > slant ? -1 : edge.outward.x() < -slant ? 1 : 0;
+    style.vertical = edge.outward.y() > slant ? -1 : edge.outward.y() < -slant ? 1 : 0;
+    const double from = frame_.box.min[axis];
+    const double extent = frame_.box.max[axis] - from;
+    double depth = 0;  // of the labels, away from the edge
+    for (std::size_t i = 0; i < ticks_[axis].values.size(); ++i) {
+      const double u = (tick_position(axis, ticks_[axis].values[i]) - from) / extent;
+      const Vec2 p = edge.from + u * (edge.to - edge.from);
+      layout_.frame.push_back({p, p + tick_length * scale_ * edge.outward});
+      const Vec2 size = Canvas::text_size(ticks_[axis].labels[i], style_);
+      depth = std::max(depth, size.dot(edge.outward.cwiseAbs()));
+      add_text(ticks_[axis].labels[i], p + label_gap * scale_ * edge.outward, style);
+    }
+    TextStyle title = style_;
+    title.bold = true;
+    const Vec2 along = edge.along();
+    title.angle = std::atan2(along.y(), along.x());
+    if (title.angle > units::pi / 2 + 1e-6) {
+      title.angle -= units::pi;
+    } else if (title.angle < -units::pi / 2 + 1e-6) {
+      title.angle += units::pi;
+    }
+    const double offset = (2 * label_gap + text_pixels / 2) * scale_ + depth;
+    add_text(std::string(1, axis_names[static_cast<std::size_t>(axis)]) + " (mm)",
+             (edge.from + edge.to) / 2 + offset * edge.outward, title);
+  }
+
+  const SceneFrame& frame_;
+  const Projection& projection_;
+  double scale_;
+  TextStyle style_;
+  std::array<Ticks, 3> ticks_;
+  AxesLayout layout_;
+};
+
+}  // namespace
+
+AxesLayout lay_out_axes(const SceneFrame& frame, const Projection& projection, double scale) {
+  return Layouter(frame, projection, scale).run();
+}
+
+void draw(const AxesLayout& layout, double scale, Canvas& canvas) {
+  for (const auto& stroke : layout.grid) {
+    canvas.line(stroke.from, stroke.to, scale, palette::grid);
+  }
+  for (const auto& stroke : layout.frame) {
+    canvas.line(stroke.from, stroke.to, scale, palette::frame);
+  }
+  for (const auto& label : layout.labels) {
+    canvas.text(label.text, label.place, label.style);
+  }
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,35 @@
+#include "ui/scene/gl_render_window.h"
+
+#include <vtkObjectFactory.h>
+#include <vtkVersionMacros.h>
+#include <vtk_glew.h>
+
+namespace feedscope::ui {
+
+vtkStandardNewMacro(GlRenderWindow);
+
+void GlRenderWindow::OpenGLInitContext() {
+#if VTK_VERSION_NUMBER < VTK_VERSION_CHECK(9, 4, 0)
+  // Up to VTK 9.3 the base class takes GLEW's "no GLX display" for a failure and gives up, although GLEW
+  // loads every entry point before it looks for an X display. VTK 9.4 loads GL without GLEW.
+  this->ContextCreationTime.Modified();
+  if (this->Initialized) {
+    return;
+  }
+  this->MakeCurrent();
+  const GLenum result = glewInit();
+  this->GlewInitValid = result == GLEW_OK || result == GLEW_ERROR_NO_GLX_DISPLAY;
+  if (!this->GlewInitValid || !GLEW_VERSION_3_2) {
+    vtkErrorMacro("OpenGL 3.2 is missing");
+    return;
+  }
+  this->Initialized = true;
+  float range[2] = {1, 1};
+  glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range);
+  this->MaximumHardwareLineWidth = range[1];
+#else
+  this->Superclass::OpenGLInitContext();
+#endif
+}
+
+}  // namespace feedscope::ui

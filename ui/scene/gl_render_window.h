@@ -1,0 +1,20 @@
+#pragma once
+
+#include <vtkGenericOpenGLRenderWindow.h>
+
+namespace feedscope::ui {
+
+/// VTK's window for somebody else's OpenGL context, which also starts where there is no GLX display
+/// (Wayland, EGL, OSMesa).
+class GlRenderWindow : public vtkGenericOpenGLRenderWindow {
+ public:
+  static GlRenderWindow* New();
+  vtkTypeMacro(GlRenderWindow, vtkGenericOpenGLRenderWindow)
+
+      void OpenGLInitContext() override;
+
+ protected:
+  GlRenderWindow() = default;
+};
+
+}  // namespace feedscope::ui

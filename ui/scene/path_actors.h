@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <functional>
+#include <memory>
+
+#include "ui/scene/colour_map.h"
+#include "ui/scene/sampled_path.h"
+
+class vtkActor;
+class vtkLookupTable;
+class vtkPolyData;
+
+namespace feedscope::ui {
+
+/// Spans of `path` that `wanted` accepts, as polylines on the path's own points, feed as scalars if it has
+/// any. Nothing is copied but the indices: `path` must outlive the result.
+vtkSmartPointer<vtkPolyData> polylines(const SampledPath& path, const std::function<bool(SpanKind)>& wanted);
+
+/// The rapids of `path` as dashes of `dash` mm with gaps as long, the pattern running on over consecutive
+/// spans; dashes grow where there would be more than 100 000.
+vtkSmartPointer<vtkPolyData> rapid_dashes(const SampledPath& path, double dash);
+
+/// Colours of feed from 0 to `top_feed` [mm/s].
+vtkSmartPointer<vtkLookupTable> feed_colours(double top_feed);
+
+/// Unlit lines of one colour.
+vtkSmartPointer<vtkActor> line_actor(vtkPolyData& lines, const Rgb& colour);
+/// Unlit lines coloured by their scalars.
+vtkSmartPointer<vtkActor> line_actor(vtkPolyData& lines, vtkLookupTable& colours);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,43 @@
+#include "ui/scene/projection.h"
+
+#include <vtkCamera.h>
+
+#include <Eigen/Geometry>
+
+namespace feedscope::ui {
+
+SceneFrame frame_around(const Bounds& content) {
+  constexpr double air = 0.03;
+  constexpr double default_extent = 100;  // [mm]
+  SceneFrame frame;
+  Bounds box = content;
+  if (box.empty()) {
+    box.add(Vec3::Zero());
+  }
+  double extent = (box.max - box.min).maxCoeff();
+  frame.centre = (box.min + box.max) / 2;
+  // Less than the last digits of a double cannot be told from a point.
+  if (extent <= 1e-12 * (1 + frame.centre.cwiseAbs().maxCoeff())) {
+    extent = default_extent;
+    box.min -= Vec3(extent / 2, extent / 2, 0);
+    box.max += Vec3(extent / 2, extent / 2, 0);
+  }
+  frame.unit = extent;
+  for (int axis = 0; axis < 3; ++axis) {
+    double half = (box.max[axis] - box.min[axis]) / 2 / extent;
+    half = half < 1e-6 ? 0.0 : half + air;
+    frame.box.add(axis, -half);
+    frame.box.add(axis, half);
+  }
+  return frame;
+}
+
+Projection::Projection(vtkCamera& camera, int width, int height) : middle(width / 2.0, height / 2.0) {
+  focal = Vec3(camera.GetFocalPoint());
+  towards = (Vec3(camera.GetPosition()) - focal).normalized();
+  right = Vec3(camera.GetViewUp()).cross(towards).normalized();
+  up = towards.cross(right);
+  scale = height / 2.0 / camera.GetParallelScale();
+}
+
+}  // namespace feedscope::ui

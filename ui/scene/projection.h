@@ -1,0 +1,44 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/base/geometry.h"
+
+class vtkCamera;
+
+namespace feedscope::ui {
+
+/// Display coordinates: device pixels from the window's lower left corner, as VTK counts them.
+using Vec2 = Eigen::Vector2d;
+
+/// What the programme calls space, made small: VTK's matrices and depth buffer are single precision, so the
+/// scene is drawn about its centre with its largest extent as 1, whether it is a micrometre or a kilometre.
+struct SceneFrame {
+  Vec3 centre = Vec3::Zero();  ///< [mm]
+  double unit = 1;             ///< [mm]
+  Bounds box;                  ///< of the axes, in scene coordinates
+
+  Vec3 to_scene(const Vec3& point) const { return (point - centre) / unit; }
+  double to_mm(int axis, double coordinate) const { return centre[axis] + coordinate * unit; }
+};
+
+/// Frame around `content` [mm] with a little air; a flat extent stays flat, a single point or nothing gets a
+/// plane of 100 mm.
+SceneFrame frame_around(const Bounds& content);
+
+/// Parallel projection of one frame: where the camera puts scene coordinates.
+struct Projection {
+  Vec3 focal;  ///< drawn in the middle of the window
+  Vec3 right;  ///< unit vectors of the screen, in the scene
+  Vec3 up;
+  Vec3 towards;      ///< from the scene to the eye
+  double scale = 1;  ///< pixels a scene unit
+  Vec2 middle;       ///< of the window
+
+  Projection(vtkCamera& camera, int width, int height);
+  Vec2 to_display(const Vec3& p) const {
+    return middle + scale * Vec2((p - focal).dot(right), (p - focal).dot(up));
+  }
+};
+
+}  // namespace feedscope::ui

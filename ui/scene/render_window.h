@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+
+class vtkGenericOpenGLRenderWindow;
+
+namespace feedscope::ui {
+
+/// What draws the 3D scene. One kind a process: GL entry points are resolved once.
+enum class RenderBackend : std::uint8_t {
+  gpu,       ///< the OpenGL context that a QOpenGLWidget makes current
+  software,  ///< OSMesa: no display, X server or GPU needed
+};
+
+/// A window for VTK to draw into. A software window is ready at once; a gpu window belongs to the context
+/// that its widget makes current. Throws std::logic_error when the process has already made a window of the
+/// other kind, std::runtime_error when OSMesa offers no OpenGL 3.2 context.
+vtkSmartPointer<vtkGenericOpenGLRenderWindow> make_render_window(RenderBackend backend);
+
+}  // namespace feedscope::ui
