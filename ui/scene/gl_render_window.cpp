@@ -28,7 +28,7 @@ void GlRenderWindow::OpenGLInitContext() {
   glGetFloatv(GL_ALIASED_LINE_WIDTH_RANGE, range);
   this->MaximumHardwareLineWidth = range[1];
 #else
-  this->Superclass::OpenGLInitContext();
+  vtkGenericOpenGLRenderWindow::OpenGLInitContext();
 #endif
 }
 

@@ -9,9 +9,8 @@ namespace feedscope::ui {
 class GlRenderWindow : public vtkGenericOpenGLRenderWindow {
  public:
   static GlRenderWindow* New();
-  vtkTypeMacro(GlRenderWindow, vtkGenericOpenGLRenderWindow)
 
-      void OpenGLInitContext() override;
+  void OpenGLInitContext() override;
 
  protected:
   GlRenderWindow() = default;

@@ -16,9 +16,8 @@ namespace feedscope::ui {
 class OsmesaRenderWindow : public GlRenderWindow {
  public:
   static OsmesaRenderWindow* New();
-  vtkTypeMacro(OsmesaRenderWindow, GlRenderWindow)
 
-      void MakeCurrent() override;
+  void MakeCurrent() override;
   void ReleaseCurrent() override;
   bool IsCurrent() override;
   int SupportsOpenGL() override { return 1; }

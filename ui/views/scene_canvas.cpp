@@ -19,7 +19,8 @@ int pixels(int logical, const QWidget& widget) {
   return static_cast<int>(std::lround(logical * widget.devicePixelRatioF()));
 }
 
-void resize(vtkGenericOpenGLRenderWindow& window, vtkRenderWindowInteractor& interactor, const QSize& size) {
+void resize_window(vtkGenericOpenGLRenderWindow& window, vtkRenderWindowInteractor& interactor,
+                   const QSize& size) {
   interactor.UpdateSize(size.width(), size.height());
   window.SetSize(size.width(), size.height());
 }
@@ -106,7 +107,7 @@ void GpuCanvas::release() {
 }
 
 void GpuCanvas::resizeGL(int width, int height) {
-  resize(window_, interactor_, {pixels(width, *this), pixels(height, *this)});
+  resize_window(window_, interactor_, {pixels(width, *this), pixels(height, *this)});
 }
 
 void GpuCanvas::paintGL() {
@@ -133,7 +134,7 @@ QSize SoftwareCanvas::pixel_size() const {
 }
 
 void SoftwareCanvas::resizeEvent(QResizeEvent*) {
-  resize(window_, interactor_, pixel_size());
+  resize_window(window_, interactor_, pixel_size());
   request_frame();
 }
 
@@ -142,13 +143,14 @@ void SoftwareCanvas::paintEvent(QPaintEvent*) {
     if (auto* other = QOpenGLContext::currentContext()) {
       other->doneCurrent();
     }
-    resize(window_, interactor_, pixel_size());
+    resize_window(window_, interactor_, pixel_size());
     window_.Render();
     const int* size = window_.GetSize();
-    const vtkNew<vtkUnsignedCharArray> data;
-    window_.GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, data, 0);
+    const vtkNew<vtkUnsignedCharArray> pixel_data;
+    window_.GetPixelData(0, 0, size[0] - 1, size[1] - 1, 0, pixel_data, 0);
     window_.ReleaseCurrent();
-    image_ = QImage(data->GetPointer(0), size[0], size[1], size[0] * 3, QImage::Format_RGB888).mirrored();
+    image_ =
+        QImage(pixel_data->GetPointer(0), size[0], size[1], size[0] * 3, QImage::Format_RGB888).mirrored();
   }
   QPainter(this).drawImage(rect(), image_);
 }

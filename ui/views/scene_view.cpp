@@ -49,9 +49,9 @@ SceneView::SceneView(RenderBackend backend, QWidget* parent)
   scene_.on_change(redraw);
   const vtkNew<vtkCallbackCommand> wish;
   wish->SetClientData(new std::function<void()>(redraw));
-  wish->SetClientDataDeleteCallback([](void* data) { delete static_cast<std::function<void()>*>(data); });
+  wish->SetClientDataDeleteCallback([](void* call) { delete static_cast<std::function<void()>*>(call); });
   wish->SetCallback(
-      [](vtkObject*, unsigned long, void* data, void*) { (*static_cast<std::function<void()>*>(data))(); });
+      [](vtkObject*, unsigned long, void* call, void*) { (*static_cast<std::function<void()>*>(call))(); });
   vtk_->interactor->AddObserver(vtkCommand::RenderEvent, wish);
 
   canvas_->setFocusPolicy(Qt::StrongFocus);
