@@ -1,12 +1,16 @@
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <limits>
 
 namespace feedscope {
 
 using Vec3 = Eigen::Vector3d;
+
+/// Points closer than this are one point: far below any control's resolution, far above rounding [mm].
+inline constexpr double same_point = 1e-6;
 
 inline constexpr std::array<char, 3> axis_names{'X', 'Y', 'Z'};
 

@@ -28,7 +28,7 @@ struct Toolpath {
   Vec3 start = Vec3::Zero();  ///< [mm]
   std::vector<Segment> segments;
   std::vector<Arc> arcs;
-  Bounds bounds;  ///< as Program::bounds [mm]
+  Bounds bounds;  ///< as Program::bounds, arcs with their full extent [mm]
 
   const Vec3& start_of(std::size_t i) const { return i == 0 ? start : segments[i - 1].end; }
   Vec3 tangent_at_start(std::size_t i) const;  ///< unit; zero for a dwell
@@ -37,7 +37,7 @@ struct Toolpath {
 };
 
 /// Blocks to segments: arcs get frames, helices stay helices, blocks that do not move vanish.
-/// Ends are the programmed points exactly.
+/// Ends are the programmed points exactly; a line no longer than same_point vanishes too.
 Toolpath build_toolpath(const Program& program);
 
 }  // namespace feedscope

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+
+namespace feedscope {
+
+/// Collects diagnostics so that a long program with a fault on every line stays readable and small: of one
+/// kind the first ten are kept, the others counted in one closing line.
+class DiagnosticLog {
+ public:
+  static constexpr std::uint32_t kept_of_a_kind = 10;
+
+  struct Place {
+    std::uint32_t line = 0;    ///< 1-based; 0: the file as a whole
+    std::uint32_t column = 0;  ///< 1-based byte column; 0: the line as a whole
+  };
+  struct Text {
+    std::string message;
+    std::string hint;
+  };
+
+  /// A kind is `code`, which must outlive the log, and `detail`, such as the number of a G word.
+  /// `text()` gives the Text; it is called for what is kept only.
+  template <typename MakeText>
+  void add(Severity severity, std::string_view code, int detail, Place place, MakeText&& text) {
+    if (admit(severity, code, detail, place)) {
+      Text made = text();
+      diagnostics_.push_back({severity, place.line, place.column, std::string(code), std::move(made.message),
+                              std::move(made.hint)});
+    }
+  }
+
+  /// All of them by line; the log is empty afterwards.
+  std::vector<Diagnostic> take();
+
+ private:
+  struct Kind {
+    Severity severity = Severity::info;
+    std::uint32_t count = 0;
+    std::uint32_t first_left_out = 0;  ///< line
+    std::uint32_t last_left_out = 0;   ///< line
+  };
+
+  bool admit(Severity severity, std::string_view code, int detail, Place place);
+
+  std::vector<Diagnostic> diagnostics_;
+  std::map<std::pair<std::string_view, int>, Kind> kinds_;
+};
+
+}  // namespace feedscope

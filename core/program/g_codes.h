@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/base/diagnostic.h"
+
+namespace feedscope {
+
+/// What a G word does to the reader.
+enum class GAction : std::uint8_t {
+  accept,  ///< leaves the programmed geometry as it is
+  rapid,
+  line,
+  arc_cw,
+  arc_ccw,
+  dwell,
+  plane_xy,
+  plane_zx,
+  plane_yz,
+  inch,
+  metric,
+  absolute,
+  incremental,
+  absolute_centers,
+  incremental_centers,
+  feed_per_minute,
+  other_feed,     ///< F means something else from here on
+  work_offset,    ///< a warning once it changes on the way
+  cancel_cycle,   ///< G80
+  report,         ///< not read; the block moves as programmed
+  own_words,      ///< not read; the block's coordinates belong to it, nothing moves
+  unread_motion,  ///< not read; nothing moves until the next G0 to G3
+};
+
+/// G words of one group exclude each other in a block.
+enum class GGroup : std::uint8_t {
+  none,
+  motion,
+  plane,
+  distance,
+  center_distance,
+  feed_mode,
+  units,
+  radius,
+  tool_length,
+  offset,
+  path_mode,
+};
+
+struct GCode {
+  int number = 0;  ///< ten times the G number: 901 is G90.1
+  GGroup group = GGroup::none;
+  GAction action = GAction::accept;
+  Severity severity = Severity::info;  ///< of the report, where there is one
+  std::string_view subject;            ///< what it is; empty: nothing to report
+  std::string_view effect;             ///< what that means for the path shown
+  bool needs_axes = false;             ///< harmless in a block without X, Y and Z
+};
+
+/// The code with ten times its G number, or nullptr for one that is not known.
+const GCode* find_g_code(int number);
+
+}  // namespace feedscope

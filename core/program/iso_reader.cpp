@@ -1,0 +1,402 @@
+#include "core/program/iso_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace feedscope {
+
+namespace {
+
+using Text = DiagnosticLog::Text;
+
+constexpr std::string_view not_moved = "the block does not move; correct the word or write a plain number";
+
+/// What stands in the program, fit for a message: one short line of plain characters.
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 32;
+  std::string shown = "\"";
+  for (const char c : text.substr(0, longest)) {
+    shown += c >= ' ' && c <= '~' ? c : '?';
+  }
+  return shown + (text.size() > longest ? "...\"" : "\"");
+}
+
+std::string g_name(int number) {
+  return number % 10 == 0 ? fmt::format("G{}", number / 10) : fmt::format("G{}.{}", number / 10, number % 10);
+}
+
+/// Ten times a G number; -1 for what cannot be one.
+int g_number(double value) {
+  const double tenfold = std::round(value * 10);
+  return value >= 0 && tenfold < 100000 && std::abs(tenfold - value * 10) < 1e-6 ? static_cast<int>(tenfold)
+                                                                                 : -1;
+}
+
+Text text_of(const Fault& fault, std::string_view written) {
+  switch (fault.kind) {
+    case FaultKind::malformed_number:
+      return {fmt::format("{} has no readable number", quoted(written)), std::string(not_moved)};
+    case FaultKind::number_range:
+      return {fmt::format("{} is beyond the largest number, 1000000000", quoted(written)),
+              std::string(not_moved)};
+    case FaultKind::unclosed_comment:
+      return {fmt::format("the comment {} is not closed", quoted(written)),
+              "the rest of the line is taken for the comment; add the closing bracket"};
+    case FaultKind::statement:
+      return {fmt::format("{} is not a word of the ISO core", quoted(written)),
+              "names, variables and expressions are not read; the block does not move"};
+    case FaultKind::character:
+      break;
+  }
+  return {fmt::format("{} does not start a word", quoted(written)),
+          "the rest of the line is not read and the block does not move; remove the character"};
+}
+
+std::string_view code_of(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::malformed_number:
+      return "malformed-number";
+    case FaultKind::number_range:
+      return "number-range";
+    case FaultKind::unclosed_comment:
+      return "unclosed-comment";
+    case FaultKind::statement:
+      return "unread-statement";
+    case FaultKind::character:
+      break;
+  }
+  return "unknown-character";
+}
+
+}  // namespace
+
+void IsoReader::Words::clear() {
+  present = 0;
+  groups.fill(nullptr);
+  other_codes = false;
+  own_words = false;
+  dwell = false;
+}
+
+bool IsoReader::Words::has_any(std::string_view letters) const {
+  return std::any_of(letters.begin(), letters.end(), [this](char letter) { return has(letter); });
+}
+
+std::uint32_t IsoReader::Words::first_column(std::string_view letters) const {
+  std::uint32_t column = 0;
+  for (const char letter : letters) {
+    if (has(letter) && (column == 0 || (*this)[letter].column < column)) {
+      column = (*this)[letter].column;
+    }
+  }
+  return column;
+}
+
+IsoReader::IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options)
+    : options_(options) {
+  program_.source = std::move(source);
+}
+
+Program IsoReader::read(Progress* progress) {
+  constexpr std::uint32_t lines_between_reports = 4096;
+  const SourceText& source = *program_.source;
+  const std::uint32_t count = source.line_count();
+  program_.motions.reserve(std::min<std::size_t>(count, std::size_t{1} << 24));
+  for (line_ = 1; line_ <= count && end_line_ == 0; ++line_) {
+    if (progress != nullptr && line_ % lines_between_reports == 0) {
+      progress->report(static_cast<double>(line_) / count);
+    }
+    read_block(lexer_.read(source.line(line_)));
+  }
+  if (program_.block_count == 0) {
+    log_.add(Severity::error, "empty-program", 0, {}, [] {
+      return Text{"the program holds no blocks", "give a file with NC blocks such as \"G1 X10 F500\""};
+    });
+  }
+  report_text_after_end();
+  program_.diagnostics = log_.take();
+  return std::move(program_);
+}
+
+void IsoReader::read_block(const Block& block) {
+  const bool skipped = options_.skip_deleted_blocks && block.delete_level > 0;
+  if (!skipped && !(block.words.empty() && block.faults.empty())) {
+    ++program_.block_count;
+    report_faults(block);
+    gather(block);
+    apply_feed();
+    const bool sound = std::all_of(block.faults.begin(), block.faults.end(), [](const Fault& fault) {
+      return fault.kind == FaultKind::unclosed_comment;
+    });
+    if (sound) {
+      check_rotary();
+      check_unused();
+      move();
+    }
+  }
+  if (block.percent > 0 && program_.block_count > 0) {
+    end_line_ = line_;
+  }
+}
+
+void IsoReader::report_faults(const Block& block) {
+  for (const Fault& fault : block.faults) {
+    report(Severity::error, code_of(fault.kind), 0, fault.column,
+           [&] { return text_of(fault, block.text_of(fault)); });
+  }
+}
+
+void IsoReader::gather(const Block& block) {
+  words_.clear();
+  bool codes = false;
+  for (const Word& word : block.words) {
+    switch (word.letter) {
+      case 'G':
+      case 'M':
+        codes = true;
+        continue;
+      case 'N':
+      case 'O':
+        continue;
+      default:
+        break;
+    }
+    if (words_.has(word.letter)) {
+      report(Severity::error, "duplicate-word", 0, word.column, [&] {
+        return Text{fmt::format("{} stands twice in the block", word.letter),
+                    fmt::format("{} counts; remove the other", quoted(block.text_of(word)))};
+      });
+    }
+    words_.present |= 1U << (word.letter - 'A');
+    words_.by_letter[static_cast<std::size_t>(word.letter - 'A')] = word;
+  }
+  if (codes) {
+    for (const Word& word : block.words) {
+      if (word.letter == 'G') {
+        apply_g(block, word);
+      } else if (word.letter == 'M') {
+        apply_m(word);
+      }
+    }
+  }
+}
+
+void IsoReader::apply_g(const Block& block, const Word& word) {
+  const int number = g_number(word.value);
+  const GCode* const code = find_g_code(number);
+  if (code == nullptr) {
+    words_.other_codes = true;
+    report(Severity::error, "unknown-g", number, word.column, [&] {
+      return Text{fmt::format("{} is not a known G word", quoted(block.text_of(word))),
+                  "it is left out; the path may differ from what the control does"};
+    });
+    return;
+  }
+  if (code->group != GGroup::none) {
+    const GCode*& present = words_.groups[static_cast<std::size_t>(code->group)];
+    if (present != nullptr && present != code) {
+      report(Severity::error, "conflicting-g", number, word.column, [&] {
+        return Text{
+            fmt::format("{} and {} exclude each other in one block", g_name(present->number), g_name(number)),
+            fmt::format("{} counts; remove the other", g_name(number))};
+      });
+    }
+    present = code;
+  }
+  words_.other_codes = words_.other_codes || code->group != GGroup::motion;
+  if (code->needs_axes && !words_.has_any("XYZ")) {
+    words_.other_codes = true;
+    return;
+  }
+  report_unread(*code, word);
+  apply_modal(*code);
+}
+
+void IsoReader::apply_modal(const GCode& code) {
+  switch (code.action) {
+    case GAction::accept:
+    case GAction::report:
+      break;
+    case GAction::rapid:
+      state_.motion = MotionMode::rapid;
+      break;
+    case GAction::line:
+      state_.motion = MotionMode::line;
+      break;
+    case GAction::arc_cw:
+      state_.motion = MotionMode::arc_cw;
+      break;
+    case GAction::arc_ccw:
+      state_.motion = MotionMode::arc_ccw;
+      break;
+    case GAction::dwell:
+      words_.dwell = true;
+      break;
+    case GAction::plane_xy:
+      state_.plane = Plane::xy;
+      break;
+    case GAction::plane_zx:
+      state_.plane = Plane::zx;
+      break;
+    case GAction::plane_yz:
+      state_.plane = Plane::yz;
+      break;
+    case GAction::inch:
+      state_.inch = true;
+      break;
+    case GAction::metric:
+      state_.inch = false;
+      break;
+    case GAction::absolute:
+      state_.incremental = false;
+      break;
+    case GAction::incremental:
+      state_.incremental = true;
+      break;
+    case GAction::absolute_centers:
+      state_.absolute_centers = true;
+      break;
+    case GAction::incremental_centers:
+      state_.absolute_centers = false;
+      break;
+    case GAction::feed_per_minute:
+      state_.feed_per_minute = true;
+      break;
+    case GAction::other_feed:
+      state_.feed_per_minute = false;
+      state_.feed = 0;
+      break;
+    case GAction::work_offset:
+      state_.work_offset = code.number;
+      break;
+    case GAction::cancel_cycle:
+      state_.motion = state_.motion == MotionMode::unread ? MotionMode::none : state_.motion;
+      break;
+    case GAction::own_words:
+      words_.own_words = true;
+      break;
+    case GAction::unread_motion:
+      words_.other_codes = true;
+      state_.motion = MotionMode::unread;
+      break;
+  }
+}
+
+void IsoReader::report_unread(const GCode& code, const Word& word) {
+  const bool shifted = code.action == GAction::work_offset && !program_.motions.empty() &&
+                       state_.work_offset != 0 && state_.work_offset != code.number;
+  if (shifted) {
+    report(Severity::warning, "work-offset", code.number, word.column, [&] {
+      return Text{fmt::format("{} follows {} on the way", g_name(code.number), g_name(state_.work_offset)),
+                  "work offsets are taken as zero, so the parts of the path lie over each other"};
+    });
+  }
+  if (!code.subject.empty()) {
+    report(code.severity, "unread-g", code.number, word.column, [&] {
+      return Text{fmt::format("{} ({}) is not read", g_name(code.number), code.subject),
+                  std::string(code.effect)};
+    });
+  }
+}
+
+void IsoReader::apply_m(const Word& word) {
+  words_.other_codes = true;
+  if (word.value == 2 || word.value == 30 || word.value == 99) {
+    end_line_ = line_;
+  } else if (word.value == 97 || word.value == 98) {
+    words_.own_words = true;
+    report(Severity::error, "subprogram", 0, word.column, [&] {
+      return Text{fmt::format("M{} calls a subprogram, which is not read", word.value),
+                  "its motion is left out; insert the subprogram's blocks"};
+    });
+  }
+}
+
+void IsoReader::apply_feed() {
+  const bool is_time = words_.dwell && !words_.has_any("PXU");
+  if (!words_.has('F') || is_time) {
+    return;
+  }
+  const Word& word = words_['F'];
+  if (!(word.value > 0)) {
+    report(Severity::error, "feed-value", 0, word.column, [&] {
+      return Text{fmt::format("feed F{} is not above zero", word.value),
+                  state_.feed > 0 ? "the last valid feed stays in force; write a feed above zero"
+                                  : "feed moves run as fast as the axes allow; write a feed above zero"};
+    });
+  } else if (state_.feed_per_minute) {
+    state_.feed = units::from_mm_min(state_.to_mm(word.value));
+  }
+}
+
+void IsoReader::check_rotary() {
+  constexpr std::string_view axes = "ABCUVW";
+  if (words_.own_words || words_.dwell || !words_.has_any(axes)) {
+    return;
+  }
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!words_.has(axes[i])) {
+      continue;
+    }
+    const Word& word = words_[axes[i]];
+    const double target = state_.incremental ? state_.further_axes[i] + word.value : word.value;
+    if (target != state_.further_axes[i]) {
+      report(Severity::error, "unread-axis", axes[i], word.column, [&] {
+        return Text{fmt::format("axis {} moves to {}, which is not read", axes[i], target),
+                    "X, Y and Z are shown as programmed"};
+      });
+    }
+    state_.further_axes[i] = target;
+  }
+}
+
+void IsoReader::check_unused() {
+  if (words_.has('E')) {
+    report(Severity::info, "unused-word", 'E', words_['E'].column, [] {
+      return Text{"E (extruder) is not read", "it does not change the path"};
+    });
+  }
+  const bool is_arc = state_.motion == MotionMode::arc_cw || state_.motion == MotionMode::arc_ccw;
+  if (words_.other_codes || state_.motion == MotionMode::unread) {
+    return;
+  }
+  const std::string_view unused = is_arc ? "LQ" : "IJKRPLQ";
+  if (!words_.has_any(unused)) {
+    return;
+  }
+  for (const char letter : unused) {
+    if (words_.has(letter)) {
+      report(Severity::warning, "unused-word", letter, words_[letter].column, [&] {
+        return Text{fmt::format("{}{} has no meaning in this block", letter, words_[letter].value),
+                    is_arc ? "it is left out" : "it is left out; is a G2 or G3 missing?"};
+      });
+    }
+  }
+}
+
+void IsoReader::report_text_after_end() {
+  if (end_line_ == 0) {
+    return;
+  }
+  const SourceText& source = *program_.source;
+  for (std::uint32_t line = end_line_ + 1; line <= source.line_count(); ++line) {
+    const Block& block = lexer_.read(source.line(line));
+    if (!block.words.empty()) {
+      log_.add(Severity::info, "text-after-end", 0, {line, block.words.front().column}, [&] {
+        return Text{fmt::format("the program ends in line {}; what follows is not executed", end_line_), ""};
+      });
+      return;
+    }
+  }
+}
+
+Program read_program(std::shared_ptr<const SourceText> source, Progress* progress,
+                     const ReadOptions& options) {
+  return IsoReader(std::move(source), options).read(progress);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,183 @@
+#include "core/program/lexer.h"
+
+#include <fast_float/fast_float.h>
+
+#include <algorithm>
+
+namespace feedscope {
+
+namespace {
+
+constexpr double number_limit = 1e9;
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+char to_upper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+bool is_letter(char c) {
+  return to_upper(c) >= 'A' && to_upper(c) <= 'Z';
+}
+bool is_number_part(char c) {
+  return is_digit(c) || c == '.' || c == '+' || c == '-';
+}
+
+std::size_t skip_blanks(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_blank(text[at])) {
+    ++at;
+  }
+  return at;
+}
+
+/// End of a name such as "CYCLE832", "_X" or "BEGIN".
+std::size_t name_end(std::string_view text, std::size_t at) {
+  while (at < text.size() && (is_letter(text[at]) || is_digit(text[at]) || text[at] == '_')) {
+    ++at;
+  }
+  return at;
+}
+
+/// End of what was meant as a number: up to a blank, a comment or a letter that starts the next word.
+std::size_t bad_number_end(std::string_view text, std::size_t at) {
+  while (at < text.size()) {
+    const bool exponent = to_upper(text[at]) == 'E' && at + 1 < text.size() && is_number_part(text[at + 1]);
+    if (!is_number_part(text[at]) && !exponent) {
+      break;
+    }
+    ++at;
+  }
+  return at;
+}
+
+bool is_not_finite(std::string_view name) {
+  const auto same = [&](std::string_view other) {
+    return std::equal(name.begin(), name.end(), other.begin(), other.end(),
+                      [](char a, char b) { return to_upper(a) == b; });
+  };
+  return same("NAN") || same("INF") || same("INFINITY");
+}
+
+bool starts_statement(char c) {
+  return c == '#' || c == '[' || c == ']' || c == '<' || c == '>' || c == '=' || c == '"' || c == '_';
+}
+
+}  // namespace
+
+std::size_t Lexer::add_fault(FaultKind kind, std::size_t from, std::size_t to) {
+  block_.faults.push_back(
+      {kind, static_cast<std::uint32_t>(from + 1), static_cast<std::uint32_t>(to - from)});
+  return to;
+}
+
+std::size_t Lexer::read_comment(std::size_t at) {
+  std::size_t first_close = std::string_view::npos;
+  int depth = 0;
+  for (std::size_t i = at; i < block_.text.size(); ++i) {
+    if (block_.text[i] == '(') {
+      ++depth;
+    } else if (block_.text[i] == ')') {
+      first_close = std::min(first_close, i);
+      if (--depth == 0) {
+        return i + 1;
+      }
+    }
+  }
+  if (first_close != std::string_view::npos) {
+    return first_close + 1;
+  }
+  return add_fault(FaultKind::unclosed_comment, at, block_.text.size());
+}
+
+std::size_t Lexer::read_delete(std::size_t at) {
+  const std::string_view text = block_.text;
+  block_.delete_level = 1;
+  if (at + 1 < text.size() && text[at + 1] >= '1' && text[at + 1] <= '9') {
+    block_.delete_level = text[at + 1] - '0';
+    return at + 2;
+  }
+  return at + 1;
+}
+
+std::size_t Lexer::read_word(std::size_t at) {
+  const std::string_view text = block_.text;
+  const char* const end = text.data() + text.size();
+  std::size_t i = skip_blanks(text, at + 1);
+  bool negative = false;
+  if (i < text.size() && (text[i] == '-' || text[i] == '+')) {
+    negative = text[i] == '-';
+    i = skip_blanks(text, i + 1);
+  }
+  if (i == at + 1 && i < text.size() && (is_letter(text[i]) || text[i] == '_')) {
+    const std::size_t stop = name_end(text, at);
+    if (is_not_finite(text.substr(i, stop - i))) {
+      return add_fault(FaultKind::malformed_number, at, stop);
+    }
+    add_fault(FaultKind::statement, at, stop);
+    return text.size();
+  }
+  if (i < text.size() && starts_statement(text[i])) {
+    add_fault(FaultKind::statement, at, text.size());
+    return text.size();
+  }
+  if (i == text.size() || !(is_digit(text[i]) || text[i] == '.')) {
+    return add_fault(FaultKind::malformed_number, at, std::max(at + 1, bad_number_end(text, i)));
+  }
+  double value = 0;
+  const auto [stop, status] =
+      fast_float::from_chars(text.data() + i, end, value, fast_float::chars_format::fixed);
+  const std::size_t number_end =
+      status == std::errc::invalid_argument ? i : static_cast<std::size_t>(stop - text.data());
+  const std::size_t next = skip_blanks(text, number_end);
+  const bool exponent = number_end < text.size() && to_upper(text[number_end]) == 'E' &&
+                        number_end + 1 < text.size() && is_number_part(text[number_end + 1]);
+  if (number_end == i || exponent || (next < text.size() && is_number_part(text[next]))) {
+    return add_fault(FaultKind::malformed_number, at, bad_number_end(text, next));
+  }
+  if (!(value <= number_limit)) {
+    return add_fault(FaultKind::number_range, at, number_end);
+  }
+  if (next < text.size() && starts_statement(text[next])) {
+    add_fault(FaultKind::statement, at, text.size());
+    return text.size();
+  }
+  const bool has_point = text.substr(i, number_end - i).find('.') != std::string_view::npos;
+  block_.words.push_back({to_upper(text[at]), has_point, static_cast<std::uint32_t>(at + 1),
+                          static_cast<std::uint32_t>(number_end - at), negative ? -value : value});
+  return number_end;
+}
+
+const Block& Lexer::read(std::string_view line) {
+  block_.text = line;
+  block_.words.clear();
+  block_.faults.clear();
+  block_.delete_level = 0;
+  block_.percent = 0;
+  std::size_t at = 0;
+  while ((at = skip_blanks(line, at)) < line.size()) {
+    const char c = line[at];
+    if (is_letter(c)) {
+      at = read_word(at);
+    } else if (c == '(') {
+      at = read_comment(at);
+    } else if (c == ';') {
+      break;
+    } else if (c == '%') {
+      block_.percent = static_cast<std::uint32_t>(at + 1);
+      break;
+    } else if (c == '/' && block_.delete_level == 0 &&
+               (block_.words.empty() || (block_.words.size() == 1 && block_.words[0].letter == 'N'))) {
+      at = read_delete(at);
+    } else {
+      add_fault(starts_statement(c) ? FaultKind::statement : FaultKind::character, at,
+                starts_statement(c) ? line.size() : at + 1);
+      break;
+    }
+  }
+  return block_;
+}
+
+}  // namespace feedscope

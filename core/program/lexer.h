@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace feedscope {
+
+/// An address letter with its number, "X-12.5".
+struct Word {
+  char letter = ' ';         ///< upper case
+  bool has_point = false;    ///< the number was written with a decimal point
+  std::uint32_t column = 0;  ///< 1-based byte column of the letter
+  std::uint32_t length = 0;  ///< bytes from the letter to the number's end
+  double value = 0;
+};
+
+/// What the lexer could not read.
+enum class FaultKind : std::uint8_t {
+  malformed_number,  ///< "X1..2", "X-", "Xnan", "X1e5"
+  number_range,      ///< beyond +-1e9
+  unclosed_comment,  ///< "(" without ")"; the rest of the line is taken for the comment
+  statement,         ///< name, variable, expression, assignment; the rest of the line is not read
+  character,         ///< a character that starts no word; the rest of the line is not read
+};
+
+struct Fault {
+  FaultKind kind = FaultKind::character;
+  std::uint32_t column = 0;  ///< 1-based byte column
+  std::uint32_t length = 0;  ///< bytes
+};
+
+/// One line taken apart.
+struct Block {
+  std::string_view text;      ///< the line
+  std::vector<Word> words;    ///< in written order
+  std::vector<Fault> faults;  ///< in written order; empty for a sound line
+  int delete_level = 0;       ///< of a leading "/": 1 to 9, "/" alone is 1; 0: none
+  std::uint32_t percent = 0;  ///< column of "%", which ends the line; 0: none
+
+  std::string_view text_of(const Word& word) const { return text.substr(word.column - 1, word.length); }
+  std::string_view text_of(const Fault& fault) const { return text.substr(fault.column - 1, fault.length); }
+};
+
+/// Takes the lines of address-letter dialects apart, free of what the words mean.
+///
+/// Upper and lower case are the same. Blanks may stand between words, after the letter and after the sign,
+/// or nowhere. "(...)" and ";" start comments; a "(" inside "(...)" opens a nested one if it is closed too.
+/// Numbers are decimal with a point, whatever the locale.
+class Lexer {
+ public:
+  /// The block holds until the next call; its storage is used again.
+  const Block& read(std::string_view line);
+
+ private:
+  std::size_t read_word(std::size_t at);
+  std::size_t read_comment(std::size_t at);
+  std::size_t read_delete(std::size_t at);
+  std::size_t add_fault(FaultKind kind, std::size_t from, std::size_t to);
+
+  Block block_;
+};
+
+}  // namespace feedscope

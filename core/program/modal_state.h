@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/base/geometry.h"
+#include "core/base/units.h"
+
+namespace feedscope {
+
+/// What the motion words of a block without a motion G word mean.
+enum class MotionMode : std::uint8_t {
+  none,     ///< no motion G word yet, or a cycle cancelled
+  rapid,    ///< G0
+  line,     ///< G1
+  arc_cw,   ///< G2
+  arc_ccw,  ///< G3
+  unread,   ///< cycle, spline, thread: positions are left out
+};
+
+/// Plane of arcs, by its normal.
+enum class Plane : std::uint8_t { xy = 2, zx = 1, yz = 0 };
+
+inline Vec3 normal_of(Plane plane) {
+  return Vec3::Unit(static_cast<int>(plane));
+}
+
+/// What stays in force from block to block.
+struct ModalState {
+  MotionMode motion = MotionMode::none;
+  Plane plane = Plane::xy;
+  bool inch = false;
+  bool incremental = false;              ///< G91
+  bool absolute_centers = false;         ///< G90.1
+  bool feed_per_minute = true;           ///< G94; G93 and G95 are not read
+  int work_offset = 0;                   ///< ten times the G number; 0: none yet
+  double feed = 0;                       ///< the last valid one [mm/s]; 0: none yet
+  Vec3 position = Vec3::Zero();          ///< [mm]
+  std::array<double, 6> further_axes{};  ///< A B C U V W as written
+
+  double to_mm(double value) const { return inch ? units::from_inch(value) : value; }
+};
+
+}  // namespace feedscope

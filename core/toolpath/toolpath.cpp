@@ -1,0 +1,106 @@
+#include "core/toolpath/toolpath.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace feedscope {
+
+namespace {
+
+/// Frame and sweep of an arc block from `start` to `end`.
+Arc arc_between(const Vec3& start, const Vec3& end, const ArcWords& words) {
+  constexpr double full_turn = 2 * std::numbers::pi;
+  const auto in_plane = [&](const Vec3& v) -> Vec3 { return v - words.axis.dot(v) * words.axis; };
+  const Vec3 from = in_plane(start - words.center);
+  const Vec3 to = in_plane(end - words.center);
+  Arc arc;
+  arc.radius = from.norm();
+  arc.x = from / arc.radius;
+  arc.y = words.axis.cross(arc.x);
+  double partial = 0;
+  if ((to - from).norm() > same_point) {
+    partial = std::atan2(to.dot(arc.y), to.dot(arc.x));
+    partial += partial < 0 ? full_turn : 0;
+  }
+  arc.sweep = partial + full_turn * words.turns;
+  arc.center = start - from;
+  arc.rise = words.axis.dot(end - start) / arc.sweep * words.axis;
+  return arc;
+}
+
+Vec3 tangent(const Toolpath& toolpath, std::size_t i, bool at_end) {
+  const Segment& segment = toolpath.segments[i];
+  switch (segment.kind) {
+    case SegmentKind::line:
+      return (segment.end - toolpath.start_of(i)) / segment.length;
+    case SegmentKind::arc: {
+      const Arc& arc = toolpath.arcs[static_cast<std::size_t>(segment.arc)];
+      return arc.at(at_end ? segment.length : 0).d1;
+    }
+    case SegmentKind::dwell:
+      break;
+  }
+  return Vec3::Zero();
+}
+
+}  // namespace
+
+Vec3 Toolpath::tangent_at_start(std::size_t i) const {
+  return tangent(*this, i, false);
+}
+
+Vec3 Toolpath::tangent_at_end(std::size_t i) const {
+  return tangent(*this, i, true);
+}
+
+double Toolpath::length() const {
+  double sum = 0;
+  for (const Segment& segment : segments) {
+    sum += segment.length;
+  }
+  return sum;
+}
+
+Toolpath build_toolpath(const Program& program) {
+  Toolpath toolpath;
+  toolpath.bounds = program.bounds;
+  toolpath.segments.reserve(program.motions.size());
+  toolpath.arcs.reserve(program.arcs.size());
+  Vec3 position = toolpath.start;
+  for (const MotionBlock& block : program.motions) {
+    Segment segment;
+    segment.end = block.target;
+    segment.feed = block.feed;
+    segment.line = block.line;
+    segment.rapid = block.motion == Motion::rapid;
+    switch (block.motion) {
+      case Motion::dwell:
+        segment.kind = SegmentKind::dwell;
+        segment.end = position;
+        segment.dwell = block.dwell;
+        break;
+      case Motion::arc: {
+        const Arc arc =
+            arc_between(position, block.target, program.arcs[static_cast<std::size_t>(block.arc)]);
+        arc.extend(toolpath.bounds);
+        segment.kind = SegmentKind::arc;
+        segment.arc = static_cast<std::int32_t>(toolpath.arcs.size());
+        segment.length = arc.length();
+        toolpath.arcs.push_back(arc);
+        break;
+      }
+      case Motion::rapid:
+      case Motion::line:
+        segment.length = (block.target - position).norm();
+        if (segment.length <= same_point) {
+          continue;
+        }
+        break;
+    }
+    position = segment.end;
+    toolpath.segments.push_back(segment);
+  }
+  return toolpath;
+}
+
+}  // namespace feedscope
