@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/blend/blended_path.h"
-#include "core/trajectory/cause.h"
+#include "core/limits/cause.h"
 
 namespace feedscope {
 
@@ -63,7 +63,7 @@ class Trajectory {
   Trajectory() = default;
   /// `lines`, `feeds` [mm/s]: per path element, source line and programmed feed (axes' speed for a rapid).
   Trajectory(BlendedPath path, std::vector<Piece> pieces, double duration, std::vector<BlendRecord> blends,
-             std::vector<std::uint32_t> lines, std::vector<float> feeds, std::vector<bool> rapid);
+             std::vector<std::uint32_t> lines, std::vector<double> feeds, std::vector<bool> rapid);
 
   double duration() const { return duration_; }          ///< cycle time [s]
   double path_length() const { return path_.length(); }  ///< executed [mm]
@@ -93,7 +93,7 @@ class Trajectory {
   double duration_ = 0;
   std::vector<BlendRecord> blends_;
   std::vector<std::uint32_t> lines_;
-  std::vector<float> feeds_;
+  std::vector<double> feeds_;
   std::vector<bool> rapid_;
 };
 

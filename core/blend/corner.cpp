@@ -1,0 +1,64 @@
+#include "core/blend/corner.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope {
+
+double turn_angle(const Vec3& in, const Vec3& out) {
+  return 2 * std::atan2((out - in).norm(), (out + in).norm());
+}
+
+Corner lay_corner(const Vec3& in, const Vec3& out, double longest, const CornerRule& rule) {
+  const double half_sine = (out - in).norm() / 2;  // sin(phi/2)
+  const bool reverses = (in.array() * out.array() < 0).any();
+  const double beta = rule.beta > 0 ? rule.beta : (reverses ? 0.6 : 0.8);
+  Corner corner;
+  corner.turn = turn_angle(in, out);
+  corner.transition = std::min(4 * beta * rule.tolerance / ((4 - rule.alpha) * half_sine), longest);
+  corner.epsilon = corner.transition * (4 - rule.alpha) * half_sine / 4;
+  return corner;
+}
+
+CubicBlend corner_blend(const Vec3& corner, const Vec3& in, const Vec3& out, double transition,
+                        double alpha) {
+  return {corner - transition * in, corner, corner + transition * out, alpha};
+}
+
+BlendShape::BlendShape(const Vec3& in, const Vec3& out, double transition, double alpha)
+    : first_(in), cos_(in.dot(out)), transition_(transition), alpha_(alpha) {
+  const Vec3 across = out - cos_ * in;
+  sin_ = across.norm();
+  second_ = across / sin_;
+}
+
+BlendShape::Point BlendShape::at(double u) const {
+  // S = P + T (p(u) U + q(u) V) with the Hermite basis; p and q derived once, twice, three times.
+  const double w = 1 - u;
+  const double p1 = 6 * u * w + alpha_ * (1 - 4 * u + 3 * u * u);
+  const double q1 = 6 * u * w + alpha_ * (3 * u * u - 2 * u);
+  const double p2 = 6 - 12 * u + alpha_ * (6 * u - 4);
+  const double q2 = 6 - 12 * u + alpha_ * (6 * u - 2);
+  const double p3 = -12 + 6 * alpha_;
+
+  // In the orthonormal frame (first_, second_), V = (cos, sin); q3 = p3.
+  const double x1 = p1 + q1 * cos_, y1 = q1 * sin_;
+  const double x2 = p2 + q2 * cos_, y2 = q2 * sin_;
+  const double x3 = p3 * (1 + cos_), y3 = p3 * sin_;
+
+  const double norm = std::sqrt(x1 * x1 + y1 * y1);
+  const double dnorm = (x1 * x2 + y1 * y2) / norm;
+  Point point;
+  point.sigma = transition_ * norm;
+  point.dsigma = transition_ * dnorm;
+  point.ddsigma = transition_ * (x2 * x2 + y2 * y2 + x1 * x3 + y1 * y3 - dnorm * dnorm) / norm;
+  const double cross = x1 * y2 - y1 * x2;
+  point.k = cross / (norm * norm * norm * transition_);
+  point.dk_ds = ((x1 * y3 - y1 * x3) / (norm * norm * norm) - 3 * cross * dnorm / std::pow(norm, 4)) /
+                (norm * transition_ * transition_);
+  point.tangent = (x1 * first_ + y1 * second_) / norm;
+  point.normal = (-y1 * first_ + x1 * second_) / norm;
+  return point;
+}
+
+}  // namespace feedscope

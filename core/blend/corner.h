@@ -1,0 +1,64 @@
+#pragma once
+
+#include "core/base/geometry.h"
+#include "core/toolpath/curve.h"
+
+namespace feedscope {
+
+/// Below this direction change [rad] two blocks count as one straight line, above pi less this as a reversal.
+inline constexpr double straight_angle = 1e-6;
+
+/// Angle between two unit vectors, exact also near 0 and pi [rad].
+double turn_angle(const Vec3& in, const Vec3& out);
+
+/// How a cubic Hermite blend is laid into a corner of two lines (Essid 2019, eq 4-13; MODELS section 2).
+struct CornerRule {
+  double tolerance = 0.1;  ///< rho, programmed contour tolerance [mm]
+  double alpha = 2.5;      ///< weight of the end derivatives, in (0, 4)
+  double beta = 0;  ///< share of the tolerance used; 0: 0.6 if an axis reverses in the corner, else 0.8
+};
+
+/// A blend laid into a corner.
+struct Corner {
+  double turn = 0;        ///< phi [rad]
+  double transition = 0;  ///< T [mm]
+  double epsilon = 0;     ///< distance of the corner from the blend [mm]
+};
+
+/// T = min(4 eps / ((4 - alpha) sin(phi/2)), longest), eps = beta rho, computed again where `longest` cuts T.
+/// `in`, `out`: unit directions, turning by more than straight_angle and less than a reversal.
+/// Eq 13 of the paper is the same with W's sign of eq 10 turned and 0/0 where U_x = V_x.
+Corner lay_corner(const Vec3& in, const Vec3& out, double longest, const CornerRule& rule);
+
+CubicBlend corner_blend(const Vec3& corner, const Vec3& in, const Vec3& out, double transition, double alpha);
+
+/// A blend seen along its own parameter u in [0, 1]: metric, curvature, tangent and normal (Essid 2019,
+/// eq 20-23, with the prime and the square that eq 23 lacks in print). Primes are derivatives by u.
+class BlendShape {
+ public:
+  struct Point {
+    double sigma = 0;    ///< |S'| [mm]
+    double dsigma = 0;   ///< sigma' [mm]
+    double ddsigma = 0;  ///< sigma'' [mm]
+    double k = 0;        ///< curvature [1/mm]
+    double dk_ds = 0;    ///< its derivative by path length [1/mm2]
+    Vec3 tangent;
+    Vec3 normal;
+  };
+
+  /// `in`, `out`: unit directions that differ.
+  BlendShape(const Vec3& in, const Vec3& out, double transition, double alpha);
+  Point at(double u) const;
+  /// Curvature at u = 1/2: alpha (4 - alpha) tan^2(phi/2) / (8 eps (3/2 - alpha/4)^2).
+  double middle_curvature() const { return at(0.5).k; }
+
+ private:
+  Vec3 first_;   ///< unit, along the way in
+  Vec3 second_;  ///< unit, across it towards the way out
+  double cos_;
+  double sin_;
+  double transition_;
+  double alpha_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,253 @@
+#include "core/feed/node_plan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+
+#include "core/feed/profile_walk.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double slack = 1 + 1e-9;
+
+/// Nodes, and per gap between neighbours its limits and whether it still has to be checked.
+class NodePlanner {
+ public:
+  NodePlanner(std::span<const PlanElement> elements, std::span<const double> ceiling,
+              std::span<const std::uint32_t> level)
+      : elements_(elements), ceiling_(ceiling), found_(level.begin(), level.end()) {
+    nodes_ = {{0, 0}, {static_cast<std::uint32_t>(elements.size()), 0}};
+    gaps_ = {{span_limits(elements, 0, elements.size()), true}};
+    insert_found();
+    make_reachable();
+  }
+
+  std::vector<PlanNode> plan() {
+    constexpr int careful_rounds = 24;
+    for (int round = 0; any_unchecked(); ++round) {
+      find_too_fast(round < careful_rounds);
+      insert_found();
+      make_reachable();
+    }
+    return std::move(nodes_);
+  }
+
+ private:
+  struct Gap {
+    SpanLimits limits;
+    bool unchecked = true;
+  };
+
+  bool any_unchecked() const {
+    return std::any_of(gaps_.begin(), gaps_.end(), [](const Gap& gap) { return gap.unchecked; });
+  }
+
+  /// Fills found_ with junctions that have to become nodes, in order. Of neighbouring places that are too
+  /// fast only the slowest of a few does when `careful`, so that ramps still run over the others.
+  void find_too_fast(bool careful) {
+    constexpr std::size_t together = 8;
+    found_.clear();
+    for (std::size_t g = 0; g < gaps_.size(); ++g) {
+      if (!gaps_[g].unchecked) {
+        continue;
+      }
+      gaps_[g].unchecked = false;
+      const std::size_t first = nodes_[g].junction;
+      const std::size_t last = nodes_[g + 1].junction;
+      if (last - first < 2) {
+        continue;
+      }
+      const SpeedProfile profile =
+          plan_profile(nodes_[g].speed, 0, nodes_[g + 1].speed, gaps_[g].limits.length,
+                       gaps_[g].limits.ceiling, gaps_[g].limits.ramp());
+      ProfileWalk walk(profile);
+      double s = 0;
+      std::size_t slowest = last;
+      std::size_t run = 0;
+      bool before = false;  // the junction before the element is passed too fast
+      const auto take = [&] {
+        if (slowest != last) {
+          found_.push_back(static_cast<std::uint32_t>(slowest));
+        }
+        slowest = last;
+        run = 0;
+      };
+      for (std::size_t e = first; e < last; ++e) {
+        s += elements_[e].length;
+        const double v = walk.move_to(s).v;
+        const bool inside = walk.largest_speed() > elements_[e].limits.speed.value * slack;
+        const bool after = e + 1 < last && v > ceiling_[e + 1] * slack;
+        const bool only_inside = inside && !after && !before;
+        before = after;
+        if (only_inside) {  // hold the element by its two ends
+          take();
+          if (e > first) {
+            found_.push_back(static_cast<std::uint32_t>(e));
+          }
+          if (e + 1 < last) {
+            found_.push_back(static_cast<std::uint32_t>(e + 1));
+          }
+          continue;
+        }
+        if (!after) {
+          take();
+          continue;
+        }
+        if (slowest == last || ceiling_[e + 1] < ceiling_[slowest]) {
+          slowest = e + 1;
+        }
+        if (++run == together || !careful) {
+          take();
+        }
+      }
+      take();
+    }
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+  }
+
+  void insert_found() {
+    if (found_.empty()) {
+      return;
+    }
+    std::vector<PlanNode> nodes;
+    std::vector<Gap> gaps;
+    nodes.reserve(nodes_.size() + found_.size());
+    gaps.reserve(nodes_.size() + found_.size());
+    auto next = found_.begin();
+    for (std::size_t n = 0; n < nodes_.size(); ++n) {
+      nodes.push_back(nodes_[n]);
+      if (n + 1 == nodes_.size()) {
+        break;
+      }
+      bool split = false;
+      std::size_t from = nodes_[n].junction;
+      for (; next != found_.end() && *next < nodes_[n + 1].junction; ++next) {
+        if (*next <= from) {
+          continue;
+        }
+        gaps.push_back({span_limits(elements_, from, *next), true});
+        nodes.push_back({*next, ceiling_[*next]});
+        from = *next;
+        split = true;
+      }
+      gaps.push_back(split ? Gap{span_limits(elements_, from, nodes_[n + 1].junction), true} : gaps_[n]);
+    }
+    nodes_ = std::move(nodes);
+    gaps_ = std::move(gaps);
+  }
+
+  void make_reachable() {
+    for (std::size_t g = 0; g < gaps_.size(); ++g) {
+      lower(nodes_[g + 1], nodes_[g].speed, g, g + 1);
+    }
+    for (std::size_t g = gaps_.size(); g-- > 0;) {
+      lower(nodes_[g], nodes_[g + 1].speed, g, g);
+    }
+  }
+
+  /// Lowers `node` to what gap `g` lets reach from `other`; the gaps on both sides of `node` change.
+  void lower(PlanNode& node, double other, std::size_t g, std::size_t index) {
+    if (node.speed <= other) {
+      return;
+    }
+    const double reach = reachable_speed(other, gaps_[g].limits.length, gaps_[g].limits.ramp());
+    if (reach < node.speed) {
+      node.speed = reach;
+      gaps_[g].unchecked = true;
+      if (index > 0) {
+        gaps_[index - 1].unchecked = true;
+      }
+      if (index < gaps_.size()) {
+        gaps_[index].unchecked = true;
+      }
+    }
+  }
+
+  std::span<const PlanElement> elements_;
+  std::span<const double> ceiling_;
+  std::vector<PlanNode> nodes_;
+  std::vector<Gap> gaps_;
+  std::vector<std::uint32_t> found_;
+};
+
+}  // namespace
+
+void SpanLimits::add(const PlanElement& element) {
+  length += element.length;
+  ceiling = std::max(ceiling, element.limits.speed.value);
+  if (element.limits.acceleration.value < acceleration.value) {
+    acceleration = element.limits.acceleration;
+  }
+  if (element.limits.jerk.value < jerk.value) {
+    jerk = element.limits.jerk;
+  }
+}
+
+SpanLimits span_limits(std::span<const PlanElement> elements, std::size_t first, std::size_t last) {
+  SpanLimits limits;
+  for (std::size_t e = first; e < last; ++e) {
+    limits.add(elements[e]);
+  }
+  return limits;
+}
+
+std::vector<PlanNode> plan_nodes(std::span<const PlanElement> elements,
+                                 std::span<const double> junction_ceiling,
+                                 std::span<const std::uint32_t> level) {
+  return NodePlanner(elements, junction_ceiling, level).plan();
+}
+
+std::size_t first_too_fast(std::span<const PlanElement> elements, std::span<const double> junction_ceiling,
+                           std::size_t first, std::size_t last, const SpeedProfile& profile) {
+  ProfileWalk walk(profile);
+  double s = 0;
+  for (std::size_t e = first; e < last; ++e) {
+    s += elements[e].length;
+    const double v = walk.move_to(s).v;
+    if (walk.largest_speed() > elements[e].limits.speed.value * slack ||
+        (e + 1 < last && v > junction_ceiling[e + 1] * slack)) {
+      return e;
+    }
+  }
+  return last;
+}
+
+void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<const std::uint32_t> block_of,
+                             std::uint32_t horizon, std::span<double> junction_ceiling) {
+  // Least acceleration and jerk of the elements ahead, each by a queue of rising values.
+  std::deque<std::size_t> by_acceleration;
+  std::deque<std::size_t> by_jerk;
+  const auto push = [](std::deque<std::size_t>& queue, std::size_t e, auto value) {
+    while (!queue.empty() && value(queue.back()) >= value(e)) {
+      queue.pop_back();
+    }
+    queue.push_back(e);
+  };
+  const auto acceleration = [&](std::size_t e) { return elements[e].limits.acceleration.value; };
+  const auto jerk = [&](std::size_t e) { return elements[e].limits.jerk.value; };
+
+  std::size_t ahead = 0;
+  double length = 0;
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    for (; ahead < elements.size() && block_of[ahead] - block_of[e] < horizon; ++ahead) {
+      push(by_acceleration, ahead, acceleration);
+      push(by_jerk, ahead, jerk);
+      length += elements[ahead].length;
+    }
+    while (by_acceleration.front() < e) {
+      by_acceleration.pop_front();
+    }
+    while (by_jerk.front() < e) {
+      by_jerk.pop_front();
+    }
+    if (ahead < elements.size()) {
+      const double reach =
+          reachable_speed(0, length, {acceleration(by_acceleration.front()), jerk(by_jerk.front())});
+      junction_ceiling[e] = std::min(junction_ceiling[e], reach);
+    }
+    length -= elements[e].length;
+  }
+}
+
+}  // namespace feedscope

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/feed/ramp.h"
+#include "core/limits/segment_limits.h"
+
+namespace feedscope {
+
+/// One element of a stretch between two standstills, for planning.
+struct PlanElement {
+  double length = 0;    ///< > 0 [mm]
+  MotionLimits limits;  ///< ceiling over the whole element, ramps along it
+};
+
+/// A junction where the law touches its planned speed with zero acceleration.
+struct PlanNode {
+  std::uint32_t junction = 0;  ///< before element `junction`; elements.size() is the end
+  double speed = 0;            ///< [mm/s]
+};
+
+/// Limits of ramps over elements [first, last): the least of them.
+struct SpanLimits {
+  double length = 0;   ///< [mm]
+  double ceiling = 0;  ///< highest speed ceiling of them [mm/s]
+  AxisBound acceleration{std::numeric_limits<double>::infinity(), -1};
+  AxisBound jerk{std::numeric_limits<double>::infinity(), -1};
+
+  RampLimits ramp() const { return {acceleration.value, jerk.value}; }
+  void add(const PlanElement& element);
+};
+SpanLimits span_limits(std::span<const PlanElement> elements, std::size_t first, std::size_t last);
+
+/// Junction speeds from standstill to standstill, so that ramps may run over many short elements.
+///
+///   speed ^        ceiling ---.      .--------
+///         |   nodes o    .-o  |_o__o_|  .-o    Between neighbouring nodes the law is plan_profile();
+///         |        /      \     ....            every element keeps its ceiling, every junction its own.
+///         +------------------------------- path
+///
+/// Starts with the two standstills, adds the slowest places that the law between them passes too fast, lowers
+/// nodes until each can be reached from its neighbours, and repeats until nothing is too fast.
+/// `junction_ceiling`: elements.size() + 1 values, the first and last taken as 0 [mm/s].
+/// `level`: junctions, in order and not the ends, that are nodes whatever their speed.
+/// Cost linear in the number of elements: a bounded number of passes.
+std::vector<PlanNode> plan_nodes(std::span<const PlanElement> elements,
+                                 std::span<const double> junction_ceiling,
+                                 std::span<const std::uint32_t> level = {});
+
+/// Lowers `junction_ceiling` so that from every junction standstill is reached within `horizon` programmed
+/// blocks: the look-ahead of MODELS section 1. `block_of`: the programmed block of each element.
+void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<const std::uint32_t> block_of,
+                             std::uint32_t horizon, std::span<double> junction_ceiling);
+
+/// First element, or junction, of [first, last) that `profile` passes faster than allowed; `last` if none.
+std::size_t first_too_fast(std::span<const PlanElement> elements, std::span<const double> junction_ceiling,
+                           std::size_t first, std::size_t last, const SpeedProfile& profile);
+
+}  // namespace feedscope

@@ -1,0 +1,68 @@
+#include "core/feed/profile_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope {
+
+ProfileWalk::ProfileWalk(const SpeedProfile& profile)
+    : profile_(profile), start_{0, profile.v0, profile.a0}, at_(start_), largest_(profile.v0) {
+  skip_empty();
+}
+
+void ProfileWalk::skip_empty() {
+  while (phase_ < profile_.phases.size() && !(profile_.phases[phase_].duration > tau_)) {
+    start_ = at_;
+    tau_ = 0;
+    ++phase_;
+  }
+}
+
+void ProfileWalk::move_by(double time) {
+  const Phase& phase = profile_.phases[phase_];
+  const bool to_end = time >= phase.duration - tau_;
+  tau_ = to_end ? phase.duration : tau_ + time;
+  const double before = at_.a;
+  at_ = advance(start_, phase.jerk, tau_);
+  largest_ = std::max(largest_, at_.v);
+  if (before > 0 && at_.a < 0) {  // the speed peaks inside the phase
+    largest_ = std::max(largest_, at_.v + at_.a * at_.a / (2 * std::abs(phase.jerk)));
+  }
+  skip_empty();
+}
+
+double ProfileWalk::time_to(double s) const {
+  const double left = phase_left();
+  const double j = jerk();
+  if (advance(at_, j, left).s <= s) {
+    return left;
+  }
+  double low = 0;
+  double high = left;
+  double time = at_.v > 0 ? std::min((s - at_.s) / at_.v, left / 2) : left / 2;
+  for (int i = 0; i < 100 && high - low > 1e-15 * (1 + left); ++i) {
+    const Motion1d there = advance(at_, j, time);
+    if (std::abs(there.s - s) <= 1e-13) {
+      return time;
+    }
+    (there.s < s ? low : high) = time;
+    const double newton = time - (there.s - s) / there.v;
+    time = newton > low && newton < high ? newton : (low + high) / 2;
+  }
+  return time;
+}
+
+const Motion1d& ProfileWalk::move_to(double s) {
+  largest_ = at_.v;
+  while (phase_ < profile_.phases.size()) {
+    const double left = phase_left();
+    const double time = time_to(s);
+    move_by(time);
+    if (time < left) {
+      break;
+    }
+  }
+  return at_;
+}
+
+}  // namespace feedscope

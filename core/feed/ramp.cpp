@@ -1,0 +1,154 @@
+#include "core/feed/ramp.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope {
+namespace {
+
+double covered(double v, double a, const std::array<Phase, 3>& phases) {
+  Motion1d motion{0, v, a};
+  for (const Phase& phase : phases) {
+    motion = advance(motion, phase.jerk, phase.duration);
+  }
+  return motion.s;
+}
+
+}  // namespace
+
+Motion1d advance(const Motion1d& from, double jerk, double time) {
+  return {from.s + time * (from.v + time * (from.a / 2 + time * jerk / 6)),
+          from.v + time * (from.a + time * jerk / 2), from.a + time * jerk};
+}
+
+double ramp_time(double v0, double v1, const RampLimits& limits) {
+  const double step = std::abs(v1 - v0);
+  const auto [A, J] = limits;
+  return step <= A * A / J ? 2 * std::sqrt(step / J) : step / A + A / J;
+}
+
+double ramp_length(double v0, double v1, const RampLimits& limits) {
+  return (v0 + v1) / 2 * ramp_time(v0, v1, limits);
+}
+
+double reachable_speed(double v0, double length, const RampLimits& limits) {
+  const auto [A, J] = limits;
+  const double full = A * A / J;  // the smallest step that reaches A
+  if (ramp_length(v0, v0 + full, limits) < length) {
+    // (v1^2 - v0^2) / (2 A) + (v0 + v1) A / (2 J) = length
+    const double b = full / 2;
+    return -b + std::sqrt((v0 - b) * (v0 - b) + 2 * A * length);
+  }
+  // x^3 + 2 v0 x = length sqrt(J) with x = sqrt(v1 - v0)
+  const double rhs = length * std::sqrt(J);
+  const double third = 2 * v0 / 3;
+  double x;
+  if (third <= 1e-12 * std::cbrt(rhs * rhs)) {
+    x = std::cbrt(rhs);
+  } else {
+    const double root = std::sqrt(third);
+    x = 2 * root * std::sinh(std::asinh(rhs / (2 * third * root)) / 3);
+  }
+  return v0 + x * x;
+}
+
+std::array<Phase, 3> speed_change(double v, double a, double target, const RampLimits& limits) {
+  const auto [A, J] = limits;
+  // With the acceleration simply taken back to 0 the speed becomes v + a|a| / (2 J).
+  const double sign = target >= v + a * std::abs(a) / (2 * J) ? 1 : -1;
+  const double step = sign * (target - v);
+  const double start = sign * a;
+  const double crest = std::sqrt(std::max(J * step + start * start / 2, 0.0));
+  const double top = std::max(std::min(crest, A), 0.0);
+  if (start > top) {  // faster than allowed: back to `top` first
+    const double back = (start - top) / J;
+    const double rest = step - (start * start - top * top) / (2 * J) - top * top / (2 * J);
+    return {{{back, -sign * J}, {top > 0 ? std::max(rest / top, 0.0) : 0, 0}, {top / J, -sign * J}}};
+  }
+  const double gained = (2 * top * top - start * start) / (2 * J);
+  const double hold = top < crest ? (step - gained) / top : 0;
+  return {{{(top - start) / J, sign * J}, {hold, 0}, {top / J, -sign * J}}};
+}
+
+double SpeedProfile::duration() const {
+  double sum = 0;
+  for (const Phase& phase : phases) {
+    sum += phase.duration;
+  }
+  return sum;
+}
+
+double SpeedProfile::length() const {
+  Motion1d motion{0, v0, a0};
+  for (const Phase& phase : phases) {
+    motion = advance(motion, phase.jerk, phase.duration);
+  }
+  return motion.s;
+}
+
+SpeedProfile plan_profile(double v0, double a0, double v1, double length, double ceiling,
+                          const RampLimits& limits) {
+  SpeedProfile profile;
+  profile.v0 = v0;
+  profile.a0 = a0;
+  const auto build = [&](double peak) {
+    const auto up = speed_change(v0, a0, peak, limits);
+    const auto down = speed_change(peak, 0, v1, limits);
+    profile.peak = peak;
+    profile.phases = {up[0], up[1], up[2], Phase{}, down[0], down[1], down[2]};
+  };
+  const auto excess = [&](double peak) {
+    return covered(v0, a0, speed_change(v0, a0, peak, limits)) + ramp_length(peak, v1, limits) - length;
+  };
+
+  const double settled = v0 + a0 * std::abs(a0) / (2 * limits.jerk);
+  const double tolerance = 1e-12 * (length + 1e-3);
+  double high = std::max(ceiling, v1);
+  const double above = excess(high);
+  if (above <= 0) {
+    build(high);
+    profile.phases[3] = {-above / high, 0};
+    return profile;
+  }
+  // From the settled speed the length grows with the peak; below it braking needs more and more of it.
+  double low = std::max(settled, v1);
+  if (low > high || excess(low) > tolerance) {
+    low = v1;
+    high = std::max(settled, v1);
+    if (excess(low) > tolerance) {
+      build(low);
+      profile.feasible = excess(low) <= 1e-9 * (length + 1e-3);
+      return profile;
+    }
+  }
+  // Illinois' regula falsi keeps the bracket; a few steps suffice.
+  double f_low = excess(low);
+  double f_high = excess(high);
+  double peak = low;
+  int side = 0;
+  for (int i = 0; i < 200 && f_low < 0 && high - low > 1e-14 * high; ++i) {
+    peak = (low * f_high - high * f_low) / (f_high - f_low);
+    if (!(peak > low && peak < high) || i > 40) {
+      peak = (low + high) / 2;
+    }
+    const double f = excess(peak);
+    if (std::abs(f) <= 1e-15 * (length + 1e-3)) {
+      break;
+    }
+    if (f < 0) {
+      low = peak;
+      f_low = f;
+      f_high = side == -1 ? f_high / 2 : f_high;
+      side = -1;
+    } else {
+      high = peak;
+      f_high = f;
+      f_low = side == 1 ? f_low / 2 : f_low;
+      side = 1;
+    }
+  }
+  build(peak);
+  return profile;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+
+namespace feedscope {
+
+/// Limits along the path.
+struct RampLimits {
+  double acceleration;  ///< > 0 [mm/s2]
+  double jerk;          ///< > 0 [mm/s3]
+};
+
+/// A stretch of constant jerk.
+struct Phase {
+  double duration = 0;  ///< [s]
+  double jerk = 0;      ///< [mm/s3]
+};
+
+/// Speed and acceleration along the path at one instant, and the length covered.
+struct Motion1d {
+  double s = 0;  ///< [mm]
+  double v = 0;  ///< [mm/s]
+  double a = 0;  ///< [mm/s2]
+};
+
+/// State after `time` [s] of constant `jerk`.
+Motion1d advance(const Motion1d& from, double jerk, double time);
+
+/// The fastest jerk-limited change of speed between standstills of acceleration (MODELS section 1):
+/// time 2 sqrt(|v1-v0|/J), or |v1-v0|/A + A/J once the acceleration limit is reached;
+/// length (v0+v1)/2 times that time.
+double ramp_time(double v0, double v1, const RampLimits& limits);
+double ramp_length(double v0, double v1, const RampLimits& limits);
+
+/// Highest speed that a ramp from `v0` reaches within `length` [mm/s]; also the highest speed from which `v0`
+/// is reached, the ramp being its own mirror image. Closed form.
+double reachable_speed(double v0, double length, const RampLimits& limits);
+
+/// Phases that bring (v, a) to (target, 0) fastest: jerk, constant acceleration, opposite jerk.
+/// An |a| above the acceleration limit is left as soon as the jerk allows.
+///
+///     a ^     ___
+///       |    /   \            first jerk J, then a = A, then jerk -J
+///       |   /     \___ t
+std::array<Phase, 3> speed_change(double v, double a, double target, const RampLimits& limits);
+
+/// Time law over one stretch of path: (v0, a0) -> peak -> (v1, 0), at most seven phases.
+struct SpeedProfile {
+  std::array<Phase, 7> phases;
+  double v0 = 0;    ///< [mm/s]
+  double a0 = 0;    ///< [mm/s2]
+  double peak = 0;  ///< speed between the two ramps [mm/s]
+  bool feasible =
+      true;  ///< false: v1 cannot be reached within the length; the profile brakes as hard as it may
+
+  double duration() const;
+  double length() const;
+};
+
+/// The profile of highest peak, at most `ceiling`, that covers `length` exactly and ends at (v1, 0)
+/// (the seven-phase law on a line of Essid 2019 and Dong 2014). Not feasible if even braking at once is too
+/// long, or if v1 lies beyond what the length allows to reach.
+SpeedProfile plan_profile(double v0, double a0, double v1, double length, double ceiling,
+                          const RampLimits& limits);
+
+}  // namespace feedscope

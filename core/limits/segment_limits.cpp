@@ -1,0 +1,110 @@
+#include "core/limits/segment_limits.h"
+
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+/// Largest |offset + p cos(a) + q sin(a)| for a in [0, sweep].
+double largest_component(double offset, double p, double q, double sweep) {
+  const auto value = [&](double a) { return std::abs(offset + p * std::cos(a) + q * std::sin(a)); };
+  double largest = std::max(value(0), value(sweep));
+  const double crest = std::atan2(q, p);
+  const double first = std::ceil(-crest / units::pi);
+  for (double n = first; crest + n * units::pi <= sweep && n < first + 2; ++n) {
+    largest = std::max(largest, value(crest + n * units::pi));
+  }
+  return largest;
+}
+
+/// Per axis the largest part of the unit tangent, and of the unit normal, along an arc.
+struct ArcExtremes {
+  Vec3 tangent;
+  Vec3 normal;
+  explicit ArcExtremes(const Arc& arc) {
+    const double along = arc.radius / arc.length_per_radian();
+    const Vec3 rise = arc.rise / arc.length_per_radian();
+    for (int j = 0; j < 3; ++j) {
+      tangent[j] = largest_component(rise[j], along * arc.y[j], -along * arc.x[j], arc.sweep);
+      normal[j] = largest_component(0, arc.x[j], arc.y[j], arc.sweep);
+    }
+  }
+};
+
+Cause by_axis(CauseKind kind, AxisBound bound) {
+  return {kind, bound.axis};
+}
+
+const Arc& arc_of(const Toolpath& toolpath, std::size_t i) {
+  return toolpath.arcs[static_cast<std::size_t>(toolpath.segments[i].arc)];
+}
+
+Vec3 direction_of(const Toolpath& toolpath, std::size_t i) {
+  return (toolpath.segments[i].end - toolpath.start_of(i)) / toolpath.segments[i].length;
+}
+
+}  // namespace
+
+AxisVectors::AxisVectors(const Machine& machine)
+    : velocity(axis_limit_vector(machine, &AxisLimits::velocity)),
+      acceleration(axis_limit_vector(machine, &AxisLimits::acceleration)),
+      jerk(axis_limit_vector(machine, &AxisLimits::jerk)),
+      blend_jerk(axis_limit_vector(machine, &AxisLimits::blend_jerk)) {}
+
+SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
+  const Segment& segment = toolpath.segments[i];
+  if (segment.kind == SegmentKind::dwell) {
+    return {0, {CauseKind::dwell}};
+  }
+  if (segment.feed > 0 && !segment.rapid) {
+    return {segment.feed, {CauseKind::programmed_feed}};
+  }
+  const Vec3 direction =
+      segment.kind == SegmentKind::arc ? ArcExtremes(arc_of(toolpath, i)).tangent : direction_of(toolpath, i);
+  const AxisBound bound = axis_share(velocity, direction);
+  return {bound.value, {segment.rapid ? CauseKind::rapid : CauseKind::axis_velocity, bound.axis}};
+}
+
+MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes) {
+  MotionLimits limits{programmed_speed(toolpath, i, axes.velocity), {}, {}};
+  if (toolpath.segments[i].kind == SegmentKind::line) {
+    const Vec3 direction = direction_of(toolpath, i);
+    const AxisBound velocity = axis_share(axes.velocity, direction);
+    limits.speed.lower(velocity.value, by_axis(CauseKind::axis_velocity, velocity));
+    limits.acceleration = axis_share(axes.acceleration, direction);
+    limits.jerk = axis_share(axes.jerk, direction);
+    return limits;
+  }
+  const Arc& arc = arc_of(toolpath, i);
+  const ArcExtremes extremes(arc);
+  const double k = arc.curvature();
+  const AxisBound velocity = axis_share(axes.velocity, extremes.tangent);
+  const AxisBound radial = axis_share(axes.acceleration, extremes.normal);
+  limits.acceleration = axis_share(axes.acceleration, extremes.tangent);
+  limits.jerk = axis_share(axes.jerk, extremes.tangent);
+  limits.speed.lower(velocity.value, by_axis(CauseKind::axis_velocity, velocity));
+  limits.speed.lower(std::sqrt(radial.value / k), by_axis(CauseKind::radial_acceleration, radial));
+  limits.speed.lower(std::cbrt(limits.jerk.value / (k * k)), by_axis(CauseKind::radial_jerk, limits.jerk));
+  return limits;
+}
+
+SpeedBound crossing_speed(const Vec3& step, const Vec3& jerk, double interpolation_period) {
+  const AxisBound bound = axis_share(jerk, step);
+  return {std::sqrt(bound.value * interpolation_period), by_axis(CauseKind::curvature_crossing, bound)};
+}
+
+Vec3 curvature_at_start(const Toolpath& toolpath, std::size_t i) {
+  return toolpath.segments[i].kind == SegmentKind::arc ? arc_of(toolpath, i).at(0).d2 : Vec3::Zero().eval();
+}
+
+Vec3 curvature_at_end(const Toolpath& toolpath, std::size_t i) {
+  if (toolpath.segments[i].kind != SegmentKind::arc) {
+    return Vec3::Zero();
+  }
+  const Arc& arc = arc_of(toolpath, i);
+  return arc.at(arc.length()).d2;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,59 @@
+#pragma once
+
+#include "core/limits/axis_share.h"
+#include "core/limits/cause.h"
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// A speed ceiling [mm/s] and what sets it.
+struct SpeedBound {
+  double value = 0;
+  Cause cause;
+
+  /// Takes `other` where it is lower.
+  void lower(double other, Cause by) {
+    if (other < value) {
+      value = other;
+      cause = by;
+    }
+  }
+};
+
+/// How fast a part of the path can be run, and how fast its speed may change.
+struct MotionLimits {
+  SpeedBound speed;        ///< [mm/s]
+  AxisBound acceleration;  ///< along the path [mm/s2]
+  AxisBound jerk;          ///< along the path [mm/s3]
+};
+
+/// Every axis' limits as vectors [mm/s, mm/s2, mm/s3].
+struct AxisVectors {
+  Vec3 velocity;
+  Vec3 acceleration;
+  Vec3 jerk;
+  Vec3 blend_jerk;
+  explicit AxisVectors(const Machine& machine);
+};
+
+/// Programmed feed of segment `i`; for a rapid, and where no feed is programmed, the axes' speed along it;
+/// 0 for a dwell.
+SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);
+
+/// Static limits of segment `i` (a line or an arc), least along the segment.
+///
+/// Line: programmed feed and limit_j / |d_j|. Arc or helix of curvature k (Tapie 2007, section 4 and MODELS
+/// section 3): besides, the radial acceleration v^2 k |n_j| <= A_j and the jerk v^3 k^2 |t_j| <= J_j of
+/// running round at constant speed.
+MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes);
+
+/// Ceiling [mm/s] where the curvature vector jumps by `step` [1/mm] in a tangent junction: the axes must take
+/// up v^2 step_j within one interpolation period, v^2 |step_j| <= J_j t_cy. For equal axis jerks this is
+/// sqrt(J t_cy / |k1 - k2|) of Tapie 2007 (MODELS section 3), signed curvatures included.
+SpeedBound crossing_speed(const Vec3& step, const Vec3& jerk, double interpolation_period);
+
+/// Curvature vector (towards the centre, 1/radius long) of segment `i` at its start or end [1/mm].
+Vec3 curvature_at_start(const Toolpath& toolpath, std::size_t i);
+Vec3 curvature_at_end(const Toolpath& toolpath, std::size_t i);
+
+}  // namespace feedscope

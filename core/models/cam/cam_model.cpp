@@ -1,0 +1,45 @@
+#include "core/models/cam/cam_model.h"
+
+#include "core/limits/segment_limits.h"
+#include "core/trajectory/trajectory_builder.h"
+
+namespace feedscope {
+
+const ModelInfo& CamModel::info() const {
+  static const ModelInfo info{"cam",
+                              "CAM baseline",
+                              "",
+                              "Path length over programmed feed, block by block; rapids at the speed of the "
+                              "axes; dwells as programmed. "
+                              "What a CAM system promises.",
+                              {},
+                              {},
+                              {"The programmed path is followed exactly; no corner is blended.",
+                               "No axis limit is kept: feed changes take no time.",
+                               "A rapid keeps the velocity limit of every axis."}};
+  return info;
+}
+
+Trajectory CamModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings&,
+                                 Progress* progress) const {
+  constexpr std::size_t report_every = 8192;
+  const Vec3 velocity = axis_limit_vector(machine, &AxisLimits::velocity);
+  TrajectoryBuilder builder;
+  for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
+    const Segment& segment = toolpath.segments[i];
+    const SpeedBound programmed = programmed_speed(toolpath, i, velocity);
+    const std::uint32_t index = builder.add_segment(toolpath, i, programmed.value);
+    if (segment.kind == SegmentKind::dwell) {
+      builder.add_piece({0, 0, 0, 0, 0, index, {CauseKind::dwell}}, segment.dwell);
+    } else {
+      builder.add_piece({0, 0, programmed.value, 0, 0, index, programmed.cause},
+                        segment.length / programmed.value);
+    }
+    if (progress != nullptr && i % report_every == 0) {
+      progress->report(static_cast<double>(i) / static_cast<double>(toolpath.segments.size()));
+    }
+  }
+  return builder.finish();
+}
+
+}  // namespace feedscope

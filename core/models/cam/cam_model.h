@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/models/control_model.h"
+
+namespace feedscope {
+
+/// What a CAM system shows: every block at its programmed feed from end to end, rapids at the axes' speed,
+/// dwells; no acceleration takes time (MODELS section 7). The reference for every other model.
+class CamModel : public ControlModel {
+ public:
+  const ModelInfo& info() const override;
+
+ private:
+  Trajectory do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                         Progress* progress) const override;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,127 @@
+#include "core/models/control_model.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+/// An axis that moves needs all its limits; a limit of 0 or less would divide by zero or never arrive.
+void check_axes(const Toolpath& toolpath, const Machine& machine) {
+  for (int j = 0; j < 3; ++j) {
+    const auto& axis = machine.axes[static_cast<std::size_t>(j)];
+    const double least = std::min({axis.velocity, axis.acceleration, axis.jerk, axis.blend_jerk});
+    const bool moves =
+        !toolpath.segments.empty() &&
+        (std::any_of(toolpath.segments.begin(), toolpath.segments.end(), [&](const Segment& s) {
+          return s.kind == SegmentKind::arc || s.end[j] != toolpath.start[j];
+        }));
+    if (moves && !(least > 0)) {
+      throw InputError(
+          fmt::format("machine '{}': axis {} moves in this program, but one of its limits is {}; every limit "
+                      "of an axis that moves must be above 0",
+                      machine.id, axis_names[static_cast<std::size_t>(j)], least));
+    }
+  }
+}
+
+}  // namespace
+
+Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                                  Progress* progress) const {
+  check_axes(toolpath, machine);
+  return do_simulate(toolpath, machine, settings, progress);
+}
+
+const ControlModel& find_model(const std::string& id) {
+  std::vector<std::string> ids;
+  for (const ControlModel* model : all_models()) {
+    if (model->info().id == id) {
+      return *model;
+    }
+    ids.push_back(model->info().id);
+  }
+  const std::string near = nearest_name(id, ids);
+  throw InputError(fmt::format("model '{}' is not known; {}there are {}", id,
+                               near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
+                               fmt::join(ids, ", ")));
+}
+
+std::vector<SettingSpec> all_model_settings() {
+  std::vector<SettingSpec> specs;
+  for (const ControlModel* model : all_models()) {
+    for (const SettingSpec& spec : model->info().settings) {
+      const bool known =
+          std::any_of(specs.begin(), specs.end(), [&](const SettingSpec& s) { return s.key == spec.key; });
+      if (!known) {
+        specs.push_back(spec);
+      }
+    }
+  }
+  return specs;
+}
+
+std::vector<SettingSpec> settings_of(const ControlModel& model) {
+  const ModelInfo& info = model.info();
+  std::vector<SettingSpec> specs;
+  std::copy_if(common_settings().begin(), common_settings().end(), std::back_inserter(specs),
+               [&](const SettingSpec& spec) {
+                 return std::find(info.uses.begin(), info.uses.end(), spec.key) != info.uses.end();
+               });
+  specs.insert(specs.end(), info.settings.begin(), info.settings.end());
+  return specs;
+}
+
+Settings complete_settings(const ControlModel& model, const Machine& machine) {
+  Settings settings;
+  for (const SettingSpec& spec : settings_of(model)) {
+    const auto given = machine.settings.values().find(spec.key);
+    if (given != machine.settings.values().end()) {
+      settings.set(spec.key, given->second);
+    } else if (spec.choices.empty()) {
+      settings.set(spec.key, spec.fallback);
+    } else {
+      settings.set(spec.key, spec.choices.front());
+    }
+  }
+  return settings;
+}
+
+void apply_setting(const std::string& assignment, const ControlModel& model, Machine& machine,
+                   Settings& settings) {
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    throw InputError(fmt::format("setting '{}' has no value; write KEY=VALUE, as in X.jerk=20", assignment));
+  }
+  const std::string key = assignment.substr(0, equals);
+  const std::string value = assignment.substr(equals + 1);
+
+  std::vector<std::string> keys;
+  for (const SettingSpec& spec : settings_of(model)) {
+    if (spec.key == key) {
+      settings.set(key, parse_setting(spec, value));
+      return;
+    }
+    keys.push_back(spec.key);
+  }
+  for (const char axis : axis_names) {
+    for (const SettingSpec& spec : axis_limit_specs()) {
+      const std::string axis_key = fmt::format("{}.{}", axis, spec.key);
+      if (axis_key == key) {
+        set_axis_limit(machine, axis, spec.key, std::get<double>(parse_setting(spec, value)));
+        return;
+      }
+      keys.push_back(axis_key);
+    }
+  }
+  const std::string near = nearest_name(key, keys);
+  throw InputError(fmt::format("setting '{}' is not known to model '{}'; {}there are {}", key,
+                               model.info().id, near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
+                               fmt::join(keys, ", ")));
+}
+
+}  // namespace feedscope

@@ -1,0 +1,221 @@
+#include "core/models/essid/blend_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope {
+namespace {
+
+struct Sample {
+  double u, du, ddu;
+};
+
+Sample step(const Sample& from, double jerk, double time) {
+  return {from.u + time * (from.du + time * (from.ddu / 2 + time * jerk / 6)),
+          from.du + time * (from.ddu + time * jerk / 2), from.ddu + time * jerk};
+}
+
+/// The row of eq 24 that is used most, as a share of its limit.
+struct Use {
+  double share = 0;
+  Cause cause;
+
+  void add(double value, const Vec3& limit, const Vec3& direction, CauseKind kind) {
+    for (int j = 0; j < 3; ++j) {
+      const double part = std::abs(value * direction[j]) / limit[j];
+      if (part > share) {
+        share = part;
+        cause = {kind, static_cast<std::int8_t>(j)};
+      }
+    }
+  }
+};
+
+class BlendRunner {
+ public:
+  BlendRunner(const BlendShape& shape, const SpeedBound& ceiling, const BlendLimits& limits)
+      : shape_(shape), ceiling_(ceiling), limits_(limits) {}
+
+  /// Rows (0)-(3) and (5) at a sample; row (4) is kept by the interval that the jerk is taken from.
+  Use use_at(const Sample& sample) const {
+    const BlendShape::Point p = shape_.at(std::min(sample.u, 1.0));
+    const double v = p.sigma * sample.du;
+    const double dv = p.dsigma * sample.du * sample.du + p.sigma * sample.ddu;
+    const AxisBound jerk = axis_share(limits_.tangential_jerk, p.tangent);
+    Use use;
+    use.share = (v + (dv > 0 ? dv * dv / (2 * jerk.value) : 0)) / ceiling_.value;
+    use.cause = ceiling_.cause;
+    use.add(v, limits_.velocity, p.tangent, CauseKind::blend_velocity);
+    use.add(dv, limits_.tangential_acceleration, p.tangent, CauseKind::blend_tangential_acceleration);
+    use.add(v * v * p.k, limits_.radial_acceleration, p.normal, CauseKind::blend_radial_acceleration);
+    use.add(3 * v * dv * p.k + v * v * v * p.dk_ds, limits_.radial_jerk, p.normal,
+            CauseKind::blend_radial_jerk);
+    return use;
+  }
+
+  /// The parametric jerk for the next `period`, and what limits it.
+  std::pair<double, Cause> choose(const Sample& now, double period) const {
+    const BlendShape::Point p = shape_.at(now.u);
+    const AxisBound jerk = axis_share(limits_.tangential_jerk, p.tangent);
+    const double v = p.sigma * now.du;
+    const double c =
+        p.ddsigma * now.du * now.du * now.du + 3 * p.dsigma * now.du * now.ddu - v * v * v * p.k * p.k;
+    double low = (-jerk.value - c) / p.sigma;
+    double high = (jerk.value - c) / p.sigma;
+    const auto use = [&](double x) { return use_at(step(now, x, period)); };
+
+    if (use(high).share <= 1) {
+      return {high, {CauseKind::blend_tangential_jerk, jerk.axis}};
+    }
+    double kept = low;
+    if (use(low).share > 1) {
+      kept = least_excess(low, high, use);
+      const Use there = use(kept);
+      if (there.share > 1) {
+        return {kept, there.cause};
+      }
+    }
+    double broken = high;
+    for (int i = 0; i < 24; ++i) {
+      const double middle = (kept + broken) / 2;
+      (use(middle).share <= 1 ? kept : broken) = middle;
+    }
+    return {kept, use(broken).cause};
+  }
+
+ private:
+  /// The shares are convex in the jerk within one sample: a golden-section search finds the least.
+  template <typename F>
+  static double least_excess(double low, double high, const F& use) {
+    constexpr double golden = 0.6180339887498949;
+    double a = high - golden * (high - low);
+    double b = low + golden * (high - low);
+    double at_a = use(a).share;
+    double at_b = use(b).share;
+    for (int i = 0; i < 32; ++i) {
+      if (at_a <= at_b) {
+        high = b;
+        b = a;
+        at_b = at_a;
+        a = high - golden * (high - low);
+        at_a = use(a).share;
+      } else {
+        low = a;
+        a = b;
+        at_a = at_b;
+        b = low + golden * (high - low);
+        at_b = use(b).share;
+      }
+    }
+    return use(low).share <= std::min(at_a, at_b) ? low : (low + high) / 2;
+  }
+
+  const BlendShape& shape_;
+  const SpeedBound& ceiling_;
+  const BlendLimits& limits_;
+};
+
+/// Time until u = 1 within a step that ends beyond it.
+double time_to_end(const Sample& from, double jerk, double period) {
+  double low = 0;
+  double high = period;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (step(from, jerk, middle).u < 1 ? low : high) = middle;
+  }
+  return high;
+}
+
+}  // namespace
+
+BlendLimits::BlendLimits(const AxisVectors& axes, double radial_acceleration_share, double radial_jerk_share)
+    : velocity(axes.velocity),
+      tangential_acceleration((1 - radial_acceleration_share) * axes.acceleration),
+      radial_acceleration(radial_acceleration_share * axes.acceleration),
+      tangential_jerk((1 - radial_jerk_share) * axes.blend_jerk),
+      radial_jerk(radial_jerk_share * axes.blend_jerk) {}
+
+SpeedBound entry_speed_limit(const BlendShape::Point& entry, const SpeedBound& feed,
+                             const BlendLimits& limits) {
+  SpeedBound bound = feed;
+  const AxisBound velocity = axis_share(limits.velocity, entry.tangent);
+  const AxisBound radial = axis_share(limits.radial_acceleration, entry.k * entry.normal);
+  const AxisBound jerk = axis_share(limits.radial_jerk, entry.dk_ds * entry.normal);
+  bound.lower(velocity.value, {CauseKind::blend_velocity, velocity.axis});
+  bound.lower(std::sqrt(radial.value), {CauseKind::blend_radial_acceleration, radial.axis});
+  bound.lower(std::cbrt(jerk.value), {CauseKind::blend_radial_jerk, jerk.axis});
+  return bound;
+}
+
+MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& speed,
+                                 const BlendLimits& limits) {
+  constexpr int intervals = 8;
+  MotionLimits least{
+      speed, {std::numeric_limits<double>::infinity(), -1}, {std::numeric_limits<double>::infinity(), -1}};
+  for (int i = 0; i <= intervals; ++i) {
+    const Vec3 tangent = shape.at(static_cast<double>(i) / intervals).tangent;
+    const AxisBound acceleration = axis_share(limits.tangential_acceleration, tangent);
+    const AxisBound jerk = axis_share(limits.tangential_jerk, tangent);
+    if (acceleration.value < least.acceleration.value) {
+      least.acceleration = acceleration;
+    }
+    if (jerk.value < least.jerk.value) {
+      least.jerk = jerk;
+    }
+  }
+  return least;
+}
+
+BlendMotion run_blend(const BlendShape& shape, double speed, double acceleration, const SpeedBound& ceiling,
+                      const BlendLimits& limits, double period) {
+  constexpr std::size_t most_samples = 20000;
+  const BlendRunner runner(shape, ceiling, limits);
+  const BlendShape::Point entry = shape.at(0);
+  const double du = speed / entry.sigma;
+  Sample now{0, du, (acceleration - entry.dsigma * du * du) / entry.sigma};
+
+  BlendMotion motion;
+  while (motion.steps.size() < most_samples && now.du > 1e-3 * du) {
+    const auto [jerk, cause] = runner.choose(now, period);
+    const Sample next = step(now, jerk, period);
+    if (next.u < 1) {
+      motion.steps.push_back({period, now.u, now.du, now.ddu, jerk, cause});
+      now = next;
+      continue;
+    }
+    const double rest = time_to_end(now, jerk, period);
+    motion.steps.push_back({rest, now.u, now.du, now.ddu, jerk, cause});
+    const Sample end = step(now, jerk, rest);
+    const BlendShape::Point p = shape.at(1);
+    motion.exit_speed = p.sigma * end.du;
+    motion.exit_acceleration = p.dsigma * end.du * end.du + p.sigma * end.ddu;
+    motion.complete = end.du > 0;
+    break;
+  }
+  return motion;
+}
+
+SteadyBlend steady_blend(const BlendShape& shape, const SpeedBound& feed, const BlendLimits& limits) {
+  constexpr int intervals = 200;
+  SpeedBound rate{std::numeric_limits<double>::infinity(), feed.cause};
+  for (int i = 0; i <= intervals; ++i) {
+    const BlendShape::Point p = shape.at(static_cast<double>(i) / intervals);
+    const double s = p.sigma;
+    const AxisBound velocity = axis_share(limits.velocity, s * p.tangent);
+    const AxisBound along = axis_share(limits.tangential_acceleration, p.dsigma * p.tangent);
+    const AxisBound across = axis_share(limits.radial_acceleration, s * s * p.k * p.normal);
+    const AxisBound jerk_along =
+        axis_share(limits.tangential_jerk, (p.ddsigma - s * s * s * p.k * p.k) * p.tangent);
+    const AxisBound jerk_across =
+        axis_share(limits.radial_jerk, (3 * s * p.dsigma * p.k + s * s * s * p.dk_ds) * p.normal);
+    rate.lower(feed.value / s, feed.cause);
+    rate.lower(velocity.value, {CauseKind::blend_velocity, velocity.axis});
+    rate.lower(std::sqrt(along.value), {CauseKind::blend_tangential_acceleration, along.axis});
+    rate.lower(std::sqrt(across.value), {CauseKind::blend_radial_acceleration, across.axis});
+    rate.lower(std::cbrt(jerk_along.value), {CauseKind::blend_tangential_jerk, jerk_along.axis});
+    rate.lower(std::cbrt(jerk_across.value), {CauseKind::blend_radial_jerk, jerk_across.axis});
+  }
+  return {rate.value, rate.value * shape.at(0).sigma, rate.cause};
+}
+
+}  // namespace feedscope

@@ -1,0 +1,108 @@
+#include "core/models/essid/essid_model.h"
+
+#include "core/models/essid/essid_settings.h"
+#include "core/models/essid/stretch.h"
+
+namespace feedscope {
+namespace {
+
+/// Blocks that are reported as done together.
+constexpr std::size_t report_every = 4096;
+
+bool stops_before(const Toolpath& toolpath, std::size_t i) {
+  const Segment& before = toolpath.segments[i - 1];
+  const Segment& after = toolpath.segments[i];
+  return before.kind == SegmentKind::dwell || after.kind == SegmentKind::dwell || before.rapid ||
+         after.rapid || junction_kind(toolpath, i) == JunctionKind::stop;
+}
+
+}  // namespace
+
+EssidSettings::EssidSettings(const Settings& settings) {
+  corner.tolerance = settings.number("contour_tolerance_mm");
+  corner.alpha = settings.number("alpha");
+  corner.beta = settings.number("beta");
+  const std::string& name = settings.text("reading");
+  reading = name == "strict"      ? EssidReading::strict
+            : name == "published" ? EssidReading::published
+                                  : EssidReading::corrected;
+  period = settings.number("interpolation_period_s");
+  lookahead = static_cast<std::uint32_t>(settings.number("lookahead_blocks"));
+  radial_acceleration_share = settings.number("radial_acceleration_share");
+  radial_jerk_share = settings.number("radial_jerk_share");
+}
+
+const ModelInfo& EssidModel::info() const {
+  static const ModelInfo info = [] {
+    SettingSpec alpha;
+    alpha.key = "alpha";
+    alpha.title = "Tangent weight alpha";
+    alpha.explanation = "Weight of the end tangents of a blend; 2.5 was identified on a Sinumerik 840D.";
+    alpha.minimum = 0.5;
+    alpha.maximum = 3.5;
+    alpha.fallback = 2.5;
+    SettingSpec beta;
+    beta.key = "beta";
+    beta.title = "Used share of the tolerance beta";
+    beta.explanation =
+        "Share of the contour tolerance that the control uses; 0 for the identified rule: 0.6 where an axis "
+        "reverses in the corner, else 0.8.";
+    beta.minimum = 0;
+    beta.maximum = 1;
+    beta.fallback = 0;
+    SettingSpec reading;
+    reading.key = "reading";
+    reading.title = "Reading of the paper";
+    reading.explanation =
+        "corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper's "
+        "figures; strict: constant du/dt on a blend, every limit kept.";
+    reading.choices = {"corrected", "published", "strict"};
+    return ModelInfo{
+        "essid",
+        "Local smoothing by cubic blends (Sinumerik 840D)",
+        "M. Essid et al., Int J Adv Manuf Technol 105 (2019) 457-470, doi 10.1007/s00170-019-04157-4",
+        "Corners between lines are blended by cubic Hermite curves within the contour tolerance; "
+        "jerk-limited "
+        "ramps on the lines, per-axis limits with radial shares on the blends, look-ahead over some blocks. "
+        "Arcs and tangent junctions keep the static limits of Tapie 2007, which the paper does not cover.",
+        {alpha, beta, reading},
+        {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "radial_acceleration_share",
+         "radial_jerk_share"},
+        {"The contour tolerance is kept at every corner.",
+         "Velocity, acceleration and jerk of every axis are kept on lines; the jerk steps at the ends of "
+         "blends.",
+         "On blends the radial jerk share is kept at the entry; further on it is exceeded by up to about 1.7 "
+         "(reading strict keeps it).",
+         "On arcs the tangential and the radial part each keep the axis limits, not their sum.",
+         "Full stop at reversals, at corners that touch an arc, and between rapids and feed motion."}};
+  }();
+  return info;
+}
+
+Trajectory EssidModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                                   Progress* progress) const {
+  TrajectoryBuilder builder;
+  StretchRunner runner(toolpath, AxisVectors(machine), EssidSettings(settings), builder);
+  const std::size_t count = toolpath.segments.size();
+  std::size_t reported = 0;
+  for (std::size_t first = 0; first < count;) {
+    std::size_t last = first + 1;
+    while (last < count && !stops_before(toolpath, last)) {
+      ++last;
+    }
+    if (toolpath.segments[first].kind == SegmentKind::dwell) {
+      const std::uint32_t element = builder.add_segment(toolpath, first, 0);
+      builder.add_piece({0, 0, 0, 0, 0, element, {CauseKind::dwell}}, toolpath.segments[first].dwell);
+    } else {
+      runner.run(first, last, progress);
+    }
+    first = last;
+    if (progress != nullptr && first >= reported + report_every) {
+      progress->report(static_cast<double>(first) / static_cast<double>(count));
+      reported = first;
+    }
+  }
+  return builder.finish();
+}
+
+}  // namespace feedscope

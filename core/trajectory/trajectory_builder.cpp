@@ -1,0 +1,66 @@
+#include "core/trajectory/trajectory_builder.h"
+
+namespace feedscope {
+
+std::uint32_t TrajectoryBuilder::add_element(PathElement element, std::uint32_t line, double feed,
+                                             bool rapid) {
+  element.s = path_.length();
+  path_.elements.push_back(element);
+  lines_.push_back(line);
+  feeds_.push_back(feed);
+  rapid_.push_back(rapid);
+  return static_cast<std::uint32_t>(path_.elements.size() - 1);
+}
+
+std::uint32_t TrajectoryBuilder::add_segment(const Toolpath& toolpath, std::size_t i, double feed) {
+  const Segment& segment = toolpath.segments[i];
+  PathElement element;
+  element.start = toolpath.start_of(i);
+  element.end = segment.end;
+  element.length = segment.length;
+  element.segment = static_cast<std::uint32_t>(i);
+  switch (segment.kind) {
+    case SegmentKind::line:
+      element.kind = ElementKind::line;
+      break;
+    case SegmentKind::arc:
+      element.kind = ElementKind::arc;
+      element.geometry = add_arc(toolpath.arcs[static_cast<std::size_t>(segment.arc)]);
+      break;
+    case SegmentKind::dwell:
+      element.kind = ElementKind::dwell;
+      break;
+  }
+  return add_element(element, segment.line, feed, segment.rapid);
+}
+
+std::uint32_t TrajectoryBuilder::add_arc(const Arc& arc) {
+  path_.arcs.push_back(arc);
+  return static_cast<std::uint32_t>(path_.arcs.size() - 1);
+}
+
+std::uint32_t TrajectoryBuilder::add_blend(const CubicBlend& blend) {
+  path_.blends.push_back(blend);
+  return static_cast<std::uint32_t>(path_.blends.size() - 1);
+}
+
+std::size_t TrajectoryBuilder::add_blend_record(const BlendRecord& record) {
+  records_.push_back(record);
+  return records_.size() - 1;
+}
+
+void TrajectoryBuilder::add_piece(Piece piece, double duration) {
+  if (!(duration > 0)) {
+    return;
+  }
+  piece.time = time_;
+  pieces_.push_back(piece);
+  time_ += duration;
+}
+
+Trajectory TrajectoryBuilder::finish() {
+  return Trajectory(std::move(path_), std::move(pieces_), time_, std::move(records_), std::move(lines_),
+                    std::move(feeds_), std::move(rapid_));
+}
+
+}  // namespace feedscope

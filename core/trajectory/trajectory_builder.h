@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// Collects path, time law and per-element facts of a run in the order in which they are executed.
+class TrajectoryBuilder {
+ public:
+  /// Appends `element`, whose `s` is set here; `feed` [mm/s]. Returns its index.
+  std::uint32_t add_element(PathElement element, std::uint32_t line, double feed, bool rapid);
+  /// Appends segment `i` as programmed, from end to end; `feed` [mm/s]. Returns the element's index.
+  std::uint32_t add_segment(const Toolpath& toolpath, std::size_t i, double feed);
+  std::uint32_t add_arc(const Arc& arc);
+  std::uint32_t add_blend(const CubicBlend& blend);
+
+  /// Appends a piece that lasts `duration` [s]; `piece.time` is set here. Nothing for duration <= 0.
+  void add_piece(Piece piece, double duration);
+  std::size_t add_blend_record(const BlendRecord& record);
+  BlendRecord& blend_record(std::size_t index) { return records_[index]; }
+
+  const BlendedPath& path() const { return path_; }
+  double time() const { return time_; }
+  Trajectory finish();
+
+ private:
+  BlendedPath path_;
+  std::vector<Piece> pieces_;
+  std::vector<BlendRecord> records_;
+  std::vector<std::uint32_t> lines_;
+  std::vector<double> feeds_;
+  std::vector<bool> rapid_;
+  double time_ = 0;
+};
+
+}  // namespace feedscope
