@@ -15,31 +15,33 @@ struct KindText {
   bool by_axis;  ///< one axis may set it
   std::string_view key;
   std::string_view title;
+  std::string_view title_end;  ///< behind the axis
 };
 
 /// In the order of CauseKind.
 constexpr std::array kinds{
-    KindText{CauseKind::programmed_feed, false, "programmed_feed", "programmed feed"},
-    KindText{CauseKind::rapid, false, "rapid", "rapid traverse"},
-    KindText{CauseKind::axis_velocity, true, "axis_velocity", "velocity"},
-    KindText{CauseKind::axis_acceleration, true, "axis_acceleration", "acceleration"},
-    KindText{CauseKind::axis_jerk, true, "axis_jerk", "jerk"},
-    KindText{CauseKind::radial_acceleration, true, "radial_acceleration", "radial acceleration"},
-    KindText{CauseKind::radial_jerk, true, "radial_jerk", "radial jerk"},
-    KindText{CauseKind::blend_velocity, true, "blend_velocity", "velocity on a blend"},
-    KindText{CauseKind::blend_radial_acceleration, true, "blend_radial_acceleration",
-             "radial acceleration on a blend"},
-    KindText{CauseKind::blend_radial_jerk, true, "blend_radial_jerk", "radial jerk on a blend"},
+    KindText{CauseKind::programmed_feed, false, "programmed_feed", "programmed feed", ""},
+    KindText{CauseKind::rapid, false, "rapid", "rapid traverse", ""},
+    KindText{CauseKind::axis_velocity, true, "axis_velocity", "velocity", ""},
+    KindText{CauseKind::axis_acceleration, true, "axis_acceleration", "acceleration", ""},
+    KindText{CauseKind::axis_jerk, true, "axis_jerk", "jerk", ""},
+    KindText{CauseKind::radial_acceleration, true, "radial_acceleration", "radial acceleration", ""},
+    KindText{CauseKind::radial_jerk, true, "radial_jerk", "radial jerk", ""},
+    KindText{CauseKind::blend_velocity, true, "blend_velocity", "velocity", " on a blend"},
+    KindText{CauseKind::blend_radial_acceleration, true, "blend_radial_acceleration", "radial acceleration",
+             " on a blend"},
+    KindText{CauseKind::blend_radial_jerk, true, "blend_radial_jerk", "radial jerk", " on a blend"},
     KindText{CauseKind::blend_tangential_acceleration, true, "blend_tangential_acceleration",
-             "tangential acceleration on a blend"},
-    KindText{CauseKind::blend_tangential_jerk, true, "blend_tangential_jerk", "tangential jerk on a blend"},
-    KindText{CauseKind::curvilinear_jerk, false, "curvilinear_jerk", "curvilinear jerk setting"},
-    KindText{CauseKind::curvature_crossing, true, "curvature_crossing", "change of curvature"},
-    KindText{CauseKind::interpolation_period, false, "interpolation_period", "interpolation period"},
-    KindText{CauseKind::lookahead_horizon, false, "lookahead_horizon", "look-ahead horizon"},
-    KindText{CauseKind::ramp_down, false, "ramp_down", "slowing for what follows"},
-    KindText{CauseKind::exact_stop, false, "exact_stop", "exact stop"},
-    KindText{CauseKind::dwell, false, "dwell", "dwell"},
+             "tangential acceleration", " on a blend"},
+    KindText{CauseKind::blend_tangential_jerk, true, "blend_tangential_jerk", "tangential jerk",
+             " on a blend"},
+    KindText{CauseKind::curvilinear_jerk, false, "curvilinear_jerk", "curvilinear jerk", ""},
+    KindText{CauseKind::curvature_crossing, true, "curvature_crossing", "jerk", " at a change of curvature"},
+    KindText{CauseKind::interpolation_period, false, "interpolation_period", "interpolation period", ""},
+    KindText{CauseKind::lookahead_horizon, false, "lookahead_horizon", "look-ahead horizon", ""},
+    KindText{CauseKind::ramp_down, false, "ramp_down", "slowing for what follows", ""},
+    KindText{CauseKind::exact_stop, false, "exact_stop", "exact stop", ""},
+    KindText{CauseKind::dwell, false, "dwell", "dwell", ""},
 };
 
 constexpr bool in_order() {
@@ -95,8 +97,9 @@ std::string cause_key(Cause cause) {
 }
 
 std::string cause_title(Cause cause) {
-  return has_axis(cause) ? fmt::format("{}, axis {}", text_of(cause).title, axis_name(cause))
-                         : std::string(text_of(cause).title);
+  const KindText& text = text_of(cause);
+  const std::string axis = has_axis(cause) ? fmt::format(" of axis {}", axis_name(cause)) : "";
+  return fmt::format("{}{}{}", text.title, axis, text.title_end);
 }
 
 const std::vector<Cause>& all_causes() {

@@ -5,6 +5,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/error.h"
 #include "core/base/geometry.h"
@@ -65,12 +66,18 @@ LimitPlace place_of(char axis, std::string_view limit) {
 /// The shortest decimal number that converts to exactly `internal`: 20, not 20.000000000000004.
 double shortest_in_unit(double internal, const LimitField& field) {
   const double plain = field.to_unit(internal);
-  for (int digits = 1; digits <= 17; ++digits) {
+  for (int digits = 1; digits <= 16; ++digits) {
     const std::string text = fmt::format("{:.{}g}", plain, digits);
     double rounded = 0;
     fast_float::from_chars(text.data(), text.data() + text.size(), rounded);
     if (field.to_internal(rounded) == internal) {
       return rounded;
+    }
+  }
+  // Converting there and back may miss by one unit in the last place.
+  for (const double neighbour : {std::nextafter(plain, 0.0), std::nextafter(plain, 2 * plain)}) {
+    if (field.to_internal(neighbour) == internal) {
+      return neighbour;
     }
   }
   return plain;

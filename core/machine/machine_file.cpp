@@ -190,7 +190,7 @@ class MachineReader {
 
 std::string quoted(const std::string& text) {
   std::ostringstream out;
-  out << toml::toml_formatter{toml::value<std::string>(text), toml::format_flags::none};
+  out << toml::toml_formatter{toml::value<std::string>(text), toml::format_flags::allow_unicode_strings};
   return out.str();
 }
 

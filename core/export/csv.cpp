@@ -1,0 +1,138 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <ostream>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/export/export.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double most_rows = 1e9;             // about 300 GB; a step that small is a slip of the pen
+constexpr std::size_t buffer_size = 1 << 20;  // bytes
+constexpr std::size_t rows_per_report = 4096;
+
+/// Collects text and hands it to the stream in large parts.
+class TextSink {
+ public:
+  explicit TextSink(std::ostream& out) : out_(out) { buffer_.reserve(buffer_size + 1024); }
+
+  /// Enough digits for a nanometre on ten metres; no minus before zero.
+  void number(double value) { fmt::format_to(std::back_inserter(buffer_), "{:.11g},", value + 0.0); }
+  void vector(const Vec3& v, double factor) {
+    number(v.x() * factor);
+    number(v.y() * factor);
+    number(v.z() * factor);
+  }
+  void count(std::uint32_t value) { fmt::format_to(std::back_inserter(buffer_), "{},", value); }
+  void text(std::string_view value) { buffer_.append(value); }
+  /// Ends a row whose last field is a number.
+  void end_number_row() {
+    buffer_.resize(buffer_.size() - 1);
+    end_row();
+  }
+  void end_row() {
+    buffer_.push_back('\n');
+    if (buffer_.size() > buffer_size) {
+      flush();
+    }
+  }
+  void flush() {
+    out_.write(buffer_.data(), static_cast<std::streamsize>(buffer_.size()));
+    buffer_.clear();
+  }
+
+ private:
+  std::ostream& out_;
+  fmt::memory_buffer buffer_;
+};
+
+std::vector<std::string> cause_keys() {
+  std::vector<std::string> keys;
+  for (const Cause cause : all_causes()) {
+    keys.push_back(cause_key(cause));
+  }
+  return keys;
+}
+
+void write_row(TextSink& sink, const State& state, std::string_view cause) {
+  constexpr double per_minute = units::to_mm_min(1);
+  constexpr double in_metres = units::to_m(1);
+  sink.number(state.time);
+  sink.number(state.path_length);
+  sink.count(state.line);
+  sink.vector(state.position, 1);
+  sink.number(units::to_mm_min(state.speed));
+  sink.number(units::to_mm_min(state.programmed_feed));
+  sink.vector(state.velocity, per_minute);
+  sink.vector(state.acceleration, in_metres);
+  sink.vector(state.jerk, in_metres);
+  sink.number(units::to_m(state.tangential_acceleration));
+  sink.number(units::to_m(state.tangential_jerk));
+  sink.text(cause);
+  sink.end_row();
+}
+
+}  // namespace
+
+void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress) {
+  const double duration = trajectory.duration();
+  if (!(step > 0) || duration / step > most_rows) {
+    throw InputError(fmt::format(
+        "a step of {} s gives more than a billion rows for a cycle time of {:.6g} s; use a larger step", step,
+        duration));
+  }
+  const std::vector<std::string> causes = cause_keys();
+  TextSink sink(out);
+  sink.text(
+      "time_s,path_mm,line,x_mm,y_mm,z_mm,feed_mm_min,programmed_feed_mm_min,vx_mm_min,vy_mm_min,vz_mm_min,"
+      "ax_m_s2,ay_m_s2,az_m_s2,jx_m_s3,jy_m_s3,jz_m_s3,at_m_s2,jt_m_s3,cause");
+  sink.end_row();
+  const auto& pieces = trajectory.pieces();
+  std::size_t piece = 0;
+  // A step that the end cuts to nothing but rounding is no row of its own.
+  const auto rows = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-12)));
+  for (std::size_t row = 0; row < rows; ++row) {
+    const double time = static_cast<double>(row) * step;
+    while (piece + 1 < pieces.size() && pieces[piece + 1].time <= time) {
+      ++piece;
+    }
+    const State state = trajectory.state_in_piece(piece, time - pieces[piece].time);
+    write_row(sink, state, causes[cause_index(state.cause)]);
+    if (progress != nullptr && row % rows_per_report == 0) {
+      progress->report(static_cast<double>(row) / static_cast<double>(rows));
+    }
+  }
+  if (!pieces.empty()) {
+    const State state = trajectory.state(duration);
+    write_row(sink, state, causes[cause_index(state.cause)]);
+  }
+  sink.flush();
+}
+
+void write_blends(std::ostream& out, const Trajectory& trajectory) {
+  TextSink sink(out);
+  sink.text(
+      "line,kind,x_mm,y_mm,z_mm,turn_deg,transition_mm,epsilon_mm,length_mm,min_radius_mm,entry_feed_mm_min,"
+      "exit_feed_mm_min");
+  sink.end_row();
+  for (const BlendRecord& blend : trajectory.blends()) {
+    const bool arc = trajectory.path().elements[blend.element].kind == ElementKind::arc;
+    sink.count(blend.line);
+    sink.text(arc ? "arc," : "cubic,");
+    sink.vector(blend.corner, 1);
+    sink.number(units::to_deg(blend.turn));
+    sink.number(blend.transition);
+    sink.number(blend.epsilon);
+    sink.number(blend.length);
+    sink.number(blend.min_radius);
+    sink.number(units::to_mm_min(blend.entry_speed));
+    sink.number(units::to_mm_min(blend.exit_speed));
+    sink.end_number_row();
+  }
+  sink.flush();
+}
+
+}  // namespace feedscope

@@ -1,0 +1,96 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/base/units.h"
+#include "core/export/export.h"
+
+namespace feedscope {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON knows no NaN and no infinity: null where there is no number.
+Json finite(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json vector(const Vec3& v) {
+  return Json::array({finite(v.x()), finite(v.y()), finite(v.z())});
+}
+
+Json program_facts(const Program& program, const Toolpath& toolpath) {
+  return {{"file", program.source->name()},
+          {"lines", program.source->line_count()},
+          {"blocks", program.block_count},
+          {"segments", toolpath.segments.size()},
+          {"path_mm", finite(toolpath.length())},
+          {"bounds", {{"min", vector(program.bounds.min)}, {"max", vector(program.bounds.max)}}}};
+}
+
+Json diagnostics(const Program& program) {
+  Json list = Json::array();
+  for (const Diagnostic& d : program.diagnostics) {
+    list.push_back({{"severity", to_string(d.severity)},
+                    {"line", d.line},
+                    {"column", d.column},
+                    {"code", d.code},
+                    {"message", d.message}});
+  }
+  return list;
+}
+
+Json settings_values(const Settings& settings) {
+  Json values = Json::object();
+  for (const auto& [key, value] : settings.values()) {
+    std::visit([&, &name = key](const auto& v) { values[name] = v; }, value);
+  }
+  return values;
+}
+
+Json peaks(const Summary& summary) {
+  Json axes = Json::object();
+  for (std::size_t i = 0; i < summary.axes.size(); ++i) {
+    const AxisPeaks& axis = summary.axes[i];
+    axes[std::string(1, axis_names[i])] = {{"velocity_mm_min", finite(units::to_mm_min(axis.velocity))},
+                                           {"acceleration_m_s2", finite(units::to_m(axis.acceleration))},
+                                           {"jerk_m_s3", finite(units::to_m(axis.jerk))}};
+  }
+  return {{"feed_mm_min", finite(units::to_mm_min(summary.peak_feed))}, {"axes", axes}};
+}
+
+Json time_by_cause(const Summary& summary) {
+  Json times = Json::object();
+  for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
+    if (summary.time_by_cause[i] > 0) {
+      times[cause_key(all_causes()[i])] = summary.time_by_cause[i];
+    }
+  }
+  return times;
+}
+
+/// Text with bytes that are no UTF-8 is shown with replacement characters.
+std::string text_of(const Json& json) {
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace
+
+std::string simulation_json(const Report& report) {
+  const Summary& summary = report.summary;
+  return text_of(
+      {{"program", program_facts(report.program, report.toolpath)},
+       {"machine", {{"id", report.machine.id}, {"name", report.machine.name}}},
+       {"model",
+        {{"id", report.model.id}, {"title", report.model.title}, {"reference", report.model.reference}}},
+       {"settings", settings_values(report.settings)},
+       {"cycle_time_s", finite(summary.cycle_time)},
+       {"programmed_time_s", finite(summary.programmed_time)},
+       {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
+       {"max_contour_error_mm", finite(summary.max_contour_error)},
+       {"peaks", peaks(summary)},
+       {"time_by_cause_s", time_by_cause(summary)},
+       {"diagnostics", diagnostics(report.program)},
+       {"elapsed", {{"read_s", report.read_time}, {"simulate_s", report.simulate_time}}}});
+}
+
+}  // namespace feedscope

@@ -1,0 +1,210 @@
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "core/base/error.h"
+#include "core/base/geometry.h"
+#include "core/machine/machine.h"
+
+namespace feedscope {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::StartsWith;
+using testing::ThrowsMessage;
+
+std::vector<SettingSpec> model_settings() {
+  SettingSpec reading;
+  reading.key = "reading";
+  reading.choices = {"corrected", "published"};
+  return {reading};
+}
+
+constexpr const char* good_file = R"(id = "test"
+name = "Test machine"
+control = "Control 1"
+reference = "Nobody 2020"
+model = "cam"
+
+[axes.X]
+velocity_m_min = { value = 20, source = "table 1" }
+acceleration_m_s2 = { value = 1.5, source = "table 1" }
+jerk_m_s3 = { value = 15, source = "table 1" }
+blend_jerk_m_s3 = { value = 10, assumed = "guess" }
+[axes.Y]
+velocity_m_min = { value = 20, source = "table 1" }
+acceleration_m_s2 = { value = 1.5, source = "table 1" }
+jerk_m_s3 = { value = 15, source = "table 1" }
+blend_jerk_m_s3 = { value = 10, assumed = "guess" }
+[axes.Z]
+velocity_m_min = { value = 20, source = "table 1" }
+acceleration_m_s2 = { value = 1.5, source = "table 1" }
+jerk_m_s3 = { value = 15, source = "table 1" }
+blend_jerk_m_s3 = { value = 10, assumed = "guess" }
+
+[settings]
+lookahead_blocks = { value = 8, source = "table 2" }
+reading = { value = "published", assumed = "as measured" }
+)";
+
+/// A file in a folder of its own that goes away with the test.
+class MachineFile : public testing::Test {
+ protected:
+  MachineFile() {
+    std::string name = (fs::temp_directory_path() / "feedscope-machine-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+  }
+  ~MachineFile() override { fs::remove_all(folder_); }
+
+  fs::path write(const std::string& text, const std::string& name = "test.toml") const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+    return folder_ / name;
+  }
+  /// good_file with its first `from` replaced.
+  fs::path changed(const std::string& from, const std::string& to) const {
+    std::string text = good_file;
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return write(text.replace(at, from.size(), to));
+  }
+  static Machine read(const fs::path& file) { return read_machine(file, model_settings()); }
+  /// Reading `file` must fail at line:column with `message`.
+  static void expect_error(const fs::path& file, const std::string& place, const std::string& message) {
+    EXPECT_THAT([&] { read(file); },
+                ThrowsMessage<InputError>(AllOf(StartsWith(file.string() + place), HasSubstr(message))));
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(MachineFile, IsReadWithUnitsAndSources) {
+  const Machine machine = read(write(good_file));
+  EXPECT_EQ(machine.id, "test");
+  EXPECT_EQ(machine.name, "Test machine");
+  EXPECT_EQ(machine.control, "Control 1");
+  EXPECT_EQ(machine.reference, "Nobody 2020");
+  EXPECT_EQ(machine.model, "cam");
+  EXPECT_EQ(machine.axes[2], (AxisLimits{20000.0 / 60, 1500, 15000, 10000}));
+  EXPECT_EQ(machine.settings.number("lookahead_blocks"), 8);
+  EXPECT_EQ(machine.settings.text("reading"), "published");
+  EXPECT_EQ(machine.provenance.at("X.jerk"), (Provenance{"table 1", false}));
+  EXPECT_EQ(machine.provenance.at("X.blend_jerk"), (Provenance{"guess", true}));
+  EXPECT_EQ(machine.provenance.at("lookahead_blocks"), (Provenance{"table 2", false}));
+}
+
+TEST_F(MachineFile, NamesAMisspeltKey) {
+  expect_error(changed("velocity_m_min", "velocty_m_min"),
+               ":8:1: ", "unknown key 'velocty_m_min' in [axes.X]; did you mean 'velocity_m_min'?");
+  expect_error(changed("control =", "controll ="), ":3:1: ", "did you mean 'control'?");
+  expect_error(changed("lookahead_blocks", "look_ahead_blocks"),
+               ":24:1: ", "did you mean 'lookahead_blocks'?");
+  expect_error(changed("source = \"table 1\"", "sorce = \"table 1\""), ":8:", "did you mean 'source'?");
+  expect_error(changed("[axes.Y]", "[axes.U]"), ":12:", "unknown key 'U' in [axes]; known: X, Y, Z");
+}
+
+TEST_F(MachineFile, NamesAWrongUnit) {
+  expect_error(changed("velocity_m_min", "velocity_mm_min"), ":8:1: ", "did you mean 'velocity_m_min'?");
+  expect_error(changed("jerk_m_s3", "jerk_mm_s3"), ":10:1: ", "did you mean 'jerk_m_s3'?");
+}
+
+TEST_F(MachineFile, NamesAMissingKey) {
+  expect_error(changed("model = \"cam\"", ""), ":1:1: ", "key 'model' is missing in the file");
+  expect_error(changed("jerk_m_s3 = { value = 15, source = \"table 1\" }\n", ""),
+               ":7:1: ", "key 'jerk_m_s3' is missing in [axes.X]");
+  expect_error(changed("value = 20, ", ""), ":8:", "key 'value' is missing in 'velocity_m_min' in [axes.X]");
+}
+
+TEST_F(MachineFile, NamesValueAndBoundOfABadNumber) {
+  for (const std::string value : {"0", "-2", "nan", "inf", "-inf"}) {
+    expect_error(changed("value = 20", "value = " + value),
+                 ":8:28: ", "velocity_m_min = " + value + " is out of bounds; it must be above 0 m/min");
+  }
+  expect_error(changed("value = 8,", "value = 8.5,"), ":24:", "it must be a whole number at least 1");
+}
+
+TEST_F(MachineFile, NamesAWrongType) {
+  expect_error(changed("value = 20", "value = \"fast\""), ":8:", "velocity_m_min = 'fast' is a text");
+  expect_error(changed("value = 20", "value = true"), ":8:", "must be a number");
+  expect_error(changed("id = \"test\"", "id = 5"), ":1:6: ", "'id' in the file must be a text in quotes");
+  expect_error(changed("\"published\"", "\"publishd\""),
+               ":25:", "reading = 'publishd' is no choice; it must be one of: corrected, published");
+  expect_error(
+      write("id = \"a\"\nname = \"b\"\ncontrol = \"c\"\nreference = \"d\"\nmodel = \"e\"\naxes = 3\n"),
+      ":6:8: ", "'axes' in the file must be a table");
+}
+
+TEST_F(MachineFile, WantsASourceForEveryNumber) {
+  expect_error(changed("{ value = 20, source = \"table 1\" }", "20"),
+               ":8:18: ", "must say where it comes from");
+  expect_error(changed("{ value = 20, source = \"table 1\" }", "{ value = 20 }"),
+               ":8:18: ", "must have one of source");
+  expect_error(changed("source = \"table 1\"", "source = \"table 1\", assumed = \"guess\""),
+               ":8:18: ", "must have one of source");
+  expect_error(changed("source = \"table 1\"", "source = \"\""), ":8:", "must be a text in quotes");
+}
+
+TEST_F(MachineFile, NamesThePlaceOfASyntaxError) {
+  expect_error(changed("name = \"Test machine\"", "name = \"Test machine"), ":2:", "no TOML: ");
+  expect_error(changed("name =", "id ="), ":2:", "no TOML: ");
+  expect_error(write(std::string("\0\1\2\xff", 4)), ":1:", "no TOML: ");
+}
+
+TEST_F(MachineFile, MustBeAReadableFile) {
+  EXPECT_THAT([&] { read(folder_); },
+              ThrowsMessage<InputError>(HasSubstr("is a folder; give a machine file")));
+  EXPECT_THAT(
+      [&] { read(folder_ / "none.toml"); },
+      ThrowsMessage<InputError>(AllOf(HasSubstr("cannot read machine file"), HasSubstr("No such file"))));
+  EXPECT_THAT([&] { read(write(std::string(2 << 20, '#'))); },
+              ThrowsMessage<InputError>(HasSubstr("larger than")));
+  expect_error(write(""), ":1:1: ", "key 'id' is missing");
+}
+
+TEST_F(MachineFile, RoundTripsBitForBit) {
+  Machine machine = read(write(good_file));
+  machine.name = "quote \" backslash \\ tab \t newline \n umlaut ü del \x7f";
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> exponent(-3, 4);
+  for (int round = 0; round < 100; ++round) {
+    for (const char axis : axis_names) {
+      for (const SettingSpec& limit : axis_limit_specs()) {
+        set_axis_limit(machine, axis, limit.key, std::pow(10, exponent(random)));
+      }
+    }
+    machine.settings.set("tangential_share", std::pow(10, exponent(random) - 5));
+    machine.provenance["tangential_share"] = {"random", true};
+    const std::string text = write_machine(machine);
+    ASSERT_EQ(read(write(text)), machine) << text;
+  }
+}
+
+TEST_F(MachineFile, GetsAReasonForNumbersWithoutProvenance) {
+  Machine machine = read(write(good_file));
+  machine.provenance.clear();
+  EXPECT_EQ(read(write(write_machine(machine))).provenance.at("X.jerk"), (Provenance{"set by hand", true}));
+}
+
+TEST_F(MachineFile, IsFoundByIdAndByName) {
+  write(good_file, "b-machine.toml");
+  write(good_file, "a-machine.toml");
+  write("no machine", "README.md");
+  const MachineLibrary library(folder_, model_settings());
+  EXPECT_EQ(library.ids(), (std::vector<std::string>{"a-machine", "b-machine"}));
+  EXPECT_EQ(library.load("a-machine"), library.load((folder_ / "b-machine.toml").string()));
+  EXPECT_THAT(
+      [&] { library.load("c-machine"); },
+      ThrowsMessage<InputError>("unknown machine 'c-machine': no id and no file; did you mean 'a-machine'?"));
+  EXPECT_THAT([&] { library.load("zzz"); },
+              ThrowsMessage<InputError>(HasSubstr("ids: a-machine, b-machine")));
+  EXPECT_THAT([&] { MachineLibrary(folder_ / "none", {}); },
+              ThrowsMessage<InputError>(HasSubstr("cannot read machine folder")));
+}
+
+}  // namespace
+}  // namespace feedscope

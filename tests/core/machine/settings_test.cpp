@@ -1,0 +1,123 @@
+#include "core/machine/settings.h"
+
+#include <gmock/gmock.h>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+const SettingSpec& spec_of(const std::string& key) {
+  for (const SettingSpec& spec : common_settings()) {
+    if (spec.key == key) {
+      return spec;
+    }
+  }
+  throw InputError("no spec " + key);
+}
+
+SettingSpec choice_spec() {
+  SettingSpec spec;
+  spec.key = "reading";
+  spec.choices = {"corrected", "published"};
+  return spec;
+}
+
+double parsed(const std::string& key, const std::string& text) {
+  return std::get<double>(parse_setting(spec_of(key), text));
+}
+
+auto fails_with(const std::string& message) {
+  return ThrowsMessage<InputError>(HasSubstr(message));
+}
+
+TEST(CommonSettings, HaveTitleExplanationAndAFallbackInBounds) {
+  EXPECT_EQ(common_settings().size(), 7U);
+  for (const SettingSpec& spec : common_settings()) {
+    EXPECT_FALSE(spec.title.empty()) << spec.key;
+    EXPECT_FALSE(spec.explanation.empty()) << spec.key;
+    EXPECT_NO_THROW(check_setting(spec, spec.fallback, "")) << spec.key;
+  }
+}
+
+TEST(ParseSetting, TakesPointAndComma) {
+  EXPECT_EQ(parsed("contour_tolerance_mm", "0.05"), 0.05);
+  EXPECT_EQ(parsed("contour_tolerance_mm", "0,05"), 0.05);
+  EXPECT_EQ(parsed("contour_tolerance_mm", "+5e-2"), 0.05);
+}
+
+TEST(ParseSetting, NamesKeyValueAndBoundsOfWhatIsNoNumber) {
+  for (const std::string text : {"", "abc", "1.2.3", "1 mm", "0x10", "--1", "1,2,3"}) {
+    EXPECT_THAT([&] { parse_setting(spec_of("contour_tolerance_mm"), text); },
+                fails_with("contour_tolerance_mm = '" + text +
+                           "' is no number; it must be above 0 mm and at most 10 mm"));
+  }
+}
+
+TEST(ParseSetting, RejectsNumbersOutOfBounds) {
+  for (const std::string text : {"0", "-1", "10.1", "nan", "inf", "-inf"}) {
+    EXPECT_THAT([&] { parse_setting(spec_of("contour_tolerance_mm"), text); },
+                fails_with("it must be above 0 mm and at most 10 mm"))
+        << text;
+  }
+  EXPECT_EQ(parsed("contour_tolerance_mm", "10"), 10);
+}
+
+TEST(ParseSetting, KeepsCountsWhole) {
+  EXPECT_EQ(parsed("lookahead_blocks", "8"), 8);
+  EXPECT_THAT([] { parse_setting(spec_of("lookahead_blocks"), "8.5"); },
+              fails_with("lookahead_blocks = 8.5 is out of bounds; it must be a whole number at least 1"));
+}
+
+TEST(ParseSetting, NamesTheChoices) {
+  EXPECT_EQ(std::get<std::string>(parse_setting(choice_spec(), "published")), "published");
+  EXPECT_THAT([] { parse_setting(choice_spec(), "publishd"); },
+              fails_with("reading = 'publishd' is no choice; it must be one of: corrected, published"));
+}
+
+TEST(CheckSetting, PutsThePlaceInFront) {
+  EXPECT_THAT([] { check_setting(spec_of("tangential_share"), 2.0, "a.toml:3:4"); },
+              ThrowsMessage<InputError>(
+                  "a.toml:3:4: tangential_share = 2 is out of bounds; it must be above 0 and at most 1"));
+  EXPECT_THAT([] { check_setting(spec_of("tangential_share"), std::string("x"), ""); },
+              fails_with("is a text"));
+  EXPECT_THAT([] { check_setting(choice_spec(), 2.0, ""); }, fails_with("'2' is no choice"));
+}
+
+TEST(Settings, NamesKeyOfAbsentValueOrOtherType) {
+  Settings settings;
+  settings.set("a", 1.5);
+  settings.set("b", std::string("text"));
+  EXPECT_TRUE(settings.has("a"));
+  EXPECT_EQ(settings.number("a"), 1.5);
+  EXPECT_EQ(settings.text("b"), "text");
+  EXPECT_THAT([&] { settings.number("c"); }, fails_with("setting 'c' has no value"));
+  EXPECT_THAT([&] { settings.text("c"); }, fails_with("setting 'c' has no value"));
+  EXPECT_THAT([&] { settings.number("b"); }, fails_with("setting 'b' is the text 'text'"));
+  EXPECT_THAT([&] { settings.text("a"); }, fails_with("setting 'a' is the number 1.5"));
+}
+
+TEST(NearestName, FindsSlipsAndBeginnings) {
+  const std::vector<std::string> ids{"spinner-mvc850", "mikron-ucp710", "huron-kx10", "hermle-c800u"};
+  EXPECT_EQ(nearest_name("spinner-mvc580", ids), "spinner-mvc850");
+  EXPECT_EQ(nearest_name("spiner", ids), "spinner-mvc850");
+  EXPECT_EQ(nearest_name("HURON", ids), "huron-kx10");
+  EXPECT_EQ(nearest_name("jrek", {"velocity", "acceleration", "jerk"}), "");
+  EXPECT_EQ(nearest_name("jerc", {"velocity", "acceleration", "jerk"}), "jerk");
+}
+
+TEST(NearestName, PrefersTheWholeNameAmongEqualBeginnings) {
+  EXPECT_EQ(nearest_name("jerk", {"jerk_on_blends", "jerk"}), "jerk");
+}
+
+TEST(NearestName, GivesNothingWhereNothingIsNear) {
+  EXPECT_EQ(nearest_name("zzzzzz", {"velocity", "jerk"}), "");
+  EXPECT_EQ(nearest_name("", {"velocity", "jerk"}), "");
+  EXPECT_EQ(nearest_name("velocity", {}), "");
+}
+
+}  // namespace
+}  // namespace feedscope

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "core/base/geometry.h"
+#include "core/machine/machine.h"
+#include "core/models/control_model.h"
+
+namespace feedscope {
+namespace {
+
+const std::filesystem::path folder = std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "machines";
+
+MachineLibrary library() {
+  return MachineLibrary(folder, all_model_settings());
+}
+
+std::string row(const Machine& machine, const std::string& name, const std::string& key, double value) {
+  const Provenance& provenance = machine.provenance.at(key);
+  return fmt::format("| `{}` | {} | {}{} |\n", name, value, provenance.assumed ? "assumed: " : "", provenance.source);
+}
+
+/// The section of machines/README.md that a machine file asks for.
+std::string readme_section(const Machine& machine) {
+  std::string text = fmt::format("\n## {}\n\n{}, {}. {}.\n\n| Number | Value | Source |\n|---|---|---|\n", machine.id,
+                                 machine.name, machine.control, machine.reference);
+  for (const char axis : axis_names) {
+    for (const SettingSpec& limit : axis_limit_specs()) {
+      std::string unit = limit.unit;
+      std::replace(unit.begin(), unit.end(), '/', '_');
+      text += row(machine, fmt::format("axes.{}.{}_{}", axis, limit.key, unit), fmt::format("{}.{}", axis, limit.key),
+                  axis_limit(machine, axis, limit.key));
+    }
+  }
+  for (const auto& [key, value] : machine.settings.values()) {
+    text += row(machine, "settings." + key, key, std::get<double>(value));
+  }
+  return text;
+}
+
+TEST(ShippedMachines, AreTheFiveOfThePapers) {
+  EXPECT_EQ(library().ids(), (std::vector<std::string>{"dmg-mori-evo40", "hermle-c800u", "huron-kx10",
+                                                       "mikron-ucp710", "spinner-mvc850"}));
+}
+
+TEST(ShippedMachines, LoadWithTheirFileNameAsId) {
+  for (const std::string& id : library().ids()) {
+    EXPECT_EQ(library().load(id).id, id);
+  }
+}
+
+TEST(ShippedMachines, NameAModelAndGiveEverySettingItReads) {
+  for (const std::string& id : library().ids()) {
+    const Machine machine = library().load(id);
+    for (const std::string& key : find_model(machine.model).info().uses) {
+      EXPECT_TRUE(machine.settings.has(key)) << id << ": " << key;
+    }
+  }
+}
+
+TEST(ShippedMachines, HoldTheNumbersOfTheirPapers) {
+  const Machine spinner = library().load("spinner-mvc850");  // Essid 2019, table 2
+  EXPECT_EQ(spinner.axes[0], (AxisLimits{20000.0 / 60, 1000, 15000, 10000}));
+  EXPECT_EQ(spinner.axes[1], spinner.axes[0]);
+  EXPECT_EQ(spinner.settings.number("interpolation_period_s"), 0.001);
+  EXPECT_EQ(spinner.settings.number("lookahead_blocks"), 8);
+  EXPECT_EQ(spinner.settings.number("radial_acceleration_share"), 0.2);
+  EXPECT_EQ(spinner.settings.number("radial_jerk_share"), 0.2);
+
+  const Machine mikron = library().load("mikron-ucp710");  // Tapie 2007, table 1
+  EXPECT_EQ(mikron.axes[0].velocity, 500);
+  EXPECT_EQ(mikron.axes[0].acceleration, 2500);
+  EXPECT_EQ(mikron.axes[1].acceleration, 3000);
+  EXPECT_EQ(mikron.axes[2].acceleration, 2100);
+  EXPECT_EQ(mikron.axes[0].jerk, 5000);
+  EXPECT_EQ(mikron.axes[2].jerk, 50000);
+  EXPECT_EQ(mikron.settings.number("interpolation_period_s"), 0.012);
+  EXPECT_EQ(mikron.settings.number("curvilinear_jerk_m_s3"), 10);
+  EXPECT_EQ(mikron.settings.number("tangential_share"), 0.6);
+
+  const Machine huron = library().load("huron-kx10");  // Msaddek 2011, table 1
+  EXPECT_EQ(huron.axes[2].acceleration, 3000);
+  EXPECT_EQ(huron.axes[1].jerk, 50000);
+  EXPECT_EQ(huron.settings.number("contour_tolerance_mm"), 0.007);
+  EXPECT_EQ(huron.settings.number("lookahead_blocks"), 100);
+}
+
+TEST(ShippedMachines, StandInTheReadmeWithEveryNumberAndSource) {
+  std::stringstream readme;
+  readme << std::ifstream(folder / "README.md").rdbuf();
+  for (const std::string& id : library().ids()) {
+    const std::string section = readme_section(library().load(id));
+    EXPECT_NE(readme.str().find(section), std::string::npos) << "machines/README.md should hold:\n" << section;
+  }
+}
+
+TEST(ShippedMachines, SurviveWritingAndReading) {
+  for (const std::string& id : library().ids()) {
+    const Machine machine = library().load(id);
+    const auto copy = std::filesystem::temp_directory_path() / ("feedscope-" + id + "-copy.toml");
+    std::ofstream(copy) << write_machine(machine);
+    EXPECT_EQ(read_machine(copy, all_model_settings()), machine) << id;
+    std::filesystem::remove(copy);
+  }
+}
+
+}  // namespace
+}  // namespace feedscope
