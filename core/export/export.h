@@ -3,6 +3,7 @@
 #include <iosfwd>
 #include <string>
 
+#include "core/analysis/program_facts.h"
 #include "core/analysis/summary.h"
 #include "core/machine/machine.h"
 #include "core/models/control_model.h"
@@ -29,5 +30,9 @@ struct Report {
 
 /// The run as JSON, keys of DESIGN section 4, indented, newline at the end.
 std::string simulation_json(const Report& report);
+
+/// What `check` found as JSON: program{file, lines, blocks, segments, arcs, dwells, path_mm, rapid_mm,
+/// dwell_s, feed_mm_min{min, max}, bounds} and diagnostics as in simulation_json.
+std::string check_json(const Program& program, const ProgramFacts& facts);
 
 }  // namespace feedscope

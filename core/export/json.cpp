@@ -18,13 +18,14 @@ Json vector(const Vec3& v) {
   return Json::array({finite(v.x()), finite(v.y()), finite(v.z())});
 }
 
+Json bounds(const Bounds& box) {
+  return {{"min", vector(box.min)}, {"max", vector(box.max)}};
+}
+
 Json program_facts(const Program& program, const Toolpath& toolpath) {
-  return {{"file", program.source->name()},
-          {"lines", program.source->line_count()},
-          {"blocks", program.block_count},
-          {"segments", toolpath.segments.size()},
-          {"path_mm", finite(toolpath.length())},
-          {"bounds", {{"min", vector(program.bounds.min)}, {"max", vector(program.bounds.max)}}}};
+  return {{"file", program.source->name()},       {"lines", program.source->line_count()},
+          {"blocks", program.block_count},        {"segments", toolpath.segments.size()},
+          {"path_mm", finite(toolpath.length())}, {"bounds", bounds(program.bounds)}};
 }
 
 Json diagnostics(const Program& program) {
@@ -91,6 +92,24 @@ std::string simulation_json(const Report& report) {
        {"time_by_cause_s", time_by_cause(summary)},
        {"diagnostics", diagnostics(report.program)},
        {"elapsed", {{"read_s", report.read_time}, {"simulate_s", report.simulate_time}}}});
+}
+
+std::string check_json(const Program& program, const ProgramFacts& facts) {
+  return text_of({{"program",
+                   {{"file", program.source->name()},
+                    {"lines", facts.lines},
+                    {"blocks", facts.blocks},
+                    {"segments", facts.segments},
+                    {"arcs", facts.arcs},
+                    {"dwells", facts.dwells},
+                    {"path_mm", finite(facts.path_length)},
+                    {"rapid_mm", finite(facts.rapid_length)},
+                    {"dwell_s", finite(facts.dwell_time)},
+                    {"feed_mm_min",
+                     {{"min", finite(units::to_mm_min(facts.least_feed))},
+                      {"max", finite(units::to_mm_min(facts.largest_feed))}}},
+                    {"bounds", bounds(facts.bounds)}}},
+                  {"diagnostics", diagnostics(program)}});
 }
 
 }  // namespace feedscope

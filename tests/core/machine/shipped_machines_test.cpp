@@ -20,19 +20,20 @@ MachineLibrary library() {
 
 std::string row(const Machine& machine, const std::string& name, const std::string& key, double value) {
   const Provenance& provenance = machine.provenance.at(key);
-  return fmt::format("| `{}` | {} | {}{} |\n", name, value, provenance.assumed ? "assumed: " : "", provenance.source);
+  return fmt::format("| `{}` | {} | {}{} |\n", name, value, provenance.assumed ? "assumed: " : "",
+                     provenance.source);
 }
 
 /// The section of machines/README.md that a machine file asks for.
 std::string readme_section(const Machine& machine) {
-  std::string text = fmt::format("\n## {}\n\n{}, {}. {}.\n\n| Number | Value | Source |\n|---|---|---|\n", machine.id,
-                                 machine.name, machine.control, machine.reference);
+  std::string text = fmt::format("\n## {}\n\n{}, {}. {}.\n\n| Number | Value | Source |\n|---|---|---|\n",
+                                 machine.id, machine.name, machine.control, machine.reference);
   for (const char axis : axis_names) {
     for (const SettingSpec& limit : axis_limit_specs()) {
       std::string unit = limit.unit;
       std::replace(unit.begin(), unit.end(), '/', '_');
-      text += row(machine, fmt::format("axes.{}.{}_{}", axis, limit.key, unit), fmt::format("{}.{}", axis, limit.key),
-                  axis_limit(machine, axis, limit.key));
+      text += row(machine, fmt::format("axes.{}.{}_{}", axis, limit.key, unit),
+                  fmt::format("{}.{}", axis, limit.key), axis_limit(machine, axis, limit.key));
     }
   }
   for (const auto& [key, value] : machine.settings.values()) {
@@ -93,7 +94,8 @@ TEST(ShippedMachines, StandInTheReadmeWithEveryNumberAndSource) {
   readme << std::ifstream(folder / "README.md").rdbuf();
   for (const std::string& id : library().ids()) {
     const std::string section = readme_section(library().load(id));
-    EXPECT_NE(readme.str().find(section), std::string::npos) << "machines/README.md should hold:\n" << section;
+    EXPECT_NE(readme.str().find(section), std::string::npos) << "machines/README.md should hold:\n"
+                                                             << section;
   }
 }
 

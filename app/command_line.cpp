@@ -1,0 +1,97 @@
+#include "app/command_line.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/commands/command.h"
+#include "app/exit_codes.h"
+#include "core/base/error.h"
+#include "core/base/progress.h"
+#include "core/machine/settings.h"
+
+namespace feedscope {
+namespace {
+
+std::vector<std::string> known_names(const CLI::App& app, bool options) {
+  std::vector<std::string> names;
+  if (options) {
+    for (const CLI::Option* option : app.get_options()) {
+      for (const std::string& name : option->get_lnames()) {
+        names.push_back("--" + name);
+      }
+    }
+  } else {
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+      names.push_back(command->get_name());
+    }
+  }
+  return names;
+}
+
+/// "; did you mean '--tolerance'?" for the first argument that nothing takes.
+std::string suggestion(const CLI::App& app) {
+  const auto chosen = app.get_subcommands();
+  const CLI::App& command = chosen.empty() ? app : *chosen.front();
+  for (const std::string& argument : app.remaining(true)) {
+    const bool option = argument.starts_with("--");
+    const std::string nearest =
+        nearest_name(argument.substr(0, argument.find('=')), known_names(command, option));
+    if (!nearest.empty()) {
+      return fmt::format("; did you mean '{}'?", nearest);
+    }
+  }
+  return "";
+}
+
+int report_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
+  const auto chosen = app.get_subcommands();
+  const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
+  fmt::print(stderr, "feedscope: {}{}\nsee: feedscope{} --help\n", error.what(), suggestion(app), command);
+  return exit_code::wrong_use;
+}
+
+int report(const std::string& message, int code) {
+  fmt::print(stderr, "feedscope: {}\n", message);
+  return code;
+}
+
+int run_checked(int argc, char** argv) {
+  CLI::App app(
+      "Shows what a CNC control really does with an NC program, and why it is slow where it is slow.");
+  app.name("feedscope");
+  app.set_version_flag("--version", "feedscope " FEEDSCOPE_VERSION);
+  app.require_subcommand(1);
+  const std::vector<Command> commands{add_simulate_command(app), add_check_command(app),
+                                      add_machines_command(app), add_models_command(app)};
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return error.get_exit_code() == 0 ? app.exit(error) : report_wrong_use(app, error);
+  }
+  const auto chosen = std::find_if(commands.begin(), commands.end(),
+                                   [](const Command& command) { return command.options->parsed(); });
+  return chosen->run();
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  try {
+    return run_checked(argc, argv);
+  } catch (const InputError& error) {
+    return report(error.what(), exit_code::wrong_use);
+  } catch (const Cancelled&) {
+    return report("cancelled; no file was written", exit_code::cancelled);
+  } catch (const std::bad_alloc&) {
+    return report("out of memory; the program is too large for this machine", exit_code::wrong_use);
+  } catch (const std::exception& error) {
+    return report(error.what(), exit_code::wrong_use);
+  }
+}
+
+}  // namespace feedscope

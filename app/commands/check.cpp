@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <memory>
+
+#include "app/commands/command.h"
+#include "app/exit_codes.h"
+#include "app/output_file.h"
+#include "app/print.h"
+#include "app/run_options.h"
+#include "app/watch.h"
+#include "core/base/units.h"
+#include "core/export/export.h"
+
+namespace feedscope {
+namespace {
+
+struct CheckOptions {
+  std::string file;
+  std::string json;
+};
+
+std::string range_text(double from, double to) {
+  return std::isfinite(from) && std::isfinite(to) ? fmt::format("{:.4f} to {:.4f} mm", from, to)
+                                                  : "not programmed";
+}
+
+std::string facts_text(const ProgramFacts& facts) {
+  TextTable table;
+  table.add({"lines", fmt::format("{}, {} with words", facts.lines, facts.blocks)});
+  table.add({"segments", fmt::format("{}: {} lines, {} arcs, {} dwells", facts.segments,
+                                     facts.segments - facts.arcs - facts.dwells, facts.arcs, facts.dwells)});
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    const auto axis = static_cast<Eigen::Index>(i);
+    table.add(
+        {fmt::format("{} range", axis_names[i]), range_text(facts.bounds.min[axis], facts.bounds.max[axis])});
+  }
+  table.add({"path length",
+             fmt::format("{:.3f} mm, {:.3f} mm of it rapid", facts.path_length, facts.rapid_length)});
+  if (facts.dwells > 0) {
+    table.add({"dwell time", time_text(facts.dwell_time)});
+  }
+  table.add({"feeds", facts.largest_feed > 0
+                          ? fmt::format("{:.6g} to {:.6g} mm/min", units::to_mm_min(facts.least_feed),
+                                        units::to_mm_min(facts.largest_feed))
+                          : "none programmed"});
+  return table.text("ll");
+}
+
+int check(const CheckOptions& options) {
+  check_outputs(options.file, {options.json});
+  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.file));
+  LoadedProgram loaded;
+  {
+    Watch watch;
+    loaded = load_program(source, watch.stage("reading"));
+  }
+  const ProgramFacts facts = facts_of(*loaded.program, *loaded.toolpath);
+  print_diagnostics(*loaded.program);
+  if (!options.json.empty()) {
+    OutputFile json(options.json);
+    json.stream() << check_json(*loaded.program, facts);
+    json.commit();
+  }
+  if (options.json != "-") {
+    fmt::print("{}\n{}", source->name(), facts_text(facts));
+  }
+  return has_errors(loaded.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+}
+
+}  // namespace
+
+Command add_check_command(CLI::App& app) {
+  const auto options = std::make_shared<CheckOptions>();
+  CLI::App* command =
+      app.add_subcommand("check", "Read an NC program and say what it holds and what is wrong");
+  add_program_option(*command, options->file);
+  command->add_option("--json", options->json, "Write facts and messages; - for standard output")
+      ->type_name("FILE");
+  return {command, [options] { return check(*options); }};
+}
+
+}  // namespace feedscope

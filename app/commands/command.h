@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace feedscope {
+
+/// A command of the command line: its options, and what it does once they are parsed.
+struct Command {
+  CLI::App* options = nullptr;
+  std::function<int()> run;  ///< gives the exit code; throws InputError and Cancelled
+};
+
+Command add_simulate_command(CLI::App& app);
+Command add_check_command(CLI::App& app);
+Command add_machines_command(CLI::App& app);
+Command add_models_command(CLI::App& app);
+
+}  // namespace feedscope

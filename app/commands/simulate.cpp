@@ -1,0 +1,133 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "app/commands/command.h"
+#include "app/exit_codes.h"
+#include "app/output_file.h"
+#include "app/print.h"
+#include "app/run_options.h"
+#include "app/watch.h"
+#include "core/export/export.h"
+
+namespace feedscope {
+namespace {
+
+struct SimulateOptions {
+  RunOptions run;
+  std::string csv;
+  std::string step;  // as typed, s
+  std::string json;
+  std::string blends;
+};
+
+std::optional<double> parse_step(const std::string& text) {
+  if (text.empty()) {
+    return std::nullopt;
+  }
+  SettingSpec number;
+  number.key = "--step";
+  number.unit = "s";
+  number.minimum_allowed = false;
+  return std::get<double>(parse_setting(number, text));
+}
+
+/// The machine's interpolation period, whether or not the model reads it.
+double default_step(const Setup& setup) {
+  for (const Settings* settings : {&setup.settings, &setup.machine.settings}) {
+    if (settings->has("interpolation_period_s")) {
+      return settings->number("interpolation_period_s");
+    }
+  }
+  return 0.001;
+}
+
+std::string json_of(const Run& run) {
+  return simulation_json({*run.input.program, *run.input.toolpath, run.setup.machine, run.setup.model->info(),
+                          run.setup.settings, run.summary, run.input.read_time, run.simulate_time});
+}
+
+/// The outputs that were asked for, opened before the work begins and moved to their place after it.
+class Results {
+ public:
+  explicit Results(const SimulateOptions& options)
+      : csv_(open(options.csv)), json_(open(options.json)), blends_(open(options.blends)) {
+    for (const std::string* name : {&options.csv, &options.json, &options.blends}) {
+      to_standard_output_ = to_standard_output_ || *name == "-";
+    }
+  }
+
+  void write(const Run& run, double step, Watch& watch) {
+    if (csv_) {
+      write_csv(csv_->stream(), *run.trajectory, step, watch.stage("writing"));
+    }
+    if (json_) {
+      json_->stream() << json_of(run);
+    }
+    if (blends_) {
+      write_blends(blends_->stream(), *run.trajectory);
+    }
+    for (const auto* file : {&csv_, &json_, &blends_}) {
+      if (*file) {
+        (*file)->commit();
+      }
+    }
+  }
+
+  bool to_standard_output() const { return to_standard_output_; }
+
+ private:
+  static std::unique_ptr<OutputFile> open(const std::string& name) {
+    return name.empty() ? nullptr : std::make_unique<OutputFile>(name);
+  }
+
+  std::unique_ptr<OutputFile> csv_;
+  std::unique_ptr<OutputFile> json_;
+  std::unique_ptr<OutputFile> blends_;
+  bool to_standard_output_ = false;
+};
+
+int simulate(const SimulateOptions& options) {
+  const Setup setup = make_setup(options.run.request());
+  note_unused_tolerance(options.run, setup);
+  const double step = parse_step(options.step).value_or(default_step(setup));
+  check_outputs(options.run.file, {options.csv, options.json, options.blends});
+  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.run.file));
+  Results results(options);
+  Run run;
+  {
+    Watch watch;
+    const LoadedProgram program = load_program(source, watch.stage("reading"));
+    run = simulate_run(program, setup, watch.stage("simulating"));
+    results.write(run, step, watch);
+  }
+  print_diagnostics(*run.input.program);
+  if (!results.to_standard_output()) {
+    fmt::print("{}", summary_text(run));
+  }
+  return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+}
+
+}  // namespace
+
+Command add_simulate_command(CLI::App& app) {
+  const auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command =
+      app.add_subcommand("simulate", "Simulate an NC program on a machine and write the results");
+  add_run_options(*command, options->run);
+  command->add_option("--csv", options->csv, "Write the motion, one row a step; - for standard output")
+      ->type_name("FILE");
+  command
+      ->add_option("--step", options->step, "Time between two rows in s [the machine's interpolation period]")
+      ->type_name("S");
+  command->add_option("--json", options->json, "Write figures and messages; - for standard output")
+      ->type_name("FILE");
+  command
+      ->add_option("--blends", options->blends,
+                   "Write the inserted corner blends as CSV; - for standard output")
+      ->type_name("FILE");
+  return {command, [options] { return simulate(*options); }};
+}
+
+}  // namespace feedscope

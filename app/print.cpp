@@ -1,0 +1,120 @@
+#include "app/print.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+constexpr std::size_t most_diagnostics = 100;
+
+/// Characters on screen of a UTF-8 text.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::count_if(
+      text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+std::string padded(const std::string& text, std::size_t width, bool right) {
+  const std::string space(width - std::min(width, width_of(text)), ' ');
+  return right ? space + text : text + space;
+}
+
+std::string peak_and_limit(double peak, double limit) {
+  return fmt::format("{:.4g} of {:.4g}", peak, limit);
+}
+
+std::string axis_table(const Run& run) {
+  TextTable table;
+  table.add({"", "velocity [m/min]", "acceleration [m/s2]", "jerk [m/s3]"});
+  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+    const char axis = axis_names[i];
+    const AxisPeaks& peak = run.summary.axes[i];
+    table.add(
+        {fmt::format("axis {}", axis),
+         peak_and_limit(units::to_m_min(peak.velocity), axis_limit(run.setup.machine, axis, "velocity")),
+         peak_and_limit(units::to_m(peak.acceleration), axis_limit(run.setup.machine, axis, "acceleration")),
+         peak_and_limit(units::to_m(peak.jerk), axis_limit(run.setup.machine, axis, "jerk"))});
+  }
+  return table.text("lrrr");
+}
+
+std::string cause_table(const Summary& summary) {
+  const auto& times = summary.time_by_cause;
+  std::vector<std::size_t> order(times.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return times[a] > times[b]; });
+  TextTable table;
+  for (const std::size_t i : order) {
+    if (times[i] > 0) {
+      table.add({cause_title(all_causes()[i]), fmt::format("{:.3f} s", times[i]),
+                 fmt::format("{:.1f} %", 100 * times[i] / summary.cycle_time)});
+    }
+  }
+  return table.text("lrr");
+}
+
+}  // namespace
+
+std::string TextTable::text(std::string_view alignments) const {
+  std::vector<std::size_t> widths(alignments.size(), 0);
+  for (const auto& row : rows_) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], width_of(row[i]));
+    }
+  }
+  std::string out;
+  for (const auto& row : rows_) {
+    std::string line = " ";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      line += (i == 0 ? " " : "   ") + padded(row[i], widths[i], alignments[i] == 'r');
+    }
+    out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return out;
+}
+
+std::string time_text(double seconds) {
+  const std::string text = fmt::format("{:.3f} s", seconds);
+  if (seconds < 60) {
+    return text;
+  }
+  const auto whole = static_cast<long long>(std::llround(seconds));
+  return fmt::format("{} ({}:{:02}:{:02})", text, whole / 3600, whole / 60 % 60, whole % 60);
+}
+
+void print_diagnostics(const Program& program) {
+  const auto& all = program.diagnostics;
+  const std::size_t shown = std::min(all.size(), most_diagnostics);
+  for (std::size_t i = 0; i < shown; ++i) {
+    fmt::print(stderr, "{}\n", format(all[i], program.source->name()));
+  }
+  if (shown < all.size()) {
+    fmt::print(stderr, "{}: {} more messages; --json lists them all\n", program.source->name(),
+               all.size() - shown);
+  }
+}
+
+std::string summary_text(const Run& run) {
+  const Summary& s = run.summary;
+  const Program& program = *run.input.program;
+  std::string out = fmt::format("{} on {} ({}), model {}\n\n", program.source->name(), run.setup.machine.name,
+                                run.setup.machine.control, run.setup.model->info().id);
+  TextTable figures;
+  figures.add({"cycle time", time_text(s.cycle_time)});
+  figures.add({"programmed time", time_text(s.programmed_time)});
+  figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
+  figures.add({"mean feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.mean_feed))});
+  figures.add({"peak feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.peak_feed))});
+  figures.add({"contour error", fmt::format("{:.4f} mm at {} corner blends", s.max_contour_error,
+                                            run.trajectory->blends().size())});
+  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + "\nTime by limiting cause\n" +
+         cause_table(s);
+}
+
+}  // namespace feedscope

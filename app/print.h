@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/analysis/run.h"
+
+namespace feedscope {
+
+/// Rows of text in aligned columns.
+class TextTable {
+ public:
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  /// `alignments`: 'l' or 'r' for every column.
+  std::string text(std::string_view alignments) const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+/// "1.249 s", from a minute on with hours: "3725.4 s (1:02:05)".
+std::string time_text(double seconds);
+
+/// Diagnostics to standard error, one line each as a compiler does, the first hundred; then how many more.
+void print_diagnostics(const Program& program);
+
+/// Figures of a run for people.
+std::string summary_text(const Run& run);
+
+}  // namespace feedscope

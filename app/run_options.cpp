@@ -1,0 +1,49 @@
+#include "app/run_options.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace feedscope {
+
+SetupRequest RunOptions::request() const {
+  SetupRequest request{machine, model, {}, set};
+  if (!tolerance.empty()) {
+    SettingSpec number;
+    number.key = "--tolerance";
+    number.unit = "mm";
+    number.minimum_allowed = false;
+    request.tolerance = std::get<double>(parse_setting(number, tolerance));
+  }
+  return request;
+}
+
+void add_program_option(CLI::App& command, std::string& file) {
+  command.add_option("FILE", file, "NC program; - for standard input")->required();
+}
+
+void add_run_options(CLI::App& command, RunOptions& values) {
+  add_program_option(command, values.file);
+  command
+      .add_option("--machine", values.machine,
+                  fmt::format("Machine id or machine file [{}]", default_machine))
+      ->type_name("ID|FILE");
+  command.add_option("--model", values.model, "Control model [the machine's own]")->type_name("ID");
+  command.add_option("--tolerance", values.tolerance, "Contour tolerance in mm [the machine's own]")
+      ->type_name("MM");
+  command
+      .add_option(
+          "--set", values.set,
+          "Change a setting of the model (alpha=2) or a limit of an axis (X.jerk=20); repeat for more")
+      ->type_name("KEY=VALUE")
+      ->allow_extra_args(false);
+}
+
+void note_unused_tolerance(const RunOptions& options, const Setup& setup) {
+  if (!options.tolerance.empty() && !setup.settings.has("contour_tolerance_mm")) {
+    fmt::print(stderr, "feedscope: note: model '{}' does not read a contour tolerance\n",
+               setup.model->info().id);
+  }
+}
+
+}  // namespace feedscope

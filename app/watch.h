@@ -1,0 +1,35 @@
+#pragma once
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+#include "core/base/progress.h"
+
+namespace feedscope {
+
+/// Watches long work: a progress bar on standard error once it takes longer than a second (on a terminal),
+/// and Ctrl-C cancels it through the progress. While it lives, SIGINT and SIGTERM do nothing else.
+class Watch {
+ public:
+  Watch();
+  ~Watch();
+  Watch(const Watch&) = delete;
+  Watch& operator=(const Watch&) = delete;
+
+  /// Begins the next stage of the work; `title` must outlive the watch.
+  Progress* stage(const char* title);
+
+ private:
+  void watch();
+  void draw(bool last);
+
+  Progress progress_;
+  std::atomic<const char*> title_{""};
+  int signals_ = -1;  ///< file descriptor that SIGINT and SIGTERM arrive at
+  int stop_ = -1;     ///< file descriptor that ends the thread
+  bool drawn_ = false;
+  std::thread thread_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// What a program holds, before any machine or model.
+struct ProgramFacts {
+  std::size_t lines = 0;
+  std::size_t blocks = 0;  ///< lines that hold a word
+  std::size_t segments = 0;
+  std::size_t arcs = 0;     ///< arcs and helices among the segments
+  std::size_t dwells = 0;   ///< among the segments
+  Bounds bounds;            ///< programmed positions [mm]
+  double path_length = 0;   ///< rapids included [mm]
+  double rapid_length = 0;  ///< [mm]
+  double dwell_time = 0;    ///< [s]
+  double least_feed = 0;    ///< of what moves at a programmed feed; 0 if nothing does [mm/s]
+  double largest_feed = 0;  ///< [mm/s]
+};
+
+ProgramFacts facts_of(const Program& program, const Toolpath& toolpath);
+
+}  // namespace feedscope
