@@ -48,14 +48,16 @@ TEST(ShippedMachines, AreTheFiveOfThePapers) {
 }
 
 TEST(ShippedMachines, LoadWithTheirFileNameAsId) {
-  for (const std::string& id : library().ids()) {
-    EXPECT_EQ(library().load(id).id, id);
+  const MachineLibrary machines = library();
+  for (const std::string& id : machines.ids()) {
+    EXPECT_EQ(machines.load(id).id, id);
   }
 }
 
 TEST(ShippedMachines, NameAModelAndGiveEverySettingItReads) {
-  for (const std::string& id : library().ids()) {
-    const Machine machine = library().load(id);
+  const MachineLibrary machines = library();
+  for (const std::string& id : machines.ids()) {
+    const Machine machine = machines.load(id);
     for (const std::string& key : find_model(machine.model).info().uses) {
       EXPECT_TRUE(machine.settings.has(key)) << id << ": " << key;
     }
@@ -92,16 +94,18 @@ TEST(ShippedMachines, HoldTheNumbersOfTheirPapers) {
 TEST(ShippedMachines, StandInTheReadmeWithEveryNumberAndSource) {
   std::stringstream readme;
   readme << std::ifstream(folder / "README.md").rdbuf();
-  for (const std::string& id : library().ids()) {
-    const std::string section = readme_section(library().load(id));
+  const MachineLibrary machines = library();
+  for (const std::string& id : machines.ids()) {
+    const std::string section = readme_section(machines.load(id));
     EXPECT_NE(readme.str().find(section), std::string::npos) << "machines/README.md should hold:\n"
                                                              << section;
   }
 }
 
 TEST(ShippedMachines, SurviveWritingAndReading) {
-  for (const std::string& id : library().ids()) {
-    const Machine machine = library().load(id);
+  const MachineLibrary machines = library();
+  for (const std::string& id : machines.ids()) {
+    const Machine machine = machines.load(id);
     const auto copy = std::filesystem::temp_directory_path() / ("feedscope-" + id + "-copy.toml");
     std::ofstream(copy) << write_machine(machine);
     EXPECT_EQ(read_machine(copy, all_model_settings()), machine) << id;
