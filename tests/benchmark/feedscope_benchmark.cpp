@@ -1,0 +1,93 @@
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <array>
+#include <memory>
+#include <string>
+
+#include "core/machine/machine.h"
+#include "core/models/control_model.h"
+#include "core/program/program.h"
+#include "core/toolpath/toolpath.h"
+#include "tests/benchmark/heap_meter.h"
+#include "tests/benchmark/programs.h"
+
+namespace feedscope::benchmark {
+namespace {
+
+using State = ::benchmark::State;
+using ::benchmark::Counter;
+
+struct Kind {
+  const char* name;
+  std::string (*text)(std::size_t blocks);
+};
+constexpr std::array<Kind, 2> kinds{Kind{"lines", surface_program}, Kind{"arcs", arc_program}};
+
+void set_counters(State& state, std::size_t blocks, std::size_t bytes, const HeapMeter& meter) {
+  state.SetItemsProcessed(static_cast<std::int64_t>(blocks * state.iterations()));
+  state.SetBytesProcessed(static_cast<std::int64_t>(bytes * state.iterations()));
+  const auto count = static_cast<double>(blocks);
+  state.counters["peak_bytes_a_block"] = static_cast<double>(meter.peak()) / count;
+  state.counters["held_bytes_a_block"] = static_cast<double>(meter.held()) / count;
+}
+
+/// Text to toolpath. Memory: the text and the program with its toolpath.
+void read(State& state, const Kind& kind) {
+  const auto blocks = static_cast<std::size_t>(state.range(0));
+  const HeapMeter meter;
+  const auto source = std::make_shared<const SourceText>("benchmark.nc", kind.text(blocks));
+  Program program;
+  Toolpath toolpath;
+  for (auto _ : state) {
+    program = {};
+    toolpath = {};
+    program = read_program(source);
+    toolpath = build_toolpath(program);
+  }
+  set_counters(state, blocks, source->text().size(), meter);
+}
+
+/// Toolpath to trajectory. Memory: text, program, toolpath and trajectory, all that a run holds.
+void simulate(State& state, const Kind& kind, const ControlModel& model) {
+  const auto blocks = static_cast<std::size_t>(state.range(0));
+  const Machine machine =
+      MachineLibrary(FEEDSCOPE_SOURCE_DIR "/machines", all_model_settings()).load("spinner-mvc850");
+  const Settings settings = complete_settings(model, machine);
+  const HeapMeter meter;
+  const Program program = read_program(std::make_shared<const SourceText>("benchmark.nc", kind.text(blocks)));
+  const Toolpath toolpath = build_toolpath(program);
+  Trajectory trajectory;
+  for (auto _ : state) {
+    trajectory = {};
+    trajectory = model.simulate(toolpath, machine, settings);
+  }
+  set_counters(state, blocks, program.source->text().size(), meter);
+}
+
+void register_all() {
+  const auto sizes = [](::benchmark::internal::Benchmark* b) {
+    b->RangeMultiplier(10)->Range(1'000, 1'000'000)->Unit(::benchmark::kMillisecond);
+  };
+  for (const Kind& kind : kinds) {
+    sizes(::benchmark::RegisterBenchmark(fmt::format("read/{}", kind.name).c_str(), read, kind));
+    for (const ControlModel* model : all_models()) {
+      const std::string name = fmt::format("simulate/{}/{}", model->info().id, kind.name);
+      sizes(::benchmark::RegisterBenchmark(name.c_str(),
+                                           [&kind, model](State& state) { simulate(state, kind, *model); }));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace feedscope::benchmark
+
+int main(int argc, char** argv) {
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) {
+    return 2;
+  }
+  feedscope::benchmark::register_all();
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}
