@@ -24,9 +24,8 @@ struct Kind {
 };
 constexpr std::array<Kind, 2> kinds{Kind{"lines", surface_program}, Kind{"arcs", arc_program}};
 
-void set_counters(State& state, std::size_t blocks, std::size_t bytes, const HeapMeter& meter) {
+void set_counters(State& state, std::size_t blocks, const HeapMeter& meter) {
   state.SetItemsProcessed(static_cast<std::int64_t>(blocks * state.iterations()));
-  state.SetBytesProcessed(static_cast<std::int64_t>(bytes * state.iterations()));
   const auto count = static_cast<double>(blocks);
   state.counters["peak_bytes_a_block"] = static_cast<double>(meter.peak()) / count;
   state.counters["held_bytes_a_block"] = static_cast<double>(meter.held()) / count;
@@ -45,7 +44,8 @@ void read(State& state, const Kind& kind) {
     program = read_program(source);
     toolpath = build_toolpath(program);
   }
-  set_counters(state, blocks, source->text().size(), meter);
+  state.SetBytesProcessed(static_cast<std::int64_t>(source->text().size() * state.iterations()));
+  set_counters(state, blocks, meter);
 }
 
 /// Toolpath to trajectory. Memory: text, program, toolpath and trajectory, all that a run holds.
@@ -62,7 +62,7 @@ void simulate(State& state, const Kind& kind, const ControlModel& model) {
     trajectory = {};
     trajectory = model.simulate(toolpath, machine, settings);
   }
-  set_counters(state, blocks, program.source->text().size(), meter);
+  set_counters(state, blocks, meter);
 }
 
 void register_all() {
