@@ -1,6 +1,7 @@
 #include "ui/scene/gl_render_window.h"
 
 #include <vtkObjectFactory.h>
+#include <vtkOpenGLState.h>
 #include <vtkVersionMacros.h>
 #include <vtk_glew.h>
 
@@ -30,6 +31,13 @@ void GlRenderWindow::OpenGLInitContext() {
 #else
   vtkGenericOpenGLRenderWindow::OpenGLInitContext();
 #endif
+}
+
+void GlRenderWindow::Start() {
+  vtkGenericOpenGLRenderWindow::Start();
+  // The context comes with OpenGL's and Qt's GL_LESS; VTK draws flat shapes on top of each other at one
+  // depth.
+  this->GetState()->vtkglDepthFunc(GL_LEQUAL);
 }
 
 }  // namespace feedscope::ui

@@ -11,6 +11,7 @@ class GlRenderWindow : public vtkGenericOpenGLRenderWindow {
   static GlRenderWindow* New();
 
   void OpenGLInitContext() override;
+  void Start() override;
 
  protected:
   GlRenderWindow() = default;

@@ -30,15 +30,24 @@ vtkSmartPointer<vtkFloatArray> borrowed(const float* values, std::size_t count, 
   return array;
 }
 
-}  // namespace
-
-vtkSmartPointer<vtkPolyData> polylines(const SampledPath& path, const std::function<bool(SpanKind)>& wanted) {
-  auto lines = vtkSmartPointer<vtkPolyData>::New();
+/// The points of `path`, with their feed as scalars.
+vtkSmartPointer<vtkPolyData> points_of(const SampledPath& path) {
+  auto data = vtkSmartPointer<vtkPolyData>::New();
   const vtkNew<vtkPoints> points;
   if (path.size() > 0) {
     points->SetData(borrowed(path.positions.front().data(), 3 * path.size(), 3));
   }
-  lines->SetPoints(points);
+  data->SetPoints(points);
+  if (!path.feeds.empty()) {
+    data->GetPointData()->SetScalars(borrowed(path.feeds.data(), path.feeds.size(), 1));
+  }
+  return data;
+}
+
+}  // namespace
+
+vtkSmartPointer<vtkPolyData> polylines(const SampledPath& path, const std::function<bool(SpanKind)>& wanted) {
+  auto lines = points_of(path);
   const vtkNew<vtkTypeInt32Array> offsets;
   const vtkNew<vtkTypeInt32Array> indices;
   offsets->InsertNextValue(0);
@@ -63,10 +72,26 @@ vtkSmartPointer<vtkPolyData> polylines(const SampledPath& path, const std::funct
   const vtkNew<vtkCellArray> cells;
   cells->SetData(offsets, indices);
   lines->SetLines(cells);
-  if (!path.feeds.empty()) {
-    lines->GetPointData()->SetScalars(borrowed(path.feeds.data(), path.feeds.size(), 1));
-  }
   return lines;
+}
+
+vtkSmartPointer<vtkPolyData> blend_points(const SampledPath& path) {
+  constexpr std::size_t most_points = 100'000;
+  const auto count =
+      static_cast<std::size_t>(std::count(path.kinds.begin(), path.kinds.end(), SpanKind::blend));
+  const std::size_t step = 1 + count / most_points;
+  auto points = points_of(path);
+  const vtkNew<vtkCellArray> cells;
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool ends_blend = i > 0 && path.kinds[i - 1] == SpanKind::blend;
+    if ((path.kinds[i] == SpanKind::blend || ends_blend) && seen++ % step == 0) {
+      const auto id = static_cast<vtkIdType>(i);
+      cells->InsertNextCell(1, &id);
+    }
+  }
+  points->SetVerts(cells);
+  return points;
 }
 
 vtkSmartPointer<vtkPolyData> rapid_dashes(const SampledPath& path, double dash) {
@@ -137,6 +162,7 @@ vtkSmartPointer<vtkActor> line_actor(vtkPolyData& lines, const Rgb& colour) {
   actor->SetMapper(mapper);
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   actor->GetProperty()->LightingOff();
+  actor->GetProperty()->RenderPointsAsSpheresOn();  // without light: discs
   return actor;
 }
 

@@ -43,11 +43,11 @@ struct CameraPose {
   bool operator==(const CameraPose&) const = default;
 };
 
-/// An actor of the path, its line width [pixels at scale 1], and how far in front of the rest it is drawn.
+/// An actor of the path.
 struct Layer {
   vtkSmartPointer<vtkActor> actor;
-  double width = 1;
-  int height = 0;
+  double width = 1;            ///< of lines and points [pixels at scale 1]
+  double height = 0;           ///< nearer to the eye than the path by this [pixels at scale 1]
   Vec3 origin = Vec3::Zero();  ///< of its points [mm]
 };
 
@@ -174,13 +174,13 @@ class PathScene::Impl {
     tool_->SetVisibility(0);
   }
 
-  void add_layer(vtkPolyData& lines, vtkSmartPointer<vtkActor> actor, double line_width, int layer_height,
+  void add_layer(vtkPolyData& lines, vtkSmartPointer<vtkActor> actor, double width, double height,
                  const Vec3& origin) {
     if (lines.GetNumberOfCells() == 0) {
       return;
     }
     front_->AddActor(actor);
-    layers_.push_back({std::move(actor), line_width, layer_height, origin});
+    layers_.push_back({std::move(actor), width, height, origin});
   }
 
   void rebuild() {
@@ -207,7 +207,7 @@ class PathScene::Impl {
     if (programmed_) {
       const auto lines = polylines(*programmed_, [](SpanKind kind) { return kind == SpanKind::cut; });
       entries_.programmed = lines->GetNumberOfCells() > 0;
-      add_layer(*lines, line_actor(*lines, palette::programmed), 1.4, 1, programmed_->origin);
+      add_layer(*lines, line_actor(*lines, palette::programmed), 1.4, 1.5, programmed_->origin);
     }
     if (executed_) {
       add_executed();
@@ -231,9 +231,14 @@ class PathScene::Impl {
       top_feed_ = half > 0 ? units::from_mm_min(std::ceil(peak / half - 1e-6) * half) : 0;
     }
     const auto colours = feed_colours(top_feed_);
-    add_layer(*blends, line_actor(*blends, palette::blend_edge), 7, 2, executed_->origin);
-    add_layer(*lines, line_actor(*lines, *colours), 2.6, 3, executed_->origin);
-    add_layer(*blends, line_actor(*blends, *colours), 4.4, 4, executed_->origin);
+    const auto joins = blend_points(*executed_);
+    const Vec3& origin = executed_->origin;
+    for (vtkPolyData* shape : {blends.Get(), joins.Get()}) {
+      add_layer(*shape, line_actor(*shape, palette::blend_edge), 7, 3, origin);
+      add_layer(*shape, line_actor(*shape, *colours), 4.4, 10, origin);
+    }
+    // A disc bulges towards the eye by half its width: 3 + 7 / 2 stays below 8.
+    add_layer(*lines, line_actor(*lines, *colours), 2.6, 8, origin);
     start_ = executed_->position(0);
   }
 
@@ -306,15 +311,16 @@ class PathScene::Impl {
     over_.end();
   }
 
+  /// Lines in one place must not fight: each layer is a little nearer to the eye, which a parallel projection
+  /// does not show.
   void place_layers(const Projection& view) {
-    // Lines in one place must not fight: each layer is a pixel and a half nearer to the eye, which a parallel
-    // projection does not show.
-    const double step = std::max(1.5 / view.scale, 4e-6);
     for (const Layer& layer : layers_) {
-      const Vec3 at = frame_.to_scene(layer.origin) + layer.height * step * view.towards;
+      const double lift = layer.height * std::max(scale_ / view.scale, 2e-6);
+      const Vec3 at = frame_.to_scene(layer.origin) + lift * view.towards;
       layer.actor->SetPosition(at.x(), at.y(), at.z());
       layer.actor->SetScale(1 / frame_.unit);
       layer.actor->GetProperty()->SetLineWidth(static_cast<float>(layer.width * scale_));
+      layer.actor->GetProperty()->SetPointSize(static_cast<float>(layer.width * scale_));
     }
   }
 
