@@ -55,7 +55,7 @@ Sample essid_table1() {
   NcWriter nc(3);
   nc.comment("FOUR LINES WITH CORNERS OF 30, 90 AND 60 DEGREES: POINTS OF ESSID 2019, TABLE 1");
   nc.comment("SHOWS: SPEED THROUGH A CORNER BLEND AGAINST THE ANGLE OF THE CORNER");
-  nc.comment("MACHINE SPINNER-MVC850, MODEL ESSID, CONTOUR TOLERANCE 0.1 MM: 1.249 S");
+  nc.comment("MACHINE SPINNER-MVC850, MODEL ESSID, CONTOUR TOLERANCE 0.1 MM");
   nc.raw("G17 G21 G90 G94");
   nc.line({7.071, 7.071, 0}, feed);
   nc.line({9.659, 16.73, 0});
@@ -69,7 +69,9 @@ Sample essid_spline() {
   NcWriter nc(6);
   nc.comment("CUBIC X = 100 U, Y = 300 U^3 - 400 U^2 + 100 U IN CHORDS OF 0.5 MM ERROR, AFTER ESSID 2019");
   nc.comment("SHOWS: WHERE A COARSE TESSELLATION COSTS TIME");
-  nc.comment("MACHINE SPINNER-MVC850, MODEL ESSID, CONTOUR TOLERANCE 0.1 MM: ABOUT 3.03 S");
+  nc.comment(
+      "MACHINE SPINNER-MVC850, MODEL ESSID, CONTOUR TOLERANCE 0.1 MM; SIMULATED THERE 3.063 S, MEASURED "
+      "3.024 S");
   nc.raw("G17 G21 G90 G94");
   const std::vector<double> parameters = spline_parameters(0.5);
   for (std::size_t i = 1; i < parameters.size(); ++i) {
