@@ -1,0 +1,136 @@
+#include "ui/charts/envelope.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/ui/run_fixture.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr int fine_samples = 400;
+
+/// Lines and arcs of a few millimetres, seeded; no corner turns by more than 150 degrees.
+std::string random_program(unsigned seed, int blocks) {
+  std::mt19937 random(seed);
+  std::uniform_real_distribution<double> forward(2, 8);
+  std::uniform_real_distribution<double> sideways(-7, 7);
+  std::string text = "G21 G91 G94 F6000\n";
+  for (int i = 0; i < blocks; ++i) {
+    const std::string x = std::to_string(forward(random));
+    const std::string y = std::to_string(sideways(random));
+    text += i % 5 == 4 ? "G2 X" + x + " Y" + y + " R20\n" : "G1 X" + x + " Y" + y + "\n";
+  }
+  return text;
+}
+
+/// Extents found by looking at very many states.
+Band brute_force(const Trajectory& trajectory, double from, double to) {
+  Band band;
+  for (std::size_t i = trajectory.piece_at(from); i <= trajectory.piece_at(to); ++i) {
+    const double start = trajectory.pieces()[i].time;
+    const double begin = std::max(from, start) - start;
+    const double end = std::min(to, trajectory.piece_end(i)) - start;
+    for (int k = 0; k <= fine_samples && end > begin; ++k) {
+      band.add(trajectory.state_in_piece(i, begin + (end - begin) * k / fine_samples));
+    }
+  }
+  return band;
+}
+
+void expect_same(const Band& band, const Band& expected, const Band& overall, const std::string& place) {
+  for (std::size_t i = 0; i < channel_count; ++i) {
+    const Extent& whole = overall.channels[i];
+    const double tolerance = 0.02 * std::max({double{whole.max}, -double{whole.min}, 1e-6});
+    EXPECT_NEAR(double{band.channels[i].min}, double{expected.channels[i].min}, tolerance)
+        << place << " channel " << i;
+    EXPECT_NEAR(double{band.channels[i].max}, double{expected.channels[i].max}, tolerance)
+        << place << " channel " << i;
+  }
+}
+
+TEST(Envelope, AgreesWithBruteForceOnRandomPrograms) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const std::string text = random_program(seed, 30);
+    const auto run = test::simulate_text(text);
+    const Envelope envelope(run.trajectory);
+    const Band overall = envelope.overall();
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> anywhere(0, run.trajectory->duration());
+    for (int i = 0; i < 20; ++i) {
+      const auto [from, to] = std::minmax({anywhere(random), anywhere(random)});
+      const std::vector<double> times{from, to};
+      expect_same(envelope.columns(times).front(), brute_force(*run.trajectory, from, to), overall,
+                  "seed " + std::to_string(seed) + " " + std::to_string(from) + ".." + std::to_string(to));
+    }
+  }
+}
+
+TEST(Envelope, NeighbouringColumnsAddUpToTheWhole) {
+  const auto run = test::simulate_text(random_program(7, 200));
+  const Envelope envelope(run.trajectory);
+  std::vector<double> times;
+  for (int i = 0; i <= 333; ++i) {
+    times.push_back(run.trajectory->duration() * i / 333);
+  }
+  const std::vector<Band> columns = envelope.columns(times);
+  ASSERT_EQ(columns.size(), 333U);
+  Band sum;
+  for (const Band& column : columns) {
+    sum.add(column);
+  }
+  expect_same(sum, envelope.overall(), envelope.overall(), "sum");
+}
+
+TEST(Envelope, StraightBlockAtItsFeedIsExact) {
+  // 100 mm along X at 6000 mm/min: X moves at 100 mm/s, nothing accelerates.
+  const auto run = test::simulate_text("G21 G90 F6000\nG1 X100\n", "cam");
+  const Envelope envelope(run.trajectory);
+  const std::vector<double> times{0.2, 0.4};
+  const Band column = envelope.columns(times).front();
+  EXPECT_FLOAT_EQ(column[Channel::velocity_x].min, 100);
+  EXPECT_FLOAT_EQ(column[Channel::velocity_x].max, 100);
+  EXPECT_FLOAT_EQ(column[Channel::feed].max, 100);
+  EXPECT_FLOAT_EQ(column[Channel::programmed_feed].max, 100);
+  EXPECT_FLOAT_EQ(column[Channel::velocity_y].max, 0);
+  EXPECT_FLOAT_EQ(column[Channel::acceleration_x].max, 0);
+}
+
+TEST(Envelope, FullCircleReachesBothSignsOfTheFeedInOnePiece) {
+  const auto run = test::simulate_text("G21 G90 F6000\nG2 X0 Y0 I10 J0\n", "cam");
+  const Band band = Envelope(run.trajectory).overall();
+  EXPECT_NEAR(band[Channel::velocity_x].min, -100, 0.4);
+  EXPECT_NEAR(band[Channel::velocity_x].max, 100, 0.4);
+  EXPECT_NEAR(band[Channel::velocity_y].max, 100, 0.4);
+}
+
+TEST(Envelope, ColumnsOutsideTheRunAreEmpty) {
+  const auto run = test::simulate_text(test::small_program);
+  const Envelope envelope(run.trajectory);
+  const double end = run.trajectory->duration();
+  const std::vector<double> times{-2, -1, 0, end, end + 1, end + 2};
+  const std::vector<Band> columns = envelope.columns(times);
+  EXPECT_TRUE(columns[0][Channel::feed].empty());
+  EXPECT_FALSE(columns[2][Channel::feed].empty());
+  EXPECT_TRUE(columns[4][Channel::feed].empty());
+}
+
+TEST(Envelope, OfNothingIsEmpty) {
+  EXPECT_TRUE(Envelope().overall()[Channel::feed].empty());
+  const Envelope still(std::make_shared<const Trajectory>());
+  EXPECT_TRUE(still.overall()[Channel::feed].empty());
+  const std::vector<double> times{0, 1};
+  EXPECT_TRUE(still.columns(times).front()[Channel::feed].empty());
+}
+
+TEST(Envelope, StopsWhenCancelled) {
+  const auto run = test::simulate_text(test::small_program);
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(Envelope(run.trajectory, &progress), Cancelled);
+}
+
+}  // namespace
+}  // namespace feedscope::ui

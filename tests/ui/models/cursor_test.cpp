@@ -1,0 +1,115 @@
+#include "ui/models/cursor.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+
+#include "tests/ui/run_fixture.h"
+#include "ui/models/playback.h"
+
+namespace feedscope::ui {
+namespace {
+
+class CursorTest : public testing::Test {
+ protected:
+  void SetUp() override { cursor.set_trajectory(trajectory); }
+
+  std::shared_ptr<const Trajectory> trajectory = test::simulate_text(test::small_program).trajectory;
+  Cursor cursor;
+};
+
+TEST_F(CursorTest, StartsAtTheBeginning) {
+  EXPECT_TRUE(cursor.valid());
+  EXPECT_EQ(cursor.state().time, 0);
+  EXPECT_EQ(cursor.state().line, 2U);
+}
+
+TEST_F(CursorTest, TimePathAndLineAgree) {
+  cursor.set_time(0.6 * trajectory->duration());
+  const State state = cursor.state();
+  cursor.set_time(0);
+  cursor.set_path_length(state.path_length);
+  EXPECT_NEAR(cursor.state().time, state.time, 1e-6);
+  cursor.set_line(4);
+  EXPECT_EQ(cursor.state().line, 4U);
+}
+
+TEST_F(CursorTest, LineThatDoesNotMoveStandsForTheNextThatDoes) {
+  cursor.set_line(3);
+  cursor.set_line(1);
+  EXPECT_EQ(cursor.state().line, 2U);
+}
+
+TEST_F(CursorTest, IsClampedToTheRun) {
+  cursor.set_time(1e9);
+  EXPECT_DOUBLE_EQ(cursor.state().time, trajectory->duration());
+  cursor.set_path_length(-5);
+  EXPECT_EQ(cursor.state().time, 0);
+}
+
+TEST_F(CursorTest, SaysOnceThatItMovedAndNothingWhenItDidNot) {
+  QSignalSpy spy(&cursor, &Cursor::changed);
+  cursor.set_time(0.1);
+  cursor.set_time(0.1);
+  EXPECT_EQ(spy.count(), 1);
+}
+
+TEST_F(CursorTest, AListenerThatPointsBackMakesNoLoop) {
+  int calls = 0;
+  QObject::connect(&cursor, &Cursor::changed, [&] {
+    ++calls;
+    cursor.set_time(cursor.state().time);
+  });
+  cursor.set_line(4);
+  EXPECT_EQ(calls, 1);
+}
+
+TEST_F(CursorTest, StaysAtItsPlaceForAnotherRunOfTheProgram) {
+  cursor.set_path_length(50);
+  cursor.set_trajectory(test::simulate_text(test::small_program, "cam").trajectory);
+  EXPECT_NEAR(cursor.state().path_length, 50, 1e-9);
+}
+
+TEST_F(CursorTest, PointsNowhereWithoutARunAndThenStartsAtTheBeginning) {
+  cursor.set_time(0.3);
+  cursor.set_trajectory(nullptr);
+  EXPECT_FALSE(cursor.valid());
+  cursor.set_time(1);
+  EXPECT_EQ(cursor.state().time, 0);
+  cursor.set_trajectory(trajectory);
+  EXPECT_EQ(cursor.state().time, 0);
+}
+
+TEST_F(CursorTest, PlaybackFollowsTheClockTimesSpeedAndStopsAtTheEnd) {
+  Playback playback(cursor);
+  playback.set_duration(trajectory->duration());
+  playback.play();
+  EXPECT_TRUE(playback.playing());
+  playback.advance(0.1);
+  EXPECT_NEAR(cursor.state().time, 0.1, 1e-9);
+  playback.set_speed(10);
+  playback.advance(0.02);
+  EXPECT_NEAR(cursor.state().time, 0.3, 1e-9);
+  playback.advance(100);
+  EXPECT_DOUBLE_EQ(cursor.state().time, trajectory->duration());
+  EXPECT_FALSE(playback.playing());
+  playback.play();
+  EXPECT_EQ(cursor.state().time, 0);
+}
+
+TEST_F(CursorTest, PlaybackSpeedIsClamped) {
+  Playback playback(cursor);
+  playback.set_speed(0);
+  EXPECT_EQ(playback.speed(), Playback::slowest);
+  playback.set_speed(1e9);
+  EXPECT_EQ(playback.speed(), Playback::fastest);
+}
+
+TEST_F(CursorTest, PlaybackOfNothingDoesNotPlay) {
+  Playback playback(cursor);
+  playback.play();
+  EXPECT_FALSE(playback.playing());
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,144 @@
+#include "ui/models/setup_tables.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QFont>
+#include <QLocale>
+#include <QSignalSpy>
+
+#include "core/base/error.h"
+
+namespace feedscope::ui {
+namespace {
+
+using testing::HasSubstr;
+
+Setup spinner() {
+  SetupRequest request;
+  request.machine = "spinner-mvc850";
+  request.model = "essid";
+  return make_setup(request);
+}
+
+class SetupTablesTest : public testing::Test {
+ protected:
+  SetupTablesTest() { QLocale::setDefault(QLocale::c()); }
+  ~SetupTablesTest() override { QLocale::setDefault(QLocale::c()); }
+
+  QModelIndex jerk_of_x() const {
+    for (int row = 0; row < axes.rowCount(); ++row) {
+      if (axis_limit_specs()[static_cast<std::size_t>(row)].key == "jerk") {
+        return axes.index(row, 0);
+      }
+    }
+    return {};
+  }
+  QModelIndex tolerance() const {
+    return settings.index(settings.row_of("contour_tolerance_mm"), SettingsTable::value);
+  }
+
+  SetupEdit edit{spinner()};
+  AxisTable axes{edit};
+  SettingsTable settings{edit};
+};
+
+TEST_F(SetupTablesTest, AreSoundItemModels) {
+  QAbstractItemModelTester axes_tester(&axes, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  QAbstractItemModelTester settings_tester(&settings, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  edit.set("X.jerk", 20.0);
+  edit.set_model(find_model("cam"));
+  edit.set_file(spinner());
+}
+
+TEST_F(SetupTablesTest, ShowTheFile) {
+  EXPECT_EQ(axes.data(jerk_of_x()).toString(), "15");
+  EXPECT_EQ(axes.columnCount(), 3);
+  EXPECT_THAT(axes.headerData(jerk_of_x().row(), Qt::Vertical, Qt::DisplayRole).toString().toStdString(),
+              HasSubstr("m/s³"));
+  EXPECT_EQ(settings.index(tolerance().row(), SettingsTable::unit).data().toString(), "mm");
+}
+
+TEST_F(SetupTablesTest, AnEditChangesTheSetupAndIsMarked) {
+  ASSERT_TRUE(axes.setData(jerk_of_x(), "20"));
+  EXPECT_DOUBLE_EQ(axis_limit(edit.setup().machine, 'X', "jerk"), 20);
+  EXPECT_DOUBLE_EQ(edit.setup().machine.axes[0].jerk, 20000);
+  EXPECT_TRUE(axes.data(jerk_of_x(), Qt::FontRole).value<QFont>().bold());
+  EXPECT_THAT(axes.data(jerk_of_x(), Qt::ToolTipRole).toString().toStdString(), HasSubstr("file says 15"));
+}
+
+TEST_F(SetupTablesTest, BackToTheFilesValueIsNoLongerMarked) {
+  ASSERT_TRUE(axes.setData(jerk_of_x(), "20"));
+  ASSERT_TRUE(axes.setData(jerk_of_x(), "15"));
+  EXPECT_FALSE(axes.data(jerk_of_x(), Qt::FontRole).value<QFont>().bold());
+}
+
+TEST_F(SetupTablesTest, UndoAndRedoWalkThroughTheEdits) {
+  QSignalSpy spy(&edit, &SetupEdit::values_changed);
+  axes.setData(jerk_of_x(), "20");
+  settings.setData(tolerance(), "0.05");
+  edit.history().undo();
+  edit.history().undo();
+  EXPECT_EQ(axes.data(jerk_of_x()).toString(), "15");
+  edit.history().redo();
+  EXPECT_EQ(axes.data(jerk_of_x()).toString(), "20");
+  EXPECT_EQ(spy.count(), 5);
+}
+
+TEST_F(SetupTablesTest, DecimalCommaIsReadAndShownInALocaleThatUsesIt) {
+  QLocale::setDefault(QLocale(QLocale::German));
+  ASSERT_TRUE(axes.setData(jerk_of_x(), "12,5"));
+  EXPECT_DOUBLE_EQ(axis_limit(edit.setup().machine, 'X', "jerk"), 12.5);
+  EXPECT_EQ(axes.data(jerk_of_x()).toString(), "12,5");
+  ASSERT_TRUE(axes.setData(jerk_of_x(), "13.5"));
+  EXPECT_EQ(axes.data(jerk_of_x()).toString(), "13,5");
+}
+
+TEST_F(SetupTablesTest, AWrongValueIsRefusedWithTheReason) {
+  for (const char* wrong : {"-3", "0", "", "abc", "nan", "inf", "1,2,3"}) {
+    QSignalSpy spy(&axes, &SetupTable::refused);
+    EXPECT_FALSE(axes.setData(jerk_of_x(), wrong)) << wrong;
+    ASSERT_EQ(spy.count(), 1) << wrong;
+    EXPECT_THAT(spy.first().at(1).toString().toStdString(), HasSubstr("X.jerk")) << wrong;
+    EXPECT_EQ(axes.data(jerk_of_x()).toString(), "15") << wrong;
+  }
+  EXPECT_EQ(edit.history().count(), 0);
+}
+
+TEST_F(SetupTablesTest, OnlyValuesCanBeEdited) {
+  const int row = tolerance().row();
+  EXPECT_TRUE(settings.flags(tolerance()).testFlag(Qt::ItemIsEditable));
+  EXPECT_FALSE(settings.flags(settings.index(row, SettingsTable::title)).testFlag(Qt::ItemIsEditable));
+  EXPECT_FALSE(settings.setData(settings.index(row, SettingsTable::unit), "m"));
+}
+
+TEST_F(SetupTablesTest, ChoicesAreOfferedAndOthersRefused) {
+  const QModelIndex reading = settings.index(settings.row_of("reading"), SettingsTable::value);
+  ASSERT_TRUE(reading.isValid());
+  EXPECT_TRUE(reading.data(SetupTable::choices_role).toStringList().contains("published"));
+  EXPECT_TRUE(settings.setData(reading, "published"));
+  EXPECT_FALSE(settings.setData(reading, "guessed"));
+  EXPECT_EQ(reading.data().toString(), "published");
+}
+
+TEST_F(SetupTablesTest, AnotherModelKeepsTheEditsThatItReads) {
+  edit.set("X.jerk", 20.0);
+  edit.set("reading", std::string("strict"));
+  edit.set_model(find_model("cam"));
+  EXPECT_TRUE(edit.edited("X.jerk"));
+  EXPECT_FALSE(edit.edited("reading"));
+  EXPECT_EQ(settings.row_of("reading"), -1);
+}
+
+TEST_F(SetupTablesTest, EveryValueTellsItsSource) {
+  EXPECT_THAT(axes.data(jerk_of_x(), Qt::ToolTipRole).toString().toStdString(),
+              testing::AnyOf(HasSubstr("Source:"), HasSubstr("Assumed:")));
+}
+
+TEST_F(SetupTablesTest, AnUnknownKeyIsAnError) {
+  EXPECT_THROW(edit.set("X.haste", 1.0), InputError);
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,184 @@
+#include "ui/charts/envelope.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "core/base/units.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr std::size_t pieces_a_group = 8;
+constexpr std::size_t fan_out = 4;
+constexpr double arc_step = units::from_deg(5);
+constexpr double samples_a_blend = 8;    // of a gentle one
+constexpr double sharpest = 0.01;        // cosine of half the turn
+constexpr int most_inner_samples = 720;  // ten turns of a helix in one piece; beyond, turns repeat
+
+double law_value(const Piece& p, double tau) {
+  return p.q + tau * (p.v + tau * (p.a / 2 + tau * p.j / 6));
+}
+
+/// The share of a blend in which it turns is proportional to this: |S'(1/2)| / |S'(0)| = (3/alpha - 1/2) cos.
+double half_turn_cosine(const CubicBlend& blend) {
+  return (blend.end - blend.start).norm() / (2 * (blend.corner - blend.start).norm());
+}
+
+}  // namespace
+
+double channel_value(const State& state, Channel channel) {
+  switch (channel) {
+    case Channel::programmed_feed:
+      return state.programmed_feed;
+    case Channel::feed:
+      return state.speed;
+    case Channel::velocity_x:
+    case Channel::velocity_y:
+    case Channel::velocity_z:
+      return state.velocity[static_cast<int>(channel) - static_cast<int>(Channel::velocity_x)];
+    case Channel::tangential_acceleration:
+      return state.tangential_acceleration;
+    case Channel::acceleration_x:
+    case Channel::acceleration_y:
+    case Channel::acceleration_z:
+      return state.acceleration[static_cast<int>(channel) - static_cast<int>(Channel::acceleration_x)];
+    case Channel::tangential_jerk:
+      return state.tangential_jerk;
+    case Channel::jerk_x:
+    case Channel::jerk_y:
+    case Channel::jerk_z:
+      return state.jerk[static_cast<int>(channel) - static_cast<int>(Channel::jerk_x)];
+  }
+  return 0;
+}
+
+void Band::add(const Band& other) {
+  for (std::size_t i = 0; i < channel_count; ++i) {
+    channels[i].add(other.channels[i]);
+  }
+}
+
+void Band::add(const State& state) {
+  for (std::size_t i = 0; i < channel_count; ++i) {
+    channels[i].add(static_cast<float>(channel_value(state, static_cast<Channel>(i))));
+  }
+}
+
+Envelope::Envelope(std::shared_ptr<const Trajectory> trajectory, Progress* progress)
+    : trajectory_(std::move(trajectory)) {
+  const std::size_t pieces = trajectory_->pieces().size();
+  std::vector<Band> groups((pieces + pieces_a_group - 1) / pieces_a_group);
+  for (std::size_t i = 0; i < pieces; ++i) {
+    const double length = trajectory_->piece_end(i) - trajectory_->pieces()[i].time;
+    add_piece(groups[i / pieces_a_group], i, 0, length);
+    if (progress != nullptr && i % 4096 == 0) {
+      progress->report(static_cast<double>(i) / static_cast<double>(pieces));
+    }
+  }
+  while (groups.size() > fan_out) {
+    std::vector<Band> merged((groups.size() + fan_out - 1) / fan_out);
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      merged[i / fan_out].add(groups[i]);
+    }
+    levels_.push_back(std::exchange(groups, std::move(merged)));
+  }
+  levels_.push_back(std::move(groups));
+}
+
+std::vector<Band> Envelope::columns(std::span<const double> times) const {
+  std::vector<Band> bands;
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    bands.push_back(column(times[i], times[i + 1]));
+  }
+  return bands;
+}
+
+Band Envelope::overall() const {
+  Band band;
+  if (!levels_.empty()) {
+    for (const Band& part : levels_.back()) {
+      band.add(part);
+    }
+  }
+  return band;
+}
+
+Band Envelope::column(double from, double to) const {
+  Band band;
+  if (trajectory_ == nullptr || trajectory_->pieces().empty() || to < 0 || from > trajectory_->duration()) {
+    return band;
+  }
+  const std::size_t first = trajectory_->piece_at(from);
+  const std::size_t last = trajectory_->piece_at(to);
+  const std::size_t first_group = first / pieces_a_group;
+  const std::size_t last_group = last / pieces_a_group;
+  if (last_group <= first_group + 1) {
+    add_pieces(band, first, last, from, to);
+  } else {
+    add_pieces(band, first, (first_group + 1) * pieces_a_group - 1, from, to);
+    add_groups(band, first_group + 1, last_group);
+    add_pieces(band, last_group * pieces_a_group, last, from, to);
+  }
+  return band;
+}
+
+void Envelope::add_pieces(Band& band, std::size_t first, std::size_t last, double from, double to) const {
+  for (std::size_t i = first; i <= last; ++i) {
+    const double start = trajectory_->pieces()[i].time;
+    const double begin = std::max(from, start) - start;
+    const double end = std::min(to, trajectory_->piece_end(i)) - start;
+    if (begin < end || i == first) {
+      add_piece(band, i, begin, std::max(begin, end));
+    }
+  }
+}
+
+void Envelope::add_piece(Band& band, std::size_t piece, double from, double to) const {
+  const Piece& p = trajectory_->pieces()[piece];
+  band.add(trajectory_->state_in_piece(piece, from));
+  if (!(to > from)) {
+    return;
+  }
+  band.add(trajectory_->state_in_piece(piece, to));
+  const double speed_turns = p.j == 0 ? from : -p.a / p.j;
+  if (speed_turns > from && speed_turns < to) {
+    band.add(trajectory_->state_in_piece(piece, speed_turns));
+  }
+  const int inner = inner_samples(p, from, to);
+  for (int k = 1; k <= inner; ++k) {
+    band.add(trajectory_->state_in_piece(piece, from + (to - from) * k / (inner + 1)));
+  }
+}
+
+int Envelope::inner_samples(const Piece& piece, double from, double to) const {
+  const BlendedPath& path = trajectory_->path();
+  const PathElement& element = path.elements[piece.element];
+  const double advance = law_value(piece, to) - law_value(piece, from);
+  double steps = 0;
+  if (element.kind == ElementKind::arc) {
+    steps = advance / path.arcs[element.geometry].length_per_radian() / arc_step;
+  } else if (element.kind == ElementKind::blend) {
+    const double share = piece.law == Law::parameter ? advance : advance / element.length;
+    steps = share * samples_a_blend / std::max(sharpest, half_turn_cosine(path.blends[element.geometry]));
+  }
+  return static_cast<int>(std::clamp(std::ceil(steps) - 1, 0.0, double{most_inner_samples}));
+}
+
+void Envelope::add_groups(Band& band, std::size_t first, std::size_t last) const {
+  for (std::size_t level = 0; first < last; ++level) {
+    const std::vector<Band>& bands = levels_[level];
+    const bool top = level + 1 == levels_.size();
+    while (first < last && (top || first % fan_out != 0)) {
+      band.add(bands[first++]);
+    }
+    while (first < last && last % fan_out != 0) {
+      band.add(bands[--last]);
+    }
+    first /= fan_out;
+    last /= fan_out;
+  }
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,86 @@
+#include "ui/charts/view_range.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr double deepest_zoom = 1e-7;  // of the run; beyond, doubles in the charts lose their steps
+
+}  // namespace
+
+void ViewRange::set_trajectory(std::shared_ptr<const Trajectory> trajectory, bool keep) {
+  const bool all = lower_ <= 0 && upper_ >= length();
+  trajectory_ = std::move(trajectory);
+  if (keep && !all && lower_ < length()) {
+    show(lower_, upper_);
+  } else {
+    fit();
+  }
+}
+
+void ViewRange::set_abscissa(Abscissa abscissa) {
+  if (abscissa == abscissa_) {
+    return;
+  }
+  const double from = time_at(lower_);
+  const double to = time_at(upper_);
+  abscissa_ = abscissa;
+  if (trajectory_ == nullptr) {
+    fit();
+  } else {
+    show(position_of(trajectory_->state(from)), position_of(trajectory_->state(to)));
+  }
+}
+
+double ViewRange::length() const {
+  if (trajectory_ == nullptr) {
+    return 0;
+  }
+  return abscissa_ == Abscissa::time ? trajectory_->duration() : trajectory_->path_length();
+}
+
+void ViewRange::fit() {
+  show(0, length());
+}
+
+void ViewRange::zoom(double factor, double pivot) {
+  show(pivot + (lower_ - pivot) * factor, pivot + (upper_ - pivot) * factor);
+}
+
+void ViewRange::pan(double distance) {
+  const double allowed = std::clamp(distance, -lower_, std::max(length() - upper_, -lower_));
+  show(lower_ + allowed, upper_ + allowed);
+}
+
+void ViewRange::show(double lower, double upper) {
+  const double all = length() > 0 ? length() : 1;
+  const double width = std::clamp(upper - lower, all * deepest_zoom, all);
+  lower_ = std::clamp((lower + upper - width) / 2, 0.0, all - width);
+  upper_ = lower_ + width;
+  emit changed();
+}
+
+double ViewRange::position_of(const State& state) const {
+  return abscissa_ == Abscissa::time ? state.time : state.path_length;
+}
+
+double ViewRange::time_at(double position) const {
+  if (trajectory_ == nullptr || abscissa_ == Abscissa::time) {
+    return position;
+  }
+  return trajectory_->state_at_path(position).time;
+}
+
+std::vector<double> ViewRange::column_times(int count) const {
+  std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(count) + 1);
+  for (int i = 0; i <= count; ++i) {
+    times.push_back(time_at(lower_ + (upper_ - lower_) * i / count));
+  }
+  return times;
+}
+
+}  // namespace feedscope::ui

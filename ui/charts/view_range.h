@@ -1,0 +1,55 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope::ui {
+
+/// What runs along the charts.
+enum class Abscissa { time, path_length };
+
+/// The stretch of the run that all charts show: one shared range along one shared abscissa.
+///
+/// Positions are seconds or millimetres, whichever the abscissa is.
+class ViewRange : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  /// Another run; the range stays where it is if `keep` and the new run reaches there, else all is shown.
+  void set_trajectory(std::shared_ptr<const Trajectory> trajectory, bool keep);
+  /// Shows the same stretch along the other abscissa.
+  void set_abscissa(Abscissa abscissa);
+  Abscissa abscissa() const { return abscissa_; }
+
+  double lower() const { return lower_; }
+  double upper() const { return upper_; }
+  double length() const;  ///< whole run, in units of the abscissa
+
+  void fit();
+  /// Shrinks (factor < 1) or widens the range; `pivot` keeps its place on the screen.
+  void zoom(double factor, double pivot);
+  void pan(double distance);
+
+  double position_of(const State& state) const;
+  double time_at(double position) const;  ///< [s]
+  /// Times at `count` + 1 equally spaced positions from lower() to upper().
+  std::vector<double> column_times(int count) const;
+
+ signals:
+  void changed();
+
+ private:
+  void show(double lower, double upper);
+
+  std::shared_ptr<const Trajectory> trajectory_;
+  Abscissa abscissa_ = Abscissa::time;
+  double lower_ = 0;
+  double upper_ = 1;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <QMainWindow>
+#include <filesystem>
+
+#include "ui/charts/charts_panel.h"
+#include "ui/models/run_model.h"
+#include "ui/views/diagnostics_view.h"
+#include "ui/views/playback_bar.h"
+#include "ui/views/program_view.h"
+#include "ui/views/scene_view.h"
+#include "ui/views/setup_view.h"
+
+namespace feedscope::ui {
+
+/// Program text, 3D view and charts of one run, locked together by one cursor, with the machine editor.
+/// Wires models and views; holds no logic of its own.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+
+ public:
+  /// `model` outlives this.
+  MainWindow(RunModel& model, RenderBackend backend, QWidget* parent = nullptr);
+
+  ProgramView& program() { return *program_; }
+  SceneView& scene() { return *scene_; }
+  ChartsPanel& charts() { return *charts_; }
+  SetupView& setup() { return *setup_; }
+  PlaybackBar& playback() { return *playback_; }
+  DiagnosticsView& diagnostics() { return *diagnostics_; }
+
+ protected:
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+
+ private:
+  void make_docks();
+  void make_actions();
+  void make_view_menu();
+  void ask_for_program();
+  void ask_for_machine();
+  void show_program();
+  void show_run();
+  void show_cursor();
+  void show_failure(const QString& message);
+  QDockWidget* add_dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
+
+  RunModel& model_;
+  ProgramView* program_;
+  SceneView* scene_;
+  ChartsPanel* charts_;
+  SetupView* setup_;
+  PlaybackBar* playback_;
+  DiagnosticsView* diagnostics_;
+  QDockWidget* charts_dock_ = nullptr;
+  QDockWidget* diagnostics_dock_ = nullptr;
+};
+
+}  // namespace feedscope::ui

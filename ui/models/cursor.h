@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QObject>
+#include <cstdint>
+#include <memory>
+
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope::ui {
+
+/// The one place at which program text, 3D view and charts point. Whatever sets it, all follow `changed`.
+class Cursor : public QObject {
+  Q_OBJECT
+
+ public:
+  using QObject::QObject;
+
+  /// Another run of the program: the cursor stays at its place on the path. Null: nothing to point at, and
+  /// the next run starts at its beginning.
+  void set_trajectory(std::shared_ptr<const Trajectory> trajectory);
+
+  /// [s], clamped to the run
+  void set_time(double time);
+  /// Executed path length [mm], clamped to the run.
+  void set_path_length(double s);
+  /// 1-based source line; one that does not move stands for the next one that does.
+  void set_line(std::uint32_t line);
+
+  /// False while there is nothing to point at.
+  bool valid() const { return trajectory_ != nullptr && !trajectory_->pieces().empty(); }
+  const State& state() const { return state_; }
+
+ signals:
+  /// Once per move, and once for a new run.
+  void changed();
+
+ private:
+  void move_to(const State& state);
+
+  std::shared_ptr<const Trajectory> trajectory_;
+  State state_ = Trajectory().state(0);
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,227 @@
+#include "ui/models/setup_tables.h"
+
+#include <QFont>
+#include <QLocale>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+QString number_text(double number) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale.toString(number, 'g', 7);
+}
+
+QString value_text(const SettingValue& value) {
+  if (const auto* number = std::get_if<double>(&value)) {
+    return number_text(*number);
+  }
+  return QString::fromStdString(std::get<std::string>(value));
+}
+
+/// Superscripts for the screen: "m/s2" -> "m/s²".
+QString unit_text(const std::string& unit) {
+  return QString::fromStdString(unit).replace("s2", "s²").replace("s3", "s³");
+}
+
+QString range_text(const SettingSpec& spec) {
+  if (!spec.choices.empty()) {
+    return SetupTable::tr("choice");
+  }
+  if (std::isinf(spec.maximum)) {
+    return QStringLiteral("%1 %2").arg(spec.minimum_allowed ? "≥" : ">", number_text(spec.minimum));
+  }
+  return QStringLiteral("%1%2 … %3")
+      .arg(spec.minimum_allowed ? "" : "> ", number_text(spec.minimum), number_text(spec.maximum));
+}
+
+}  // namespace
+
+SetupTable::SetupTable(SetupEdit& edit, QObject* parent) : QAbstractTableModel(parent), edit_(edit) {
+  connect(&edit_, &SetupEdit::values_changed, this,
+          [this] { emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1)); });
+  connect(&edit_, &SetupEdit::keys_changed, this, [this] {
+    beginResetModel();
+    reload();
+    endResetModel();
+  });
+}
+
+QVariant SetupTable::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+    return {};
+  }
+  if (role == Qt::ToolTipRole) {
+    return explanation(topic_of(index));
+  }
+  const std::optional<std::string> key = key_at(index);
+  if (!key.has_value()) {
+    return role == Qt::DisplayRole ? caption(index) : QVariant();
+  }
+  switch (role) {
+    case Qt::DisplayRole:
+    case Qt::EditRole:
+      return value_text(edit_.value(*key));
+    case Qt::TextAlignmentRole:
+      return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
+    case Qt::FontRole: {
+      QFont font;
+      font.setBold(edit_.edited(*key));
+      font.setItalic(edit_.provenance(*key).assumed);
+      return font;
+    }
+    case choices_role: {
+      QStringList choices;
+      for (const std::string& choice : edit_.spec(*key).choices) {
+        choices.append(QString::fromStdString(choice));
+      }
+      return choices;
+    }
+    default:
+      return {};
+  }
+}
+
+bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (role != Qt::EditRole || !checkIndex(index, CheckIndexOption::IndexIsValid) || !key_at(index)) {
+    return false;
+  }
+  const std::string key = *key_at(index);
+  if (value.toString() == value_text(edit_.value(key))) {
+    return true;  // not to replace a number by its rounded text
+  }
+  try {
+    edit_.set(key, parse_setting(edit_.spec(key), value.toString().trimmed().toStdString()));
+    return true;
+  } catch (const InputError& error) {
+    emit refused(index, QString::fromUtf8(error.what()));
+    return false;
+  }
+}
+
+Qt::ItemFlags SetupTable::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  return index.isValid() && key_at(index).has_value() ? flags | Qt::ItemIsEditable : flags;
+}
+
+QString SetupTable::explanation(const std::string& key) const {
+  const SettingSpec spec = edit_.spec(key);
+  const Provenance provenance = edit_.provenance(key);
+  QStringList lines;
+  lines.append(QStringLiteral("<b>%1</b>%2")
+                   .arg(QString::fromStdString(spec.title).toHtmlEscaped(),
+                        spec.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(unit_text(spec.unit))));
+  lines.append(QString::fromStdString(spec.explanation).toHtmlEscaped());
+  if (spec.choices.empty()) {
+    lines.append(tr("Range: %1").arg(range_text(spec)));
+  }
+  if (edit_.edited(key)) {
+    lines.append(tr("Changed; the file says %1.").arg(value_text(edit_.file_value(key))));
+  }
+  const QString source = QString::fromStdString(provenance.source).toHtmlEscaped();
+  if (source.isEmpty()) {
+    lines.append(tr("Source: the model's own value; the machine's file gives none."));
+  } else {
+    lines.append(provenance.assumed ? tr("Assumed: %1").arg(source) : tr("Source: %1").arg(source));
+  }
+  return QStringLiteral("<p>%1</p>").arg(lines.join("<br>"));
+}
+
+int AxisTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(axis_limit_specs().size());
+}
+
+int AxisTable::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(axis_names.size());
+}
+
+QVariant AxisTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (role != Qt::DisplayRole || section < 0) {
+    return {};
+  }
+  const auto i = static_cast<std::size_t>(section);
+  if (orientation == Qt::Horizontal) {
+    return i < axis_names.size() ? QString(QChar(axis_names[i])) : QVariant();
+  }
+  if (i >= axis_limit_specs().size()) {
+    return {};
+  }
+  const SettingSpec& spec = axis_limit_specs()[i];
+  return QStringLiteral("%1 [%2]").arg(QString::fromStdString(spec.title), unit_text(spec.unit));
+}
+
+std::optional<std::string> AxisTable::key_at(const QModelIndex& index) const {
+  return topic_of(index);
+}
+
+std::string AxisTable::topic_of(const QModelIndex& index) const {
+  return axis_key(axis_names[static_cast<std::size_t>(index.column())],
+                  axis_limit_specs()[static_cast<std::size_t>(index.row())].key);
+}
+
+SettingsTable::SettingsTable(SetupEdit& edit, QObject* parent) : SetupTable(edit, parent) {
+  reload();
+}
+
+void SettingsTable::reload() {
+  specs_ = settings_of(*edit().file().model);
+}
+
+int SettingsTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(specs_.size());
+}
+
+int SettingsTable::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : columns;
+}
+
+QVariant SettingsTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (role != Qt::DisplayRole || orientation != Qt::Horizontal) {
+    return {};
+  }
+  switch (section) {
+    case title:
+      return tr("Setting");
+    case value:
+      return tr("Value");
+    case unit:
+      return tr("Unit");
+    case range:
+      return tr("Range");
+    default:
+      return {};
+  }
+}
+
+int SettingsTable::row_of(const std::string& key) const {
+  const auto found = std::ranges::find(specs_, key, &SettingSpec::key);
+  return found == specs_.end() ? -1 : static_cast<int>(found - specs_.begin());
+}
+
+std::optional<std::string> SettingsTable::key_at(const QModelIndex& index) const {
+  return index.column() == value ? std::optional(topic_of(index)) : std::nullopt;
+}
+
+std::string SettingsTable::topic_of(const QModelIndex& index) const {
+  return specs_[static_cast<std::size_t>(index.row())].key;
+}
+
+QString SettingsTable::caption(const QModelIndex& index) const {
+  const SettingSpec& spec = specs_[static_cast<std::size_t>(index.row())];
+  switch (index.column()) {
+    case title:
+      return QString::fromStdString(spec.title);
+    case unit:
+      return unit_text(spec.unit);
+    case range:
+      return range_text(spec);
+    default:
+      return {};
+  }
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,93 @@
+#include "ui/models/simulation_job.h"
+
+#include <QtConcurrentRun>
+#include <chrono>
+#include <utility>
+
+namespace feedscope::ui {
+
+SimulationJob::SimulationJob(QObject* parent) : QObject(parent) {
+  connect(&watcher_, &QFutureWatcher<Outcome>::finished, this, &SimulationJob::deliver);
+  poll_.setInterval(std::chrono::milliseconds(50));
+  connect(&poll_, &QTimer::timeout, this, [this] { emit progressed(progress_->fraction()); });
+}
+
+SimulationJob::~SimulationJob() {
+  cancel();
+  watcher_.waitForFinished();
+}
+
+void SimulationJob::start(JobRequest request) {
+  if (running_) {
+    progress_->cancel();
+    next_ = std::move(request);
+  } else {
+    launch(std::move(request));
+    emit busy_changed(true);
+  }
+}
+
+void SimulationJob::cancel() {
+  next_.reset();
+  if (progress_ != nullptr) {
+    progress_->cancel();
+  }
+}
+
+void SimulationJob::launch(JobRequest request) {
+  running_ = true;
+  progress_ = std::make_shared<Progress>();
+  poll_.start();
+  watcher_.setFuture(QtConcurrent::run(
+      [this, request = std::move(request), progress = progress_] { return work(request, progress); }));
+}
+
+SimulationJob::Outcome SimulationJob::work(const JobRequest& request,
+                                           const std::shared_ptr<Progress>& progress) {
+  try {
+    LoadedProgram input;
+    if (const auto* file = std::get_if<std::filesystem::path>(&request.input)) {
+      input = load_program(*file, progress.get());
+      QMetaObject::invokeMethod(this, [this, input, progress] {
+        if (!progress->cancelled()) {
+          emit program_read(input);
+        }
+      });
+    } else {
+      input = std::get<LoadedProgram>(request.input);
+    }
+    auto shown = std::make_shared<ShownRun>();
+    shown->run = simulate_run(input, request.setup, progress.get());
+    shown->envelope = std::make_shared<const Envelope>(shown->run.trajectory, progress.get());
+    shown->samples = std::make_shared<const SampledPath>(sample_executed(*shown->run.trajectory));
+    return shown;
+  } catch (const Cancelled&) {
+    return {};
+  } catch (const std::bad_alloc&) {
+    return tr("The program needs more memory than there is.");
+  } catch (const std::exception& error) {
+    return QString::fromUtf8(error.what());
+  }
+}
+
+void SimulationJob::deliver() {
+  poll_.stop();
+  if (next_.has_value()) {
+    launch(*std::exchange(next_, std::nullopt));
+    return;
+  }
+  running_ = false;
+  const bool wanted = !progress_->cancelled();
+  const Outcome outcome = watcher_.result();
+  emit busy_changed(false);
+  if (!wanted) {
+    return;
+  }
+  if (const auto* run = std::get_if<std::shared_ptr<const ShownRun>>(&outcome)) {
+    emit finished(*run);
+  } else if (const auto* message = std::get_if<QString>(&outcome)) {
+    emit failed(*message);
+  }
+}
+
+}  // namespace feedscope::ui

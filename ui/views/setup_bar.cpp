@@ -1,0 +1,94 @@
+#include "ui/views/setup_bar.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include "core/base/error.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+const std::string tolerance_key = "contour_tolerance_mm";
+
+QLabel* make_label(const QString& text, QWidget* buddy, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setBuddy(buddy);
+  label->setContentsMargins(8, 0, 4, 0);
+  return label;
+}
+
+}  // namespace
+
+SetupBar::SetupBar(RunModel& model, QWidget* parent)
+    : QToolBar(tr("Setup"), parent),
+      model_(model),
+      machine_(new QComboBox(this)),
+      control_model_(new QComboBox(this)),
+      tolerance_(new QDoubleSpinBox(this)) {
+  setObjectName(QStringLiteral("setup_bar"));
+  setMovable(false);
+  for (const MachineChoice& choice : model_.machine_choices()) {
+    machine_->addItem(choice.name, choice.id);
+  }
+  machine_->setToolTip(tr("Machine whose axis limits and control settings hold"));
+  for (const ControlModel* control : all_models()) {
+    control_model_->addItem(QString::fromStdString(control->info().title),
+                            QString::fromStdString(control->info().id));
+    const QString summary = QString::fromStdString(control->info().summary);
+    control_model_->setItemData(control_model_->count() - 1, summary, Qt::ToolTipRole);
+  }
+  control_model_->setToolTip(tr("Control model: how the control turns the path into motion"));
+  tolerance_->setDecimals(4);
+  tolerance_->setRange(0, 10);
+  tolerance_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  tolerance_->setKeyboardTracking(false);
+  tolerance_->setSuffix(QStringLiteral(" mm"));
+  tolerance_->setToolTip(tr("Contour tolerance: how far the path may leave the programmed corners"));
+
+  addWidget(make_label(tr("&Machine"), machine_, this));
+  addWidget(machine_);
+  addWidget(make_label(tr("M&odel"), control_model_, this));
+  addWidget(control_model_);
+  addWidget(make_label(tr("&Tolerance"), tolerance_, this));
+  addWidget(tolerance_);
+
+  connect(machine_, &QComboBox::activated, this,
+          [this] { model_.choose_machine(machine_->currentData().toString()); });
+  connect(control_model_, &QComboBox::activated, this,
+          [this] { model_.choose_model(control_model_->currentData().toString()); });
+  connect(tolerance_, &QDoubleSpinBox::valueChanged, this, &SetupBar::set_tolerance);
+  connect(&model_.setup(), &SetupEdit::keys_changed, this, &SetupBar::show_setup);
+  connect(&model_.setup(), &SetupEdit::values_changed, this, &SetupBar::show_tolerance);
+  show_setup();
+}
+
+void SetupBar::show_setup() {
+  const Setup& file = model_.setup().file();
+  const QString id = QString::fromStdString(file.machine.id);
+  if (machine_->findData(id) < 0) {
+    machine_->addItem(QString::fromStdString(file.machine.name), id);
+  }
+  machine_->setCurrentIndex(machine_->findData(id));
+  control_model_->setCurrentIndex(control_model_->findData(QString::fromStdString(file.model->info().id)));
+  show_tolerance();
+}
+
+void SetupBar::show_tolerance() {
+  const QSignalBlocker blocker(tolerance_);
+  const bool read = model_.setup().file().settings.has(tolerance_key);
+  tolerance_->setEnabled(read);
+  tolerance_->setValue(read ? std::get<double>(model_.setup().value(tolerance_key)) : 0);
+}
+
+void SetupBar::set_tolerance(double tolerance) {
+  try {
+    model_.setup().set(tolerance_key, tolerance);
+  } catch (const InputError&) {
+    show_tolerance();  // out of bounds: back to the value that holds
+  }
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QToolBar>
+
+#include "ui/models/run_model.h"
+
+class QComboBox;
+class QDoubleSpinBox;
+
+namespace feedscope::ui {
+
+/// Machine, control model and contour tolerance of the run.
+class SetupBar : public QToolBar {
+  Q_OBJECT
+
+ public:
+  /// `model` outlives this.
+  explicit SetupBar(RunModel& model, QWidget* parent = nullptr);
+
+ private:
+  void show_setup();
+  void show_tolerance();
+  void set_tolerance(double tolerance);
+
+  RunModel& model_;
+  QComboBox* machine_;
+  QComboBox* control_model_;
+  QDoubleSpinBox* tolerance_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,121 @@
+#include "ui/views/setup_view.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableView>
+#include <QVBoxLayout>
+
+#include "ui/views/setting_delegate.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr int row_height = 22;
+const char* const refusal_style = "color: #b00020;";
+
+QTableView* make_table(QAbstractItemModel* model, const QString& name, QWidget* parent) {
+  auto* table = new QTableView(parent);
+  table->setModel(model);
+  table->setItemDelegate(new SettingDelegate(table));
+  table->setAccessibleName(name);
+  table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
+                         QAbstractItemView::AnyKeyPressed);
+  table->setAlternatingRowColors(true);
+  table->setWordWrap(false);
+  table->verticalHeader()->setDefaultSectionSize(row_height);
+  table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table->horizontalHeader()->setHighlightSections(false);
+  table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  return table;
+}
+
+QLabel* make_heading(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  QFont font = label->font();
+  font.setBold(true);
+  label->setFont(font);
+  return label;
+}
+
+/// Height that shows all rows.
+int full_height(const QTableView* table) {
+  return table->model()->rowCount() * row_height + table->horizontalHeader()->sizeHint().height() +
+         2 * table->frameWidth();
+}
+
+}  // namespace
+
+SetupView::SetupView(SetupEdit& edit, QWidget* parent)
+    : QWidget(parent),
+      edit_(edit),
+      axis_model_(new AxisTable(edit, this)),
+      settings_model_(new SettingsTable(edit, this)),
+      machine_(new QLabel(this)),
+      axes_(make_table(axis_model_, tr("Axis limits"), this)),
+      settings_(make_table(settings_model_, tr("Control settings"), this)),
+      help_(new QLabel(this)) {
+  axes_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  settings_->verticalHeader()->hide();
+  machine_->setWordWrap(true);
+  help_->setWordWrap(true);
+  help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  help_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  help_->setMinimumHeight(6 * fontMetrics().height());
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->setSpacing(4);
+  layout->addWidget(machine_);
+  layout->addWidget(make_heading(tr("Axis limits"), this));
+  layout->addWidget(axes_);
+  layout->addWidget(make_heading(tr("Control settings"), this));
+  layout->addWidget(settings_, 1);
+  layout->addWidget(help_);
+
+  for (QTableView* table : {axes_, settings_}) {
+    connect(table->selectionModel(), &QItemSelectionModel::currentChanged, this, &SetupView::explain);
+  }
+  connect(axis_model_, &SetupTable::refused, this,
+          [this](const QModelIndex& index, const QString& message) { refuse(axes_, index, message); });
+  connect(settings_model_, &SetupTable::refused, this,
+          [this](const QModelIndex& index, const QString& message) { refuse(settings_, index, message); });
+  connect(&edit_, &SetupEdit::keys_changed, this, &SetupView::fit_tables);
+  connect(axis_model_, &QAbstractItemModel::dataChanged, this,
+          [this] { explain(axes_->hasFocus() ? axes_->currentIndex() : settings_->currentIndex()); });
+  fit_tables();
+}
+
+void SetupView::fit_tables() {
+  const Setup& file = edit_.file();
+  machine_->setText(QStringLiteral("<b>%1</b><br>%2<br>%3")
+                        .arg(QString::fromStdString(file.machine.name).toHtmlEscaped(),
+                             QString::fromStdString(file.machine.control).toHtmlEscaped(),
+                             QString::fromStdString(file.model->info().title).toHtmlEscaped()));
+  machine_->setToolTip(QString::fromStdString(file.machine.reference).toHtmlEscaped());
+  axes_->setFixedHeight(full_height(axes_));
+  settings_->setMaximumHeight(full_height(settings_));
+  QHeaderView* header = settings_->horizontalHeader();
+  header->setSectionResizeMode(QHeaderView::ResizeToContents);
+  header->setSectionResizeMode(SettingsTable::title, QHeaderView::Stretch);
+  help_->setStyleSheet({});
+  help_->setText(
+      tr("Choose a value to see what it means. Bold: changed. Italic: assumed, no source gives it."));
+}
+
+void SetupView::explain(const QModelIndex& index) {
+  if (index.isValid()) {
+    help_->setStyleSheet({});
+    help_->setText(index.data(Qt::ToolTipRole).toString());
+  }
+}
+
+void SetupView::refuse(QTableView* table, const QModelIndex& index, const QString& message) {
+  help_->setStyleSheet(refusal_style);
+  help_->setText(message);
+  table->setCurrentIndex(index);
+}
+
+}  // namespace feedscope::ui

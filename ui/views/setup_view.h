@@ -1,0 +1,38 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/setup_tables.h"
+
+class QLabel;
+class QTableView;
+
+namespace feedscope::ui {
+
+/// The machine editor: axis limits and settings of the chosen model. A wrong entry is refused, with the
+/// reason below the tables; there also stands what the chosen value means and where it comes from.
+class SetupView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `edit` outlives this.
+  explicit SetupView(SetupEdit& edit, QWidget* parent = nullptr);
+
+  QTableView* axes() { return axes_; }
+  QTableView* settings() { return settings_; }
+
+ private:
+  void explain(const QModelIndex& index);
+  void refuse(QTableView* table, const QModelIndex& index, const QString& message);
+  void fit_tables();
+
+  SetupEdit& edit_;
+  AxisTable* axis_model_;
+  SettingsTable* settings_model_;
+  QLabel* machine_;
+  QTableView* axes_;
+  QTableView* settings_;
+  QLabel* help_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,100 @@
+#include "ui/views/status_panel.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QStyle>
+#include <QToolButton>
+#include <algorithm>
+
+#include "core/base/units.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr int progress_steps = 1000;
+constexpr int progress_width = 140;
+
+}  // namespace
+
+StatusPanel::StatusPanel(RunModel& model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      progress_(new QProgressBar(this)),
+      cancel_(new QToolButton(this)),
+      diagnostics_(new QToolButton(this)),
+      cursor_(new QLabel(this)) {
+  progress_->setRange(0, progress_steps);
+  progress_->setFixedWidth(progress_width);
+  progress_->setTextVisible(false);
+  cancel_->setText(tr("Cancel"));
+  cancel_->setToolTip(tr("Stop the simulation (Esc)"));
+  diagnostics_->setAutoRaise(true);
+  diagnostics_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  diagnostics_->setToolTip(tr("Show what the reader found in the program"));
+
+  auto* layout = new QHBoxLayout(this);
+  layout->setContentsMargins(0, 0, 6, 0);
+  layout->addWidget(progress_);
+  layout->addWidget(cancel_);
+  layout->addWidget(diagnostics_);
+  layout->addWidget(cursor_);
+
+  connect(cancel_, &QToolButton::clicked, &model_, &RunModel::cancel);
+  connect(diagnostics_, &QToolButton::clicked, this, &StatusPanel::diagnostics_clicked);
+  connect(&model_, &RunModel::busy_changed, this, &StatusPanel::show_busy);
+  connect(&model_, &RunModel::progressed, this,
+          [this](double fraction) { progress_->setValue(static_cast<int>(fraction * progress_steps)); });
+  connect(&model_, &RunModel::program_changed, this, &StatusPanel::count_diagnostics);
+  connect(&model_.cursor(), &Cursor::changed, this, &StatusPanel::show_cursor);
+  show_busy(model_.busy());
+  count_diagnostics();
+  show_cursor();
+}
+
+void StatusPanel::show_busy(bool busy) {
+  progress_->setValue(0);
+  progress_->setVisible(busy);
+  cancel_->setVisible(busy);
+}
+
+void StatusPanel::count_diagnostics() {
+  const auto program = model_.program();
+  diagnostics_->setVisible(program != nullptr && !program->diagnostics.empty());
+  if (program == nullptr) {
+    return;
+  }
+  const auto errors = std::ranges::count(program->diagnostics, Severity::error, &Diagnostic::severity);
+  const auto others = static_cast<std::ptrdiff_t>(program->diagnostics.size()) - errors;
+  QStringList parts;
+  if (errors > 0) {
+    parts.append(errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors));
+  }
+  if (others > 0) {
+    parts.append(others == 1 ? tr("1 warning") : tr("%1 warnings").arg(others));
+  }
+  diagnostics_->setText(parts.join(QStringLiteral(", ")));
+  diagnostics_->setIcon(
+      style()->standardIcon(errors > 0 ? QStyle::SP_MessageBoxCritical : QStyle::SP_MessageBoxWarning));
+}
+
+void StatusPanel::show_cursor() {
+  if (!model_.cursor().valid()) {
+    cursor_->clear();
+    return;
+  }
+  const State& state = model_.cursor().state();
+  const QLocale locale;
+  const QStringList parts{
+      tr("%1 s").arg(locale.toString(state.time, 'f', 3)),
+      tr("%1 mm").arg(locale.toString(state.path_length, 'f', 3)),
+      tr("line %1").arg(state.line),
+      tr("%1 mm/min").arg(locale.toString(units::to_mm_min(state.speed), 'f', 0)),
+      tr("limited by %1").arg(QString::fromStdString(cause_title(state.cause))),
+  };
+  cursor_->setText(parts.join(QStringLiteral("   ")));
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/run_model.h"
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace feedscope::ui {
+
+/// The right side of the status bar: progress with cancel, diagnostics, what holds at the cursor.
+class StatusPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `model` outlives this.
+  explicit StatusPanel(RunModel& model, QWidget* parent = nullptr);
+
+ signals:
+  void diagnostics_clicked();
+
+ private:
+  void show_busy(bool busy);
+  void show_cursor();
+  void count_diagnostics();
+
+  RunModel& model_;
+  QProgressBar* progress_;
+  QToolButton* cancel_;
+  QToolButton* diagnostics_;
+  QLabel* cursor_;
+};
+
+}  // namespace feedscope::ui
