@@ -9,10 +9,12 @@ namespace feedscope {
 bool DiagnosticLog::admit(Severity severity, std::string_view code, int detail, Place place) {
   Kind& kind = kinds_[{code, detail}];
   kind.severity = std::max(kind.severity, severity);
-  if (++kind.count <= kept_of_a_kind) {
+  const std::uint32_t limit = severity == Severity::info ? kept_of_an_info : kept_of_a_kind;
+  if (kind.kept < limit) {
+    ++kind.kept;
     return true;
   }
-  if (kind.count == kept_of_a_kind + 1) {
+  if (++kind.left_out == 1) {
     kind.first_left_out = place.line;
   }
   kind.last_left_out = place.line;
@@ -21,16 +23,16 @@ bool DiagnosticLog::admit(Severity severity, std::string_view code, int detail, 
 
 std::vector<Diagnostic> DiagnosticLog::take() {
   for (const auto& [key, kind] : kinds_) {
-    if (kind.count > kept_of_a_kind) {
-      diagnostics_.push_back({kind.severity, kind.first_left_out, 0, std::string(key.first),
-                              fmt::format("{} more like the ones before, up to line {}",
-                                          kind.count - kept_of_a_kind, kind.last_left_out),
-                              ""});
+    if (kind.left_out > 0) {
+      diagnostics_.push_back(
+          {kind.severity, kind.first_left_out, 0, std::string(key.first),
+           fmt::format("{} more like it from here up to line {}", kind.left_out, kind.last_left_out), ""});
     }
   }
   kinds_.clear();
-  std::stable_sort(diagnostics_.begin(), diagnostics_.end(),
-                   [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
+  std::stable_sort(diagnostics_.begin(), diagnostics_.end(), [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+  });
   return std::exchange(diagnostics_, {});
 }
 

@@ -12,10 +12,11 @@
 namespace feedscope {
 
 /// Collects diagnostics so that a long program with a fault on every line stays readable and small: of one
-/// kind the first ten are kept, the others counted in one closing line.
+/// kind the first ten are kept, of an info the first, and the others counted in one closing line.
 class DiagnosticLog {
  public:
   static constexpr std::uint32_t kept_of_a_kind = 10;
+  static constexpr std::uint32_t kept_of_an_info = 1;
 
   struct Place {
     std::uint32_t line = 0;    ///< 1-based; 0: the file as a whole
@@ -37,13 +38,14 @@ class DiagnosticLog {
     }
   }
 
-  /// All of them by line; the log is empty afterwards.
+  /// All of them by place; the log is empty afterwards.
   std::vector<Diagnostic> take();
 
  private:
   struct Kind {
     Severity severity = Severity::info;
-    std::uint32_t count = 0;
+    std::uint32_t kept = 0;
+    std::uint32_t left_out = 0;
     std::uint32_t first_left_out = 0;  ///< line
     std::uint32_t last_left_out = 0;   ///< line
   };

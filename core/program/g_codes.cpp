@@ -104,7 +104,7 @@ constexpr auto g_codes = std::to_array<GCode>({
     {730, GGroup::motion, unread_motion, error, "drilling cycle", positions_left_out},
     {740, GGroup::motion, unread_motion, error, "tapping cycle", positions_left_out},
     {760, GGroup::motion, unread_motion, error, "boring or threading cycle", positions_left_out},
-    {800, GGroup::motion, cancel_cycle, info, {}, {}},
+    {800, GGroup::none, cancel_cycle, info, {}, {}},
     {810, GGroup::motion, unread_motion, error, "drilling cycle", positions_left_out},
     {820, GGroup::motion, unread_motion, error, "drilling cycle", positions_left_out},
     {830, GGroup::motion, unread_motion, error, "deep hole drilling cycle", positions_left_out},

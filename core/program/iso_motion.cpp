@@ -11,12 +11,14 @@ namespace {
 
 using Text = DiagnosticLog::Text;
 
+constexpr std::string_view axis_letters = "XYZ";
+constexpr std::string_view center_letters = "IJK";
 constexpr std::string_view straight_instead = "a straight line to the end is taken instead";
 
 }  // namespace
 
 void IsoReader::move() {
-  if (words_.dwell) {
+  if (words_.dwell > 0) {
     dwell();
     return;
   }
@@ -79,47 +81,37 @@ void IsoReader::dwell() {
     }
     return;
   }
-  report(Severity::error, "dwell-time", 0, 0, [] {
+  report(Severity::error, "dwell-time", 1, words_.dwell, [] {
     return Text{"G4 without a time", "the dwell is left out; write P, X or U with the time"};
   });
 }
 
 void IsoReader::arc(const Vec3& target) {
-  Vec3 axis = normal_of(state_.plane);
-  if (state_.motion == MotionMode::arc_cw) {
-    axis = -axis;
-  }
-  double extra_turns = 0;
-  if (words_.has('P')) {
-    constexpr double most_turns = 10000;
-    const Word& word = words_['P'];
-    if (word.value >= 1 && word.value <= most_turns && word.value == std::floor(word.value)) {
-      extra_turns = word.value - 1;
-    } else {
-      report(Severity::error, "arc-turns", 0, word.column, [&] {
-        return Text{fmt::format("P{} is not a number of turns from 1 to {}", word.value, most_turns),
-                    "one turn is taken"};
-      });
-    }
-  }
   if (!words_.has_any("IJKR")) {
-    report(Severity::error, "arc-center", 0, words_.first_column("XYZ"), [&] {
+    report(Severity::error, "arc-center", 0, words_.first_column("XYZ"), [] {
       return Text{"the arc has neither a centre (I, J, K) nor a radius (R)", std::string(straight_instead)};
     });
     add_motion(Motion::line, target);
     return;
   }
   if (words_.has('R') && words_.has_any("IJK")) {
-    report(Severity::error, "arc-center", 1, words_.first_column("IJK"), [&] {
+    report(Severity::error, "arc-center", 1, words_.first_column("IJK"), [] {
       return Text{"the arc has both a centre (I, J, K) and a radius (R)", "R counts; remove one of them"};
     });
   }
-  const ArcSolution solution =
-      words_.has('R')
-          ? solve_radius_arc(state_.position, target, state_.to_mm(words_['R'].value), axis, extra_turns)
-          : solve_center_arc(state_.position, target, center_of_block(), axis, extra_turns);
+  const Vec3 normal = normal_of(state_.plane);
+  const Vec3 axis = state_.motion == MotionMode::arc_ccw ? normal : Vec3(-normal);
+  ArcSolution solution;
+  if (words_.has('R')) {
+    const double radius = state_.to_mm(words_['R'].value);
+    solution = solve_radius_arc(state_.position, target, radius, axis, extra_turns());
+  } else {
+    check_center_axis();
+    const Vec3 center = center_of_block(state_.absolute_centers);
+    solution = solve_center_arc(state_.position, target, center, axis, extra_turns());
+  }
   if (solution.fault != ArcFault::none) {
-    report_arc_fault(solution);
+    report_arc_fault(solution, target, axis);
     add_motion(Motion::line, target);
     return;
   }
@@ -130,7 +122,33 @@ void IsoReader::arc(const Vec3& target) {
   }
 }
 
-void IsoReader::report_arc_fault(const ArcSolution& solution) {
+double IsoReader::extra_turns() {
+  constexpr double most_turns = 10000;
+  if (!words_.has('P')) {
+    return 0;
+  }
+  const Word& word = words_['P'];
+  if (word.value >= 1 && word.value <= most_turns && word.value == std::floor(word.value)) {
+    return word.value - 1;
+  }
+  report(Severity::error, "arc-turns", 0, word.column, [&] {
+    return Text{fmt::format("P{} is not a number of turns from 1 to {}", word.value, most_turns),
+                "one turn is taken"};
+  });
+  return 0;
+}
+
+void IsoReader::check_center_axis() {
+  const char letter = center_letters[static_cast<std::size_t>(state_.plane)];
+  if (words_.has(letter) && words_[letter].value != 0 && !state_.absolute_centers) {
+    report(Severity::warning, "unused-word", letter, words_[letter].column, [&] {
+      return Text{fmt::format("{}{} lies across the plane of the arc", letter, words_[letter].value),
+                  "it is left out; is a G17, G18 or G19 missing?"};
+    });
+  }
+}
+
+void IsoReader::report_arc_fault(const ArcSolution& solution, const Vec3& target, const Vec3& axis) {
   const std::uint32_t column = words_.first_column(words_.has('R') ? "R" : "IJK");
   switch (solution.fault) {
     case ArcFault::none:
@@ -142,12 +160,15 @@ void IsoReader::report_arc_fault(const ArcSolution& solution) {
       break;
     case ArcFault::radius_mismatch:
       report(Severity::error, "arc-radius", 0, column, [&] {
-        return Text{
-            fmt::format("the arc's radius is {:.4f} mm at its start but {:.4f} mm at its end, more than "
-                        "{:.4f} mm apart",
-                        solution.start_radius, solution.end_radius,
-                        arc_tolerance(std::max(solution.start_radius, solution.end_radius))),
-            fmt::format("check the centre and G90.1/G91.1; {}", straight_instead)};
+        const Vec3 other_center = center_of_block(!state_.absolute_centers);
+        const ArcSolution other = solve_center_arc(state_.position, target, other_center, axis, 0);
+        const std::string_view other_mode = state_.absolute_centers ? "offset (G91.1)" : "position (G90.1)";
+        const std::string advice = other.fault == ArcFault::none
+                                       ? fmt::format("the centre would fit as a {}", other_mode)
+                                       : "check the centre";
+        return Text{fmt::format("the arc's radius is {:.4f} mm at its start but {:.4f} mm at its end",
+                                solution.start_radius, solution.end_radius),
+                    fmt::format("{}; {}", advice, straight_instead)};
       });
       break;
     case ArcFault::radius_too_small:
@@ -188,14 +209,13 @@ void IsoReader::add_motion(Motion motion, const Vec3& target, std::int32_t arc_i
 }
 
 void IsoReader::extend_bounds(Motion motion, const Vec3& target) {
-  constexpr std::string_view letters = "XYZ";
   for (int axis = 0; axis < 3; ++axis) {
     bool& known = axis_known_[static_cast<std::size_t>(axis)];
     if (!known && motion != Motion::rapid) {
       program_.bounds.add(axis, state_.position[axis]);
       known = true;
     }
-    known = known || words_.has(letters[static_cast<std::size_t>(axis)]);
+    known = known || words_.has(axis_letters[static_cast<std::size_t>(axis)]);
     if (known) {
       program_.bounds.add(axis, target[axis]);
     }
@@ -203,10 +223,9 @@ void IsoReader::extend_bounds(Motion motion, const Vec3& target) {
 }
 
 Vec3 IsoReader::target_of_block() const {
-  constexpr std::string_view letters = "XYZ";
   Vec3 target = state_.position;
   for (int axis = 0; axis < 3; ++axis) {
-    const char letter = letters[static_cast<std::size_t>(axis)];
+    const char letter = axis_letters[static_cast<std::size_t>(axis)];
     if (words_.has(letter)) {
       const double value = state_.to_mm(words_[letter].value);
       target[axis] = state_.incremental ? target[axis] + value : value;
@@ -215,14 +234,13 @@ Vec3 IsoReader::target_of_block() const {
   return target;
 }
 
-Vec3 IsoReader::center_of_block() const {
-  constexpr std::string_view letters = "IJK";
+Vec3 IsoReader::center_of_block(bool absolute) const {
   Vec3 center = state_.position;
   for (int axis = 0; axis < 3; ++axis) {
-    const char letter = letters[static_cast<std::size_t>(axis)];
+    const char letter = center_letters[static_cast<std::size_t>(axis)];
     if (words_.has(letter)) {
       const double value = state_.to_mm(words_[letter].value);
-      center[axis] = state_.absolute_centers ? value : center[axis] + value;
+      center[axis] = absolute ? value : center[axis] + value;
     }
   }
   return center;

@@ -30,7 +30,7 @@ class IsoReader {
     std::array<const GCode*, 12> groups;  ///< the block's code of each group
     bool other_codes = false;             ///< G or M words that P, Q, L, R, I ... may belong to
     bool own_words = false;               ///< an unread code owns the coordinates
-    bool dwell = false;
+    std::uint32_t dwell = 0;              ///< column of G4; 0: none
 
     void clear();
     bool has(char letter) const { return (present >> (letter - 'A') & 1U) != 0; }
@@ -43,23 +43,26 @@ class IsoReader {
   void report_faults(const Block& block);
   void gather(const Block& block);
   void apply_g(const Block& block, const Word& word);
-  void apply_modal(const GCode& code);
+  void apply_modal(const GCode& code, const Word& word);
   void report_unread(const GCode& code, const Word& word);
   void apply_m(const Word& word);
   void apply_feed();
   void check_rotary();
   void check_unused();
   void report_text_after_end();
+  void report_nothing_read();
 
   void move();
   void dwell();
   void arc(const Vec3& target);
-  void report_arc_fault(const ArcSolution& solution);
+  double extra_turns();
+  void report_arc_fault(const ArcSolution& solution, const Vec3& target, const Vec3& axis);
+  void check_center_axis();
   double usable_feed();
   void add_motion(Motion motion, const Vec3& target, std::int32_t arc_index = -1);
   void extend_bounds(Motion motion, const Vec3& target);
   Vec3 target_of_block() const;
-  Vec3 center_of_block() const;
+  Vec3 center_of_block(bool absolute) const;
 
   template <typename MakeText>
   void report(Severity severity, std::string_view code, int detail, std::uint32_t column, MakeText&& text) {

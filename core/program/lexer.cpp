@@ -41,6 +41,15 @@ std::size_t name_end(std::string_view text, std::size_t at) {
   return at;
 }
 
+/// End of a statement: the line's, without a ";" comment and the blanks before it.
+std::size_t statement_end(std::string_view text, std::size_t at) {
+  std::size_t end = std::min(text.find(';', at), text.size());
+  while (end > at + 1 && is_blank(text[end - 1])) {
+    --end;
+  }
+  return end;
+}
+
 /// End of what was meant as a number: up to a blank, a comment or a letter that starts the next word.
 std::size_t bad_number_end(std::string_view text, std::size_t at) {
   while (at < text.size()) {
@@ -74,18 +83,16 @@ std::size_t Lexer::add_fault(FaultKind kind, std::size_t from, std::size_t to) {
 }
 
 std::size_t Lexer::read_comment(std::size_t at) {
-  std::size_t first_close = std::string_view::npos;
   int depth = 0;
-  for (std::size_t i = at; i < block_.text.size(); ++i) {
+  for (std::size_t i = at; comments_nest_ && i < block_.text.size(); ++i) {
     if (block_.text[i] == '(') {
       ++depth;
-    } else if (block_.text[i] == ')') {
-      first_close = std::min(first_close, i);
-      if (--depth == 0) {
-        return i + 1;
-      }
+    } else if (block_.text[i] == ')' && --depth == 0) {
+      return i + 1;
     }
   }
+  comments_nest_ = false;
+  const std::size_t first_close = block_.text.find(')', at);
   if (first_close != std::string_view::npos) {
     return first_close + 1;
   }
@@ -120,11 +127,13 @@ std::size_t Lexer::read_word(std::size_t at) {
     return text.size();
   }
   if (i < text.size() && starts_statement(text[i])) {
-    add_fault(FaultKind::statement, at, text.size());
+    add_fault(FaultKind::statement, at, statement_end(text, at));
     return text.size();
   }
   if (i == text.size() || !(is_digit(text[i]) || text[i] == '.')) {
-    return add_fault(FaultKind::malformed_number, at, std::max(at + 1, bad_number_end(text, i)));
+    const std::size_t first = skip_blanks(text, at + 1);
+    const bool letter_alone = first == text.size() || !is_number_part(text[first]);
+    return add_fault(FaultKind::malformed_number, at, letter_alone ? at + 1 : bad_number_end(text, first));
   }
   double value = 0;
   const auto [stop, status] =
@@ -141,7 +150,7 @@ std::size_t Lexer::read_word(std::size_t at) {
     return add_fault(FaultKind::number_range, at, number_end);
   }
   if (next < text.size() && starts_statement(text[next])) {
-    add_fault(FaultKind::statement, at, text.size());
+    add_fault(FaultKind::statement, at, statement_end(text, at));
     return text.size();
   }
   const bool has_point = text.substr(i, number_end - i).find('.') != std::string_view::npos;
@@ -156,6 +165,7 @@ const Block& Lexer::read(std::string_view line) {
   block_.faults.clear();
   block_.delete_level = 0;
   block_.percent = 0;
+  comments_nest_ = true;
   std::size_t at = 0;
   while ((at = skip_blanks(line, at)) < line.size()) {
     const char c = line[at];
@@ -173,7 +183,7 @@ const Block& Lexer::read(std::string_view line) {
       at = read_delete(at);
     } else {
       add_fault(starts_statement(c) ? FaultKind::statement : FaultKind::character, at,
-                starts_statement(c) ? line.size() : at + 1);
+                starts_statement(c) ? statement_end(line, at) : at + 1);
       break;
     }
   }

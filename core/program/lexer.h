@@ -45,7 +45,7 @@ struct Block {
 /// Takes the lines of address-letter dialects apart, free of what the words mean.
 ///
 /// Upper and lower case are the same. Blanks may stand between words, after the letter and after the sign,
-/// or nowhere. "(...)" and ";" start comments; a "(" inside "(...)" opens a nested one if it is closed too.
+/// or nowhere. "(...)" and ";" start comments; "(...)" may hold another one.
 /// Numbers are decimal with a point, whatever the locale.
 class Lexer {
  public:
@@ -59,6 +59,7 @@ class Lexer {
   std::size_t add_fault(FaultKind kind, std::size_t from, std::size_t to);
 
   Block block_;
+  bool comments_nest_ = true;  ///< false once a line holds an odd "("
 };
 
 }  // namespace feedscope

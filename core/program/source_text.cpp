@@ -18,19 +18,27 @@ namespace {
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 constexpr std::size_t size_limit = std::numeric_limits<std::uint32_t>::max();
 
-/// Offset of the next line's first byte; the end of the text if there is none.
-std::size_t next_line(std::string_view text, std::size_t from, bool has_returns) {
-  if (!has_returns) {
-    const std::size_t feed = text.find('\n', from);
-    return feed == std::string_view::npos ? text.size() : feed + 1;
+/// Offset of every line. LF, CR LF, CR CR LF (left behind by a text-mode copy) and CR alone end a line.
+std::vector<std::uint32_t> line_starts(std::string_view text, std::size_t at) {
+  const auto find = [text](char c, std::size_t from, std::size_t to) {
+    const void* const found = from < to ? std::memchr(text.data() + from, c, to - from) : nullptr;
+    return found == nullptr ? to : static_cast<std::size_t>(static_cast<const char*>(found) - text.data());
+  };
+  const bool has_returns = find('\r', 0, text.size()) < text.size();
+  std::vector<std::uint32_t> starts;
+  std::size_t feed = find('\n', at, text.size());
+  while (at < text.size()) {
+    starts.push_back(static_cast<std::uint32_t>(at));
+    if (feed < at) {
+      feed = find('\n', at, text.size());
+    }
+    const std::size_t first_return = has_returns ? find('\r', at, feed) : feed;
+    const bool return_alone = first_return + 2 < feed ||
+                              (first_return + 2 == feed && text[feed - 1] != '\r') ||
+                              (first_return < feed && feed == text.size());
+    at = return_alone ? first_return + 1 : feed + 1;
   }
-  const std::size_t end = text.find_first_of("\r\n", from);
-  if (end == std::string_view::npos) {
-    return text.size();
-  }
-  // Returns in front of a line feed belong to it; a return alone ends a line.
-  const std::size_t feed = text.find_first_not_of('\r', end);
-  return feed != std::string_view::npos && text[feed] == '\n' ? feed + 1 : end + 1;
+  return starts;
 }
 
 void check_size(const std::string& name, std::size_t size) {
@@ -72,12 +80,7 @@ std::string read_all(std::FILE* file, const std::string& name, std::size_t expec
 SourceText::SourceText(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
   check_size(name_, text_.size());
   const std::string_view view = text_;
-  const bool has_returns = view.find('\r') != std::string_view::npos;
-  std::size_t at = view.substr(0, byte_order_mark.size()) == byte_order_mark ? byte_order_mark.size() : 0;
-  while (at < view.size()) {
-    starts_.push_back(static_cast<std::uint32_t>(at));
-    at = next_line(view, at, has_returns);
-  }
+  starts_ = line_starts(view, view.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
 }
 
 SourceText SourceText::from_file(const std::filesystem::path& path) {

@@ -12,7 +12,7 @@ namespace feedscope {
 class SourceText {
  public:
   SourceText() = default;
-  /// Takes a text; `name` is what messages call it.
+  /// Takes a text; `name` is what messages call it. Throws InputError beyond 4 GiB.
   SourceText(std::string name, std::string text);
 
   /// Reads a file, or standard input for "-".
@@ -24,7 +24,8 @@ class SourceText {
   const std::string& text() const { return text_; }
   /// Number of lines; a last line without line end counts, an empty text has none.
   std::uint32_t line_count() const { return static_cast<std::uint32_t>(starts_.size()); }
-  /// Line `number` (1-based) without its line end (LF, CR or CRLF). Out of range: empty.
+  /// Line `number` (1-based) without its line end (LF, CR, CR LF or CR CR LF) and without a byte order mark.
+  /// Out of range: empty.
   std::string_view line(std::uint32_t number) const;
 
  private:

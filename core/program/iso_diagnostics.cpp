@@ -1,0 +1,156 @@
+// The part of IsoReader that tells what it could not read.
+#include <fmt/format.h>
+
+#include <string>
+
+#include "core/program/iso_reader.h"
+#include "core/program/message.h"
+
+namespace feedscope {
+
+namespace {
+
+using Text = DiagnosticLog::Text;
+
+constexpr std::string_view not_moved = "the block does not move; correct the word or write a plain number";
+
+Text text_of(const Fault& fault, std::string_view written) {
+  switch (fault.kind) {
+    case FaultKind::malformed_number:
+      return {fmt::format("{} has no readable number", quoted(written)), std::string(not_moved)};
+    case FaultKind::number_range:
+      return {fmt::format("{} is beyond the largest number, 1000000000", quoted(written)),
+              std::string(not_moved)};
+    case FaultKind::unclosed_comment:
+      return {fmt::format("the comment {} is not closed", quoted(written)),
+              "the rest of the line is taken for the comment; add the closing bracket"};
+    case FaultKind::statement:
+      return {fmt::format("{} is not a word of the ISO core", quoted(written)),
+              "names, variables and expressions are not read; the block does not move"};
+    case FaultKind::character:
+      break;
+  }
+  const auto byte = static_cast<unsigned char>(written.front());
+  const bool plain = byte > ' ' && byte <= '~';
+  return {
+      fmt::format("{} does not start a word", plain ? quoted(written) : fmt::format("byte 0x{:02X}", byte)),
+      "the rest of the line is not read and the block does not move; remove the character"};
+}
+
+std::string_view code_of(FaultKind kind) {
+  switch (kind) {
+    case FaultKind::malformed_number:
+      return "malformed-number";
+    case FaultKind::number_range:
+      return "number-range";
+    case FaultKind::unclosed_comment:
+      return "unclosed-comment";
+    case FaultKind::statement:
+      return "unread-statement";
+    case FaultKind::character:
+      break;
+  }
+  return "unknown-character";
+}
+
+}  // namespace
+
+void IsoReader::report_faults(const Block& block) {
+  for (const Fault& fault : block.faults) {
+    report(Severity::error, code_of(fault.kind), 0, fault.column,
+           [&] { return text_of(fault, block.text_of(fault)); });
+  }
+}
+
+void IsoReader::report_unread(const GCode& code, const Word& word) {
+  const bool shifted = code.action == GAction::work_offset && !program_.motions.empty() &&
+                       state_.work_offset != 0 && state_.work_offset != code.number;
+  if (shifted) {
+    report(Severity::warning, "work-offset", code.number, word.column, [&] {
+      return Text{fmt::format("{} follows {} on the way", g_name(code.number), g_name(state_.work_offset)),
+                  "work offsets are taken as zero, so the parts of the path lie over each other"};
+    });
+  }
+  if (!code.subject.empty()) {
+    report(code.severity, "unread-g", code.number, word.column, [&] {
+      return Text{fmt::format("{} ({}) is not read", g_name(code.number), code.subject),
+                  std::string(code.effect)};
+    });
+  }
+}
+
+void IsoReader::check_rotary() {
+  constexpr std::string_view axes = "ABCUVW";
+  if (words_.own_words || words_.dwell > 0 || !words_.has_any(axes)) {
+    return;
+  }
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!words_.has(axes[i])) {
+      continue;
+    }
+    const Word& word = words_[axes[i]];
+    const double target = state_.incremental ? state_.further_axes[i] + word.value : word.value;
+    if (target != state_.further_axes[i]) {
+      report(Severity::error, "unread-axis", axes[i], word.column, [&] {
+        return Text{fmt::format("axis {} moves to {}, which is not read", axes[i], target),
+                    "X, Y and Z are shown as programmed"};
+      });
+    }
+    state_.further_axes[i] = target;
+  }
+}
+
+void IsoReader::check_unused() {
+  const bool is_arc = state_.motion == MotionMode::arc_cw || state_.motion == MotionMode::arc_ccw;
+  if (words_.other_codes || state_.motion == MotionMode::unread) {
+    return;
+  }
+  if (words_.has('E')) {
+    report(Severity::info, "unused-word", 'E', words_['E'].column, [] {
+      return Text{"E (extruder) is not read", "it does not change the path"};
+    });
+  }
+  const std::string_view unused = is_arc ? "LQ" : "IJKRPLQ";
+  if (!words_.has_any(unused)) {
+    return;
+  }
+  for (const char letter : unused) {
+    if (words_.has(letter)) {
+      report(Severity::warning, "unused-word", letter, words_[letter].column, [&] {
+        return Text{fmt::format("{}{} has no meaning in this block", letter, words_[letter].value),
+                    is_arc ? "it is left out" : "it is left out; is a G2 or G3 missing?"};
+      });
+    }
+  }
+}
+
+void IsoReader::report_nothing_read() {
+  if (program_.block_count == 0) {
+    log_.add(Severity::error, "empty-program", 0, {}, [] {
+      return Text{"the program holds no blocks", "give a file with NC blocks such as \"G1 X10 F500\""};
+    });
+  } else if (program_.motions.empty()) {
+    log_.add(Severity::warning, "no-motion", 0, {}, [] {
+      return Text{"no block of the program moves",
+                  "only the ISO core is read, no dialogue programs (Heidenhain) and no macros"};
+    });
+  }
+}
+
+void IsoReader::report_text_after_end() {
+  if (end_line_ == 0) {
+    return;
+  }
+  const SourceText& source = *program_.source;
+  for (std::uint32_t line = end_line_ + 1; line <= source.line_count(); ++line) {
+    const Block& block = lexer_.read(source.line(line));
+    if (!block.words.empty()) {
+      log_.add(Severity::info, "text-after-end", 0, {line, block.words.front().column}, [&] {
+        return Text{fmt::format("the program ends in line {}; what follows is not executed", end_line_), ""};
+      });
+      return;
+    }
+  }
+}
+
+}  // namespace feedscope

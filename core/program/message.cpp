@@ -1,0 +1,20 @@
+#include "core/program/message.h"
+
+#include <fmt/format.h>
+
+namespace feedscope {
+
+std::string quoted(std::string_view text) {
+  constexpr std::size_t longest = 32;
+  std::string shown = "\"";
+  for (const char c : text.substr(0, longest)) {
+    shown += c >= ' ' && c <= '~' ? c : '?';
+  }
+  return shown + (text.size() > longest ? "...\"" : "\"");
+}
+
+std::string g_name(int number) {
+  return number % 10 == 0 ? fmt::format("G{}", number / 10) : fmt::format("G{}.{}", number / 10, number % 10);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <string>
+
+#include "core/program/program.h"
+#include "tests/core/program/read_text.h"
+
+namespace feedscope {
+namespace {
+
+/// Whatever the text, what comes out can be worked with.
+void expect_sane(const std::string& text) {
+  const Program program = read_text(text);
+  for (const MotionBlock& block : program.motions) {
+    ASSERT_TRUE(block.target.allFinite()) << text;
+    ASSERT_TRUE(std::isfinite(block.feed) && block.feed >= 0) << text;
+    ASSERT_TRUE(std::isfinite(block.dwell) && block.dwell >= 0) << text;
+    ASSERT_TRUE(block.line >= 1 && block.line <= program.source->line_count()) << text;
+    if (block.motion == Motion::arc) {
+      const ArcWords& arc = program.arcs.at(static_cast<std::size_t>(block.arc));
+      ASSERT_TRUE(arc.center.allFinite()) << text;
+    }
+  }
+  for (const Diagnostic& diagnostic : program.diagnostics) {
+    ASSERT_LE(diagnostic.line, program.source->line_count()) << text;
+    if (diagnostic.line > 0) {
+      ASSERT_LE(diagnostic.column, program.source->line(diagnostic.line).size()) << text;
+    }
+    ASSERT_FALSE(diagnostic.message.empty());
+  }
+}
+
+TEST(Garbage, RandomBytesAreReadWithoutHarm) {
+  std::mt19937 random(1);
+  for (int round = 0; round < 3000; ++round) {
+    std::string text(random() % 400, ' ');
+    for (char& c : text) {
+      c = static_cast<char>(random() % 256);
+    }
+    expect_sane(text);
+    if (HasFatalFailure()) {
+      FAIL() << "round " << round;
+    }
+  }
+}
+
+TEST(Garbage, RandomWordsAreReadWithoutHarm) {
+  constexpr std::string_view pieces[] = {
+      "G0", "G1", "G2", "G3", "G4", "G17", "G18", "G19", "G20", "G90.1", "G91", "G93",  "G81",  "G92",   "X",
+      "Y",  "Z",  "I",  "J",  "K",  "R",   "F",   "P",   "1",   "-2",    ".5",  "0",    "1e9",  "\n",    "\n",
+      " ",  "(",  ")",  ";",  "/",  "%",   "#1",  "=",   "nan", "\r",    "M30", "1000", "-0.1", "0.0001"};
+  std::mt19937 random(2);
+  for (int round = 0; round < 20000; ++round) {
+    std::string text;
+    for (std::size_t i = random() % 60; i > 0; --i) {
+      text += pieces[random() % std::size(pieces)];
+    }
+    expect_sane(text);
+    if (HasFatalFailure()) {
+      FAIL() << "round " << round;
+    }
+  }
+}
+
+TEST(Garbage, MutatedProgramsAreReadWithoutHarm) {
+  const std::string sample =
+      "%\nO1 (PART)\nG17 G21 G90 G94\nG0 X1.5 Y-2 Z5\nG1 Z-1 F250\nG2 X3 Y-2 I0.75 J0\nG3 X1.5 Y-2 Z-2 "
+      "R0.75\n"
+      "G18 G2 X3 Z-2 R-0.9\nG4 P500\n/ G91 X1 Y1\nN99 G90.1 G3 X5 Y5 I1 J1 P2\nG20 X.1 M8\nM30\n%\n";
+  std::mt19937 random(3);
+  for (int round = 0; round < 20000; ++round) {
+    std::string text = sample;
+    for (std::size_t edits = 1 + random() % 6; edits > 0 && !text.empty(); --edits) {
+      const std::size_t at = random() % text.size();
+      switch (random() % 4) {
+        case 0:
+          text[at] = static_cast<char>(random() % 256);
+          break;
+        case 1:
+          text.erase(at, 1 + random() % 8);
+          break;
+        case 2:
+          text.insert(at, text.substr(random() % text.size(), 1 + random() % 12));
+          break;
+        default:
+          text.resize(at);
+          break;
+      }
+    }
+    expect_sane(text);
+    if (HasFatalFailure()) {
+      FAIL() << "round " << round;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace feedscope

@@ -1,0 +1,202 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "core/program/program.h"
+#include "tests/core/program/read_text.h"
+
+namespace feedscope {
+namespace {
+
+using testing::HasSubstr;
+
+struct Case {
+  const char* text;
+  const char* expected;  ///< as printed, its place first; the only diagnostic of `text`
+};
+
+class IsoDiagnostics : public testing::TestWithParam<Case> {};
+
+TEST_P(IsoDiagnostics, NamesPlaceThingValueAndWhatToDo) {
+  const Program program = read_text(GetParam().text);
+  ASSERT_EQ(program.diagnostics.size(), 1U) << GetParam().text;
+  EXPECT_EQ(format(program.diagnostics[0], "f"), GetParam().expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, IsoDiagnostics,
+    testing::Values(
+        Case{"G0 X1\nG0 Y1..2",
+             "f:2:4: error: \"Y1..2\" has no readable number [malformed-number] (the block does not move; "
+             "correct "
+             "the word or write a plain number)"},
+        Case{"G0 X1\nG0 X2000000000",
+             "f:2:4: error: \"X2000000000\" is beyond the largest number, 1000000000 [number-range] (the "
+             "block does "
+             "not move; correct the word or write a plain number)"},
+        Case{"G0 X1 (tool 3",
+             "f:1:7: error: the comment \"(tool 3\" is not closed [unclosed-comment] (the rest of the line "
+             "is taken "
+             "for the comment; add the closing bracket)"},
+        Case{"G0 X1\nN20 CYCLE832(0.01)",
+             "f:2:5: error: \"CYCLE832\" is not a word of the ISO core [unread-statement] (names, variables "
+             "and "
+             "expressions are not read; the block does not move)"},
+        Case{"G0 X1\nG1 X#101+5 F100",
+             "f:2:4: error: \"X#101+5 F100\" is not a word of the ISO core [unread-statement] (names, "
+             "variables and "
+             "expressions are not read; the block does not move)"},
+        Case{"G0 X1\nG0 X2 \xC3\xA4",
+             "f:2:7: error: byte 0xC3 does not start a word [unknown-character] (the rest of the line is not "
+             "read and "
+             "the block does not move; remove the character)"},
+        Case{"G0 X1 Y2 X3",
+             "f:1:10: error: X stands twice in the block [duplicate-word] (\"X3\" counts; remove "
+             "the other)"},
+        Case{"G0 X1 G1 F100",
+             "f:1:7: error: G0 and G1 exclude each other in one block [conflicting-g] (G1 "
+             "counts; remove the other)"},
+        Case{"G0 X1 G77.7",
+             "f:1:7: error: \"G77.7\" is not a known G word [unknown-g] (it is left out; the path "
+             "may differ from what the control does)"},
+        Case{"G0 X1\nX2 K4",
+             "f:2:4: warning: K4 has no meaning in this block [unused-word] (it is left out; is a "
+             "G2 or G3 missing?)"},
+        Case{"G0 X1 E3", "f:1:7: info: E (extruder) is not read [unused-word] (it does not change the path)"},
+        Case{"G0 X1 B90",
+             "f:1:7: error: axis B moves to 90, which is not read [unread-axis] (X, Y and Z are "
+             "shown as programmed)"},
+        Case{"G0 X1\nM98 P1000",
+             "f:2:1: error: M98 calls a subprogram, which is not read [subprogram] (its "
+             "motion is left out; insert the subprogram's blocks)"},
+        Case{"X1",
+             "f:1:1: warning: position words before any of G0, G1, G2, G3 [motion-mode] (taken as G0; write "
+             "the G word)"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Codes, IsoDiagnostics,
+    testing::Values(
+        Case{"G0 X1\nG41 D1 X2",
+             "f:2:1: error: G41 (cutter radius compensation) is not read [unread-g] (the path "
+             "shown is the programmed contour)"},
+        Case{"G0 X1\nG43 H1 Z2",
+             "f:2:1: info: G43 (tool length compensation) is not read [unread-g] (the path "
+             "shown is that of the tool tip)"},
+        Case{"G0 X1\nG83 X2 Z-5 R1 Q2 F100",
+             "f:2:1: error: G83 (deep hole drilling cycle) is not read [unread-g] "
+             "(positions are left out up to the next G0 to G3)"},
+        Case{"G0 X1\nG5.2 X2 Y3 P1",
+             "f:2:1: error: G5.2 (spline) is not read [unread-g] (positions are left out "
+             "up to the next G0 to G3)"},
+        Case{"G0 X1\nG91 G28 Z0",
+             "f:2:5: warning: G28 (reference point return) is not read [unread-g] (the path "
+             "stays where it is)"},
+        Case{"G0 X1\nG92 X0",
+             "f:2:1: error: G92 (coordinate shift) is not read [unread-g] (the path is shown "
+             "without it)"},
+        Case{"G0 X1\nG68 X0 Y0 R30",
+             "f:2:1: error: G68 (coordinate rotation) is not read [unread-g] (the path is "
+             "shown without it)"},
+        Case{"G93 G1 X1 F2",
+             "f:1:1: error: G93 (inverse time feed) is not read [unread-g] (feed moves run as fast "
+             "as the axes allow)"},
+        Case{"G54 G0 X1\nG55 X1",
+             "f:2:1: warning: G55 follows G54 on the way [work-offset] (work offsets are "
+             "taken as zero, so the parts of the path lie over each other)"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Feeds, IsoDiagnostics,
+    testing::Values(
+        Case{"G0 X1\nG1 Y1\nX2",
+             "f:2:4: error: a feed move without a feed [feed-missing] (it runs as fast as the "
+             "axes allow; write F before it)"},
+        Case{"G1 X1 F100\nX2 F0",
+             "f:2:4: error: feed F0 is not above zero [feed-value] (the last valid feed stays "
+             "in force; write a feed above zero)"},
+        Case{"G0 X1 F-5",
+             "f:1:7: error: feed F-5 is not above zero [feed-value] (feed moves run as fast as the "
+             "axes allow; write a feed above zero)"},
+        Case{"G0 X1\nG4",
+             "f:2:1: error: G4 without a time [dwell-time] (the dwell is left out; write P, X or U "
+             "with the time)"},
+        Case{"G0 X1\nG4 P-1",
+             "f:2:4: error: dwell time P-1 is negative [dwell-time] (the dwell is left out)"},
+        Case{"G0 X1\nG4 P2",
+             "f:2:4: info: P2 without a decimal point is taken as 2 milliseconds [dwell-unit] "
+             "(write P2.0 for seconds)"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Arcs, IsoDiagnostics,
+    testing::Values(Case{"G1 X10 F1\nG2 X20 Y0 I4 J0",
+                         "f:2:11: error: the arc's radius is 4.0000 mm at its start but 6.0000 mm "
+                         "at its end [arc-radius] (check the centre; a straight line to the end is "
+                         "taken instead)"},
+                    Case{"G1 X10 F1\nG2 X20 Y0 I15 J0",
+                         "f:2:11: error: the arc's radius is 15.0000 mm at its start but 5.0000 "
+                         "mm at its end [arc-radius] (the centre would fit as a position "
+                         "(G90.1); a straight line to the end is taken instead)"},
+                    Case{"G1 X10 F1\nG2 X20 R4",
+                         "f:2:8: error: radius 4.0000 mm is too small for ends 10.0000 mm apart "
+                         "[arc-radius] (write R of at least half the distance; a straight line to the "
+                         "end is taken instead)"},
+                    Case{"G1 X10 F1\nG2 X20",
+                         "f:2:4: error: the arc has neither a centre (I, J, K) nor a radius (R) "
+                         "[arc-center] (a straight line to the end is taken instead)"},
+                    Case{"G1 X10 F1\nG2 X20 I5 R5",
+                         "f:2:8: error: the arc has both a centre (I, J, K) and a radius (R) "
+                         "[arc-center] (R counts; remove one of them)"},
+                    Case{"G1 X10 F1\nG2 X10 I0",
+                         "f:2:8: error: the arc's centre is its start point [arc-center] (a straight "
+                         "line to the end is taken instead)"},
+                    Case{"G1 X10 F1\nG2 X10 R5",
+                         "f:2:8: error: an arc with R must not end where it starts [arc-ends] (write a "
+                         "full circle with I, J, K)"},
+                    Case{"G1 X10 F1\nG2 I5 P0",
+                         "f:2:7: error: P0 is not a number of turns from 1 to 10000 [arc-turns] (one "
+                         "turn is taken)"},
+                    Case{"G1 X10 F1\nG2 X20 I5 K3",
+                         "f:2:11: warning: K3 lies across the plane of the arc [unused-word] (it is "
+                         "left out; is a G17, G18 or G19 missing?)"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, IsoDiagnostics,
+    testing::Values(
+        Case{"",
+             "f: error: the program holds no blocks [empty-program] (give a file with NC blocks such as \"G1 "
+             "X10 F500\")"},
+        Case{"(only)\n; comments\n%\n",
+             "f: error: the program holds no blocks [empty-program] (give a file with NC "
+             "blocks such as \"G1 X10 F500\")"},
+        Case{"M3 S100",
+             "f: warning: no block of the program moves [no-motion] (only the ISO core is read, no "
+             "dialogue programs (Heidenhain) and no macros)"},
+        Case{"G0 X1\nM30\n\nG0 X2",
+             "f:4:1: info: the program ends in line 2; what follows is not executed "
+             "[text-after-end]"}));
+
+TEST(IsoDiagnostics, ColumnsCountBytesFromOneInEveryStyle) {
+  EXPECT_EQ(read_text("  G0  X1\tG1F1").diagnostics.at(0).column, 10U);
+  EXPECT_EQ(read_text("(\xC3\xA4)G0X1G1F1").diagnostics.at(0).column, 9U);
+  EXPECT_EQ(read_text("\xEF\xBB\xBFX1").diagnostics.at(0).column, 1U);
+  EXPECT_EQ(read_text("G0X1\r\r\nG0X1G1F1\r\r\n").diagnostics.at(0).column, 5U);
+  EXPECT_EQ(read_text("G0X1\r\r\nG0X1G1F1\r\r\n").diagnostics.at(0).line, 2U);
+}
+
+TEST(IsoDiagnostics, TextInMessagesIsShortAndPlain) {
+  const Program program = read_text("G0 X1\nX[\x01\xFF" + std::string(500, '1') + "]");
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_THAT(program.diagnostics[0].message, HasSubstr("\"X[??1111"));
+  EXPECT_LT(program.diagnostics[0].message.size(), 100U);
+}
+
+TEST(IsoDiagnostics, EveryGCodeOnceSaysAtMostOneThing) {
+  for (int tenfold = 0; tenfold < 10000; ++tenfold) {
+    const std::string word = "G" + std::to_string(tenfold / 10) + "." + std::to_string(tenfold % 10);
+    const Program program = read_text("G0 X1\n" + word + "\nG0 X2");
+    EXPECT_LE(program.diagnostics.size(), 1U) << word;
+  }
+}
+
+}  // namespace
+}  // namespace feedscope
