@@ -71,6 +71,7 @@ void IsoReader::read_block(const Block& block) {
   const bool skipped = options_.skip_deleted_blocks && block.delete_level > 0;
   if (!skipped && !(block.words.empty() && block.faults.empty())) {
     ++program_.block_count;
+    words_met_ = words_met_ || !block.words.empty();
     report_faults(block);
     gather(block);
     apply_feed();
@@ -83,7 +84,7 @@ void IsoReader::read_block(const Block& block) {
       move();
     }
   }
-  if (block.percent > 0 && program_.block_count > 0) {
+  if (block.percent > 0 && words_met_) {
     end_line_ = line_;
   }
 }

@@ -77,6 +77,7 @@ class IsoReader {
   Words words_;
   std::array<bool, 3> axis_known_{};
   bool feed_missed_ = false;
+  bool words_met_ = false;  ///< from then on "%" ends the program
   std::uint32_t line_ = 0;
   std::uint32_t end_line_ = 0;  ///< of M2, M30, M99 or the closing "%"; 0: not met
 };

@@ -33,7 +33,7 @@ struct MotionBlock {
 /// What a program says, free of its dialect.
 struct Program {
   std::shared_ptr<const SourceText> source;
-  std::uint32_t block_count = 0;  ///< lines that hold at least one word, up to the program's end
+  std::uint32_t block_count = 0;  ///< lines with words, readable or not, up to the program's end
   std::vector<MotionBlock> motions;
   std::vector<ArcWords> arcs;
   /// Of the programmed points; Toolpath::bounds adds what arcs reach beyond them [mm]. The tool starts at

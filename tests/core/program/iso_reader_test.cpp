@@ -73,6 +73,11 @@ TEST(IsoReader, StopsAtTheProgramsEnd) {
   }
 }
 
+TEST(IsoReader, PercentBeforeTheFirstWordIsTheStart) {
+  EXPECT_EQ(end_of(read_clean("%\n%PART1\nG0 X1\n%\n")).x(), 1);
+  EXPECT_EQ(end_of(read_text("tape leader\n%\nG0 X1\n%\n")).x(), 1);
+}
+
 TEST(IsoReader, DeletedBlocksRunUnlessTheSwitchIsOn) {
   const std::string text = "G0 X1\n/ X2\n/2 X3\nN7 / X4\n";
   EXPECT_EQ(end_of(read_clean(text)).x(), 4);
