@@ -1,11 +1,13 @@
 #include "app/command_line.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cstdio>
 #include <new>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/commands/command.h"
@@ -17,41 +19,51 @@
 namespace feedscope {
 namespace {
 
-std::vector<std::string> known_names(const CLI::App& app, bool options) {
+std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
-  if (options) {
-    for (const CLI::Option* option : app.get_options()) {
-      for (const std::string& name : option->get_lnames()) {
-        names.push_back("--" + name);
-      }
-    }
-  } else {
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
-      names.push_back(command->get_name());
+  for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; })) {
+    names.push_back(command->get_name());
+  }
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) {
+      names.push_back("--" + name);
     }
   }
   return names;
 }
 
-/// "; did you mean '--tolerance'?" for the first argument that nothing takes.
-std::string suggestion(const CLI::App& app) {
+std::string unknown(std::string_view what, const std::string& word, const std::vector<std::string>& known) {
+  const std::string nearest = nearest_name(word, known);
+  return fmt::format("unknown {} '{}'; {}", what, word,
+                     nearest.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
+                                     : fmt::format("did you mean '{}'?", nearest));
+}
+
+std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
-  const CLI::App& command = chosen.empty() ? app : *chosen.front();
-  for (const std::string& argument : app.remaining(true)) {
-    const bool option = argument.starts_with("--");
-    const std::string nearest =
-        nearest_name(argument.substr(0, argument.find('=')), known_names(command, option));
-    if (!nearest.empty()) {
-      return fmt::format("; did you mean '{}'?", nearest);
-    }
+  const std::vector<std::string> extra = app.remaining(true);
+  const auto option =
+      std::find_if(extra.begin(), extra.end(), [](const std::string& word) { return word.starts_with("-"); });
+  if (option != extra.end()) {
+    return unknown("option", option->substr(0, option->find('=')),
+                   option_names(chosen.empty() ? app : *chosen.front()));
   }
-  return "";
+  if (chosen.empty()) {
+    return extra.empty() ? fmt::format("no command given; commands: {}", fmt::join(command_names(app), ", "))
+                         : unknown("command", extra.front(), command_names(app));
+  }
+  return extra.empty() ? error.what() : fmt::format("unexpected argument '{}'", extra.front());
 }
 
 int report_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const std::string command = chosen.empty() ? "" : " " + chosen.front()->get_name();
-  fmt::print(stderr, "feedscope: {}{}\nsee: feedscope{} --help\n", error.what(), suggestion(app), command);
+  fmt::print(stderr, "feedscope: {}\nsee: feedscope{} --help\n", explain(app, error), command);
   return exit_code::wrong_use;
 }
 

@@ -111,7 +111,7 @@ std::string summary_text(const Run& run) {
   figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
   figures.add({"mean feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.mean_feed))});
   figures.add({"peak feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.peak_feed))});
-  figures.add({"contour error", fmt::format("{:.4f} mm at {} corner blends", s.max_contour_error,
+  figures.add({"contour error", fmt::format("at most {:.4f} mm, {} corner blends", s.max_contour_error,
                                             run.trajectory->blends().size())});
   return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + "\nTime by limiting cause\n" +
          cause_table(s);

@@ -6,9 +6,11 @@
 namespace feedscope {
 namespace {
 
-constexpr double turn_per_sample =
-    0.02;  // rad of an arc; a peak between two samples is missed by 5e-5 at most
-constexpr double blend_per_sample = 0.02;  // share of a blend's parameter range
+// A peak between two samples of an arc is missed by 5e-5 at most. On a blend every axis is a polynomial of
+// the parameter; sampled by its length each sample costs an inversion.
+constexpr double turn_per_sample = 0.02;          // rad of an arc
+constexpr double blend_per_sample = 0.05;         // share of a blend's parameter range
+constexpr double blend_length_per_sample = 0.25;  // share of a blend's length
 constexpr int arc_time_samples = 64;
 
 /// Sum with a running correction, so that a million small times add up as exactly as ten (Neumaier).
@@ -103,8 +105,9 @@ class Peaks {
 
   void add_curved(std::size_t index, int count, double duration) {
     for (int i = 0; i <= count; ++i) {
-      const State state = trajectory_.state_in_piece(index, duration * i / count);
-      add(state.speed, state.velocity.cwiseAbs(), state.acceleration.cwiseAbs(), state.jerk.cwiseAbs());
+      const Kinematics motion = trajectory_.kinematics_in_piece(index, duration * i / count);
+      add(motion.velocity.norm(), motion.velocity.cwiseAbs(), motion.acceleration.cwiseAbs(),
+          motion.jerk.cwiseAbs());
     }
   }
 
@@ -114,7 +117,7 @@ class Peaks {
     if (element.kind == ElementKind::arc) {
       share = travel / trajectory_.path().arcs[element.geometry].length_per_radian() / turn_per_sample;
     } else if (piece.law == Law::path_length) {
-      share /= element.length;
+      share = travel / element.length / blend_length_per_sample;
     }
     return 1 + static_cast<int>(std::clamp(share, 1.0, 1e6));
   }

@@ -16,6 +16,11 @@ LawPoint law_at(const Piece& p, double tau) {
           p.a + tau * p.j, p.j};
 }
 
+Kinematics kinematics_of(const CurvePoint& at, const LawPoint& law) {
+  return {at.position, at.d1 * law.v, at.d2 * (law.v * law.v) + at.d1 * law.a,
+          at.d3 * (law.v * law.v * law.v) + at.d2 * (3 * law.v * law.a) + at.d1 * law.j};
+}
+
 /// First tau in [0, duration] at which a non-decreasing law reaches `target`.
 double law_inverse(const Piece& p, double target, double duration) {
   if (p.q >= target) {
@@ -70,6 +75,17 @@ State Trajectory::state(double time) const {
   return state_in_piece(piece, t - pieces_[piece].time);
 }
 
+CurvePoint Trajectory::curve_point(const Piece& piece, double q) const {
+  const PathElement& element = path_.elements[piece.element];
+  return piece.law == Law::parameter ? path_.blends[element.geometry].at(std::clamp(q, 0.0, 1.0))
+                                     : path_.at(element, std::clamp(q, 0.0, element.length));
+}
+
+Kinematics Trajectory::kinematics_in_piece(std::size_t index, double tau) const {
+  const LawPoint law = law_at(pieces_[index], tau);
+  return kinematics_of(curve_point(pieces_[index], law.q), law);
+}
+
 State Trajectory::state_in_piece(std::size_t index, double tau) const {
   const Piece& piece = pieces_[index];
   const PathElement& element = path_.elements[piece.element];
@@ -82,21 +98,18 @@ State Trajectory::state_in_piece(std::size_t index, double tau) const {
   state.programmed_feed = feeds_[piece.element];
   state.cause = piece.cause;
 
-  CurvePoint at;
+  const CurvePoint at = curve_point(piece, law.q);
+  state.path_length = element.s;
   if (piece.law == Law::parameter) {
-    const CubicBlend& blend = path_.blends[element.geometry];
-    const double u = std::clamp(law.q, 0.0, 1.0);
-    at = blend.at(u);
-    state.path_length = element.s + blend.length_to(u);
+    state.path_length += path_.blends[element.geometry].length_to(std::clamp(law.q, 0.0, 1.0));
   } else {
-    const double s = std::clamp(law.q, 0.0, element.length);
-    at = path_.at(element, s);
-    state.path_length = element.s + s;
+    state.path_length += std::clamp(law.q, 0.0, element.length);
   }
-  state.position = at.position;
-  state.velocity = at.d1 * law.v;
-  state.acceleration = at.d2 * (law.v * law.v) + at.d1 * law.a;
-  state.jerk = at.d3 * (law.v * law.v * law.v) + at.d2 * (3 * law.v * law.a) + at.d1 * law.j;
+  const Kinematics motion = kinematics_of(at, law);
+  state.position = motion.position;
+  state.velocity = motion.velocity;
+  state.acceleration = motion.acceleration;
+  state.jerk = motion.jerk;
 
   if (piece.law == Law::parameter) {
     const double sigma = at.d1.norm();

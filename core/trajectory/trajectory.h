@@ -43,6 +43,14 @@ struct State {
   Cause cause;
 };
 
+/// The vectors of a State alone, without the path length that costs a quadrature on a blend.
+struct Kinematics {
+  Vec3 position;      ///< [mm]
+  Vec3 velocity;      ///< [mm/s]
+  Vec3 acceleration;  ///< [mm/s2]
+  Vec3 jerk;          ///< [mm/s3]
+};
+
 /// One inserted corner blend, for export and display.
 struct BlendRecord {
   std::uint32_t line = 0;     ///< of the block that ends at the corner
@@ -78,6 +86,7 @@ class Trajectory {
   State state_at_path(double s) const;
   /// State in a known piece at `tau` from its start; for callers that walk the pieces in order.
   State state_in_piece(std::size_t piece, double tau) const;
+  Kinematics kinematics_in_piece(std::size_t piece, double tau) const;
   std::size_t piece_at(double time) const;
   double piece_end(std::size_t piece) const;  ///< [s]
 
@@ -88,6 +97,8 @@ class Trajectory {
   double time_of_line(std::uint32_t line) const;
 
  private:
+  CurvePoint curve_point(const Piece& piece, double q) const;
+
   BlendedPath path_;
   std::vector<Piece> pieces_;
   double duration_ = 0;
