@@ -24,7 +24,7 @@ std::string last_error() {
 /// Where links and "." are resolved, the file itself need not be there.
 fs::path place_of(const std::string& name) {
   std::error_code error;
-  const fs::path place = fs::weakly_canonical(name, error);
+  const fs::path place = fs::weakly_canonical(fs::absolute(name), error);
   return error ? fs::path(name) : place;
 }
 

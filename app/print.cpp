@@ -11,8 +11,6 @@
 namespace feedscope {
 namespace {
 
-constexpr std::size_t most_diagnostics = 100;
-
 /// Characters on screen of a UTF-8 text.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(std::count_if(
@@ -89,14 +87,8 @@ std::string time_text(double seconds) {
 }
 
 void print_diagnostics(const Program& program) {
-  const auto& all = program.diagnostics;
-  const std::size_t shown = std::min(all.size(), most_diagnostics);
-  for (std::size_t i = 0; i < shown; ++i) {
-    fmt::print(stderr, "{}\n", format(all[i], program.source->name()));
-  }
-  if (shown < all.size()) {
-    fmt::print(stderr, "{}: {} more messages; --json lists them all\n", program.source->name(),
-               all.size() - shown);
+  for (const Diagnostic& diagnostic : program.diagnostics) {
+    fmt::print(stderr, "{}\n", format(diagnostic, program.source->name()));
   }
 }
 

@@ -22,7 +22,7 @@ class TextTable {
 /// "1.249 s", from a minute on with hours: "3725.4 s (1:02:05)".
 std::string time_text(double seconds);
 
-/// Diagnostics to standard error, one line each as a compiler does, the first hundred; then how many more.
+/// Diagnostics to standard error, one line each as a compiler does.
 void print_diagnostics(const Program& program);
 
 /// Figures of a run for people.

@@ -109,13 +109,14 @@ void apply_setting(const std::string& assignment, const ControlModel& model, Mac
     keys.push_back(spec.key);
   }
   for (const char axis : axis_names) {
-    for (const SettingSpec& spec : axis_limit_specs()) {
-      const std::string axis_key = fmt::format("{}.{}", axis, spec.key);
-      if (axis_key == key) {
-        set_axis_limit(machine, axis, spec.key, std::get<double>(parse_setting(spec, value)));
+    for (const SettingSpec& limit : axis_limit_specs()) {
+      SettingSpec spec = limit;
+      spec.key = fmt::format("{}.{}", axis, limit.key);
+      if (spec.key == key) {
+        set_axis_limit(machine, axis, limit.key, std::get<double>(parse_setting(spec, value)));
         return;
       }
-      keys.push_back(axis_key);
+      keys.push_back(spec.key);
     }
   }
   const std::string near = nearest_name(key, keys);

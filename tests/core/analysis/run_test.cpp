@@ -15,7 +15,7 @@ LoadedProgram corner() {
 }
 
 TEST(Setup, OfNothingAskedForIsTheDefaultMachineWithItsModel) {
-  const Setup setup = make_setup({});
+  const auto setup = make_setup({});
   EXPECT_EQ(setup.machine.id, default_machine);
   EXPECT_EQ(setup.model->info().id, setup.machine.model);
   EXPECT_EQ(setup.settings.number("contour_tolerance_mm"), 0.1);
@@ -27,7 +27,7 @@ TEST(Setup, TakesToleranceAndAssignmentsInOrder) {
   request.model = "essid";
   request.tolerance = 0.05;
   request.assignments = {"X.jerk=20", "alpha=2", "alpha=3"};
-  const Setup setup = make_setup(request);
+  const auto setup = make_setup(request);
   EXPECT_EQ(setup.settings.number("contour_tolerance_mm"), 0.05);
   EXPECT_EQ(setup.settings.number("alpha"), 3);
   EXPECT_EQ(setup.machine.axes[0].jerk, 20000);
@@ -61,10 +61,10 @@ TEST(Setup, ToleranceLeavesAModelAloneThatDoesNotReadIt) {
 
 TEST(Run, SharesTheProgramAndSumsUp) {
   const LoadedProgram program = corner();
-  const Run essid = simulate_run(program, make_setup({}));
+  const auto essid = simulate_run(program, make_setup({}));
   SetupRequest baseline;
   baseline.model = "cam";
-  const Run cam = simulate_run(program, make_setup(baseline));
+  const auto cam = simulate_run(program, make_setup(baseline));
   EXPECT_EQ(essid.input.program, cam.input.program);
   EXPECT_EQ(essid.input.toolpath, cam.input.toolpath);
   EXPECT_EQ(essid.trajectory->blends().size(), 1U);
@@ -75,9 +75,15 @@ TEST(Run, SharesTheProgramAndSumsUp) {
 }
 
 TEST(Run, StopsWhenCancelled) {
+  std::string text = "G1 F1000\n";
+  for (int i = 0; i < 100000; ++i) {
+    text += i % 2 == 0 ? "X1\n" : "X0\n";
+  }
+  const auto source = std::make_shared<const SourceText>("long.nc", text);
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(load_program(std::make_shared<const SourceText>("a", "G1 X1 F1\n"), &progress), Cancelled);
+  EXPECT_THROW(load_program(source, &progress), Cancelled);
+  EXPECT_THROW(simulate_run(load_program(source), make_setup({}), &progress), Cancelled);
 }
 
 }  // namespace

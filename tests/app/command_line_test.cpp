@@ -1,0 +1,307 @@
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+struct Result {
+  int code = -1;
+  std::string out;
+  std::string err;
+};
+
+std::string contents(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// Runs the executable as people do, in a folder of its own.
+class CommandLine : public testing::Test {
+ protected:
+  CommandLine() {
+    std::string name = (fs::temp_directory_path() / "feedscope-cli-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+    write("corner.nc", "G1 X20 F3000\nY20\n");
+    write("wrong.nc", "G1 X20 F3000\nfoo\nY20\n");
+  }
+  ~CommandLine() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+
+  /// `arguments` as on a shell line, quotes and redirections included; `before` stands before the executable.
+  Result run(const std::string& arguments, const std::string& before = "") const {
+    const fs::path err = folder_ / "stderr";
+    const std::string line = "cd '" + folder_.string() + "' && " + before + " '" FEEDSCOPE_EXECUTABLE "' " +
+                             arguments + " 2>stderr";
+    Result result;
+    FILE* pipe = popen(line.c_str(), "r");
+    std::array<char, 4096> buffer{};
+    for (std::size_t n = 0; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
+      result.out.append(buffer.data(), n);
+    }
+    const int status = pclose(pipe);
+    result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    result.err = contents(err);
+    return result;
+  }
+
+  /// The call must fail as wrong use, print nothing on standard output, and say `message`.
+  void expect_wrong_use(const std::string& arguments, const std::string& message) const {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 2) << arguments;
+    EXPECT_EQ(result.out, "") << arguments;
+    EXPECT_THAT(result.err, AllOf(StartsWith("feedscope: "), HasSubstr(message))) << arguments;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(CommandLine, HasHelpForEveryCommand) {
+  const Result all = run("--help");
+  EXPECT_EQ(all.code, 0);
+  for (const std::string command : {"simulate", "check", "machines", "models"}) {
+    EXPECT_THAT(all.out, HasSubstr(command));
+    const Result one = run(command + " --help");
+    EXPECT_EQ(one.code, 0);
+    EXPECT_THAT(one.out, HasSubstr("Usage: feedscope " + command));
+  }
+  EXPECT_THAT(run("--version").out, StartsWith("feedscope "));
+}
+
+TEST_F(CommandLine, NamesUnknownOptionAndArgument) {
+  expect_wrong_use("simulate corner.nc --tolerence 0.1",
+                   "unknown option '--tolerence'; did you mean '--tolerance'?");
+  expect_wrong_use("simulate corner.nc --qqqqqq=1", "unknown option '--qqqqqq'; known: ");
+  expect_wrong_use("simulate corner.nc wrong.nc", "unexpected argument 'wrong.nc'");
+  expect_wrong_use("simulate", "FILE is required");
+  expect_wrong_use("simulate corner.nc --csv", "--csv");
+}
+
+TEST_F(CommandLine, SimulateSumsUpForPeople) {
+  const Result result = run("simulate corner.nc");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  for (const std::string text :
+       {"corner.nc on Spinner MVC 850", "model essid", "cycle time", "programmed time   0.800 s",
+        "peak feed         3000.0 mm/min", "axis X", "of 15", "1 corner blends", "Time by limiting cause",
+        "programmed feed", "jerk of axis X"}) {
+    EXPECT_THAT(result.out, HasSubstr(text));
+  }
+}
+
+TEST_F(CommandLine, SimulateWritesJsonToStandardOutputAndNothingElse) {
+  const Result result = run("simulate corner.nc --json -");
+  EXPECT_EQ(result.code, 0);
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["program"]["blocks"], 2);
+  EXPECT_EQ(report["machine"]["id"], "spinner-mvc850");
+  EXPECT_EQ(report["model"]["id"], "essid");
+  EXPECT_DOUBLE_EQ(report["programmed_time_s"], 0.8);
+  double sum = 0;
+  for (const auto& [cause, seconds] : report["time_by_cause_s"].items()) {
+    sum += seconds.get<double>();
+  }
+  EXPECT_NEAR(sum, report["cycle_time_s"].get<double>(), 1e-12);
+}
+
+TEST_F(CommandLine, SimulateReadsStandardInput) {
+  const Result result = run("simulate - --model cam --json - < corner.nc");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_DOUBLE_EQ(json::parse(result.out)["cycle_time_s"], 0.8);
+}
+
+TEST_F(CommandLine, SimulateWritesItsFiles) {
+  const Result result = run("simulate corner.nc --csv a.csv --step 0,01 --json a.json --blends b.csv");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, HasSubstr("cycle time"));
+  const std::string csv = contents(folder_ / "a.csv");
+  EXPECT_THAT(csv, AllOf(StartsWith("time_s,path_mm,line,"), HasSubstr("\n0.01,")));
+  EXPECT_EQ(json::parse(contents(folder_ / "a.json"))["machine"]["id"], "spinner-mvc850");
+  EXPECT_THAT(contents(folder_ / "b.csv"),
+              AllOf(StartsWith("line,kind,"), HasSubstr("\n1,cubic,20,0,0,90,")));
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 6) << "a temporary file was left behind";
+}
+
+TEST_F(CommandLine, SimulateTakesTheInterpolationPeriodAsStep) {
+  EXPECT_THAT(run("simulate corner.nc --csv -").out, HasSubstr("\n0.001,"));
+  EXPECT_THAT(run("simulate corner.nc --csv - --model cam --machine mikron-ucp710").out,
+              HasSubstr("\n0.012,"));
+}
+
+TEST_F(CommandLine, SimulateChangesToleranceSettingsAndLimits) {
+  const auto blends = [this](const std::string& options) {
+    return run("simulate corner.nc --blends - " + options).out;
+  };
+  EXPECT_THAT(blends("--tolerance 0.05"), HasSubstr(",0.04,"));
+  EXPECT_EQ(blends("--tolerance 0,05"), blends("--tolerance 0.05"));
+  const json report =
+      json::parse(run("simulate corner.nc --json - --set alpha=2 --set X.jerk=5 --set beta=1").out);
+  EXPECT_EQ(report["settings"]["alpha"], 2);
+  EXPECT_NEAR(report["peaks"]["axes"]["X"]["jerk_m_s3"].get<double>(), 5, 5);
+  EXPECT_NEAR(report["max_contour_error_mm"].get<double>(), 0.1, 1e-9);
+}
+
+TEST_F(CommandLine, SimulateNotesAToleranceWithoutEffect) {
+  const Result result = run("simulate corner.nc --model cam --tolerance 0.1");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.err, HasSubstr("model 'cam' does not read a contour tolerance"));
+}
+
+TEST_F(CommandLine, SimulateRunsEveryMachineWithEveryModel) {
+  for (const std::string machine :
+       {"spinner-mvc850", "mikron-ucp710", "huron-kx10", "hermle-c800u", "dmg-mori-evo40"}) {
+    for (const std::string model : {"cam", "essid"}) {
+      const Result result = run("simulate corner.nc --json - --machine " + machine + " --model " + model);
+      EXPECT_EQ(result.code, 0) << result.err;
+      EXPECT_GE(json::parse(result.out)["cycle_time_s"].get<double>(), 0.8 - 1e-12);
+    }
+  }
+}
+
+TEST_F(CommandLine, SimulateTakesAMachineFile) {
+  std::string text = contents(fs::path(FEEDSCOPE_SOURCE_DIR) / "machines" / "spinner-mvc850.toml");
+  write("mine.toml", text);
+  EXPECT_EQ(run("simulate corner.nc --machine mine.toml").code, 0);
+  const std::size_t at = text.find("velocity_m_min");
+  write("mine.toml", text.replace(at, 14, "velocity_m_mim"));
+  expect_wrong_use("simulate corner.nc --machine mine.toml",
+                   "mine.toml:8:1: unknown key 'velocity_m_mim' in [axes.X]; did you mean 'velocity_m_min'?");
+}
+
+TEST_F(CommandLine, SimulateReportsAWrongProgramAndWritesTheRest) {
+  const Result result = run("simulate wrong.nc --json -");
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, StartsWith("wrong.nc:2:1: error: "));
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["program"]["path_mm"], 40);
+  EXPECT_EQ(report["diagnostics"][0]["line"], 2);
+}
+
+TEST_F(CommandLine, NamesAProgramThatCannotBeRead) {
+  write("binary.nc", std::string("G1\0X1", 5));
+  for (const std::string command : {"simulate", "check"}) {
+    expect_wrong_use(command + " none.nc", "none.nc: there is no such file");
+    expect_wrong_use(command + " .", "directory");
+    expect_wrong_use(command + " binary.nc", "binary.nc: is not a text file");
+  }
+}
+
+TEST_F(CommandLine, ReadsAnEmptyProgramAsOneWithAnError) {
+  write("empty.nc", "");
+  for (const std::string command : {"simulate", "check"}) {
+    const Result result = run(command + " empty.nc --json -");
+    EXPECT_EQ(result.code, 1);
+    EXPECT_THAT(result.err, StartsWith("empty.nc: error: "));
+    EXPECT_EQ(json::parse(result.out)["program"]["segments"], 0);
+  }
+}
+
+TEST_F(CommandLine, NamesAWrongSetup) {
+  expect_wrong_use("simulate corner.nc --machine spiner", "did you mean 'spinner-mvc850'?");
+  expect_wrong_use("simulate corner.nc --model esid", "did you mean 'essid'?");
+  expect_wrong_use("simulate corner.nc --set X.jrek=1", "did you mean 'X.jerk'?");
+  expect_wrong_use("simulate corner.nc --set alpha", "'alpha' has no value");
+  expect_wrong_use("simulate corner.nc --set alpha=99", "alpha = 99 is out of bounds");
+  expect_wrong_use("simulate corner.nc --set X.jerk=-1",
+                   "X.jerk = -1 is out of bounds; it must be above 0 m/s3");
+  expect_wrong_use("simulate corner.nc --set reading=quick",
+                   "it must be one of: corrected, published, strict");
+  expect_wrong_use("simulate corner.nc --tolerance wide", "--tolerance = 'wide' is no number");
+  expect_wrong_use("simulate corner.nc --tolerance 0",
+                   "--tolerance = 0 is out of bounds; it must be above 0 mm");
+  expect_wrong_use("simulate corner.nc --csv a.csv --step 0",
+                   "--step = 0 is out of bounds; it must be above 0 s");
+  expect_wrong_use("simulate corner.nc --csv a.csv --step 1e-15", "use a larger step");
+  EXPECT_FALSE(fs::exists(folder_ / "a.csv"));
+}
+
+TEST_F(CommandLine, NamesAnOutputThatCannotBeWritten) {
+  expect_wrong_use("simulate corner.nc --csv none/a.csv",
+                   "cannot write 'none/a.csv': No such file or directory");
+  expect_wrong_use("simulate corner.nc --json .", "cannot write '.': it is a folder");
+  expect_wrong_use("simulate corner.nc --json corner.nc", "it is the program itself");
+  expect_wrong_use("simulate corner.nc --csv a --json ./a", "two results would go there");
+  expect_wrong_use("simulate corner.nc --csv - --json -", "two results would go there");
+  expect_wrong_use("simulate corner.nc --json /dev/full", "cannot write '/dev/full'");
+  expect_wrong_use("simulate corner.nc --json - > /dev/full", "cannot write '-'");
+  EXPECT_EQ(contents(folder_ / "corner.nc"), "G1 X20 F3000\nY20\n");
+}
+
+TEST_F(CommandLine, KeepsAnOldFileWhenTheNewOneFails) {
+  write("a.csv", "old");
+  EXPECT_EQ(run("simulate corner.nc --csv a.csv --step 1e-15").code, 2);
+  EXPECT_EQ(contents(folder_ / "a.csv"), "old");
+}
+
+TEST_F(CommandLine, CancelsOnInterruptAndLeavesNoFile) {
+  std::string text = "G1 F6000\n";
+  for (int i = 0; i < 20000; ++i) {
+    text += "X" + std::to_string(i % 7) + " Y" + std::to_string(i % 5) + "\n";
+  }
+  write("long.nc", text);
+  const Result result =
+      run("simulate long.nc --csv long.csv --step 0.00001", "timeout --preserve-status --signal=INT 0.7");
+  EXPECT_EQ(result.code, 130);
+  EXPECT_FALSE(fs::exists(folder_ / "long.csv"));
+  for (const auto& entry : fs::directory_iterator(folder_)) {
+    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".part")));
+  }
+}
+
+TEST_F(CommandLine, CheckTellsFacts) {
+  const Result result = run("check corner.nc");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("2, 2 with words"), HasSubstr("2 lines, 0 arcs"),
+                                HasSubstr("0.0000 to 20.0000 mm"), HasSubstr("40.000 mm"),
+                                HasSubstr("3000 to 3000 mm/min")));
+  EXPECT_EQ(run("check wrong.nc").code, 1);
+  const json report = json::parse(run("check wrong.nc --json -").out);
+  EXPECT_EQ(report["program"]["segments"], 2);
+  EXPECT_EQ(report["diagnostics"][0]["severity"], "error");
+}
+
+TEST_F(CommandLine, ListsAndShowsMachines) {
+  const Result list = run("machines");
+  EXPECT_EQ(list.code, 0);
+  EXPECT_THAT(list.out, AllOf(HasSubstr("hermle-c800u"), HasSubstr("Heidenhain TNC 640")));
+  const Result one = run("machines spinner-mvc850");
+  EXPECT_EQ(one.code, 0);
+  EXPECT_THAT(one.out,
+              AllOf(HasSubstr("Essid 2019, table 2"), HasSubstr("assumed: "), HasSubstr("X.blend_jerk")));
+  expect_wrong_use("machines hurn", "did you mean 'huron-kx10'?");
+}
+
+TEST_F(CommandLine, ListsAndShowsModels) {
+  const Result list = run("models");
+  EXPECT_EQ(list.code, 0);
+  EXPECT_THAT(list.out, AllOf(HasSubstr("cam"), HasSubstr("essid")));
+  const Result one = run("models essid");
+  EXPECT_EQ(one.code, 0);
+  EXPECT_THAT(one.out, AllOf(HasSubstr("alpha"), HasSubstr("corrected | published | strict"),
+                             HasSubstr("Guarantees")));
+  expect_wrong_use("models esid", "did you mean 'essid'?");
+}
+
+TEST_F(CommandLine, NamesADataFolderWithoutMachines) {
+  const Result result = run("machines", "FEEDSCOPE_DATA=.");
+  EXPECT_EQ(result.code, 2);
+  EXPECT_THAT(result.err, HasSubstr("FEEDSCOPE_DATA is '.', which holds no folder machines/"));
+}
+
+}  // namespace
