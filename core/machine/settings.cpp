@@ -198,7 +198,7 @@ void check_setting(const SettingSpec& spec, const SettingValue& value, std::stri
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
   const std::string wanted = lower_case(word);
-  const std::size_t near = wanted.size() / 3;
+  const std::size_t near = std::max<std::size_t>(wanted.size() / 3, 2);
   std::string best;
   EditDistances least{0, near + 1};
   for (const std::string& candidate : candidates) {

@@ -15,6 +15,17 @@ Sample step(const Sample& from, double jerk, double time) {
           from.du + time * (from.ddu + time * jerk / 2), from.ddu + time * jerk};
 }
 
+/// Time until u = 1 within a step that ends beyond it.
+double time_to_end(const Sample& from, double jerk, double period) {
+  double low = 0;
+  double high = period;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (step(from, jerk, middle).u < 1 ? low : high) = middle;
+  }
+  return high;
+}
+
 /// The row of eq 24 that is used most, as a share of its limit.
 struct Use {
   double share = 0;
@@ -38,7 +49,7 @@ class BlendRunner {
 
   /// Rows (0)-(3) and (5) at a sample; row (4) is kept by the interval that the jerk is taken from.
   Use use_at(const Sample& sample) const {
-    const BlendShape::Point p = shape_.at(std::min(sample.u, 1.0));
+    const BlendShape::Point p = shape_.at(sample.u);
     const double v = p.sigma * sample.du;
     const double dv = p.dsigma * sample.du * sample.du + p.sigma * sample.ddu;
     const AxisBound jerk = axis_share(limits_.tangential_jerk, p.tangent);
@@ -62,7 +73,10 @@ class BlendRunner {
         p.ddsigma * now.du * now.du * now.du + 3 * p.dsigma * now.du * now.ddu - v * v * v * p.k * p.k;
     double low = (-jerk.value - c) / p.sigma;
     double high = (jerk.value - c) / p.sigma;
-    const auto use = [&](double x) { return use_at(step(now, x, period)); };
+    const auto use = [&](double x) {
+      const Sample next = step(now, x, period);
+      return use_at(next.u <= 1 ? next : step(now, x, time_to_end(now, x, period)));
+    };
 
     if (use(high).share <= 1) {
       return {high, {CauseKind::blend_tangential_jerk, jerk.axis}};
@@ -115,17 +129,6 @@ class BlendRunner {
   const BlendLimits& limits_;
 };
 
-/// Time until u = 1 within a step that ends beyond it.
-double time_to_end(const Sample& from, double jerk, double period) {
-  double low = 0;
-  double high = period;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (step(from, jerk, middle).u < 1 ? low : high) = middle;
-  }
-  return high;
-}
-
 }  // namespace
 
 BlendLimits::BlendLimits(const AxisVectors& axes, double radial_acceleration_share, double radial_jerk_share)
@@ -166,13 +169,13 @@ MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& spee
   return least;
 }
 
-BlendMotion run_blend(const BlendShape& shape, double speed, double acceleration, const SpeedBound& ceiling,
+BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& ceiling,
                       const BlendLimits& limits, double period) {
-  constexpr std::size_t most_samples = 20000;
+  constexpr std::size_t most_samples = 5000;
   const BlendRunner runner(shape, ceiling, limits);
   const BlendShape::Point entry = shape.at(0);
   const double du = speed / entry.sigma;
-  Sample now{0, du, (acceleration - entry.dsigma * du * du) / entry.sigma};
+  Sample now{0, du, -entry.dsigma * du * du / entry.sigma};
 
   BlendMotion motion;
   while (motion.steps.size() < most_samples && now.du > 1e-3 * du) {
@@ -195,7 +198,7 @@ BlendMotion run_blend(const BlendShape& shape, double speed, double acceleration
   return motion;
 }
 
-SteadyBlend steady_blend(const BlendShape& shape, const SpeedBound& feed, const BlendLimits& limits) {
+SpeedBound steady_speed_limit(const BlendShape& shape, const SpeedBound& feed, const BlendLimits& limits) {
   constexpr int intervals = 200;
   SpeedBound rate{std::numeric_limits<double>::infinity(), feed.cause};
   for (int i = 0; i <= intervals; ++i) {
@@ -215,7 +218,24 @@ SteadyBlend steady_blend(const BlendShape& shape, const SpeedBound& feed, const 
     rate.lower(std::cbrt(jerk_along.value), {CauseKind::blend_tangential_jerk, jerk_along.axis});
     rate.lower(std::cbrt(jerk_across.value), {CauseKind::blend_radial_jerk, jerk_across.axis});
   }
-  return {rate.value, rate.value * shape.at(0).sigma, rate.cause};
+  return {rate.value * shape.at(0).sigma, rate.cause};
+}
+
+bool keeps_rows_at(const BlendShape& shape, double speed, const BlendLimits& limits) {
+  constexpr int intervals = 16;
+  const double v2 = speed * speed;
+  for (int i = 0; i <= intervals; ++i) {
+    const BlendShape::Point p = shape.at(static_cast<double>(i) / intervals);
+    Use use;
+    use.add(speed, limits.velocity, p.tangent, CauseKind::blend_velocity);
+    use.add(v2 * p.k, limits.radial_acceleration, p.normal, CauseKind::blend_radial_acceleration);
+    use.add(v2 * speed * p.k * p.k, limits.tangential_jerk, p.tangent, CauseKind::blend_tangential_jerk);
+    use.add(v2 * speed * p.dk_ds, limits.radial_jerk, p.normal, CauseKind::blend_radial_jerk);
+    if (use.share > 1) {
+      return false;
+    }
+  }
+  return true;
 }
 
 }  // namespace feedscope

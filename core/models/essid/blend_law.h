@@ -18,6 +18,11 @@ struct BlendLimits {
   BlendLimits(const AxisVectors& axes, double radial_acceleration_share, double radial_jerk_share);
 };
 
+/// Above this direction change [rad] the entry limit, taken at u = 0, says nothing about the middle of the
+/// blend, where the curvature peaks: the radial jerk of run_blend there exceeds its share by 1.6 at 120
+/// degrees, by 45 at 135 and by 1500 at 150.
+inline constexpr double sharp_turn = 2.0;
+
 /// Vin_L: highest speed at which a blend may be entered without acceleration, and what sets it.
 /// min over axes of F, V/|T|, sqrt(R_A A / (k |N|)), cbrt(R_J Jtb / (|dk/ds| |N|)) at u = 0.
 /// Eq 26 in print lacks |T| and the cube root. It looks at u = 0 only: further on the radial jerk of eq 24
@@ -50,17 +55,16 @@ struct BlendMotion {
 /// corrected: the jerk is taken from the whole signed interval [(-j_t - c)/sigma, (j_t - c)/sigma], the speed
 /// keeps v + v'^2/(2 j_t) <= ceiling so that it can be levelled off in time, and where no value keeps every
 /// row, the one with the least excess is taken.
-/// `speed`, `acceleration`: along the path at the entry; `ceiling`: of the whole blend [mm/s];
-/// `period`: sampling time t_s [s].
-BlendMotion run_blend(const BlendShape& shape, double speed, double acceleration, const SpeedBound& ceiling,
+/// `speed`: at the entry, without acceleration along the path (eq 25) [mm/s]; `ceiling`: of the whole blend
+/// [mm/s]; `period`: sampling time t_s [s].
+BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& ceiling,
                       const BlendLimits& limits, double period);
 
-/// Reading "strict": the highest constant du/dt that keeps every row of eq 24 on the whole blend.
-struct SteadyBlend {
-  double du = 0;     ///< du/dt [1/s]
-  double speed = 0;  ///< at both ends [mm/s]
-  Cause cause;
-};
-SteadyBlend steady_blend(const BlendShape& shape, const SpeedBound& feed, const BlendLimits& limits);
+/// Speed at both ends of a blend that is run at constant du/dt, the highest that keeps every row of eq 24 on
+/// the whole blend (reading "strict").
+SpeedBound steady_speed_limit(const BlendShape& shape, const SpeedBound& feed, const BlendLimits& limits);
+
+/// Whether a whole blend can be run at constant `speed` [mm/s] with every row of eq 24 kept.
+bool keeps_rows_at(const BlendShape& shape, double speed, const BlendLimits& limits);
 
 }  // namespace feedscope

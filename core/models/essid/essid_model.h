@@ -17,6 +17,9 @@ namespace feedscope {
 ///  - A blend at a planned node (see node_plan.h) runs the law of the paper; one that is passed within a
 ///  longer
 ///    ramp, as in dense short blocks, runs that ramp by path length.
+///  - A corner that turns by more than 2 rad is passed at constant du/dt: eq 26 looks at u = 0 only, and
+///  there the
+///    curvature peaks in the middle (see stretch_path.cpp).
 ///  - Arcs and tangent junctions keep the static limits of Tapie 2007 (segment_limits.h); corners that touch
 ///    an arc and corners with a rapid are exact stops.
 /// Readings: `corrected` carries the acceleration at a blend's end on; `published` drops it to 0, as the

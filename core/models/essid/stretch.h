@@ -31,6 +31,8 @@ class StretchRunner {
     BlendShape shape;
     SpeedBound feed;     ///< the lower of the two blocks'
     std::size_t record;  ///< in the builder
+    double turn;         ///< [rad]
+    double jerk;         ///< tangential, least along the blend [mm/s3]
   };
   /// What the planner and the motion need of a path element.
   struct Element {
@@ -42,13 +44,15 @@ class StretchRunner {
   void add_straight(std::size_t segment, double cut_before, double cut_after);
   void add_blend(std::size_t corner, const Corner& corner_data, const Vec3& in, const Vec3& out);
   void set_junction_ceilings();
-  void hold_blends_steady();  ///< reading strict
+  /// Whether a blend is a level place of the plan, with one speed for both of its ends.
+  bool is_level(const Blend& blend) const;
+  void hold_level_blends();
 
   void move(const std::vector<PlanNode>& nodes, std::size_t count, std::size_t first_segment,
             Progress* progress);
   /// Tries the law of the paper on the blend behind node `n`; moves on to the node it returns if that works.
   std::optional<std::size_t> move_over_blend(const std::vector<PlanNode>& nodes, std::size_t n);
-  void move_steadily(std::size_t element);
+  void pass_level(std::size_t element);
   SpeedProfile profile_to(double target, const SpanLimits& span, double speed, double acceleration) const;
   void add_profile(const SpeedProfile& profile, const SpanLimits& span, std::size_t first, std::size_t last);
   void add_blend_steps(const BlendMotion& motion, std::size_t element);

@@ -10,26 +10,23 @@ void StretchRunner::move(const std::vector<PlanNode>& nodes, std::size_t count, 
                          Progress* progress) {
   constexpr std::size_t report_every = 4096;
   speed_ = 0;
-  acceleration_ = 0;
   std::size_t reported = 0;
   for (std::size_t n = 0; n + 1 < nodes.size();) {
-    if (elements_[nodes[n].junction].blend >= 0) {
-      if (settings_.reading == EssidReading::strict) {
-        move_steadily(nodes[n].junction);
-        ++n;
-        continue;
-      }
+    const std::int32_t blend = elements_[nodes[n].junction].blend;
+    if (blend >= 0) {
       if (const auto reached = move_over_blend(nodes, n)) {
         n = *reached;
         continue;
       }
+      if (is_level(blends_[static_cast<std::size_t>(blend)])) {
+        pass_level(nodes[n].junction);
+        ++n;
+        continue;
+      }
     }
     const SpanLimits span = span_limits(plan_, nodes[n].junction, nodes[n + 1].junction);
-    SpeedProfile profile = profile_to(nodes[n + 1].speed, span, speed_, acceleration_);
-    if (!profile.feasible) {
-      profile = profile_to(nodes[n + 1].speed, span, speed_, 0);
-    }
-    add_profile(profile, span, nodes[n].junction, nodes[n + 1].junction);
+    add_profile(profile_to(nodes[n + 1].speed, span, speed_, 0), span, nodes[n].junction,
+                nodes[n + 1].junction);
     ++n;
     if (progress != nullptr && nodes[n].junction >= reported + report_every) {
       reported = nodes[n].junction;
@@ -43,6 +40,10 @@ void StretchRunner::move(const std::vector<PlanNode>& nodes, std::size_t count, 
 
 std::optional<std::size_t> StretchRunner::move_over_blend(const std::vector<PlanNode>& nodes, std::size_t n) {
   const std::size_t e = nodes[n].junction;
+  const Blend& blend = blends_[static_cast<std::size_t>(elements_[e].blend)];
+  if (settings_.reading == EssidReading::strict || blend.turn > sharp_turn) {
+    return std::nullopt;
+  }
   std::size_t target = n + 1;
   // The node at the blend's end only repeats its entry speed: look further, unless another blend starts
   // there.
@@ -52,7 +53,6 @@ std::optional<std::size_t> StretchRunner::move_over_blend(const std::vector<Plan
   const std::size_t last = nodes[target].junction;
   const double end_speed = nodes[target].speed;
   const SpanLimits span = span_limits(plan_, e + 1, last);
-  const Blend& blend = blends_[static_cast<std::size_t>(elements_[e].blend)];
 
   SpeedBound ceiling = blend.feed;
   ceiling.lower(last == e + 1 ? end_speed : reachable_speed(end_speed, span.length, span.ramp()),
@@ -60,20 +60,33 @@ std::optional<std::size_t> StretchRunner::move_over_blend(const std::vector<Plan
   if (ceiling.value < speed_) {
     return std::nullopt;
   }
-  // The sampling time of the control, longer only where the blend would take thousands of samples.
-  const double period = std::max(settings_.period, plan_[e].length / speed_ / 4000);
+  if (ceiling.value <= speed_ * (1 + 1e-9) && keeps_rows_at(blend.shape, speed_, blend_limits_)) {
+    return std::nullopt;  // nothing to gain
+  }
+  // The law is worth its samples where the second half of the blend, used to accelerate, gains some speed,
+  // and it means something where what constant speed alone asks of the parametric jerk hardly changes in a
+  // sample.
+  constexpr double least_gain = 0.05;
+  constexpr double least_samples = 40;
+  const double time = plan_[e].length / speed_;
+  const double samples = std::max(time / settings_.period, least_samples);
+  const BlendShape::Point entry = blend.shape.at(0);
+  const double steady_jerk = std::abs(entry.ddsigma) * std::pow(speed_ / entry.sigma, 3);
+  if (blend.jerk * time * time / 8 < least_gain * speed_ || 16 * steady_jerk > samples * blend.jerk) {
+    return std::nullopt;
+  }
+  const double period = time / samples;
   const double fastest = ceiling.value;
   for (const double share : {1.0, 0.5, 0.0}) {
     ceiling.value = speed_ + share * (fastest - speed_);
-    const BlendMotion motion = run_blend(blend.shape, speed_, acceleration_, ceiling, blend_limits_, period);
+    const BlendMotion motion = run_blend(blend.shape, speed_, ceiling, blend_limits_, period);
     if (!motion.complete) {
       continue;
     }
     const double carried = settings_.reading == EssidReading::published ? 0 : motion.exit_acceleration;
-    if (last == e + 1) {
+    if (last == e + 1) {  // the next blend begins without acceleration, eq 25
       add_blend_steps(motion, e);
       speed_ = motion.exit_speed;
-      acceleration_ = carried;
       return target;
     }
     const SpeedProfile profile = profile_to(end_speed, span, motion.exit_speed, carried);
@@ -86,19 +99,24 @@ std::optional<std::size_t> StretchRunner::move_over_blend(const std::vector<Plan
   return std::nullopt;
 }
 
-void StretchRunner::move_steadily(std::size_t element) {
+void StretchRunner::pass_level(std::size_t element) {
   const Blend& blend = blends_[static_cast<std::size_t>(elements_[element].blend)];
-  const double du = speed_ / blend.shape.at(0).sigma;
+  const Cause cause = plan_[element].limits.speed.cause;
   BlendMotion motion;
-  motion.steps = {{1 / du, 0, du, 0, 0, plan_[element].limits.speed.cause}};
   motion.exit_speed = speed_;
+  if (settings_.reading != EssidReading::strict && keeps_rows_at(blend.shape, speed_, blend_limits_)) {
+    builder_.add_piece({0, 0, speed_, 0, 0, elements_[element].index, cause}, plan_[element].length / speed_);
+  } else {
+    const double du = speed_ / blend.shape.at(0).sigma;
+    motion.steps = {{1 / du, 0, du, 0, 0, cause}};
+  }
   add_blend_steps(motion, element);
 }
 
 SpeedProfile StretchRunner::profile_to(double target, const SpanLimits& span, double speed,
                                        double acceleration) const {
   const auto plan = [&](double end) {
-    return plan_profile(speed, acceleration, end, span.length, std::max(span.ceiling, speed), span.ramp());
+    return plan_profile(speed, acceleration, end, span.length, span.ceiling, span.ramp());
   };
   SpeedProfile profile = plan(target);
   const double settled = speed + acceleration * std::abs(acceleration) / (2 * span.jerk.value);
@@ -154,7 +172,6 @@ void StretchRunner::add_profile(const SpeedProfile& profile, const SpanLimits& s
     start = end;
   }
   speed_ = walk.at().v;
-  acceleration_ = 0;
 }
 
 void StretchRunner::add_blend_steps(const BlendMotion& motion, std::size_t element) {

@@ -11,6 +11,10 @@ namespace {
 /// a millimetre do to the centre of an arc of radius 0.1 mm.
 constexpr double tangent_angle = 0.01;
 
+/// Blends that turn by more than this [rad] are level places of the plan: run over within a longer ramp, at a
+/// speed that hardly changes, they would exceed the radial jerk share by more than 3.3 (0.66 of the axis).
+constexpr double level_turn = 0.5;
+
 /// A line shorter than this [mm] between two blends is left out.
 constexpr double least_line = 1e-12;
 
@@ -49,7 +53,7 @@ StretchRunner::StretchRunner(const Toolpath& toolpath, const AxisVectors& axes, 
 void StretchRunner::run(std::size_t first, std::size_t last, Progress* progress) {
   lay_path(first, last);
   set_junction_ceilings();
-  hold_blends_steady();
+  hold_level_blends();
   const std::vector<PlanNode> nodes = plan_nodes(plan_, ceiling_, level_);
   move(nodes, last - first, first, progress);
 }
@@ -123,16 +127,16 @@ void StretchRunner::add_blend(std::size_t segment, const Corner& corner, const V
       builder_.add_blend_record({before.line, index, before.end, corner.turn, corner.transition,
                                  corner.epsilon, element.length, least_radius(shape), 0, 0});
 
-  SpeedBound speed;
+  SpeedBound speed = entry_speed_limit(shape.at(0), feed, blend_limits_);
   if (settings_.reading == EssidReading::strict) {
-    const SteadyBlend steady = steady_blend(shape, feed, blend_limits_);
-    speed = {steady.speed, steady.cause};
-  } else {
-    speed = entry_speed_limit(shape.at(0), feed, blend_limits_);
+    speed = steady_speed_limit(shape, feed, blend_limits_);
+  } else if (corner.turn > sharp_turn) {
+    const SpeedBound steady = steady_speed_limit(shape, feed, blend_limits_);
+    speed.lower(steady.value, steady.cause);
   }
   plan_.push_back({element.length, blend_motion_limits(shape, speed, blend_limits_)});
   elements_.push_back({index, static_cast<std::int32_t>(blends_.size())});
-  blends_.push_back({shape, feed, record});
+  blends_.push_back({shape, feed, record, corner.turn, plan_.back().limits.jerk.value});
   block_of_.push_back(static_cast<std::uint32_t>(segment));
 }
 
@@ -155,14 +159,15 @@ void StretchRunner::set_junction_ceilings() {
   ceiling_.front() = ceiling_.back() = 0;
 }
 
-void StretchRunner::hold_blends_steady() {
+bool StretchRunner::is_level(const Blend& blend) const {
+  return settings_.reading == EssidReading::strict || blend.turn > level_turn;
+}
+
+void StretchRunner::hold_level_blends() {
   level_.clear();
-  if (settings_.reading != EssidReading::strict) {
-    return;
-  }
-  constexpr double none = 1e-6;  // [mm/s2, mm/s3]: both ends of a blend get the same speed
+  constexpr double none = 1e-12;  // [mm/s2, mm/s3]: both ends of a blend get the same speed
   for (std::uint32_t e = 0; e < plan_.size(); ++e) {
-    if (elements_[e].blend >= 0) {
+    if (elements_[e].blend >= 0 && is_level(blends_[static_cast<std::size_t>(elements_[e].blend)])) {
       plan_[e].limits.acceleration.value = plan_[e].limits.jerk.value = none;
       if (level_.empty() || level_.back() < e) {
         level_.push_back(e);

@@ -1,0 +1,128 @@
+#include "core/feed/node_plan.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+namespace feedscope {
+namespace {
+
+PlanElement element(double length, double speed, double jerk = 15000) {
+  return {length, {{speed, {}}, {1000, 0}, {jerk, 0}}};
+}
+
+std::vector<double> ceilings(const std::vector<PlanElement>& elements) {
+  std::vector<double> ceiling(elements.size() + 1, 0);
+  for (std::size_t j = 1; j < elements.size(); ++j) {
+    ceiling[j] = std::min(elements[j - 1].limits.speed.value, elements[j].limits.speed.value);
+  }
+  return ceiling;
+}
+
+double duration(const std::vector<PlanElement>& elements, const std::vector<PlanNode>& nodes) {
+  double sum = 0;
+  for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
+    const SpanLimits span = span_limits(elements, nodes[n].junction, nodes[n + 1].junction);
+    sum += plan_profile(nodes[n].speed, 0, nodes[n + 1].speed, span.length, span.ceiling, span.ramp())
+               .duration();
+  }
+  return sum;
+}
+
+TEST(NodePlan, ManyShortBlocksRunAsOneLongOne) {
+  // Without corners the law must not depend on how a line is cut into blocks.
+  const std::vector<PlanElement> one{element(50, 80)};
+  const std::vector<PlanElement> many(500, element(0.1, 80));
+  const auto nodes = plan_nodes(many, ceilings(many));
+  EXPECT_EQ(nodes.size(), 2u);
+  EXPECT_NEAR(duration(many, nodes), duration(one, plan_nodes(one, ceilings(one))), 1e-9);
+}
+
+TEST(NodePlan, ASlowPlaceBecomesANodeAtItsCeiling) {
+  const std::vector<PlanElement> elements{element(20, 80), element(1, 10), element(20, 80)};
+  const auto nodes = plan_nodes(elements, ceilings(elements));
+  ASSERT_EQ(nodes.size(), 4u);
+  EXPECT_EQ(nodes[1].junction, 1u);
+  EXPECT_EQ(nodes[2].junction, 2u);
+  EXPECT_DOUBLE_EQ(nodes[1].speed, 10);
+  EXPECT_DOUBLE_EQ(nodes[2].speed, 10);
+}
+
+TEST(NodePlan, ANodeIsLoweredToWhatTheNextCanBeReachedFrom) {
+  const std::vector<PlanElement> elements{element(50, 80), element(0.05, 40), element(0.5, 5),
+                                          element(50, 80)};
+  const auto nodes = plan_nodes(elements, ceilings(elements));
+  for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
+    const SpanLimits span = span_limits(elements, nodes[n].junction, nodes[n + 1].junction);
+    EXPECT_LE(ramp_length(nodes[n].speed, nodes[n + 1].speed, span.ramp()), span.length * (1 + 1e-9));
+  }
+}
+
+TEST(NodePlan, LevelJunctionsAreNodesInAnyCase) {
+  const std::vector<PlanElement> elements(10, element(1, 30));
+  const std::vector<std::uint32_t> level{3, 4};
+  const auto nodes = plan_nodes(elements, ceilings(elements), level);
+  ASSERT_EQ(nodes.size(), 4u);
+  EXPECT_EQ(nodes[1].junction, 3u);
+  EXPECT_EQ(nodes[2].junction, 4u);
+}
+
+/// Every gap has a feasible law that passes nothing too fast, from standstill to standstill.
+void expect_kept(const std::vector<PlanElement>& elements) {
+  const auto ceiling = ceilings(elements);
+  const auto nodes = plan_nodes(elements, ceiling);
+  ASSERT_EQ(nodes.front().speed, 0);
+  ASSERT_EQ(nodes.back().speed, 0);
+  ASSERT_EQ(nodes.back().junction, elements.size());
+  for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
+    const std::size_t first = nodes[n].junction;
+    const std::size_t last = nodes[n + 1].junction;
+    ASSERT_LT(first, last);
+    const SpanLimits span = span_limits(elements, first, last);
+    const SpeedProfile profile =
+        plan_profile(nodes[n].speed, 0, nodes[n + 1].speed, span.length, span.ceiling, span.ramp());
+    ASSERT_TRUE(profile.feasible) << "node " << n;
+    ASSERT_EQ(first_too_fast(elements, ceiling, first, last, profile), last) << "node " << n;
+  }
+}
+
+TEST(NodePlan, KeepsEveryCeilingAndEveryRampOnRandomStretches) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int run = 0; run < 300; ++run) {
+    SCOPED_TRACE(run);
+    std::vector<PlanElement> elements;
+    const int count = 1 + static_cast<int>(200 * unit(random));
+    for (int i = 0; i < count; ++i) {
+      elements.push_back(element(std::pow(10, 4 * unit(random) - 3), std::pow(10, 3 * unit(random) - 1),
+                                 5000 + 15000 * unit(random)));
+    }
+    expect_kept(elements);
+  }
+}
+
+TEST(NodePlan, KeepsEveryCeilingOnStairsThatRiseBlockByBlock) {
+  // Every place is slower than the next: the worst case for taking the slowest places first.
+  std::vector<PlanElement> elements;
+  for (int i = 0; i < 20000; ++i) {
+    elements.push_back(element(0.01, 1 + 0.001 * i));
+  }
+  expect_kept(elements);
+}
+
+TEST(LookaheadHorizon, LetsTheToolStopWithinTheBlocksAhead) {
+  const std::vector<PlanElement> elements(100, element(0.1, 200));
+  std::vector<std::uint32_t> block_of(100);
+  for (std::uint32_t i = 0; i < 100; ++i) {
+    block_of[i] = i;
+  }
+  auto ceiling = ceilings(elements);
+  apply_lookahead_horizon(elements, block_of, 8, ceiling);
+  EXPECT_NEAR(ceiling[50], reachable_speed(0, 0.8, {1000, 15000}), 1e-9);
+  EXPECT_DOUBLE_EQ(ceiling[99], 200);  // the end of the path is in sight: planned as a standstill anyway
+}
+
+}  // namespace
+}  // namespace feedscope
