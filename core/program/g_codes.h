@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string_view>
 
@@ -47,6 +48,8 @@ enum class GGroup : std::uint8_t {
   offset,
   path_mode,
 };
+
+inline constexpr std::size_t g_group_count = static_cast<std::size_t>(GGroup::path_mode) + 1;
 
 struct GCode {
   int number = 0;  ///< ten times the G number: 901 is G90.1

@@ -26,11 +26,11 @@ class IsoReader {
   /// The words of one block by letter, and what its G words ask for beyond modal changes.
   struct Words {
     std::array<Word, 26> by_letter;
-    std::uint32_t present = 0;            ///< bit per letter
-    std::array<const GCode*, 12> groups;  ///< the block's code of each group
-    bool other_codes = false;             ///< G or M words that P, Q, L, R, I ... may belong to
-    bool own_words = false;               ///< an unread code owns the coordinates
-    std::uint32_t dwell = 0;              ///< column of G4; 0: none
+    std::uint32_t present = 0;                         ///< bit per letter
+    std::array<const GCode*, g_group_count> groups{};  ///< the block's code of each group
+    bool other_codes = false;                          ///< G or M words that P, Q, L, R, I ... may belong to
+    bool own_words = false;                            ///< an unread code owns the coordinates
+    std::uint32_t dwell = 0;                           ///< column of G4; 0: none
 
     void clear();
     bool has(char letter) const { return (present >> (letter - 'A') & 1U) != 0; }

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <iomanip>
 #include <memory>
 #include <numbers>
+#include <sstream>
 #include <string>
 
 namespace feedscope {
@@ -46,6 +49,48 @@ TEST(Toolpath, ArcTangentsFollowTheTurn) {
   EXPECT_LT((path.tangent_at_end(1) + Vec3::UnitX()).norm(), 1e-12);
   EXPECT_LT((path.tangent_at_start(2) - Vec3::UnitX()).norm(), 1e-12);
   EXPECT_LT((path.tangent_at_end(2) + Vec3::UnitY()).norm(), 1e-12);
+}
+
+TEST(Toolpath, ArcsOfAwkwardAnglesHaveTheirSweepAndMeetTheirEnds) {
+  struct Plane {
+    const char* word;
+    Vec3 first;   ///< axis towards which angle zero points
+    Vec3 second;  ///< axis at a quarter turn counter-clockwise
+  };
+  const Plane planes[] = {{"G17", Vec3::UnitX(), Vec3::UnitY()},
+                          {"G18", Vec3::UnitZ(), Vec3::UnitX()},
+                          {"G19", Vec3::UnitY(), Vec3::UnitZ()}};
+  for (const Plane& plane : planes) {
+    for (const double sweep :
+         {1e-5, 0.1, pi / 2, pi - 1e-9, pi, pi + 1e-9, 1.5 * pi, 2 * pi - 1e-5, 2 * pi}) {
+      for (const int turn : {1, -1}) {
+        const Vec3 start = 10 * plane.first;
+        const Vec3 end =
+            10 * (std::cos(sweep) * plane.first + turn * std::sin(sweep) * plane.second) + Vec3::Ones();
+        std::ostringstream text;
+        text << std::fixed << std::setprecision(12) << plane.word << " G0 X" << start.x() + 1 << " Y"
+             << start.y() + 1 << " Z" << start.z() + 1 << "\nG90.1 " << (turn > 0 ? "G3" : "G2") << " X"
+             << end.x() << " Y" << end.y() << " Z" << end.z() << " I1 J1 K1 F100";
+        const Toolpath path = path_of(text.str());
+        ASSERT_EQ(path.arcs.size(), 1U) << text.str();
+        const Arc& arc = path.arcs[0];
+        EXPECT_NEAR(arc.sweep, sweep, 1e-9) << text.str();
+        EXPECT_NEAR(arc.radius, 10, 1e-9) << text.str();
+        EXPECT_LT((arc.at(0).position - path.start_of(1)).norm(), 1e-9) << text.str();
+        EXPECT_LT((arc.at(arc.length()).position - path.segments[1].end).norm(), 1e-9) << text.str();
+        EXPECT_LT((path.tangent_at_start(1) - turn * plane.second).norm(), 1e-9) << text.str();
+      }
+    }
+  }
+}
+
+TEST(Toolpath, NearlyFullCircleRunsThroughItsEndsWithoutACorner) {
+  const Toolpath path = path_of("G0 X50\nG2 X50.004 Y0.05 I-50 J0 F100\n");
+  ASSERT_EQ(path.segments.size(), 3U);
+  EXPECT_LT((path.tangent_at_end(1) - path.tangent_at_start(2)).norm(), 1e-9);
+  EXPECT_NEAR(path.segments[1].length + path.segments[2].length, 100 * pi - 0.05, 0.02);
+  EXPECT_LT((path.arcs[1].at(path.segments[2].length).position - Vec3(50.004, 0.05, 0)).norm(), 1e-9);
+  EXPECT_EQ(path.segments[1].line, path.segments[2].line);
 }
 
 TEST(Toolpath, HelixOfManyTurnsRisesEvenly) {
