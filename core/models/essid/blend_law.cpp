@@ -181,6 +181,7 @@ BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& c
   while (motion.steps.size() < most_samples && now.du > 1e-3 * du) {
     const auto [jerk, cause] = runner.choose(now, period);
     const Sample next = step(now, jerk, period);
+    motion.peak_speed = std::max(motion.peak_speed, shape.at(now.u).sigma * now.du);
     if (next.u < 1) {
       motion.steps.push_back({period, now.u, now.du, now.ddu, jerk, cause});
       now = next;
@@ -191,6 +192,7 @@ BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& c
     const Sample end = step(now, jerk, rest);
     const BlendShape::Point p = shape.at(1);
     motion.exit_speed = p.sigma * end.du;
+    motion.peak_speed = std::max(motion.peak_speed, motion.exit_speed);
     motion.exit_acceleration = p.dsigma * end.du * end.du + p.sigma * end.ddu;
     motion.complete = end.du > 0;
     break;

@@ -47,6 +47,7 @@ struct BlendStep {
 struct BlendMotion {
   std::vector<BlendStep> steps;
   double exit_speed = 0;         ///< [mm/s]
+  double peak_speed = 0;         ///< largest of all samples [mm/s]
   double exit_acceleration = 0;  ///< along the path [mm/s2]
   bool complete = false;         ///< false: the tool would stall on the blend
 };

@@ -76,15 +76,19 @@ std::optional<std::size_t> StretchRunner::move_over_blend(const std::vector<Plan
     return std::nullopt;
   }
   const double period = time / samples;
+  constexpr double sampled_slack = 1.005;  // what the rows of eq 24 may push the speed above its ceiling
   const double fastest = ceiling.value;
   for (const double share : {1.0, 0.5, 0.0}) {
     ceiling.value = speed_ + share * (fastest - speed_);
     const BlendMotion motion = run_blend(blend.shape, speed_, ceiling, blend_limits_, period);
-    if (!motion.complete) {
+    if (!motion.complete || motion.peak_speed > fastest * sampled_slack) {
       continue;
     }
     const double carried = settings_.reading == EssidReading::published ? 0 : motion.exit_acceleration;
     if (last == e + 1) {  // the next blend begins without acceleration, eq 25
+      if (motion.exit_speed > end_speed * (1 + 1e-9)) {
+        continue;
+      }
       add_blend_steps(motion, e);
       speed_ = motion.exit_speed;
       return target;
