@@ -97,7 +97,7 @@ void draw_colour_bar(Canvas& canvas, const ScreenLayout& layout, double low, dou
   TextStyle title = text_style(k);
   title.bold = true;
   title.vertical = -1;
-  canvas.text("Feed (mm/min)", {left, high + 10 * k}, title);
+  canvas.text("Feed (mm/min)", {left, high + 14 * k}, title);
   constexpr int bands = colour_map_size / 2;
   for (int i = 0; i < bands; ++i) {
     const double from = low + (high - low) * i / bands;
@@ -178,7 +178,7 @@ void draw_annotations(Canvas& canvas, const ScreenLayout& layout, const LegendEn
   draw_scale_bar(canvas, {inner, 20 * k}, layout.panel_width - 2 * margin * k, millimetre, k);
   draw_axes_cross(canvas, projection, {(left + layout.width) / 2, 96 * k}, k);
   const double low = 156 * k;
-  const double high = std::min(layout.height - 44 * k, low + 420 * k);
+  const double high = std::min(layout.height - 48 * k, low + 420 * k);
   if (top_feed > 0 && high - low > 60 * k) {
     draw_colour_bar(canvas, layout, low, high, top_feed);
   }

@@ -13,10 +13,13 @@ namespace {
 
 constexpr double text_pixels = 13;
 constexpr double tick_length = 5;
-constexpr double label_gap = 9;       // from the edge
-constexpr double label_spacing = 14;  // between labels of one edge
-constexpr double grid_spacing = 45;   // at least, between grid lines
-constexpr double shortest_axis = 24;  // an edge that looks shorter has no labels
+constexpr double label_gap = 9;         // from the edge
+constexpr double label_spacing = 14;    // between labels beside each other
+constexpr double line_spacing = 8;      // between labels above each other
+constexpr double grid_spacing = 45;     // at least, between grid lines
+constexpr double upright_spacing = 22;  // on an edge that stands upright
+constexpr double upright = 0.9;         // least vertical part of its direction
+constexpr double shortest_axis = 24;    // an edge that looks shorter has no labels
 constexpr double end_on = 1e-6;
 
 double side(const Bounds& box, int axis, bool high) {
@@ -101,16 +104,16 @@ class Layouter {
           continue;
         }
         const Vec2 along = edge.along();
-        const bool upright = std::abs(along.y()) > 0.9;
+        const bool stands = std::abs(along.y()) > upright;
         const Vec2 middle = (edge.from + edge.to) / 2;
         edge.outward = Vec2(-along.y(), along.x());
         const double away = edge.outward.dot(middle - centre);
         const bool outside =
-            std::abs(away) > 1 ? away > 0 : (upright ? edge.outward.x() : edge.outward.y()) < 0;
+            std::abs(away) > 1 ? away > 0 : (stands ? edge.outward.x() : edge.outward.y()) < 0;
         if (!outside) {
           edge.outward = -edge.outward;
         }
-        const double rank = upright ? middle.x() : middle.y();
+        const double rank = stands ? middle.x() : middle.y();
         if (!best || rank < best_rank - 0.5) {
           best = edge;
           best_rank = rank;
@@ -124,13 +127,14 @@ class Layouter {
     const double from = frame_.to_mm(axis, frame_.box.min[axis]);
     const double to = frame_.to_mm(axis, frame_.box.max[axis]);
     const Vec2 along = edge.along().cwiseAbs();
-    for (int most = std::max(1, static_cast<int>(edge.length() / (grid_spacing * scale_)));; --most) {
+    const double spacing_wanted = along.y() > upright ? upright_spacing : grid_spacing;
+    for (int most = std::max(2, static_cast<int>(edge.length() / (spacing_wanted * scale_)));; --most) {
       Ticks ticks = round_ticks(from, to, most);
       Vec2 largest = Vec2::Zero();
       for (const std::string& label : ticks.labels) {
         largest = largest.cwiseMax(Canvas::text_size(label, style_));
       }
-      const Vec2 needed = largest.array() + label_spacing * scale_;
+      const Vec2 needed = largest + scale_ * Vec2(label_spacing, line_spacing);
       const double spacing =
           ticks.step / frame_.unit * edge.length() / (frame_.box.max[axis] - frame_.box.min[axis]);
       const bool apart = spacing * along.x() >= needed.x() || spacing * along.y() >= needed.y();

@@ -33,8 +33,9 @@ class PathScene {
   PathScene();
   ~PathScene();
 
-  /// Draws into `window` from now on; a scene has one window.
+  /// Draws into `window` until detach() or the window's end; a scene has one window.
   void attach(vtkRenderWindow& window);
+  void detach();
   /// Called after each change that needs a new frame.
   void on_change(std::function<void()> callback);
 

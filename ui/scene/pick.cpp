@@ -1,24 +1,32 @@
 #include "ui/scene/pick.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace feedscope::ui {
 namespace {
 
-double squared_distance(const Vec2& place, const Vec2& from, const Vec2& to) {
-  const Vec2 span = to - from;
+/// Where a span passes `place`.
+struct Passage {
+  double distance = 0;  ///< on the screen [pixels]
+  double depth = 0;     ///< towards the eye [pixels]
+};
+
+Passage passage(const Vec2& place, const Vec3& from, const Vec3& to) {
+  const Vec2 span = (to - from).head<2>();
   const double length = span.squaredNorm();
-  const double u = length > 0 ? std::clamp((place - from).dot(span) / length, 0.0, 1.0) : 0.0;
-  return (from + u * span - place).squaredNorm();
+  const double u = length > 0 ? std::clamp((place - from.head<2>()).dot(span) / length, 0.0, 1.0) : 0.0;
+  const Vec3 nearest = from + u * (to - from);
+  return {(nearest.head<2>() - place).norm(), nearest.z()};
 }
 
 }  // namespace
 
 MillimetreProjection::MillimetreProjection(const Projection& projection, const SceneFrame& frame) {
-  const double pixels = projection.scale / frame.unit;
-  linear.row(0) = pixels * projection.right.transpose();
-  linear.row(1) = pixels * projection.up.transpose();
-  offset = projection.to_display(frame.to_scene(Vec3::Zero()));
+  linear << projection.right.transpose(), projection.up.transpose(), projection.towards.transpose();
+  linear *= projection.scale / frame.unit;
+  offset = Vec3::Zero();
+  offset.head<2>() = projection.to_display(frame.to_scene(Vec3::Zero()));
 }
 
 std::optional<double> nearest_time(const SampledPath& samples, const Trajectory& trajectory,
@@ -26,25 +34,38 @@ std::optional<double> nearest_time(const SampledPath& samples, const Trajectory&
   if (samples.size() == 0) {
     return std::nullopt;
   }
-  std::size_t nearest = 0;
-  Vec2 from = project(samples.position(0));
-  double best = (from - place).squaredNorm();
-  for (std::size_t i = 1; i < samples.size(); ++i) {
-    const Vec2 to = project(samples.position(i));
-    const double distance = squared_distance(place, from, to);
-    if (distance < best) {
-      best = distance;
-      nearest = i - 1;
-    }
-    from = to;
+  const std::size_t spans = std::max<std::size_t>(1, samples.size() - 1);
+  const auto passage_of = [&](std::size_t i) {
+    return passage(place, project(samples.position(i)),
+                   project(samples.position(std::min(i + 1, samples.size() - 1))));
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < spans; ++i) {
+    least = std::min(least, passage_of(i).distance);
   }
-  if (best > radius * radius) {
+  if (!(least <= radius)) {
     return std::nullopt;
   }
-  double low = samples.times[nearest];
-  double high = samples.times[std::min(nearest + 1, samples.size() - 1)];
+  std::size_t span = 0;
+  double front = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < spans; ++i) {
+    const Passage p = passage_of(i);
+    if (p.distance <= least + 1 && p.depth > front + 1) {
+      front = p.depth;
+      span = i;
+    }
+  }
+  // Within that pass, to where it comes nearest.
+  while (span + 1 < spans && passage_of(span + 1).distance < passage_of(span).distance) {
+    ++span;
+  }
+  while (span > 0 && passage_of(span - 1).distance < passage_of(span).distance) {
+    --span;
+  }
+  double low = samples.times[span];
+  double high = samples.times[std::min(span + 1, samples.size() - 1)];
   const auto distance_at = [&](double time) {
-    return (project(trajectory.state(time).position) - place).squaredNorm();
+    return (project(trajectory.state(time).position).head<2>() - place).squaredNorm();
   };
   constexpr int rounds = 60;  // a third off each: 1e-10 of the span is left
   for (int i = 0; i < rounds; ++i) {

@@ -3,6 +3,7 @@
 #include <vtkCamera.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace feedscope::ui {
 
@@ -25,7 +26,7 @@ SceneFrame frame_around(const Bounds& content) {
   frame.unit = extent;
   for (int axis = 0; axis < 3; ++axis) {
     double half = (box.max[axis] - box.min[axis]) / 2 / extent;
-    half = half < 1e-6 ? 0.0 : half + air;
+    half = half < 1e-7 ? 0.0 : half + std::min(air, half);
     frame.box.add(axis, -half);
     frame.box.add(axis, half);
   }

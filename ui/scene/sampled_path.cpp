@@ -195,4 +195,35 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
   return ExecutedSampling(trajectory, max_points).run();
 }
 
+SampledPath thinned(const SampledPath& path, double spacing) {
+  SampledPath kept;
+  kept.origin = path.origin;
+  kept.peak_feed = path.peak_feed;
+  kept.bounds = path.bounds;
+  const auto limit = static_cast<float>(spacing * spacing);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const bool last = i + 1 == path.size();
+    if (!last && i > 0 && (path.positions[i] - kept.positions.back()).squaredNorm() < limit) {
+      continue;
+    }
+    kept.positions.push_back(path.positions[i]);
+    kept.kinds.push_back(path.kinds[i]);
+    if (!path.feeds.empty()) {
+      kept.feeds.push_back(path.feeds[i]);
+      kept.times.push_back(path.times[i]);
+    }
+  }
+  return kept;
+}
+
+double length_of(const SampledPath& path, SpanKind kind) {
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (path.kinds[i] == kind) {
+      length += static_cast<double>((path.positions[i + 1] - path.positions[i]).norm());
+    }
+  }
+  return length;
+}
+
 }  // namespace feedscope::ui

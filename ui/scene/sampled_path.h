@@ -37,4 +37,11 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points =
 /// peak. Linear in the pieces. Safe to call off the GUI thread.
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points);
 
+/// `path` without the points closer than `spacing` [mm] to the one kept before them; for views in which that
+/// is less than a pixel.
+SampledPath thinned(const SampledPath& path, double spacing);
+
+/// Length of the spans of one kind [mm].
+double length_of(const SampledPath& path, SpanKind kind);
+
 }  // namespace feedscope::ui
