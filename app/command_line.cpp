@@ -79,6 +79,9 @@ int run_checked(int argc, char** argv) {
   app.set_version_flag("--version", "feedscope " FEEDSCOPE_VERSION);
   app.require_subcommand(1);
   const std::vector<Command> commands{add_simulate_command(app), add_check_command(app),
+#ifdef FEEDSCOPE_WITH_UI
+                                      add_render_command(app),
+#endif
                                       add_machines_command(app), add_models_command(app)};
   try {
     app.parse(argc, argv);

@@ -13,6 +13,7 @@ struct Command {
 
 Command add_simulate_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
+Command add_render_command(CLI::App& app);  ///< where the pictures are built (FEEDSCOPE_UI)
 Command add_machines_command(CLI::App& app);
 Command add_models_command(CLI::App& app);
 

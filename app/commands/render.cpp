@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <charconv>
+#include <map>
+#include <memory>
+#include <string>
+#include <system_error>
+
+#include "app/commands/command.h"
+#include "app/exit_codes.h"
+#include "app/output_file.h"
+#include "app/print.h"
+#include "app/run_options.h"
+#include "app/watch.h"
+#include "core/base/error.h"
+#include "ui/scene/picture.h"
+
+namespace feedscope {
+namespace {
+
+const std::map<std::string, ui::StandardView> cameras{{"iso", ui::StandardView::iso},
+                                                      {"top", ui::StandardView::top},
+                                                      {"front", ui::StandardView::front},
+                                                      {"right", ui::StandardView::right}};
+
+struct RenderOptions {
+  RunOptions run;
+  std::string view = "3d";
+  std::string size = "1280x960";
+  std::string camera = "iso";
+  std::string out;
+};
+
+/// "800x600". Throws InputError.
+ui::PictureSize parse_picture_size(const std::string& text) {
+  ui::PictureSize size;
+  const char* const end = text.data() + text.size();
+  const auto [by, width_error] = std::from_chars(text.data(), end, size.width);
+  const bool has_by = width_error == std::errc() && by != end && (*by == 'x' || *by == 'X');
+  const auto [rest, height_error] = has_by ? std::from_chars(by + 1, end, size.height)
+                                           : std::from_chars_result{by, std::errc::invalid_argument};
+  if (height_error != std::errc() || rest != end) {
+    throw InputError(
+        fmt::format("--size '{}' is no size; give width and height in pixels, as 1280x960", text));
+  }
+  for (const int side : {size.width, size.height}) {
+    if (side < ui::least_picture_side || side > ui::largest_picture_side) {
+      throw InputError(fmt::format("--size '{}': {} pixels is out of bounds; each side may have {} to {}",
+                                   text, side, ui::least_picture_side, ui::largest_picture_side));
+    }
+  }
+  return size;
+}
+
+int render(const RenderOptions& options) {
+  const ui::PictureSize size = parse_picture_size(options.size);
+  const Setup setup = make_setup(options.run.request());
+  note_unused_tolerance(options.run, setup);
+  check_outputs(options.run.file, {options.out});
+  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.run.file));
+  OutputFile out(options.out);
+  Run run;
+  {
+    Watch watch;
+    const LoadedProgram program = load_program(source, watch.stage("reading"));
+    run = simulate_run(program, setup, watch.stage("simulating"));
+  }
+  out.stream() << ui::to_png(ui::draw_run(run, size, cameras.at(options.camera)));
+  out.commit();
+  print_diagnostics(*run.input.program);
+  return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+}
+
+}  // namespace
+
+Command add_render_command(CLI::App& app) {
+  const auto options = std::make_shared<RenderOptions>();
+  CLI::App* command =
+      app.add_subcommand("render", "Draw an NC program and its motion as a PNG picture; needs no display");
+  add_run_options(*command, options->run);
+  command->add_option("--view", options->view, "What to draw")
+      ->check(CLI::IsMember({"3d"}))
+      ->capture_default_str();
+  command->add_option("--size", options->size, "Width and height in pixels")
+      ->type_name("WxH")
+      ->capture_default_str();
+  command->add_option("--camera", options->camera, "Where to look from: iso, top, front, right")
+      ->check(CLI::IsMember(cameras))
+      ->type_name("VIEW")
+      ->capture_default_str();
+  command->add_option("--out", options->out, "The picture to write; - for standard output")
+      ->type_name("FILE.png")
+      ->required();
+  return {command, [options] { return render(*options); }};
+}
+
+}  // namespace feedscope
