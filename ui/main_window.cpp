@@ -19,8 +19,8 @@ namespace {
 
 constexpr QSize default_size(1280, 800);
 constexpr int program_width = 270;
-constexpr int setup_width = 330;
-constexpr int charts_height = 360;
+constexpr int setup_width = 340;
+constexpr int charts_height = 390;
 
 std::filesystem::path to_path(const QString& file) {
   return std::filesystem::path(file.toStdU16String());

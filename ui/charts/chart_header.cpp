@@ -58,7 +58,7 @@ void ChartHeader::paintEvent(QPaintEvent*) {
     x = text(x, metrics.horizontalAdvance(curve.name), curve.name);
     if (state_.has_value()) {
       const double value = spec_.convert(channel_value(*state_, curve.channel));
-      const QString number = QLocale().toString(value, 'f', std::abs(value) < 1000 ? 2 : 0);
+      const QString number = QLocale().toString(value, 'f', spec_.decimals);
       text(x - gap, value_width, number, Qt::AlignRight);
     }
     x += value_width + curve_gap;

@@ -20,27 +20,36 @@ constexpr std::array<QRgb, 3> axis_rgb{0xd55e00, 0x009e73, 0x0072b2};
 constexpr double path_width = 1.8;
 constexpr double axis_width = 1.1;
 
-std::vector<CurveSpec> axis_curves(Channel first) {
-  std::vector<CurveSpec> curves;
+/// `first` and the two channels after it are those of X, Y and Z.
+void add_axes(ChartSpec& spec, Channel first) {
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
-    curves.push_back({static_cast<Channel>(static_cast<std::size_t>(first) + i),
-                      QString(QChar(axis_names[i])), QColor(axis_rgb[i]), axis_width});
+    spec.curves.push_back({static_cast<Channel>(static_cast<std::size_t>(first) + i),
+                           QString(QChar(axis_names[i])), QColor(axis_rgb[i]), axis_width});
   }
-  return curves;
 }
 
 std::array<ChartSpec, 3> chart_specs() {
-  ChartSpec feed{ChartsPanel::tr("Feed"), ChartsPanel::tr("mm/min"), axis_curves(Channel::velocity_x),
-                 units::to_mm_min};
-  feed.curves.push_back(
-      {Channel::programmed_feed, ChartsPanel::tr("programmed"), programmed_color, path_width});
-  feed.curves.push_back({Channel::feed, ChartsPanel::tr("achieved"), path_color, path_width});
-  ChartSpec acceleration{ChartsPanel::tr("Acceleration"), ChartsPanel::tr("m/s²"),
-                         axis_curves(Channel::acceleration_x), units::to_m};
-  acceleration.curves.push_back(
-      {Channel::tangential_acceleration, ChartsPanel::tr("tangential"), path_color, path_width});
-  ChartSpec jerk{ChartsPanel::tr("Jerk"), ChartsPanel::tr("m/s³"), axis_curves(Channel::jerk_x), units::to_m};
-  jerk.curves.push_back({Channel::tangential_jerk, ChartsPanel::tr("tangential"), path_color, path_width});
+  const QString tangential = ChartsPanel::tr("tangential");
+  ChartSpec feed{
+      ChartsPanel::tr("Feed"),
+      ChartsPanel::tr("mm/min"),
+      {{Channel::feed, ChartsPanel::tr("achieved"), path_color, path_width},
+       {Channel::programmed_feed, ChartsPanel::tr("programmed"), programmed_color, path_width, true}},
+      units::to_mm_min,
+      0};
+  add_axes(feed, Channel::velocity_x);
+  ChartSpec acceleration{ChartsPanel::tr("Acceleration"),
+                         ChartsPanel::tr("m/s²"),
+                         {{Channel::tangential_acceleration, tangential, path_color, path_width}},
+                         units::to_m,
+                         2};
+  add_axes(acceleration, Channel::acceleration_x);
+  ChartSpec jerk{ChartsPanel::tr("Jerk"),
+                 ChartsPanel::tr("m/s³"),
+                 {{Channel::tangential_jerk, tangential, path_color, path_width}},
+                 units::to_m,
+                 1};
+  add_axes(jerk, Channel::jerk_x);
   return {feed, acceleration, jerk};
 }
 

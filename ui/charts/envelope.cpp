@@ -10,7 +10,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr std::size_t pieces_a_group = 8;
+constexpr std::size_t pieces_a_group = 4;
 constexpr std::size_t fan_out = 4;
 constexpr double arc_step = units::from_deg(5);
 constexpr double samples_a_blend = 8;    // of a gentle one

@@ -60,7 +60,7 @@ struct Band {
 
 /// Level of detail of a trajectory for charts: the least and the largest value in every pixel column.
 ///
-/// A pyramid of extents over groups of motion pieces, about 20 bytes a piece, built once in linear time. A
+/// A pyramid of extents over groups of motion pieces, about 35 bytes a piece, built once in linear time. A
 /// column then costs the pieces of the two groups that its borders cut plus a logarithmic walk of the
 /// pyramid, whatever the length of the program. Extremes on straight elements are exact; arcs are sampled
 /// every 5 degrees, blends the closer the sharper they turn: within 2 % of the largest value for turns up to

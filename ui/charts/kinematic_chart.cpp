@@ -6,7 +6,10 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QValueAxis>
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "ui/scene/ticks.h"
 
@@ -18,9 +21,10 @@ constexpr int left_margin = 64;  // the same in all charts, so that their plots 
 constexpr int right_margin = 14;
 constexpr int top_margin = 6;
 constexpr int bottom_margin = 8;
-constexpr int labelled_bottom_margin = 40;
+constexpr int labelled_bottom_margin = 36;
 constexpr double limit_in_sight = 1.6;  // a limit within this multiple of the largest value widens the chart
 constexpr double headroom = 0.06;
+constexpr double tick_distance = 18;  // [px]
 constexpr double zoom_a_notch = 0.8;
 const QColor grid_color(0xe3, 0xe6, 0xea);
 const QColor axis_color(0x8a, 0x90, 0x98);
@@ -42,6 +46,10 @@ QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   axis->setTruncateLabels(false);
   chart->addAxis(axis, side);
   return axis;
+}
+
+float magnitude(const Extent& extent) {
+  return extent.empty() ? 0.0F : std::max(extent.max, -extent.min);
 }
 
 void set_range(QValueAxis* axis, double lower, double upper, int most_ticks) {
@@ -66,15 +74,12 @@ KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, bool labelled, 
   abscissa_ = make_axis(chart(), Qt::AlignBottom);
   abscissa_->setLabelsVisible(labelled);
   ordinate_ = make_axis(chart(), Qt::AlignLeft);
-  for (const CurveSpec& curve : spec_.curves) {
+  for (std::size_t i = 0; i < spec_.curves.size(); ++i) {
     auto* series = new QLineSeries(chart());
-    QPen pen(curve.color, curve.width);
-    pen.setJoinStyle(Qt::BevelJoin);
-    series->setPen(pen);
     chart()->addSeries(series);
     series->attachAxis(abscissa_);
     series->attachAxis(ordinate_);
-    series_.push_back(series);
+    layers_.push_back(series);
   }
   setRenderHint(QPainter::Antialiasing);
   setFrameShape(QFrame::NoFrame);
@@ -101,52 +106,78 @@ void KinematicChart::set_abscissa_title(const QString& title) {
 
 void KinematicChart::show_bands(std::span<const Band> bands) {
   const double column = (range_.upper() - range_.lower()) / static_cast<double>(bands.size());
-  Extent shown;
-  shown.add(0);
-  for (std::size_t k = 0; k < series_.size(); ++k) {
-    QList<QPointF> points;
-    points.reserve(2 * static_cast<qsizetype>(bands.size()));
+  std::vector<Extent> extents(spec_.curves.size());
+  std::vector<QList<QPointF>> points(spec_.curves.size());
+  for (std::size_t k = 0; k < spec_.curves.size(); ++k) {
+    points[k].reserve(2 * static_cast<qsizetype>(bands.size()));
     for (std::size_t i = 0; i < bands.size(); ++i) {
       const Extent& extent = bands[i][spec_.curves[k].channel];
       if (extent.empty()) {
         continue;
       }
+      extents[k].add(extent);
       const double x = range_.lower() + (static_cast<double>(i) + 0.5) * column;
       double first = spec_.convert(double{extent.min});
       double second = spec_.convert(double{extent.max});
-      shown.add(static_cast<float>(first));
-      shown.add(static_cast<float>(second));
-      if (!points.isEmpty() && std::abs(points.back().y() - second) < std::abs(points.back().y() - first)) {
+      const double before = points[k].isEmpty() ? first : points[k].back().y();
+      if (std::abs(before - second) < std::abs(before - first)) {
         std::swap(first, second);
       }
-      points.append({x, first});
+      points[k].append({x, first});
       if (first != second) {
-        points.append({x, second});
+        points[k].append({x, second});
       }
     }
-    series_[k]->replace(points);
   }
-  fit_values(shown);
+  stack_curves(extents, points);
+  fit_values(extents);
   const int most_ticks = std::max(2, column_count() / 80);
   set_range(abscissa_, range_.lower(), range_.upper(), most_ticks);
   picture_ = {};
   viewport()->update();
 }
 
-void KinematicChart::fit_values(const Extent& shown) {
-  double lower = double{shown.min};
-  double upper = double{shown.max};
-  const double largest = std::max(upper, -lower);
+void KinematicChart::stack_curves(const std::vector<Extent>& extents,
+                                  const std::vector<QList<QPointF>>& points) {
+  std::vector<std::size_t> order(extents.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return magnitude(extents[k]); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    const CurveSpec& curve = spec_.curves[order[i]];
+    QPen pen(curve.color, curve.width);
+    pen.setJoinStyle(Qt::BevelJoin);
+    layers_[i]->setPen(pen);
+    layers_[i]->replace(points[order[i]]);
+  }
+}
+
+void KinematicChart::fit_values(const std::vector<Extent>& extents) {
+  double lower = 0;
+  double upper = 0;
+  for (std::size_t k = 0; k < extents.size(); ++k) {
+    if (!spec_.curves[k].demand && !extents[k].empty()) {
+      lower = std::min(lower, spec_.convert(double{extents[k].min}));
+      upper = std::max(upper, spec_.convert(double{extents[k].max}));
+    }
+  }
+  const double sight = limit_in_sight * std::max(upper, -lower);
+  for (std::size_t k = 0; k < extents.size(); ++k) {
+    if (spec_.curves[k].demand && !extents[k].empty()) {
+      upper = std::max(upper, std::min(sight, spec_.convert(double{extents[k].max})));
+    }
+  }
   for (const LimitLine& limit : limits_) {
-    if (limit.value <= limit_in_sight * largest) {
+    if (limit.value <= sight) {
       upper = upper > 0 ? std::max(upper, limit.value) : upper;
       lower = lower < 0 ? std::min(lower, -limit.value) : lower;
     }
   }
-  const double span = upper > lower ? upper - lower : 1;
-  const int most_ticks = std::max(2, static_cast<int>(chart()->plotArea().height() / 22));
-  set_range(ordinate_, lower < 0 ? lower - headroom * span : 0, upper > 0 ? upper + headroom * span : 0.0,
-            most_ticks);
+  if (!(upper > lower)) {
+    upper = 1;
+  }
+  const double room = headroom * (upper - lower);
+  const int most_ticks = std::max(3, static_cast<int>(chart()->plotArea().height() / tick_distance));
+  set_range(ordinate_, lower < 0 ? lower - room : 0, upper > 0 ? upper + room : 0, most_ticks);
 }
 
 void KinematicChart::set_cursor(std::optional<double> position) {
@@ -196,7 +227,7 @@ void KinematicChart::draw_limits(QPainter& painter) const {
     if (top > plot.top()) {
       const double width = metrics.horizontalAdvance(limit.label);
       const QRectF box(label_right - width, top + 1, width, metrics.height());
-      painter.fillRect(box.adjusted(-2, 1, 2, -1), QColor(255, 255, 255, 200));
+      painter.fillRect(box.adjusted(-2, 1, 2, -1), QColor(255, 255, 255, 230));
       painter.drawText(box, Qt::AlignCenter, limit.label);
       label_right -= width + 12;
     }

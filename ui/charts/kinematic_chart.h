@@ -19,7 +19,8 @@ struct CurveSpec {
   Channel channel;
   QString name;
   QColor color;
-  double width = 1;  ///< [px]
+  double width = 1;     ///< [px]
+  bool demand = false;  ///< asked for, not reached: the chart need not grow to show it in full
 };
 
 /// A permitted largest magnitude, drawn dashed on the sides of zero that the chart shows.
@@ -32,8 +33,9 @@ struct LimitLine {
 struct ChartSpec {
   QString title;
   QString unit;
-  std::vector<CurveSpec> curves;        ///< drawn in this order
+  std::vector<CurveSpec> curves;        ///< as the header lists them
   double (*convert)(double) = nullptr;  ///< from the core's unit to `unit`
+  int decimals = 0;                     ///< of values shown as numbers
 };
 
 /// One chart of a run: curves as bands of pixel columns, axis limits and the cursor.
@@ -55,6 +57,7 @@ class KinematicChart : public QChartView {
   void show_bands(std::span<const Band> bands);
   /// Position of the cursor along the abscissa.
   void set_cursor(std::optional<double> position);
+  const std::optional<double>& cursor() const { return cursor_; }
   void set_abscissa_title(const QString& title);
 
   /// Place of a position in the viewport [px].
@@ -75,7 +78,9 @@ class KinematicChart : public QChartView {
 
  private:
   double position_at(double pixel) const;
-  void fit_values(const Extent& shown);
+  /// Gives the largest curve the lowest layer, so that none hides another.
+  void stack_curves(const std::vector<Extent>& extents, const std::vector<QList<QPointF>>& points);
+  void fit_values(const std::vector<Extent>& extents);
   void draw_limits(QPainter& painter) const;
   void draw_cursor(QPainter& painter) const;
 
@@ -84,7 +89,7 @@ class KinematicChart : public QChartView {
   bool labelled_;
   QValueAxis* abscissa_;
   QValueAxis* ordinate_;
-  std::vector<QLineSeries*> series_;
+  std::vector<QLineSeries*> layers_;  ///< from the lowest up
   std::vector<LimitLine> limits_;
   std::optional<double> cursor_;
   QPixmap picture_;  ///< the chart without the cursor; null when it must be drawn again

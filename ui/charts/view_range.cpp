@@ -43,7 +43,7 @@ double ViewRange::length() const {
 }
 
 void ViewRange::fit() {
-  show(0, length());
+  show(0, length() > 0 ? length() : 1);
 }
 
 void ViewRange::zoom(double factor, double pivot) {

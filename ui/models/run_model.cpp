@@ -20,6 +20,16 @@ RunModel::RunModel(MachineLibrary machines, Setup setup, QObject* parent)
   });
 }
 
+void RunModel::show(const Run& run) {
+  job_.cancel();
+  file_ = run.input.program->source->name();
+  input_ = {};
+  setup_.set_file(run.setup);
+  input_ = run.input;
+  emit program_changed();
+  show_run(make_shown(run));
+}
+
 void RunModel::open(const std::filesystem::path& file) {
   file_ = file;
   input_ = {};

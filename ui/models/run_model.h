@@ -26,6 +26,8 @@ class RunModel : public QObject {
  public:
   RunModel(MachineLibrary machines, Setup setup, QObject* parent = nullptr);
 
+  /// Shows a run that is done, with its program and setup.
+  void show(const Run& run);
   /// Reads a program and simulates it.
   void open(const std::filesystem::path& file);
   /// Reads the program again.

@@ -6,6 +6,14 @@
 
 namespace feedscope::ui {
 
+std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress) {
+  auto shown = std::make_shared<ShownRun>();
+  shown->run = std::move(run);
+  shown->envelope = std::make_shared<const Envelope>(shown->run.trajectory, progress);
+  shown->samples = std::make_shared<const SampledPath>(sample_executed(*shown->run.trajectory));
+  return shown;
+}
+
 SimulationJob::SimulationJob(QObject* parent) : QObject(parent) {
   connect(&watcher_, &QFutureWatcher<Outcome>::finished, this, &SimulationJob::deliver);
   poll_.setInterval(std::chrono::milliseconds(50));
@@ -56,11 +64,7 @@ SimulationJob::Outcome SimulationJob::work(const JobRequest& request,
     } else {
       input = std::get<LoadedProgram>(request.input);
     }
-    auto shown = std::make_shared<ShownRun>();
-    shown->run = simulate_run(input, request.setup, progress.get());
-    shown->envelope = std::make_shared<const Envelope>(shown->run.trajectory, progress.get());
-    shown->samples = std::make_shared<const SampledPath>(sample_executed(*shown->run.trajectory));
-    return shown;
+    return make_shown(simulate_run(input, request.setup, progress.get()), progress.get());
   } catch (const Cancelled&) {
     return {};
   } catch (const std::bad_alloc&) {

@@ -22,6 +22,9 @@ struct ShownRun {
   std::shared_ptr<const SampledPath> samples;  ///< for the 3D view
 };
 
+/// Throws Cancelled if `progress` is cancelled.
+std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress = nullptr);
+
 /// What to simulate: a file to read, or a program read before.
 struct JobRequest {
   std::variant<std::filesystem::path, LoadedProgram> input;

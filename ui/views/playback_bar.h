@@ -22,6 +22,7 @@ class PlaybackBar : public QWidget {
   /// Cycle time of the run that is shown [s]; 0: none.
   void set_duration(double duration);
   void toggle();
+  QToolButton* play_button() { return play_; }
 
  private:
   void show_cursor();

@@ -24,9 +24,8 @@ QTableView* make_table(QAbstractItemModel* model, const QString& name, QWidget* 
   table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                          QAbstractItemView::AnyKeyPressed);
   table->setAlternatingRowColors(true);
-  table->setWordWrap(false);
-  table->verticalHeader()->setDefaultSectionSize(row_height);
-  table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table->verticalHeader()->setMinimumSectionSize(row_height);
+  table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setHighlightSections(false);
   table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   return table;
@@ -37,12 +36,13 @@ QLabel* make_heading(const QString& text, QWidget* parent) {
   QFont font = label->font();
   font.setBold(true);
   label->setFont(font);
+  label->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   return label;
 }
 
 /// Height that shows all rows.
 int full_height(const QTableView* table) {
-  return table->model()->rowCount() * row_height + table->horizontalHeader()->sizeHint().height() +
+  return table->verticalHeader()->length() + table->horizontalHeader()->sizeHint().height() +
          2 * table->frameWidth();
 }
 
@@ -60,6 +60,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   axes_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   settings_->verticalHeader()->hide();
   machine_->setWordWrap(true);
+  machine_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   help_->setWordWrap(true);
   help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   help_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -74,6 +75,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->addWidget(make_heading(tr("Control settings"), this));
   layout->addWidget(settings_, 1);
   layout->addWidget(help_);
+  layout->addStretch();
 
   for (QTableView* table : {axes_, settings_}) {
     connect(table->selectionModel(), &QItemSelectionModel::currentChanged, this, &SetupView::explain);
@@ -82,10 +84,18 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
           [this](const QModelIndex& index, const QString& message) { refuse(axes_, index, message); });
   connect(settings_model_, &SetupTable::refused, this,
           [this](const QModelIndex& index, const QString& message) { refuse(settings_, index, message); });
+  connect(axes_->verticalHeader(), &QHeaderView::sectionResized, this,
+          [this] { axes_->setFixedHeight(full_height(axes_)); });
+  connect(settings_->verticalHeader(), &QHeaderView::sectionResized, this,
+          [this] { settings_->setMaximumHeight(full_height(settings_)); });
   connect(&edit_, &SetupEdit::keys_changed, this, &SetupView::fit_tables);
   connect(axis_model_, &QAbstractItemModel::dataChanged, this,
           [this] { explain(axes_->hasFocus() ? axes_->currentIndex() : settings_->currentIndex()); });
   fit_tables();
+}
+
+QString SetupView::message() const {
+  return help_->text();
 }
 
 void SetupView::fit_tables() {
@@ -95,8 +105,6 @@ void SetupView::fit_tables() {
                              QString::fromStdString(file.machine.control).toHtmlEscaped(),
                              QString::fromStdString(file.model->info().title).toHtmlEscaped()));
   machine_->setToolTip(QString::fromStdString(file.machine.reference).toHtmlEscaped());
-  axes_->setFixedHeight(full_height(axes_));
-  settings_->setMaximumHeight(full_height(settings_));
   QHeaderView* header = settings_->horizontalHeader();
   header->setSectionResizeMode(QHeaderView::ResizeToContents);
   header->setSectionResizeMode(SettingsTable::title, QHeaderView::Stretch);

@@ -20,6 +20,8 @@ class SetupView : public QWidget {
 
   QTableView* axes() { return axes_; }
   QTableView* settings() { return settings_; }
+  /// What the chosen value means, or why an entry was refused.
+  QString message() const;
 
  private:
   void explain(const QModelIndex& index);

@@ -92,7 +92,7 @@ void StatusPanel::show_cursor() {
       tr("%1 mm").arg(locale.toString(state.path_length, 'f', 3)),
       tr("line %1").arg(state.line),
       tr("%1 mm/min").arg(locale.toString(units::to_mm_min(state.speed), 'f', 0)),
-      tr("limited by %1").arg(QString::fromStdString(cause_title(state.cause))),
+      tr("cause: %1").arg(QString::fromStdString(cause_title(state.cause))),
   };
   cursor_->setText(parts.join(QStringLiteral("   ")));
 }

@@ -1,0 +1,265 @@
+#include "ui/main_window.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QDockWidget>
+#include <QMimeData>
+#include <QSignalSpy>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTextBlock>
+#include <QToolButton>
+#include <QWheelEvent>
+#include <cmath>
+#include <fstream>
+
+#include "tests/ui/run_fixture.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr int patience = 60000;  // [ms]
+
+class MainWindowTest : public testing::Test {
+ protected:
+  MainWindowTest() {
+    window.resize(1280, 800);
+    window.show();
+    open(test::small_program);
+  }
+
+  void open(const std::string& text) {
+    const std::filesystem::path file = std::filesystem::path(folder_.path().toStdString()) / "part.nc";
+    std::ofstream(file) << text;
+    model.open(file);
+    wait_until_idle();
+  }
+
+  void wait_until_idle() {
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !model.busy(); }, patience));
+    QCoreApplication::processEvents();
+    window.charts().refresh();
+  }
+
+  const Trajectory& trajectory() const { return *model.shown()->run.trajectory; }
+  double duration() const { return trajectory().duration(); }
+
+  /// Where a chart shows a time, half way up.
+  QPoint point_in(KinematicChart& chart, double time) const {
+    return {static_cast<int>(std::lround(chart.pixel_of(time))), chart.viewport()->height() / 2};
+  }
+  void click_chart(std::size_t i, double time) {
+    KinematicChart& chart = window.charts().chart(i);
+    QTest::mouseClick(chart.viewport(), Qt::LeftButton, {}, point_in(chart, time));
+  }
+  /// A pixel of a chart in seconds.
+  double pixel_time() { return duration() / window.charts().chart(0).column_count(); }
+
+  QWidget* scene_canvas() { return window.scene().findChild<QWidget*>(); }
+  QPoint point_in_scene(const Vec3& position) {
+    window.scene().grab();  // the camera is that of the last frame
+    const Pixel pixel = window.scene().scene().pixel_of(position);
+    return {static_cast<int>(std::lround(pixel[0])), static_cast<int>(std::lround(pixel[1]))};
+  }
+  QImage picture_around(const QPoint& point) {
+    return window.scene().grab(QRect(point - QPoint(12, 12), QSize(25, 25))).toImage();
+  }
+
+  /// Types into the cell of X.jerk, as a user does.
+  void type_jerk(const QString& text) {
+    QTableView* table = window.setup().axes();
+    table->setFocus();
+    table->setCurrentIndex(table->model()->index(2, 0));
+    QTest::keyClick(table, Qt::Key_F2);
+    auto* editor = table->viewport()->findChild<QWidget*>();
+    ASSERT_NE(editor, nullptr);
+    QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(editor, text);
+    QTest::keyClick(editor, Qt::Key_Return);
+    QCoreApplication::processEvents();  // the delegate commits with the next turn of the event loop
+  }
+
+  RunModel model{shipped_machines(), make_setup({})};
+  MainWindow window{model, RenderBackend::software};
+
+ private:
+  QTemporaryDir folder_;
+};
+
+TEST_F(MainWindowTest, ClickInAChartMovesTextAnd3dMarker) {
+  for (const std::size_t i : {0U, 1U, 2U}) {
+    const double time = duration() * (0.3 + 0.2 * static_cast<double>(i));
+    const State expected = trajectory().state(time);
+    const QPoint place = point_in_scene(expected.position);
+    const QImage before = picture_around(place);
+    click_chart(i, time);
+    const State& state = model.cursor().state();
+    EXPECT_NEAR(state.time, time, pixel_time());
+    EXPECT_EQ(window.program().current_line(), state.line);
+    EXPECT_NEAR(*window.charts().chart(0).cursor(), state.time, 1e-12);
+    EXPECT_NE(picture_around(place), before) << "the marker is not at the place";
+  }
+}
+
+TEST_F(MainWindowTest, ClickOnThePathMovesChartsAndText) {
+  const double time = 0.7 * duration();
+  const State expected = trajectory().state(time);
+  QTest::mouseClick(scene_canvas(), Qt::LeftButton, {}, point_in_scene(expected.position));
+  EXPECT_NEAR((model.cursor().state().position - expected.position).norm(), 0, 0.5);
+  EXPECT_NEAR(*window.charts().chart(2).cursor(), model.cursor().state().time, 1e-12);
+  EXPECT_EQ(window.program().current_line(), model.cursor().state().line);
+}
+
+TEST_F(MainWindowTest, ClickBesideThePathLeavesTheCursor) {
+  click_chart(0, 0.4 * duration());
+  const double time = model.cursor().state().time;
+  QTest::mouseClick(scene_canvas(), Qt::LeftButton, {}, QPoint(3, scene_canvas()->height() - 3));
+  EXPECT_EQ(model.cursor().state().time, time);
+}
+
+TEST_F(MainWindowTest, ClickOnALineMovesChartsAnd3dMarker) {
+  ProgramView& program = window.program();
+  const QTextBlock block = program.document()->findBlockByNumber(3);
+  const QRect line = program.cursorRect(QTextCursor(block));
+  const QPoint place = point_in_scene(trajectory().state(trajectory().time_of_line(4)).position);
+  const QImage before = picture_around(place);
+  QTest::mouseClick(program.viewport(), Qt::LeftButton, {}, line.center() + QPoint(10, 0));
+  EXPECT_EQ(model.cursor().state().line, 4U);
+  EXPECT_EQ(program.current_line(), 4U);
+  EXPECT_NEAR(*window.charts().chart(0).cursor(), trajectory().time_of_line(4), 1e-9);
+  EXPECT_NE(picture_around(place), before);
+}
+
+TEST_F(MainWindowTest, ArrowKeysInTheTextMoveTheCursor) {
+  model.cursor().set_line(3);
+  QTest::keyClick(&window.program(), Qt::Key_Down);
+  EXPECT_EQ(model.cursor().state().line, 4U);
+}
+
+TEST_F(MainWindowTest, EditingAMachineValueChangesTheCycleTimeAndUndoBringsItBack) {
+  const double before = duration();
+  type_jerk("3");
+  wait_until_idle();
+  EXPECT_DOUBLE_EQ(model.shown()->run.setup.machine.axes[0].jerk, 3000);
+  EXPECT_GT(duration(), before);
+  window.activateWindow();
+  QTest::keyClick(&window, Qt::Key_Z, Qt::ControlModifier);
+  wait_until_idle();
+  EXPECT_EQ(duration(), before);
+}
+
+TEST_F(MainWindowTest, AWrongMachineValueIsRefusedInPlace) {
+  const double before = duration();
+  type_jerk("-3");
+  EXPECT_FALSE(model.busy());
+  EXPECT_EQ(duration(), before);
+  EXPECT_THAT(window.setup().message().toStdString(), testing::HasSubstr("X.jerk"));
+  EXPECT_EQ(window.setup().axes()->model()->index(2, 0).data().toString(), "15");
+}
+
+TEST_F(MainWindowTest, WheelZoomsAtThePointerInAllCharts) {
+  KinematicChart& chart = window.charts().chart(1);
+  const double time = 0.25 * duration();
+  const QPoint point = point_in(chart, time);
+  QWheelEvent wheel(point, chart.viewport()->mapToGlobal(point), {}, {0, 480}, Qt::NoButton, {},
+                    Qt::NoScrollPhase, false);
+  QCoreApplication::sendEvent(chart.viewport(), &wheel);
+  ViewRange& range = window.charts().range();
+  EXPECT_LT(range.upper() - range.lower(), 0.5 * duration());
+  window.charts().refresh();
+  for (const std::size_t i : {0U, 1U, 2U}) {
+    EXPECT_NEAR(window.charts().chart(i).pixel_of(time), point.x(), 1.5);
+  }
+}
+
+TEST_F(MainWindowTest, DragPansAndDoubleClickShowsAll) {
+  KinematicChart& chart = window.charts().chart(0);
+  ViewRange& range = window.charts().range();
+  range.zoom(0.25, 0.5 * duration());
+  window.charts().refresh();
+  const double lower = range.lower();
+  const double time = model.cursor().state().time;
+  const QPoint from(chart.viewport()->width() / 2, 20);
+  QTest::mousePress(chart.viewport(), Qt::LeftButton, {}, from);
+  QMouseEvent move(QEvent::MouseMove, from + QPoint(60, 0), chart.viewport()->mapToGlobal(from), Qt::NoButton,
+                   Qt::LeftButton, {});
+  QCoreApplication::sendEvent(chart.viewport(), &move);
+  QTest::mouseRelease(chart.viewport(), Qt::LeftButton, {}, from + QPoint(60, 0));
+  EXPECT_NEAR(range.lower(), lower - 60 * (range.upper() - range.lower()) / chart.column_count(), 1e-3);
+  EXPECT_EQ(model.cursor().state().time, time) << "a drag is no click";
+  QTest::mouseDClick(chart.viewport(), Qt::LeftButton, {}, from);
+  EXPECT_EQ(range.lower(), 0);
+  EXPECT_DOUBLE_EQ(range.upper(), duration());
+}
+
+TEST_F(MainWindowTest, PlayMovesTheCursorThroughTheRun) {
+  model.playback().set_speed(0.5);
+  QTest::mouseClick(window.playback().play_button(), Qt::LeftButton);
+  EXPECT_TRUE(QTest::qWaitFor([this] { return model.cursor().state().time > 0.02; }, patience));
+  QTest::mouseClick(window.playback().play_button(), Qt::LeftButton);
+  const double time = model.cursor().state().time;
+  QTest::qWait(60);
+  EXPECT_EQ(model.cursor().state().time, time);
+}
+
+TEST_F(MainWindowTest, AnotherProgramReplacesTextAndRun) {
+  open("G21 G90 F1000\nG1 X5\n");
+  EXPECT_EQ(window.program().blockCount(), 3);
+  EXPECT_NEAR(trajectory().path_length(), 5, 1e-9);
+  EXPECT_EQ(model.cursor().state().time, 0);
+}
+
+TEST_F(MainWindowTest, ProblemsOfAProgramAreListedWithTheirLine) {
+  open("G21 G90 F1000\nG1 X5\nG1 Xabc\n");
+  ASSERT_GE(window.diagnostics().topLevelItemCount(), 1);
+  EXPECT_THAT(window.diagnostics().topLevelItem(0)->text(0).toStdString(), testing::StartsWith("3"));
+}
+
+TEST_F(MainWindowTest, AnUnreadableFileIsToldAndTheWindowIsEmpty) {
+  model.open("no/such/part.nc");
+  wait_until_idle();
+  ASSERT_EQ(window.diagnostics().topLevelItemCount(), 1);
+  EXPECT_THAT(window.diagnostics().topLevelItem(0)->text(1).toStdString(), testing::HasSubstr("part.nc"));
+  EXPECT_TRUE(window.program().document()->isEmpty());
+  EXPECT_FALSE(window.charts().chart(0).cursor().has_value());
+}
+
+TEST_F(MainWindowTest, ADroppedFileIsOpened) {
+  const QString file = QString::fromStdString(FEEDSCOPE_SOURCE_DIR "/resources/programs/essid_table1.nc");
+  QMimeData data;
+  data.setUrls({QUrl::fromLocalFile(file)});
+  QDragEnterEvent enter({600, 300}, Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&window, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(600, 300), Qt::CopyAction, &data, Qt::LeftButton, {});
+  QCoreApplication::sendEvent(&window, &drop);
+  wait_until_idle();
+  EXPECT_NEAR(duration(), 1.24, 0.02);
+}
+
+TEST_F(MainWindowTest, EverythingStandsWithinTheDefaultWindow) {
+  const QRect inside = window.rect();
+  for (QWidget* view : std::initializer_list<QWidget*>{&window.program(), &window.scene(), &window.charts(),
+                                                       &window.setup(), &window.playback()}) {
+    const QRect place(view->mapTo(&window, QPoint()), view->size());
+    EXPECT_TRUE(inside.contains(place)) << view->metaObject()->className();
+    EXPECT_GE(place.height(), view->minimumSizeHint().height()) << view->metaObject()->className();
+    EXPECT_GE(place.width(), view->minimumSizeHint().width()) << view->metaObject()->className();
+  }
+  EXPECT_EQ(window.size(), QSize(1280, 800)) << "the contents need more than the default size";
+}
+
+TEST(MainWindow, ClosingWhileBusyIsClean) {
+  RunModel model{shipped_machines(), make_setup({})};
+  MainWindow window{model, RenderBackend::software};
+  window.show();
+  model.open(FEEDSCOPE_SOURCE_DIR "/resources/programs/freeform_finish.nc");
+  QTest::qWait(50);
+  EXPECT_TRUE(model.busy());
+  window.close();
+}
+
+}  // namespace
+}  // namespace feedscope::ui
