@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/base/error.h"
 
@@ -101,13 +102,16 @@ EditDistances edit_distances(std::string_view word, std::string_view candidate) 
   for (std::size_t j = 0; j < row.size(); ++j) {
     row[j] = j;
   }
+  std::vector<std::size_t> above = row;
   for (std::size_t i = 0; i < word.size(); ++i) {
-    std::size_t diagonal = row[0];
+    const std::vector<std::size_t> before_above = std::exchange(above, row);
     row[0] = i + 1;
     for (std::size_t j = 0; j < candidate.size(); ++j) {
-      const std::size_t changed = diagonal + (word[i] == candidate[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({changed, row[j] + 1, diagonal + 1});
+      const std::size_t changed = above[j] + (word[i] == candidate[j] ? 0 : 1);
+      row[j + 1] = std::min({changed, row[j] + 1, above[j + 1] + 1});
+      if (i > 0 && j > 0 && word[i] == candidate[j - 1] && word[i - 1] == candidate[j]) {
+        row[j + 1] = std::min(row[j + 1], before_above[j - 1] + 1);
+      }
     }
   }
   return {row.back(), *std::min_element(row.begin(), row.end())};
@@ -198,7 +202,7 @@ void check_setting(const SettingSpec& spec, const SettingValue& value, std::stri
 
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates) {
   const std::string wanted = lower_case(word);
-  const std::size_t near = std::max<std::size_t>(wanted.size() / 3, 2);
+  const std::size_t near = wanted.size() / 3;
   std::string best;
   EditDistances least{0, near + 1};
   for (const std::string& candidate : candidates) {

@@ -105,7 +105,9 @@ TEST(NearestName, FindsSlipsAndBeginnings) {
   EXPECT_EQ(nearest_name("spinner-mvc580", ids), "spinner-mvc850");
   EXPECT_EQ(nearest_name("spiner", ids), "spinner-mvc850");
   EXPECT_EQ(nearest_name("HURON", ids), "huron-kx10");
-  EXPECT_EQ(nearest_name("jrek", {"velocity", "acceleration", "jerk"}), "");
+  EXPECT_EQ(nearest_name("jrek", {"velocity", "acceleration", "jerk"}), "jerk")
+      << "two swapped letters are one slip";
+  EXPECT_EQ(nearest_name("jxek", {"velocity", "acceleration", "jerk"}), "");
   EXPECT_EQ(nearest_name("jerc", {"velocity", "acceleration", "jerk"}), "jerk");
 }
 
