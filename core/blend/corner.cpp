@@ -53,9 +53,9 @@ BlendShape::Point BlendShape::at(double u) const {
   point.dsigma = transition_ * dnorm;
   point.ddsigma = transition_ * (x2 * x2 + y2 * y2 + x1 * x3 + y1 * y3 - dnorm * dnorm) / norm;
   const double cross = x1 * y2 - y1 * x2;
-  point.k = cross / (norm * norm * norm * transition_);
-  point.dk_ds = ((x1 * y3 - y1 * x3) / (norm * norm * norm) - 3 * cross * dnorm / std::pow(norm, 4)) /
-                (norm * transition_ * transition_);
+  const double norm3 = norm * norm * norm;
+  point.k = cross / (norm3 * transition_);
+  point.dk_ds = (x1 * y3 - y1 * x3 - 3 * cross * dnorm / norm) / (norm3 * norm * transition_ * transition_);
   point.tangent = (x1 * first_ + y1 * second_) / norm;
   point.normal = (-y1 * first_ + x1 * second_) / norm;
   return point;
