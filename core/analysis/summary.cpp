@@ -119,7 +119,7 @@ class Peaks {
     } else if (piece.law == Law::path_length) {
       share = travel / element.length / blend_length_per_sample;
     }
-    return 1 + static_cast<int>(std::clamp(share, 1.0, 1e6));
+    return 1 + static_cast<int>(std::clamp(share, 0.0, 1e6));
   }
 
   void add(double speed, const Vec3& velocity, const Vec3& acceleration, const Vec3& jerk) {

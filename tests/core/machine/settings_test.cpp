@@ -117,6 +117,7 @@ TEST(NearestName, PrefersTheWholeNameAmongEqualBeginnings) {
 
 TEST(NearestName, GivesNothingWhereNothingIsNear) {
   EXPECT_EQ(nearest_name("zzzzzz", {"velocity", "jerk"}), "");
+  EXPECT_EQ(nearest_name("U", {"X", "Y", "Z"}), "");
   EXPECT_EQ(nearest_name("", {"velocity", "jerk"}), "");
   EXPECT_EQ(nearest_name("velocity", {}), "");
 }

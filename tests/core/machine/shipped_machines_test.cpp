@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <fstream>
@@ -106,7 +107,8 @@ TEST(ShippedMachines, SurviveWritingAndReading) {
   const MachineLibrary machines = library();
   for (const std::string& id : machines.ids()) {
     const Machine machine = machines.load(id);
-    const auto copy = std::filesystem::temp_directory_path() / ("feedscope-" + id + "-copy.toml");
+    const auto copy =
+        std::filesystem::temp_directory_path() / fmt::format("feedscope-{}-{}.toml", id, getpid());
     std::ofstream(copy) << write_machine(machine);
     EXPECT_EQ(read_machine(copy, all_model_settings()), machine) << id;
     std::filesystem::remove(copy);
