@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <string_view>
@@ -44,6 +45,17 @@ std::string unknown(std::string_view what, const std::string& word, const std::v
                                      : fmt::format("did you mean '{}'?", nearest));
 }
 
+/// The FILE given without a command, "" if none.
+std::string lone_file(const CLI::App& app) {
+  const CLI::Option* file = app.get_option_no_throw("FILE");
+  return file == nullptr || file->count() == 0 ? "" : file->results().front();
+}
+
+/// Whether a word is no file and does not look like one: a misspelt command.
+bool is_no_file(const std::string& word) {
+  return !word.empty() && word.find_first_of("./\\") == std::string::npos && !std::filesystem::exists(word);
+}
+
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const std::vector<std::string> extra = app.remaining(true);
@@ -54,6 +66,13 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
                    option_names(chosen.empty() ? app : *chosen.front()));
   }
   if (chosen.empty()) {
+    const std::string file = lone_file(app);
+    if (is_no_file(file)) {
+      return unknown("command", file, command_names(app));
+    }
+    if (!file.empty() && !extra.empty()) {
+      return fmt::format("unexpected argument '{}'", extra.front());
+    }
     return extra.empty() ? fmt::format("no command given; commands: {}", fmt::join(command_names(app), ", "))
                          : unknown("command", extra.front(), command_names(app));
   }
@@ -77,16 +96,22 @@ int run_checked(int argc, char** argv) {
       "Shows what a CNC control really does with an NC program, and why it is slow where it is slow.");
   app.name("feedscope");
   app.set_version_flag("--version", "feedscope " FEEDSCOPE_VERSION);
-  app.require_subcommand(1);
-  const std::vector<Command> commands{add_simulate_command(app), add_check_command(app),
+  std::vector<Command> commands{add_simulate_command(app), add_check_command(app), add_machines_command(app),
+                                add_models_command(app)};
 #ifdef FEEDSCOPE_WITH_UI
-                                      add_render_command(app),
+  commands.push_back(add_render_command(app));
+  commands.push_back(add_window_command(app));
+  app.require_subcommand(0, 1);
+#else
+  app.require_subcommand(1);
 #endif
-                                      add_machines_command(app), add_models_command(app)};
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     return error.get_exit_code() == 0 ? app.exit(error) : report_wrong_use(app, error);
+  }
+  if (app.get_subcommands().empty() && is_no_file(lone_file(app))) {
+    throw InputError(unknown("command", lone_file(app), command_names(app)));
   }
   const auto chosen = std::find_if(commands.begin(), commands.end(),
                                    [](const Command& command) { return command.options->parsed(); });

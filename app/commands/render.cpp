@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <charconv>
+#include <functional>
 #include <map>
 #include <memory>
 #include <string>
@@ -14,6 +15,7 @@
 #include "app/watch.h"
 #include "core/base/error.h"
 #include "ui/scene/picture.h"
+#include "ui/window_picture.h"
 
 namespace feedscope {
 namespace {
@@ -52,6 +54,12 @@ ui::PictureSize parse_picture_size(const std::string& text) {
   return size;
 }
 
+const std::map<std::string, std::function<ui::Picture(const Run&, ui::PictureSize, ui::StandardView)>> views{
+    {"3d", ui::draw_run},
+    {"charts",
+     [](const Run& run, ui::PictureSize size, ui::StandardView) { return ui::draw_charts(run, size); }},
+    {"window", ui::draw_window}};
+
 int render(const RenderOptions& options) {
   const ui::PictureSize size = parse_picture_size(options.size);
   const Setup setup = make_setup(options.run.request());
@@ -65,7 +73,7 @@ int render(const RenderOptions& options) {
     const LoadedProgram program = load_program(source, watch.stage("reading"));
     run = simulate_run(program, setup, watch.stage("simulating"));
   }
-  out.stream() << ui::to_png(ui::draw_run(run, size, cameras.at(options.camera)));
+  out.stream() << ui::to_png(views.at(options.view)(run, size, cameras.at(options.camera)));
   out.commit();
   print_diagnostics(*run.input.program);
   return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
@@ -78,15 +86,16 @@ Command add_render_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("render", "Draw an NC program and its motion as a PNG picture; needs no display");
   add_run_options(*command, options->run);
-  command->add_option("--view", options->view, "What to draw")
-      ->check(CLI::IsMember({"3d"}))
+  command->add_option("--view", options->view, "What to draw: 3d, charts, window")
+      ->check(CLI::IsMember(views))
+      ->type_name("VIEW")
       ->capture_default_str();
   command->add_option("--size", options->size, "Width and height in pixels")
       ->type_name("WxH")
       ->capture_default_str();
   command->add_option("--camera", options->camera, "Where to look from: iso, top, front, right")
       ->check(CLI::IsMember(cameras))
-      ->type_name("VIEW")
+      ->type_name("CAMERA")
       ->capture_default_str();
   command->add_option("--out", options->out, "The picture to write; - for standard output")
       ->type_name("FILE.png")

@@ -304,4 +304,35 @@ TEST_F(CommandLine, NamesADataFolderWithoutMachines) {
   EXPECT_THAT(result.err, HasSubstr("FEEDSCOPE_DATA is '.', which holds no folder machines/"));
 }
 
+#ifdef FEEDSCOPE_WITH_UI
+constexpr const char* no_display = "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM";
+
+TEST_F(CommandLine, DrawsEveryViewWithoutADisplay) {
+  for (const std::string view : {"3d", "charts", "window"}) {
+    const Result result =
+        run("render corner.nc --view " + view + " --size 900x700 --out " + view + ".png", no_display);
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    EXPECT_THAT(contents(folder_ / (view + ".png")), HasSubstr("PNG"));
+  }
+  expect_wrong_use("render corner.nc --view window --size 200x100 --out small.png", "at least");
+  EXPECT_FALSE(fs::exists(folder_ / "small.png"));
+  expect_wrong_use("render corner.nc --view 4d --out x.png", "4d");
+}
+
+TEST_F(CommandLine, WithoutADisplayTheWindowTellsHowToGetAPicture) {
+  for (const std::string place : {no_display, "DISPLAY=:12345 WAYLAND_DISPLAY= QT_QPA_PLATFORM=xcb"}) {
+    const Result result = run("corner.nc", place);
+    EXPECT_EQ(result.code, 2) << place;
+    EXPECT_THAT(result.err, HasSubstr("feedscope render FILE --view window")) << place;
+  }
+}
+
+TEST_F(CommandLine, NamesAWordThatIsNeitherCommandNorFile) {
+  expect_wrong_use("simulat", "unknown command 'simulat'; did you mean 'simulate'?");
+  expect_wrong_use("simulat corner.nc", "unknown command 'simulat'; did you mean 'simulate'?");
+  expect_wrong_use("corner.nc other.nc", "unexpected argument 'other.nc'");
+}
+#endif
+
 }  // namespace

@@ -55,15 +55,18 @@ std::array<ChartSpec, 3> chart_specs() {
 
 }  // namespace
 
-ChartsPanel::ChartsPanel(Cursor& cursor, QWidget* parent) : QWidget(parent), cursor_(cursor), range_(this) {
-  auto* abscissa = new QComboBox(this);
-  abscissa->addItems({tr("over time"), tr("over path length")});
-  abscissa->setToolTip(tr("What runs along the charts"));
-  connect(abscissa, &QComboBox::currentIndexChanged, this, &ChartsPanel::choose_abscissa);
-  auto* fit = new QToolButton(this);
-  fit->setText(tr("Show all"));
-  fit->setToolTip(tr("Show the whole run (double click in a chart)"));
-  connect(fit, &QToolButton::clicked, &range_, &ViewRange::fit);
+ChartsPanel::ChartsPanel(Cursor& cursor, QWidget* parent)
+    : QWidget(parent),
+      cursor_(cursor),
+      range_(this),
+      abscissa_(new QComboBox(this)),
+      show_all_(new QToolButton(this)) {
+  abscissa_->addItems({tr("over time"), tr("over path length")});
+  abscissa_->setToolTip(tr("What runs along the charts"));
+  connect(abscissa_, &QComboBox::currentIndexChanged, this, &ChartsPanel::choose_abscissa);
+  show_all_->setText(tr("Show all"));
+  show_all_->setToolTip(tr("Show the whole run (double click in a chart)"));
+  connect(show_all_, &QToolButton::clicked, &range_, &ViewRange::fit);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -77,8 +80,8 @@ ChartsPanel::ChartsPanel(Cursor& cursor, QWidget* parent) : QWidget(parent), cur
     head->setContentsMargins(0, 0, 8, 0);
     head->addWidget(headers_[i]);
     if (i == 0) {
-      head->addWidget(abscissa);
-      head->addWidget(fit);
+      head->addWidget(abscissa_);
+      head->addWidget(show_all_);
     }
     layout->addLayout(head);
     layout->addWidget(charts_[i], last ? 4 : 3);
@@ -122,6 +125,11 @@ void ChartsPanel::set_limits(const std::array<AxisLimits, 3>& limits) {
     charts_[k]->set_limits(lines);
   }
   refresh_.start();
+}
+
+void ChartsPanel::hide_controls() {
+  abscissa_->hide();
+  show_all_->hide();
 }
 
 void ChartsPanel::refresh() {

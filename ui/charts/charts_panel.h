@@ -11,6 +11,7 @@
 #include "ui/models/cursor.h"
 
 class QComboBox;
+class QToolButton;
 
 namespace feedscope::ui {
 
@@ -26,6 +27,8 @@ class ChartsPanel : public QWidget {
   void set_run(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const Envelope> envelope,
                bool keep_range);
   void set_limits(const std::array<AxisLimits, 3>& limits);
+  /// For pictures, where nothing can be pressed.
+  void hide_controls();
   ViewRange& range() { return range_; }
   /// 0 feed, 1 acceleration, 2 jerk.
   KinematicChart& chart(std::size_t i) { return *charts_[i]; }
@@ -41,6 +44,8 @@ class ChartsPanel : public QWidget {
   std::shared_ptr<const Envelope> envelope_;
   std::array<ChartHeader*, 3> headers_{};
   std::array<KinematicChart*, 3> charts_{};
+  QComboBox* abscissa_;
+  QToolButton* show_all_;
   QTimer refresh_;
 };
 

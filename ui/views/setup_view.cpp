@@ -58,6 +58,9 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
       settings_(make_table(settings_model_, tr("Control settings"), this)),
       help_(new QLabel(this)) {
   axes_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+  axes_->verticalHeader()->setDefaultSectionSize(row_height);
+  axes_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  axes_->setFixedHeight(full_height(axes_));
   settings_->verticalHeader()->hide();
   machine_->setWordWrap(true);
   machine_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
@@ -84,8 +87,6 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
           [this](const QModelIndex& index, const QString& message) { refuse(axes_, index, message); });
   connect(settings_model_, &SetupTable::refused, this,
           [this](const QModelIndex& index, const QString& message) { refuse(settings_, index, message); });
-  connect(axes_->verticalHeader(), &QHeaderView::sectionResized, this,
-          [this] { axes_->setFixedHeight(full_height(axes_)); });
   connect(settings_->verticalHeader(), &QHeaderView::sectionResized, this,
           [this] { settings_->setMaximumHeight(full_height(settings_)); });
   connect(&edit_, &SetupEdit::keys_changed, this, &SetupView::fit_tables);

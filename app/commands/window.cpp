@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+
+#include <QApplication>
+#include <QSettings>
+#include <cstdlib>
+#include <memory>
+#include <string>
+
+#include "app/commands/command.h"
+#include "app/exit_codes.h"
+#include "core/base/error.h"
+#include "ui/main_window.h"
+#include "ui/views/theme.h"
+
+namespace feedscope {
+namespace {
+
+constexpr const char* picture_instead =
+    "for a picture of it use: feedscope render FILE --view window --out FILE.png";
+
+void check_display() {
+  const auto set = [](const char* name) { return !qEnvironmentVariableIsEmpty(name); };
+  if (!set("DISPLAY") && !set("WAYLAND_DISPLAY") && !set("QT_QPA_PLATFORM")) {
+    throw InputError(fmt::format(
+        "the window needs a display, and neither DISPLAY nor WAYLAND_DISPLAY is set; {}", picture_instead));
+  }
+}
+
+/// Qt's fatal messages end in abort(); the one that happens is a display that cannot be reached.
+void leave_on_fatal(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  if (type == QtFatalMsg) {
+    fmt::print(stderr, "feedscope: the window cannot be opened; {}\n", picture_instead);
+    std::_Exit(exit_code::wrong_use);
+  }
+  fmt::print(stderr, "feedscope: {}\n", message.toStdString());
+}
+
+int show_window(const std::string& file) {
+  check_display();
+  qInstallMessageHandler(leave_on_fatal);
+  int count = 1;
+  char name[] = "feedscope";
+  char* arguments[] = {name, nullptr};
+  QApplication application(count, arguments);
+  QApplication::setApplicationName("Feedscope");
+  QApplication::setOrganizationName("Feedscope");
+  QApplication::setDesktopFileName("feedscope");
+  ui::apply_theme();
+
+  ui::RunModel model(shipped_machines(), make_setup({}));
+  ui::MainWindow window(model, ui::default_backend());
+  QSettings settings;
+  window.restoreGeometry(settings.value("geometry").toByteArray());
+  window.restoreState(settings.value("layout").toByteArray());
+  window.show();
+  if (!file.empty()) {
+    model.open(file);
+  }
+  const int code = QApplication::exec();
+  settings.setValue("geometry", window.saveGeometry());
+  settings.setValue("layout", window.saveState());
+  return code;
+}
+
+}  // namespace
+
+Command add_window_command(CLI::App& app) {
+  const auto file = std::make_shared<std::string>();
+  app.add_option("FILE", *file, "Without a command: open the window, with this NC program")->type_name("");
+  return {&app, [file] { return show_window(*file); }};
+}
+
+}  // namespace feedscope

@@ -1,0 +1,51 @@
+#include "ui/window_picture.h"
+
+#include <gtest/gtest.h>
+
+#include "core/base/error.h"
+#include "tests/ui/run_fixture.h"
+
+namespace feedscope::ui {
+namespace {
+
+std::size_t count_dark(const Picture& picture) {
+  std::size_t dark = 0;
+  for (std::size_t i = 0; i < picture.rgb.size(); i += 3) {
+    dark += picture.rgb[i] < 0x40 && picture.rgb[i + 1] < 0x40 && picture.rgb[i + 2] < 0x40 ? 1 : 0;
+  }
+  return dark;
+}
+
+TEST(WindowPicture, HasTheSizeAskedForAndIsTheSameEveryTime) {
+  const auto run = test::simulate_text(test::small_program);
+  const Picture first = draw_window(run, {1280, 800}, StandardView::top);
+  EXPECT_EQ(first.size.width, 1280);
+  EXPECT_EQ(first.size.height, 800);
+  EXPECT_EQ(first.rgb.size(), 1280U * 800U * 3U);
+  EXPECT_EQ(draw_window(run, {1280, 800}, StandardView::top).rgb, first.rgb);
+  EXPECT_NE(draw_window(run, {1280, 800}, StandardView::iso).rgb, first.rgb);
+}
+
+TEST(WindowPicture, ChartsShowTheCurves) {
+  const auto run = test::simulate_text(test::small_program);
+  const Picture charts = draw_charts(run, {1000, 700});
+  EXPECT_EQ(charts.size.width, 1000);
+  EXPECT_EQ(charts.size.height, 700);
+  const auto still = test::simulate_text("");
+  EXPECT_GT(count_dark(charts), count_dark(draw_charts(still, {1000, 700})) + 1000);
+}
+
+TEST(WindowPicture, TooSmallASizeIsAnErrorThatNamesTheLeast) {
+  const auto run = test::simulate_text(test::small_program);
+  for (const PictureSize size : {PictureSize{300, 200}, PictureSize{2000, 100}}) {
+    try {
+      draw_window(run, size, StandardView::iso);
+      FAIL() << "no error";
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find("at least"), std::string::npos) << error.what();
+    }
+  }
+}
+
+}  // namespace
+}  // namespace feedscope::ui
