@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstddef>
 #include <exception>
 
 namespace feedscope {
@@ -29,6 +30,25 @@ class Progress {
  private:
   std::atomic<double> fraction_{0.0};
   std::atomic<bool> cancelled_{false};
+};
+
+/// Reports to a Progress, or to nobody, only every few thousand steps.
+class ProgressSteps {
+ public:
+  ProgressSteps(Progress* progress, std::size_t total) : progress_(progress), total_(total) {}
+  /// `done` of the total is done; throws Cancelled as Progress::report.
+  void at(std::size_t done) {
+    if (progress_ != nullptr && done >= next_) {
+      next_ = done + every;
+      progress_->report(static_cast<double>(done) / static_cast<double>(total_));
+    }
+  }
+
+ private:
+  static constexpr std::size_t every = 4096;
+  Progress* progress_;
+  std::size_t total_;
+  std::size_t next_ = 0;
 };
 
 }  // namespace feedscope

@@ -5,10 +5,6 @@
 
 namespace feedscope {
 
-double turn_angle(const Vec3& in, const Vec3& out) {
-  return 2 * std::atan2((out - in).norm(), (out + in).norm());
-}
-
 Corner lay_corner(const Vec3& in, const Vec3& out, double longest, const CornerRule& rule) {
   const double half_sine = (out - in).norm() / 2;  // sin(phi/2)
   const bool reverses = (in.array() * out.array() < 0).any();

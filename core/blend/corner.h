@@ -1,15 +1,10 @@
 #pragma once
 
 #include "core/base/geometry.h"
+#include "core/blend/junction.h"
 #include "core/toolpath/curve.h"
 
 namespace feedscope {
-
-/// Below this direction change [rad] two blocks count as one straight line, above pi less this as a reversal.
-inline constexpr double straight_angle = 1e-6;
-
-/// Angle between two unit vectors, exact also near 0 and pi [rad].
-double turn_angle(const Vec3& in, const Vec3& out);
 
 /// How a cubic Hermite blend is laid into a corner of two lines (Essid 2019, eq 4-13; MODELS section 2).
 struct CornerRule {

@@ -95,16 +95,4 @@ SpeedBound crossing_speed(const Vec3& step, const Vec3& jerk, double interpolati
   return {std::sqrt(bound.value * interpolation_period), by_axis(CauseKind::curvature_crossing, bound)};
 }
 
-Vec3 curvature_at_start(const Toolpath& toolpath, std::size_t i) {
-  return toolpath.segments[i].kind == SegmentKind::arc ? arc_of(toolpath, i).at(0).d2 : Vec3::Zero().eval();
-}
-
-Vec3 curvature_at_end(const Toolpath& toolpath, std::size_t i) {
-  if (toolpath.segments[i].kind != SegmentKind::arc) {
-    return Vec3::Zero();
-  }
-  const Arc& arc = arc_of(toolpath, i);
-  return arc.at(arc.length()).d2;
-}
-
 }  // namespace feedscope

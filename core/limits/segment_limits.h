@@ -52,8 +52,4 @@ MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisV
 /// sqrt(J t_cy / |k1 - k2|) of Tapie 2007 (MODELS section 3), signed curvatures included.
 SpeedBound crossing_speed(const Vec3& step, const Vec3& jerk, double interpolation_period);
 
-/// Curvature vector (towards the centre, 1/radius long) of segment `i` at its start or end [1/mm].
-Vec3 curvature_at_start(const Toolpath& toolpath, std::size_t i);
-Vec3 curvature_at_end(const Toolpath& toolpath, std::size_t i);
-
 }  // namespace feedscope

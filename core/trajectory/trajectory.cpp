@@ -52,6 +52,24 @@ Trajectory::Trajectory(BlendedPath path, std::vector<Piece> pieces, double durat
       rapid_(std::move(rapid)) {
   assert(lines_.size() == path_.elements.size() && feeds_.size() == lines_.size() &&
          rapid_.size() == lines_.size());
+  fill_blend_speeds();
+}
+
+void Trajectory::fill_blend_speeds() {
+  std::size_t piece = 0;
+  for (BlendRecord& record : blends_) {
+    while (piece < pieces_.size() && pieces_[piece].element < record.element) {
+      ++piece;
+    }
+    if (piece == pieces_.size() || pieces_[piece].element != record.element) {
+      continue;
+    }
+    record.entry_speed = kinematics_in_piece(piece, 0).speed;
+    while (piece + 1 < pieces_.size() && pieces_[piece + 1].element == record.element) {
+      ++piece;
+    }
+    record.exit_speed = kinematics_in_piece(piece, piece_end(piece) - pieces_[piece].time).speed;
+  }
 }
 
 double Trajectory::piece_end(std::size_t piece) const {

@@ -69,6 +69,7 @@ struct BlendRecord {
 class Trajectory {
  public:
   Trajectory() = default;
+  /// `blends` in the order of their elements, entry and exit speed filled in here.
   /// `lines`, `feeds` [mm/s]: per path element, source line and programmed feed (axes' speed for a rapid).
   Trajectory(BlendedPath path, std::vector<Piece> pieces, double duration, std::vector<BlendRecord> blends,
              std::vector<std::uint32_t> lines, std::vector<double> feeds, std::vector<bool> rapid);
@@ -97,6 +98,8 @@ class Trajectory {
   double time_of_line(std::uint32_t line) const;
 
  private:
+  void fill_blend_speeds();
+
   CurvePoint curve_point(const Piece& piece, double q) const;
 
   BlendedPath path_;

@@ -12,21 +12,35 @@ std::uint32_t TrajectoryBuilder::add_element(PathElement element, std::uint32_t 
   return static_cast<std::uint32_t>(path_.elements.size() - 1);
 }
 
-std::uint32_t TrajectoryBuilder::add_segment(const Toolpath& toolpath, std::size_t i, double feed) {
+std::uint32_t TrajectoryBuilder::add_segment(const Toolpath& toolpath, std::size_t i, double feed,
+                                             double cut_before, double cut_after) {
   const Segment& segment = toolpath.segments[i];
   PathElement element;
   element.start = toolpath.start_of(i);
   element.end = segment.end;
-  element.length = segment.length;
+  element.length = segment.length - cut_before - cut_after;
   element.segment = static_cast<std::uint32_t>(i);
   switch (segment.kind) {
-    case SegmentKind::line:
+    case SegmentKind::line: {
+      const Vec3 direction = toolpath.tangent_at_start(i);
       element.kind = ElementKind::line;
+      element.start += cut_before * direction;
+      element.end -= cut_after * direction;
       break;
-    case SegmentKind::arc:
+    }
+    case SegmentKind::arc: {
+      const Arc& arc = toolpath.arcs[static_cast<std::size_t>(segment.arc)];
       element.kind = ElementKind::arc;
-      element.geometry = add_arc(toolpath.arcs[static_cast<std::size_t>(segment.arc)]);
+      element.geometry = add_arc(arc);
+      element.arc_offset = cut_before;
+      if (cut_before > 0) {
+        element.start = arc.at(cut_before).position;
+      }
+      if (cut_after > 0) {
+        element.end = arc.at(segment.length - cut_after).position;
+      }
       break;
+    }
     case SegmentKind::dwell:
       element.kind = ElementKind::dwell;
       break;
@@ -44,11 +58,6 @@ std::uint32_t TrajectoryBuilder::add_blend(const CubicBlend& blend) {
   return static_cast<std::uint32_t>(path_.blends.size() - 1);
 }
 
-std::size_t TrajectoryBuilder::add_blend_record(const BlendRecord& record) {
-  records_.push_back(record);
-  return records_.size() - 1;
-}
-
 void TrajectoryBuilder::add_piece(Piece piece, double duration) {
   if (!(duration > 0)) {
     return;
@@ -59,8 +68,10 @@ void TrajectoryBuilder::add_piece(Piece piece, double duration) {
 }
 
 Trajectory TrajectoryBuilder::finish() {
-  return Trajectory(std::move(path_), std::move(pieces_), time_, std::move(records_), std::move(lines_),
-                    std::move(feeds_), std::move(rapid_));
+  Trajectory trajectory(std::move(path_), std::move(pieces_), time_, std::move(records_), std::move(lines_),
+                        std::move(feeds_), std::move(rapid_));
+  *this = TrajectoryBuilder();
+  return trajectory;
 }
 
 }  // namespace feedscope

@@ -12,18 +12,21 @@ class TrajectoryBuilder {
  public:
   /// Appends `element`, whose `s` is set here; `feed` [mm/s]. Returns its index.
   std::uint32_t add_element(PathElement element, std::uint32_t line, double feed, bool rapid);
-  /// Appends segment `i` as programmed, from end to end; `feed` [mm/s]. Returns the element's index.
-  std::uint32_t add_segment(const Toolpath& toolpath, std::size_t i, double feed);
+  /// Appends segment `i`, shortened by `cut_before` and `cut_after` [mm] where blends take its place; `feed`
+  /// [mm/s]. Returns the element's index.
+  std::uint32_t add_segment(const Toolpath& toolpath, std::size_t i, double feed, double cut_before = 0,
+                            double cut_after = 0);
   std::uint32_t add_arc(const Arc& arc);
   std::uint32_t add_blend(const CubicBlend& blend);
 
   /// Appends a piece that lasts `duration` [s]; `piece.time` is set here. Nothing for duration <= 0.
   void add_piece(Piece piece, double duration);
-  std::size_t add_blend_record(const BlendRecord& record);
-  BlendRecord& blend_record(std::size_t index) { return records_[index]; }
+  /// Entry and exit speed are filled in by finish().
+  void add_blend_record(const BlendRecord& record) { records_.push_back(record); }
 
   const BlendedPath& path() const { return path_; }
   double time() const { return time_; }
+  /// The trajectory of everything added; the builder is empty then.
   Trajectory finish();
 
  private:

@@ -22,9 +22,9 @@ const ModelInfo& CamModel::info() const {
 
 Trajectory CamModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings&,
                                  Progress* progress) const {
-  constexpr std::size_t report_every = 8192;
   const Vec3 velocity = axis_limit_vector(machine, &AxisLimits::velocity);
   TrajectoryBuilder builder;
+  ProgressSteps steps(progress, toolpath.segments.size());
   for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
     const Segment& segment = toolpath.segments[i];
     const SpeedBound programmed = programmed_speed(toolpath, i, velocity);
@@ -35,9 +35,7 @@ Trajectory CamModel::do_simulate(const Toolpath& toolpath, const Machine& machin
       builder.add_piece({0, 0, programmed.value, 0, 0, index, programmed.cause},
                         segment.length / programmed.value);
     }
-    if (progress != nullptr && i % report_every == 0) {
-      progress->report(static_cast<double>(i) / static_cast<double>(toolpath.segments.size()));
-    }
+    steps.at(i);
   }
   return builder.finish();
 }

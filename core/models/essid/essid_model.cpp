@@ -1,23 +1,9 @@
 #include "core/models/essid/essid_model.h"
 
 #include "core/models/essid/essid_settings.h"
-#include "core/models/essid/stretch.h"
+#include "core/models/essid/essid_stretch.h"
 
 namespace feedscope {
-namespace {
-
-/// Blocks that are reported as done together.
-constexpr std::size_t report_every = 4096;
-
-bool stops_before(const Toolpath& toolpath, std::size_t i) {
-  const Segment& before = toolpath.segments[i - 1];
-  const Segment& after = toolpath.segments[i];
-  return before.kind == SegmentKind::dwell || after.kind == SegmentKind::dwell || before.rapid ||
-         after.rapid || junction_kind(toolpath, i) == JunctionKind::stop;
-}
-
-}  // namespace
-
 EssidSettings::EssidSettings(const Settings& settings) {
   corner.tolerance = settings.number("contour_tolerance_mm");
   corner.alpha = settings.number("alpha");
@@ -82,25 +68,18 @@ const ModelInfo& EssidModel::info() const {
 Trajectory EssidModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
                                    Progress* progress) const {
   TrajectoryBuilder builder;
-  StretchRunner runner(toolpath, AxisVectors(machine), EssidSettings(settings), builder);
-  const std::size_t count = toolpath.segments.size();
-  std::size_t reported = 0;
-  for (std::size_t first = 0; first < count;) {
-    std::size_t last = first + 1;
-    while (last < count && !stops_before(toolpath, last)) {
-      ++last;
-    }
+  EssidRunner runner(toolpath, AxisVectors(machine), EssidSettings(settings), builder);
+  ProgressSteps steps(progress, toolpath.segments.size());
+  for (std::size_t first = 0; first < toolpath.segments.size();) {
+    const StretchRange range = next_stretch(toolpath, first, true);
+    steps.at(first);
     if (toolpath.segments[first].kind == SegmentKind::dwell) {
       const std::uint32_t element = builder.add_segment(toolpath, first, 0);
       builder.add_piece({0, 0, 0, 0, 0, element, {CauseKind::dwell}}, toolpath.segments[first].dwell);
     } else {
-      runner.run(first, last, progress);
+      runner.run(range, steps);
     }
-    first = last;
-    if (progress != nullptr && first >= reported + report_every) {
-      progress->report(static_cast<double>(first) / static_cast<double>(count));
-      reported = first;
-    }
+    first = range.last;
   }
   return builder.finish();
 }

@@ -19,7 +19,7 @@ namespace feedscope {
 ///    ramp, as in dense short blocks, runs that ramp by path length.
 ///  - A corner that turns by more than 2 rad is passed at constant du/dt: eq 26 looks at u = 0 only, and
 ///  there the
-///    curvature peaks in the middle (see stretch_path.cpp).
+///    curvature peaks in the middle (see blend_law.h).
 ///  - Arcs and tangent junctions keep the static limits of Tapie 2007 (segment_limits.h); corners that touch
 ///    an arc and corners with a rapid are exact stops.
 /// Readings: `corrected` carries the acceleration at a blend's end on; `published` drops it to 0, as the

@@ -1,0 +1,117 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/models/essid/essid_stretch.h"
+
+namespace feedscope {
+
+void EssidRunner::move(const std::vector<PlanNode>& nodes, ProgressSteps& steps) {
+  speed_ = 0;
+  for (std::size_t n = 0; n + 1 < nodes.size();) {
+    const std::size_t first = nodes[n].junction;
+    steps.at(stretch_.block[first]);
+    if (blend_index_[first] != no_blend) {
+      if (const auto reached = move_over_blend(nodes, n)) {
+        n = *reached;
+        continue;
+      }
+      if (is_level(blend_of(first))) {
+        pass_level(first);
+        ++n;
+        continue;
+      }
+    }
+    const std::size_t last = nodes[n + 1].junction;
+    const SpanLimits span = span_limits(stretch_.plan, first, last);
+    speed_ =
+        add_profile(builder_, stretch_, profile_to(nodes[n + 1].speed, span, speed_, 0), span, first, last);
+    ++n;
+  }
+}
+
+std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNode>& nodes, std::size_t n) {
+  const std::size_t e = nodes[n].junction;
+  const Blend& blend = blend_of(e);
+  if (settings_.reading == EssidReading::strict || blend.turn > sharp_turn) {
+    return std::nullopt;
+  }
+  std::size_t target = n + 1;
+  // The node at the blend's end only repeats its entry speed: look further, unless another blend starts
+  // there.
+  if (nodes[target].junction == e + 1 && blend_index_[e + 1] == no_blend) {
+    ++target;
+  }
+  const std::size_t last = nodes[target].junction;
+  const double end_speed = nodes[target].speed;
+  const SpanLimits span = span_limits(stretch_.plan, e + 1, last);
+
+  SpeedBound ceiling = blend.feed;
+  ceiling.lower(last == e + 1 ? end_speed : reachable_speed(end_speed, span.length, span.ramp()),
+                {CauseKind::ramp_down});
+  if (ceiling.value < speed_) {
+    return std::nullopt;
+  }
+  if (ceiling.value <= speed_ * (1 + 1e-9) && keeps_rows_at(blend.shape, speed_, blend_limits_)) {
+    return std::nullopt;  // nothing to gain
+  }
+  // The law is worth its samples where the second half of the blend, used to accelerate, gains some speed,
+  // and it means something where what constant speed alone asks of the parametric jerk hardly changes in a
+  // sample.
+  constexpr double least_gain = 0.05;
+  constexpr double least_samples = 40;
+  const double time = stretch_.plan[e].length / speed_;
+  const double samples = std::max(time / settings_.period, least_samples);
+  const BlendShape::Point entry = blend.shape.at(0);
+  const double steady_jerk = std::abs(entry.ddsigma) * std::pow(speed_ / entry.sigma, 3);
+  if (blend.jerk * time * time / 8 < least_gain * speed_ || 16 * steady_jerk > samples * blend.jerk) {
+    return std::nullopt;
+  }
+  const double period = time / samples;
+  constexpr double sampled_slack = 1.005;  // what the rows of eq 24 may push the speed above its ceiling
+  const double fastest = ceiling.value;
+  for (const double share : {1.0, 0.5, 0.0}) {
+    ceiling.value = speed_ + share * (fastest - speed_);
+    const BlendMotion motion = run_blend(blend.shape, speed_, ceiling, blend_limits_, period);
+    if (!motion.complete || motion.peak_speed > fastest * sampled_slack) {
+      continue;
+    }
+    const double carried = settings_.reading == EssidReading::published ? 0 : motion.exit_acceleration;
+    if (last == e + 1) {  // the next blend begins without acceleration, eq 25
+      if (motion.exit_speed > end_speed * (1 + 1e-9)) {
+        continue;
+      }
+      add_blend_steps(motion.steps, e);
+      speed_ = motion.exit_speed;
+      return target;
+    }
+    const SpeedProfile profile = profile_to(end_speed, span, motion.exit_speed, carried);
+    if (profile.feasible && first_too_fast(stretch_.plan, stretch_.ceiling, e + 1, last, profile) == last) {
+      add_blend_steps(motion.steps, e);
+      speed_ = add_profile(builder_, stretch_, profile, span, e + 1, last);
+      return target;
+    }
+  }
+  return std::nullopt;
+}
+
+void EssidRunner::pass_level(std::size_t element) {
+  const Blend& blend = blend_of(element);
+  const Cause cause = stretch_.plan[element].limits.speed.cause;
+  if (settings_.reading != EssidReading::strict && keeps_rows_at(blend.shape, speed_, blend_limits_)) {
+    builder_.add_piece({0, 0, speed_, 0, 0, stretch_.element[element], cause},
+                       stretch_.plan[element].length / speed_);
+  } else {
+    const double du = speed_ / blend.shape.at(0).sigma;
+    add_blend_steps({{1 / du, 0, du, 0, 0, cause}}, element);
+  }
+}
+
+void EssidRunner::add_blend_steps(const std::vector<BlendStep>& blend_steps, std::size_t element) {
+  for (const BlendStep& step : blend_steps) {
+    builder_.add_piece(
+        {0, step.u, step.du, step.ddu, step.dddu, stretch_.element[element], step.cause, Law::parameter},
+        step.duration);
+  }
+}
+
+}  // namespace feedscope

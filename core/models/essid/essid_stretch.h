@@ -1,0 +1,63 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/models/essid/blend_law.h"
+#include "core/models/essid/essid_settings.h"
+#include "core/trajectory/stretch.h"
+
+namespace feedscope {
+
+/// Runs stretches from standstill to standstill, one after the other, into a trajectory: lays blends into
+/// their corners (essid_path.cpp), plans, and moves over lines by ramps and over blends by the paper's law
+/// (essid_motion.cpp).
+class EssidRunner {
+ public:
+  EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,
+              TrajectoryBuilder& builder);
+
+  /// Lines and arcs without a stop between them. `steps` counts segments.
+  void run(const StretchRange& range, ProgressSteps& steps);
+
+ private:
+  struct Blend {
+    BlendShape shape;
+    SpeedBound feed;  ///< the lower of the two blocks'
+    double turn;      ///< [rad]
+    double jerk;      ///< tangential, least along the blend [mm/s3]
+  };
+  static constexpr std::int32_t no_blend = -1;
+
+  void lay_path(const StretchRange& range);
+  void add_straight(std::size_t segment, double cut_before, double cut_after);
+  void add_blend(std::size_t segment, const Corner& corner, const Vec3& in, const Vec3& out);
+  /// Whether a blend is a level place of the plan, with one speed for both of its ends.
+  bool is_level(const Blend& blend) const;
+  void hold_level_blends();
+
+  void move(const std::vector<PlanNode>& nodes, ProgressSteps& steps);
+  /// Tries the law of the paper on the blend behind node `n`; moves on to the node it returns if that works.
+  std::optional<std::size_t> move_over_blend(const std::vector<PlanNode>& nodes, std::size_t n);
+  /// Passes a level blend, at constant speed where that keeps every limit, else at constant du/dt.
+  void pass_level(std::size_t element);
+  void add_blend_steps(const std::vector<BlendStep>& blend_steps, std::size_t element);
+  const Blend& blend_of(std::size_t element) const {
+    return blends_[static_cast<std::size_t>(blend_index_[element])];
+  }
+
+  const Toolpath& toolpath_;
+  AxisVectors axes_;
+  BlendLimits blend_limits_;
+  EssidSettings settings_;
+  TrajectoryBuilder& builder_;
+
+  Stretch stretch_;
+  std::vector<std::int32_t> blend_index_;  ///< per element of the stretch: into blends_, or no_blend
+  std::vector<Blend> blends_;
+  std::vector<std::uint32_t> level_;  ///< junctions that are nodes in any case
+  double speed_ = 0;                  ///< at the current node [mm/s]
+};
+
+}  // namespace feedscope

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/feed/node_plan.h"
+#include "core/trajectory/trajectory_builder.h"
+
+namespace feedscope {
+
+/// A part of the path from standstill to standstill, as models plan and run it. Arrays by element; reused
+/// from stretch to stretch so that nothing is allocated anew.
+struct Stretch {
+  std::vector<PlanElement> plan;
+  std::vector<std::uint32_t> element;  ///< index into the path
+  std::vector<std::uint32_t> block;    ///< programmed segment
+  std::vector<double> ceiling;         ///< at the plan.size() + 1 junctions [mm/s]
+
+  void clear();
+  void add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed);
+};
+
+/// Segments [first, last) from standstill to standstill.
+struct StretchRange {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+/// The stretch that begins at segment `first`: up to the next stop, and, where `stop_at_arc_corners`, up to
+/// the next corner that touches an arc. A dwell is a stretch of its own.
+StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop_at_arc_corners);
+
+/// Sets stretch.ceiling: the lower ceiling of the two elements at each junction; where programmed segments
+/// meet in a tangent junction without a blend, crossing_speed(); the look-ahead horizon; 0 at both ends.
+void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3& axis_jerk,
+                           double interpolation_period, std::uint32_t lookahead_blocks);
+
+/// plan_profile over `span` from (speed, acceleration) to (target, 0); where the span is too short to get up
+/// to `target`, to the highest speed that can be reached.
+SpeedProfile profile_to(double target, const SpanLimits& span, double speed, double acceleration);
+
+/// Lays `profile` over elements [first, last) of the stretch as pieces by path length.
+/// Returns the speed at its end [mm/s].
+double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const SpeedProfile& profile,
+                   const SpanLimits& span, std::size_t first, std::size_t last);
+
+}  // namespace feedscope
