@@ -64,11 +64,11 @@ void Trajectory::fill_blend_speeds() {
     if (piece == pieces_.size() || pieces_[piece].element != record.element) {
       continue;
     }
-    record.entry_speed = kinematics_in_piece(piece, 0).speed;
+    record.entry_speed = kinematics_in_piece(piece, 0).velocity.norm();
     while (piece + 1 < pieces_.size() && pieces_[piece + 1].element == record.element) {
       ++piece;
     }
-    record.exit_speed = kinematics_in_piece(piece, piece_end(piece) - pieces_[piece].time).speed;
+    record.exit_speed = kinematics_in_piece(piece, piece_end(piece) - pieces_[piece].time).velocity.norm();
   }
 }
 
