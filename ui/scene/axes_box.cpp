@@ -13,13 +13,13 @@ namespace {
 
 constexpr double text_pixels = 13;
 constexpr double tick_length = 5;
-constexpr double label_gap = 9;         // from the edge
-constexpr double label_spacing = 14;    // between labels beside each other
-constexpr double line_spacing = 8;      // between labels above each other
-constexpr double grid_spacing = 45;     // at least, between grid lines
-constexpr double upright_spacing = 22;  // on an edge that stands upright
-constexpr double upright = 0.9;         // least vertical part of its direction
-constexpr double shortest_axis = 24;    // an edge that looks shorter has no labels
+constexpr double label_gap = 9;       // from the edge
+constexpr double label_spacing = 14;  // between labels beside each other
+constexpr double line_spacing = 8;    // between labels above each other
+constexpr double grid_spacing = 45;   // at least, between grid lines
+constexpr double upright = 0.9;       // least vertical part of the direction of an edge that stands
+constexpr int enough_labels = 4;      // on a short edge, if they keep apart
+constexpr double shortest_axis = 24;  // an edge that looks shorter has no labels
 constexpr double end_on = 1e-6;
 
 double side(const Bounds& box, int axis, bool high) {
@@ -127,8 +127,8 @@ class Layouter {
     const double from = frame_.to_mm(axis, frame_.box.min[axis]);
     const double to = frame_.to_mm(axis, frame_.box.max[axis]);
     const Vec2 along = edge.along().cwiseAbs();
-    const double spacing_wanted = along.y() > upright ? upright_spacing : grid_spacing;
-    for (int most = std::max(2, static_cast<int>(edge.length() / (spacing_wanted * scale_)));; --most) {
+    for (int most = std::max(enough_labels, static_cast<int>(edge.length() / (grid_spacing * scale_)));;
+         --most) {
       Ticks ticks = round_ticks(from, to, most);
       Vec2 largest = Vec2::Zero();
       for (const std::string& label : ticks.labels) {

@@ -1,6 +1,7 @@
 #include "ui/scene/pick.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace feedscope::ui {
@@ -47,11 +48,13 @@ std::optional<double> nearest_time(const SampledPath& samples, const Trajectory&
     return std::nullopt;
   }
   std::size_t span = 0;
-  double front = -std::numeric_limits<double>::infinity();
+  Passage chosen{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (std::size_t i = 0; i < spans; ++i) {
     const Passage p = passage_of(i);
-    if (p.distance <= least + 1 && p.depth > front + 1) {
-      front = p.depth;
+    const bool in_front = p.depth > chosen.depth + 1;
+    const bool level = std::abs(p.depth - chosen.depth) <= 1;
+    if (p.distance <= least + 1 && (in_front || (level && p.distance < chosen.distance))) {
+      chosen = p;
       span = i;
     }
   }

@@ -12,26 +12,28 @@ constexpr double arc_step = units::pi / 60;  // [rad]
 constexpr double spans_of_blend = 24;
 constexpr double feed_steps = 24;
 
-/// Appends points, leaving out those closer than `spacing` to the one before, and keeps the bounds.
+/// Appends points and keeps the bounds. A point closer than `spacing` to the one before is left out, unless a
+/// longer span begins at it: that one must have its own feed.
 class Sampler {
  public:
-  Sampler(SampledPath& path, double spacing) : path_(path), spacing_(static_cast<float>(spacing)) {}
+  Sampler(SampledPath& path, double spacing) : path_(path), spacing_(spacing) {}
 
-  /// False if the point was left out.
-  bool add(const Vec3& position, SpanKind next) {
+  /// `span`: length up to the next point [mm]. False if the point was left out.
+  bool add(const Vec3& position, SpanKind kind, double span) {
     path_.bounds.add(position);
     const Eigen::Vector3f offset = (position - path_.origin).cast<float>();
-    if (spacing_ > 0 && !path_.positions.empty() && (offset - path_.positions.back()).norm() < spacing_) {
+    if (span < spacing_ && !path_.positions.empty() &&
+        static_cast<double>((offset - path_.positions.back()).norm()) < spacing_) {
       return false;
     }
     path_.positions.push_back(offset);
-    path_.kinds.push_back(next);
+    path_.kinds.push_back(kind);
     return true;
   }
 
  private:
   SampledPath& path_;
-  float spacing_;
+  double spacing_;
 };
 
 std::size_t spans(double wanted, double length, double spacing) {
@@ -78,14 +80,15 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) 
       continue;
     }
     const SpanKind kind = segment.rapid ? SpanKind::rapid : SpanKind::cut;
-    sampler.add(toolpath.start_of(i), kind);
     const std::size_t count = spans_of(segment, spacing);
+    const double span = segment.length / static_cast<double>(count);
+    sampler.add(toolpath.start_of(i), kind, span);
     for (std::size_t k = 1; k < count; ++k) {
-      const double s = segment.length * static_cast<double>(k) / static_cast<double>(count);
-      sampler.add(toolpath.arcs[static_cast<std::size_t>(segment.arc)].at(s).position, kind);
+      const Arc& arc = toolpath.arcs[static_cast<std::size_t>(segment.arc)];
+      sampler.add(arc.at(span * static_cast<double>(k)).position, kind, span);
     }
   }
-  sampler.add(toolpath.segments.back().end, SpanKind::cut);
+  Sampler(path, 0).add(toolpath.segments.back().end, SpanKind::cut, 0);
   return path;
 }
 
@@ -99,8 +102,7 @@ class ExecutedSampling {
     for (std::size_t i = 0; i < trajectory.pieces().size(); ++i) {
       const Piece& piece = trajectory.pieces()[i];
       if (piece.law == Law::path_length && !trajectory.is_rapid(piece.element)) {
-        const double tau = trajectory.piece_end(i) - piece.time;
-        top_speed_ = std::max({top_speed_, piece.v, piece.v + tau * (piece.a + tau * piece.j / 2)});
+        top_speed_ = std::max({top_speed_, piece.v, end_speed(i)});
       }
     }
   }
@@ -124,23 +126,57 @@ class ExecutedSampling {
     path.times.reserve(reserve);
     Sampler sampler(path, spacing);
     for (std::size_t i = 0; i < pieces; ++i) {
-      const double begin = trajectory_.pieces()[i].time;
-      const double duration = trajectory_.piece_end(i) - begin;
       const std::size_t count = spans_of(i, spacing);
+      const double step = duration_of(i) / static_cast<double>(count);
+      const double span = advance_of(i) / static_cast<double>(count);
       for (std::size_t k = 0; k < count; ++k) {
-        add(path, sampler, i, duration * static_cast<double>(k) / static_cast<double>(count));
+        add(path, sampler, i, step * static_cast<double>(k), span);
+      }
+      if (feed_jumps_after(i)) {
+        add(path, sampler, i, duration_of(i), 0);
       }
     }
-    const double last = trajectory_.duration() - trajectory_.pieces().back().time;
-    Sampler(path, 0).add(end_point(), path.kinds.back());
-    const State end = trajectory_.state_in_piece(pieces - 1, last);
-    path.feeds.push_back(static_cast<float>(end.speed));
-    path.times.push_back(trajectory_.duration());
+    Sampler all(path, 0);
+    add(path, all, pieces - 1, duration_of(pieces - 1), 0);
     return path;
   }
 
  private:
-  Vec3 end_point() const { return trajectory_.path().elements.back().end; }
+  double duration_of(std::size_t piece) const {
+    return trajectory_.piece_end(piece) - trajectory_.pieces()[piece].time;
+  }
+
+  double end_speed(std::size_t index) const {
+    const Piece& piece = trajectory_.pieces()[index];
+    const double duration = duration_of(index);
+    return piece.v + duration * (piece.a + duration * piece.j / 2);
+  }
+
+  /// At the latest where the piece ends, q has gone this far, [mm] or blend parameter.
+  double course_of(std::size_t index) const {
+    const Piece& piece = trajectory_.pieces()[index];
+    const double duration = duration_of(index);
+    return duration *
+           (std::abs(piece.v) + duration * (std::abs(piece.a) / 2 + duration * std::abs(piece.j) / 6));
+  }
+
+  /// The same as a length [mm].
+  double advance_of(std::size_t index) const {
+    const Piece& piece = trajectory_.pieces()[index];
+    const double length = trajectory_.path().elements[piece.element].length;
+    return course_of(index) * (piece.law == Law::parameter ? length : 1.0);
+  }
+
+  /// A model may change the feed at once; colours must not flow over the whole span then.
+  bool feed_jumps_after(std::size_t index) const {
+    if (index + 1 == trajectory_.pieces().size()) {
+      return false;
+    }
+    const Piece& next = trajectory_.pieces()[index + 1];
+    const bool both_by_length =
+        next.law == Law::path_length && trajectory_.pieces()[index].law == Law::path_length;
+    return both_by_length && std::abs(next.v - end_speed(index)) > top_speed_ / (10 * feed_steps);
+  }
 
   SpanKind kind_of(std::uint32_t element) const {
     if (trajectory_.is_rapid(element)) {
@@ -152,33 +188,30 @@ class ExecutedSampling {
   std::size_t spans_of(std::size_t index, double spacing) const {
     const Piece& piece = trajectory_.pieces()[index];
     const PathElement& element = trajectory_.path().elements[piece.element];
-    const double duration = trajectory_.piece_end(index) - piece.time;
-    const double change = duration * (std::abs(piece.a) + duration * std::abs(piece.j) / 2);
-    const double advance = duration * (std::abs(piece.v) +
-                                       duration * (std::abs(piece.a) / 2 + duration * std::abs(piece.j) / 6));
+    const double duration = duration_of(index);
+    const double course = course_of(index);
     double wanted = 1;
-    double length = advance;
     if (piece.law == Law::parameter) {
-      wanted = spans_of_blend * advance;
-      length = element.length * advance;
+      wanted = spans_of_blend * course;
     } else if (!trajectory_.is_rapid(piece.element) && top_speed_ > 0) {
+      const double change = duration * (std::abs(piece.a) + duration * std::abs(piece.j) / 2);
       wanted = std::min(feed_steps, feed_steps * change / top_speed_);
     }
     if (element.kind == ElementKind::arc) {
-      wanted = std::max(wanted, spans_of_arc(trajectory_.path().arcs[element.geometry], advance));
+      wanted = std::max(wanted, spans_of_arc(trajectory_.path().arcs[element.geometry], course));
     } else if (element.kind == ElementKind::blend && piece.law == Law::path_length && element.length > 0) {
-      wanted = std::max(wanted, spans_of_blend * advance / element.length);
+      wanted = std::max(wanted, spans_of_blend * course / element.length);
     }
-    return spans(wanted, length, spacing);
+    return spans(wanted, advance_of(index), spacing);
   }
 
-  void add(SampledPath& path, Sampler& sampler, std::size_t piece, double tau) const {
+  void add(SampledPath& path, Sampler& sampler, std::size_t piece, double tau, double span) const {
     const State state = trajectory_.state_in_piece(piece, tau);
     const SpanKind kind = kind_of(state.element);
     if (kind != SpanKind::rapid) {
       path.peak_feed = std::max(path.peak_feed, state.speed);
     }
-    if (sampler.add(state.position, kind)) {
+    if (sampler.add(state.position, kind, span)) {
       path.feeds.push_back(static_cast<float>(state.speed));
       path.times.push_back(state.time);
     }
@@ -203,7 +236,8 @@ SampledPath thinned(const SampledPath& path, double spacing) {
   const auto limit = static_cast<float>(spacing * spacing);
   for (std::size_t i = 0; i < path.size(); ++i) {
     const bool last = i + 1 == path.size();
-    if (!last && i > 0 && (path.positions[i] - kept.positions.back()).squaredNorm() < limit) {
+    if (!last && i > 0 && (path.positions[i] - kept.positions.back()).squaredNorm() < limit &&
+        (path.positions[i + 1] - path.positions[i]).squaredNorm() < limit) {
       continue;
     }
     kept.positions.push_back(path.positions[i]);

@@ -27,14 +27,15 @@ struct SampledPath {
   Vec3 position(std::size_t i) const { return origin + positions[i].cast<double>(); }
 };
 
-/// More points than this are not drawn; beyond it, points closer than path length / max_points are left out.
+/// A path that needs more points than this leaves out those closer than path length / max_points to each
+/// other; at most twice as many remain.
 inline constexpr std::size_t default_max_points = 4'000'000;
 
 /// The programmed path: ends of lines, arcs every 3 degrees (coarser where the budget ends).
 SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points = default_max_points);
 
-/// The executed path: arcs every 3 degrees, blends in 24 spans, and wherever the feed changes by 1/24 of its
-/// peak. Linear in the pieces. Safe to call off the GUI thread.
+/// The executed path: arcs every 3 degrees, blends in 24 spans, and wherever the feed changes by some 1/24 of
+/// its peak. Linear in the pieces. Safe to call off the GUI thread.
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points);
 
 /// `path` without the points closer than `spacing` [mm] to the one kept before them; for views in which that
