@@ -30,7 +30,6 @@ class PathScene::Impl {
         tool_(*front_),
         camera_(*front_->GetActiveCamera()) {
     behind_->SetBackground(palette::background[0], palette::background[1], palette::background[2]);
-    behind_->SetBackgroundAlpha(1);  // the picture is opaque wherever Qt lays it
     behind_->SetLayer(0);
     behind_->InteractiveOff();
     front_->SetLayer(1);

@@ -8,6 +8,7 @@
 
 #include <QMouseEvent>
 #include <QOpenGLContext>
+#include <QOpenGLFunctions>
 #include <QPainter>
 #include <QSurfaceFormat>
 #include <cmath>
@@ -112,6 +113,13 @@ void GpuCanvas::resizeGL(int width, int height) {
 
 void GpuCanvas::paintGL() {
   window_.Render();  // VTK copies its picture into the frame buffer that Qt has bound
+  // Where VTK has blended, alpha is below 1, and Qt would let what lies behind the widget through.
+  QOpenGLFunctions& gl = *context()->functions();
+  gl.glDisable(GL_SCISSOR_TEST);
+  gl.glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);
+  gl.glClearColor(0, 0, 0, 1);
+  gl.glClear(GL_COLOR_BUFFER_BIT);
+  gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 bool GpuCanvas::event(QEvent* event) {
