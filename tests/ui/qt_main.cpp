@@ -1,4 +1,4 @@
-// Runs tests that need a QApplication, without a display.
+// Runs tests that need a QApplication, without a display unless QT_QPA_PLATFORM asks for one.
 #include <gtest/gtest.h>
 
 #include <QApplication>
@@ -6,7 +6,9 @@
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  qputenv("QT_QPA_PLATFORM", "offscreen");
+  if (!qEnvironmentVariableIsSet("QT_QPA_PLATFORM")) {
+    qputenv("QT_QPA_PLATFORM", "offscreen");
+  }
   QLocale::setDefault(QLocale::c());
   const QApplication application(argc, argv);
   return RUN_ALL_TESTS();

@@ -1,0 +1,173 @@
+#include "ui/scene/path_scene.h"
+
+#include <gtest/gtest.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+
+#include <cmath>
+
+#include "tests/ui/run_fixture.h"
+#include "ui/scene/render_window.h"
+#include "ui/scene/sampled_path.h"
+
+namespace feedscope::ui {
+namespace {
+
+using test::simulate_text;
+
+constexpr std::array views{StandardView::iso, StandardView::top, StandardView::front, StandardView::right};
+
+double distance(const Pixel& a, const Pixel& b) {
+  return std::hypot(a[0] - b[0], a[1] - b[1]);
+}
+
+class PathSceneTest : public testing::Test {
+ protected:
+  PathSceneTest() {
+    window_->SetSize(width, height);
+    scene_.attach(*window_);
+  }
+
+  void show(const feedscope::Run& run, StandardView view) {
+    scene_.set_programmed(run.input.toolpath);
+    scene_.set_executed(run.trajectory);
+    scene_.set_standard_view(view);
+    window_->Render();
+  }
+
+  static constexpr int width = 800;
+  static constexpr int height = 600;
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_ = make_render_window(RenderBackend::software);
+  PathScene scene_;
+};
+
+TEST_F(PathSceneTest, PicksTheTimeOfThePointUnderThePixel) {
+  const auto run =
+      simulate_text("G21 G90 G94 F3000\nG1 X20 Y3\nX40 Y18 Z5\nG2 X60 Y18 I10 J0\nG1 X75 Y60 Z20\n");
+  for (const StandardView view : views) {
+    show(run, view);
+    for (int i = 0; i <= 200; ++i) {
+      const double time = run.trajectory->duration() * i / 200;
+      const Pixel pixel = scene_.pixel_of(run.trajectory->state(time).position);
+      const auto picked = scene_.pick_time(pixel);
+      ASSERT_TRUE(picked) << "at " << time << " s";
+      EXPECT_LT(distance(scene_.pixel_of(run.trajectory->state(*picked).position), pixel), 1.01)
+          << "at " << time << " s, picked " << *picked << " s";
+    }
+  }
+}
+
+TEST_F(PathSceneTest, PicksExactlyWhereNothingOverlaps) {
+  const auto run = simulate_text("G21 G90 G94 F3000\nG1 X20\nX40 Y15\nG3 X60 I10 J0\nG1 Y60\n");
+  show(run, StandardView::top);
+  for (int i = 1; i < 100; ++i) {
+    const double time = run.trajectory->duration() * i / 100;
+    const auto picked = scene_.pick_time(scene_.pixel_of(run.trajectory->state(time).position));
+    ASSERT_TRUE(picked);
+    EXPECT_NEAR(*picked, time, 1e-3 * run.trajectory->duration());
+  }
+}
+
+TEST_F(PathSceneTest, PicksWithinEightPixelsAndNotBeyond) {
+  const auto run = simulate_text("G21 G90 G94 F3000\nG1 X100\nY1\n");
+  show(run, StandardView::top);
+  const double time = run.trajectory->duration() / 2;
+  Pixel pixel = scene_.pixel_of(run.trajectory->state(time).position);
+  pixel[1] += 7;
+  EXPECT_NEAR(scene_.pick_time(pixel).value_or(-1), time, 1e-3);
+  pixel[1] += 2;
+  EXPECT_FALSE(scene_.pick_time(pixel));
+}
+
+TEST_F(PathSceneTest, PicksThePassInFront) {
+  const auto run = simulate_text(
+      "G21 G90 G94 F3000\nG1 X100 F3000\nY10\nZ-20\nY0\nX0\n"
+      "Y-30\n");
+  show(run, StandardView::top);
+  const auto picked = scene_.pick_time(scene_.pixel_of({50, 0, 0}));
+  ASSERT_TRUE(picked);
+  EXPECT_NEAR(run.trajectory->state(*picked).position.z(), 0, 1e-6) << "not the pass 20 mm below";
+}
+
+TEST_F(PathSceneTest, PicksNothingWithoutAnExecutedPath) {
+  EXPECT_FALSE(scene_.pick_time({400, 300}));
+  show(simulate_text("M30\n"), StandardView::iso);
+  EXPECT_FALSE(scene_.pick_time({400, 300}));
+}
+
+TEST_F(PathSceneTest, EveryViewShowsTheWholePath) {
+  for (const double size : {1e-3, 1.0, 300.0, 1e6}) {
+    const std::string x = std::to_string(size);
+    const std::string y = std::to_string(size / 3);
+    const auto run = simulate_text("G21 G90 G94 F3000\nG1 X" + x + "\nY" + y + "\nX0 Z" + y + "\n", "cam");
+    for (const StandardView view : views) {
+      show(run, view);
+      for (int i = 0; i <= 50; ++i) {
+        const Pixel p = scene_.pixel_of(run.trajectory->state(run.trajectory->duration() * i / 50).position);
+        EXPECT_TRUE(p[0] > 0 && p[0] < width - 90 && p[1] > 20 && p[1] < height)
+            << size << " mm: " << p[0] << " " << p[1];
+      }
+    }
+  }
+}
+
+TEST_F(PathSceneTest, StandardViewsLookAlongTheAxes) {
+  const auto run = simulate_text(test::small_program);
+  const auto moves = [&](const Vec3& step) {
+    const Pixel from = scene_.pixel_of({10, 10, 0});
+    const Pixel to = scene_.pixel_of(Vec3(10, 10, 0) + step);
+    return std::pair(to[0] - from[0], from[1] - to[1]);  // right, up
+  };
+  const auto expect = [&](const Vec3& step, double right, double up) {
+    const auto [x, y] = moves(step);
+    EXPECT_NEAR(x / std::hypot(x, y), right, 1e-9);
+    EXPECT_NEAR(y / std::hypot(x, y), up, 1e-9);
+  };
+  show(run, StandardView::top);
+  expect(Vec3::UnitX(), 1, 0);
+  expect(Vec3::UnitY(), 0, 1);
+  show(run, StandardView::front);
+  expect(Vec3::UnitX(), 1, 0);
+  expect(Vec3::UnitZ(), 0, 1);
+  show(run, StandardView::right);
+  expect(Vec3::UnitY(), 1, 0);
+  expect(Vec3::UnitZ(), 0, 1);
+  show(run, StandardView::iso);
+  expect(Vec3::UnitZ(), 0, 1);
+  expect(Vec3::UnitX(), std::sqrt(0.75), -0.5);
+  expect(Vec3::UnitY(), std::sqrt(0.75), 0.5);
+}
+
+TEST_F(PathSceneTest, FollowsTheWindowsSizeUntilItIsMovedByHand) {
+  const auto run = simulate_text(test::small_program);
+  show(run, StandardView::top);
+  const double before = scene_.pixel_of({60, 60, 0})[0] - scene_.pixel_of({0, 60, 0})[0];
+  window_->SetSize(2 * width, 2 * height);
+  window_->Render();
+  const double after = scene_.pixel_of({60, 60, 0})[0] - scene_.pixel_of({0, 60, 0})[0];
+  EXPECT_GT(after, 1.8 * before);
+}
+
+TEST_F(PathSceneTest, TellsOfEveryChange) {
+  int changes = 0;
+  scene_.on_change([&] { ++changes; });
+  const auto run = simulate_text(test::small_program);
+  const auto expect_change = [&](const char* what) {
+    EXPECT_GE(changes, 1) << what;
+    changes = 0;
+  };
+  scene_.set_programmed(run.input.toolpath);
+  expect_change("programmed");
+  scene_.set_executed(run.trajectory);
+  expect_change("executed");
+  scene_.set_executed(run.trajectory, std::make_shared<const SampledPath>(sample_executed(*run.trajectory)));
+  expect_change("executed with samples");
+  scene_.set_cursor(Vec3(1, 2, 3));
+  expect_change("cursor");
+  scene_.set_standard_view(StandardView::front);
+  expect_change("view");
+  scene_.set_executed(nullptr);
+  expect_change("taken away");
+}
+
+}  // namespace
+}  // namespace feedscope::ui
