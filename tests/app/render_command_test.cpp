@@ -1,0 +1,101 @@
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include "ui/scene/picture.h"
+
+namespace {
+
+namespace fs = std::filesystem;
+using feedscope::ui::read_png;
+using testing::HasSubstr;
+
+struct Result {
+  int code = -1;
+  std::string err;
+};
+
+/// Runs `feedscope render` in a folder of its own, without any display.
+class RenderCommand : public testing::Test {
+ protected:
+  RenderCommand() {
+    std::string name = (fs::temp_directory_path() / "feedscope-render-XXXXXX").string();
+    folder_ = mkdtemp(name.data());
+    std::ofstream(folder_ / "corner.nc") << "G1 X20 F3000\nY20\n";
+    std::ofstream(folder_ / "wrong.nc") << "G1 X20 F3000\nfoo\nY20\n";
+  }
+  ~RenderCommand() override { fs::remove_all(folder_); }
+
+  Result run(const std::string& arguments) const {
+    const std::string line = "cd '" + folder_.string() +
+                             "' && env -u DISPLAY -u WAYLAND_DISPLAY '" FEEDSCOPE_EXECUTABLE "' render " +
+                             arguments + " 2>stderr";
+    const int status = std::system(line.c_str());
+    std::ostringstream err;
+    err << std::ifstream(folder_ / "stderr").rdbuf();
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, err.str()};
+  }
+
+  void expect_wrong_use(const std::string& arguments, const std::string& message) const {
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 2) << arguments;
+    EXPECT_THAT(result.err, HasSubstr(message)) << arguments;
+  }
+
+  fs::path folder_;
+};
+
+TEST_F(RenderCommand, WritesAPictureOfTheSizeAskedFor) {
+  for (const std::string camera : {"iso", "top", "front", "right"}) {
+    const Result result =
+        run("corner.nc --view 3d --size 500x400 --camera " + camera + " --out " + camera + ".png");
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.err, "");
+    const auto picture = read_png((folder_ / (camera + ".png")).string());
+    EXPECT_EQ(picture.size.width, 500);
+    EXPECT_EQ(picture.size.height, 400);
+  }
+}
+
+TEST_F(RenderCommand, WritesToStandardOutput) {
+  EXPECT_EQ(run("corner.nc --size 200x100 --out - > piped.png").code, 0);
+  EXPECT_EQ(read_png((folder_ / "piped.png").string()).size.width, 200);
+}
+
+TEST_F(RenderCommand, DrawsTheRestOfAProgramWithErrors) {
+  const Result result = run("wrong.nc --size 200x100 --out rest.png");
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, HasSubstr("wrong.nc:2:"));
+  EXPECT_EQ(read_png((folder_ / "rest.png").string()).size.height, 100);
+}
+
+TEST_F(RenderCommand, RefusesASizeThatIsNone) {
+  for (const std::string size : {"800", "800x", "x600", "800x600x3", "wide", "8e2x600", "-800x600"}) {
+    expect_wrong_use("corner.nc --size=" + size + " --out a.png", "--size '" + size + "'");
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "a.png"));
+}
+
+TEST_F(RenderCommand, RefusesASizeOutOfBoundsWithTheBounds) {
+  expect_wrong_use("corner.nc --size 20x600 --out a.png", "64 to 8192");
+  expect_wrong_use("corner.nc --size 800x90000 --out a.png", "90000");
+}
+
+TEST_F(RenderCommand, NamesAPlaceItCannotWriteTo) {
+  expect_wrong_use("corner.nc --out nowhere/a.png", "cannot write 'nowhere/a.png'");
+  expect_wrong_use("corner.nc --out .", "cannot write '.'");
+}
+
+TEST_F(RenderCommand, NamesWhatItDoesNotKnow) {
+  expect_wrong_use("corner.nc --camera below --out a.png", "below");
+  expect_wrong_use("corner.nc --view 4d --out a.png", "4d");
+  expect_wrong_use("corner.nc", "--out");
+  expect_wrong_use("missing.nc --out a.png", "missing.nc");
+}
+
+}  // namespace

@@ -1,0 +1,2 @@
+; nothing moves
+M30

@@ -1,0 +1,81 @@
+// Draws one case in software and compares it with its baseline.
+//   render_case FOLDER MODEL CAMERA WxH RESULTS
+// FOLDER holds program.nc and baseline_CAMERA.png; RESULTS is where the pictures of a failure are left.
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <string>
+
+#include "tests/render/picture_difference.h"
+#include "tests/ui/run_fixture.h"
+#include "ui/scene/picture.h"
+
+namespace feedscope::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::map<std::string, ui::StandardView> cameras{{"iso", ui::StandardView::iso},
+                                                      {"top", ui::StandardView::top},
+                                                      {"front", ui::StandardView::front},
+                                                      {"right", ui::StandardView::right}};
+
+std::string contents(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+void save(const ui::Picture& picture, const fs::path& file) {
+  std::ofstream(file, std::ios::binary) << ui::to_png(picture);
+}
+
+int compare(const fs::path& folder, const std::string& model, const std::string& camera, ui::PictureSize size,
+            const fs::path& results) {
+  const Run run = simulate_text(contents(folder / "program.nc"), model);
+  const ui::Picture picture = ui::draw_run(run, size, cameras.at(camera));
+  const fs::path baseline = folder / ("baseline_" + camera + ".png");
+  fs::create_directories(results);
+  const fs::path rendered = results / "rendered.png";
+  save(picture, rendered);
+  if (!fs::exists(baseline)) {
+    std::printf("no baseline: look at %s, and if it is right copy it to %s\n", rendered.c_str(),
+                baseline.c_str());
+    return 1;
+  }
+  const ui::Picture expected = ui::read_png(baseline.string());
+  const PictureDifference d = difference(picture, expected);
+  std::printf("difference: mean %.3f (at most %.2f), largest %.2f (at most %.0f)\n", d.mean, mean_allowed,
+              d.largest, largest_allowed);
+  if (looks_the_same(d)) {
+    return 0;
+  }
+  save(d.map, results / "difference.png");
+  fs::copy_file(baseline, results / "baseline.png", fs::copy_options::overwrite_existing);
+  std::printf("not as the baseline: see rendered.png, baseline.png and difference.png in %s\n",
+              results.c_str());
+  return 1;
+}
+
+}  // namespace
+}  // namespace feedscope::test
+
+int main(int argc, char** argv) {
+  using namespace feedscope;
+  if (argc != 6) {
+    std::puts("render_case FOLDER MODEL CAMERA WxH RESULTS");
+    return 2;
+  }
+  ui::PictureSize size;
+  if (std::sscanf(argv[4], "%dx%d", &size.width, &size.height) != 2) {
+    std::puts("size: WxH");
+    return 2;
+  }
+  try {
+    return test::compare(argv[1], argv[2], argv[3], size, argv[5]);
+  } catch (const std::exception& error) {
+    std::printf("%s\n", error.what());
+    return 1;
+  }
+}
