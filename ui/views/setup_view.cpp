@@ -90,8 +90,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   connect(settings_->verticalHeader(), &QHeaderView::sectionResized, this,
           [this] { settings_->setMaximumHeight(full_height(settings_)); });
   connect(&edit_, &SetupEdit::keys_changed, this, &SetupView::fit_tables);
-  connect(axis_model_, &QAbstractItemModel::dataChanged, this,
-          [this] { explain(axes_->hasFocus() ? axes_->currentIndex() : settings_->currentIndex()); });
+  connect(axis_model_, &QAbstractItemModel::dataChanged, this, [this] { explain(explained_); });
   fit_tables();
 }
 
@@ -116,6 +115,7 @@ void SetupView::fit_tables() {
 
 void SetupView::explain(const QModelIndex& index) {
   if (index.isValid()) {
+    explained_ = index;
     help_->setStyleSheet({});
     help_->setText(index.data(Qt::ToolTipRole).toString());
   }

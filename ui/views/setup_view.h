@@ -35,6 +35,7 @@ class SetupView : public QWidget {
   QTableView* axes_;
   QTableView* settings_;
   QLabel* help_;
+  QPersistentModelIndex explained_;
 };
 
 }  // namespace feedscope::ui
