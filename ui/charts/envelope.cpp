@@ -12,9 +12,10 @@ namespace {
 
 constexpr std::size_t pieces_a_group = 4;
 constexpr std::size_t fan_out = 4;
+constexpr double whole_group_share = 1.0 / 8;
 constexpr double arc_step = units::from_deg(5);
-constexpr double samples_a_blend = 8;    // of a gentle one
-constexpr double sharpest = 0.01;        // cosine of half the turn
+constexpr double samples_a_blend = 3;    // of a gentle one
+constexpr double sharpest = 0.2;         // cosine of half the turn
 constexpr int most_inner_samples = 720;  // ten turns of a helix in one piece; beyond, turns repeat
 
 double law_value(const Piece& p, double tau) {
@@ -112,16 +113,28 @@ Band Envelope::column(double from, double to) const {
   }
   const std::size_t first = trajectory_->piece_at(from);
   const std::size_t last = trajectory_->piece_at(to);
-  const std::size_t first_group = first / pieces_a_group;
-  const std::size_t last_group = last / pieces_a_group;
-  if (last_group <= first_group + 1) {
-    add_pieces(band, first, last, from, to);
-  } else {
-    add_pieces(band, first, (first_group + 1) * pieces_a_group - 1, from, to);
-    add_groups(band, first_group + 1, last_group);
-    add_pieces(band, last_group * pieces_a_group, last, from, to);
+  std::size_t first_whole = first / pieces_a_group;
+  std::size_t end_whole = last / pieces_a_group + 1;
+  const double short_enough = (to - from) * whole_group_share;
+  if (group_duration(first_whole) > short_enough) {
+    const std::size_t group_end = (first_whole + 1) * pieces_a_group;
+    add_pieces(band, first, std::min(last, group_end - 1), from, to);
+    ++first_whole;
+  }
+  if (end_whole > first_whole && group_duration(end_whole - 1) > short_enough) {
+    --end_whole;
+    add_pieces(band, end_whole * pieces_a_group, last, from, to);
+  }
+  if (end_whole > first_whole) {
+    add_groups(band, first_whole, end_whole);
   }
   return band;
+}
+
+double Envelope::group_duration(std::size_t group) const {
+  const std::size_t first = group * pieces_a_group;
+  const std::size_t last = std::min(first + pieces_a_group, trajectory_->pieces().size()) - 1;
+  return trajectory_->piece_end(last) - trajectory_->pieces()[first].time;
 }
 
 void Envelope::add_pieces(Band& band, std::size_t first, std::size_t last, double from, double to) const {
@@ -161,7 +174,8 @@ int Envelope::inner_samples(const Piece& piece, double from, double to) const {
     steps = advance / path.arcs[element.geometry].length_per_radian() / arc_step;
   } else if (element.kind == ElementKind::blend) {
     const double share = piece.law == Law::parameter ? advance : advance / element.length;
-    steps = share * samples_a_blend / std::max(sharpest, half_turn_cosine(path.blends[element.geometry]));
+    const double cosine = std::max(sharpest, half_turn_cosine(path.blends[element.geometry]));
+    steps = share * samples_a_blend / (cosine * cosine);
   }
   return static_cast<int>(std::clamp(std::ceil(steps) - 1, 0.0, double{most_inner_samples}));
 }

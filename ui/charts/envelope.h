@@ -61,10 +61,11 @@ struct Band {
 /// Level of detail of a trajectory for charts: the least and the largest value in every pixel column.
 ///
 /// A pyramid of extents over groups of motion pieces, about 35 bytes a piece, built once in linear time. A
-/// column then costs the pieces of the two groups that its borders cut plus a logarithmic walk of the
-/// pyramid, whatever the length of the program. Extremes on straight elements are exact; arcs are sampled
-/// every 5 degrees, blends the closer the sharper they turn: within 2 % of the largest value for turns up to
-/// 150 degrees.
+/// column then costs a logarithmic walk of the pyramid plus the pieces of the two groups that its borders
+/// cut, whatever the length of the program. A cut group that lasts less than 1/8 of the column counts as a
+/// whole, so a column may show what happens that much beyond its borders, never less than what is in it.
+/// Extremes on straight elements are exact; arcs are sampled every 5 degrees, blends the closer the sharper
+/// they turn: within 2 % of the largest value for turns up to 150 degrees.
 class Envelope {
  public:
   Envelope() = default;
@@ -79,6 +80,7 @@ class Envelope {
 
  private:
   Band column(double from, double to) const;
+  double group_duration(std::size_t group) const;
   void add_piece(Band& band, std::size_t piece, double from, double to) const;
   void add_pieces(Band& band, std::size_t first, std::size_t last, double from, double to) const;
   void add_groups(Band& band, std::size_t first, std::size_t last) const;
