@@ -1,6 +1,7 @@
 #include "ui/window_picture.h"
 
 #include <QApplication>
+#include <QFont>
 #include <QImage>
 #include <QLabel>
 #include <QLocale>
@@ -33,6 +34,9 @@ class OffscreenApplication {
       application_ = std::make_unique<QApplication>(count_, arguments_);
     }
     apply_theme();
+    QFont font = QApplication::font();
+    font.setFamily(QStringLiteral("DejaVu Sans"));  // in every package list, as the system's font is not
+    QApplication::setFont(font);
   }
 
  private:

@@ -1,26 +1,39 @@
-// Draws one case in software and compares it with its baseline.
-//   render_case FOLDER MODEL CAMERA WxH RESULTS
-// FOLDER holds program.nc and baseline_CAMERA.png; RESULTS is where the pictures of a failure are left.
+// Draws one case without a display and compares it with its baseline.
+//   render_case FOLDER MODEL PICTURE WxH RESULTS
+// FOLDER holds program.nc and baseline_PICTURE.png (a camera, charts or window); RESULTS is where the
+// pictures of a failure are left.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <map>
 #include <string>
 
 #include "tests/render/picture_difference.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/scene/picture.h"
+#include "ui/window_picture.h"
 
 namespace feedscope::test {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::map<std::string, ui::StandardView> cameras{{"iso", ui::StandardView::iso},
-                                                      {"top", ui::StandardView::top},
-                                                      {"front", ui::StandardView::front},
-                                                      {"right", ui::StandardView::right}};
+using Draw = std::function<ui::Picture(const Run&, ui::PictureSize)>;
+
+Draw scene_from(ui::StandardView view) {
+  return [view](const Run& run, ui::PictureSize size) { return ui::draw_run(run, size, view); };
+}
+
+const std::map<std::string, Draw> pictures{{"iso", scene_from(ui::StandardView::iso)},
+                                           {"top", scene_from(ui::StandardView::top)},
+                                           {"front", scene_from(ui::StandardView::front)},
+                                           {"right", scene_from(ui::StandardView::right)},
+                                           {"charts", ui::draw_charts},
+                                           {"window", [](const Run& run, ui::PictureSize size) {
+                                              return ui::draw_window(run, size, ui::StandardView::iso);
+                                            }}};
 
 std::string contents(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
@@ -31,11 +44,11 @@ void save(const ui::Picture& picture, const fs::path& file) {
   std::ofstream(file, std::ios::binary) << ui::to_png(picture);
 }
 
-int compare(const fs::path& folder, const std::string& model, const std::string& camera, ui::PictureSize size,
+int compare(const fs::path& folder, const std::string& model, const std::string& name, ui::PictureSize size,
             const fs::path& results) {
   const Run run = simulate_text(contents(folder / "program.nc"), model);
-  const ui::Picture picture = ui::draw_run(run, size, cameras.at(camera));
-  const fs::path baseline = folder / ("baseline_" + camera + ".png");
+  const ui::Picture picture = pictures.at(name)(run, size);
+  const fs::path baseline = folder / ("baseline_" + name + ".png");
   fs::create_directories(results);
   const fs::path rendered = results / "rendered.png";
   save(picture, rendered);
@@ -64,7 +77,7 @@ int compare(const fs::path& folder, const std::string& model, const std::string&
 int main(int argc, char** argv) {
   using namespace feedscope;
   if (argc != 6) {
-    std::puts("render_case FOLDER MODEL CAMERA WxH RESULTS");
+    std::puts("render_case FOLDER MODEL PICTURE WxH RESULTS");
     return 2;
   }
   ui::PictureSize size;

@@ -43,6 +43,7 @@ SetupBar::SetupBar(RunModel& model, QWidget* parent)
   control_model_->setToolTip(tr("Control model: how the control turns the path into motion"));
   tolerance_->setDecimals(4);
   tolerance_->setRange(0, 10);
+  tolerance_->setSpecialValueText(QStringLiteral("–"));  // at 0: the model reads no tolerance
   tolerance_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   tolerance_->setKeyboardTracking(false);
   tolerance_->setSuffix(QStringLiteral(" mm"));

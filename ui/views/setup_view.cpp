@@ -109,8 +109,11 @@ void SetupView::fit_tables() {
   header->setSectionResizeMode(QHeaderView::ResizeToContents);
   header->setSectionResizeMode(SettingsTable::title, QHeaderView::Stretch);
   help_->setStyleSheet({});
-  help_->setText(
-      tr("Choose a value to see what it means. Bold: changed. Italic: assumed, no source gives it."));
+  const bool any_settings = settings_model_->rowCount() > 0;
+  settings_->setVisible(any_settings);
+  const QString how =
+      tr("Choose a value to see what it means. Bold: changed. Italic: assumed, no source gives it.");
+  help_->setText(any_settings ? how : tr("This model reads no control settings.") + "<br>" + how);
 }
 
 void SetupView::explain(const QModelIndex& index) {
