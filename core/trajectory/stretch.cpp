@@ -21,15 +21,33 @@ void Stretch::add(const PlanElement& planned, std::uint32_t path_element, std::u
   block.push_back(programmed);
 }
 
-StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop_at_arc_corners) {
+StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop_at_arc_corners,
+                          bool stop_at_line_corners) {
   std::size_t last = first + 1;
   for (; last < toolpath.segments.size(); ++last) {
     const JunctionKind kind = junction_kind(toolpath, last);
-    if (kind == JunctionKind::stop || (stop_at_arc_corners && kind == JunctionKind::arc_corner)) {
+    if (kind == JunctionKind::stop || (stop_at_arc_corners && kind == JunctionKind::arc_corner) ||
+        (stop_at_line_corners && kind == JunctionKind::corner)) {
       break;
     }
   }
   return {first, last};
+}
+
+void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
+                   bool stop_at_line_corners, const StretchRun& run) {
+  ProgressSteps steps(progress, toolpath.segments.size());
+  for (std::size_t first = 0; first < toolpath.segments.size();) {
+    const StretchRange range = next_stretch(toolpath, first, true, stop_at_line_corners);
+    steps.at(first);
+    if (toolpath.segments[first].kind == SegmentKind::dwell) {
+      const std::uint32_t element = builder.add_segment(toolpath, first, 0);
+      builder.add_piece({0, 0, 0, 0, 0, element, {CauseKind::dwell}}, toolpath.segments[first].dwell);
+    } else {
+      run(range, steps);
+    }
+    first = range.last;
+  }
 }
 
 void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3& axis_jerk,
@@ -100,6 +118,18 @@ double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const Spe
     start = end;
   }
   return walk.at().v;
+}
+
+void add_planned_motion(TrajectoryBuilder& builder, const Stretch& stretch,
+                        const std::vector<PlanNode>& nodes, ProgressSteps& steps) {
+  double speed = 0;
+  for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
+    const std::size_t first = nodes[n].junction;
+    const std::size_t last = nodes[n + 1].junction;
+    steps.at(stretch.block[first]);
+    const SpanLimits span = span_limits(stretch.plan, first, last);
+    speed = add_profile(builder, stretch, profile_to(nodes[n + 1].speed, span, speed, 0), span, first, last);
+  }
 }
 
 }  // namespace feedscope

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/feed/node_plan.h"
 #include "core/trajectory/trajectory_builder.h"
 
@@ -26,8 +28,16 @@ struct StretchRange {
   std::size_t last = 0;
 };
 /// The stretch that begins at segment `first`: up to the next stop, and, where `stop_at_arc_corners`, up to
-/// the next corner that touches an arc. A dwell is a stretch of its own.
-StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop_at_arc_corners);
+/// the next corner that touches an arc; where `stop_at_line_corners`, of two lines. A dwell is a stretch of
+/// its own.
+StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop_at_arc_corners,
+                          bool stop_at_line_corners = false);
+
+/// What a model does with a stretch of lines and arcs; `steps` counts segments.
+using StretchRun = std::function<void(const StretchRange& range, ProgressSteps& steps)>;
+/// Calls `run` for every stretch in order, cut as by next_stretch(), and lays the dwells between them.
+void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
+                   bool stop_at_line_corners, const StretchRun& run);
 
 /// Sets stretch.ceiling: the lower ceiling of the two elements at each junction; where programmed segments
 /// meet in a tangent junction without a blend, crossing_speed(); the look-ahead horizon; 0 at both ends.
@@ -42,5 +52,9 @@ SpeedProfile profile_to(double target, const SpanLimits& span, double speed, dou
 /// Returns the speed at its end [mm/s].
 double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const SpeedProfile& profile,
                    const SpanLimits& span, std::size_t first, std::size_t last);
+
+/// Lays the jerk-limited law from node to node over the whole stretch, from rest to rest.
+void add_planned_motion(TrajectoryBuilder& builder, const Stretch& stretch,
+                        const std::vector<PlanNode>& nodes, ProgressSteps& steps);
 
 }  // namespace feedscope

@@ -69,18 +69,8 @@ Trajectory EssidModel::do_simulate(const Toolpath& toolpath, const Machine& mach
                                    Progress* progress) const {
   TrajectoryBuilder builder;
   EssidRunner runner(toolpath, AxisVectors(machine), EssidSettings(settings), builder);
-  ProgressSteps steps(progress, toolpath.segments.size());
-  for (std::size_t first = 0; first < toolpath.segments.size();) {
-    const StretchRange range = next_stretch(toolpath, first, true);
-    steps.at(first);
-    if (toolpath.segments[first].kind == SegmentKind::dwell) {
-      const std::uint32_t element = builder.add_segment(toolpath, first, 0);
-      builder.add_piece({0, 0, 0, 0, 0, element, {CauseKind::dwell}}, toolpath.segments[first].dwell);
-    } else {
-      runner.run(range, steps);
-    }
-    first = range.last;
-  }
+  run_stretches(toolpath, builder, progress, false,
+                [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
   return builder.finish();
 }
 
