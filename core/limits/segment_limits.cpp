@@ -53,6 +53,11 @@ AxisVectors::AxisVectors(const Machine& machine)
       jerk(axis_limit_vector(machine, &AxisLimits::jerk)),
       blend_jerk(axis_limit_vector(machine, &AxisLimits::blend_jerk)) {}
 
+AxisBound axis_speed(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
+  const bool arc = toolpath.segments[i].kind == SegmentKind::arc;
+  return axis_share(velocity, arc ? ArcExtremes(arc_of(toolpath, i)).tangent : direction_of(toolpath, i));
+}
+
 SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
   const Segment& segment = toolpath.segments[i];
   if (segment.kind == SegmentKind::dwell) {
@@ -61,9 +66,7 @@ SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3&
   if (segment.feed > 0 && !segment.rapid) {
     return {segment.feed, {CauseKind::programmed_feed}};
   }
-  const Vec3 direction =
-      segment.kind == SegmentKind::arc ? ArcExtremes(arc_of(toolpath, i)).tangent : direction_of(toolpath, i);
-  const AxisBound bound = axis_share(velocity, direction);
+  const AxisBound bound = axis_speed(toolpath, i, velocity);
   return {bound.value, {segment.rapid ? CauseKind::rapid : CauseKind::axis_velocity, bound.axis}};
 }
 

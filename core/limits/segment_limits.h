@@ -36,6 +36,9 @@ struct AxisVectors {
   explicit AxisVectors(const Machine& machine);
 };
 
+/// Highest speed at which no axis exceeds its `velocity` anywhere on segment `i`, a line or an arc [mm/s].
+AxisBound axis_speed(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);
+
 /// Programmed feed of segment `i`; for a rapid, and where no feed is programmed, the axes' speed along it;
 /// 0 for a dwell.
 SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);

@@ -1,13 +1,15 @@
 #include "core/models/cam/cam_model.h"
 #include "core/models/control_model.h"
 #include "core/models/essid/essid_model.h"
+#include "core/models/tapie/tapie_model.h"
 
 namespace feedscope {
 
 const std::vector<const ControlModel*>& all_models() {
   static const CamModel cam;
   static const EssidModel essid;
-  static const std::vector<const ControlModel*> models{&cam, &essid};
+  static const TapieModel tapie;
+  static const std::vector<const ControlModel*> models{&cam, &essid, &tapie};
   return models;
 }
 

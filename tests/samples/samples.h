@@ -17,6 +17,10 @@ Sample essid_table1();
 Sample essid_spline();
 /// Bore of 80 mm with quarter-circle approach and exit, after Tapie 2007, section 6.
 Sample tapie_bore();
+/// Full circles of 2.5 and 30 mm of Tapie 2007, table 2.
+std::vector<Sample> tapie_circles();
+/// Spirals of half and of quarter circles of Tapie 2007, section 5; the latter in three directions.
+std::vector<Sample> tapie_spirals();
 /// Pocket cleared by concentric passes of lines and arcs, in the manner of Msaddek 2011, section 3.2.
 Sample msaddek_pocket();
 /// Trochoidal slot whose cutting arcs are short blocks, in the manner of Ward 2021, section 4.1.

@@ -53,6 +53,18 @@ Toolpath polyline(const std::vector<Vec3>& points, double feed) {
   return path;
 }
 
+Toolpath spiral(double radius, double step, int count, double from, double sweep, double feed) {
+  Toolpath path;
+  path.start = radius * Vec3(std::cos(from), std::sin(from), 0);
+  Vec3 center = Vec3::Zero();
+  for (int i = 0; i < count; ++i) {
+    append_arc(path, center, sweep, feed);
+    const double end = from + (i + 1) * sweep;
+    center -= step * Vec3(std::cos(end), std::sin(end), 0);
+  }
+  return path;
+}
+
 Toolpath random_path(std::mt19937& random, int blocks) {
   std::uniform_real_distribution<double> unit(0, 1);
   const auto symmetric = [&] { return 2 * unit(random) - 1; };
@@ -97,6 +109,18 @@ Machine spinner() {
   for (AxisLimits& axis : machine.axes) {
     axis = {units::from_m_min(20), units::from_m(1), units::from_m(15), units::from_m(10)};
   }
+  return machine;
+}
+
+Machine mikron() {
+  Machine machine;
+  machine.id = "mikron-ucp710";
+  machine.axes[0] = {units::from_m_min(30), units::from_m(2.5), units::from_m(5), units::from_m(5)};
+  machine.axes[1] = {units::from_m_min(30), units::from_m(3), units::from_m(5), units::from_m(5)};
+  machine.axes[2] = {units::from_m_min(30), units::from_m(2.1), units::from_m(50), units::from_m(50)};
+  machine.settings.set("interpolation_period_s", 0.012);
+  machine.settings.set("curvilinear_jerk_m_s3", 10.0);
+  machine.settings.set("tangential_share", 0.6);
   return machine;
 }
 

@@ -13,13 +13,8 @@ namespace {
 using units::from_deg;
 using units::to_m_min;
 
-/// Mikron UCP 710 of Tapie 2007, table 1.
 AxisVectors mikron() {
-  Machine machine;
-  machine.axes[0] = {units::from_m_min(30), units::from_m(2.5), units::from_m(5), units::from_m(5)};
-  machine.axes[1] = {units::from_m_min(30), units::from_m(3), units::from_m(5), units::from_m(5)};
-  machine.axes[2] = {units::from_m_min(30), units::from_m(2.1), units::from_m(50), units::from_m(50)};
-  return AxisVectors(machine);
+  return AxisVectors(testing::mikron());
 }
 
 Toolpath circle(double radius, double from, double sweep, double feed) {

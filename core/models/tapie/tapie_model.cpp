@@ -1,0 +1,53 @@
+#include "core/models/tapie/tapie_model.h"
+
+#include "core/base/units.h"
+#include "core/models/tapie/set_point.h"
+#include "core/trajectory/stretch.h"
+
+namespace feedscope {
+
+const ModelInfo& TapieModel::info() const {
+  static const ModelInfo info{
+      "tapie",
+      "Circular interpolation (Sinumerik 840D)",
+      "L. P. Tapie et al., Int J Mach Tools Manuf 47 (2007) 805-819, doi 10.1016/j.ijmachtools.2006.06.021",
+      "One feed for every arc, from the curvilinear jerk of the control and from what the axes allow where "
+      "it "
+      "is reached; speed lost at every change of curvature; jerk-limited ramps in between. Corners are exact "
+      "stops: the paper says that the control rounds them, but not how.",
+      {},
+      {"interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3", "tangential_share"},
+      {"The programmed path is followed exactly; no corner is blended.",
+       "The programmed feed and the velocity of every axis are kept.",
+       "On lines acceleration and jerk of every axis are kept.",
+       "On arcs the tangential and the radial part each keep the axis acceleration and jerk at the place "
+       "where "
+       "the steady feed is reached; elsewhere on the arc the radial part may exceed them, as measured there.",
+       "Full stop at corners, reversals, and between rapids and feed motion."}};
+  return info;
+}
+
+Trajectory TapieModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                                   Progress* progress) const {
+  const SetPointRule rule{
+      AxisVectors(machine),
+      units::from_m(settings.number("curvilinear_jerk_m_s3")) * settings.number("tangential_share"),
+      settings.number("interpolation_period_s")};
+  const auto lookahead = static_cast<std::uint32_t>(settings.number("lookahead_blocks"));
+  TrajectoryBuilder builder;
+  Stretch stretch;
+  run_stretches(toolpath, builder, progress, true, [&](const StretchRange& range, ProgressSteps& steps) {
+    stretch.clear();
+    for (std::size_t i = range.first; i < range.last; ++i) {
+      const double feed = programmed_speed(toolpath, i, rule.axes.velocity).value;
+      const std::uint32_t element = builder.add_segment(toolpath, i, feed);
+      stretch.add({toolpath.segments[i].length, rule.limits(toolpath, i)}, element,
+                  static_cast<std::uint32_t>(i));
+    }
+    set_junction_ceilings(stretch, builder.path(), rule.axes.jerk, rule.period, lookahead);
+    add_planned_motion(builder, stretch, plan_nodes(stretch.plan, stretch.ceiling), steps);
+  });
+  return builder.finish();
+}
+
+}  // namespace feedscope

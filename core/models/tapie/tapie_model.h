@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/models/control_model.h"
+
+namespace feedscope {
+
+/// Circular interpolation on a Sinumerik 840D.
+///
+/// L. P. Tapie, K. Mawussi, B. Anselmetti, "Circular tests for HSM machine tools: Bore machining
+/// application", Int J Mach Tools Manuf 47 (2007) 805-819; equations in MODELS section 3.
+/// Symbols: V_st feed set point, V_fr speed at a change of curvature, J_curv curvilinear jerk, r_jct its
+/// tangential share, t_cy interpolation period, a_c angle at which the steady feed is reached.
+///
+/// Stage 1: set point of every arc (set_point.h). Stage 2: speeds at changes of curvature (crossing_speed in
+/// segment_limits.h). Stage 3: jerk-limited ramps between them, with the least jerk J_t of the arc (eq 16 if
+/// there is no steady phase).
+///
+/// Departures from print: eq 11 is a cube root; the least V_An of R 2.5 mm is 4.74 m/min, not 2.55; angles of
+/// eq 7 to 9 are directions of the tangent, as their values tell; at a change of curvature the jerk is that
+/// of the axes that take up the step of the normal acceleration, eq 15 says tangential: the same where the
+/// axes of the plane have one jerk, as all that the paper measures. Beyond the paper:
+///  - Any plane, helices, signed curvatures: from a line into an arc, and between arcs that turn opposite
+///    ways.
+///  - Lines: axis limits, V_tcy, the same ramps. Ramps keep the axis acceleration too, and run over several
+///    blocks where nothing makes them end earlier.
+///  - Corners are exact stops: the paper says that the control inserts a curve there (section 3.3.1), but not
+///    which.
+class TapieModel : public ControlModel {
+ public:
+  const ModelInfo& info() const override;
+
+ private:
+  Trajectory do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                         Progress* progress) const override;
+};
+
+}  // namespace feedscope
