@@ -38,7 +38,7 @@ class ProgressSteps {
   ProgressSteps(Progress* progress, std::size_t total) : progress_(progress), total_(total) {}
   /// `done` of the total is done; throws Cancelled as Progress::report.
   void at(std::size_t done) {
-    if (progress_ != nullptr && done >= next_) {
+    if (progress_ != nullptr && (done >= next_ || progress_->cancelled())) {
       next_ = done + every;
       progress_->report(static_cast<double>(done) / static_cast<double>(total_));
     }

@@ -2,6 +2,14 @@
 
 namespace feedscope {
 
+void TrajectoryBuilder::reserve(std::size_t elements, std::size_t pieces) {
+  path_.elements.reserve(elements);
+  lines_.reserve(elements);
+  feeds_.reserve(elements);
+  rapid_.reserve(elements);
+  pieces_.reserve(pieces);
+}
+
 std::uint32_t TrajectoryBuilder::add_element(PathElement element, std::uint32_t line, double feed,
                                              bool rapid) {
   element.s = path_.length();

@@ -10,6 +10,8 @@ namespace feedscope {
 /// Collects path, time law and per-element facts of a run in the order in which they are executed.
 class TrajectoryBuilder {
  public:
+  /// Makes room for that many, so that long programs are not copied while they grow.
+  void reserve(std::size_t elements, std::size_t pieces);
   /// Appends `element`, whose `s` is set here; `feed` [mm/s]. Returns its index.
   std::uint32_t add_element(PathElement element, std::uint32_t line, double feed, bool rapid);
   /// Appends segment `i`, shortened by `cut_before` and `cut_after` [mm] where blends take its place; `feed`

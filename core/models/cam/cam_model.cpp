@@ -24,6 +24,7 @@ Trajectory CamModel::do_simulate(const Toolpath& toolpath, const Machine& machin
                                  Progress* progress) const {
   const Vec3 velocity = axis_limit_vector(machine, &AxisLimits::velocity);
   TrajectoryBuilder builder;
+  builder.reserve(toolpath.segments.size(), toolpath.segments.size());
   ProgressSteps steps(progress, toolpath.segments.size());
   for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
     const Segment& segment = toolpath.segments[i];
