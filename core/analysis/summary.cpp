@@ -160,6 +160,7 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
   for (const ExactSum& sum : by_cause) {
     summary.time_by_cause.push_back(sum.value());
   }
+  summary.max_contour_error = trajectory.compaction_error();
   for (const BlendRecord& blend : trajectory.blends()) {
     summary.max_contour_error = std::max(summary.max_contour_error, blend.epsilon);
   }

@@ -80,7 +80,11 @@ MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisV
     limits.jerk = axis_share(axes.jerk, direction);
     return limits;
   }
-  const Arc& arc = arc_of(toolpath, i);
+  return arc_limits(arc_of(toolpath, i), limits.speed, axes);
+}
+
+MotionLimits arc_limits(const Arc& arc, const SpeedBound& programmed, const AxisVectors& axes) {
+  MotionLimits limits{programmed, {}, {}};
   const ArcExtremes extremes(arc);
   const double k = arc.curvature();
   const AxisBound velocity = axis_share(axes.velocity, extremes.tangent);

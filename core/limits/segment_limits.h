@@ -50,6 +50,9 @@ SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3&
 /// running round at constant speed.
 MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes);
 
+/// The same for an arc that need not stand in the program, run at `programmed` at most.
+MotionLimits arc_limits(const Arc& arc, const SpeedBound& programmed, const AxisVectors& axes);
+
 /// Ceiling [mm/s] where the curvature vector jumps by `step` [1/mm] in a tangent junction: the axes must take
 /// up v^2 step_j within one interpolation period, v^2 |step_j| <= J_j t_cy. For equal axis jerks this is
 /// sqrt(J t_cy / |k1 - k2|) of Tapie 2007 (MODELS section 3), signed curvatures included.

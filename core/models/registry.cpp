@@ -1,6 +1,7 @@
 #include "core/models/cam/cam_model.h"
 #include "core/models/control_model.h"
 #include "core/models/essid/essid_model.h"
+#include "core/models/msaddek/msaddek_model.h"
 #include "core/models/tapie/tapie_model.h"
 
 namespace feedscope {
@@ -9,7 +10,8 @@ const std::vector<const ControlModel*>& all_models() {
   static const CamModel cam;
   static const EssidModel essid;
   static const TapieModel tapie;
-  static const std::vector<const ControlModel*> models{&cam, &essid, &tapie};
+  static const MsaddekModel msaddek;
+  static const std::vector<const ControlModel*> models{&cam, &essid, &tapie, &msaddek};
   return models;
 }
 

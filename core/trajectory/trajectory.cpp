@@ -42,14 +42,15 @@ double law_inverse(const Piece& p, double target, double duration) {
 
 Trajectory::Trajectory(BlendedPath path, std::vector<Piece> pieces, double duration,
                        std::vector<BlendRecord> blends, std::vector<std::uint32_t> lines,
-                       std::vector<double> feeds, std::vector<bool> rapid)
+                       std::vector<double> feeds, std::vector<bool> rapid, double compaction_error)
     : path_(std::move(path)),
       pieces_(std::move(pieces)),
       duration_(duration),
       blends_(std::move(blends)),
       lines_(std::move(lines)),
       feeds_(std::move(feeds)),
-      rapid_(std::move(rapid)) {
+      rapid_(std::move(rapid)),
+      compaction_error_(compaction_error) {
   assert(lines_.size() == path_.elements.size() && feeds_.size() == lines_.size() &&
          rapid_.size() == lines_.size());
   fill_blend_speeds();

@@ -51,7 +51,7 @@ struct Kinematics {
   Vec3 jerk;          ///< [mm/s3]
 };
 
-/// One inserted corner blend, for export and display.
+/// One curve that the control put into a corner, a cubic blend or a connecting arc: ask its element which.
 struct BlendRecord {
   std::uint32_t line = 0;     ///< of the block that ends at the corner
   std::uint32_t element = 0;  ///< index into BlendedPath::elements
@@ -72,13 +72,16 @@ class Trajectory {
   /// `blends` in the order of their elements, entry and exit speed filled in here.
   /// `lines`, `feeds` [mm/s]: per path element, source line and programmed feed (axes' speed for a rapid).
   Trajectory(BlendedPath path, std::vector<Piece> pieces, double duration, std::vector<BlendRecord> blends,
-             std::vector<std::uint32_t> lines, std::vector<double> feeds, std::vector<bool> rapid);
+             std::vector<std::uint32_t> lines, std::vector<double> feeds, std::vector<bool> rapid,
+             double compaction_error = 0);
 
   double duration() const { return duration_; }          ///< cycle time [s]
   double path_length() const { return path_.length(); }  ///< executed [mm]
   const BlendedPath& path() const { return path_; }
   const std::vector<Piece>& pieces() const { return pieces_; }
   const std::vector<BlendRecord>& blends() const { return blends_; }
+  /// Largest distance of a programmed point that the control leaves out from the executed path [mm].
+  double compaction_error() const { return compaction_error_; }
 
   /// State at a time, clamped to [0, duration]. At a piece border: the piece that begins there.
   /// An empty trajectory gives a State at the origin, at rest.
@@ -109,6 +112,7 @@ class Trajectory {
   std::vector<std::uint32_t> lines_;
   std::vector<double> feeds_;
   std::vector<bool> rapid_;
+  double compaction_error_ = 0;
 };
 
 }  // namespace feedscope

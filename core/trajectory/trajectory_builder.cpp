@@ -77,7 +77,7 @@ void TrajectoryBuilder::add_piece(Piece piece, double duration) {
 
 Trajectory TrajectoryBuilder::finish() {
   Trajectory trajectory(std::move(path_), std::move(pieces_), time_, std::move(records_), std::move(lines_),
-                        std::move(feeds_), std::move(rapid_));
+                        std::move(feeds_), std::move(rapid_), compaction_error_);
   *this = TrajectoryBuilder();
   return trajectory;
 }

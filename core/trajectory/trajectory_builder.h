@@ -26,6 +26,9 @@ class TrajectoryBuilder {
   /// Entry and exit speed are filled in by finish().
   void add_blend_record(const BlendRecord& record) { records_.push_back(record); }
 
+  /// Where programmed points are left out of the path: largest distance of one from it [mm].
+  void set_compaction_error(double error) { compaction_error_ = error; }
+
   const BlendedPath& path() const { return path_; }
   double time() const { return time_; }
   /// The trajectory of everything added; the builder is empty then.
@@ -39,6 +42,7 @@ class TrajectoryBuilder {
   std::vector<double> feeds_;
   std::vector<bool> rapid_;
   double time_ = 0;
+  double compaction_error_ = 0;
 };
 
 }  // namespace feedscope

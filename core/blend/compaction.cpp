@@ -1,0 +1,98 @@
+#include "core/blend/compaction.h"
+
+#include <algorithm>
+#include <optional>
+
+namespace feedscope {
+namespace {
+
+class Compactor {
+ public:
+  Compactor(const Toolpath& toolpath, double longest, double tolerance)
+      : toolpath_(toolpath), longest_(longest), tolerance_(tolerance) {}
+
+  /// How many segments from `first` on become one; 1 for none.
+  std::size_t count_from(std::size_t first) const {
+    if (!is_short(first)) {
+      return 1;
+    }
+    std::size_t fits = 1;
+    std::size_t fails = 2;
+    while (deviation(first, fails)) {
+      fits = fails;
+      fails *= 2;
+    }
+    while (fails - fits > 1) {
+      const std::size_t middle = (fits + fails) / 2;
+      (deviation(first, middle) ? fits : fails) = middle;
+    }
+    return fits;
+  }
+
+  /// Largest distance of the points between `count` segments from their chord [mm]; none where they must not
+  /// be replaced by it.
+  std::optional<double> deviation(std::size_t first, std::size_t count) const {
+    constexpr double rounding = 1 + 1e-9;
+    constexpr double least_cosine = 0.5;
+    if (count > toolpath_.segments.size() - first) {
+      return std::nullopt;
+    }
+    const Vec3& start = toolpath_.start_of(first);
+    const Vec3 direction = (toolpath_.segments[first + count - 1].end - start).normalized();
+    double length = 0;
+    double largest = 0;
+    double before = 0;
+    for (std::size_t i = first; i < first + count; ++i) {
+      const Segment& segment = toolpath_.segments[i];
+      length += segment.length;
+      if (!is_short(i) || segment.feed != toolpath_.segments[first].feed || length > longest_ * rounding) {
+        return std::nullopt;
+      }
+      const Vec3 way = segment.end - start;
+      const double along = way.dot(direction);
+      const double away = (way - along * direction).norm();
+      if (away > tolerance_ || along - before < least_cosine * segment.length) {
+        return std::nullopt;
+      }
+      largest = std::max(largest, away);
+      before = along;
+    }
+    return largest;
+  }
+
+ private:
+  bool is_short(std::size_t i) const {
+    const Segment& segment = toolpath_.segments[i];
+    return segment.kind == SegmentKind::line && !segment.rapid && segment.length < longest_;
+  }
+
+  const Toolpath& toolpath_;
+  double longest_;
+  double tolerance_;
+};
+
+}  // namespace
+
+CompactedPath compact(const Toolpath& toolpath, double longest, double tolerance) {
+  const Compactor compactor(toolpath, longest, tolerance);
+  CompactedPath result;
+  result.path.start = toolpath.start;
+  result.path.arcs = toolpath.arcs;
+  result.path.bounds = toolpath.bounds;
+  for (std::size_t i = 0; i < toolpath.segments.size();) {
+    const std::size_t count = compactor.count_from(i);
+    Segment segment = toolpath.segments[i];
+    if (count > 1) {
+      segment.end = toolpath.segments[i + count - 1].end;
+      segment.length = (segment.end - toolpath.start_of(i)).norm();
+      result.deviation = std::max(result.deviation, compactor.deviation(i, count).value());
+    }
+    result.path.segments.push_back(segment);
+    result.first.push_back(static_cast<std::uint32_t>(i));
+    i += count;
+  }
+  result.first.push_back(static_cast<std::uint32_t>(toolpath.segments.size()));
+  return result;
+}
+
+}  // namespace feedscope

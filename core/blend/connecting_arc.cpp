@@ -1,0 +1,29 @@
+#include "core/blend/connecting_arc.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/blend/junction.h"
+
+namespace feedscope {
+
+ConnectingArc connecting_arc(const Vec3& corner, const Vec3& in, const Vec3& out, double shorter,
+                             double tolerance) {
+  ConnectingArc result;
+  result.turn = turn_angle(in, out);
+  const double tangent = std::tan(result.turn / 2);
+  result.transition = std::min(tolerance, std::max(shorter / 2 - tolerance * tangent, shorter / 4));
+  result.epsilon = result.transition * std::tan(result.turn / 4);
+
+  const Vec3 inwards = (out - in.dot(out) * in).normalized();
+  Arc& arc = result.arc;
+  arc.radius = result.transition / tangent;
+  arc.center = corner - result.transition * in + arc.radius * inwards;
+  arc.x = -inwards;
+  arc.y = in;
+  arc.rise = Vec3::Zero();
+  arc.sweep = result.turn;
+  return result;
+}
+
+}  // namespace feedscope

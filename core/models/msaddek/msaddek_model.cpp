@@ -1,0 +1,81 @@
+#include "core/models/msaddek/msaddek_model.h"
+
+#include "core/base/units.h"
+#include "core/models/msaddek/msaddek_stretch.h"
+
+namespace feedscope {
+
+MsaddekSettings::MsaddekSettings(const Settings& settings)
+    : tolerance(settings.number("contour_tolerance_mm")),
+      compaction(settings.number("compaction_mm")),
+      period(settings.number("interpolation_period_s")),
+      curvature_jerk(units::from_m(settings.number("curvilinear_jerk_m_s3")) *
+                     settings.number("tangential_share")),
+      lookahead(static_cast<std::uint32_t>(settings.number("lookahead_blocks"))),
+      law(settings.text("law") == "static" ? MsaddekLaw::static_feed : MsaddekLaw::dynamic_feed) {}
+
+const ModelInfo& MsaddekModel::info() const {
+  static const ModelInfo info = [] {
+    SettingSpec compaction;
+    compaction.key = "compaction_mm";
+    compaction.title = "Compaction length";
+    compaction.unit = "mm";
+    compaction.explanation =
+        "Blocks shorter than this are merged into segments of at most this length where the tolerance allows "
+        "it; 0 merges none.";
+    compaction.maximum = 1000;
+    SettingSpec law;
+    law.key = "law";
+    law.title = "Look-ahead";
+    law.explanation =
+        "dynamic: ramps that know the blocks ahead; static: every block at its own feed, as if feed changes "
+        "took no time.";
+    law.choices = {"dynamic", "static"};
+    return ModelInfo{
+        "msaddek",
+        "Connecting arcs, static and dynamic look-ahead (Sinumerik 840D, TNC 430)",
+        "E. B. Msaddek et al., Int J Adv Manuf Technol 53 (2011) 877-888, doi 10.1007/s00170-010-2884-z",
+        "Corners between lines get connecting arcs within the contour tolerance (TIT), small blocks are "
+        "merged. Static look-ahead gives every block and arc one feed; dynamic look-ahead ramps below it. "
+        "Helices, dwells, rapids and corners that touch an arc, which the paper does not cover, keep the "
+        "static limits of arcs and lines or are exact stops.",
+        {compaction, law},
+        {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3",
+         "tangential_share"},
+        {"The contour tolerance is kept at every corner; points that compaction leaves out stay within it "
+         "too, both together within twice the tolerance.",
+         "Programmed feed and axis velocities are kept everywhere.",
+         "law dynamic: acceleration and jerk of every axis are kept on lines; on arcs the tangential and the "
+         "radial part each keep them, not their sum; where curvature jumps, the acceleration changes within "
+         "one interpolation period by what the axis jerk allows.",
+         "law dynamic: full stop at reversals, at corners that touch a programmed arc, and between rapids "
+         "and feed motion.",
+         "law static: the feed jumps between blocks; only radial acceleration and jerk on arcs are kept."}};
+  }();
+  return info;
+}
+
+Trajectory MsaddekModel::do_simulate(const Toolpath& toolpath, const Machine& machine,
+                                     const Settings& settings, Progress* progress) const {
+  const MsaddekSettings own(settings);
+  const CompactedPath compacted = compact(toolpath, own.compaction, own.tolerance);
+  const Toolpath& path = compacted.path;
+  TrajectoryBuilder builder;
+  builder.set_compaction_error(compacted.deviation);
+  MsaddekRunner runner(toolpath, compacted, AxisVectors(machine), own, builder);
+  ProgressSteps steps(progress, path.segments.size());
+  for (std::size_t first = 0; first < path.segments.size();) {
+    const StretchRange range = next_stretch(path, first, true);
+    steps.at(first);
+    if (path.segments[first].kind == SegmentKind::dwell) {
+      const std::uint32_t element = builder.add_segment(toolpath, compacted.first[first], 0);
+      builder.add_piece({0, 0, 0, 0, 0, element, {CauseKind::dwell}}, path.segments[first].dwell);
+    } else {
+      runner.run(range, steps);
+    }
+    first = range.last;
+  }
+  return builder.finish();
+}
+
+}  // namespace feedscope

@@ -1,0 +1,152 @@
+#include "core/models/msaddek/msaddek_stretch.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/blend/junction.h"
+
+namespace feedscope {
+namespace {
+
+/// A piece of line shorter than this [mm] is left out.
+constexpr double least_line = 1e-12;
+
+}  // namespace
+
+MsaddekRunner::MsaddekRunner(const Toolpath& programmed, const CompactedPath& compacted,
+                             const AxisVectors& axes, const MsaddekSettings& settings,
+                             TrajectoryBuilder& builder)
+    : programmed_(programmed), compacted_(compacted), axes_(axes), settings_(settings), builder_(builder) {}
+
+void MsaddekRunner::run(const StretchRange& range, ProgressSteps& steps) {
+  lay_path(range);
+  if (settings_.law == MsaddekLaw::static_feed) {
+    move_static(steps);
+  } else {
+    move_dynamic(steps);
+  }
+}
+
+void MsaddekRunner::lay_path(const StretchRange& range) {
+  const Toolpath& path = compacted_.path;
+  stretch_.clear();
+  double cut_before = 0;
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    const MotionLimits limits = static_limits(i);
+    if (path.segments[i].kind == SegmentKind::arc) {
+      add_arc(i, limits);
+      continue;
+    }
+    ConnectingArc connection;
+    if (i + 1 < range.last && junction_kind(path, i + 1) == JunctionKind::corner) {
+      connection =
+          connecting_arc(path.segments[i].end, path.tangent_at_end(i), path.tangent_at_start(i + 1),
+                         std::min(path.segments[i].length, path.segments[i + 1].length), settings_.tolerance);
+    }
+    add_line(i, cut_before, connection.transition, limits);
+    if (connection.transition > 0) {
+      add_connection(i, connection);
+    }
+    cut_before = connection.transition;
+  }
+}
+
+MotionLimits MsaddekRunner::static_limits(std::size_t segment) const {
+  const Toolpath& path = compacted_.path;
+  MotionLimits limits = segment_limits(path, segment, axes_);
+  limits.speed.lower(path.segments[segment].length / settings_.period, {CauseKind::interpolation_period});
+  if (path.segments[segment].kind == SegmentKind::arc) {
+    const Arc& arc = path.arcs[static_cast<std::size_t>(path.segments[segment].arc)];
+    lower_by_curvature(limits.speed, arc.curvature());
+  }
+  return limits;
+}
+
+void MsaddekRunner::lower_by_curvature(SpeedBound& speed, double k) const {
+  speed.lower(std::cbrt(settings_.curvature_jerk / (k * k)), {CauseKind::curvilinear_jerk});
+}
+
+void MsaddekRunner::add_line(std::size_t segment, double cut_before, double cut_after,
+                             const MotionLimits& limits) {
+  const Toolpath& path = compacted_.path;
+  const Vec3& start = path.start_of(segment);
+  const Vec3 direction = path.tangent_at_start(segment);
+  const double end = path.segments[segment].length - cut_after;
+  const double feed = programmed_speed(path, segment, axes_.velocity).value;
+  const std::uint32_t last = compacted_.first[segment + 1];
+  double from = cut_before;
+  for (std::uint32_t block = compacted_.first[segment]; block < last; ++block) {
+    // Each programmed block keeps the part of a chord that stands for it.
+    const Segment& programmed = programmed_.segments[block];
+    const double to = block + 1 == last ? end : std::min(end, (programmed.end - start).dot(direction));
+    if (to - from <= least_line) {
+      continue;
+    }
+    PathElement element;
+    element.start = start + from * direction;
+    element.end = block + 1 == last && cut_after == 0 ? programmed.end : Vec3(start + to * direction);
+    element.length = to - from;
+    element.segment = block;
+    const std::uint32_t index = builder_.add_element(element, programmed.line, feed, programmed.rapid);
+    stretch_.add({element.length, limits}, index, static_cast<std::uint32_t>(segment));
+    from = to;
+  }
+}
+
+void MsaddekRunner::add_arc(std::size_t segment, const MotionLimits& limits) {
+  const std::uint32_t block = compacted_.first[segment];
+  const double feed = programmed_speed(programmed_, block, axes_.velocity).value;
+  const std::uint32_t index = builder_.add_segment(programmed_, block, feed);
+  stretch_.add({programmed_.segments[block].length, limits}, index, static_cast<std::uint32_t>(segment));
+}
+
+void MsaddekRunner::add_connection(std::size_t segment, const ConnectingArc& connection) {
+  const Toolpath& path = compacted_.path;
+  const Segment& before = programmed_.segments[compacted_.first[segment + 1] - 1];
+  SpeedBound feed = programmed_speed(path, segment, axes_.velocity);
+  const double programmed = feed.value;
+  const SpeedBound next = programmed_speed(path, segment + 1, axes_.velocity);
+  feed.lower(next.value, next.cause);
+
+  const Arc& arc = connection.arc;
+  PathElement element;
+  element.kind = ElementKind::arc;
+  element.start = before.end - connection.transition * path.tangent_at_end(segment);
+  element.end = before.end + connection.transition * path.tangent_at_start(segment + 1);
+  element.length = arc.length();
+  element.segment = compacted_.first[segment + 1] - 1;
+  element.geometry = builder_.add_arc(arc);
+  const std::uint32_t index = builder_.add_element(element, before.line, programmed, false);
+  builder_.add_blend_record({before.line, index, before.end, connection.turn, connection.transition,
+                             connection.epsilon, element.length, arc.radius, 0, 0});
+
+  MotionLimits limits = arc_limits(arc, feed, axes_);
+  limits.speed.lower(element.length / settings_.period, {CauseKind::interpolation_period});
+  lower_by_curvature(limits.speed, arc.curvature());
+  stretch_.add({element.length, limits}, index, static_cast<std::uint32_t>(segment));
+}
+
+void MsaddekRunner::move_static(ProgressSteps& steps) {
+  for (std::size_t e = 0; e < stretch_.plan.size(); ++e) {
+    steps.at(stretch_.block[e]);
+    const SpeedBound& speed = stretch_.plan[e].limits.speed;
+    builder_.add_piece({0, 0, speed.value, 0, 0, stretch_.element[e], speed.cause},
+                       stretch_.plan[e].length / speed.value);
+  }
+}
+
+void MsaddekRunner::move_dynamic(ProgressSteps& steps) {
+  set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
+  const std::vector<PlanNode> nodes = plan_nodes(stretch_.plan, stretch_.ceiling);
+  double speed = 0;
+  for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
+    const std::size_t first = nodes[n].junction;
+    const std::size_t last = nodes[n + 1].junction;
+    steps.at(stretch_.block[first]);
+    const SpanLimits span = span_limits(stretch_.plan, first, last);
+    speed =
+        add_profile(builder_, stretch_, profile_to(nodes[n + 1].speed, span, speed, 0), span, first, last);
+  }
+}
+
+}  // namespace feedscope

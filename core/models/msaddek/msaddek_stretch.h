@@ -1,0 +1,56 @@
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/blend/compaction.h"
+#include "core/blend/connecting_arc.h"
+#include "core/machine/settings.h"
+#include "core/trajectory/stretch.h"
+
+namespace feedscope {
+
+enum class MsaddekLaw { dynamic_feed, static_feed };
+
+/// Settings of the model in inside units.
+struct MsaddekSettings {
+  double tolerance = 0.01;      ///< TIT [mm]
+  double compaction = 0;        ///< [mm]; 0: none
+  double period = 0.002;        ///< t_cy [s]
+  double curvature_jerk = 0;    ///< J_tcurv = J_curv r_jct [mm/s3]
+  std::uint32_t lookahead = 0;  ///< blocks
+  MsaddekLaw law = MsaddekLaw::dynamic_feed;
+
+  explicit MsaddekSettings(const Settings& settings);
+};
+
+/// Runs stretches of a compacted path, one after the other, into a trajectory: lays connecting arcs into
+/// their corners, sets the static feed of every element, and moves by it or by ramps below it.
+class MsaddekRunner {
+ public:
+  /// `programmed`: what `compacted` was made of.
+  MsaddekRunner(const Toolpath& programmed, const CompactedPath& compacted, const AxisVectors& axes,
+                const MsaddekSettings& settings, TrajectoryBuilder& builder);
+
+  /// Lines and arcs without a stop between them. `steps` counts segments of the compacted path.
+  void run(const StretchRange& range, ProgressSteps& steps);
+
+ private:
+  void lay_path(const StretchRange& range);
+  MotionLimits static_limits(std::size_t segment) const;
+  void add_line(std::size_t segment, double cut_before, double cut_after, const MotionLimits& limits);
+  void add_arc(std::size_t segment, const MotionLimits& limits);
+  void add_connection(std::size_t segment, const ConnectingArc& connection);
+  /// eq 17: what the curvilinear jerk allows on curvature `k` [1/mm].
+  void lower_by_curvature(SpeedBound& speed, double k) const;
+
+  void move_static(ProgressSteps& steps);
+  void move_dynamic(ProgressSteps& steps);
+
+  const Toolpath& programmed_;
+  const CompactedPath& compacted_;
+  AxisVectors axes_;
+  MsaddekSettings settings_;
+  TrajectoryBuilder& builder_;
+  Stretch stretch_;
+};
+
+}  // namespace feedscope
