@@ -12,7 +12,7 @@ ConnectingArc connecting_arc(const Vec3& corner, const Vec3& in, const Vec3& out
   ConnectingArc result;
   result.turn = turn_angle(in, out);
   const double tangent = std::tan(result.turn / 2);
-  result.transition = std::min(tolerance, std::max(shorter / 2 - tolerance * tangent, shorter / 4));
+  result.transition = std::min(tolerance, std::max(shorter / 2 - tolerance * tangent, shorter / 8));
   result.epsilon = result.transition * std::tan(result.turn / 4);
 
   const Vec3 inwards = (out - in.dot(out) * in).normalized();

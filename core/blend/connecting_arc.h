@@ -21,8 +21,8 @@ struct ConnectingArc {
 /// `shorter` of the two blocks [mm].
 ///
 /// The second term subtracts a length along the block from a radius. It is kept as printed, but on blocks of
-/// a few TIT it leaves no arc at all: T is a quarter of the shorter block then. T never exceeds half of it.
-/// `in`, `out`: unit directions, turning by more than straight_angle and less than a reversal.
+/// a few TIT it leaves no arc at all: T is at least an eighth of the shorter block. T never exceeds half of
+/// it. `in`, `out`: unit directions, turning by more than straight_angle and less than a reversal.
 ConnectingArc connecting_arc(const Vec3& corner, const Vec3& in, const Vec3& out, double shorter,
                              double tolerance);
 

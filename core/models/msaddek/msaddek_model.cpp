@@ -59,22 +59,11 @@ Trajectory MsaddekModel::do_simulate(const Toolpath& toolpath, const Machine& ma
                                      const Settings& settings, Progress* progress) const {
   const MsaddekSettings own(settings);
   const CompactedPath compacted = compact(toolpath, own.compaction, own.tolerance);
-  const Toolpath& path = compacted.path;
   TrajectoryBuilder builder;
   builder.set_compaction_error(compacted.deviation);
   MsaddekRunner runner(toolpath, compacted, AxisVectors(machine), own, builder);
-  ProgressSteps steps(progress, path.segments.size());
-  for (std::size_t first = 0; first < path.segments.size();) {
-    const StretchRange range = next_stretch(path, first, true);
-    steps.at(first);
-    if (path.segments[first].kind == SegmentKind::dwell) {
-      const std::uint32_t element = builder.add_segment(toolpath, compacted.first[first], 0);
-      builder.add_piece({0, 0, 0, 0, 0, element, {CauseKind::dwell}}, path.segments[first].dwell);
-    } else {
-      runner.run(range, steps);
-    }
-    first = range.last;
-  }
+  run_stretches(toolpath, builder, progress, false,
+                [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
   return builder.finish();
 }
 

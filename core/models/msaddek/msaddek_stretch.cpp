@@ -19,26 +19,36 @@ MsaddekRunner::MsaddekRunner(const Toolpath& programmed, const CompactedPath& co
     : programmed_(programmed), compacted_(compacted), axes_(axes), settings_(settings), builder_(builder) {}
 
 void MsaddekRunner::run(const StretchRange& range, ProgressSteps& steps) {
-  lay_path(range);
-  if (settings_.law == MsaddekLaw::static_feed) {
-    move_static(steps);
-  } else {
-    move_dynamic(steps);
+  const auto chord_of = [&](std::size_t segment) {
+    const auto chord = std::lower_bound(compacted_.first.begin(), compacted_.first.end(), segment);
+    return static_cast<std::size_t>(chord - compacted_.first.begin());
+  };
+  const std::size_t last = chord_of(range.last);
+  for (std::size_t chord = chord_of(range.first); chord < last;) {
+    StretchRange chords = next_stretch(compacted_.path, chord, true);
+    chords.last = std::min(chords.last, last);
+    lay_path(chords);
+    if (settings_.law == MsaddekLaw::static_feed) {
+      move_static(steps);
+    } else {
+      move_dynamic(steps);
+    }
+    chord = chords.last;
   }
 }
 
-void MsaddekRunner::lay_path(const StretchRange& range) {
+void MsaddekRunner::lay_path(const StretchRange& chords) {
   const Toolpath& path = compacted_.path;
   stretch_.clear();
   double cut_before = 0;
-  for (std::size_t i = range.first; i < range.last; ++i) {
+  for (std::size_t i = chords.first; i < chords.last; ++i) {
     const MotionLimits limits = static_limits(i);
     if (path.segments[i].kind == SegmentKind::arc) {
       add_arc(i, limits);
       continue;
     }
     ConnectingArc connection;
-    if (i + 1 < range.last && junction_kind(path, i + 1) == JunctionKind::corner) {
+    if (i + 1 < chords.last && junction_kind(path, i + 1) == JunctionKind::corner) {
       connection =
           connecting_arc(path.segments[i].end, path.tangent_at_end(i), path.tangent_at_start(i + 1),
                          std::min(path.segments[i].length, path.segments[i + 1].length), settings_.tolerance);
@@ -137,16 +147,7 @@ void MsaddekRunner::move_static(ProgressSteps& steps) {
 
 void MsaddekRunner::move_dynamic(ProgressSteps& steps) {
   set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
-  const std::vector<PlanNode> nodes = plan_nodes(stretch_.plan, stretch_.ceiling);
-  double speed = 0;
-  for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
-    const std::size_t first = nodes[n].junction;
-    const std::size_t last = nodes[n + 1].junction;
-    steps.at(stretch_.block[first]);
-    const SpanLimits span = span_limits(stretch_.plan, first, last);
-    speed =
-        add_profile(builder_, stretch_, profile_to(nodes[n + 1].speed, span, speed, 0), span, first, last);
-  }
+  add_planned_motion(builder_, stretch_, plan_nodes(stretch_.plan, stretch_.ceiling), steps);
 }
 
 }  // namespace feedscope

@@ -22,19 +22,20 @@ struct MsaddekSettings {
   explicit MsaddekSettings(const Settings& settings);
 };
 
-/// Runs stretches of a compacted path, one after the other, into a trajectory: lays connecting arcs into
-/// their corners, sets the static feed of every element, and moves by it or by ramps below it.
+/// Runs stretches, one after the other, into a trajectory: lays connecting arcs into the corners of the
+/// compacted path, sets the static feed of every element, and moves by it or by ramps below it.
+/// Segments are those of the compacted path, blocks the programmed ones.
 class MsaddekRunner {
  public:
   /// `programmed`: what `compacted` was made of.
   MsaddekRunner(const Toolpath& programmed, const CompactedPath& compacted, const AxisVectors& axes,
                 const MsaddekSettings& settings, TrajectoryBuilder& builder);
 
-  /// Lines and arcs without a stop between them. `steps` counts segments of the compacted path.
+  /// Programmed lines and arcs without a stop between them; their chords may need further stops.
   void run(const StretchRange& range, ProgressSteps& steps);
 
  private:
-  void lay_path(const StretchRange& range);
+  void lay_path(const StretchRange& chords);
   MotionLimits static_limits(std::size_t segment) const;
   void add_line(std::size_t segment, double cut_before, double cut_after, const MotionLimits& limits);
   void add_arc(std::size_t segment, const MotionLimits& limits);

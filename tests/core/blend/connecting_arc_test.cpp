@@ -52,9 +52,9 @@ TEST(ConnectingArc, OfShortBlocksIsTheSecondTermOfEquation1) {
   EXPECT_NEAR(connecting_arc({0, 0, 0}, east, turned(90), 0.025, 0.007).arc.radius, 0.0055, 1e-15);
 }
 
-TEST(ConnectingArc, OfVeryShortBlocksTakesAQuarterOfThem) {
-  for (const double length : {0.02, 0.01, 1e-6}) {
-    EXPECT_NEAR(connecting_arc({0, 0, 0}, east, turned(90), length, 0.007).transition, length / 4, 1e-15);
+TEST(ConnectingArc, OfVeryShortBlocksTakesAnEighthOfThem) {
+  for (const double length : {0.018, 0.01, 1e-6}) {
+    EXPECT_NEAR(connecting_arc({0, 0, 0}, east, turned(90), length, 0.007).transition, length / 8, 1e-15);
   }
 }
 
