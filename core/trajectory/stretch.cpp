@@ -12,13 +12,25 @@ void Stretch::clear() {
   plan.clear();
   element.clear();
   block.clear();
+  blend.clear();
   ceiling.clear();
+  level.clear();
 }
 
-void Stretch::add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed) {
+void Stretch::add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed,
+                  bool is_blend) {
   plan.push_back(planned);
   element.push_back(path_element);
   block.push_back(programmed);
+  blend.push_back(is_blend ? 1 : 0);
+}
+
+void Stretch::hold_level(std::uint32_t e) {
+  plan[e].limits.acceleration.value = plan[e].limits.jerk.value = no_ramp;
+  if (level.empty() || level.back() < e) {
+    level.push_back(e);
+  }
+  level.push_back(e + 1);
 }
 
 StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop_at_arc_corners,
@@ -59,7 +71,7 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
     const PathElement& after = path.elements[stretch.element[j]];
     double ceiling = std::min(stretch.plan[j - 1].limits.speed.value, stretch.plan[j].limits.speed.value);
     const bool arcs = before.kind == ElementKind::arc || after.kind == ElementKind::arc;
-    if (arcs && before.kind != ElementKind::blend && after.kind != ElementKind::blend) {
+    if (arcs && stretch.blend[j - 1] == 0 && stretch.blend[j] == 0) {
       const Vec3 step = path.at(after, 0).d2 - path.at(before, before.length).d2;
       ceiling = std::min(ceiling, crossing_speed(step, axis_jerk, interpolation_period).value);
     }
@@ -123,11 +135,22 @@ double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const Spe
 void add_planned_motion(TrajectoryBuilder& builder, const Stretch& stretch,
                         const std::vector<PlanNode>& nodes, ProgressSteps& steps) {
   double speed = 0;
+  Cause gained;  // what limited the ramp before
   for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
     const std::size_t first = nodes[n].junction;
     const std::size_t last = nodes[n + 1].junction;
     steps.at(stretch.block[first]);
+    if (last == first + 1 && stretch.is_level(first)) {
+      const SpeedBound& limit = stretch.plan[first].limits.speed;
+      const bool below = speed < limit.value * (1 - 1e-9);
+      const bool slows_next = n + 2 < nodes.size() && nodes[n + 2].speed < speed;
+      const Cause held = slows_next ? Cause{CauseKind::ramp_down} : gained;
+      builder.add_piece({0, 0, speed, 0, 0, stretch.element[first], below ? held : limit.cause},
+                        stretch.plan[first].length / speed);
+      continue;
+    }
     const SpanLimits span = span_limits(stretch.plan, first, last);
+    gained = {CauseKind::axis_jerk, span.jerk.axis};
     speed = add_profile(builder, stretch, profile_to(nodes[n + 1].speed, span, speed, 0), span, first, last);
   }
 }

@@ -16,10 +16,20 @@ struct Stretch {
   std::vector<PlanElement> plan;
   std::vector<std::uint32_t> element;  ///< index into the path
   std::vector<std::uint32_t> block;    ///< programmed segment
+  std::vector<std::uint8_t> blend;     ///< 1: a corner blend, whose speed the model itself sets
   std::vector<double> ceiling;         ///< at the plan.size() + 1 junctions [mm/s]
+  std::vector<std::uint32_t> level;    ///< junctions that are nodes of the plan in any case
 
   void clear();
-  void add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed);
+  void add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed,
+           bool is_blend = false);
+
+  /// Makes element `e` a level place of the plan: one speed for both of its ends. In order of e, after
+  /// set_junction_ceilings().
+  void hold_level(std::uint32_t e);
+  bool is_level(std::size_t e) const { return plan[e].limits.jerk.value == no_ramp; }
+
+  static constexpr double no_ramp = 1e-12;  ///< limits of a level element [mm/s2, mm/s3]
 };
 
 /// Segments [first, last) from standstill to standstill.
@@ -53,7 +63,8 @@ SpeedProfile profile_to(double target, const SpanLimits& span, double speed, dou
 double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const SpeedProfile& profile,
                    const SpanLimits& span, std::size_t first, std::size_t last);
 
-/// Lays the jerk-limited law from node to node over the whole stretch, from rest to rest.
+/// Lays the jerk-limited law from node to node over the whole stretch, from rest to rest; level elements at
+/// constant speed.
 void add_planned_motion(TrajectoryBuilder& builder, const Stretch& stretch,
                         const std::vector<PlanNode>& nodes, ProgressSteps& steps);
 

@@ -10,9 +10,6 @@ namespace {
 /// speed that hardly changes, they would exceed the radial jerk share by more than 3.3 (0.66 of the axis).
 constexpr double level_turn = 0.5;
 
-/// A line shorter than this [mm] between two blends is left out.
-constexpr double least_line = 1e-12;
-
 double least_radius(const BlendShape& shape) {
   constexpr int intervals = 32;
   double largest = 0;
@@ -36,74 +33,44 @@ void EssidRunner::run(const StretchRange& range, ProgressSteps& steps) {
   lay_path(range);
   set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
   hold_level_blends();
-  move(plan_nodes(stretch_.plan, stretch_.ceiling, level_), steps);
+  move(plan_nodes(stretch_.plan, stretch_.ceiling, stretch_.level), steps);
 }
 
 void EssidRunner::lay_path(const StretchRange& range) {
-  stretch_.clear();
-  blend_index_.clear();
   blends_.clear();
-  double cut_before = 0;
-  for (std::size_t i = range.first; i < range.last; ++i) {
-    Corner corner;
-    const bool blended = i + 1 < range.last && junction_kind(toolpath_, i + 1) == JunctionKind::corner;
-    const Vec3 in = toolpath_.tangent_at_end(i);
-    const Vec3 out = blended ? toolpath_.tangent_at_start(i + 1) : in;
-    if (blended) {
-      const double longest = std::min(toolpath_.segments[i].length, toolpath_.segments[i + 1].length) / 2;
-      corner = lay_corner(in, out, longest, settings_.corner);
-    }
-    add_straight(i, cut_before, corner.transition);
-    if (blended) {
-      add_blend(i, corner, in, out);
-    }
-    cut_before = corner.transition;
+  lay_blended_stretch(toolpath_, range, axes_, builder_, stretch_,
+                      [&](const CornerPlace& place) { return blend_corner(place); });
+  blend_index_.clear();
+  std::int32_t next = 0;
+  for (const std::uint8_t blend : stretch_.blend) {
+    blend_index_.push_back(blend != 0 ? next++ : no_blend);
   }
 }
 
-void EssidRunner::add_straight(std::size_t segment, double cut_before, double cut_after) {
-  const double length = toolpath_.segments[segment].length - cut_before - cut_after;
-  if (length <= least_line) {
-    return;
-  }
-  const double feed = programmed_speed(toolpath_, segment, axes_.velocity).value;
-  const std::uint32_t index = builder_.add_segment(toolpath_, segment, feed, cut_before, cut_after);
-  stretch_.add({length, segment_limits(toolpath_, segment, axes_)}, index,
-               static_cast<std::uint32_t>(segment));
-  blend_index_.push_back(no_blend);
-}
+CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
+  const Corner corner = lay_corner(place.in, place.out, place.longest, settings_.corner);
+  const BlendShape shape(place.in, place.out, corner.transition, settings_.corner.alpha);
+  const CubicBlend curve =
+      corner_blend(place.point, place.in, place.out, corner.transition, settings_.corner.alpha);
 
-void EssidRunner::add_blend(std::size_t segment, const Corner& corner, const Vec3& in, const Vec3& out) {
-  const Segment& before = toolpath_.segments[segment];
-  SpeedBound feed = programmed_speed(toolpath_, segment, axes_.velocity);
-  const SpeedBound next = programmed_speed(toolpath_, segment + 1, axes_.velocity);
-  const double programmed = feed.value;
-  feed.lower(next.value, next.cause);
-
-  const CubicBlend curve = corner_blend(before.end, in, out, corner.transition, settings_.corner.alpha);
-  const BlendShape shape(in, out, corner.transition, settings_.corner.alpha);
-  PathElement element;
-  element.kind = ElementKind::blend;
-  element.start = curve.start;
-  element.end = curve.end;
-  element.length = curve.length();
-  element.segment = static_cast<std::uint32_t>(segment);
-  element.geometry = builder_.add_blend(curve);
-  const std::uint32_t index = builder_.add_element(element, before.line, programmed, false);
-  builder_.add_blend_record({before.line, index, before.end, corner.turn, corner.transition, corner.epsilon,
-                             element.length, least_radius(shape), 0, 0});
-
-  SpeedBound speed = entry_speed_limit(shape.at(0), feed, blend_limits_);
+  SpeedBound speed = entry_speed_limit(shape.at(0), place.feed, blend_limits_);
   if (settings_.reading == EssidReading::strict) {
-    speed = steady_speed_limit(shape, feed, blend_limits_);
+    speed = steady_speed_limit(shape, place.feed, blend_limits_);
   } else if (corner.turn > sharp_turn) {
-    const SpeedBound steady = steady_speed_limit(shape, feed, blend_limits_);
+    const SpeedBound steady = steady_speed_limit(shape, place.feed, blend_limits_);
     speed.lower(steady.value, steady.cause);
   }
-  const MotionLimits limits = blend_motion_limits(shape, speed, blend_limits_);
-  stretch_.add({element.length, limits}, index, static_cast<std::uint32_t>(segment));
-  blend_index_.push_back(static_cast<std::int32_t>(blends_.size()));
-  blends_.push_back({shape, feed, corner.turn, limits.jerk.value});
+  CornerPiece piece;
+  piece.kind = ElementKind::blend;
+  piece.geometry = builder_.add_blend(curve);
+  piece.turn = corner.turn;
+  piece.transition = corner.transition;
+  piece.epsilon = corner.epsilon;
+  piece.length = curve.length();
+  piece.min_radius = least_radius(shape);
+  piece.limits = blend_motion_limits(shape, speed, blend_limits_);
+  blends_.push_back({shape, place.feed, corner.turn, piece.limits.jerk.value});
+  return piece;
 }
 
 bool EssidRunner::is_level(const Blend& blend) const {
@@ -111,17 +78,10 @@ bool EssidRunner::is_level(const Blend& blend) const {
 }
 
 void EssidRunner::hold_level_blends() {
-  level_.clear();
-  constexpr double none = 1e-12;  // [mm/s2, mm/s3]: both ends of a blend get the same speed
   for (std::uint32_t e = 0; e < stretch_.plan.size(); ++e) {
-    if (blend_index_[e] == no_blend || !is_level(blend_of(e))) {
-      continue;
+    if (blend_index_[e] != no_blend && is_level(blend_of(e))) {
+      stretch_.hold_level(e);
     }
-    stretch_.plan[e].limits.acceleration.value = stretch_.plan[e].limits.jerk.value = none;
-    if (level_.empty() || level_.back() < e) {
-      level_.push_back(e);
-    }
-    level_.push_back(e + 1);
   }
 }
 

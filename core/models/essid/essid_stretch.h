@@ -6,7 +6,7 @@
 #include "core/base/progress.h"
 #include "core/models/essid/blend_law.h"
 #include "core/models/essid/essid_settings.h"
-#include "core/trajectory/stretch.h"
+#include "core/trajectory/blended_stretch.h"
 
 namespace feedscope {
 
@@ -31,8 +31,7 @@ class EssidRunner {
   static constexpr std::int32_t no_blend = -1;
 
   void lay_path(const StretchRange& range);
-  void add_straight(std::size_t segment, double cut_before, double cut_after);
-  void add_blend(std::size_t segment, const Corner& corner, const Vec3& in, const Vec3& out);
+  CornerPiece blend_corner(const CornerPlace& place);
   /// Whether a blend is a level place of the plan, with one speed for both of its ends.
   bool is_level(const Blend& blend) const;
   void hold_level_blends();
@@ -56,8 +55,7 @@ class EssidRunner {
   Stretch stretch_;
   std::vector<std::int32_t> blend_index_;  ///< per element of the stretch: into blends_, or no_blend
   std::vector<Blend> blends_;
-  std::vector<std::uint32_t> level_;  ///< junctions that are nodes in any case
-  double speed_ = 0;                  ///< at the current node [mm/s]
+  double speed_ = 0;  ///< at the current node [mm/s]
 };
 
 }  // namespace feedscope

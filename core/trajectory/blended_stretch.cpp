@@ -1,0 +1,67 @@
+#include "core/trajectory/blended_stretch.h"
+
+#include <algorithm>
+
+#include "core/blend/junction.h"
+
+namespace feedscope {
+namespace {
+
+/// A line shorter than this [mm] between two blends is left out.
+constexpr double least_line = 1e-12;
+
+CornerPlace corner_behind(const Toolpath& toolpath, std::size_t segment, const Vec3& velocity) {
+  const Segment& before = toolpath.segments[segment];
+  const Segment& after = toolpath.segments[segment + 1];
+  CornerPlace place;
+  place.segment = segment;
+  place.point = before.end;
+  place.in = toolpath.tangent_at_end(segment);
+  place.out = toolpath.tangent_at_start(segment + 1);
+  place.longest = std::min(before.length, after.length) / 2;
+  place.feed = programmed_speed(toolpath, segment, velocity);
+  const SpeedBound next = programmed_speed(toolpath, segment + 1, velocity);
+  place.feed.lower(next.value, next.cause);
+  return place;
+}
+
+}  // namespace
+
+void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
+                         TrajectoryBuilder& builder, Stretch& stretch, const BlendCorner& blend) {
+  stretch.clear();
+  double cut_before = 0;
+  for (std::size_t i = range.first; i < range.last; ++i) {
+    const Segment& segment = toolpath.segments[i];
+    const auto block = static_cast<std::uint32_t>(i);
+    const double feed = programmed_speed(toolpath, i, axes.velocity).value;
+    const bool corner = i + 1 < range.last && junction_kind(toolpath, i + 1) == JunctionKind::corner;
+    CornerPlace place;
+    CornerPiece piece;
+    if (corner) {
+      place = corner_behind(toolpath, i, axes.velocity);
+      piece = blend(place);
+    }
+    const double length = segment.length - cut_before - piece.transition;
+    if (length > least_line) {
+      const std::uint32_t index = builder.add_segment(toolpath, i, feed, cut_before, piece.transition);
+      stretch.add({length, segment_limits(toolpath, i, axes)}, index, block);
+    }
+    if (corner) {
+      PathElement element;
+      element.kind = piece.kind;
+      element.start = place.point - piece.transition * place.in;
+      element.end = place.point + piece.transition * place.out;
+      element.length = piece.length;
+      element.segment = block;
+      element.geometry = piece.geometry;
+      const std::uint32_t index = builder.add_element(element, segment.line, feed, false);
+      builder.add_blend_record({segment.line, index, place.point, piece.turn, piece.transition, piece.epsilon,
+                                piece.length, piece.min_radius, 0, 0});
+      stretch.add({piece.length, piece.limits}, index, block, true);
+    }
+    cut_before = piece.transition;
+  }
+}
+
+}  // namespace feedscope

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+
+#include "core/trajectory/stretch.h"
+
+namespace feedscope {
+
+/// A corner of two lines, as it is given to a model that blends it.
+struct CornerPlace {
+  std::size_t segment = 0;  ///< that ends at the corner
+  Vec3 point;               ///< [mm]
+  Vec3 in;                  ///< unit directions
+  Vec3 out;
+  double longest = 0;  ///< half of the shorter line: what a blend may take of each [mm]
+  SpeedBound feed;     ///< the lower of the two blocks'
+};
+
+/// The blend that a model lays there; its curve is in the builder already.
+struct CornerPiece {
+  ElementKind kind = ElementKind::blend;
+  std::uint32_t geometry = 0;  ///< of the builder
+  double turn = 0;             ///< [rad]
+  double transition = 0;       ///< from the corner to both ends [mm]
+  double epsilon = 0;          ///< distance of the corner from the blend [mm]
+  double length = 0;           ///< [mm]
+  double min_radius = 0;       ///< [mm]
+  MotionLimits limits;
+};
+
+using BlendCorner = std::function<CornerPiece(const CornerPlace& place)>;
+
+/// Lays the segments of `range` into path and stretch, with static limits (segment_limits.h), and a blend
+/// into every corner of two lines, for which `blend` is called in order.
+void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
+                         TrajectoryBuilder& builder, Stretch& stretch, const BlendCorner& blend);
+
+}  // namespace feedscope
