@@ -5,15 +5,41 @@
 
 namespace feedscope {
 
-Corner lay_corner(const Vec3& in, const Vec3& out, double longest, const CornerRule& rule) {
-  const double half_sine = (out - in).norm() / 2;  // sin(phi/2)
+double used_tolerance(const Vec3& in, const Vec3& out, const CornerRule& rule) {
   const bool reverses = (in.array() * out.array() < 0).any();
   const double beta = rule.beta > 0 ? rule.beta : (reverses ? 0.6 : 0.8);
+  return beta * rule.tolerance;
+}
+
+Corner lay_corner(const Vec3& in, const Vec3& out, double longest, const CornerRule& rule) {
+  const double half_sine = (out - in).norm() / 2;  // sin(phi/2)
   Corner corner;
   corner.turn = turn_angle(in, out);
-  corner.transition = std::min(4 * beta * rule.tolerance / ((4 - rule.alpha) * half_sine), longest);
+  corner.transition = std::min(4 * used_tolerance(in, out, rule) / ((4 - rule.alpha) * half_sine), longest);
   corner.epsilon = corner.transition * (4 - rule.alpha) * half_sine / 4;
   return corner;
+}
+
+Corner lay_arc_corner(const Vec3& in, const Vec3& out, double longest, const CornerRule& rule) {
+  Corner corner;
+  corner.turn = turn_angle(in, out);
+  const double slope = std::tan(corner.turn / 4);  // eps / T
+  corner.transition = std::min(
+      {used_tolerance(in, out, rule) / slope, longest, largest_arc_radius * std::tan(corner.turn / 2)});
+  corner.epsilon = corner.transition * slope;
+  return corner;
+}
+
+Arc corner_arc(const Vec3& corner, const Vec3& in, const Vec3& out, double transition) {
+  const Vec3 inwards = (out - in.dot(out) * in).normalized();
+  Arc arc;
+  arc.sweep = turn_angle(in, out);
+  arc.radius = transition / std::tan(arc.sweep / 2);
+  arc.center = corner - transition * in + arc.radius * inwards;
+  arc.x = -inwards;
+  arc.y = in;
+  arc.rise = Vec3::Zero();
+  return arc;
 }
 
 CubicBlend corner_blend(const Vec3& corner, const Vec3& in, const Vec3& out, double transition,

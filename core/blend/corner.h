@@ -20,10 +20,22 @@ struct Corner {
   double epsilon = 0;     ///< distance of the corner from the blend [mm]
 };
 
+/// eps before it is cut for short blocks: beta rho [mm].
+double used_tolerance(const Vec3& in, const Vec3& out, const CornerRule& rule);
+
 /// T = min(4 eps / ((4 - alpha) sin(phi/2)), longest), eps = beta rho, computed again where `longest` cuts T.
 /// `in`, `out`: unit directions, turning by more than straight_angle and less than a reversal.
 /// Eq 13 of the paper is the same with W's sign of eq 10 turned and 0/0 where U_x = V_x.
 Corner lay_corner(const Vec3& in, const Vec3& out, double longest, const CornerRule& rule);
+
+/// Radius above which an arc in a corner limits no machine any more, and its points lose digits [mm].
+inline constexpr double largest_arc_radius = 1e6;
+
+/// The same for a circle arc of that eps, tangent to both lines: T = min(eps / tan(phi/4), longest), its
+/// radius at most largest_arc_radius.
+Corner lay_arc_corner(const Vec3& in, const Vec3& out, double longest, const CornerRule& rule);
+/// That arc, of radius T / tan(phi/2).
+Arc corner_arc(const Vec3& corner, const Vec3& in, const Vec3& out, double transition);
 
 CubicBlend corner_blend(const Vec3& corner, const Vec3& in, const Vec3& out, double transition, double alpha);
 

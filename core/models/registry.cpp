@@ -1,6 +1,7 @@
 #include "core/models/cam/cam_model.h"
 #include "core/models/control_model.h"
 #include "core/models/essid/essid_model.h"
+#include "core/models/gassara/gassara_model.h"
 #include "core/models/msaddek/msaddek_model.h"
 #include "core/models/tapie/tapie_model.h"
 
@@ -9,9 +10,10 @@ namespace feedscope {
 const std::vector<const ControlModel*>& all_models() {
   static const CamModel cam;
   static const EssidModel essid;
+  static const GassaraModel gassara;
   static const TapieModel tapie;
   static const MsaddekModel msaddek;
-  static const std::vector<const ControlModel*> models{&cam, &essid, &tapie, &msaddek};
+  static const std::vector<const ControlModel*> models{&cam, &essid, &gassara, &tapie, &msaddek};
   return models;
 }
 

@@ -2,6 +2,7 @@
 
 #include "core/models/essid/essid_settings.h"
 #include "core/models/essid/essid_stretch.h"
+#include "core/models/shared_settings.h"
 
 namespace feedscope {
 EssidSettings::EssidSettings(const Settings& settings) {
@@ -27,15 +28,6 @@ const ModelInfo& EssidModel::info() const {
     alpha.minimum = 0.5;
     alpha.maximum = 3.5;
     alpha.fallback = 2.5;
-    SettingSpec beta;
-    beta.key = "beta";
-    beta.title = "Used share of the tolerance beta";
-    beta.explanation =
-        "Share of the contour tolerance that the control uses; 0 for the identified rule: 0.6 where an axis "
-        "reverses in the corner, else 0.8.";
-    beta.minimum = 0;
-    beta.maximum = 1;
-    beta.fallback = 0;
     SettingSpec reading;
     reading.key = "reading";
     reading.title = "Reading of the paper";
@@ -51,7 +43,7 @@ const ModelInfo& EssidModel::info() const {
         "jerk-limited "
         "ramps on the lines, per-axis limits with radial shares on the blends, look-ahead over some blocks. "
         "Arcs and tangent junctions keep the static limits of Tapie 2007, which the paper does not cover.",
-        {alpha, beta, reading},
+        {alpha, used_tolerance_setting(), reading},
         {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "radial_acceleration_share",
          "radial_jerk_share"},
         {"The contour tolerance is kept at every corner.",

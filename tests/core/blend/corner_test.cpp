@@ -47,6 +47,36 @@ TEST(Corner, GivesTheTransitionLengthsOfEssidTable1) {
   }
 }
 
+TEST(ArcCorner, IsTangentToBothLinesAndKeepsItsDistance) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  const auto direction = [&] { return Vec3(unit(random), unit(random), unit(random)).normalized(); };
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 in = direction();
+    const Vec3 out = direction();
+    const Vec3 point = 100 * direction();
+    const Corner corner = lay_arc_corner(in, out, i % 2 == 0 ? far : 0.01, {});
+    const Arc arc = corner_arc(point, in, out, corner.transition);
+    const CurvePoint start = arc.at(0);
+    const CurvePoint end = arc.at(arc.length());
+    ASSERT_LT((start.position - (point - corner.transition * in)).norm(), 1e-12);
+    ASSERT_LT((end.position - (point + corner.transition * out)).norm(), 1e-12);
+    ASSERT_LT((start.d1 - in).norm(), 1e-12);
+    ASSERT_LT((end.d1 - out).norm(), 1e-12);
+    ASSERT_NEAR((arc.at(arc.length() / 2).position - point).norm(), corner.epsilon, 1e-12);
+    ASSERT_LE(corner.epsilon, 0.08 * (1 + 1e-12));
+  }
+}
+
+TEST(ArcCorner, OfTheSmallestAngleKeepsItsPlaceToRounding) {
+  const Vec3 in = Vec3(3, 4, 12) / 13;
+  const Vec3 out = (in + 2e-6 * Vec3(4, -3, 0) / 5).normalized();
+  const Corner corner = lay_arc_corner(in, out, 500, {});
+  const Arc arc = corner_arc(Vec3::Zero(), in, out, corner.transition);
+  EXPECT_NEAR(arc.radius, largest_arc_radius, 1);
+  EXPECT_LT((arc.at(arc.length()).position - corner.transition * out).norm(), 1e-9);
+}
+
 TEST(Corner, GivesLeastRadiusAndLengthOfEssidTable1) {
   const auto unit = directions();
   const double radius[] = {1.81987, .09800, .29401};

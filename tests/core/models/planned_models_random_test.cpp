@@ -116,7 +116,7 @@ TEST_P(PlannedModelOnRandomPaths, RunsEmptyAndOneBlockProgramsAndBlocksOfAllSize
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Models, PlannedModelOnRandomPaths, ::testing::Values("tapie"),
+INSTANTIATE_TEST_SUITE_P(Models, PlannedModelOnRandomPaths, ::testing::Values("gassara", "tapie"),
                          [](const auto& model) { return std::string(model.param); });
 
 }  // namespace

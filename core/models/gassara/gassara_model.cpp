@@ -1,0 +1,114 @@
+#include "core/models/gassara/gassara_model.h"
+
+#include <cmath>
+
+#include "core/blend/corner.h"
+#include "core/models/shared_settings.h"
+#include "core/trajectory/blended_stretch.h"
+
+namespace feedscope {
+namespace {
+
+/// Settings of the model in inside units.
+struct GassaraSettings {
+  CornerRule corner;
+  double period;  ///< [s]
+  std::uint32_t lookahead;
+  double radial_acceleration_share;
+  double radial_jerk_share;
+
+  explicit GassaraSettings(const Settings& settings)
+      : period(settings.number("interpolation_period_s")),
+        lookahead(static_cast<std::uint32_t>(settings.number("lookahead_blocks"))),
+        radial_acceleration_share(settings.number("radial_acceleration_share")),
+        radial_jerk_share(settings.number("radial_jerk_share")) {
+    corner.tolerance = settings.number("contour_tolerance_mm");
+    corner.beta = settings.number("beta");
+  }
+};
+
+/// Least of an axis limit over the axes that `place` moves.
+AxisBound least_of_axes(const Vec3& limit, const CornerPlace& place) {
+  constexpr double moves = 1e-9;
+  AxisBound least{std::numeric_limits<double>::infinity(), -1};
+  for (int j = 0; j < 3; ++j) {
+    if (std::abs(place.in[j]) + std::abs(place.out[j]) > moves && limit[j] < least.value) {
+      least = {limit[j], static_cast<std::int8_t>(j)};
+    }
+  }
+  return least;
+}
+
+/// min(F, V, sqrt(R_A A R), cbrt(R_J Jtb R^2)) on an arc of `radius` R, and what is left along it.
+MotionLimits arc_blend_limits(const CornerPlace& place, double radius, const AxisVectors& axes,
+                              const GassaraSettings& settings) {
+  const AxisBound velocity = least_of_axes(axes.velocity, place);
+  const AxisBound acceleration = least_of_axes(axes.acceleration, place);
+  const AxisBound jerk = least_of_axes(axes.blend_jerk, place);
+  const double radial = settings.radial_acceleration_share * acceleration.value;
+  const double radial_jerk = settings.radial_jerk_share * jerk.value;
+  MotionLimits limits{
+      place.feed, {acceleration.value - radial, acceleration.axis}, {jerk.value - radial_jerk, jerk.axis}};
+  limits.speed.lower(velocity.value, {CauseKind::blend_velocity, velocity.axis});
+  limits.speed.lower(std::sqrt(radial * radius), {CauseKind::blend_radial_acceleration, acceleration.axis});
+  limits.speed.lower(std::cbrt(radial_jerk * radius * radius), {CauseKind::blend_radial_jerk, jerk.axis});
+  return limits;
+}
+
+}  // namespace
+
+const ModelInfo& GassaraModel::info() const {
+  static const ModelInfo info{
+      "gassara",
+      "Circle-arc blends at constant speed",
+      "B. Gassara et al., Mach Sci Technol 17 (2013) 181-208, doi 10.1080/10910344.2013.780537, as compared "
+      "in "
+      "Essid et al. 2019, section 4.3",
+      "Corners between lines are blended by circle arcs within the contour tolerance and passed at constant "
+      "speed, limits taken along tangent and normal instead of per axis; jerk-limited ramps on the lines, "
+      "look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007.",
+      {used_tolerance_setting()},
+      {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "radial_acceleration_share",
+       "radial_jerk_share"},
+      {"The contour tolerance is kept at every corner.",
+       "Velocity, acceleration and jerk of every axis are kept on lines.",
+       "On blends the radial shares of acceleration and jerk are kept; the acceleration steps at both ends.",
+       "On arcs the tangential and the radial part each keep the axis limits, not their sum.",
+       "Full stop at reversals, at corners that touch an arc, and between rapids and feed motion."}};
+  return info;
+}
+
+Trajectory GassaraModel::do_simulate(const Toolpath& toolpath, const Machine& machine,
+                                     const Settings& settings, Progress* progress) const {
+  const GassaraSettings own(settings);
+  const AxisVectors axes(machine);
+  TrajectoryBuilder builder;
+  Stretch stretch;
+  const auto blend_corner = [&](const CornerPlace& place) {
+    const Corner corner = lay_arc_corner(place.in, place.out, place.longest, own.corner);
+    const Arc arc = corner_arc(place.point, place.in, place.out, corner.transition);
+    CornerPiece piece;
+    piece.kind = ElementKind::arc;
+    piece.geometry = builder.add_arc(arc);
+    piece.turn = corner.turn;
+    piece.transition = corner.transition;
+    piece.epsilon = corner.epsilon;
+    piece.length = arc.length();
+    piece.min_radius = arc.radius;
+    piece.limits = arc_blend_limits(place, arc.radius, axes, own);
+    return piece;
+  };
+  run_stretches(toolpath, builder, progress, false, [&](const StretchRange& range, ProgressSteps& steps) {
+    lay_blended_stretch(toolpath, range, axes, builder, stretch, blend_corner);
+    set_junction_ceilings(stretch, builder.path(), axes.jerk, own.period, own.lookahead);
+    for (std::uint32_t e = 0; e < stretch.plan.size(); ++e) {
+      if (stretch.blend[e] != 0) {
+        stretch.hold_level(e);
+      }
+    }
+    add_planned_motion(builder, stretch, plan_nodes(stretch.plan, stretch.ceiling, stretch.level), steps);
+  });
+  return builder.finish();
+}
+
+}  // namespace feedscope

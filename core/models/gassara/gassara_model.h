@@ -1,0 +1,26 @@
+#pragma once
+
+#include "core/models/control_model.h"
+
+namespace feedscope {
+
+/// Corners blended by circle arcs that are passed at constant speed.
+///
+/// B. Gassara et al., "Analytical and experimental study of feed rate in high-speed milling", Mach Sci
+/// Technol 17 (2013) 181-208, as Essid 2019, section 4.3, takes it for comparison; MODELS section 6. Corners
+/// are laid out as by the essid model (same eps, same shares); the blend is taken as a circle arc of that
+/// eps, and its limits are those of tangent and normal, not of the axes. Symbols: eps distance of the corner
+/// from the arc, R its radius, R_A and R_J radial shares.
+///
+/// Beyond the source: limits of tangent and normal are the least of the axes that the arc moves; arcs of the
+/// program, tangent junctions and stops are those of the essid model.
+class GassaraModel : public ControlModel {
+ public:
+  const ModelInfo& info() const override;
+
+ private:
+  Trajectory do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                         Progress* progress) const override;
+};
+
+}  // namespace feedscope

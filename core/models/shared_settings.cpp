@@ -1,0 +1,18 @@
+#include "core/models/shared_settings.h"
+
+namespace feedscope {
+
+SettingSpec used_tolerance_setting() {
+  SettingSpec beta;
+  beta.key = "beta";
+  beta.title = "Used share of the tolerance beta";
+  beta.explanation =
+      "Share of the contour tolerance that the control uses; 0 for the identified rule: 0.6 where an axis "
+      "reverses in the corner, else 0.8.";
+  beta.minimum = 0;
+  beta.maximum = 1;
+  beta.fallback = 0;
+  return beta;
+}
+
+}  // namespace feedscope
