@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/blend/corner.h"
 #include "core/blend/junction.h"
 
 namespace feedscope {
@@ -14,15 +15,7 @@ ConnectingArc connecting_arc(const Vec3& corner, const Vec3& in, const Vec3& out
   const double tangent = std::tan(result.turn / 2);
   result.transition = std::min(tolerance, std::max(shorter / 2 - tolerance * tangent, shorter / 8));
   result.epsilon = result.transition * std::tan(result.turn / 4);
-
-  const Vec3 inwards = (out - in.dot(out) * in).normalized();
-  Arc& arc = result.arc;
-  arc.radius = result.transition / tangent;
-  arc.center = corner - result.transition * in + arc.radius * inwards;
-  arc.x = -inwards;
-  arc.y = in;
-  arc.rise = Vec3::Zero();
-  arc.sweep = result.turn;
+  result.arc = corner_arc(corner, in, out, result.transition);
   return result;
 }
 
