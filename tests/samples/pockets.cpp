@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -68,33 +70,48 @@ void cut(NcWriter& nc, const Pass& pass, double depth, double feed) {
   nc.line(at(pass.start(), depth));
 }
 
-}  // namespace
+/// A bore milled by a tool of 20 mm: quarter circle in, full circle, quarter circle out.
+struct Bore {
+  double diameter;         ///< mm
+  double approach_radius;  ///< mm
+  double feed;             ///< mm/min
+  std::string_view speed_lost;
+  std::string_view measured;  ///< full circle
+};
 
-Sample tapie_bore() {
-  constexpr double bore_radius = 30;      // tool centre: bore of 80 mm, tool of 20 mm
-  constexpr double approach_radius = 20;  // mm
-  constexpr double feed = 9549;           // mm/min
-  constexpr double depth = -10;           // mm
-  const Vector2d approach_center{bore_radius - approach_radius, 0};
-  const Vector2d approach_start = approach_center - Vector2d{0, approach_radius};
-  const Vector2d on_bore{bore_radius, 0};
-  const Vector2d exit_end = approach_center + Vector2d{0, approach_radius};
+std::string mill(const Bore& bore) {
+  constexpr double tool_radius = 10;  // mm
+  constexpr double depth = -10;       // mm
+  const double radius = bore.diameter / 2 - tool_radius;
+  const Vector2d approach_center{radius - bore.approach_radius, 0};
+  const Vector2d approach_start = approach_center - Vector2d{0, bore.approach_radius};
+  const Vector2d on_bore{radius, 0};
+  const Vector2d exit_end = approach_center + Vector2d{0, bore.approach_radius};
 
   NcWriter nc(3);
-  nc.comment("BORE OF 80 MM, TOOL OF 20 MM: QUARTER CIRCLE IN, FULL CIRCLE, QUARTER CIRCLE OUT");
-  nc.comment("SHOWS: SPEED LOST WHERE CURVATURE JUMPS FROM 1/20 TO 1/30 MM. AFTER TAPIE 2007, SECTION 6");
-  nc.comment("MACHINE MIKRON-UCP710; MEASURED THERE FOR THE FULL CIRCLE: 1.36 S");
+  nc.comment(fmt::format("BORE OF {} MM, TOOL OF 20 MM: QUARTER CIRCLE IN, FULL CIRCLE, QUARTER CIRCLE OUT",
+                         bore.diameter));
+  nc.comment(fmt::format("SHOWS: SPEED LOST WHERE CURVATURE JUMPS FROM {} MM. AFTER TAPIE 2007, SECTION 6",
+                         bore.speed_lost));
+  nc.comment(fmt::format("MACHINE MIKRON-UCP710; MEASURED THERE FOR THE FULL CIRCLE: {} S", bore.measured));
   nc.raw("G17 G21 G90 G94");
   nc.raw("T1 M6");
   nc.raw("S12000 M3");
   enter(nc, {0, 0}, depth);
-  nc.line(at(approach_start, depth), feed);
+  nc.line(at(approach_start, depth), bore.feed);
   nc.arc(false, at(on_bore, depth), approach_center);
   nc.arc(false, at(on_bore, depth), {0, 0});
   nc.arc(false, at(exit_end, depth), approach_center);
   nc.line({0, 0, depth});
   leave(nc, {0, 0});
-  return {"tapie_bore.nc", nc.text()};
+  return nc.text();
+}
+
+}  // namespace
+
+std::vector<Sample> tapie_bores() {
+  return {{"tapie_bore.nc", mill({80, 20, 9549, "1/20 TO 1/30", "1.36"})},
+          {"tapie_bore_25.nc", mill({25, 1.5, 5984, "1/1.5 TO 1/2.5", "0.53"})}};
 }
 
 Sample msaddek_pocket() {

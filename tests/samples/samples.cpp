@@ -3,9 +3,9 @@
 namespace feedscope::samples {
 
 std::vector<Sample> all_samples() {
-  std::vector<Sample> samples{essid_table1(),   essid_spline(),    tapie_bore(),
-                              msaddek_pocket(), trochoidal_slot(), freeform_finish()};
-  for (const std::vector<Sample>& more : {tapie_circles(), tapie_spirals()}) {
+  std::vector<Sample> samples{essid_table1(), essid_spline(), msaddek_pocket(), trochoidal_slot(),
+                              freeform_finish()};
+  for (const std::vector<Sample>& more : {tapie_bores(), tapie_circles(), tapie_spirals()}) {
     samples.insert(samples.end(), more.begin(), more.end());
   }
   return samples;

@@ -15,8 +15,8 @@ struct Sample {
 Sample essid_table1();
 /// Cubic of Essid 2019, cut greedily into chords that deviate by 0.5 mm.
 Sample essid_spline();
-/// Bore of 80 mm with quarter-circle approach and exit, after Tapie 2007, section 6.
-Sample tapie_bore();
+/// Bores of 80 and 25 mm with quarter-circle approach and exit, after Tapie 2007, section 6.
+std::vector<Sample> tapie_bores();
 /// Full circles of 2.5 and 30 mm of Tapie 2007, table 2.
 std::vector<Sample> tapie_circles();
 /// Spirals of half and of quarter circles of Tapie 2007, section 5; the latter in three directions.
