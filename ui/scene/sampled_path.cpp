@@ -98,7 +98,12 @@ namespace {
 class ExecutedSampling {
  public:
   ExecutedSampling(const Trajectory& trajectory, std::size_t max_points)
-      : trajectory_(trajectory), max_points_(max_points) {
+      : trajectory_(trajectory),
+        max_points_(max_points),
+        in_corner_(trajectory.path().elements.size(), false) {
+    for (const BlendRecord& blend : trajectory.blends()) {
+      in_corner_[blend.element] = true;
+    }
     for (std::size_t i = 0; i < trajectory.pieces().size(); ++i) {
       const Piece& piece = trajectory.pieces()[i];
       if (piece.law == Law::path_length && !trajectory.is_rapid(piece.element)) {
@@ -182,7 +187,7 @@ class ExecutedSampling {
     if (trajectory_.is_rapid(element)) {
       return SpanKind::rapid;
     }
-    return trajectory_.path().elements[element].kind == ElementKind::blend ? SpanKind::blend : SpanKind::cut;
+    return in_corner_[element] ? SpanKind::blend : SpanKind::cut;
   }
 
   std::size_t spans_of(std::size_t index, double spacing) const {
@@ -219,7 +224,8 @@ class ExecutedSampling {
 
   const Trajectory& trajectory_;
   std::size_t max_points_;
-  double top_speed_ = 0;  ///< [mm/s]
+  std::vector<bool> in_corner_;  ///< elements that the control put into corners
+  double top_speed_ = 0;         ///< [mm/s]
 };
 
 }  // namespace

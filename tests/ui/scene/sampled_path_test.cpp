@@ -77,8 +77,10 @@ TEST(SampledExecuted, ColoursChangeInSmallSteps) {
   }
 }
 
-TEST(SampledExecuted, MarksEveryCornerBlend) {
-  const auto run = simulate_text(random_program(3, 40));
+class MarkedCorners : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(MarkedCorners, HaveTheLengthOfTheBlends) {
+  const auto run = simulate_text(random_program(3, 40), GetParam());
   const SampledPath path = sample_executed(*run.trajectory);
   double length = 0;
   for (const BlendRecord& blend : run.trajectory->blends()) {
@@ -87,6 +89,8 @@ TEST(SampledExecuted, MarksEveryCornerBlend) {
   ASSERT_GT(length, 0);
   EXPECT_NEAR(length_of(path, SpanKind::blend), length, 0.01 * length);
 }
+
+INSTANTIATE_TEST_SUITE_P(CubicsAndConnectingArcs, MarkedCorners, ::testing::Values("essid", "msaddek"));
 
 TEST(SampledExecuted, FeedThatJumpsDoesNotFlowAlongTheLine) {
   const auto run = simulate_text("G21 G90 G94\nG1 X100 F3000\nX200 F600\n", "cam");
