@@ -9,13 +9,17 @@ namespace feedscope {
 SetupRequest RunOptions::request() const {
   SetupRequest request{machine, model, {}, set};
   if (!tolerance.empty()) {
-    SettingSpec number;
-    number.key = "--tolerance";
-    number.unit = "mm";
-    number.minimum_allowed = false;
-    request.tolerance = std::get<double>(parse_setting(number, tolerance));
+    request.tolerance = parse_tolerance(tolerance);
   }
   return request;
+}
+
+double parse_tolerance(const std::string& text) {
+  SettingSpec number;
+  number.key = "--tolerance";
+  number.unit = "mm";
+  number.minimum_allowed = false;
+  return std::get<double>(parse_setting(number, text));
 }
 
 void add_program_option(CLI::App& command, std::string& file) {

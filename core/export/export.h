@@ -1,8 +1,10 @@
 #pragma once
 
 #include <iosfwd>
+#include <span>
 #include <string>
 
+#include "core/analysis/compare.h"
 #include "core/analysis/program_facts.h"
 #include "core/analysis/summary.h"
 #include "core/machine/machine.h"
@@ -30,6 +32,17 @@ struct Report {
 
 /// The run as JSON, keys of DESIGN section 4, indented, newline at the end.
 std::string simulation_json(const Report& report);
+
+/// Several runs of a program as JSON: program, diagnostics and elapsed{read_s} as in simulation_json, and
+/// runs[], each with the keys of simulation_json from machine to time_by_cause_s, then against_cam (cycle
+/// time over programmed time), path_mm, blends, limits{axes} with the keys of peaks{axes},
+/// elapsed{simulate_s}.
+std::string comparison_json(const LoadedProgram& program, std::span<const ComparedRun> runs);
+/// Several runs as CSV, one row each: machine,model,tolerance_mm (empty where the model reads none),
+/// cycle_time_s,programmed_time_s,against_cam,mean_feed_mm_min,peak_feed_mm_min,max_contour_error_mm,blends,
+/// for every axis its peaks (vx_mm_min,ax_m_s2,jx_m_s3) and their share of the limits (vx_share,...), and
+/// time_CAUSE_s for every cause that any run has.
+std::string comparison_csv(std::span<const ComparedRun> runs);
 
 /// What `check` found as JSON: program{file, lines, blocks, segments, arcs, dwells, path_mm, rapid_mm,
 /// dwell_s, feed_mm_min{min, max}, bounds} and diagnostics as in simulation_json.

@@ -48,13 +48,18 @@ Json settings_values(const Settings& settings) {
   return values;
 }
 
+/// [mm/s, mm/s2, mm/s3]
+Json axis_figures(double velocity, double acceleration, double jerk) {
+  return {{"velocity_mm_min", finite(units::to_mm_min(velocity))},
+          {"acceleration_m_s2", finite(units::to_m(acceleration))},
+          {"jerk_m_s3", finite(units::to_m(jerk))}};
+}
+
 Json peaks(const Summary& summary) {
   Json axes = Json::object();
   for (std::size_t i = 0; i < summary.axes.size(); ++i) {
     const AxisPeaks& axis = summary.axes[i];
-    axes[std::string(1, axis_names[i])] = {{"velocity_mm_min", finite(units::to_mm_min(axis.velocity))},
-                                           {"acceleration_m_s2", finite(units::to_m(axis.acceleration))},
-                                           {"jerk_m_s3", finite(units::to_m(axis.jerk))}};
+    axes[std::string(1, axis_names[i])] = axis_figures(axis.velocity, axis.acceleration, axis.jerk);
   }
   return {{"feed_mm_min", finite(units::to_mm_min(summary.peak_feed))}, {"axes", axes}};
 }
@@ -69,6 +74,29 @@ Json time_by_cause(const Summary& summary) {
   return times;
 }
 
+/// What a run is and what came out of it.
+Json run_facts(const Machine& machine, const ModelInfo& model, const Settings& settings,
+               const Summary& summary) {
+  return {{"machine", {{"id", machine.id}, {"name", machine.name}}},
+          {"model", {{"id", model.id}, {"title", model.title}, {"reference", model.reference}}},
+          {"settings", settings_values(settings)},
+          {"cycle_time_s", finite(summary.cycle_time)},
+          {"programmed_time_s", finite(summary.programmed_time)},
+          {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
+          {"max_contour_error_mm", finite(summary.max_contour_error)},
+          {"peaks", peaks(summary)},
+          {"time_by_cause_s", time_by_cause(summary)}};
+}
+
+Json axis_limits(const Machine& machine) {
+  Json axes = Json::object();
+  for (std::size_t i = 0; i < machine.axes.size(); ++i) {
+    const AxisLimits& axis = machine.axes[i];
+    axes[std::string(1, axis_names[i])] = axis_figures(axis.velocity, axis.acceleration, axis.jerk);
+  }
+  return axes;
+}
+
 /// Text with bytes that are no UTF-8 is shown with replacement characters.
 std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
@@ -77,21 +105,28 @@ std::string text_of(const Json& json) {
 }  // namespace
 
 std::string simulation_json(const Report& report) {
-  const Summary& summary = report.summary;
-  return text_of(
-      {{"program", program_facts(report.program, report.toolpath)},
-       {"machine", {{"id", report.machine.id}, {"name", report.machine.name}}},
-       {"model",
-        {{"id", report.model.id}, {"title", report.model.title}, {"reference", report.model.reference}}},
-       {"settings", settings_values(report.settings)},
-       {"cycle_time_s", finite(summary.cycle_time)},
-       {"programmed_time_s", finite(summary.programmed_time)},
-       {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
-       {"max_contour_error_mm", finite(summary.max_contour_error)},
-       {"peaks", peaks(summary)},
-       {"time_by_cause_s", time_by_cause(summary)},
-       {"diagnostics", diagnostics(report.program)},
-       {"elapsed", {{"read_s", report.read_time}, {"simulate_s", report.simulate_time}}}});
+  Json json{{"program", program_facts(report.program, report.toolpath)}};
+  json.update(run_facts(report.machine, report.model, report.settings, report.summary));
+  json["diagnostics"] = diagnostics(report.program);
+  json["elapsed"] = {{"read_s", report.read_time}, {"simulate_s", report.simulate_time}};
+  return text_of(json);
+}
+
+std::string comparison_json(const LoadedProgram& program, std::span<const ComparedRun> runs) {
+  Json list = Json::array();
+  for (const ComparedRun& run : runs) {
+    Json json = run_facts(run.setup.machine, run.setup.model->info(), run.setup.settings, run.summary);
+    json["against_cam"] = finite(run.against_cam());
+    json["path_mm"] = finite(run.path_length);
+    json["blends"] = run.blends;
+    json["limits"] = {{"axes", axis_limits(run.setup.machine)}};
+    json["elapsed"] = {{"simulate_s", run.simulate_time}};
+    list.push_back(std::move(json));
+  }
+  return text_of({{"program", program_facts(*program.program, *program.toolpath)},
+                  {"runs", std::move(list)},
+                  {"diagnostics", diagnostics(*program.program)},
+                  {"elapsed", {{"read_s", program.read_time}}}});
 }
 
 std::string check_json(const Program& program, const ProgramFacts& facts) {

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <filesystem>
@@ -166,12 +167,50 @@ TEST_F(CommandLine, SimulateNotesAToleranceWithoutEffect) {
 TEST_F(CommandLine, SimulateRunsEveryMachineWithEveryModel) {
   for (const std::string machine :
        {"spinner-mvc850", "mikron-ucp710", "huron-kx10", "hermle-c800u", "dmg-mori-evo40"}) {
-    for (const std::string model : {"cam", "essid"}) {
+    for (const std::string model : {"cam", "essid", "msaddek"}) {
       const Result result = run("simulate corner.nc --json - --machine " + machine + " --model " + model);
       EXPECT_EQ(result.code, 0) << result.err;
       EXPECT_GE(json::parse(result.out)["cycle_time_s"].get<double>(), 0.8 - 1e-12);
     }
   }
+}
+
+TEST_F(CommandLine, CompareSumsUpForPeople) {
+  const Result result =
+      run("compare corner.nc --model cam --model msaddek --tolerance 0.01 --tolerance 0,05");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  for (const std::string text :
+       {"against cam", "x 1.000", "msaddek             0.01", "msaddek             0.05", "Largest values",
+        "Time by limiting cause", "100 % programmed feed"}) {
+    EXPECT_THAT(result.out, HasSubstr(text));
+  }
+}
+
+TEST_F(CommandLine, CompareWritesItsFiles) {
+  EXPECT_EQ(
+      run("compare wrong.nc --machine huron-kx10 --machine spinner-mvc850 --csv a.csv --json a.json").code,
+      1);
+  const json runs = json::parse(contents(folder_ / "a.json"))["runs"];
+  ASSERT_GE(runs.size(), 6U);
+  EXPECT_EQ(runs[0]["machine"]["id"], "huron-kx10");
+  EXPECT_EQ(runs[0]["model"]["id"], "cam");
+  const std::string csv = contents(folder_ / "a.csv");
+  EXPECT_THAT(csv, StartsWith("machine,model,tolerance_mm,cycle_time_s,"));
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), runs.size() + 1);
+}
+
+TEST_F(CommandLine, CompareGivesTheSameFiguresAsSimulate) {
+  const json compared = json::parse(run("compare corner.nc --model essid --json -").out)["runs"][0];
+  const json alone = json::parse(run("simulate corner.nc --model essid --json -").out);
+  for (const char* key : {"machine", "model", "settings", "cycle_time_s", "peaks", "time_by_cause_s"}) {
+    EXPECT_EQ(compared[key], alone[key]) << key;
+  }
+}
+
+TEST_F(CommandLine, CompareNamesWhatItDoesNotKnow) {
+  expect_wrong_use("compare corner.nc --model cam --model esid", "did you mean 'essid'?");
+  expect_wrong_use("compare corner.nc --tolerance wide", "--tolerance");
 }
 
 TEST_F(CommandLine, SimulateTakesAMachineFile) {

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/analysis/run.h"
+
+namespace feedscope {
+
+/// Figures of one of several runs of a program; its trajectory is given up to save memory.
+struct ComparedRun {
+  Setup setup;
+  Summary summary;
+  double path_length = 0;    ///< executed [mm]
+  std::size_t blends = 0;    ///< corners that the control rounds
+  double simulate_time = 0;  ///< wall clock [s]
+
+  /// Cycle time over that of the model `cam`, which is the programmed time; 1 for an empty program.
+  double against_cam() const {
+    return summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
+  }
+};
+
+/// Every machine with every model and every tolerance [mm], in that order; none of a kind: the default
+/// machine, all models, the machine's own tolerance. A model that reads no tolerance is taken once a machine.
+/// Throws as make_setup.
+std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,
+                                     const std::vector<std::string>& models,
+                                     const std::vector<double>& tolerances);
+
+/// Runs `program` on every setup, as many at a time as there are processors, and gives the figures in the
+/// order of `setups`; the same as simulate_run one by one.
+/// Throws Cancelled when stopped, else what the first run that failed threw.
+std::vector<ComparedRun> compare_runs(const LoadedProgram& program, const std::vector<Setup>& setups,
+                                      Progress* progress = nullptr);
+
+}  // namespace feedscope
