@@ -1,5 +1,6 @@
 #include "ui/views/setup_bar.h"
 
+#include <QAbstractItemView>
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
@@ -18,6 +19,14 @@ QLabel* make_label(const QString& text, QWidget* buddy, QWidget* parent) {
   label->setBuddy(buddy);
   label->setContentsMargins(8, 0, 4, 0);
   return label;
+}
+
+/// Keeps the box `characters` wide whatever it lists, so that a new entry cannot push the bar out of sight;
+/// the opened list is as wide as its longest entry.
+void fix_width(QComboBox* box, int characters) {
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(characters);
+  box->view()->setMinimumWidth(box->view()->sizeHintForColumn(0) + 2 * box->view()->frameWidth());
 }
 
 }  // namespace
@@ -41,6 +50,8 @@ SetupBar::SetupBar(RunModel& model, QWidget* parent)
     control_model_->setItemData(control_model_->count() - 1, summary, Qt::ToolTipRole);
   }
   control_model_->setToolTip(tr("Control model: how the control turns the path into motion"));
+  fix_width(machine_, 20);
+  fix_width(control_model_, 42);
   tolerance_->setDecimals(4);
   tolerance_->setRange(0, 10);
   tolerance_->setSpecialValueText(QStringLiteral("–"));  // at 0: the model reads no tolerance
