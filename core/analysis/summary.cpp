@@ -11,6 +11,7 @@ namespace {
 constexpr double turn_per_sample = 0.02;          // rad of an arc
 constexpr double blend_per_sample = 0.05;         // share of a blend's parameter range
 constexpr double blend_length_per_sample = 0.25;  // share of a blend's length
+constexpr double filtered_per_filter_time = 16;
 constexpr int arc_time_samples = 64;
 
 /// Sum with a running correction, so that a million small times add up as exactly as ten (Neumaier).
@@ -81,7 +82,7 @@ class Peaks {
     if (element.kind == ElementKind::line) {
       add_straight(piece, (element.end - element.start) / element.length, duration);
     } else if (element.kind != ElementKind::dwell) {
-      add_curved(index, samples(piece, element, duration), duration);
+      add_curved(index, samples(index, piece, element, duration), duration);
     }
   }
 
@@ -111,7 +112,10 @@ class Peaks {
     }
   }
 
-  int samples(const Piece& piece, const PathElement& element, double duration) const {
+  int samples(std::size_t index, const Piece& piece, const PathElement& element, double duration) const {
+    if (piece.law == Law::filtered) {
+      return trajectory_.filtered_spans(index, filtered_per_filter_time);
+    }
     const double travel = duration * (piece.v + duration * (piece.a / 2 + duration * piece.j / 6));
     double share = travel / blend_per_sample;
     if (element.kind == ElementKind::arc) {

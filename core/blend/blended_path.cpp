@@ -29,6 +29,10 @@ CurvePoint BlendedPath::at(const PathElement& element, double s) const {
       const CubicBlend& blend = blends[element.geometry];
       return by_path_length(blend.at(blend.parameter_at(s)));
     }
+    case ElementKind::filtered: {
+      const Vec3 chord = (element.end - element.start) / element.length;
+      return {element.start + chord * s, chord, Vec3::Zero(), Vec3::Zero()};
+    }
     case ElementKind::dwell:
       break;
   }

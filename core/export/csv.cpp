@@ -119,9 +119,9 @@ void write_blends(std::ostream& out, const Trajectory& trajectory) {
       "exit_feed_mm_min");
   sink.end_row();
   for (const BlendRecord& blend : trajectory.blends()) {
-    const bool arc = trajectory.path().elements[blend.element].kind == ElementKind::arc;
+    const ElementKind kind = trajectory.path().elements[blend.element].kind;
     sink.count(blend.line);
-    sink.text(arc ? "arc," : "cubic,");
+    sink.text(kind == ElementKind::arc ? "arc," : kind == ElementKind::filtered ? "filtered," : "cubic,");
     sink.vector(blend.corner, 1);
     sink.number(units::to_deg(blend.turn));
     sink.number(blend.transition);

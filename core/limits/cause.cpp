@@ -38,6 +38,7 @@ constexpr std::array kinds{
     KindText{CauseKind::curvilinear_jerk, false, "curvilinear_jerk", "curvilinear jerk", ""},
     KindText{CauseKind::curvature_crossing, true, "curvature_crossing", "jerk", " at a change of curvature"},
     KindText{CauseKind::interpolation_period, false, "interpolation_period", "interpolation period", ""},
+    KindText{CauseKind::contour_tolerance, false, "contour_tolerance", "contour tolerance", ""},
     KindText{CauseKind::lookahead_horizon, false, "lookahead_horizon", "look-ahead horizon", ""},
     KindText{CauseKind::ramp_down, false, "ramp_down", "slowing for what follows", ""},
     KindText{CauseKind::exact_stop, false, "exact_stop", "exact stop", ""},

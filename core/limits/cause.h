@@ -23,6 +23,7 @@ enum class CauseKind : std::uint8_t {
   curvilinear_jerk,
   curvature_crossing,
   interpolation_period,
+  contour_tolerance,
   lookahead_horizon,
   ramp_down,  ///< slowing towards a slower place
   exact_stop,

@@ -4,6 +4,7 @@
 #include "core/models/gassara/gassara_model.h"
 #include "core/models/msaddek/msaddek_model.h"
 #include "core/models/tapie/tapie_model.h"
+#include "core/models/ward/ward_model.h"
 
 namespace feedscope {
 
@@ -13,7 +14,8 @@ const std::vector<const ControlModel*>& all_models() {
   static const GassaraModel gassara;
   static const TapieModel tapie;
   static const MsaddekModel msaddek;
-  static const std::vector<const ControlModel*> models{&cam, &essid, &gassara, &tapie, &msaddek};
+  static const WardModel ward;
+  static const std::vector<const ControlModel*> models{&cam, &essid, &gassara, &tapie, &msaddek, &ward};
   return models;
 }
 

@@ -47,10 +47,10 @@ StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop
 }
 
 void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
-                   bool stop_at_line_corners, const StretchRun& run) {
+                   bool stop_at_line_corners, const StretchRun& run, bool stop_at_arc_corners) {
   ProgressSteps steps(progress, toolpath.segments.size());
   for (std::size_t first = 0; first < toolpath.segments.size();) {
-    const StretchRange range = next_stretch(toolpath, first, true, stop_at_line_corners);
+    const StretchRange range = next_stretch(toolpath, first, stop_at_arc_corners, stop_at_line_corners);
     steps.at(first);
     if (toolpath.segments[first].kind == SegmentKind::dwell) {
       const std::uint32_t element = builder.add_segment(toolpath, first, 0);

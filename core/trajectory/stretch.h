@@ -47,7 +47,7 @@ StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop
 using StretchRun = std::function<void(const StretchRange& range, ProgressSteps& steps)>;
 /// Calls `run` for every stretch in order, cut as by next_stretch(), and lays the dwells between them.
 void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
-                   bool stop_at_line_corners, const StretchRun& run);
+                   bool stop_at_line_corners, const StretchRun& run, bool stop_at_arc_corners = true);
 
 /// Sets stretch.ceiling: the lower ceiling of the two elements at each junction; where programmed segments
 /// meet in a tangent junction without a blend, crossing_speed(); the look-ahead horizon; 0 at both ends.

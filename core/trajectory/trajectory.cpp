@@ -42,7 +42,8 @@ double law_inverse(const Piece& p, double target, double duration) {
 
 Trajectory::Trajectory(BlendedPath path, std::vector<Piece> pieces, double duration,
                        std::vector<BlendRecord> blends, std::vector<std::uint32_t> lines,
-                       std::vector<double> feeds, std::vector<bool> rapid, double compaction_error)
+                       std::vector<double> feeds, std::vector<bool> rapid, double compaction_error,
+                       std::vector<FilteredMotion> motions)
     : path_(std::move(path)),
       pieces_(std::move(pieces)),
       duration_(duration),
@@ -50,7 +51,8 @@ Trajectory::Trajectory(BlendedPath path, std::vector<Piece> pieces, double durat
       lines_(std::move(lines)),
       feeds_(std::move(feeds)),
       rapid_(std::move(rapid)),
-      compaction_error_(compaction_error) {
+      compaction_error_(compaction_error),
+      motions_(std::move(motions)) {
   assert(lines_.size() == path_.elements.size() && feeds_.size() == lines_.size() &&
          rapid_.size() == lines_.size());
   fill_blend_speeds();
@@ -59,6 +61,9 @@ Trajectory::Trajectory(BlendedPath path, std::vector<Piece> pieces, double durat
 void Trajectory::fill_blend_speeds() {
   std::size_t piece = 0;
   for (BlendRecord& record : blends_) {
+    if (path_.elements[record.element].kind == ElementKind::filtered) {
+      continue;
+    }
     while (piece < pieces_.size() && pieces_[piece].element < record.element) {
       ++piece;
     }
@@ -100,7 +105,35 @@ CurvePoint Trajectory::curve_point(const Piece& piece, double q) const {
                                      : path_.at(element, std::clamp(q, 0.0, element.length));
 }
 
+const FilteredMotion& Trajectory::motion_of(const Piece& piece) const {
+  return motions_[path_.elements[piece.element].geometry];
+}
+
+int Trajectory::filtered_spans(std::size_t index, double a_filter_time) const {
+  const Piece& piece = pieces_[index];
+  const FilteredMotion& motion = motion_of(piece);
+  const double start = piece.time - motion.start();
+  const double end = piece_end(index) - motion.start();
+  if (motion.is_settled(start, end)) {
+    return 1;
+  }
+  constexpr double most = 1e6;
+  return static_cast<int>(
+      std::ceil(std::clamp((end - start) / motion.filter_time() * a_filter_time, 1.0, most)));
+}
+
+double Trajectory::piece_length(std::size_t index) const {
+  const Piece& piece = pieces_[index];
+  const bool last = index + 1 == pieces_.size() || pieces_[index + 1].element != piece.element;
+  return (last ? path_.elements[piece.element].length : pieces_[index + 1].q) - piece.q;
+}
+
 Kinematics Trajectory::kinematics_in_piece(std::size_t index, double tau) const {
+  const Piece& piece = pieces_[index];
+  if (piece.law == Law::filtered) {
+    const FilteredMotion& motion = motion_of(piece);
+    return motion.at(piece.time - motion.start() + tau);
+  }
   const LawPoint law = law_at(pieces_[index], tau);
   return kinematics_of(curve_point(pieces_[index], law.q), law);
 }
@@ -108,7 +141,6 @@ Kinematics Trajectory::kinematics_in_piece(std::size_t index, double tau) const 
 State Trajectory::state_in_piece(std::size_t index, double tau) const {
   const Piece& piece = pieces_[index];
   const PathElement& element = path_.elements[piece.element];
-  const LawPoint law = law_at(piece, tau);
 
   State state;
   state.time = piece.time + tau;
@@ -116,7 +148,11 @@ State Trajectory::state_in_piece(std::size_t index, double tau) const {
   state.element = piece.element;
   state.programmed_feed = feeds_[piece.element];
   state.cause = piece.cause;
+  if (piece.law == Law::filtered) {
+    return filtered_state(state, piece, tau);
+  }
 
+  const LawPoint law = law_at(piece, tau);
   const CurvePoint at = curve_point(piece, law.q);
   state.path_length = element.s;
   if (piece.law == Law::parameter) {
@@ -145,6 +181,29 @@ State Trajectory::state_in_piece(std::size_t index, double tau) const {
   return state;
 }
 
+State Trajectory::filtered_state(State state, const Piece& piece, double tau) const {
+  const PathElement& element = path_.elements[piece.element];
+  const FilteredMotion& motion = motion_of(piece);
+  const double start = piece.time - motion.start();
+  const Kinematics at = motion.at(start + tau);
+  state.position = at.position;
+  state.velocity = at.velocity;
+  state.acceleration = at.acceleration;
+  state.jerk = at.jerk;
+  state.path_length = element.s + std::min(element.length, piece.q + motion.length(start, start + tau));
+  state.speed = at.velocity.norm();
+  if (state.speed > 0) {
+    const double along = at.acceleration.dot(at.velocity) / state.speed;
+    state.tangential_acceleration = along;
+    state.tangential_jerk =
+        (at.jerk.dot(at.velocity) + at.acceleration.squaredNorm() - along * along) / state.speed;
+  } else {
+    state.tangential_acceleration = at.acceleration.norm();
+    state.tangential_jerk = at.jerk.norm();
+  }
+  return state;
+}
+
 State Trajectory::state_at_path(double path_length) const {
   if (pieces_.empty()) {
     return state(0);
@@ -167,6 +226,12 @@ State Trajectory::state_at_path(double path_length) const {
     --piece;
   }
   const auto number = static_cast<std::size_t>(piece - pieces_.begin());
+  if (piece->law == Law::filtered) {
+    const FilteredMotion& motion = motion_of(*piece);
+    const double start = piece->time - motion.start();
+    const double time = motion.time_at_length(start, piece_end(number) - motion.start(), q - piece->q);
+    return state_in_piece(number, time - start);
+  }
   return state_in_piece(number, law_inverse(*piece, q, piece_end(number) - piece->time));
 }
 

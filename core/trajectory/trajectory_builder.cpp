@@ -66,6 +66,11 @@ std::uint32_t TrajectoryBuilder::add_blend(const CubicBlend& blend) {
   return static_cast<std::uint32_t>(path_.blends.size() - 1);
 }
 
+std::uint32_t TrajectoryBuilder::add_motion(FilteredMotion motion) {
+  motions_.push_back(std::move(motion));
+  return static_cast<std::uint32_t>(motions_.size() - 1);
+}
+
 void TrajectoryBuilder::add_piece(Piece piece, double duration) {
   if (!(duration > 0)) {
     return;
@@ -77,7 +82,7 @@ void TrajectoryBuilder::add_piece(Piece piece, double duration) {
 
 Trajectory TrajectoryBuilder::finish() {
   Trajectory trajectory(std::move(path_), std::move(pieces_), time_, std::move(records_), std::move(lines_),
-                        std::move(feeds_), std::move(rapid_), compaction_error_);
+                        std::move(feeds_), std::move(rapid_), compaction_error_, std::move(motions_));
   *this = TrajectoryBuilder();
   return trajectory;
 }

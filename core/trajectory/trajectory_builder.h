@@ -20,6 +20,7 @@ class TrajectoryBuilder {
                             double cut_after = 0);
   std::uint32_t add_arc(const Arc& arc);
   std::uint32_t add_blend(const CubicBlend& blend);
+  std::uint32_t add_motion(FilteredMotion motion);
 
   /// Appends a piece that lasts `duration` [s]; `piece.time` is set here. Nothing for duration <= 0.
   void add_piece(Piece piece, double duration);
@@ -41,6 +42,7 @@ class TrajectoryBuilder {
   std::vector<std::uint32_t> lines_;
   std::vector<double> feeds_;
   std::vector<bool> rapid_;
+  std::vector<FilteredMotion> motions_;
   double time_ = 0;
   double compaction_error_ = 0;
 };

@@ -1,0 +1,71 @@
+#include "core/models/ward/corner_pulse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope {
+namespace {
+
+/// d/da of corner_distance, times 1/F: for Newton steps only, a bracket keeps them.
+double distance_slope(int filters, double a) {
+  if (filters == 2) {
+    return (1 + 3 * a * a - 4 * a * a * a) / 6;
+  }
+  if (a <= 2.0 / 3) {
+    return (78 + a * a * a * (324 - 405 * a)) / 384;
+  }
+  const double p = -48 + a * (288 + a * (-648 + a * (648 - 162 * a)));
+  const double dp = 288 + a * (-1296 + a * (1944 - 648 * a));
+  return (78 - p + (1 - a) * dp) / 384;
+}
+
+}  // namespace
+
+double corner_distance(int filters, double a) {
+  if (filters == 2) {
+    return a * (1 + a * a * (1 - a)) / 6;
+  }
+  if (a <= 2.0 / 3) {
+    return (78 * a + 81 * (1 - a) * a * a * a * a) / 384;
+  }
+  return (78 * a + (1 - a) * (-48 + a * (288 + a * (-648 + a * (648 - 162 * a))))) / 384;
+}
+
+double corner_speed_share(int filters, double a) {
+  if (filters == 2) {
+    return a * (1 + a * (1 - a)) / 2;
+  }
+  if (a <= 2.0 / 3) {
+    return (24 * a + 27 * (1 - a) * a * a * a) / 48;
+  }
+  return (24 * a + (1 - a) * (24 + a * (-108 + a * (162 - 54 * a)))) / 48;
+}
+
+double corner_speed(int filters, double filter_time, const CornerLegs& legs, double tolerance) {
+  const double top = std::min(legs.feed_before, legs.feed_after);
+  const double wanted = tolerance / (filter_time * std::sin(legs.turn / 2));
+  const auto distance = [&](double v) {
+    return legs.feed_before * corner_distance(filters, v / legs.feed_before) +
+           legs.feed_after * corner_distance(filters, v / legs.feed_after);
+  };
+  if (distance(top) <= wanted) {
+    return top;
+  }
+  double low = 0;
+  double high = top;
+  double v = std::min(top / 2, wanted / (2 * distance_slope(filters, 0)));
+  for (int i = 0; i < 60 && high - low > 1e-15 * top; ++i) {
+    const double excess = distance(v) - wanted;
+    (excess > 0 ? high : low) = v;
+    const double slope =
+        distance_slope(filters, v / legs.feed_before) + distance_slope(filters, v / legs.feed_after);
+    const double next = v - excess / slope;
+    if (std::abs(next - v) <= 1e-14 * v) {
+      break;
+    }
+    v = next > low && next < high ? next : (low + high) / 2;
+  }
+  return v;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,83 @@
+#include "core/models/ward/ward_model.h"
+
+#include "core/base/units.h"
+#include "core/models/ward/ward_runner.h"
+#include "core/trajectory/stretch.h"
+
+namespace feedscope {
+
+WardSettings::WardSettings(const Settings& settings)
+    : tolerance(settings.number("contour_tolerance_mm")),
+      filters(static_cast<int>(settings.number("filters"))),
+      jerk(units::from_m(settings.number("filter_jerk_m_s3"))),
+      time(settings.number("filter_time_s")),
+      enforce(settings.text("enforce") == "on") {}
+
+const ModelInfo& WardModel::info() const {
+  static const ModelInfo info = [] {
+    SettingSpec filters;
+    filters.key = "filters";
+    filters.title = "Number of filters";
+    filters.explanation =
+        "Moving averages in a row; 3 come closer to the control of the paper, 2 are simpler.";
+    filters.minimum = 2;
+    filters.maximum = 3;
+    filters.whole = true;
+    filters.fallback = 3;
+    SettingSpec jerk;
+    jerk.key = "filter_jerk_m_s3";
+    jerk.title = "Jerk of the filters";
+    jerk.unit = "m/s3";
+    jerk.explanation =
+        "Jerk of a ramp to the largest feed of a stretch; the filter time is the root of feed over jerk. 0: "
+        "the "
+        "least jerk of the axes.";
+    jerk.maximum = 1e6;
+    SettingSpec time;
+    time.key = "filter_time_s";
+    time.title = "Filter time";
+    time.unit = "s";
+    time.explanation = "Length of one moving average for all feeds; 0: from the jerk of the filters.";
+    time.maximum = 10;
+    SettingSpec enforce;
+    enforce.key = "enforce";
+    enforce.title = "Keep the tolerance where corners are close";
+    enforce.explanation =
+        "on: corners are slowed until the true contour error keeps the tolerance; off: every corner as if it "
+        "were "
+        "alone, as in the paper.";
+    enforce.choices = {"on", "off"};
+    return ModelInfo{
+        "ward",
+        "Velocity pulses through FIR filters (Heidenhain TNC 640)",
+        "R. Ward et al., Int J Adv Manuf Technol (2021), "
+        "Accurate prediction of machining feedrate and cycle times considering interpolator dynamics",
+        "Every block is a velocity pulse, lowered around corners so far that the contour tolerance is kept; "
+        "two or "
+        "three equal moving averages smooth the pulses of each axis. Arcs, which the paper does not cover, "
+        "run as "
+        "chords within a tenth of the tolerance, at the static limits of Tapie 2007.",
+        {filters, jerk, time, enforce},
+        {"contour_tolerance_mm"},
+        {"With enforce on, every programmed corner lies within the contour tolerance of the path.",
+         "Velocity of every axis is kept: a filtered velocity is an average of commanded ones.",
+         "Acceleration and jerk follow from the filters alone: a change of feed dF takes the jerk dF/T1^2; "
+         "the "
+         "axes' limits are not looked at.",
+         "Velocity and acceleration are continuous everywhere; with three filters the jerk is, too.",
+         "Full stop at reversals and between rapids and feed motion."}};
+  }();
+  return info;
+}
+
+Trajectory WardModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                                  Progress* progress) const {
+  TrajectoryBuilder builder;
+  WardRunner runner(toolpath, AxisVectors(machine), WardSettings(settings), builder);
+  run_stretches(
+      toolpath, builder, progress, false,
+      [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, false);
+  return builder.finish();
+}
+
+}  // namespace feedscope

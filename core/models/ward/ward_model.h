@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/models/control_model.h"
+
+namespace feedscope {
+
+/// Velocity pulses smoothed by moving averages (FIR filters), as a Heidenhain TNC 640 interpolates.
+///
+/// R. Ward, B. Sencer, B. Jones, E. Ozturk, "Accurate prediction of machining feedrate and cycle times
+/// considering interpolator dynamics", Int J Adv Manuf Technol (2021); equations in MODELS section 5.
+/// Symbols: n filters of length T1, delay T_d = n T1, F feed, a blending factor, V_c = a F height of the
+/// blending pulses, T_b = (T_d/2)(1 - a) their width on each side of a corner, T_v width of the pulse
+/// between.
+///
+/// Departures from print: corner_pulse.h (eq 29, 30, 38-42); T_v takes both blending pulses off, with their
+/// own heights (eq 22 lacks a term); V_c is the height of the pulse, not the corner speed (eq 12 is not
+/// exact). Beyond the paper:
+///  - One T1 from stop to stop, from the largest feed of that part.
+///  - Blocks too short for their blending pulses: pulse_train.h.
+///  - `enforce`: where several corners lie within one filter window the isolated formula exceeds the
+///  tolerance;
+///    their pulses are lowered until the distance of every corner from the path keeps it. As a last resort
+///    the control stops in the corner.
+///  - Arcs and helices are commanded along chords whose sagitta is at most a tenth of the tolerance, in the
+///  time of
+///    the arc, not faster than the static limits of segment_limits.h; the corners between chords count as
+///    corners.
+class WardModel : public ControlModel {
+ public:
+  const ModelInfo& info() const override;
+
+ private:
+  Trajectory do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                         Progress* progress) const override;
+};
+
+}  // namespace feedscope

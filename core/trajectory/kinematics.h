@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/base/geometry.h"
+
+namespace feedscope {
+
+/// Motion at one instant, without the path length that costs a quadrature on curved paths.
+struct Kinematics {
+  Vec3 position;      ///< [mm]
+  Vec3 velocity;      ///< [mm/s]
+  Vec3 acceleration;  ///< [mm/s2]
+  Vec3 jerk;          ///< [mm/s3]
+};
+
+}  // namespace feedscope
