@@ -11,12 +11,9 @@ namespace {
 /// (-1)^i C(n, i) for n = 2 and 3.
 constexpr std::array<std::array<double, 4>, 2> binomials{{{1, -2, 1, 0}, {1, -3, 3, -1}}};
 
-/// Nodes and weights of the 5-point Gauss-Legendre rule on [0, 1].
-constexpr std::array<std::array<double, 2>, 5> gauss_rule{{{0.046910077030668004, 0.11846344252809454},
-                                                           {0.23076534494715845, 0.23931433524968324},
-                                                           {0.5, 0.28444444444444444},
-                                                           {0.76923465505284155, 0.23931433524968324},
-                                                           {0.95308992296933200, 0.11846344252809454}}};
+/// Nodes and weights of the 3-point Gauss-Legendre rule on [0, 1].
+constexpr std::array<std::array<double, 2>, 3> gauss_rule{
+    {{0.11270166537925831, 5.0 / 18}, {0.5, 8.0 / 18}, {0.88729833462074169, 5.0 / 18}}};
 
 /// S_(n,n+1), S_(n,n), S_(n,n-1), S_(n,n-2) at one place.
 struct StepResponse {
@@ -63,6 +60,9 @@ FilteredMotion::FilteredMotion(int filters, double filter_time, double start, st
       pulses_(std::move(pulses)) {
   assert(filters_ == 2 || filters_ == 3);
   assert(filter_time_ > 0 && pulses_.size() >= 2);
+  for (const Pulse& pulse : pulses_) {
+    largest_speed_ = std::max(largest_speed_, pulse.velocity.norm());
+  }
 }
 
 std::size_t FilteredMotion::pulse_after(double t) const {
@@ -118,7 +118,20 @@ double FilteredMotion::quadrature(double t0, double t1) const {
   return sum * (t1 - t0);
 }
 
+double FilteredMotion::refined(double t0, double t1, double whole, double tolerance, int depth) const {
+  const double middle = (t0 + t1) / 2;
+  const double first = quadrature(t0, middle);
+  const double second = quadrature(middle, t1);
+  if (std::abs(first + second - whole) <= tolerance || depth == 0) {
+    return first + second;
+  }
+  return refined(t0, middle, first, tolerance / 2, depth - 1) +
+         refined(middle, t1, second, tolerance / 2, depth - 1);
+}
+
 double FilteredMotion::length(double t0, double t1) const {
+  constexpr double relative_tolerance = 1e-9;
+  constexpr int deepest = 6;
   double sum = 0;
   while (t0 < t1) {
     const std::size_t next = pulse_after(t0 - delay_);
@@ -134,7 +147,8 @@ double FilteredMotion::length(double t0, double t1) const {
     if (border > t0 && border < until) {
       until = border;
     }
-    sum += quadrature(t0, until);
+    const double whole = quadrature(t0, until);
+    sum += refined(t0, until, whole, relative_tolerance * largest_speed_ * (until - t0), deepest);
     t0 = until;
   }
   return sum;
@@ -144,8 +158,9 @@ double FilteredMotion::time_at_length(double t0, double t1, double target) const
   double low = t0;
   double high = t1;
   double covered_to_low = 0;
+  const double resolution = 1e-14 * (1 + t1);
   double t = (t0 + t1) / 2;
-  for (int i = 0; i < 100 && high - low > 1e-14 * (1 + t1); ++i) {
+  for (int i = 0; i < 100 && high - low > resolution; ++i) {
     const double covered = covered_to_low + length(low, t);
     const double newton = t - (covered - target) / velocity(t).norm();
     if (covered < target) {
@@ -153,6 +168,9 @@ double FilteredMotion::time_at_length(double t0, double t1, double target) const
       covered_to_low = covered;
     } else {
       high = t;
+    }
+    if (std::abs(newton - t) <= resolution) {
+      return t;
     }
     t = newton > low && newton < high ? newton : (low + high) / 2;
   }

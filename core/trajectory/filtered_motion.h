@@ -38,7 +38,8 @@ class FilteredMotion {
   Kinematics at(double t) const;
   Vec3 velocity(double t) const;
   /// Path length from `t0` to `t1` [mm]: exact where the velocity is constant, else by Gauss-Legendre
-  /// quadrature over at most T1/2 at a time (relative error below 1e-6 on what is curved).
+  /// quadrature, halved until two halves agree with the whole to 1e-9
+  /// of what the largest speed covers.
   double length(double t0, double t1) const;
   /// First time in [t0, t1] at which `length` [mm] from t0 is covered.
   double time_at_length(double t0, double t1, double length) const;
@@ -48,11 +49,13 @@ class FilteredMotion {
  private:
   std::size_t pulse_after(double t) const;  ///< first that begins after `t`
   double quadrature(double t0, double t1) const;
+  double refined(double t0, double t1, double whole, double tolerance, int depth) const;
 
   int filters_;
   double filter_time_;
   double delay_;
   double start_;
+  double largest_speed_ = 0;  ///< of the pulses [mm/s]
   std::vector<Pulse> pulses_;
 };
 

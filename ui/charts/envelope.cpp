@@ -14,7 +14,8 @@ constexpr std::size_t pieces_a_group = 4;
 constexpr std::size_t fan_out = 4;
 constexpr double whole_group_share = 1.0 / 8;
 constexpr double arc_step = units::from_deg(5);
-constexpr double samples_a_blend = 3;    // of a gentle one
+constexpr double samples_a_blend = 3;  // of a gentle one
+constexpr double samples_a_filter_time = 8;
 constexpr double sharpest = 0.2;         // cosine of half the turn
 constexpr int most_inner_samples = 720;  // ten turns of a helix in one piece; beyond, turns repeat
 
@@ -159,18 +160,22 @@ void Envelope::add_piece(Band& band, std::size_t piece, double from, double to) 
   if (speed_turns > from && speed_turns < to) {
     band.add(trajectory_->state_in_piece(piece, speed_turns));
   }
-  const int inner = inner_samples(p, from, to);
+  const int inner = inner_samples(piece, from, to);
   for (int k = 1; k <= inner; ++k) {
     band.add(trajectory_->state_in_piece(piece, from + (to - from) * k / (inner + 1)));
   }
 }
 
-int Envelope::inner_samples(const Piece& piece, double from, double to) const {
+int Envelope::inner_samples(std::size_t index, double from, double to) const {
+  const Piece& piece = trajectory_->pieces()[index];
   const BlendedPath& path = trajectory_->path();
   const PathElement& element = path.elements[piece.element];
   const double advance = law_value(piece, to) - law_value(piece, from);
   double steps = 0;
-  if (element.kind == ElementKind::arc) {
+  if (piece.law == Law::filtered) {
+    const double share = (to - from) / (trajectory_->piece_end(index) - piece.time);
+    steps = share * trajectory_->filtered_spans(index, samples_a_filter_time);
+  } else if (element.kind == ElementKind::arc) {
     steps = advance / path.arcs[element.geometry].length_per_radian() / arc_step;
   } else if (element.kind == ElementKind::blend) {
     const double share = piece.law == Law::parameter ? advance : advance / element.length;

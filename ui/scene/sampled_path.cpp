@@ -11,6 +11,7 @@ namespace {
 constexpr double arc_step = units::pi / 60;  // [rad]
 constexpr double spans_of_blend = 24;
 constexpr double feed_steps = 24;
+constexpr double spans_a_filter_time = 8;
 
 /// Appends points and keeps the bounds. A point closer than `spacing` to the one before is left out, unless a
 /// longer span begins at it: that one must have its own feed.
@@ -106,8 +107,8 @@ class ExecutedSampling {
     }
     for (std::size_t i = 0; i < trajectory.pieces().size(); ++i) {
       const Piece& piece = trajectory.pieces()[i];
-      if (piece.law == Law::path_length && !trajectory.is_rapid(piece.element)) {
-        top_speed_ = std::max({top_speed_, piece.v, end_speed(i)});
+      if (piece.law != Law::parameter && !trajectory.is_rapid(piece.element)) {
+        top_speed_ = std::max({top_speed_, start_speed(i), end_speed(i)});
       }
     }
   }
@@ -151,9 +152,17 @@ class ExecutedSampling {
     return trajectory_.piece_end(piece) - trajectory_.pieces()[piece].time;
   }
 
+  double start_speed(std::size_t index) const {
+    const Piece& piece = trajectory_.pieces()[index];
+    return piece.law == Law::filtered ? trajectory_.kinematics_in_piece(index, 0).velocity.norm() : piece.v;
+  }
+
   double end_speed(std::size_t index) const {
     const Piece& piece = trajectory_.pieces()[index];
     const double duration = duration_of(index);
+    if (piece.law == Law::filtered) {
+      return trajectory_.kinematics_in_piece(index, duration).velocity.norm();
+    }
     return piece.v + duration * (piece.a + duration * piece.j / 2);
   }
 
@@ -168,6 +177,9 @@ class ExecutedSampling {
   /// The same as a length [mm].
   double advance_of(std::size_t index) const {
     const Piece& piece = trajectory_.pieces()[index];
+    if (piece.law == Law::filtered) {
+      return trajectory_.piece_length(index);
+    }
     const double length = trajectory_.path().elements[piece.element].length;
     return course_of(index) * (piece.law == Law::parameter ? length : 1.0);
   }
@@ -183,16 +195,23 @@ class ExecutedSampling {
     return both_by_length && std::abs(next.v - end_speed(index)) > top_speed_ / (10 * feed_steps);
   }
 
-  SpanKind kind_of(std::uint32_t element) const {
-    if (trajectory_.is_rapid(element)) {
+  /// Filters round every corner; those slowed for the tolerance are shown as blends.
+  SpanKind kind_of(std::size_t index) const {
+    const Piece& piece = trajectory_.pieces()[index];
+    if (trajectory_.is_rapid(piece.element)) {
       return SpanKind::rapid;
     }
-    return in_corner_[element] ? SpanKind::blend : SpanKind::cut;
+    const bool blend = piece.law == Law::filtered ? piece.cause.kind == CauseKind::contour_tolerance
+                                                  : bool{in_corner_[piece.element]};
+    return blend ? SpanKind::blend : SpanKind::cut;
   }
 
   std::size_t spans_of(std::size_t index, double spacing) const {
     const Piece& piece = trajectory_.pieces()[index];
     const PathElement& element = trajectory_.path().elements[piece.element];
+    if (piece.law == Law::filtered) {
+      return spans(trajectory_.filtered_spans(index, spans_a_filter_time), advance_of(index), spacing);
+    }
     const double duration = duration_of(index);
     const double course = course_of(index);
     double wanted = 1;
@@ -212,7 +231,7 @@ class ExecutedSampling {
 
   void add(SampledPath& path, Sampler& sampler, std::size_t piece, double tau, double span) const {
     const State state = trajectory_.state_in_piece(piece, tau);
-    const SpanKind kind = kind_of(state.element);
+    const SpanKind kind = kind_of(piece);
     if (kind != SpanKind::rapid) {
       path.peak_feed = std::max(path.peak_feed, state.speed);
     }

@@ -1,0 +1,233 @@
+#include "core/models/ward/ward_model.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/analysis/summary.h"
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/models/ward/corner_pulse.h"
+#include "core/models/ward/pulse_train.h"
+#include "tests/support/paths.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double exact = 1e-6;  // relative: MODELS section 5
+
+struct Choice {
+  int filters = 3;
+  double jerk = 76.9;  // [m/s3]
+  double time = 0;     // [s]
+  double tolerance = 0.01;
+  bool enforce = true;
+};
+
+Trajectory run(const Toolpath& path, const Choice& choice) {
+  const ControlModel& ward = find_model("ward");
+  Settings settings = testing::spinner_settings(ward);
+  settings.set("filters", double(choice.filters));
+  settings.set("filter_jerk_m_s3", choice.jerk);
+  settings.set("filter_time_s", choice.time);
+  settings.set("contour_tolerance_mm", choice.tolerance);
+  settings.set("enforce", std::string(choice.enforce ? "on" : "off"));
+  return ward.simulate(path, testing::spinner(), settings);
+}
+
+Toolpath right_angle(double feed) {
+  return testing::polyline({{0, 0, 0}, {20, 0, 0}, {20, 20, 0}}, units::from_mm_min(feed));
+}
+
+/// Distance along one leg and speed along it, weighted by the filters centred on the corner, by sums over the
+/// pulse and the B-spline that n boxes make.
+struct Leg {
+  double distance = 0;
+  double speed = 0;
+};
+Leg sampled_leg(int filters, double a) {
+  const auto kernel = [&](double u) {  // uniform B-spline centred on 0, boxes of length 1
+    u = std::abs(u);
+    if (filters == 2) {
+      return std::max(0.0, 1 - u);
+    }
+    return u < 0.5 ? 0.75 - u * u : (u < 1.5 ? (1.5 - u) * (1.5 - u) / 2 : 0);
+  };
+  const double half = filters / 2.0;
+  const double width = half * (1 - a);
+  constexpr int samples = 200000;
+  Leg leg;
+  for (int i = 0; i < samples; ++i) {
+    const double t = (i + 0.5) * half / samples;
+    const double weight = kernel(t) * half / samples;
+    leg.distance += weight * (t < width ? a * t : a * width + t - width);
+    leg.speed += weight * (t < width ? a : 1);
+  }
+  return leg;
+}
+
+TEST(WardCorner, DistanceAndSpeedAreThoseOfTheFilteredPulses) {
+  for (const int filters : {2, 3}) {
+    for (const double a : {0.0, 0.05, 0.3, 0.6, 2.0 / 3, 0.7, 0.9, 1.0}) {
+      const Leg leg = sampled_leg(filters, a);
+      EXPECT_NEAR(corner_distance(filters, a), leg.distance, 1e-5) << filters << ' ' << a;
+      EXPECT_NEAR(corner_speed_share(filters, a), leg.speed, 1e-5) << filters << ' ' << a;
+    }
+  }
+}
+
+TEST(WardCorner, SpeedIsTheRootOfTheErrorOrTheFeed) {
+  const double t1 = 0.02;
+  for (const int filters : {2, 3}) {
+    for (const double after : {50.0, 20.0}) {
+      for (const double tolerance : {1e-4, 0.01, 0.1, 10.0}) {
+        const double v = corner_speed(filters, t1, {50, after, 1.2}, tolerance);
+        const double error =
+            t1 * std::sin(0.6) *
+            (50 * corner_distance(filters, v / 50) + after * corner_distance(filters, v / after));
+        if (v < std::min(50.0, after)) {
+          EXPECT_NEAR(error, tolerance, 1e-9 * tolerance);
+        } else {
+          EXPECT_LE(error, tolerance);
+        }
+      }
+    }
+  }
+}
+
+TEST(WardPointToPoint, TimesAndPeaksAreThoseOfThePaper) {
+  // Ward 2021, section 2.2: 6 mm at 3000 mm/min, T_acc = 0.0765 s; MODELS section 5.
+  struct Case {
+    int filters;
+    double t1, acceleration, jerk;
+  };
+  for (const Case& c : {Case{2, 0.03825, 1307.19, 34175}, Case{3, 0.0255, 1470.59, 76894}}) {
+    const Toolpath path = testing::polyline({{0, 0, 0}, {6, 0, 0}}, 50);
+    const Trajectory trajectory = run(path, {c.filters, 0, c.t1});
+    EXPECT_NEAR(trajectory.duration(), 0.1965, exact * 0.1965);
+    const Summary summary = summarise(trajectory, path, Vec3::Constant(500));
+    EXPECT_NEAR(summary.axes[0].acceleration, c.acceleration, 5e-6 * c.acceleration);
+    EXPECT_NEAR(summary.axes[0].jerk, c.jerk, 2e-5 * c.jerk) << "printed with five digits";
+    EXPECT_NEAR(summary.axes[0].jerk, 50 / (c.t1 * c.t1), exact * c.jerk);
+    EXPECT_NEAR(summary.axes[0].acceleration, (c.filters == 2 ? 1 : 0.75) * 50 / c.t1, exact * 1000);
+    EXPECT_NEAR(summary.peak_feed, 50, 1e-9);
+    EXPECT_NEAR(trajectory.path_length(), 6, 1e-9);
+  }
+}
+
+TEST(WardPointToPoint, FilterTimeIsTheRootOfFeedOverJerk) {
+  const Toolpath path = testing::polyline({{0, 0, 0}, {6, 0, 0}}, 50);
+  for (const int filters : {2, 3}) {
+    const double t1 = std::sqrt(0.05 / 40);
+    EXPECT_NEAR(run(path, {filters, 40}).duration(), 6 / 50.0 + filters * t1, 1e-12);
+  }
+}
+
+TEST(WardRightAngle, PulsesAndTimesAreThoseDerived) {
+  // MODELS section 5: two 20 mm legs, n = 3, J 76.9 m/s3.
+  struct Case {
+    double feed, tolerance, a, width, time;
+  };
+  for (const Case& c :
+       {Case{1000, 0.01, .141519, .0189576, 2.4767149}, Case{1000, 0.05, .645476, .0078288, 2.4497165},
+        Case{3000, 0.01, .027304, .0372041, 0.9488733}, Case{3000, 0.05, .136212, .0330385, 0.9335732}}) {
+    const double feed = units::from_mm_min(c.feed);
+    const double t1 = std::sqrt(feed / 76900);
+    const double a = corner_speed(3, t1, {feed, feed, units::pi / 2}, c.tolerance) / feed;
+    EXPECT_NEAR(a, c.a, 5e-7);
+    EXPECT_NEAR(1.5 * t1 * (1 - a), c.width, 5e-8);
+    for (const bool enforce : {false, true}) {
+      const Trajectory trajectory = run(right_angle(c.feed), {3, 76.9, 0, c.tolerance, enforce});
+      EXPECT_NEAR(trajectory.duration(), c.time, exact * c.time);
+      ASSERT_EQ(trajectory.blends().size(), 1u);
+      EXPECT_NEAR(trajectory.blends()[0].epsilon, c.tolerance, 1e-6 * c.tolerance);
+    }
+  }
+}
+
+TEST(WardRightAngle, SpeedInTheMiddleIsThatOfTheClosedForm) {
+  for (const int filters : {2, 3}) {
+    for (const double tolerance : {0.01, 0.2, 5.0}) {
+      const Trajectory trajectory = run(right_angle(3000), {filters, 76.9, 0, tolerance});
+      const double t1 = std::sqrt(50 / 76900.0);
+      const double a = corner_speed(filters, t1, {50, 50, units::pi / 2}, tolerance) / 50;
+      const double expected = 2 * std::cos(units::pi / 4) * 50 * corner_speed_share(filters, a);
+      EXPECT_NEAR(trajectory.state(trajectory.duration() / 2).speed, expected, 1e-9 * expected);
+    }
+  }
+}
+
+TEST(WardShortBlocks, PulsesCoverTheBlockExactly) {
+  const auto block = [](double length) { return Link{Vec3::Zero(), Vec3::UnitX(), length, {50, {}}, 1, 0}; };
+  const double c = 0.038;
+  for (const double length : {1e-6, 1e-3, 0.1, 0.7, 3.0}) {
+    const std::vector<Link> links{block(10), block(length), block(10)};
+    std::vector<double> speeds{0, 3, 20, 0};
+    cap_by_short_blocks(links, c, speeds);
+    for (std::size_t i = 0; i < links.size(); ++i) {
+      const LinkPulses p = link_pulses(links, i, c, speeds);
+      EXPECT_GE(p.width, 0);
+      EXPECT_LE(p.feed, 50);
+      EXPECT_NEAR(speeds[i] * p.width_left + p.feed * p.width + speeds[i + 1] * p.width_right,
+                  links[i].length, 1e-12);
+    }
+  }
+}
+
+TEST(WardShortBlocks, CornersWithinOneWindowKeepTheToleranceOnlyIfEnforced) {
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 90; ++i) {
+    const double angle = units::from_deg(2 * i);  // every corner adds to what its neighbours cut off
+    points.push_back({8.6 * std::cos(angle), 8.6 * std::sin(angle), 0});
+  }
+  const Toolpath path = testing::polyline(points, 50);
+  const auto worst = [&](bool enforce) {
+    const Trajectory trajectory = run(path, {3, 76.9, 0, 0.01, enforce});
+    double error = 0;
+    for (const BlendRecord& blend : trajectory.blends()) {
+      error = std::max(error, blend.epsilon);
+    }
+    return error;
+  };
+  EXPECT_GT(worst(false), 0.013);
+  EXPECT_LE(worst(true), 0.01 * (1 + 1e-5));
+}
+
+TEST(WardStops, EveryStretchTakesItsPulsesAndTheDelay) {
+  // There and back: the reversal is a full stop, so the two lines take what each takes alone.
+  const Toolpath there = testing::polyline({{0, 0, 0}, {20, 0, 0}}, 50);
+  const Toolpath both = testing::polyline({{0, 0, 0}, {20, 0, 0}, {0, 0, 0}}, 50);
+  EXPECT_NEAR(run(both, {}).duration(), 2 * run(there, {}).duration(), 1e-12);
+  EXPECT_LT(run(both, {}).state(run(there, {}).duration()).speed, 1e-9);
+}
+
+TEST(WardArc, RunsACircleInTheTimeOfTheArcWithinTheTolerance) {
+  Toolpath path;
+  path.start = Vec3(10, 0, 0);
+  testing::append_arc(path, Vec3::Zero(), 2 * units::pi, 20);
+  const Trajectory trajectory = run(path, {3, 76.9, 0, 0.05});
+  const double t1 = std::sqrt(20 / 76900.0);
+  EXPECT_NEAR(trajectory.duration(), 2 * units::pi * 10 / 20 + 3 * t1, 1e-5) << "T1 of the chords' speed";
+  for (int i = 0; i <= 1000; ++i) {
+    EXPECT_NEAR(trajectory.state(trajectory.duration() * i / 1000).position.norm(), 10, 0.05);
+  }
+}
+
+TEST(WardSettings, RefuseAnOddNumberOfFilters) {
+  const ControlModel& ward = find_model("ward");
+  Machine machine = testing::spinner();
+  Settings settings = complete_settings(ward, machine);
+  for (const char* wrong : {"filters=7", "filters=2.5", "filter_jerk_m_s3=-1", "enforce=maybe"}) {
+    EXPECT_THROW(apply_setting(wrong, ward, machine, settings), InputError) << wrong;
+  }
+}
+
+TEST(WardSettings, AFilterLongerThanTheProgramIsARampUpAndDown) {
+  const Toolpath path = testing::polyline({{0, 0, 0}, {1, 0, 0}}, 50);
+  const Trajectory trajectory = run(path, {2, 0, 5});
+  EXPECT_NEAR(trajectory.duration(), 1 / 50.0 + 10, 1e-12);
+  EXPECT_LT((trajectory.state(trajectory.duration()).position - Vec3(1, 0, 0)).norm(), 1e-12);
+}
+
+}  // namespace
+}  // namespace feedscope

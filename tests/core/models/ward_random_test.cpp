@@ -1,0 +1,145 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/models/control_model.h"
+#include "tests/support/paths.h"
+
+namespace feedscope {
+namespace {
+
+/// What must hold on any path, with two and with three filters.
+class WardOnRandomPaths : public ::testing::TestWithParam<int> {
+ protected:
+  static constexpr int runs = 60;
+  static constexpr double tolerance = 0.01;
+
+  static Trajectory run(const Toolpath& path) {
+    const ControlModel& ward = find_model("ward");
+    Settings settings = testing::spinner_settings(ward);
+    settings.set("contour_tolerance_mm", tolerance);
+    settings.set("filters", double(GetParam()));
+    return ward.simulate(path, testing::spinner(), settings);
+  }
+
+  template <typename F>
+  void for_each_run(F check) {
+    std::mt19937 random(19);
+    for (int i = 0; i < runs; ++i) {
+      SCOPED_TRACE(i);
+      const Toolpath path = testing::random_path(random, 1 + 2 * i);
+      check(path, run(path));
+      if (HasFatalFailure()) {
+        return;
+      }
+    }
+  }
+};
+
+TEST_P(WardOnRandomPaths, PathVelocityAndAccelerationHaveNoGaps) {
+  for_each_run([](const Toolpath&, const Trajectory& run) {
+    for (std::size_t p = 0; p + 1 < run.pieces().size(); ++p) {
+      const State end = run.state_in_piece(p, run.piece_end(p) - run.pieces()[p].time);
+      const State next = run.state_in_piece(p + 1, 0);
+      ASSERT_LT((end.position - next.position).norm(), 1e-9) << "piece " << p;
+      ASSERT_LT((end.velocity - next.velocity).norm(), 1e-7 * (1 + end.speed)) << "piece " << p;
+      ASSERT_LT((end.acceleration - next.acceleration).norm(),
+                1e-5 * (1 + end.acceleration.norm()) + 1e-14 * end.time * end.jerk.norm())
+          << "piece " << p;
+      ASSERT_NEAR(end.path_length, next.path_length, 1e-7 * (1 + end.path_length)) << "piece " << p;
+      ASSERT_TRUE(end.jerk.allFinite() && std::isfinite(end.tangential_jerk));
+    }
+  });
+}
+
+TEST_P(WardOnRandomPaths, BeginsAndEndsAtTheProgrammedPointsAtRest) {
+  for_each_run([](const Toolpath& path, const Trajectory& run) {
+    ASSERT_LT((run.state(0).position - path.start).norm(), 1e-9);
+    const State end = run.state(run.duration());
+    ASSERT_LT((end.position - path.segments.back().end).norm(), 1e-9);
+    ASSERT_LT(end.speed, 1e-6);
+  });
+}
+
+TEST_P(WardOnRandomPaths, KeepsTheContourToleranceAtEveryCorner) {
+  for_each_run([](const Toolpath&, const Trajectory& run) {
+    for (const BlendRecord& blend : run.blends()) {
+      ASSERT_LE(blend.epsilon, tolerance * (1 + 1e-5)) << "line " << blend.line;
+    }
+  });
+}
+
+TEST_P(WardOnRandomPaths, KeepsTheAxisVelocities) {
+  const Machine machine = testing::spinner();
+  for_each_run([&](const Toolpath&, const Trajectory& run) {
+    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
+      const State state = run.state_in_piece(p, (run.piece_end(p) - run.pieces()[p].time) / 2);
+      for (int j = 0; j < 3; ++j) {
+        ASSERT_LE(std::abs(state.velocity[j]),
+                  machine.axes[static_cast<std::size_t>(j)].velocity * (1 + 1e-9));
+      }
+    }
+  });
+}
+
+TEST_P(WardOnRandomPaths, StateIsTheDerivativeOfItselfAndOfThePathLength) {
+  for_each_run([](const Toolpath&, const Trajectory& run) {
+    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
+      const double duration = run.piece_end(p) - run.pieces()[p].time;
+      const double h = duration * 1e-4;
+      const State at = run.state_in_piece(p, duration * 0.43);
+      const State before = run.state_in_piece(p, duration * 0.43 - h);
+      const State after = run.state_in_piece(p, duration * 0.43 + h);
+      const double jerk = at.jerk.norm() + before.jerk.norm() + after.jerk.norm();
+      const auto near = [&](const Vec3& low, const Vec3& high, const Vec3& exact, double change,
+                            double rounding) {
+        return ((high - low) / (2 * h) - exact).norm() <= 1e-4 * exact.norm() + change + rounding / h;
+      };
+      ASSERT_TRUE(near(before.position, after.position, at.velocity, jerk * h * h,
+                       1e-11 + 1e-15 * at.time * at.speed))
+          << p;
+      ASSERT_TRUE(near(before.velocity, after.velocity, at.acceleration, jerk * h, 1e-11 * (1 + at.speed)));
+      ASSERT_NEAR((after.path_length - before.path_length) / (2 * h), at.speed,
+                  1e-4 * (at.speed + at.acceleration.norm() * duration + jerk * duration * duration) +
+                      1e-11 * (1 + at.path_length) / h)
+          << p;
+    }
+  });
+}
+
+TEST_P(WardOnRandomPaths, StateAtPathIsTheInverseOfPathLength) {
+  for_each_run([](const Toolpath&, const Trajectory& run) {
+    for (int i = 0; i <= 100; ++i) {
+      const double s = run.path_length() * i / 100;
+      ASSERT_NEAR(run.state_at_path(s).path_length, s, 1e-7 * (1 + s));
+    }
+  });
+}
+
+TEST_P(WardOnRandomPaths, TakesTheCommandedTimeAndTheDelayOfEveryStretch) {
+  for_each_run([](const Toolpath&, const Trajectory& run) {
+    double total = 0;
+    for (const FilteredMotion& motion : run.motions()) {
+      EXPECT_NEAR(motion.start(), total, 1e-9 * (1 + total));
+      total += motion.pulses().back().time + GetParam() * motion.filter_time();
+    }
+    ASSERT_NEAR(run.duration(), total, 1e-9 * (1 + total));
+  });
+}
+
+TEST_P(WardOnRandomPaths, GivesTheSameBytesAgain) {
+  std::mt19937 random(10);
+  const Toolpath path = testing::random_path(random, 200);
+  const Trajectory a = run(path);
+  const Trajectory b = run(path);
+  ASSERT_EQ(a.pieces().size(), b.pieces().size());
+  EXPECT_EQ(a.duration(), b.duration());
+  EXPECT_EQ(a.path_length(), b.path_length());
+}
+
+INSTANTIATE_TEST_SUITE_P(Filters, WardOnRandomPaths, ::testing::Values(2, 3),
+                         [](const auto& filters) { return std::to_string(filters.param); });
+
+}  // namespace
+}  // namespace feedscope
