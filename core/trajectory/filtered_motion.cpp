@@ -131,7 +131,7 @@ double FilteredMotion::refined(double t0, double t1, double whole, double tolera
 
 double FilteredMotion::length(double t0, double t1) const {
   constexpr double relative_tolerance = 1e-9;
-  constexpr int deepest = 6;
+  constexpr int deepest = 10;
   double sum = 0;
   while (t0 < t1) {
     const std::size_t next = pulse_after(t0 - delay_);
@@ -141,12 +141,15 @@ double FilteredMotion::length(double t0, double t1) const {
       t0 = settled_until;
       continue;
     }
-    // The step at pulse `next` leaves the filters at its time + delay: a settled stretch may begin there.
-    const double border = next < pulses_.size() ? pulses_[next].time + delay_ : t1;
-    double until = std::min(t1, t0 + filter_time_ / 2);
-    if (border > t0 && border < until) {
-      until = border;
+    // Neighbouring polynomials are not taken together, unless many short ones are.
+    double knot = t0 + filter_time_ / 2;
+    for (int i = 0; i <= filters_; ++i) {
+      const std::size_t pulse = pulse_after(t0 - i * filter_time_);
+      if (pulse < pulses_.size()) {
+        knot = std::min(knot, pulses_[pulse].time + i * filter_time_);
+      }
     }
+    const double until = std::min(t1, std::max(knot, t0 + filter_time_ / 16));
     const double whole = quadrature(t0, until);
     sum += refined(t0, until, whole, relative_tolerance * largest_speed_ * (until - t0), deepest);
     t0 = until;

@@ -61,13 +61,11 @@ Trajectory::Trajectory(BlendedPath path, std::vector<Piece> pieces, double durat
 void Trajectory::fill_blend_speeds() {
   std::size_t piece = 0;
   for (BlendRecord& record : blends_) {
-    if (path_.elements[record.element].kind == ElementKind::filtered) {
-      continue;
-    }
     while (piece < pieces_.size() && pieces_[piece].element < record.element) {
       ++piece;
     }
-    if (piece == pieces_.size() || pieces_[piece].element != record.element) {
+    if (piece == pieces_.size() || pieces_[piece].element != record.element ||
+        pieces_[piece].law == Law::filtered) {
       continue;
     }
     record.entry_speed = kinematics_in_piece(piece, 0).velocity.norm();

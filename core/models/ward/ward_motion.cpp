@@ -30,7 +30,7 @@ void WardRunner::lay_motion(const StretchRange& range, const FilteredMotion& mot
         element, segment.line, programmed_speed(toolpath_, i, axes_.velocity).value, segment.rapid);
     for (std::size_t k = 1; k < spans_.size(); ++k) {
       builder_.add_piece({0, spans_[k - 1].q, 0, 0, 0, index, spans_[k].cause, Law::filtered},
-                         spans_[k].end - spans_[k - 1].end);
+                         motion.start() + spans_[k].end - builder_.time());
     }
     if (i + 1 < range.last && links_[link - 1].turn > straight_angle) {
       add_record(motion, link, index);
@@ -45,10 +45,11 @@ void WardRunner::add_link_spans(const FilteredMotion& motion, std::size_t link) 
   const bool last = link + 1 == links_.size();
   const double end = last ? motion.duration() : link_start_[link + 1] + half_delay_;
   const double begin = spans_.back().end;
+  constexpr double rounding = 1e-9;
   const auto add = [&](double to, bool settled, std::optional<std::size_t> corner) {
     to = std::min(to, end);
     const double from = spans_.back().end;
-    if (to > from) {
+    if (to - from > rounding * filter_time_) {
       add_span(motion, to, cause_between(motion, from, to, link, pulses.feed, corner), settled);
     }
   };
