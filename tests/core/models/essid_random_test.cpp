@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/models/control_model.h"
+#include "tests/support/motion_checks.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -34,22 +35,13 @@ class EssidOnRandomPaths : public ::testing::TestWithParam<const char*> {
 
 TEST_P(EssidOnRandomPaths, PathAndSpeedHaveNoGapsAtPieceBorders) {
   for_each_run([](const Toolpath&, const Trajectory& run, const Settings&) {
-    for (std::size_t p = 0; p + 1 < run.pieces().size(); ++p) {
-      const State end = run.state_in_piece(p, run.piece_end(p) - run.pieces()[p].time);
-      const State next = run.state_in_piece(p + 1, 0);
-      ASSERT_LT((end.position - next.position).norm(), 1e-7) << "piece " << p;
-      ASSERT_NEAR(end.speed, next.speed, 1e-6 * (1 + end.speed)) << "piece " << p;
-      ASSERT_TRUE(std::isfinite(end.speed));
-    }
+    testing::expect_no_gaps_between_pieces(run);
   });
 }
 
 TEST_P(EssidOnRandomPaths, BeginsAndEndsAtTheProgrammedPointsAtRest) {
   for_each_run([](const Toolpath& path, const Trajectory& run, const Settings&) {
-    ASSERT_LT((run.state(0).position - path.start).norm(), 1e-9);
-    const State end = run.state(run.duration());
-    ASSERT_LT((end.position - path.segments.back().end).norm(), 1e-6);
-    ASSERT_LT(end.speed, 1e-3);
+    testing::expect_rest_at_the_programmed_ends(path, run);
   });
 }
 
@@ -82,19 +74,7 @@ TEST_P(EssidOnRandomPaths, KeepsTheProgrammedFeedAndTheAxisVelocities) {
 TEST_P(EssidOnRandomPaths, KeepsAccelerationAndJerkOfEveryAxisOnLines) {
   const Machine machine = testing::spinner();
   for_each_run([&](const Toolpath&, const Trajectory& run, const Settings&) {
-    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
-      for (const double share : {0.0, 1.0}) {
-        const State state = run.state_in_piece(p, share * (run.piece_end(p) - run.pieces()[p].time));
-        if (run.path().elements[state.element].kind != ElementKind::line) {
-          continue;
-        }
-        for (int j = 0; j < 3; ++j) {
-          const AxisLimits& axis = machine.axes[static_cast<std::size_t>(j)];
-          ASSERT_LE(std::abs(state.acceleration[j]), axis.acceleration * (1 + 1e-6)) << "piece " << p;
-          ASSERT_LE(std::abs(state.jerk[j]), axis.jerk * (1 + 1e-6)) << "piece " << p;
-        }
-      }
-    }
+    testing::expect_axis_limits_on_lines(run, machine);
   });
 }
 
