@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <sstream>
 
 #include "core/base/units.h"
 
@@ -73,6 +74,27 @@ std::string TextTable::text(std::string_view alignments) const {
       line += (i == 0 ? " " : "   ") + padded(row[i], widths[i], alignments[i] == 'r');
     }
     out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+  }
+  return out;
+}
+
+std::string wrapped(const std::string& text, std::size_t indent) {
+  constexpr std::size_t columns = 100;
+  std::istringstream words(text);
+  std::string out;
+  std::size_t at = indent;
+  for (std::string word; words >> word;) {
+    const std::size_t width = width_of(word);
+    if (out.empty()) {
+      at += width;
+    } else if (at + 1 + width > columns) {
+      out += "\n" + std::string(indent, ' ');
+      at = indent + width;
+    } else {
+      out += ' ';
+      at += 1 + width;
+    }
+    out += word;
   }
   return out;
 }

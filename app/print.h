@@ -19,6 +19,11 @@ class TextTable {
   std::vector<std::vector<std::string>> rows_;
 };
 
+/// `text` with line breaks between words so that no line is wider than a terminal of 100 columns, if its
+/// words allow; lines after the first begin with `indent` blanks, and so does the place where the first is
+/// printed.
+std::string wrapped(const std::string& text, std::size_t indent);
+
 /// "1.249 s", from a minute on with hours: "3725.4 s (1:02:05)".
 std::string time_text(double seconds);
 

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -28,26 +29,64 @@ void list_models() {
   fmt::print("{}", table.text("ll"));
 }
 
+void print_items(const std::vector<std::string>& items) {
+  for (const std::string& item : items) {
+    fmt::print("  - {}\n", wrapped(item, 4));
+  }
+}
+
+Settings fallback_settings(const ControlModel& model) {
+  return complete_settings(model, Machine());
+}
+
+/// Guarantees with the fallbacks of all settings, then what other choices change.
+void print_guarantees(const ControlModel& model) {
+  const Settings fallbacks = fallback_settings(model);
+  const std::vector<std::string> usual = sentences(model.guarantees(fallbacks));
+  fmt::print("\nGuarantees\n");
+  print_items(usual);
+  print_items(model.info().remarks);
+  for (const SettingSpec& spec : settings_of(model)) {
+    for (const std::string& choice : spec.choices) {
+      Settings settings = fallbacks;
+      settings.set(spec.key, choice);
+      std::vector<std::string> changed = sentences(model.guarantees(settings));
+      std::erase_if(changed, [&](const std::string& sentence) {
+        return std::find(usual.begin(), usual.end(), sentence) != usual.end();
+      });
+      if (!changed.empty()) {
+        fmt::print("\nWith {} = {} instead\n", spec.key, choice);
+        print_items(changed);
+      }
+    }
+  }
+}
+
+void print_settings(const ControlModel& model) {
+  TextTable table;
+  for (const SettingSpec& spec : settings_of(model)) {
+    const std::string fallback =
+        spec.choices.empty() ? fmt::format("{}", spec.fallback) : spec.choices.front();
+    table.add({spec.key, fallback, spec.unit, range_text(spec)});
+  }
+  const std::string settings = table.text("lrll");
+  fmt::print("\nSettings: key, value where the machine gives none, unit, range\n{}",
+             settings.empty() ? "  none\n" : settings);
+  for (const SettingSpec& spec : settings_of(model)) {
+    fmt::print("\n  {}: {}.\n    {}\n", spec.key, spec.title, wrapped(spec.explanation, 4));
+  }
+}
+
 void show_model(const std::string& id) {
   const ControlModel& model = find_model(id);
   const ModelInfo& info = model.info();
   fmt::print("{}: {}\n", info.id, info.title);
   if (!info.reference.empty()) {
-    fmt::print("{}\n", info.reference);
+    fmt::print("{}\n", wrapped(info.reference, 0));
   }
-  fmt::print("\n{}\n", info.summary);
-  if (!info.guarantees.empty()) {
-    fmt::print("\nGuarantees\n  - {}\n", fmt::join(info.guarantees, "\n  - "));
-  }
-  TextTable table;
-  for (const SettingSpec& spec : settings_of(model)) {
-    const std::string fallback =
-        spec.choices.empty() ? fmt::format("{}", spec.fallback) : spec.choices.front();
-    table.add({spec.key, fallback, spec.unit, range_text(spec), spec.explanation});
-  }
-  const std::string settings = table.text("lrlll");
-  fmt::print("\nSettings: key, value where the machine gives none, unit, range\n{}",
-             settings.empty() ? "  none\n" : settings);
+  fmt::print("\n{}\n", wrapped(info.summary, 0));
+  print_guarantees(model);
+  print_settings(model);
 }
 
 }  // namespace

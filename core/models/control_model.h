@@ -5,6 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/machine/machine.h"
+#include "core/models/guarantees.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
 
@@ -14,11 +15,11 @@ namespace feedscope {
 struct ModelInfo {
   std::string id;
   std::string title;
-  std::string reference;                ///< paper, or "" for a baseline
-  std::string summary;                  ///< two or three sentences
-  std::vector<SettingSpec> settings;    ///< beyond those of common_settings()
-  std::vector<std::string> uses;        ///< keys of common_settings() that it reads
-  std::vector<std::string> guarantees;  ///< one sentence each
+  std::string reference;              ///< paper, or "" for a baseline
+  std::string summary;                ///< two or three sentences
+  std::vector<SettingSpec> settings;  ///< beyond those of common_settings()
+  std::vector<std::string> uses;      ///< keys of common_settings() that it reads
+  std::vector<std::string> remarks;   ///< what Guarantees cannot say, one sentence each
 };
 
 /// A published way in which a control turns a path into motion.
@@ -26,6 +27,8 @@ class ControlModel {
  public:
   virtual ~ControlModel() = default;
   virtual const ModelInfo& info() const = 0;
+  /// What holds of every motion that simulate() makes with `settings`, as complete_settings gives them.
+  virtual Guarantees guarantees(const Settings& settings) const = 0;
   /// Deterministic. `settings` as complete_settings gives them. Throws InputError if an axis that moves lacks
   /// a limit, Cancelled when stopped.
   Trajectory simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,

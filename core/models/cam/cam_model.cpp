@@ -14,10 +14,15 @@ const ModelInfo& CamModel::info() const {
                               "What a CAM system promises.",
                               {},
                               {},
-                              {"The programmed path is followed exactly; no corner is blended.",
-                               "No axis limit is kept: feed changes take no time.",
-                               "A rapid keeps the velocity limit of every axis."}};
+                              {"A rapid keeps the velocity limit of every axis."}};
   return info;
+}
+
+Guarantees CamModel::guarantees(const Settings&) const {
+  Guarantees promised;
+  promised.continuity = Continuity::position;
+  promised.stops_at_reversals = promised.stops_at_rapids = false;
+  return promised;
 }
 
 Trajectory CamModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings&,

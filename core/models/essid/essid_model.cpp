@@ -46,15 +46,27 @@ const ModelInfo& EssidModel::info() const {
         {alpha, used_tolerance_setting(), reading},
         {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "radial_acceleration_share",
          "radial_jerk_share"},
-        {"The contour tolerance is kept at every corner.",
-         "Velocity, acceleration and jerk of every axis are kept on lines; the jerk steps at the ends of "
-         "blends.",
-         "On blends the radial jerk share is kept at the entry; further on it is exceeded by up to about 1.7 "
-         "(reading strict keeps it).",
-         "On arcs the tangential and the radial part each keep the axis limits, not their sum.",
-         "Full stop at reversals, at corners that touch an arc, and between rapids and feed motion."}};
+        {"At the entry of a blend the radial share of the jerk is kept; further on it is exceeded by up to "
+         "about 1.7 (reading strict keeps it)."}};
   }();
   return info;
+}
+
+Guarantees EssidModel::guarantees(const Settings& settings) const {
+  const bool strict = settings.text("reading") == "strict";
+  constexpr double sampled = 1.01;  // the law on a blend is checked once a sample
+  using Of = KeptLimit::Of;
+  Guarantees promised;
+  promised.covered = Covered::lines;
+  promised.feed = strict ? 1 : sampled;
+  promised.lines = all_kept();
+  promised.lines.velocity.factor = promised.feed;
+  promised.arcs = static_arc_limits();
+  promised.blends = {
+      {Of::whole, promised.feed}, {Of::whole, promised.feed}, {Of::whole, strict ? 1 : 2.2}, true};
+  promised.contour = 1;
+  promised.stops_at_arc_corners = true;
+  return promised;
 }
 
 Trajectory EssidModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,

@@ -27,6 +27,7 @@ namespace feedscope {
 class EssidModel : public ControlModel {
  public:
   const ModelInfo& info() const override;
+  Guarantees guarantees(const Settings& settings) const override;
 
  private:
   Trajectory do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,

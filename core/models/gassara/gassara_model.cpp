@@ -70,12 +70,19 @@ const ModelInfo& GassaraModel::info() const {
       {used_tolerance_setting()},
       {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "radial_acceleration_share",
        "radial_jerk_share"},
-      {"The contour tolerance is kept at every corner.",
-       "Velocity, acceleration and jerk of every axis are kept on lines.",
-       "On blends the radial shares of acceleration and jerk are kept; the acceleration steps at both ends.",
-       "On arcs the tangential and the radial part each keep the axis limits, not their sum.",
-       "Full stop at reversals, at corners that touch an arc, and between rapids and feed motion."}};
+      {"On blends the radial shares of the least acceleration and jerk of the axes are kept."}};
   return info;
+}
+
+Guarantees GassaraModel::guarantees(const Settings&) const {
+  Guarantees promised;
+  promised.covered = Covered::lines;
+  promised.lines = promised.blends = all_kept();
+  promised.blends.of_blend_jerk = true;
+  promised.arcs = static_arc_limits();
+  promised.contour = 1;
+  promised.stops_at_arc_corners = true;
+  return promised;
 }
 
 Trajectory GassaraModel::do_simulate(const Toolpath& toolpath, const Machine& machine,

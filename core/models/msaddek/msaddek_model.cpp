@@ -42,17 +42,30 @@ const ModelInfo& MsaddekModel::info() const {
         {compaction, law},
         {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3",
          "tangential_share"},
-        {"The contour tolerance is kept at every corner; points that compaction leaves out stay within it "
-         "too, both together within twice the tolerance.",
-         "Programmed feed and axis velocities are kept everywhere.",
-         "law dynamic: acceleration and jerk of every axis are kept on lines; on arcs the tangential and the "
-         "radial part each keep them, not their sum; where curvature jumps, the acceleration changes within "
-         "one interpolation period by what the axis jerk allows.",
-         "law dynamic: full stop at reversals, at corners that touch a programmed arc, and between rapids "
-         "and feed motion.",
-         "law static: the feed jumps between blocks; only radial acceleration and jerk on arcs are kept."}};
+        {"Points that compaction leaves out stay within the tolerance of the chord, which a corner may cut "
+         "once more.",
+         "law dynamic: where curvature jumps, the acceleration changes within one interpolation period by "
+         "what the axis jerk allows."}};
   }();
   return info;
+}
+
+Guarantees MsaddekModel::guarantees(const Settings& settings) const {
+  const bool compacts = settings.number("compaction_mm") > 0;
+  Guarantees promised;
+  promised.covered = Covered::lines;
+  promised.contour = compacts ? 2 : 1;
+  promised.meets_tangent_ends = !compacts;
+  promised.lines = all_kept();
+  promised.arcs = promised.blends = static_arc_limits();
+  if (settings.text("law") == "static") {
+    promised.lines.acceleration = promised.lines.jerk = {};
+    promised.continuity = Continuity::position;
+    promised.stops_at_reversals = promised.stops_at_rapids = false;
+  } else {
+    promised.stops_at_arc_corners = true;
+  }
+  return promised;
 }
 
 Trajectory MsaddekModel::do_simulate(const Toolpath& toolpath, const Machine& machine,

@@ -17,14 +17,19 @@ const ModelInfo& TapieModel::info() const {
       "stops: the paper says that the control rounds them, but not how.",
       {},
       {"interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3", "tangential_share"},
-      {"The programmed path is followed exactly; no corner is blended.",
-       "The programmed feed and the velocity of every axis are kept.",
-       "On lines acceleration and jerk of every axis are kept.",
-       "On arcs the tangential and the radial part each keep the axis acceleration and jerk at the place "
-       "where "
-       "the steady feed is reached; elsewhere on the arc the radial part may exceed them, as measured there.",
-       "Full stop at corners, reversals, and between rapids and feed motion."}};
+      {"On arcs the tangential and the radial part each keep the axis acceleration and jerk at the place "
+       "where the steady feed is reached; elsewhere on the arc the radial part may exceed them, as measured "
+       "there."}};
   return info;
+}
+
+Guarantees TapieModel::guarantees(const Settings&) const {
+  Guarantees promised;
+  promised.covered = Covered::arcs;
+  promised.lines = all_kept();
+  promised.arcs.velocity = promised.lines.velocity;
+  promised.stops_at_line_corners = promised.stops_at_arc_corners = true;
+  return promised;
 }
 
 Trajectory TapieModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,

@@ -28,6 +28,7 @@ namespace feedscope {
 class TapieModel : public ControlModel {
  public:
   const ModelInfo& info() const override;
+  Guarantees guarantees(const Settings& settings) const override;
 
  private:
   Trajectory do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,

@@ -59,15 +59,24 @@ const ModelInfo& WardModel::info() const {
         "chords within a tenth of the tolerance, at the static limits of Tapie 2007.",
         {filters, jerk, time, enforce},
         {"contour_tolerance_mm"},
-        {"With enforce on, every programmed corner lies within the contour tolerance of the path.",
-         "Velocity of every axis is kept: a filtered velocity is an average of commanded ones.",
+        {"A filtered velocity is an average of commanded ones, which keeps the axes' velocities.",
          "Acceleration and jerk follow from the filters alone: a change of feed dF takes the jerk dF/T1^2; "
-         "the "
-         "axes' limits are not looked at.",
-         "Velocity and acceleration are continuous everywhere; with three filters the jerk is, too.",
-         "Full stop at reversals and between rapids and feed motion."}};
+         "the axes' limits are not looked at.",
+         "With three filters the jerk is continuous, too."}};
   }();
   return info;
+}
+
+Guarantees WardModel::guarantees(const Settings& settings) const {
+  Guarantees promised;
+  promised.covered = Covered::lines;
+  promised.lines.velocity.of = KeptLimit::Of::whole;
+  promised.arcs = promised.blends = promised.lines;
+  promised.feed_of_run = true;
+  promised.contour = settings.text("enforce") == "on" ? 1 : Guarantees::unbounded;
+  promised.meets_tangent_ends = false;
+  promised.continuity = Continuity::acceleration;
+  return promised;
 }
 
 Trajectory WardModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,

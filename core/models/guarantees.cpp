@@ -1,0 +1,142 @@
+#include "core/models/guarantees.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <utility>
+
+namespace feedscope {
+namespace {
+
+using Of = KeptLimit::Of;
+
+/// "velocity, acceleration and jerk".
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == words.size() ? " and " : ", ") + words[i];
+  }
+  return text;
+}
+
+std::string how_kept(const KeptLimit& kept, bool many) {
+  switch (kept.of) {
+    case Of::nothing:
+      return many ? "are not bounded" : "is not bounded";
+    case Of::parts:
+      return fmt::format("{} to {} in each part along and across the path, not in their sum",
+                         many ? "keep" : "keeps",
+                         kept.factor == 1 ? "the limits" : fmt::format("{} times the limits", kept.factor));
+    case Of::whole:
+      break;
+  }
+  if (kept.factor == 1) {
+    return many ? "of every axis are kept" : "of every axis is kept";
+  }
+  return fmt::format("of every axis {} within {} times the limit", many ? "stay" : "stays", kept.factor);
+}
+
+std::string place_sentence(const char* place, const KeptLimits& limits) {
+  const std::array<std::pair<std::string, KeptLimit>, 3> all{
+      {{"velocity", limits.velocity},
+       {"acceleration", limits.acceleration},
+       {limits.of_blend_jerk ? "jerk (blend_jerk)" : "jerk", limits.jerk}}};
+  std::string text = place;
+  for (std::size_t i = 0; i < all.size();) {
+    std::vector<std::string> words;
+    const KeptLimit& kept = all[i].second;
+    text += i == 0 ? ": " : "; ";
+    for (; i < all.size() && all[i].second == kept; ++i) {
+      words.push_back(all[i].first);
+    }
+    text += listed(words) + " " + how_kept(kept, words.size() > 1);
+  }
+  return text + ".";
+}
+
+std::string covered_sentence(Covered covered) {
+  return covered == Covered::lines
+             ? "The source covers lines and their corners; arcs and helices keep to shared rules."
+             : "The source covers arcs; lines keep to shared rules.";
+}
+
+std::string feed_sentence(const Guarantees& g) {
+  const std::string feed =
+      g.feed_of_run ? "the largest programmed feed between two standstills" : "the programmed feed";
+  return g.feed == 1 ? fmt::format("Never faster than {}, a rapid than the axes allow.", feed)
+                     : fmt::format("Never faster than {} times {}.", g.feed, feed);
+}
+
+std::string contour_sentence(const Guarantees& g) {
+  std::string text;
+  if (g.contour == 0) {
+    return "The programmed path is followed exactly; no corner is blended.";
+  }
+  if (g.contour == Guarantees::unbounded) {
+    text = "The distance of programmed corners from the path is not bounded";
+  } else if (g.contour == 1) {
+    text = "Every programmed corner lies within the contour tolerance of the path";
+  } else {
+    text = fmt::format("Every programmed corner lies within {} times the contour tolerance of the path",
+                       g.contour);
+  }
+  return text + (g.meets_tangent_ends ? "; tangential ends of blocks are met exactly." : ".");
+}
+
+std::string continuity_sentence(Continuity continuity) {
+  switch (continuity) {
+    case Continuity::position:
+      return "The speed jumps from block to block.";
+    case Continuity::speed:
+      return "The speed is continuous; the acceleration jumps where the curvature of the path does.";
+    case Continuity::acceleration:
+      break;
+  }
+  return "Velocity and acceleration are continuous everywhere.";
+}
+
+std::string stop_sentence(const Guarantees& g) {
+  std::vector<std::string> places;
+  if (g.stops_at_line_corners) {
+    places.emplace_back("at corners of lines");
+  }
+  if (g.stops_at_arc_corners) {
+    places.emplace_back("at corners that touch an arc");
+  }
+  if (g.stops_at_reversals) {
+    places.emplace_back("at reversals");
+  }
+  if (g.stops_at_rapids) {
+    places.emplace_back("between rapid and feed motion");
+  }
+  return places.empty() ? "Full stops at dwells only." : fmt::format("Full stops {}.", listed(places));
+}
+
+}  // namespace
+
+KeptLimits all_kept() {
+  return {{Of::whole, 1}, {Of::whole, 1}, {Of::whole, 1}, false};
+}
+
+KeptLimits static_arc_limits() {
+  return {{Of::whole, 1}, {Of::parts, 1}, {Of::parts, 1}, false};
+}
+
+std::vector<std::string> sentences(const Guarantees& g) {
+  std::vector<std::string> text;
+  if (g.covered != Covered::both) {
+    text.push_back(covered_sentence(g.covered));
+  }
+  text.push_back(contour_sentence(g));
+  text.push_back(feed_sentence(g));
+  text.push_back(place_sentence("On lines", g.lines));
+  text.push_back(place_sentence("On arcs", g.arcs));
+  if (g.contour > 0) {
+    text.push_back(place_sentence("On corner blends", g.blends));
+  }
+  text.push_back(continuity_sentence(g.continuity));
+  text.push_back(stop_sentence(g));
+  return text;
+}
+
+}  // namespace feedscope
