@@ -1,123 +1,84 @@
 #include "core/analysis/compare.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
-#include <atomic>
-#include <chrono>
-#include <condition_variable>
 #include <exception>
-#include <mutex>
-#include <thread>
+
+#include "core/base/error.h"
 
 namespace feedscope {
 namespace {
 
-/// Works on several runs at once; the thread that calls watches over them.
-class Comparison {
- public:
-  Comparison(const LoadedProgram& program, const std::vector<Setup>& setups)
-      : program_(program), setups_(setups), jobs_(setups.size()) {}
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
 
-  std::vector<ComparedRun> run(Progress* progress) {
-    std::vector<std::jthread> workers;
-    const std::size_t processors = std::max(1U, std::thread::hardware_concurrency());
-    for (std::size_t i = 0; i < std::min(processors, jobs_.size()); ++i) {
-      workers.emplace_back([this] { work(); });
-    }
-    try {
-      watch(progress);
-    } catch (...) {
-      for (Job& job : jobs_) {
-        job.progress.cancel();
-      }
-      throw;
-    }
-    return results();
-  }
-
- private:
-  struct Job {
-    Progress progress;
-    ComparedRun result;
-    std::exception_ptr error;
-  };
-
-  void work() {
-    for (std::size_t i = next_++; i < jobs_.size(); i = next_++) {
-      Job& job = jobs_[i];
-      try {
-        job.progress.report(0);
-        const Run run = simulate_run(program_, setups_[i], &job.progress);
-        job.result = {run.setup, run.summary, run.trajectory->path_length(), run.trajectory->blends().size(),
-                      run.simulate_time};
-        job.progress.report(1);
-      } catch (...) {
-        job.error = std::current_exception();
-      }
-      const std::lock_guard lock(mutex_);
-      ++done_;
-      changed_.notify_one();
+std::vector<std::string> or_all_models(const std::vector<std::string>& models) {
+  std::vector<std::string> ids = models;
+  if (ids.empty()) {
+    for (const ControlModel* model : all_models()) {
+      ids.push_back(model->info().id);
     }
   }
+  return ids;
+}
 
-  void watch(Progress* progress) {
-    constexpr auto glance = std::chrono::milliseconds(50);
-    if (progress != nullptr) {
-      progress->report(0);
-    }
-    std::unique_lock lock(mutex_);
-    while (!changed_.wait_for(lock, glance, [this] { return done_ == jobs_.size(); })) {
-      if (progress != nullptr) {
-        double sum = 0;
-        for (const Job& job : jobs_) {
-          sum += job.progress.fraction();
-        }
-        progress->report(sum / static_cast<double>(jobs_.size()));
+/// Throws InputError for an assignment that none of the models takes.
+void check_assignments(const std::vector<std::string>& assignments, const std::vector<std::string>& models) {
+  std::vector<std::string> known;
+  for (const std::string& model : models) {
+    for (std::string& key : assignable_keys(find_model(model))) {
+      if (!contains(known, key)) {
+        known.push_back(std::move(key));
       }
     }
   }
-
-  std::vector<ComparedRun> results() {
-    std::vector<ComparedRun> runs;
-    for (Job& job : jobs_) {
-      if (job.error) {
-        std::rethrow_exception(job.error);
-      }
-      runs.push_back(std::move(job.result));
+  for (const std::string& assignment : assignments) {
+    const std::string key = assigned_key(assignment);
+    if (!contains(known, key)) {
+      const std::string near = nearest_name(key, known);
+      throw InputError(fmt::format(
+          "setting '{}' is known to none of the models {}; {}there are {}", key, fmt::join(models, ", "),
+          near.empty() ? "" : fmt::format("did you mean '{}'? ", near), fmt::join(known, ", ")));
     }
-    return runs;
   }
+}
 
-  const LoadedProgram& program_;
-  const std::vector<Setup>& setups_;
-  std::vector<Job> jobs_;
-  std::atomic<std::size_t> next_{0};
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::size_t done_ = 0;  ///< guarded by mutex_
-};
+std::vector<std::string> taken_by(const ControlModel& model, std::vector<std::string> assignments) {
+  const std::vector<std::string> keys = assignable_keys(model);
+  std::erase_if(assignments,
+                [&](const std::string& assignment) { return !contains(keys, assigned_key(assignment)); });
+  return assignments;
+}
+
+ComparedRun figures_of(const Run& run) {
+  return {run.setup, run.summary, run.trajectory->path_length(), run.trajectory->blends().size(),
+          run.simulate_time};
+}
 
 }  // namespace
 
 std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,
                                      const std::vector<std::string>& models,
-                                     const std::vector<double>& tolerances) {
-  std::vector<std::string> model_ids = models;
-  if (model_ids.empty()) {
-    for (const ControlModel* model : all_models()) {
-      model_ids.push_back(model->info().id);
-    }
-  }
+                                     const std::vector<double>& tolerances,
+                                     const std::vector<std::string>& assignments) {
+  const std::vector<std::string> model_ids = or_all_models(models);
+  check_assignments(assignments, model_ids);
   std::vector<Setup> setups;
   for (const std::string& machine : machines.empty() ? std::vector<std::string>{""} : machines) {
     for (const std::string& model : model_ids) {
+      const std::vector<std::string> taken = taken_by(find_model(model), assignments);
       const auto add = [&](std::optional<double> tolerance) -> const Setup& {
-        return setups.emplace_back(make_setup({machine, model, tolerance, {}}));
+        return setups.emplace_back(make_setup({machine, model, tolerance, taken}));
       };
       if (tolerances.empty()) {
         add(std::nullopt);
       }
       for (const double tolerance : tolerances) {
-        if (!add(tolerance).settings.has("contour_tolerance_mm")) {
+        if (!contour_tolerance(add(tolerance))) {
           break;
         }
       }
@@ -128,7 +89,29 @@ std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,
 
 std::vector<ComparedRun> compare_runs(const LoadedProgram& program, const std::vector<Setup>& setups,
                                       Progress* progress) {
-  return Comparison(program, setups).run(progress);
+  Progress unwatched;
+  Progress& whole = progress != nullptr ? *progress : unwatched;
+  whole.report(0);
+  std::vector<ComparedRun> runs(setups.size());
+  std::vector<std::exception_ptr> errors(setups.size());
+  const auto run = [&](std::size_t i) {
+    try {
+      Progress part(whole, 1 / static_cast<double>(setups.size()));
+      part.report(0);
+      runs[i] = figures_of(simulate_run(program, setups[i], &part));
+      part.report(1);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  };
+  tbb::parallel_for(std::size_t{0}, setups.size(), run, tbb::simple_partitioner());
+  whole.report(1);
+  for (const std::exception_ptr& error : errors) {
+    if (error) {
+      std::rethrow_exception(error);
+    }
+  }
+  return runs;
 }
 
 }  // namespace feedscope

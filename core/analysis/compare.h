@@ -23,10 +23,12 @@ struct ComparedRun {
 
 /// Every machine with every model and every tolerance [mm], in that order; none of a kind: the default
 /// machine, all models, the machine's own tolerance. A model that reads no tolerance is taken once a machine.
-/// Throws as make_setup.
+/// An assignment (KEY=VALUE, as of make_setup) goes to every model that knows its key.
+/// Throws as make_setup, and InputError with the nearest key for an assignment that no model takes.
 std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,
                                      const std::vector<std::string>& models,
-                                     const std::vector<double>& tolerances);
+                                     const std::vector<double>& tolerances,
+                                     const std::vector<std::string>& assignments = {});
 
 /// Runs `program` on every setup, as many at a time as there are processors, and gives the figures in the
 /// order of `setups`; the same as simulate_run one by one.

@@ -65,6 +65,11 @@ Setup make_setup(const SetupRequest& request) {
   return setup;
 }
 
+std::optional<double> contour_tolerance(const Setup& setup) {
+  const std::string& key = tolerance_spec().key;
+  return setup.settings.has(key) ? std::optional(setup.settings.number(key)) : std::nullopt;
+}
+
 Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress) {
   const StopWatch watch;
   Run run;

@@ -58,6 +58,9 @@ LoadedProgram load_program(const std::filesystem::path& file, Progress* progress
 /// setting, value out of bounds. A tolerance has no effect on a model that does not read it.
 Setup make_setup(const SetupRequest& request);
 
+/// The contour tolerance [mm] of a setup whose model reads one.
+std::optional<double> contour_tolerance(const Setup& setup);
+
 /// Simulates and summarises. Throws what ControlModel::simulate throws.
 Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress = nullptr);
 

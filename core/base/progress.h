@@ -12,22 +12,34 @@ class Cancelled : public std::exception {
   const char* what() const noexcept override { return "cancelled"; }
 };
 
-/// Shared between the thread that works and the one that watches.
+/// Shared between the threads that work and the one that watches.
 class Progress {
  public:
+  Progress() = default;
+  /// Of one of several parts that are worked on at a time: what it reports adds to `whole` by its `share`
+  /// in (0, 1], and cancelling the whole cancels it. `whole` outlives it.
+  Progress(Progress& whole, double share) : whole_(&whole), share_(share) {}
+
   /// Called by the worker every few thousand blocks. `fraction` in [0, 1].
   /// Throws Cancelled once cancel() was called.
   void report(double fraction) {
-    fraction_.store(fraction, std::memory_order_relaxed);
+    const double before = fraction_.exchange(fraction, std::memory_order_relaxed);
+    if (whole_ != nullptr) {
+      whole_->fraction_.fetch_add(share_ * (fraction - before), std::memory_order_relaxed);
+    }
     if (cancelled()) {
       throw Cancelled();
     }
   }
   double fraction() const { return fraction_.load(std::memory_order_relaxed); }
   void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
-  bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+  bool cancelled() const {
+    return cancelled_.load(std::memory_order_relaxed) || (whole_ != nullptr && whole_->cancelled());
+  }
 
  private:
+  Progress* whole_ = nullptr;
+  double share_ = 0;
   std::atomic<double> fraction_{0.0};
   std::atomic<bool> cancelled_{false};
 };

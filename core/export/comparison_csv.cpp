@@ -68,18 +68,17 @@ std::vector<std::string> header(const std::vector<std::size_t>& causes) {
 
 std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::size_t>& causes) {
   const Summary& summary = run.summary;
-  const Settings& settings = run.setup.settings;
-  std::vector<std::string> row{
-      field(run.setup.machine.id),
-      run.setup.model->info().id,
-      settings.has("contour_tolerance_mm") ? number(settings.number("contour_tolerance_mm")) : "",
-      number(summary.cycle_time),
-      number(summary.programmed_time),
-      number(run.against_cam()),
-      number(units::to_mm_min(summary.mean_feed)),
-      number(units::to_mm_min(summary.peak_feed)),
-      number(summary.max_contour_error),
-      fmt::format("{}", run.blends)};
+  const std::optional<double> tolerance = contour_tolerance(run.setup);
+  std::vector<std::string> row{field(run.setup.machine.id),
+                               run.setup.model->info().id,
+                               tolerance ? number(*tolerance) : "",
+                               number(summary.cycle_time),
+                               number(summary.programmed_time),
+                               number(run.against_cam()),
+                               number(units::to_mm_min(summary.mean_feed)),
+                               number(units::to_mm_min(summary.peak_feed)),
+                               number(summary.max_contour_error),
+                               fmt::format("{}", run.blends)};
   for (std::size_t i = 0; i < summary.axes.size(); ++i) {
     const AxisPeaks& peak = summary.axes[i];
     const AxisLimits& limit = run.setup.machine.axes[i];

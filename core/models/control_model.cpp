@@ -29,6 +29,10 @@ void check_axes(const Toolpath& toolpath, const Machine& machine) {
   }
 }
 
+std::string limit_key(char axis, const SettingSpec& limit) {
+  return fmt::format("{}.{}", axis, limit.key);
+}
+
 }  // namespace
 
 Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
@@ -91,34 +95,48 @@ Settings complete_settings(const ControlModel& model, const Machine& machine) {
   return settings;
 }
 
-void apply_setting(const std::string& assignment, const ControlModel& model, Machine& machine,
-                   Settings& settings) {
+std::vector<std::string> assignable_keys(const ControlModel& model) {
+  std::vector<std::string> keys;
+  for (const SettingSpec& spec : settings_of(model)) {
+    keys.push_back(spec.key);
+  }
+  for (const char axis : axis_names) {
+    for (const SettingSpec& limit : axis_limit_specs()) {
+      keys.push_back(limit_key(axis, limit));
+    }
+  }
+  return keys;
+}
+
+std::string assigned_key(const std::string& assignment) {
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || equals == 0) {
     throw InputError(fmt::format("setting '{}' has no value; write KEY=VALUE, as in X.jerk=20", assignment));
   }
-  const std::string key = assignment.substr(0, equals);
-  const std::string value = assignment.substr(equals + 1);
+  return assignment.substr(0, equals);
+}
 
-  std::vector<std::string> keys;
+void apply_setting(const std::string& assignment, const ControlModel& model, Machine& machine,
+                   Settings& settings) {
+  const std::string key = assigned_key(assignment);
+  const std::string value = assignment.substr(key.size() + 1);
   for (const SettingSpec& spec : settings_of(model)) {
     if (spec.key == key) {
       settings.set(key, parse_setting(spec, value));
       return;
     }
-    keys.push_back(spec.key);
   }
   for (const char axis : axis_names) {
     for (const SettingSpec& limit : axis_limit_specs()) {
       SettingSpec spec = limit;
-      spec.key = fmt::format("{}.{}", axis, limit.key);
+      spec.key = limit_key(axis, limit);
       if (spec.key == key) {
         set_axis_limit(machine, axis, limit.key, std::get<double>(parse_setting(spec, value)));
         return;
       }
-      keys.push_back(spec.key);
     }
   }
+  const std::vector<std::string> keys = assignable_keys(model);
   const std::string near = nearest_name(key, keys);
   throw InputError(fmt::format("setting '{}' is not known to model '{}'; {}there are {}", key,
                                model.info().id, near.empty() ? "" : fmt::format("did you mean '{}'? ", near),

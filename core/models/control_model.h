@@ -51,6 +51,10 @@ std::vector<SettingSpec> settings_of(const ControlModel& model);
 /// The settings of a run: fallbacks, then the machine's values; every key of settings_of(model) is there.
 Settings complete_settings(const ControlModel& model, const Machine& machine);
 
+/// The keys that apply_setting takes: those of settings_of(model), then "X.velocity" and the other limits.
+std::vector<std::string> assignable_keys(const ControlModel& model);
+/// The KEY of KEY=VALUE. Throws InputError if there is none.
+std::string assigned_key(const std::string& assignment);
 /// Applies KEY=VALUE of --set to machine ("X.jerk") or settings ("alpha"). Throws InputError naming key,
 /// value, bounds and the nearest valid key.
 void apply_setting(const std::string& assignment, const ControlModel& model, Machine& machine,

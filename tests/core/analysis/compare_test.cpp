@@ -33,6 +33,27 @@ TEST(SetupsToCompare, RefuseAToleranceOutOfBounds) {
   EXPECT_THROW(setups_to_compare({}, {"essid"}, {-1}), InputError);
 }
 
+TEST(SetupsToCompare, TakeAnAssignmentWhereTheModelKnowsIt) {
+  const auto setups = setups_to_compare({}, {"cam", "essid"}, {}, {"alpha=2", "X.jerk=5"});
+  ASSERT_EQ(setups.size(), 2u);
+  EXPECT_FALSE(setups[0].settings.has("alpha"));
+  EXPECT_EQ(setups[1].settings.number("alpha"), 2);
+  for (const auto& setup : setups) {
+    EXPECT_EQ(axis_limit(setup.machine, 'X', "jerk"), 5);
+  }
+}
+
+TEST(SetupsToCompare, RefuseAnAssignmentThatNoModelTakes) {
+  const auto message = [](const std::string& assignment) {
+    return [assignment] { setups_to_compare({}, {"cam", "tapie"}, {}, {assignment}); };
+  };
+  EXPECT_THAT(message("alpha=2"), ::testing::ThrowsMessage<InputError>(::testing::HasSubstr(
+                                      "'alpha' is known to none of the models cam, tapie; ")));
+  EXPECT_THAT(message("X.jrek=2"),
+              ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("did you mean 'X.jerk'?")));
+  EXPECT_THAT(message("X.jerk"), ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("has no value")));
+}
+
 TEST(CompareRuns, GiveTheFiguresOfSingleRunsInTheOrderOfTheSetups) {
   const LoadedProgram program = corner();
   const auto setups = setups_to_compare({"spinner-mvc850", "huron-kx10"}, {}, {0.01, 0.02, 0.05});
@@ -67,6 +88,12 @@ TEST(CompareRuns, PassOnWhatTheFirstFailedRunThrew) {
 
 TEST(CompareRuns, OfNoSetupIsNothing) {
   EXPECT_TRUE(compare_runs(corner(), {}).empty());
+}
+
+TEST(CompareRuns, ReportTheWholeWhenTheyAreDone) {
+  Progress progress;
+  compare_runs(corner(), setups_to_compare({}, {}, {}), &progress);
+  EXPECT_EQ(progress.fraction(), 1);
 }
 
 TEST(CompareRuns, StopWhenCancelled) {
