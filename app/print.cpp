@@ -62,16 +62,19 @@ std::string cause_table(const Summary& summary) {
 
 std::string TextTable::text(std::string_view alignments) const {
   std::vector<std::size_t> widths(alignments.size(), 0);
-  for (const auto& row : rows_) {
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      widths[i] = std::max(widths[i], width_of(row[i]));
+  for (const Row& row : rows_) {
+    for (std::size_t i = 0; i < row.cells.size() && !row.heading; ++i) {
+      widths[i] = std::max(widths[i], width_of(row.cells[i]));
     }
   }
   std::string out;
-  for (const auto& row : rows_) {
+  for (const Row& row : rows_) {
     std::string line = " ";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      line += (i == 0 ? " " : "   ") + padded(row[i], widths[i], alignments[i] == 'r');
+    for (std::size_t i = 0; i < row.cells.size(); ++i) {
+      line += (i > 0         ? "   "
+               : row.heading ? ""
+                             : " ") +
+              padded(row.cells[i], widths[i], alignments[i] == 'r');
     }
     out += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
   }
@@ -99,13 +102,14 @@ std::string wrapped(const std::string& text, std::size_t indent) {
   return out;
 }
 
+std::string clock_text(double seconds) {
+  const long long whole = std::llround(seconds);
+  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
+}
+
 std::string time_text(double seconds) {
   const std::string text = fmt::format("{:.3f} s", seconds);
-  if (seconds < 60) {
-    return text;
-  }
-  const auto whole = static_cast<long long>(std::llround(seconds));
-  return fmt::format("{} ({}:{:02}:{:02})", text, whole / 3600, whole / 60 % 60, whole % 60);
+  return seconds < 60 ? text : fmt::format("{} ({})", text, clock_text(seconds));
 }
 
 void print_diagnostics(const Program& program) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,12 +12,18 @@ namespace feedscope {
 /// Rows of text in aligned columns.
 class TextTable {
  public:
-  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  void add(std::vector<std::string> row) { rows_.push_back({std::move(row), false}); }
+  /// A line of its own above the rows that follow, whatever the columns are.
+  void add_heading(std::string text) { rows_.push_back({{std::move(text)}, true}); }
   /// `alignments`: 'l' or 'r' for every column.
   std::string text(std::string_view alignments) const;
 
  private:
-  std::vector<std::vector<std::string>> rows_;
+  struct Row {
+    std::vector<std::string> cells;
+    bool heading;
+  };
+  std::vector<Row> rows_;
 };
 
 /// `text` with line breaks between words so that no line is wider than a terminal of 100 columns, if its
@@ -24,6 +31,8 @@ class TextTable {
 /// printed.
 std::string wrapped(const std::string& text, std::size_t indent);
 
+/// "1:02:05", to the nearest second.
+std::string clock_text(double seconds);
 /// "1.249 s", from a minute on with hours: "3725.4 s (1:02:05)".
 std::string time_text(double seconds);
 

@@ -35,16 +35,20 @@ void add_run_options(CLI::App& command, RunOptions& values) {
   command.add_option("--model", values.model, "Control model [the machine's own]")->type_name("ID");
   command.add_option("--tolerance", values.tolerance, "Contour tolerance in mm [the machine's own]")
       ->type_name("MM");
+  add_set_option(command, values.set);
+}
+
+void add_set_option(CLI::App& command, std::vector<std::string>& assignments) {
   command
       .add_option(
-          "--set", values.set,
+          "--set", assignments,
           "Change a setting of the model (alpha=2) or a limit of an axis (X.jerk=20); repeat for more")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
 }
 
 void note_unused_tolerance(const RunOptions& options, const Setup& setup) {
-  if (!options.tolerance.empty() && !setup.settings.has("contour_tolerance_mm")) {
+  if (!options.tolerance.empty() && !contour_tolerance(setup)) {
     fmt::print(stderr, "feedscope: note: model '{}' does not read a contour tolerance\n",
                setup.model->info().id);
   }

@@ -27,6 +27,8 @@ double parse_tolerance(const std::string& text);
 void add_run_options(CLI::App& command, RunOptions& values);
 /// Adds FILE alone.
 void add_program_option(CLI::App& command, std::string& file);
+/// Adds --set alone.
+void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 
 /// Tells on standard error when a tolerance was asked for that the model does not read.
 void note_unused_tolerance(const RunOptions& options, const Setup& setup);

@@ -1,77 +1,17 @@
+#include "tests/app/command_line.h"
+
 #include <gmock/gmock.h>
-#include <sys/wait.h>
 
-#include <algorithm>
-#include <array>
-#include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
+namespace feedscope::test {
 namespace {
 
-namespace fs = std::filesystem;
 using nlohmann::json;
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
-
-struct Result {
-  int code = -1;
-  std::string out;
-  std::string err;
-};
-
-std::string contents(const fs::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
-
-/// Runs the executable as people do, in a folder of its own.
-class CommandLine : public testing::Test {
- protected:
-  CommandLine() {
-    std::string name = (fs::temp_directory_path() / "feedscope-cli-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-    write("corner.nc", "G1 X20 F3000\nY20\n");
-    write("wrong.nc", "G1 X20 F3000\nfoo\nY20\n");
-  }
-  ~CommandLine() override { fs::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-
-  /// `arguments` as on a shell line, quotes and redirections included; `before` stands before the executable.
-  Result run(const std::string& arguments, const std::string& before = "") const {
-    const fs::path err = folder_ / "stderr";
-    const std::string line = "cd '" + folder_.string() + "' && " + before + " '" FEEDSCOPE_EXECUTABLE "' " +
-                             arguments + " 2>stderr";
-    Result result;
-    FILE* pipe = popen(line.c_str(), "r");
-    std::array<char, 4096> buffer{};
-    for (std::size_t n = 0; (n = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
-      result.out.append(buffer.data(), n);
-    }
-    const int status = pclose(pipe);
-    result.code = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    result.err = contents(err);
-    return result;
-  }
-
-  /// The call must fail as wrong use, print nothing on standard output, and say `message`.
-  void expect_wrong_use(const std::string& arguments, const std::string& message) const {
-    const Result result = run(arguments);
-    EXPECT_EQ(result.code, 2) << arguments;
-    EXPECT_EQ(result.out, "") << arguments;
-    EXPECT_THAT(result.err, AllOf(StartsWith("feedscope: "), HasSubstr(message))) << arguments;
-  }
-
-  fs::path folder_;
-};
 
 TEST_F(CommandLine, HasHelpForEveryCommand) {
   const Result all = run("--help");
@@ -173,44 +113,6 @@ TEST_F(CommandLine, SimulateRunsEveryMachineWithEveryModel) {
       EXPECT_GE(json::parse(result.out)["cycle_time_s"].get<double>(), 0.8 - 1e-12);
     }
   }
-}
-
-TEST_F(CommandLine, CompareSumsUpForPeople) {
-  const Result result =
-      run("compare corner.nc --model cam --model msaddek --tolerance 0.01 --tolerance 0,05");
-  EXPECT_EQ(result.code, 0);
-  EXPECT_EQ(result.err, "");
-  for (const std::string text :
-       {"against cam", "x 1.000", "msaddek             0.01", "msaddek             0.05", "Largest values",
-        "Time by limiting cause", "100 % programmed feed"}) {
-    EXPECT_THAT(result.out, HasSubstr(text));
-  }
-}
-
-TEST_F(CommandLine, CompareWritesItsFiles) {
-  EXPECT_EQ(
-      run("compare wrong.nc --machine huron-kx10 --machine spinner-mvc850 --csv a.csv --json a.json").code,
-      1);
-  const json runs = json::parse(contents(folder_ / "a.json"))["runs"];
-  ASSERT_GE(runs.size(), 6U);
-  EXPECT_EQ(runs[0]["machine"]["id"], "huron-kx10");
-  EXPECT_EQ(runs[0]["model"]["id"], "cam");
-  const std::string csv = contents(folder_ / "a.csv");
-  EXPECT_THAT(csv, StartsWith("machine,model,tolerance_mm,cycle_time_s,"));
-  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), runs.size() + 1);
-}
-
-TEST_F(CommandLine, CompareGivesTheSameFiguresAsSimulate) {
-  const json compared = json::parse(run("compare corner.nc --model essid --json -").out)["runs"][0];
-  const json alone = json::parse(run("simulate corner.nc --model essid --json -").out);
-  for (const char* key : {"machine", "model", "settings", "cycle_time_s", "peaks", "time_by_cause_s"}) {
-    EXPECT_EQ(compared[key], alone[key]) << key;
-  }
-}
-
-TEST_F(CommandLine, CompareNamesWhatItDoesNotKnow) {
-  expect_wrong_use("compare corner.nc --model cam --model esid", "did you mean 'essid'?");
-  expect_wrong_use("compare corner.nc --tolerance wide", "--tolerance");
 }
 
 TEST_F(CommandLine, SimulateTakesAMachineFile) {
@@ -375,3 +277,4 @@ TEST_F(CommandLine, NamesAWordThatIsNeitherCommandNorFile) {
 #endif
 
 }  // namespace
+}  // namespace feedscope::test

@@ -1,0 +1,144 @@
+#include "app/comparison_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
+#include <numeric>
+
+#include "app/print.h"
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+constexpr std::size_t causes_width = 92;  // leaves room for model and tolerance in a line of 120
+constexpr double shown_share = 0.005;     // of the cycle time; less would read 0 %
+
+std::string percent(double share) {
+  return std::isfinite(share) ? fmt::format("{:.0f}", 100 * share) : "-";
+}
+
+/// "40 % slowing for what follows, 35 % jerk of axis X, ...", the largest first, in lines that fit.
+std::vector<std::string> causes_text(const Summary& summary) {
+  const std::vector<double>& times = summary.time_by_cause;
+  std::vector<std::size_t> order(times.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t cause) { return times[cause]; });
+  std::vector<std::string> lines{""};
+  for (const std::size_t cause : order) {
+    if (!(times[cause] > shown_share * summary.cycle_time)) {
+      break;
+    }
+    const std::string part =
+        fmt::format("{} % {}", percent(times[cause] / summary.cycle_time), cause_title(all_causes()[cause]));
+    if (lines.back().empty()) {
+      lines.back() = part;
+    } else if (lines.back().size() + part.size() + 3 > causes_width) {
+      lines.back() += ',';
+      lines.push_back(part);
+    } else {
+      lines.back() += ", " + part;
+    }
+  }
+  return lines;
+}
+
+using Cells = std::vector<std::string>;
+
+/// A table with the name of a run in front of its cells and the machine above its runs.
+class RunTable {
+ public:
+  void add_head(Cells cells) { add({"model", "tolerance"}, std::move(cells)); }
+  void add_units(Cells cells) { add({"", "[mm]"}, std::move(cells)); }
+
+  void add_run(const ComparedRun& run, Cells cells) {
+    const Machine& machine = run.setup.machine;
+    if (machine_ != machine.id) {
+      machine_ = machine.id;
+      table_.add_heading(fmt::format("{} ({})", machine.name, machine.id));
+    }
+    const std::optional<double> tolerance = contour_tolerance(run.setup);
+    add({run.setup.model->info().id, tolerance ? fmt::format("{}", *tolerance) : "-"}, std::move(cells));
+  }
+
+  /// Another line of the run above.
+  void add_more(Cells cells) { add({"", ""}, std::move(cells)); }
+
+  /// `alignments`: of the cells.
+  std::string text(const std::string& alignments) const { return table_.text("lr" + alignments); }
+
+ private:
+  void add(Cells name, Cells cells) {
+    std::ranges::move(cells, std::back_inserter(name));
+    table_.add(std::move(name));
+  }
+
+  TextTable table_;
+  std::string machine_;
+};
+
+std::string times_table(std::span<const ComparedRun> runs) {
+  RunTable table;
+  table.add_head({"cycle time", "h:mm:ss", "against cam", "mean feed", "peak feed", "contour error"});
+  table.add_units({"[s]", "", "", "[mm/min]", "[mm/min]", "[mm]"});
+  for (const ComparedRun& run : runs) {
+    const Summary& summary = run.summary;
+    table.add_run(run, {fmt::format("{:.3f}", summary.cycle_time), clock_text(summary.cycle_time),
+                        fmt::format("x {:.3f}", run.against_cam()),
+                        fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
+                        fmt::format("{:.1f}", units::to_mm_min(summary.peak_feed)),
+                        fmt::format("{:.4f}", summary.max_contour_error)});
+  }
+  return table.text("rrrrrr");
+}
+
+void add_shares(Cells& cells, const ComparedRun& run, double AxisPeaks::*peak, double AxisLimits::*limit) {
+  for (std::size_t i = 0; i < run.summary.axes.size(); ++i) {
+    cells.push_back(percent(run.summary.axes[i].*peak / run.setup.machine.axes[i].*limit));
+  }
+}
+
+std::string peaks_table(std::span<const ComparedRun> runs) {
+  RunTable table;
+  table.add_head({"velocity X", "Y", "Z", "acceleration X", "Y", "Z", "jerk X", "Y", "Z"});
+  for (const ComparedRun& run : runs) {
+    Cells shares;
+    add_shares(shares, run, &AxisPeaks::velocity, &AxisLimits::velocity);
+    add_shares(shares, run, &AxisPeaks::acceleration, &AxisLimits::acceleration);
+    add_shares(shares, run, &AxisPeaks::jerk, &AxisLimits::jerk);
+    table.add_run(run, std::move(shares));
+  }
+  return table.text("rrrrrrrrr");
+}
+
+std::string causes_table(std::span<const ComparedRun> runs) {
+  RunTable table;
+  table.add_head({"of the cycle time, largest first"});
+  for (const ComparedRun& run : runs) {
+    const std::vector<std::string> lines = causes_text(run.summary);
+    table.add_run(run, {lines.front()});
+    for (std::size_t i = 1; i < lines.size(); ++i) {
+      table.add_more({lines[i]});
+    }
+  }
+  return table.text("l");
+}
+
+}  // namespace
+
+std::string comparison_text(const LoadedProgram& program, std::span<const ComparedRun> runs,
+                            const std::vector<std::string>& assignments) {
+  std::string heading =
+      fmt::format("{}, path {:.3f} mm", program.program->source->name(), program.toolpath->length());
+  if (!assignments.empty()) {
+    heading += fmt::format(", with {}", fmt::join(assignments, " "));
+  }
+  return fmt::format("{}\n\n{}\nLargest values in percent of the limits\n{}\nTime by limiting cause\n{}",
+                     heading, times_table(runs), peaks_table(runs), causes_table(runs));
+}
+
+}  // namespace feedscope

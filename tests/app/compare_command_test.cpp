@@ -1,0 +1,118 @@
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/models/control_model.h"
+#include "tests/app/command_line.h"
+
+namespace feedscope::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class CompareCommand : public CommandLine {
+ protected:
+  json runs_of(const std::string& arguments) const {
+    return json::parse(run("compare " + arguments + " --json -").out)["runs"];
+  }
+};
+
+TEST_F(CompareCommand, SumsUpForPeople) {
+  const Result result =
+      run("compare corner.nc --model cam --model msaddek --tolerance 0.01 --tolerance 0,05");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.err, "");
+  for (const std::string text :
+       {"corner.nc, path 40.000 mm", "Spinner MVC 850 (spinner-mvc850)", "against cam", "x 1.000",
+        "msaddek        0.01", "msaddek        0.05", "Largest values", "Time by limiting cause",
+        "cam               -   100 % programmed feed"}) {
+    EXPECT_THAT(result.out, HasSubstr(text));
+  }
+}
+
+TEST_F(CompareCommand, FitsInto120ColumnsWithEveryModelAndTwoTolerances) {
+  std::istringstream text(run("compare corner.nc --tolerance 0.0025 --tolerance 0.125 --machine huron-kx10 "
+                              "--machine mikron-ucp710")
+                              .out);
+  std::size_t lines = 0;
+  for (std::string line; std::getline(text, line); ++lines) {
+    EXPECT_LE(line.size(), 120U) << line;
+  }
+  EXPECT_GT(lines, 3 * 2 * all_models().size());
+}
+
+TEST_F(CompareCommand, ShowsNoShareOfAnEmptyProgram) {
+  write("empty.nc", "");
+  const Result result = run("compare empty.nc");
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("0:00:00"), Not(HasSubstr("nan")), Not(HasSubstr("inf"))));
+}
+
+TEST_F(CompareCommand, WritesItsFiles) {
+  EXPECT_EQ(
+      run("compare wrong.nc --machine huron-kx10 --machine spinner-mvc850 --csv a.csv --json a.json").code,
+      1);
+  const json runs = json::parse(contents(folder_ / "a.json"))["runs"];
+  ASSERT_GE(runs.size(), 6U);
+  EXPECT_EQ(runs[0]["machine"]["id"], "huron-kx10");
+  EXPECT_EQ(runs[0]["model"]["id"], "cam");
+  const std::string csv = contents(folder_ / "a.csv");
+  EXPECT_THAT(csv, StartsWith("machine,model,tolerance_mm,cycle_time_s,"));
+  EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), runs.size() + 1);
+}
+
+TEST_F(CompareCommand, GivesTheSameFiguresAsSimulate) {
+  const json compared = runs_of("corner.nc --model essid")[0];
+  const json alone = json::parse(run("simulate corner.nc --model essid --json -").out);
+  for (const char* key : {"machine", "model", "settings", "cycle_time_s", "peaks", "time_by_cause_s"}) {
+    EXPECT_EQ(compared[key], alone[key]) << key;
+  }
+}
+
+TEST_F(CompareCommand, SetsWhatEachModelKnows) {
+  const json runs = runs_of("corner.nc --model cam --model essid --set alpha=2 --set X.jerk=5");
+  ASSERT_EQ(runs.size(), 2U);
+  EXPECT_FALSE(runs[0]["settings"].contains("alpha"));
+  EXPECT_EQ(runs[1]["settings"]["alpha"], 2);
+  for (const json& run : runs) {
+    EXPECT_DOUBLE_EQ(run["limits"]["axes"]["X"]["jerk_m_s3"], 5);
+  }
+  EXPECT_THAT(run("compare corner.nc --model essid --set alpha=2 --set X.jerk=5").out,
+              StartsWith("corner.nc, path 40.000 mm, with alpha=2 X.jerk=5\n"));
+}
+
+TEST_F(CompareCommand, NamesWhatItDoesNotKnow) {
+  expect_wrong_use("compare corner.nc --model cam --model esid", "did you mean 'essid'?");
+  expect_wrong_use("compare corner.nc --tolerance wide", "--tolerance");
+  expect_wrong_use("compare corner.nc --model cam --model essid --set alhpa=2",
+                   "'alhpa' is known to none of the models cam, essid; did you mean 'alpha'?");
+  expect_wrong_use("compare corner.nc --model cam --set alpha=2",
+                   "'alpha' is known to none of the models cam;");
+  expect_wrong_use("compare corner.nc --set alpha=99", "alpha = 99 is out of bounds");
+  expect_wrong_use("compare corner.nc --set alpha", "'alpha' has no value");
+}
+
+TEST_F(CompareCommand, NamesAnOutputThatCannotBeWritten) {
+  expect_wrong_use("compare corner.nc --csv none/a.csv", "cannot write 'none/a.csv'");
+  expect_wrong_use("compare corner.nc --csv a --json ./a", "two results would go there");
+}
+
+TEST_F(CompareCommand, CancelsOnInterruptAndLeavesNoFile) {
+  std::string text = "G1 F6000\n";
+  for (int i = 0; i < 200000; ++i) {
+    text += "X" + std::to_string(i % 7) + " Y" + std::to_string(i % 5) + "\n";
+  }
+  write("long.nc", text);
+  const Result result = run("compare long.nc --csv long.csv", "timeout --preserve-status --signal=INT 0.7");
+  EXPECT_EQ(result.code, 130);
+  EXPECT_EQ(result.out, "");
+  EXPECT_FALSE(fs::exists(folder_ / "long.csv"));
+}
+
+}  // namespace
+}  // namespace feedscope::test
