@@ -165,6 +165,9 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
     summary.time_by_cause.push_back(sum.value());
   }
   summary.max_contour_error = trajectory.compaction_error();
+  for (const FilteredMotion& motion : trajectory.motions()) {
+    summary.max_contour_error = std::max(summary.max_contour_error, motion.contour_error());
+  }
   for (const BlendRecord& blend : trajectory.blends()) {
     summary.max_contour_error = std::max(summary.max_contour_error, blend.epsilon);
   }

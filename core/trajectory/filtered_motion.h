@@ -1,62 +1,64 @@
 #pragma once
 
-#include <vector>
-
-#include "core/trajectory/kinematics.h"
+#include "core/trajectory/filter_walk.h"
 
 namespace feedscope {
 
-/// A stretch of constant commanded velocity; it lasts until the next begins.
-struct Pulse {
-  double time = 0;  ///< start, from the start of the motion [s]
-  Vec3 velocity;    ///< [mm/s]
-  Vec3 position;    ///< commanded, at the start [mm]
+/// Path length of smoothed pulses, from instant to instant in order: exact where the velocity is constant, else
+/// by quadrature with the speed and its derivative at three places, halved until that agrees with the rule of
+/// lower order to 1e-9 of what the largest speed covers.
+class LengthWalk {
+ public:
+  /// Starts at `t` from the start of the motion [s].
+  LengthWalk(FilterWalk& walk, const PulseTrain& train, double t);
+  /// Path length covered since the instant before [mm].
+  double advance_to(double t);
+
+ private:
+  /// Speed [mm/s] and its derivative at one instant.
+  struct Sample {
+    double time = 0;
+    double speed = 0;
+    double slope = 0;
+  };
+  Sample sample(double t);
+  double between(const Sample& from, const Sample& middle, const Sample& to, double tolerance, int depth);
+
+  FilterWalk& walk_;
+  const PulseTrain& train_;
+  Sample last_;
 };
 
-/// Velocity pulses smoothed by `filters` equal moving averages of length `filter_time`, from standstill to
-/// standstill (Ward 2021, eq 1-7; MODELS section 5):
-///
-///   p'(t) = sum_j dv_j T1 S_(n,n+1)((t - t_j)/T1),   velocity S_(n,n), acceleration S_(n,n-1)/T1,
-///   S_(n,m)(u) = (1/m!) sum_i (-1)^i C(n,i) (u - i)_+^m       jerk S_(n,n-2)/T1^2
-///
-/// dv_j the velocity steps at the pulses' starts t_j. Every axis is a polynomial of degree n + 1 between
-/// neighbouring t_j + i T1; the pulses are kept rather than these polynomials, of which there are n + 1 times
-/// as many. Only the pulses of the last n T1 count: the cost of one evaluation is linear in their number.
+/// Velocity pulses smoothed by equal moving averages, from standstill to standstill (Ward 2021, eq 1-7; MODELS
+/// section 5). Kept as pulses: between their starts t_j and t_j + i T1 every axis is a polynomial of degree
+/// n + 1 of its own, on arcs a harmonic besides. An evaluation here costs the pulses within one delay; for many
+/// instants in order use a FilterWalk on train().
 class FilteredMotion {
  public:
-  /// `filters` 2 or 3; `filter_time` > 0 [s]; `start` on the clock of the trajectory [s]; at least two
-  /// `pulses` in order of time, the last at rest.
-  FilteredMotion(int filters, double filter_time, double start, std::vector<Pulse> pulses);
+  /// `start` on the clock of the trajectory [s]; `contour_error`: largest distance of a programmed point from
+  /// the path [mm].
+  FilteredMotion(double start, PulseTrain train, double contour_error = 0);
 
-  double start() const { return start_; }                           ///< [s]
-  double filter_time() const { return filter_time_; }               ///< T1 [s]
-  double delay() const { return delay_; }                           ///< n T1 [s]
-  double duration() const { return pulses_.back().time + delay_; }  ///< [s]
-  const std::vector<Pulse>& pulses() const { return pulses_; }
+  double start() const { return start_; }                         ///< [s]
+  double filter_time() const { return train_.filter_time; }       ///< T1 [s]
+  double delay() const { return train_.delay(); }                 ///< n T1 [s]
+  double duration() const { return train_.duration(); }           ///< [s]
+  double contour_error() const { return contour_error_; }         ///< [mm]
+  const PulseTrain& train() const { return train_; }
 
   /// At `t` from the start [s].
   Kinematics at(double t) const;
-  Vec3 velocity(double t) const;
-  /// Path length from `t0` to `t1` [mm]: exact where the velocity is constant, else by Gauss-Legendre
-  /// quadrature, halved until two halves agree with the whole to 1e-9
-  /// of what the largest speed covers.
+  /// Path length from `t0` to `t1` [mm], by a LengthWalk.
   double length(double t0, double t1) const;
   /// First time in [t0, t1] at which `length` [mm] from t0 is covered.
   double time_at_length(double t0, double t1, double length) const;
-  /// Whether one pulse fills the filters all the time from `t0` to `t1`: the velocity is constant.
+  /// Whether one straight pulse fills the filters all the time from `t0` to `t1`: the velocity is constant.
   bool is_settled(double t0, double t1) const;
 
  private:
-  std::size_t pulse_after(double t) const;  ///< first that begins after `t`
-  double quadrature(double t0, double t1) const;
-  double refined(double t0, double t1, double whole, double tolerance, int depth) const;
-
-  int filters_;
-  double filter_time_;
-  double delay_;
   double start_;
-  double largest_speed_ = 0;  ///< of the pulses [mm/s]
-  std::vector<Pulse> pulses_;
+  PulseTrain train_;
+  double contour_error_ = 0;
 };
 
 }  // namespace feedscope

@@ -32,6 +32,9 @@ class TrajectoryBuilder {
 
   const BlendedPath& path() const { return path_; }
   double time() const { return time_; }
+  /// Index of the element, and of the motion, that is added next.
+  std::uint32_t element_count() const { return static_cast<std::uint32_t>(path_.elements.size()); }
+  std::uint32_t motion_count() const { return static_cast<std::uint32_t>(motions_.size()); }
   /// The trajectory of everything added; the builder is empty then.
   Trajectory finish();
 

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 
 namespace feedscope {
 namespace {
@@ -17,6 +19,28 @@ double distance_slope(int filters, double a) {
   const double p = -48 + a * (288 + a * (-648 + a * (648 - 162 * a)));
   const double dp = 288 + a * (-1296 + a * (1944 - 648 * a));
   return (78 - p + (1 - a) * dp) / 384;
+}
+
+/// x in (0, pi) with 1 - sin(x)/x = `loss`, which is in (0, 1).
+double inverse_sinc_loss(double loss) {
+  const auto excess = [&](double x) {
+    const double y = x * x;
+    return x < 0.5 ? y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110)))) - loss
+                   : 1 - std::sin(x) / x - loss;
+  };
+  double low = 0;
+  double high = std::numbers::pi;
+  double x = std::min(std::sqrt(6 * loss), high);
+  for (int i = 0; i < 60 && high - low > 1e-15; ++i) {
+    const double error = excess(x);
+    (error > 0 ? high : low) = x;
+    const double next = x - error / ((std::sin(x) - x * std::cos(x)) / (x * x));
+    if (std::abs(next - x) <= 1e-14 * x) {
+      break;
+    }
+    x = next > low && next < high ? next : (low + high) / 2;
+  }
+  return x;
 }
 
 }  // namespace
@@ -66,6 +90,19 @@ double corner_speed(int filters, double filter_time, const CornerLegs& legs, dou
     v = next > low && next < high ? next : (low + high) / 2;
   }
   return v;
+}
+
+double turn_gain(int filters, double x) {
+  const double sinc = x > 0 ? std::sin(x) / x : 1;
+  return filters == 2 ? sinc * sinc : sinc * sinc * sinc;
+}
+
+double arc_speed(int filters, double filter_time, const Arc& arc, double tolerance) {
+  if (tolerance >= arc.radius) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double loss = -std::expm1(std::log1p(-tolerance / arc.radius) / filters);
+  return 2 * inverse_sinc_loss(loss) / filter_time * arc.length_per_radian();
 }
 
 }  // namespace feedscope

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "core/toolpath/curve.h"
+
 namespace feedscope {
 
 /// Closed forms of an isolated corner (Ward 2021, section 3; MODELS section 5 with print corrected: eq 29 and
@@ -27,5 +29,13 @@ struct CornerLegs {
 /// equal feeds this is eps = tolerance; for unequal ones the distance across the bisector, which closest
 /// approach equals as long as the path there follows the bisector.
 double corner_speed(int filters, double filter_time, const CornerLegs& legs, double tolerance);
+
+/// What n moving averages over T1 leave of exp(i w t): sinc^n(x), x = w T1/2.
+double turn_gain(int filters, double x);
+
+/// Highest speed [mm/s] on a long arc or helix at which the path, which n moving averages shrink to
+/// sinc^n(w T1/2) of the radius R, w the angular speed, stays within `tolerance` [mm] of it; infinite where the
+/// tolerance is not below R.
+double arc_speed(int filters, double filter_time, const Arc& arc, double tolerance);
 
 }  // namespace feedscope

@@ -54,9 +54,9 @@ const ModelInfo& WardModel::info() const {
         "Accurate prediction of machining feedrate and cycle times considering interpolator dynamics",
         "Every block is a velocity pulse, lowered around corners so far that the contour tolerance is kept; "
         "two or "
-        "three equal moving averages smooth the pulses of each axis. Arcs, which the paper does not cover, "
-        "run as "
-        "chords within a tenth of the tolerance, at the static limits of Tapie 2007.",
+        "three equal moving averages smooth the pulses of each axis. On arcs, which the paper does not cover, "
+        "the "
+        "pulses turn; they keep the static limits of Tapie 2007, and the tolerance as corners do.",
         {filters, jerk, time, enforce},
         {"contour_tolerance_mm"},
         {"A filtered velocity is an average of commanded ones, which keeps the axes' velocities.",
@@ -82,7 +82,7 @@ Guarantees WardModel::guarantees(const Settings& settings) const {
 Trajectory WardModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
                                   Progress* progress) const {
   TrajectoryBuilder builder;
-  WardRunner runner(toolpath, AxisVectors(machine), WardSettings(settings), builder);
+  WardRunner runner(std::make_shared<const Toolpath>(toolpath), AxisVectors(machine), WardSettings(settings), builder);
   run_stretches(
       toolpath, builder, progress, false,
       [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, false);

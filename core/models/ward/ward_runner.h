@@ -1,72 +1,85 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/models/ward/pulse_train.h"
 #include "core/models/ward/ward_settings.h"
+#include "core/trajectory/filtered_corner.h"
 #include "core/trajectory/stretch.h"
 
 namespace feedscope {
 
 /// Runs stretches from standstill to standstill, one after the other, into a trajectory: chooses the pulses
-/// (ward_runner.cpp) and lays the filtered motion out as elements, pieces and records (ward_motion.cpp).
+/// (ward_runner.cpp), lowers them until the contour tolerance is kept (ward_tolerance.cpp) and lays the filtered
+/// motion out as elements, pieces and records (ward_motion.cpp).
 class WardRunner {
  public:
-  WardRunner(const Toolpath& toolpath, const AxisVectors& axes, const WardSettings& settings,
+  WardRunner(std::shared_ptr<const Toolpath> toolpath, const AxisVectors& axes, const WardSettings& settings,
              TrajectoryBuilder& builder);
 
   /// Lines and arcs without a stop between them. `steps` counts segments.
   void run(const StretchRange& range, ProgressSteps& steps);
 
  private:
-  /// The corner nearest to the path, seen from the corner.
-  struct Approach {
-    double distance = 0;  ///< [mm]
-    double time = 0;      ///< of the motion [s]
-  };
   struct Span {
     double end = 0;  ///< of the motion [s]
     double q = 0;    ///< path length from the element's start [mm]
     Cause cause;
     bool settled = false;
   };
+  struct SpanEnd {
+    double time = 0;                    ///< of the motion [s]
+    std::optional<std::size_t> corner = std::nullopt;  ///< whose blending pulse fills the span, if one
+    bool settled = false;
+  };
 
-  void lay_links(const StretchRange& range);
-  void add_arc_links(std::size_t segment, const MotionLimits& limits);
+  void find_limits(const StretchRange& range);
   void choose_filter_time();
+  void limit_arcs();
   void choose_corner_speeds();
-  FilteredMotion smooth(std::vector<Pulse> pulses) const;
-  /// Lowers corner speeds until every corner keeps the tolerance.
+
+  /// Lowers corner speeds, and feeds on arcs, until every corner and every arc keeps the tolerance.
   void enforce_tolerance(ProgressSteps& steps);
   /// Lowers those that are too far from the path and in `check`, which is cleared. True if any was.
-  bool lower_corners(const FilteredMotion& motion, int pass);
-  void mark_neighbours(const std::vector<double>& speeds_before);
-  Approach approach(const FilteredMotion& motion, std::size_t corner, double good_enough) const;
+  bool lower_blocks(int pass, ProgressSteps& steps);
+  bool lower_corner(std::size_t block, int pass);
+  bool lower_arc(std::size_t block, int pass);
+  void mark_neighbours();
+  /// Calls f(point, time) for programmed points inside the arc that `block` is, as far from its ends as the
+  /// filters reach at most, and in its middle; `time` is when the path is about there [s].
+  template <typename F>
+  void for_points_of_arc(std::size_t block, F f) const;
+  double arc_distance(std::size_t block, double good_enough);
+  double corner_distance_of(std::size_t block, double good_enough);
+  bool is_arc(std::size_t block) const { return train_.segment(block).kind == SegmentKind::arc; }
 
-  void lay_motion(const StretchRange& range, const FilteredMotion& motion, ProgressSteps& steps);
-  void add_link_spans(const FilteredMotion& motion, std::size_t link);
-  void add_span(const FilteredMotion& motion, double end, const Cause& cause, bool settled);
-  /// Why the tool is not faster between `from` and `to`, where link `link` commands `feed`. `corner`: whose
-  /// blending pulse that is, if one.
-  Cause cause_between(const FilteredMotion& motion, double from, double to, std::size_t link, double feed,
-                      std::optional<std::size_t> corner) const;
+  void lay_motion(ProgressSteps& steps);
+  void add_element(double start, std::size_t block);
+  void add_record(std::size_t block);
+  /// Largest distance of the block's start and of its inside, if it is an arc [mm].
+  double contour_error(std::size_t block);
+  void add_spans(LengthWalk& length, std::size_t block);
+  void add_span(LengthWalk& length, std::size_t block, const SpanEnd& to);
+  /// Why the tool is not faster between `from` and `to` on `block`. `corner`: whose blending pulse that is, if
+  /// one.
+  Cause cause_between(double from, double to, std::size_t block, std::optional<std::size_t> corner);
+  /// Share of the speed limit on an arc that the filters leave of a pulse.
+  double arc_gain(std::size_t block) const;
   bool slowed_by_tolerance(std::size_t corner) const;
-  void add_record(const FilteredMotion& motion, std::size_t corner, std::uint32_t element);
 
-  const Toolpath& toolpath_;
+  std::shared_ptr<const Toolpath> toolpath_;
   AxisVectors axes_;
   WardSettings settings_;
   TrajectoryBuilder& builder_;
 
-  double filter_time_ = 0;  ///< T1 [s]
-  double half_delay_ = 0;   ///< c = n T1/2 [s]
-  Vec3 end_;                ///< of the stretch [mm]
-  std::vector<Link> links_;
-  std::vector<double> corner_speeds_;  ///< at the start of each link, and at the end [mm/s]
-  std::vector<double> link_start_;     ///< of the pulses, and their end [s]
-  std::vector<char> check_;            ///< corners whose distance may have changed
+  PulseTrain train_;
+  FilterWalk walk_;
+  std::vector<SpeedBound> limits_;     ///< of the feed, a block
+  std::vector<double> corner_speeds_;  ///< at the start of every block, to be laid next [mm/s]
+  std::vector<char> check_;            ///< blocks whose start or inside may have moved
+  std::vector<char> slowed_;           ///< arcs whose feed this pass has lowered
   std::vector<Span> spans_;            ///< of the element under way
 };
 

@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/models/ward/corner_pulse.h"
-#include "core/models/ward/pulse_train.h"
+#include "core/models/ward/short_blocks.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -158,19 +158,25 @@ TEST(WardRightAngle, SpeedInTheMiddleIsThatOfTheClosedForm) {
 }
 
 TEST(WardShortBlocks, PulsesCoverTheBlockExactly) {
-  const auto block = [](double length) { return Link{Vec3::Zero(), Vec3::UnitX(), length, {50, {}}, 1, 0}; };
-  const double c = 0.038;
   for (const double length : {1e-6, 1e-3, 0.1, 0.7, 3.0}) {
-    const std::vector<Link> links{block(10), block(length), block(10)};
-    std::vector<double> speeds{0, 3, 20, 0};
-    cap_by_short_blocks(links, c, speeds);
-    for (std::size_t i = 0; i < links.size(); ++i) {
-      const LinkPulses p = link_pulses(links, i, c, speeds);
-      EXPECT_GE(p.width, 0);
-      EXPECT_LE(p.feed, 50);
-      EXPECT_NEAR(speeds[i] * p.width_left + p.feed * p.width + speeds[i + 1] * p.width_right,
-                  links[i].length, 1e-12);
+    const auto path = std::make_shared<const Toolpath>(
+        testing::polyline({{0, 0, 0}, {10, 0, 0}, {10, length, 0}, {20, length, 0}}, 50));
+    PulseTrain train{path, 0, 2, 0.038, 0, std::vector<BlockPulses>(4)};
+    const std::vector<SpeedBound> limits(3, {50, {}});
+    std::vector<double> speeds{0, 3, 20};
+    cap_by_short_blocks(train, speeds);
+    lay_pulses(train, limits, speeds);
+    double end = 0;
+    for (std::size_t i = 0; i < train.size(); ++i) {
+      const PulseWidths widths = train.widths(i);
+      EXPECT_LE(train.blocks[i].feed, 50);
+      EXPECT_NEAR(train.blocks[i].start, end, 1e-15);
+      EXPECT_NEAR(train.blocks[i].corner_speed * widths.left + train.blocks[i].feed * widths.middle +
+                      train.blocks[i + 1].corner_speed * widths.right,
+                  train.segment(i).length, 1e-12);
+      end += widths.sum();
     }
+    EXPECT_NEAR(train.end(), end, 1e-15);
   }
 }
 

@@ -87,9 +87,7 @@ TEST_P(WardOnRandomPaths, StateIsTheDerivativeOfItselfAndOfThePathLength) {
   for_each_run([](const Toolpath&, const Trajectory& run) {
     double largest = 0;  // the quadrature's measure [mm/s]
     for (const FilteredMotion& motion : run.motions()) {
-      for (const Pulse& pulse : motion.pulses()) {
-        largest = std::max(largest, pulse.velocity.norm());
-      }
+      largest = std::max(largest, motion.train().largest_feed);
     }
     for (std::size_t p = 0; p < run.pieces().size(); ++p) {
       const double duration = run.piece_end(p) - run.pieces()[p].time;
@@ -130,7 +128,7 @@ TEST_P(WardOnRandomPaths, TakesTheCommandedTimeAndTheDelayOfEveryStretch) {
     double total = 0;
     for (const FilteredMotion& motion : run.motions()) {
       EXPECT_NEAR(motion.start(), total, 1e-9 * (1 + total));
-      total += motion.pulses().back().time + GetParam() * motion.filter_time();
+      total += motion.train().end() + GetParam() * motion.filter_time();
     }
     ASSERT_NEAR(run.duration(), total, 1e-9 * (1 + total));
   });

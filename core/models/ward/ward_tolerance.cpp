@@ -1,0 +1,134 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/models/ward/short_blocks.h"
+#include "core/models/ward/ward_runner.h"
+
+namespace feedscope {
+namespace {
+
+// Where corners are dense their distance goes with the square of the speed. The later passes end what converges
+// too slowly, at the latest by a stop in the corner.
+constexpr double aim = 0.98;
+constexpr double slack = 1e-6;
+constexpr int careful_passes = 16;
+constexpr int last_passes = 24;
+
+double lowering_factor(double distance, double tolerance, int pass) {
+  const double factor = std::sqrt(aim * tolerance / distance);
+  return pass < careful_passes ? factor : std::min(factor, 0.5);
+}
+
+}  // namespace
+
+void WardRunner::enforce_tolerance(ProgressSteps& steps) {
+  check_.assign(train_.size(), 1);
+  slowed_.assign(train_.size(), 0);
+  for (int pass = 0; lower_blocks(pass, steps); ++pass) {
+    cap_by_short_blocks(train_, corner_speeds_);
+    mark_neighbours();
+    lay_pulses(train_, limits_, corner_speeds_);
+    walk_.forget();
+  }
+}
+
+bool WardRunner::lower_blocks(int pass, ProgressSteps& steps) {
+  steps.at(train_.first);
+  bool lowered = false;
+  for (std::size_t i = 0; i < train_.size(); ++i) {
+    if (!check_[i]) {
+      continue;
+    }
+    check_[i] = 0;
+    lowered = (i > 0 && lower_corner(i, pass)) || lowered;
+    lowered = (is_arc(i) && lower_arc(i, pass)) || lowered;
+  }
+  return lowered;
+}
+
+bool WardRunner::lower_corner(std::size_t block, int pass) {
+  const double allowed = settings_.tolerance * (1 + slack);
+  const double distance = corner_distance_of(block, allowed);
+  if (distance <= allowed || corner_speeds_[block] == 0) {
+    return false;
+  }
+  corner_speeds_[block] *= pass < last_passes ? lowering_factor(distance, settings_.tolerance, pass) : 0;
+  return true;
+}
+
+bool WardRunner::lower_arc(std::size_t block, int pass) {
+  const bool stops_after = block + 1 == train_.size() || corner_speeds_[block + 1] == 0;
+  if (corner_speeds_[block] == 0 && stops_after && pass >= last_passes) {
+    return false;  // alone between two stops it keeps the tolerance by its limit
+  }
+  const double allowed = settings_.tolerance * (1 + slack);
+  const double distance = arc_distance(block, allowed);
+  if (distance <= allowed) {
+    return false;
+  }
+  const double factor = lowering_factor(distance, settings_.tolerance, pass);
+  limits_[block] = {factor * train_.blocks[block].feed, {CauseKind::contour_tolerance}};
+  slowed_[block] = 1;
+  const double end_speed = pass < last_passes ? limits_[block].value : 0;
+  corner_speeds_[block] = std::min(corner_speeds_[block], end_speed);
+  if (block + 1 < train_.size()) {
+    corner_speeds_[block + 1] = std::min(corner_speeds_[block + 1], end_speed);
+  }
+  return true;
+}
+
+void WardRunner::mark_neighbours() {
+  const auto& blocks = train_.blocks;
+  std::size_t unmarked = 0;
+  for (std::size_t i = 0; i < train_.size(); ++i) {
+    if (corner_speeds_[i] == blocks[i].corner_speed && !slowed_[i]) {
+      continue;
+    }
+    const double first = blocks[i].start - train_.delay();
+    const double last = (slowed_[i] ? blocks[i + 1].start : blocks[i].start) + train_.delay();
+    slowed_[i] = 0;
+    for (std::size_t k = i; k > unmarked && blocks[k].start >= first; --k) {
+      check_[k - 1] = 1;
+    }
+    std::size_t k = std::max(i, unmarked);
+    for (; k < train_.size() && blocks[k].start <= last; ++k) {
+      check_[k] = 1;
+    }
+    unmarked = k;
+  }
+}
+
+template <typename F>
+void WardRunner::for_points_of_arc(std::size_t block, F f) const {
+  const double begin = train_.blocks[block].start;
+  const double half = (train_.blocks[block + 1].start - begin) / 2;
+  const double c = train_.half_delay();
+  const auto at = [&](double t) { return f(train_.commanded(block, t), t + c); };
+  for (const double reach : {c / 2, c}) {
+    if (reach < half) {
+      at(begin + reach);
+      at(begin + 2 * half - reach);
+    }
+  }
+  at(begin + half);
+}
+
+double WardRunner::arc_distance(std::size_t block, double good_enough) {
+  double distance = 0;
+  for_points_of_arc(block, [&](const Vec3& point, double time) {
+    distance = std::max(distance, closest_approach(walk_, train_, point, time, good_enough).distance);
+  });
+  return distance;
+}
+
+double WardRunner::corner_distance_of(std::size_t block, double good_enough) {
+  const double time = train_.blocks[block].start + train_.half_delay();
+  return closest_approach(walk_, train_, train_.point(block), time, good_enough).distance;
+}
+
+double WardRunner::contour_error(std::size_t block) {
+  const double corner = block > 0 ? corner_distance_of(block, 0) : 0;
+  return is_arc(block) ? std::max(corner, arc_distance(block, 0)) : corner;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,225 @@
+#include "core/trajectory/filter_walk.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace feedscope {
+namespace {
+
+/// In delays after the anchor: where the instant that asks for a new one lies, so that small steps back do not
+/// ask again; and up to where the integrals, which grow with the power n + 1 of it, are precise enough.
+constexpr double first_instant = 1.5;
+constexpr double farthest = 4;
+
+/// (-1)^i C(n, i).
+template <int filters>
+constexpr std::array<double, filters + 1> binomials() {
+  if constexpr (filters == 2) {
+    return {1, -2, 1};
+  } else {
+    return {1, -3, 3, -1};
+  }
+}
+
+/// The m-fold integrals of exp(i w h) - 1 over h^m, with x = w h: E_m = (exp(ix) - sum_(k<=m) (ix)^k/k!)/(ix)^m.
+struct TurnIntegrals {
+  std::array<double, 4> re;
+  std::array<double, 4> im;
+
+  explicit TurnIntegrals(double x) {
+    constexpr std::array<double, 4> inverse_factorial{1, 1, 1.0 / 2, 1.0 / 6};
+    constexpr double series_up_to = 1.5;
+    if (x > series_up_to) {
+      re[0] = std::cos(x) - 1;
+      im[0] = std::sin(x);
+      for (std::size_t m = 1; m < 4; ++m) {
+        re[m] = im[m - 1] / x - inverse_factorial[m];
+        im[m] = -re[m - 1] / x;
+      }
+      return;
+    }
+    sum_third(x);
+    for (std::size_t m = 3; m > 0; --m) {
+      re[m - 1] = -x * im[m];
+      im[m - 1] = x * (re[m] + inverse_factorial[m]);
+    }
+  }
+
+ private:
+  /// E_3 = sum_(k>0) (ix)^k/(k+3)!
+  void sum_third(double x) {
+    constexpr int terms = 9;
+    const double square = x * x;
+    double even = 0;
+    double odd = 0;
+    for (int k = terms; k > 0; --k) {
+      even = (1 - even * square) / ((2 * k + 3) * (2 * k + 2));
+      odd = (1 - odd * square) / ((2 * k + 2) * (2 * k + 1));
+    }
+    re[3] = -square * even / 6;
+    im[3] = x * odd / 2;
+  }
+};
+
+
+/// P_lowest ... P_filters of a part `h` after its start, P_(-1) being the velocity.
+template <int filters, int lowest>
+using Integrals = std::array<Vec3, filters - lowest + 1>;
+
+template <int filters, int lowest>
+void add_turn(const CommandPart& part, double h, Integrals<filters, lowest>& out) {
+  const TurnIntegrals turn(part.rate * h);
+  double power = 1;
+  for (int m = 0; m <= filters; ++m, power *= h) {
+    if (m >= lowest) {
+      const auto i = static_cast<std::size_t>(m);
+      out[static_cast<std::size_t>(m - lowest)] +=
+          (power * turn.re[i]) * part.cosine + (power * turn.im[i]) * part.sine;
+    }
+  }
+  if constexpr (lowest < 0) {
+    out[0] += part.rate * ((1 + turn.re[0]) * part.sine - turn.im[0] * part.cosine);
+  }
+}
+
+template <int filters, int lowest, typename Knot>
+Integrals<filters, lowest> integrals_at(const Knot& knot, double h) {
+  Integrals<filters, lowest> out;
+  for (int m = std::max(lowest, 0); m <= filters; ++m) {
+    Vec3 sum = knot.part.velocity * (h / (m + 1));
+    for (int j = 0; j < m; ++j) {
+      sum = (knot.integrals[static_cast<std::size_t>(j)] + sum) * (h / (m - j));
+    }
+    out[static_cast<std::size_t>(m - lowest)] = knot.integrals[static_cast<std::size_t>(m)] + sum;
+  }
+  if constexpr (lowest < 0) {
+    out[0] = knot.part.velocity;
+  }
+  if (knot.part.rate > 0) {
+    add_turn<filters, lowest>(knot.part, h, out);
+  }
+  return out;
+}
+
+}  // namespace
+
+Kinematics FilterWalk::at(const PulseTrain& train, double t) {
+  seek(train, t);
+  return train.filters == 2 ? evaluate<2, true>(t) : evaluate<3, true>(t);
+}
+
+Kinematics FilterWalk::motion_at(const PulseTrain& train, double t) {
+  seek(train, t);
+  return train.filters == 2 ? evaluate<2, false>(t) : evaluate<3, false>(t);
+}
+
+double FilterWalk::next_knot(const PulseTrain& train, double t) {
+  seek(train, t);
+  double next = std::numeric_limits<double>::infinity();
+  for (int i = 0; i <= train.filters; ++i) {
+    const std::size_t after = cursor_[static_cast<std::size_t>(i)] + 1;
+    const double begins = after < knots_.size() ? knots_[after].part.time : known_until_;
+    next = std::min(next, begins + i * train.filter_time);
+  }
+  return next;
+}
+
+template <int filters, bool with_jerk>
+Kinematics FilterWalk::evaluate(double t) const {
+  const Knot& newest = knots_[cursor_[0]];
+  if (cursor_[0] == cursor_[filters] && newest.part.rate == 0) {
+    const double h = t - train_->half_delay() - newest.part.time;
+    return {newest.part.position + h * newest.part.velocity, newest.part.velocity, Vec3::Zero(), Vec3::Zero()};
+  }
+  constexpr int lowest = filters - (with_jerk ? 3 : 2);
+  constexpr auto signs = binomials<filters>();
+  Integrals<filters, lowest> sums;
+  sums.fill(Vec3::Zero());
+  for (std::size_t i = 0; i <= filters; ++i) {
+    const Knot& knot = knots_[cursor_[i]];
+    const double age = t - static_cast<double>(i) * train_->filter_time;
+    const auto terms = integrals_at<filters, lowest>(knot, age - knot.part.time);
+    for (std::size_t m = 0; m < terms.size(); ++m) {
+      sums[m] += signs[i] * terms[m];
+    }
+  }
+  const double scale = 1 / (filters == 2 ? train_->filter_time * train_->filter_time
+                                         : train_->filter_time * train_->filter_time * train_->filter_time);
+  constexpr std::size_t top = sums.size() - 1;
+  Kinematics motion{anchor_ + scale * sums[top], scale * sums[top - 1], scale * sums[top - 2], Vec3::Zero()};
+  if constexpr (with_jerk) {
+    motion.jerk = scale * sums[0];
+  }
+  return motion;
+}
+
+void FilterWalk::seek(const PulseTrain& train, double t) {
+  if (train_ != &train || t < anchor_time_ + train.delay() || t > anchor_time_ + farthest * train.delay()) {
+    train_ = &train;
+    restart(t - first_instant * train.delay());
+  }
+  while (known_until_ <= t) {
+    append_block();
+  }
+  for (std::size_t i = 0; i <= static_cast<std::size_t>(train.filters); ++i) {
+    const double age = t - static_cast<double>(i) * train.filter_time;
+    std::size_t& cursor = cursor_[i];
+    while (cursor + 1 < knots_.size() && knots_[cursor + 1].part.time <= age) {
+      ++cursor;
+    }
+    while (cursor > 0 && knots_[cursor].part.time > age) {
+      --cursor;
+    }
+  }
+}
+
+void FilterWalk::restart(double anchor_time) {
+  knots_.clear();
+  cursor_.fill(0);
+  anchor_time_ = anchor_time;
+  std::array<CommandPart, 3> parts{train_->rest_before(anchor_time)};
+  std::size_t count = 1;
+  next_block_ = 0;
+  if (anchor_time >= 0) {
+    next_block_ = train_->block_at(anchor_time);
+    count = train_->parts(next_block_++, parts);
+  }
+  std::size_t k = 0;
+  while (k + 1 < count && parts[k + 1].time <= anchor_time) {
+    ++k;
+  }
+  parts[k].begin_later(anchor_time - parts[k].time);
+  anchor_ = parts[k].position;
+  knots_.push_back({parts[k], {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}});
+  while (++k < count) {
+    append(parts[k]);
+  }
+  find_known();
+}
+
+void FilterWalk::append_block() {
+  std::array<CommandPart, 3> parts;
+  const std::size_t count = train_->parts(next_block_, parts);
+  for (std::size_t k = 0; k < count; ++k) {
+    append(parts[k]);
+  }
+  ++next_block_;
+  find_known();
+}
+
+void FilterWalk::find_known() {
+  known_until_ = next_block_ <= train_->size() ? train_->blocks[next_block_].start
+                                               : std::numeric_limits<double>::infinity();
+}
+
+void FilterWalk::append(const CommandPart& part) {
+  const Knot& before = knots_.back();
+  Knot knot;
+  knot.part = part;
+  knot.integrals = integrals_at<most_filters, 0>(before, part.time - before.part.time);
+  knot.integrals[0] = part.position - anchor_;
+  knots_.push_back(knot);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/trajectory/kinematics.h"
+#include "core/trajectory/pulse_train.h"
+
+namespace feedscope {
+
+/// Evaluates smoothed pulses at many instants. With n filters of length T1, P_0 the commanded position and P_m
+/// its m-fold integral,
+///
+///   p'(t) = T1^-n sum_i (-1)^i C(n,i) P_n(t - i T1),   velocity from P_(n-1), acceleration P_(n-2), jerk
+///   P_(n-3)
+///
+/// which is the sum of MODELS section 5 over the steps of the pulses, and holds for turning pulses, too: their
+/// integrals are those of exp(i w t), by a series where w t is small. The integrals are taken from an anchor a
+/// little more than one delay back and kept at the start of every pulse after it: at instants in order the
+/// amortised cost is constant whatever the number of pulses within the delay. A new anchor every few delays
+/// starts from nothing, so that rounding does not build up; an instant far away costs the pulses of a delay.
+class FilterWalk {
+ public:
+  /// Smoothed motion at `t` from its start [s].
+  Kinematics at(const PulseTrain& train, double t);
+  /// Without the jerk, for those who need it most often.
+  Kinematics motion_at(const PulseTrain& train, double t);
+  /// First instant after `t` [s] at which a pulse begins to count, or one of its averages to begin or end:
+  /// between two such instants the motion of straight pulses is one polynomial.
+  double next_knot(const PulseTrain& train, double t);
+  /// Whether one pulse fills the filters at the instant asked for last: straight or on an arc, the speed is
+  /// constant until the next knot.
+  bool is_settled() const { return cursor_[0] == cursor_[static_cast<std::size_t>(train_->filters)]; }
+  /// Forgets what it knows of a train whose pulses were changed.
+  void forget() { train_ = nullptr; }
+
+ private:
+  static constexpr int most_filters = 3;
+  /// A part and the integrals P_0 (as distance from the anchor) ... P_n at its start.
+  struct Knot {
+    CommandPart part;
+    std::array<Vec3, most_filters + 1> integrals;
+  };
+  template <int filters, bool with_jerk>
+  Kinematics evaluate(double t) const;
+  void seek(const PulseTrain& train, double t);
+  void restart(double anchor_time);
+  void append_block();
+  void append(const CommandPart& part);
+  void find_known();
+
+  const PulseTrain* train_ = nullptr;
+  double anchor_time_ = 0;  ///< [s]
+  Vec3 anchor_;             ///< commanded there [mm]
+  std::vector<Knot> knots_;
+  double known_until_ = 0;      ///< start of the first pulse that has no knot [s]
+  std::size_t next_block_ = 0;  ///< the one it belongs to
+  std::array<std::size_t, most_filters + 1> cursor_{};  ///< knot at t - i T1
+};
+
+}  // namespace feedscope

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// Where smoothed motion comes nearest to a programmed point.
+struct Approach {
+  double distance = 0;  ///< [mm]
+  double time = 0;      ///< of the motion [s]
+  Kinematics motion;    ///< there, without the jerk
+};
+/// Newton steps from `time` on; ends early once the distance is at most `good_enough` [mm].
+Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3& point, double time,
+                          double good_enough = 0);
+
+/// Direction change at the start of `block`, 0 at the start of the motion [rad].
+double corner_turn(const PulseTrain& train, std::size_t block);
+
+/// The corner at the start of `block`, as the pulses round it; `element` is left to the caller.
+BlendRecord filtered_corner(FilterWalk& walk, const PulseTrain& train, std::size_t block);
+
+}  // namespace feedscope

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// A part of what is commanded that follows one law: `velocity`, and where `rate` > 0 a turn on top of it,
+///   p(h) = position + h velocity + (cos(rate h) - 1) cosine + sin(rate h) sine,   h from the part's start.
+struct CommandPart {
+  double time = 0;  ///< start [s]
+  double rate = 0;  ///< [rad/s]; 0: straight, `cosine` and `sine` without meaning
+  Vec3 position;    ///< at the start [mm]
+  Vec3 velocity;    ///< of an arc: along its axis [mm/s]
+  Vec3 cosine;      ///< from the centre to the start [mm]
+  Vec3 sine;        ///< as long, a quarter turn ahead [mm]
+
+  Vec3 velocity_at_start() const { return rate > 0 ? Vec3(velocity + rate * sine) : velocity; }
+  /// Makes the part begin `h` [s] later.
+  void begin_later(double h);
+};
+
+/// What is commanded on one block: a pulse of height `feed` between the blending pulses of its two corners.
+struct BlockPulses {
+  double start = 0;         ///< of the first pulse, from the start of the motion [s]
+  double feed = 0;          ///< F, or f of the short-block rule [mm/s]
+  double corner_speed = 0;  ///< V_c of the corner where the block starts; that of a stop is not used [mm/s]
+};
+
+/// Widths T_b, T_v, T_b of the pulses of one block [s].
+struct PulseWidths {
+  double left = 0;
+  double middle = 0;
+  double right = 0;
+  double sum() const { return left + middle + right; }
+};
+
+/// Velocity pulses of a path from standstill to standstill, and the equal moving averages that smooth them
+/// (Ward 2021; MODELS section 5). Lines and arcs are commanded as what they are: direction and place come from
+/// the programmed path, so that a block keeps 24 bytes.
+struct PulseTrain {
+  std::shared_ptr<const Toolpath> path;
+  std::size_t first = 0;            ///< segment of block 0; lines and arcs only from there on
+  int filters = 3;                  ///< n, 2 or 3
+  double filter_time = 0;           ///< T1 > 0 [s]
+  double largest_feed = 0;          ///< of the pulses [mm/s]
+  std::vector<BlockPulses> blocks;  ///< and one more for the end: standstill from its `start` on
+
+  std::size_t size() const { return blocks.size() - 1; }
+  double delay() const { return filters * filter_time; }           ///< n T1 [s]
+  double half_delay() const { return filters * filter_time / 2; }  ///< c [s]
+  double end() const { return blocks.back().start; }               ///< of the pulses [s]
+  double duration() const { return end() + delay(); }              ///< of the smoothed motion [s]
+  const Segment& segment(std::size_t block) const { return path->segments[first + block]; }
+  /// Of a block that is one.
+  const Arc& arc(std::size_t block) const { return path->arcs[static_cast<std::size_t>(segment(block).arc)]; }
+  const Vec3& point(std::size_t block) const { return path->start_of(first + block); }  ///< its start [mm]
+
+  /// From the heights of the pulses and the start of the next block.
+  PulseWidths widths(std::size_t block) const;
+  /// The block whose pulses are under way at `t`; size() from the end on, 0 before the start.
+  std::size_t block_at(double t) const;
+  /// The pulses of `block` that last any time, in order; `block` = size(): the standstill at the end.
+  /// Returns how many.
+  std::size_t parts(std::size_t block, std::array<CommandPart, 3>& out) const;
+  /// Place on `block` that is commanded at `t`, an instant of its pulses [s], [mm].
+  Vec3 commanded(std::size_t block, double t) const;
+  /// The standstill before the start, from `time` < 0 on.
+  CommandPart rest_before(double time) const;
+};
+
+}  // namespace feedscope
