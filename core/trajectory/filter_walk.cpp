@@ -22,6 +22,19 @@ constexpr std::array<double, filters + 1> binomials() {
   }
 }
 
+/// 1/(2k + 5)! and 1/(2k + 4)!
+constexpr std::array<std::array<double, 2>, 9> turn_series() {
+  std::array<std::array<double, 2>, 9> all{};
+  double inverse_factorial = 1.0 / 6;
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    inverse_factorial /= static_cast<double>(2 * k + 4);
+    all[k][1] = inverse_factorial;
+    inverse_factorial /= static_cast<double>(2 * k + 5);
+    all[k][0] = inverse_factorial;
+  }
+  return all;
+}
+
 /// The m-fold integrals of exp(i w h) - 1 over h^m, with x = w h: E_m = (exp(ix) - sum_(k<=m) (ix)^k/k!)/(ix)^m.
 struct TurnIntegrals {
   std::array<double, 4> re;
@@ -49,19 +62,18 @@ struct TurnIntegrals {
  private:
   /// E_3 = sum_(k>0) (ix)^k/(k+3)!
   void sum_third(double x) {
-    constexpr int terms = 9;
-    const double square = x * x;
+    static constexpr std::array<std::array<double, 2>, 9> coefficients = turn_series();
+    const double square = -x * x;
     double even = 0;
     double odd = 0;
-    for (int k = terms; k > 0; --k) {
-      even = (1 - even * square) / ((2 * k + 3) * (2 * k + 2));
-      odd = (1 - odd * square) / ((2 * k + 2) * (2 * k + 1));
+    for (std::size_t k = coefficients.size(); k-- > 0;) {
+      even = even * square + coefficients[k][0];
+      odd = odd * square + coefficients[k][1];
     }
-    re[3] = -square * even / 6;
-    im[3] = x * odd / 2;
+    re[3] = even * square;
+    im[3] = odd * x;
   }
 };
-
 
 /// P_lowest ... P_filters of a part `h` after its start, P_(-1) being the velocity.
 template <int filters, int lowest>
@@ -83,18 +95,34 @@ void add_turn(const CommandPart& part, double h, Integrals<filters, lowest>& out
   }
 }
 
+/// Of a part without its turn: sum over k of P_(m-k) h^k/k! and of the velocity, which is P_(-1). `h_over[k]` is
+/// h/k. Written out, because it is what takes the time.
+template <int m, typename Knot>
+Vec3 straight_integral(const Knot& knot, const std::array<double, 5>& h_over) {
+  const Vec3& v = knot.part.velocity;
+  const auto& p = knot.integrals;
+  if constexpr (m < 0) {
+    return v;
+  } else if constexpr (m == 0) {
+    return p[0] + h_over[1] * v;
+  } else if constexpr (m == 1) {
+    return p[1] + h_over[1] * (p[0] + h_over[2] * v);
+  } else if constexpr (m == 2) {
+    return p[2] + h_over[1] * (p[1] + h_over[2] * (p[0] + h_over[3] * v));
+  } else {
+    return p[3] + h_over[1] * (p[2] + h_over[2] * (p[1] + h_over[3] * (p[0] + h_over[4] * v)));
+  }
+}
+
 template <int filters, int lowest, typename Knot>
 Integrals<filters, lowest> integrals_at(const Knot& knot, double h) {
+  const std::array<double, 5> h_over{0, h, h / 2, h * (1.0 / 3), h / 4};
   Integrals<filters, lowest> out;
-  for (int m = std::max(lowest, 0); m <= filters; ++m) {
-    Vec3 sum = knot.part.velocity * (h / (m + 1));
-    for (int j = 0; j < m; ++j) {
-      sum = (knot.integrals[static_cast<std::size_t>(j)] + sum) * (h / (m - j));
-    }
-    out[static_cast<std::size_t>(m - lowest)] = knot.integrals[static_cast<std::size_t>(m)] + sum;
-  }
-  if constexpr (lowest < 0) {
-    out[0] = knot.part.velocity;
+  out[0] = straight_integral<lowest>(knot, h_over);
+  out[1] = straight_integral<lowest + 1>(knot, h_over);
+  out[2] = straight_integral<lowest + 2>(knot, h_over);
+  if constexpr (filters - lowest == 3) {
+    out[3] = straight_integral<lowest + 3>(knot, h_over);
   }
   if (knot.part.rate > 0) {
     add_turn<filters, lowest>(knot.part, h, out);

@@ -10,7 +10,7 @@ namespace feedscope {
 
 Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3& point, double time,
                           double good_enough) {
-  constexpr int newton_steps = 4;
+  constexpr int newton_steps = 8;
   constexpr double precision = 1e-9;  // of the distance squared that another step could win
   const double longest_step = train.half_delay() / 2;
   Approach best;

@@ -19,7 +19,7 @@ double LengthWalk::advance_to(double t) {
   constexpr double least_share = 1.0 / 16;  // many short polynomials are taken together
   constexpr double largest_share = 1.0 / 2;
   constexpr int deepest = 10;
-  const double tolerance = 1e-9 * train_.largest_feed;  // a second [mm/s]
+  const double tolerance = 1e-8 * train_.largest_feed;  // a second [mm/s]
   double sum = 0;
   while (last_.time < t) {
     const double knot = walk_.next_knot(train_, last_.time);

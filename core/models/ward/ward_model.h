@@ -16,15 +16,13 @@ namespace feedscope {
 /// own heights (eq 22 lacks a term); V_c is the height of the pulse, not the corner speed (eq 12 is not
 /// exact). Beyond the paper:
 ///  - One T1 from stop to stop, from the largest feed of that part.
-///  - Blocks too short for their blending pulses: pulse_train.h.
+///  - Blocks too short for their blending pulses: short_blocks.h.
 ///  - `enforce`: where several corners lie within one filter window the isolated formula exceeds the
-///  tolerance;
-///    their pulses are lowered until the distance of every corner from the path keeps it. As a last resort
-///    the control stops in the corner.
-///  - Arcs and helices are commanded along chords whose sagitta is at most a tenth of the tolerance, in the
-///  time of
-///    the arc, not faster than the static limits of segment_limits.h; the corners between chords count as
-///    corners.
+///    tolerance; their pulses are lowered until the distance of every corner from the path keeps it. As a last
+///    resort the control stops in the corner.
+///  - Arcs and helices are commanded as pulses that turn, not faster than the static limits of segment_limits.h
+///    and, where the tolerance is enforced, than arc_speed() of corner_pulse.h; a few points on each are
+///    watched as corners are.
 class WardModel : public ControlModel {
  public:
   const ModelInfo& info() const override;

@@ -51,8 +51,11 @@ class WardRunner {
   /// filters reach at most, and in its middle; `time` is when the path is about there [s].
   template <typename F>
   void for_points_of_arc(std::size_t block, F f) const;
-  double arc_distance(std::size_t block, double good_enough);
+  /// Distance of a point from the path near `time` [mm], exact unless it is below `good_enough` or clearly above:
+  /// then a first evaluation and its Newton step tell.
+  double distance_of(const Vec3& point, double time, double good_enough);
   double corner_distance_of(std::size_t block, double good_enough);
+  double arc_distance(std::size_t block, double good_enough);
   bool is_arc(std::size_t block) const { return train_.segment(block).kind == SegmentKind::arc; }
 
   void lay_motion(ProgressSteps& steps);
@@ -76,6 +79,7 @@ class WardRunner {
 
   PulseTrain train_;
   FilterWalk walk_;
+  double lag_ = 0;           ///< of the path behind the middle of the filters at the point looked at last [s]
   std::vector<SpeedBound> limits_;     ///< of the feed, a block
   std::vector<double> corner_speeds_;  ///< at the start of every block, to be laid next [mm/s]
   std::vector<char> check_;            ///< blocks whose start or inside may have moved

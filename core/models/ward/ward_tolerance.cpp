@@ -29,6 +29,7 @@ void WardRunner::enforce_tolerance(ProgressSteps& steps) {
     mark_neighbours();
     lay_pulses(train_, limits_, corner_speeds_);
     walk_.forget();
+    lag_ = 0;
   }
 }
 
@@ -116,14 +117,31 @@ void WardRunner::for_points_of_arc(std::size_t block, F f) const {
 double WardRunner::arc_distance(std::size_t block, double good_enough) {
   double distance = 0;
   for_points_of_arc(block, [&](const Vec3& point, double time) {
-    distance = std::max(distance, closest_approach(walk_, train_, point, time, good_enough).distance);
+    distance = std::max(distance, distance_of(point, time, good_enough));
   });
   return distance;
 }
 
 double WardRunner::corner_distance_of(std::size_t block, double good_enough) {
-  const double time = train_.blocks[block].start + train_.half_delay();
-  return closest_approach(walk_, train_, train_.point(block), time, good_enough).distance;
+  return distance_of(train_.point(block), train_.blocks[block].start + train_.half_delay(), good_enough);
+}
+
+double WardRunner::distance_of(const Vec3& point, double time, double good_enough) {
+  constexpr double margin = 0.02;
+  const Kinematics at = walk_.motion_at(train_, time + lag_);
+  const Vec3 offset = at.position - point;
+  const double squared = offset.squaredNorm();
+  const double slope = offset.dot(at.velocity);
+  const double curvature = at.velocity.squaredNorm() + offset.dot(at.acceleration);
+  const double step = curvature > 0 ? -slope / curvature : 0;
+  lag_ = std::abs(lag_ + step) < train_.filter_time / 4 ? lag_ + step : 0;
+  const double nearest = std::max(0.0, squared + slope * step);
+  const double doubt = std::abs(at.velocity.dot(at.acceleration) * step * step * step);
+  const double limit = good_enough * good_enough;
+  if (squared <= limit || (limit > 0 && lag_ != 0 && std::abs(nearest - limit) > margin * limit + 2 * doubt)) {
+    return std::sqrt(std::min(squared, nearest));
+  }
+  return closest_approach(walk_, train_, point, time + lag_, good_enough).distance;
 }
 
 double WardRunner::contour_error(std::size_t block) {
