@@ -7,8 +7,8 @@
 namespace feedscope {
 namespace {
 
-/// In delays after the anchor: where the instant that asks for a new one lies, so that small steps back do not
-/// ask again; and up to where the integrals, which grow with the power n + 1 of it, are precise enough.
+/// In delays after the anchor: where the instant that asks for a new one lies, so that small steps back do
+/// not ask again; and up to where the integrals, which grow with the power n + 1 of it, are precise enough.
 constexpr double first_instant = 1.5;
 constexpr double farthest = 4;
 
@@ -35,7 +35,8 @@ constexpr std::array<std::array<double, 2>, 9> turn_series() {
   return all;
 }
 
-/// The m-fold integrals of exp(i w h) - 1 over h^m, with x = w h: E_m = (exp(ix) - sum_(k<=m) (ix)^k/k!)/(ix)^m.
+/// The m-fold integrals of exp(i w h) - 1 over h^m, with x = w h: E_m = (exp(ix) - sum_(k<=m)
+/// (ix)^k/k!)/(ix)^m.
 struct TurnIntegrals {
   std::array<double, 4> re;
   std::array<double, 4> im;
@@ -95,8 +96,8 @@ void add_turn(const CommandPart& part, double h, Integrals<filters, lowest>& out
   }
 }
 
-/// Of a part without its turn: sum over k of P_(m-k) h^k/k! and of the velocity, which is P_(-1). `h_over[k]` is
-/// h/k. Written out, because it is what takes the time.
+/// Of a part without its turn: sum over k of P_(m-k) h^k/k! and of the velocity, which is P_(-1). `h_over[k]`
+/// is h/k. Written out, because it is what takes the time.
 template <int m, typename Knot>
 Vec3 straight_integral(const Knot& knot, const std::array<double, 5>& h_over) {
   const Vec3& v = knot.part.velocity;
@@ -158,7 +159,8 @@ Kinematics FilterWalk::evaluate(double t) const {
   const Knot& newest = knots_[cursor_[0]];
   if (cursor_[0] == cursor_[filters] && newest.part.rate == 0) {
     const double h = t - train_->half_delay() - newest.part.time;
-    return {newest.part.position + h * newest.part.velocity, newest.part.velocity, Vec3::Zero(), Vec3::Zero()};
+    return {newest.part.position + h * newest.part.velocity, newest.part.velocity, Vec3::Zero(),
+            Vec3::Zero()};
   }
   constexpr int lowest = filters - (with_jerk ? 3 : 2);
   constexpr auto signs = binomials<filters>();

@@ -8,17 +8,18 @@
 
 namespace feedscope {
 
-/// Evaluates smoothed pulses at many instants. With n filters of length T1, P_0 the commanded position and P_m
-/// its m-fold integral,
+/// Evaluates smoothed pulses at many instants. With n filters of length T1, P_0 the commanded position and
+/// P_m its m-fold integral,
 ///
 ///   p'(t) = T1^-n sum_i (-1)^i C(n,i) P_n(t - i T1),   velocity from P_(n-1), acceleration P_(n-2), jerk
 ///   P_(n-3)
 ///
-/// which is the sum of MODELS section 5 over the steps of the pulses, and holds for turning pulses, too: their
-/// integrals are those of exp(i w t), by a series where w t is small. The integrals are taken from an anchor a
-/// little more than one delay back and kept at the start of every pulse after it: at instants in order the
-/// amortised cost is constant whatever the number of pulses within the delay. A new anchor every few delays
-/// starts from nothing, so that rounding does not build up; an instant far away costs the pulses of a delay.
+/// which is the sum of MODELS section 5 over the steps of the pulses, and holds for turning pulses, too:
+/// their integrals are those of exp(i w t), by a series where w t is small. The integrals are taken from an
+/// anchor a little more than one delay back and kept at the start of every pulse after it: at instants in
+/// order the amortised cost is constant whatever the number of pulses within the delay. A new anchor every
+/// few delays starts from nothing, so that rounding does not build up; an instant far away costs the pulses
+/// of a delay.
 class FilterWalk {
  public:
   /// Smoothed motion at `t` from its start [s].
@@ -53,8 +54,8 @@ class FilterWalk {
   double anchor_time_ = 0;  ///< [s]
   Vec3 anchor_;             ///< commanded there [mm]
   std::vector<Knot> knots_;
-  double known_until_ = 0;      ///< start of the first pulse that has no knot [s]
-  std::size_t next_block_ = 0;  ///< the one it belongs to
+  double known_until_ = 0;                              ///< start of the first pulse that has no knot [s]
+  std::size_t next_block_ = 0;                          ///< the one it belongs to
   std::array<std::size_t, most_filters + 1> cursor_{};  ///< knot at t - i T1
 };
 

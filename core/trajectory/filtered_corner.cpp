@@ -24,7 +24,8 @@ Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3&
     }
     const double slope = offset.dot(at.velocity);
     const double curvature = at.velocity.squaredNorm() + offset.dot(at.acceleration);
-    if (best.distance <= good_enough || !(curvature > 0) || slope * slope <= precision * curvature * squared) {
+    if (best.distance <= good_enough || !(curvature > 0) ||
+        slope * slope <= precision * curvature * squared) {
       break;
     }
     time += std::clamp(-slope / curvature, -longest_step, longest_step);

@@ -4,9 +4,9 @@
 
 namespace feedscope {
 
-/// Path length of smoothed pulses, from instant to instant in order: exact where the velocity is constant, else
-/// by quadrature with the speed and its derivative at three places, halved until that agrees with the rule of
-/// lower order to 1e-9 of what the largest speed covers.
+/// Path length of smoothed pulses, from instant to instant in order: exact where the velocity is constant,
+/// else by quadrature with the speed and its derivative at three places, halved until that agrees with the
+/// rule of lower order to 1e-9 of what the largest speed covers.
 class LengthWalk {
  public:
   /// Starts at `t` from the start of the motion [s].
@@ -29,21 +29,21 @@ class LengthWalk {
   Sample last_;
 };
 
-/// Velocity pulses smoothed by equal moving averages, from standstill to standstill (Ward 2021, eq 1-7; MODELS
-/// section 5). Kept as pulses: between their starts t_j and t_j + i T1 every axis is a polynomial of degree
-/// n + 1 of its own, on arcs a harmonic besides. An evaluation here costs the pulses within one delay; for many
-/// instants in order use a FilterWalk on train().
+/// Velocity pulses smoothed by equal moving averages, from standstill to standstill (Ward 2021, eq 1-7;
+/// MODELS section 5). Kept as pulses: between their starts t_j and t_j + i T1 every axis is a polynomial of
+/// degree n + 1 of its own, on arcs a harmonic besides. An evaluation here costs the pulses within one delay;
+/// for many instants in order use a FilterWalk on train().
 class FilteredMotion {
  public:
   /// `start` on the clock of the trajectory [s]; `contour_error`: largest distance of a programmed point from
   /// the path [mm].
   FilteredMotion(double start, PulseTrain train, double contour_error = 0);
 
-  double start() const { return start_; }                         ///< [s]
-  double filter_time() const { return train_.filter_time; }       ///< T1 [s]
-  double delay() const { return train_.delay(); }                 ///< n T1 [s]
-  double duration() const { return train_.duration(); }           ///< [s]
-  double contour_error() const { return contour_error_; }         ///< [mm]
+  double start() const { return start_; }                    ///< [s]
+  double filter_time() const { return train_.filter_time; }  ///< T1 [s]
+  double delay() const { return train_.delay(); }            ///< n T1 [s]
+  double duration() const { return train_.duration(); }      ///< [s]
+  double contour_error() const { return contour_error_; }    ///< [mm]
   const PulseTrain& train() const { return train_; }
 
   /// At `t` from the start [s].

@@ -82,8 +82,9 @@ PulseWidths PulseTrain::widths(std::size_t block) const {
 }
 
 std::size_t PulseTrain::block_at(double t) const {
-  const auto after = std::upper_bound(blocks.begin(), blocks.end(), t,
-                                      [](double time, const BlockPulses& block) { return time < block.start; });
+  const auto after =
+      std::upper_bound(blocks.begin(), blocks.end(), t,
+                       [](double time, const BlockPulses& block) { return time < block.start; });
   return after == blocks.begin() ? 0 : static_cast<std::size_t>(after - blocks.begin()) - 1;
 }
 

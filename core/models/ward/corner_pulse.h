@@ -34,8 +34,8 @@ double corner_speed(int filters, double filter_time, const CornerLegs& legs, dou
 double turn_gain(int filters, double x);
 
 /// Highest speed [mm/s] on a long arc or helix at which the path, which n moving averages shrink to
-/// sinc^n(w T1/2) of the radius R, w the angular speed, stays within `tolerance` [mm] of it; infinite where the
-/// tolerance is not below R.
+/// sinc^n(w T1/2) of the radius R, w the angular speed, stays within `tolerance` [mm] of it; infinite where
+/// the tolerance is not below R.
 double arc_speed(int filters, double filter_time, const Arc& arc, double tolerance);
 
 }  // namespace feedscope

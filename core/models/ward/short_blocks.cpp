@@ -23,7 +23,8 @@ void cap_by_short_blocks(const PulseTrain& train, std::span<double> corner_speed
   }
 }
 
-void lay_pulses(PulseTrain& train, std::span<const SpeedBound> limits, std::span<const double> corner_speeds) {
+void lay_pulses(PulseTrain& train, std::span<const SpeedBound> limits,
+                std::span<const double> corner_speeds) {
   const double c = train.half_delay();
   double time = 0;
   train.largest_feed = 0;

@@ -12,13 +12,13 @@ namespace feedscope {
 /// 5).
 double short_block_speed(double speed, double length, double half_delay);
 
-/// Lowers corner speeds until every short block of `train` can change from one to the other. Two passes settle
-/// it, because a cap is never below the slower speed that sets it. `corner_speeds`: V_c at the start of every
-/// block [mm/s]; the first, a stop, is not used.
+/// Lowers corner speeds until every short block of `train` can change from one to the other. Two passes
+/// settle it, because a cap is never below the slower speed that sets it. `corner_speeds`: V_c at the start
+/// of every block [mm/s]; the first, a stop, is not used.
 void cap_by_short_blocks(const PulseTrain& train, std::span<double> corner_speeds);
 
-/// Lays all pulses of `train` one after the other. `limits`: highest feed of every block. Where T_v of that feed
-/// would be negative: f = c (V_a^2 + V_b^2)/(c (V_a + V_b) - L), T_v = 0.
+/// Lays all pulses of `train` one after the other. `limits`: highest feed of every block. Where T_v of that
+/// feed would be negative: f = c (V_a^2 + V_b^2)/(c (V_a + V_b) - L), T_v = 0.
 void lay_pulses(PulseTrain& train, std::span<const SpeedBound> limits, std::span<const double> corner_speeds);
 
 }  // namespace feedscope

@@ -54,7 +54,8 @@ const ModelInfo& WardModel::info() const {
         "Accurate prediction of machining feedrate and cycle times considering interpolator dynamics",
         "Every block is a velocity pulse, lowered around corners so far that the contour tolerance is kept; "
         "two or "
-        "three equal moving averages smooth the pulses of each axis. On arcs, which the paper does not cover, "
+        "three equal moving averages smooth the pulses of each axis. On arcs, which the paper does not "
+        "cover, "
         "the "
         "pulses turn; they keep the static limits of Tapie 2007, and the tolerance as corners do.",
         {filters, jerk, time, enforce},
@@ -82,7 +83,8 @@ Guarantees WardModel::guarantees(const Settings& settings) const {
 Trajectory WardModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
                                   Progress* progress) const {
   TrajectoryBuilder builder;
-  WardRunner runner(std::make_shared<const Toolpath>(toolpath), AxisVectors(machine), WardSettings(settings), builder);
+  WardRunner runner(std::make_shared<const Toolpath>(toolpath), AxisVectors(machine), WardSettings(settings),
+                    builder);
   run_stretches(
       toolpath, builder, progress, false,
       [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, false);

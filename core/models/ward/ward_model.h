@@ -18,9 +18,10 @@ namespace feedscope {
 ///  - One T1 from stop to stop, from the largest feed of that part.
 ///  - Blocks too short for their blending pulses: short_blocks.h.
 ///  - `enforce`: where several corners lie within one filter window the isolated formula exceeds the
-///    tolerance; their pulses are lowered until the distance of every corner from the path keeps it. As a last
-///    resort the control stops in the corner.
-///  - Arcs and helices are commanded as pulses that turn, not faster than the static limits of segment_limits.h
+///    tolerance; their pulses are lowered until the distance of every corner from the path keeps it. As a
+///    last resort the control stops in the corner.
+///  - Arcs and helices are commanded as pulses that turn, not faster than the static limits of
+///  segment_limits.h
 ///    and, where the tolerance is enforced, than arc_speed() of corner_pulse.h; a few points on each are
 ///    watched as corners are.
 class WardModel : public ControlModel {

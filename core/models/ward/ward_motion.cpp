@@ -35,9 +35,9 @@ void WardRunner::add_element(double start, std::size_t block) {
   element.start = train_.point(block);
   element.end = train_.point(block + 1);
   element.length = spans_.back().q;
-  const std::uint32_t index =
-      builder_.add_element(element, train_.segment(block).line,
-                           programmed_speed(*toolpath_, segment, axes_.velocity).value, train_.segment(block).rapid);
+  const std::uint32_t index = builder_.add_element(
+      element, train_.segment(block).line, programmed_speed(*toolpath_, segment, axes_.velocity).value,
+      train_.segment(block).rapid);
   for (std::size_t k = 1; k < spans_.size(); ++k) {
     builder_.add_piece({0, spans_[k - 1].q, 0, 0, 0, index, spans_[k].cause, Law::filtered},
                        start + spans_[k].end - builder_.time());
@@ -98,7 +98,8 @@ bool WardRunner::slowed_by_tolerance(std::size_t corner) const {
          corner_speeds_[corner] < std::min(limits_[corner - 1].value, limits_[corner].value) * (1 - rounding);
 }
 
-Cause WardRunner::cause_between(double from, double to, std::size_t block, std::optional<std::size_t> corner) {
+Cause WardRunner::cause_between(double from, double to, std::size_t block,
+                                std::optional<std::size_t> corner) {
   constexpr double reached = 0.99;
   const double limit = limits_[block].value;
   const Kinematics at = walk_.motion_at(train_, (from + to) / 2);

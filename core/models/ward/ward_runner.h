@@ -12,8 +12,8 @@
 namespace feedscope {
 
 /// Runs stretches from standstill to standstill, one after the other, into a trajectory: chooses the pulses
-/// (ward_runner.cpp), lowers them until the contour tolerance is kept (ward_tolerance.cpp) and lays the filtered
-/// motion out as elements, pieces and records (ward_motion.cpp).
+/// (ward_runner.cpp), lowers them until the contour tolerance is kept (ward_tolerance.cpp) and lays the
+/// filtered motion out as elements, pieces and records (ward_motion.cpp).
 class WardRunner {
  public:
   WardRunner(std::shared_ptr<const Toolpath> toolpath, const AxisVectors& axes, const WardSettings& settings,
@@ -30,7 +30,7 @@ class WardRunner {
     bool settled = false;
   };
   struct SpanEnd {
-    double time = 0;                    ///< of the motion [s]
+    double time = 0;                                   ///< of the motion [s]
     std::optional<std::size_t> corner = std::nullopt;  ///< whose blending pulse fills the span, if one
     bool settled = false;
   };
@@ -51,8 +51,8 @@ class WardRunner {
   /// filters reach at most, and in its middle; `time` is when the path is about there [s].
   template <typename F>
   void for_points_of_arc(std::size_t block, F f) const;
-  /// Distance of a point from the path near `time` [mm], exact unless it is below `good_enough` or clearly above:
-  /// then a first evaluation and its Newton step tell.
+  /// Distance of a point from the path near `time` [mm], exact unless it is below `good_enough` or clearly
+  /// above: then a first evaluation and its Newton step tell.
   double distance_of(const Vec3& point, double time, double good_enough);
   double corner_distance_of(std::size_t block, double good_enough);
   double arc_distance(std::size_t block, double good_enough);
@@ -65,8 +65,8 @@ class WardRunner {
   double contour_error(std::size_t block);
   void add_spans(LengthWalk& length, std::size_t block);
   void add_span(LengthWalk& length, std::size_t block, const SpanEnd& to);
-  /// Why the tool is not faster between `from` and `to` on `block`. `corner`: whose blending pulse that is, if
-  /// one.
+  /// Why the tool is not faster between `from` and `to` on `block`. `corner`: whose blending pulse that is,
+  /// if one.
   Cause cause_between(double from, double to, std::size_t block, std::optional<std::size_t> corner);
   /// Share of the speed limit on an arc that the filters leave of a pulse.
   double arc_gain(std::size_t block) const;
@@ -79,7 +79,7 @@ class WardRunner {
 
   PulseTrain train_;
   FilterWalk walk_;
-  double lag_ = 0;           ///< of the path behind the middle of the filters at the point looked at last [s]
+  double lag_ = 0;  ///< of the path behind the middle of the filters at the point looked at last [s]
   std::vector<SpeedBound> limits_;     ///< of the feed, a block
   std::vector<double> corner_speeds_;  ///< at the start of every block, to be laid next [mm/s]
   std::vector<char> check_;            ///< blocks whose start or inside may have moved

@@ -7,8 +7,8 @@
 namespace feedscope {
 namespace {
 
-// Where corners are dense their distance goes with the square of the speed. The later passes end what converges
-// too slowly, at the latest by a stop in the corner.
+// Where corners are dense their distance goes with the square of the speed. The later passes end what
+// converges too slowly, at the latest by a stop in the corner.
 constexpr double aim = 0.98;
 constexpr double slack = 1e-6;
 constexpr int careful_passes = 16;
@@ -138,7 +138,8 @@ double WardRunner::distance_of(const Vec3& point, double time, double good_enoug
   const double nearest = std::max(0.0, squared + slope * step);
   const double doubt = std::abs(at.velocity.dot(at.acceleration) * step * step * step);
   const double limit = good_enough * good_enough;
-  if (squared <= limit || (limit > 0 && lag_ != 0 && std::abs(nearest - limit) > margin * limit + 2 * doubt)) {
+  if (squared <= limit ||
+      (limit > 0 && lag_ != 0 && std::abs(nearest - limit) > margin * limit + 2 * doubt)) {
     return std::sqrt(std::min(squared, nearest));
   }
   return closest_approach(walk_, train_, point, time + lag_, good_enough).distance;

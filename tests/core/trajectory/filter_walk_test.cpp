@@ -53,7 +53,9 @@ class DirectSum {
       std::array<CommandPart, 3> parts;
       const std::size_t count = train.parts(i, parts);
       for (std::size_t k = 0; k < count; ++k) {
-        const double end = k + 1 < count ? parts[k + 1].time : i < train.size() ? train.blocks[i + 1].start : 0;
+        const double end = k + 1 < count      ? parts[k + 1].time
+                           : i < train.size() ? train.blocks[i + 1].start
+                                              : 0;
         add(parts[k], end, chords);
       }
     }
@@ -107,7 +109,8 @@ class DirectSum {
 class FilterWalkTest : public ::testing::TestWithParam<int> {
  protected:
   /// Largest differences, in units of the largest feed F, F T1 for positions, F/T1 and F/T1^2.
-  static void expect_near(const PulseTrain& train, const Kinematics& a, const Kinematics& b, double tolerance) {
+  static void expect_near(const PulseTrain& train, const Kinematics& a, const Kinematics& b,
+                          double tolerance) {
     const double f = train.largest_feed;
     const double t1 = train.filter_time;
     ASSERT_LT((a.position - b.position).norm(), tolerance * f * t1);
