@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "app/print.h"
+#include "core/base/clock_text.h"
 #include "core/base/units.h"
 
 namespace feedscope {

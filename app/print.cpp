@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 #include <sstream>
 
+#include "core/base/clock_text.h"
 #include "core/base/units.h"
 
 namespace feedscope {
@@ -100,11 +100,6 @@ std::string wrapped(const std::string& text, std::size_t indent) {
     out += word;
   }
   return out;
-}
-
-std::string clock_text(double seconds) {
-  const long long whole = std::llround(seconds);
-  return fmt::format("{}:{:02}:{:02}", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
 std::string time_text(double seconds) {

@@ -31,8 +31,6 @@ class TextTable {
 /// printed.
 std::string wrapped(const std::string& text, std::size_t indent);
 
-/// "1:02:05", to the nearest second.
-std::string clock_text(double seconds);
 /// "1.249 s", from a minute on with hours: "3725.4 s (1:02:05)".
 std::string time_text(double seconds);
 

@@ -5,17 +5,22 @@
 #include <QImage>
 #include <QLabel>
 #include <QLocale>
+#include <QStringList>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 
 #include "core/base/error.h"
+#include "ui/charts/comparison_chart.h"
 #include "ui/main_window.h"
 #include "ui/views/theme.h"
 
 namespace feedscope::ui {
 
 namespace {
+
+constexpr int comparison_width = 1280;
 
 void print_only_failures(QtMsgType type, const QMessageLogContext&, const QString& message) {
   if (type == QtCriticalMsg || type == QtFatalMsg) {
@@ -46,14 +51,17 @@ class OffscreenApplication {
   std::unique_ptr<QApplication> application_;
 };
 
-Picture grab(QWidget& widget, PictureSize size) {
-  const QSize least = widget.minimumSizeHint().expandedTo(widget.minimumSize());
+void check_size(PictureSize size, const QSize& least) {
   if (size.width < least.width() || size.height < least.height()) {
     const QString message =
         QStringLiteral("a picture of %1 x %2 pixels is too small; it needs at least %3 x %4");
     throw InputError(
         message.arg(size.width).arg(size.height).arg(least.width()).arg(least.height()).toStdString());
   }
+}
+
+Picture grab(QWidget& widget, PictureSize size) {
+  check_size(size, widget.minimumSizeHint().expandedTo(widget.minimumSize()));
   QApplication::processEvents();  // Qt Charts lays its axes out with the next turn of the event loop
   const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGB888);
   const auto row = static_cast<std::size_t>(image.width()) * 3;
@@ -66,12 +74,26 @@ Picture grab(QWidget& widget, PictureSize size) {
   return picture;
 }
 
+QString file_name(const Program& program) {
+  return QString::fromStdString(program.source->name()).section('/', -1);
+}
+
 QString title_of(const Run& run) {
-  const QString file = QString::fromStdString(run.input.program->source->name()).section('/', -1);
+  const QString file = file_name(*run.input.program);
   const QString time = QLocale().toString(run.trajectory->duration(), 'f', 3);
   return MainWindow::tr("<b>%1</b> &nbsp; %2 · %3 · %4 s")
       .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
            QString::fromStdString(run.setup.model->info().title).toHtmlEscaped(), time);
+}
+
+QString comparison_details(const LoadedProgram& program, const std::vector<std::string>& assignments) {
+  const QString length = QLocale().toString(program.toolpath->length(), 'f', 3);
+  const QString path = ComparisonChart::tr("path length %1 mm").arg(length);
+  QStringList set;
+  for (const std::string& assignment : assignments) {
+    set.append(QString::fromStdString(assignment));
+  }
+  return set.isEmpty() ? path : ComparisonChart::tr("%1, with %2").arg(path, set.join(QStringLiteral(", ")));
 }
 
 }  // namespace
@@ -112,6 +134,39 @@ Picture draw_charts(const Run& run, PictureSize size) {
   QApplication::processEvents();
   charts->refresh();
   return grab(page, size);
+}
+
+void check_comparison_size(std::span<const Setup> setups, std::optional<PictureSize> wanted) {
+  const int width = wanted ? wanted->width : comparison_width;
+  std::vector<ComparedRun> runs;
+  for (const Setup& setup : setups) {
+    runs.push_back({setup, {}});
+  }
+  const QSize least(least_comparison_width, enough_comparison_height(comparison_bars(runs), width));
+  if (wanted) {
+    check_size(*wanted, least);
+  } else if (least.height() > largest_picture_side) {
+    throw InputError(QStringLiteral("%1 runs are too many for one picture; they need a height of %2 pixels, "
+                                    "and it may have %3")
+                         .arg(setups.size())
+                         .arg(least.height())
+                         .arg(largest_picture_side)
+                         .toStdString());
+  }
+}
+
+Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRun> runs,
+                        const std::vector<std::string>& assignments, std::optional<PictureSize> wanted) {
+  const OffscreenApplication application;
+  ComparisonChart chart;
+  chart.set_comparison(file_name(*program.program), comparison_details(program, assignments),
+                       comparison_bars(runs));
+  chart.ensurePolished();
+  const int natural = natural_comparison_height(chart.bars(), comparison_width, chart.font());
+  const PictureSize size =
+      wanted.value_or(PictureSize{comparison_width, std::min(natural, largest_picture_side)});
+  chart.resize(size.width, size.height);
+  return grab(chart, size);
 }
 
 }  // namespace feedscope::ui

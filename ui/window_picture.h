@@ -1,6 +1,11 @@
 #pragma once
 
-#include "core/analysis/run.h"
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/analysis/compare.h"
 #include "ui/scene/picture.h"
 
 namespace feedscope::ui {
@@ -15,5 +20,13 @@ namespace feedscope::ui {
 Picture draw_window(const Run& run, PictureSize size, StandardView view);
 /// Feed, acceleration and jerk over time, under a line that names the run.
 Picture draw_charts(const Run& run, PictureSize size);
+
+/// Throws InputError if draw_comparison cannot show the runs of these setups in the size that is `wanted`, or
+/// in any: to be known before they are simulated.
+void check_comparison_size(std::span<const Setup> setups, std::optional<PictureSize> wanted);
+/// Runs of a program side by side (ComparisonChart); 1280 pixels wide and as high as they need unless a size
+/// is `wanted`. `assignments`: what was set for all of them.
+Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRun> runs,
+                        const std::vector<std::string>& assignments, std::optional<PictureSize> wanted);
 
 }  // namespace feedscope::ui

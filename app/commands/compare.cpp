@@ -1,6 +1,10 @@
 #include <fmt/format.h>
 
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "app/commands/command.h"
 #include "app/comparison_text.h"
@@ -10,6 +14,10 @@
 #include "app/run_options.h"
 #include "app/watch.h"
 #include "core/export/export.h"
+#ifdef FEEDSCOPE_WITH_UI
+#include "app/picture_size.h"
+#include "ui/window_picture.h"
+#endif
 
 namespace feedscope {
 namespace {
@@ -22,6 +30,76 @@ struct CompareOptions {
   std::vector<std::string> set;
   std::string csv;
   std::string json;
+  std::string png;
+  std::string size;  // as typed, WxH
+};
+
+/// A file that was asked for, and what goes into it.
+struct Result {
+  std::string name;
+  std::function<std::string(const LoadedProgram&, const std::vector<ComparedRun>&)> contents;
+};
+
+#ifdef FEEDSCOPE_WITH_UI
+Result picture(const CompareOptions& options, const std::vector<Setup>& setups) {
+  std::optional<ui::PictureSize> size;
+  if (!options.size.empty()) {
+    size = parse_picture_size(options.size);
+  }
+  ui::check_comparison_size(setups, size);
+  return {options.png, [&options, size](const LoadedProgram& program, const std::vector<ComparedRun>& runs) {
+            return ui::to_png(ui::draw_comparison(program, runs, options.set, size));
+          }};
+}
+#endif
+
+std::vector<Result> results_of(const CompareOptions& options,
+                               [[maybe_unused]] const std::vector<Setup>& setups) {
+  std::vector<Result> results{
+      {options.csv,
+       [](const LoadedProgram&, const std::vector<ComparedRun>& runs) { return comparison_csv(runs); }},
+      {options.json, [](const LoadedProgram& program, const std::vector<ComparedRun>& runs) {
+         return comparison_json(program, runs);
+       }}};
+#ifdef FEEDSCOPE_WITH_UI
+  if (!options.png.empty()) {
+    results.push_back(picture(options, setups));
+  }
+#endif
+  std::erase_if(results, [](const Result& result) { return result.name.empty(); });
+  return results;
+}
+
+/// Result files that are opened before the work begins and moved to their place after all are written.
+class ResultFiles {
+ public:
+  ResultFiles(const std::string& input, std::vector<Result> results) : results_(std::move(results)) {
+    std::vector<std::string> names;
+    for (const Result& result : results_) {
+      names.push_back(result.name);
+    }
+    check_outputs(input, names);
+    for (const std::string& name : names) {
+      files_.push_back(std::make_unique<OutputFile>(name));
+      to_standard_output_ = to_standard_output_ || name == "-";
+    }
+  }
+
+  void write(const LoadedProgram& program, const std::vector<ComparedRun>& runs) {
+    for (std::size_t i = 0; i < results_.size(); ++i) {
+      files_[i]->stream() << results_[i].contents(program, runs);
+    }
+    for (const auto& file : files_) {
+      file->commit();
+    }
+  }
+
+  bool to_standard_output() const { return to_standard_output_; }
+
+ private:
+  std::vector<Result> results_;
+  std::vector<std::unique_ptr<OutputFile>> files_;
+  bool to_standard_output_ = false;
 };
 
 int compare(const CompareOptions& options) {
@@ -31,13 +109,8 @@ int compare(const CompareOptions& options) {
   }
   const std::vector<Setup> setups =
       setups_to_compare(options.machines, options.models, tolerances, options.set);
-  check_outputs(options.file, {options.csv, options.json});
   const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.file));
-  const auto open = [](const std::string& name) {
-    return name.empty() ? nullptr : std::make_unique<OutputFile>(name);
-  };
-  const auto csv = open(options.csv);
-  const auto json = open(options.json);
+  ResultFiles files(options.file, results_of(options, setups));
   LoadedProgram program;
   std::vector<ComparedRun> runs;
   {
@@ -45,16 +118,9 @@ int compare(const CompareOptions& options) {
     program = load_program(source, watch.stage("reading"));
     runs = compare_runs(program, setups, watch.stage("simulating"));
   }
-  if (csv) {
-    csv->stream() << comparison_csv(runs);
-    csv->commit();
-  }
-  if (json) {
-    json->stream() << comparison_json(program, runs);
-    json->commit();
-  }
+  files.write(program, runs);
   print_diagnostics(*program.program);
-  if (options.csv != "-" && options.json != "-") {
+  if (!files.to_standard_output()) {
     fmt::print("{}", comparison_text(program, runs, options.set));
   }
   return has_errors(program.program->diagnostics) ? exit_code::program_errors : exit_code::done;
@@ -80,6 +146,15 @@ Command add_compare_command(CLI::App& app) {
       ->type_name("FILE");
   command->add_option("--json", options->json, "Write figures and messages; - for standard output")
       ->type_name("FILE");
+#ifdef FEEDSCOPE_WITH_UI
+  CLI::Option* png =
+      command->add_option("--png", options->png, "Draw the runs as bars; - for standard output")
+          ->type_name("FILE");
+  command
+      ->add_option("--size", options->size, "Width and height of the picture [1280 and what the runs need]")
+      ->type_name("WxH")
+      ->needs(png);
+#endif
   return {command, [options] { return compare(*options); }};
 }
 

@@ -1,19 +1,15 @@
-#include <fmt/format.h>
-
-#include <charconv>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
-#include <system_error>
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
 #include "app/output_file.h"
+#include "app/picture_size.h"
 #include "app/print.h"
 #include "app/run_options.h"
 #include "app/watch.h"
-#include "core/base/error.h"
 #include "ui/scene/picture.h"
 #include "ui/window_picture.h"
 
@@ -32,27 +28,6 @@ struct RenderOptions {
   std::string camera = "iso";
   std::string out;
 };
-
-/// "800x600". Throws InputError.
-ui::PictureSize parse_picture_size(const std::string& text) {
-  ui::PictureSize size;
-  const char* const end = text.data() + text.size();
-  const auto [by, width_error] = std::from_chars(text.data(), end, size.width);
-  const bool has_by = width_error == std::errc() && by != end && (*by == 'x' || *by == 'X');
-  const auto [rest, height_error] = has_by ? std::from_chars(by + 1, end, size.height)
-                                           : std::from_chars_result{by, std::errc::invalid_argument};
-  if (height_error != std::errc() || rest != end) {
-    throw InputError(
-        fmt::format("--size '{}' is no size; give width and height in pixels, as 1280x960", text));
-  }
-  for (const int side : {size.width, size.height}) {
-    if (side < ui::least_picture_side || side > ui::largest_picture_side) {
-      throw InputError(fmt::format("--size '{}': {} pixels is out of bounds; each side may have {} to {}",
-                                   text, side, ui::least_picture_side, ui::largest_picture_side));
-    }
-  }
-  return size;
-}
 
 const std::map<std::string, std::function<ui::Picture(const Run&, ui::PictureSize, ui::StandardView)>> views{
     {"3d", ui::draw_run},

@@ -14,6 +14,9 @@ namespace feedscope::test {
 
 namespace fs = std::filesystem;
 
+/// In front of a command: there is no display.
+inline constexpr const char* no_display = "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM";
+
 struct Result {
   int code = -1;
   std::string out;

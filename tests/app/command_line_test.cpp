@@ -246,8 +246,6 @@ TEST_F(CommandLine, NamesADataFolderWithoutMachines) {
 }
 
 #ifdef FEEDSCOPE_WITH_UI
-constexpr const char* no_display = "env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM";
-
 TEST_F(CommandLine, DrawsEveryViewWithoutADisplay) {
   for (const std::string view : {"3d", "charts", "window"}) {
     const Result result =

@@ -5,6 +5,9 @@
 
 #include "core/models/control_model.h"
 #include "tests/app/command_line.h"
+#ifdef FEEDSCOPE_WITH_UI
+#include "ui/scene/picture.h"
+#endif
 
 namespace feedscope::test {
 namespace {
@@ -101,6 +104,60 @@ TEST_F(CompareCommand, NamesAnOutputThatCannotBeWritten) {
   expect_wrong_use("compare corner.nc --csv none/a.csv", "cannot write 'none/a.csv'");
   expect_wrong_use("compare corner.nc --csv a --json ./a", "two results would go there");
 }
+
+#ifdef FEEDSCOPE_WITH_UI
+TEST_F(CompareCommand, DrawsABarForEachRunWithoutADisplay) {
+  const auto height = [&](const std::string& arguments) {
+    const Result result = run("compare corner.nc --png a.png " + arguments, no_display);
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_THAT(result.out, HasSubstr("cycle time"));
+    const auto picture = ui::read_png((folder_ / "a.png").string());
+    EXPECT_EQ(picture.size.width, 1280);
+    return picture.size.height;
+  };
+  EXPECT_GT(height("--model essid --tolerance 0.01 --tolerance 0.02"), height("--model essid"));
+}
+
+TEST_F(CompareCommand, DrawsInTheSizeAskedForAndToStandardOutput) {
+  const Result result = run("compare corner.nc --model cam --size 800x400 --png - > a.png", no_display);
+  EXPECT_EQ(result.code, 0) << result.err;
+  const auto picture = ui::read_png((folder_ / "a.png").string());
+  EXPECT_EQ(picture.size.width, 800);
+  EXPECT_EQ(picture.size.height, 400);
+}
+
+TEST_F(CompareCommand, RefusesAPictureThatCannotBeDrawnBeforeItSimulates) {
+  expect_wrong_use("compare corner.nc --png a.png --size 800", "--size '800' is no size");
+  expect_wrong_use("compare corner.nc --png a.png --size 20x600", "64 to 8192");
+  expect_wrong_use("compare corner.nc --png a.png --size 1280x100",
+                   "1280 x 100 pixels is too small; it needs at least 640 x ");
+  expect_wrong_use("compare corner.nc --png a.png --size 320x900", "it needs at least 640 x ");
+  expect_wrong_use("compare corner.nc --size 800x600", "--png");
+  std::string tolerances;
+  for (int i = 1; i <= 500; ++i) {
+    tolerances += " --tolerance " + std::to_string(0.001 * i);
+  }
+  expect_wrong_use("compare corner.nc --model essid --png a.png" + tolerances,
+                   "500 runs are too many for one picture");
+  EXPECT_FALSE(fs::exists(folder_ / "a.png"));
+}
+
+TEST_F(CompareCommand, NamesAPictureThatCannotBeWritten) {
+  expect_wrong_use("compare corner.nc --png none/a.png", "cannot write 'none/a.png'");
+  expect_wrong_use("compare corner.nc --png .", "cannot write '.': it is a folder");
+  expect_wrong_use("compare corner.nc --png corner.nc", "it is the program itself");
+  expect_wrong_use("compare corner.nc --png a --csv ./a", "two results would go there");
+  expect_wrong_use("compare corner.nc --png - --json -", "two results would go there");
+  write("old.png", "old");
+  expect_wrong_use("compare corner.nc --png old.png --size 64x64", "too small");
+  EXPECT_EQ(contents(folder_ / "old.png"), "old");
+}
+#else
+TEST_F(CompareCommand, HasNoPictureWhereNoneCanBeDrawn) {
+  expect_wrong_use("compare corner.nc --png a.png", "unknown option '--png'");
+}
+#endif
 
 TEST_F(CompareCommand, CancelsOnInterruptAndLeavesNoFile) {
   std::string text = "G1 F6000\n";

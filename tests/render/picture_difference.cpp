@@ -1,33 +1,12 @@
 #include "tests/render/picture_difference.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <stdexcept>
+
+#include "tests/support/cielab.h"
 
 namespace feedscope::test {
 namespace {
-
-using Triple = std::array<double, 3>;
-
-double to_linear(double encoded) {
-  return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-
-double lightness(double t) {
-  constexpr double knee = 6.0 / 29.0;
-  return t > knee * knee * knee ? std::cbrt(t) : t / (3 * knee * knee) + 4.0 / 29.0;
-}
-
-Triple to_lab(const Triple& rgb) {
-  const double r = to_linear(rgb[0]);
-  const double g = to_linear(rgb[1]);
-  const double b = to_linear(rgb[2]);
-  const double x = lightness((0.4124564 * r + 0.3575761 * g + 0.1804375 * b) / 0.95047);
-  const double y = lightness(0.2126729 * r + 0.7151522 * g + 0.0721750 * b);
-  const double z = lightness((0.0193339 * r + 0.1191920 * g + 0.9503041 * b) / 1.08883);
-  return {116 * y - 16, 500 * (x - y), 200 * (y - z)};
-}
 
 std::size_t offset(const ui::Picture& picture, int x, int y) {
   return 3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.size.width) +
@@ -44,8 +23,8 @@ void for_each_pixel(const ui::Picture& picture, int left, int top, Visit visit) 
   }
 }
 
-Triple average(const ui::Picture& picture, int left, int top) {
-  Triple sum{};
+ColourTriple average(const ui::Picture& picture, int left, int top) {
+  ColourTriple sum{};
   int count = 0;
   for_each_pixel(picture, left, top, [&](std::size_t at) {
     for (std::size_t c = 0; c < 3; ++c) {
@@ -67,9 +46,8 @@ PictureDifference difference(const ui::Picture& a, const ui::Picture& b) {
   int squares = 0;
   for (int top = 0; top < a.size.height; top += difference_square) {
     for (int left = 0; left < a.size.width; left += difference_square) {
-      const Triple p = to_lab(average(a, left, top));
-      const Triple q = to_lab(average(b, left, top));
-      const double distance = std::hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]);
+      const double distance =
+          lab_distance(to_lab(to_linear(average(a, left, top))), to_lab(to_linear(average(b, left, top))));
       result.mean += distance;
       result.largest = std::max(result.largest, distance);
       ++squares;

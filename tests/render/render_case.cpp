@@ -1,7 +1,7 @@
 // Draws one case without a display and compares it with its baseline.
 //   render_case FOLDER MODEL PICTURE WxH RESULTS
-// FOLDER holds program.nc and baseline_PICTURE.png (a camera, charts or window); RESULTS is where the
-// pictures of a failure are left.
+// FOLDER holds program.nc and baseline_PICTURE.png (a camera, charts, comparison or window); RESULTS is where
+// the pictures of a failure are left.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -11,6 +11,7 @@
 #include <string>
 
 #include "tests/render/picture_difference.h"
+#include "tests/ui/comparison_fixture.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/scene/picture.h"
 #include "ui/window_picture.h"
@@ -26,11 +27,16 @@ Draw scene_from(ui::StandardView view) {
   return [view](const Run& run, ui::PictureSize size) { return ui::draw_run(run, size, view); };
 }
 
+ui::Picture draw_comparison(const Run& run, ui::PictureSize size) {
+  return ui::draw_comparison(run.input, usual_compared_runs(), {"alpha=2", "X.jerk=5"}, size);
+}
+
 const std::map<std::string, Draw> pictures{{"iso", scene_from(ui::StandardView::iso)},
                                            {"top", scene_from(ui::StandardView::top)},
                                            {"front", scene_from(ui::StandardView::front)},
                                            {"right", scene_from(ui::StandardView::right)},
                                            {"charts", ui::draw_charts},
+                                           {"comparison", draw_comparison},
                                            {"window", [](const Run& run, ui::PictureSize size) {
                                               return ui::draw_window(run, size, ui::StandardView::iso);
                                             }}};

@@ -11,6 +11,7 @@
 #include <functional>
 #include <numeric>
 
+#include "ui/charts/chart_colors.h"
 #include "ui/scene/ticks.h"
 
 namespace feedscope::ui {
@@ -26,9 +27,6 @@ constexpr double limit_in_sight = 1.6;  // a limit within this multiple of the l
 constexpr double headroom = 0.06;
 constexpr double tick_distance = 18;  // [px]
 constexpr double zoom_a_notch = 0.8;
-const QColor grid_color(0xe3, 0xe6, 0xea);
-const QColor axis_color(0x8a, 0x90, 0x98);
-const QColor text_color(0x33, 0x38, 0x3e);
 const QColor cursor_color(0xcc, 0x00, 0x7a);
 
 QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {

@@ -4,15 +4,13 @@
 
 #include <cmath>
 
+#include "tests/support/cielab.h"
+
 namespace feedscope::ui {
 namespace {
 
-/// CIELAB lightness of an sRGB colour.
 double lightness(const Rgb& colour) {
-  const auto linear = [](double v) { return v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4); };
-  const double y =
-      0.2126729 * linear(colour[0]) + 0.7151522 * linear(colour[1]) + 0.0721750 * linear(colour[2]);
-  return 116 * std::cbrt(y) - 16;
+  return test::to_lab(test::to_linear(colour))[0];
 }
 
 TEST(ColourMap, LightnessRisesInAStraightLine) {

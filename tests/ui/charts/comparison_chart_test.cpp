@@ -1,0 +1,73 @@
+#include "ui/charts/comparison_chart.h"
+
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <set>
+
+#include "tests/ui/comparison_fixture.h"
+#include "ui/scene/cause_colour.h"
+
+namespace feedscope::ui {
+namespace {
+
+QRgb color_of(CauseKind kind) {
+  const Rgb rgb = cause_colour(kind);
+  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]))
+      .rgb();
+}
+
+QImage drawn(ComparisonChart& chart, QSize size) {
+  chart.resize(size);
+  return chart.grab().toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+TEST(ComparisonChart, FillsABarWithTheColoursOfItsCausesToScale) {
+  const std::vector runs{test::compared_run(
+      "m", "essid", 0.01, {{{CauseKind::programmed_feed, -1}, 3}, {{CauseKind::axis_jerk, 1}, 1}})};
+  ComparisonChart chart;
+  chart.set_comparison("a.nc", "", comparison_bars(runs));
+  const QImage image = drawn(chart, {1000, 300});
+  const ComparisonLayout layout = lay_out(chart.bars(), {1000, 300}, chart.font());
+  const int y = static_cast<int>(layout.rows[0].center().y() - layout.bar_height / 2 + 2);  // above its texts
+  const auto at = [&](double time) { return image.pixel(static_cast<int>(layout.x_of(time)), y); };
+  EXPECT_EQ(at(0.1), color_of(CauseKind::programmed_feed));
+  EXPECT_EQ(at(2.9), color_of(CauseKind::programmed_feed));
+  EXPECT_EQ(at(3.1), color_of(CauseKind::axis_jerk));
+  EXPECT_EQ(at(3.9), color_of(CauseKind::axis_jerk));
+  EXPECT_EQ(at(4.05), qRgb(255, 255, 255));
+}
+
+TEST(ComparisonChart, ShowsEveryKindThatItTellsApart) {
+  ComparisonChart chart;
+  chart.set_comparison("a.nc", "", comparison_bars(test::many_compared_runs(40)));
+  const QImage image = drawn(chart, chart.sizeHint());
+  std::set<QRgb> seen;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      seen.insert(image.pixel(x, y));
+    }
+  }
+  for (const CauseKind kind : chart.bars().kinds) {
+    EXPECT_TRUE(seen.contains(color_of(kind))) << cause_kind_title(kind);
+  }
+}
+
+TEST(ComparisonChart, DrawsNothingAndRunsWithoutMotion) {
+  ComparisonChart chart;
+  EXPECT_FALSE(drawn(chart, {640, 200}).isNull());
+  chart.set_comparison("a.nc", "", comparison_bars(std::vector{test::compared_run("m", "cam", {}, {})}));
+  EXPECT_FALSE(drawn(chart, {640, 300}).isNull());
+}
+
+TEST(ComparisonChart, ElidesATitleThatIsTooLong) {
+  ComparisonChart chart;
+  chart.set_comparison(QString(500, 'W'), QString(500, 'm'), comparison_bars(test::many_compared_runs(2)));
+  const QImage image = drawn(chart, {640, 400});
+  for (int y = 0; y < 40; ++y) {
+    EXPECT_EQ(image.pixel(636, y), qRgb(255, 255, 255)) << y;
+  }
+}
+
+}  // namespace
+}  // namespace feedscope::ui

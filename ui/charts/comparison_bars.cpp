@@ -1,0 +1,107 @@
+#include "ui/charts/comparison_bars.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <numeric>
+
+namespace feedscope::ui {
+namespace {
+
+constexpr std::size_t kind_count = static_cast<std::size_t>(CauseKind::dwell) + 1;
+constexpr double least_share = 0.01;
+
+using KindFlags = std::array<bool, kind_count>;
+
+std::size_t index_of(CauseKind kind) {
+  return static_cast<std::size_t>(kind);
+}
+
+/// The largest share of a cycle time that each kind takes in any run.
+std::array<double, kind_count> largest_shares(std::span<const ComparedRun> runs) {
+  std::array<double, kind_count> largest{};
+  for (const ComparedRun& run : runs) {
+    std::array<double, kind_count> times{};
+    for (std::size_t i = 0; i < run.summary.time_by_cause.size(); ++i) {
+      times[index_of(all_causes()[i].kind)] += run.summary.time_by_cause[i];
+    }
+    for (std::size_t k = 0; k < kind_count && run.summary.cycle_time > 0; ++k) {
+      largest[k] = std::max(largest[k], times[k] / run.summary.cycle_time);
+    }
+  }
+  return largest;
+}
+
+KindFlags kinds_told_apart(std::span<const ComparedRun> runs) {
+  const std::array<double, kind_count> shares = largest_shares(runs);
+  std::vector<std::size_t> present;
+  for (std::size_t k = 0; k < kind_count; ++k) {
+    if (shares[k] > 0) {
+      present.push_back(k);
+    }
+  }
+  std::ranges::stable_sort(present, std::greater(), [&](std::size_t k) { return shares[k]; });
+  const auto small =
+      std::ranges::find_if(present, [&](std::size_t k) { return shares[k] < least_share; }) - present.begin();
+  auto kept = static_cast<std::size_t>(small);
+  if (kept + 1 == present.size()) {
+    ++kept;
+  }
+  present.resize(std::min(kept, most_cause_kinds));
+  KindFlags flags{};
+  for (const std::size_t k : present) {
+    flags[k] = true;
+  }
+  return flags;
+}
+
+ComparisonBar bar_of(const ComparedRun& run, const KindFlags& told) {
+  const Summary& summary = run.summary;
+  ComparisonBar bar{run.setup.model->info().id, contour_tolerance(run.setup), summary.cycle_time,
+                    run.against_cam(),          summary.max_contour_error,    {}};
+  double rest = 0;
+  for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
+    const double time = summary.time_by_cause[i];
+    const Cause cause = all_causes()[i];
+    if (time > 0 && told[index_of(cause.kind)]) {
+      bar.parts.push_back({cause, time});
+    } else {
+      rest += time;
+    }
+  }
+  if (rest > 0) {
+    bar.parts.push_back({std::nullopt, rest});
+  }
+  return bar;
+}
+
+}  // namespace
+
+std::size_t ComparisonBars::count() const {
+  return std::accumulate(
+      machines.begin(), machines.end(), std::size_t{0},
+      [](std::size_t sum, const MachineBars& machine) { return sum + machine.bars.size(); });
+}
+
+ComparisonBars comparison_bars(std::span<const ComparedRun> runs) {
+  const KindFlags told = kinds_told_apart(runs);
+  ComparisonBars result;
+  for (std::size_t k = 0; k < kind_count; ++k) {
+    if (told[k]) {
+      result.kinds.push_back(static_cast<CauseKind>(k));
+    }
+  }
+  const std::string* machine = nullptr;
+  for (const ComparedRun& run : runs) {
+    if (machine == nullptr || *machine != run.setup.machine.id) {
+      machine = &run.setup.machine.id;
+      result.machines.push_back({run.setup.machine.name, run.summary.programmed_time, {}});
+    }
+    const ComparisonBar& bar = result.machines.back().bars.emplace_back(bar_of(run, told));
+    result.rest = result.rest || (!bar.parts.empty() && !bar.parts.back().cause);
+    result.longest = std::max({result.longest, bar.cycle_time, run.summary.programmed_time});
+  }
+  return result;
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/analysis/compare.h"
+
+namespace feedscope::ui {
+
+/// A stretch of a bar: the time of one cause.
+struct BarPart {
+  std::optional<Cause> cause;  ///< none: several that take little time, together
+  double time = 0;             ///< [s]
+};
+
+/// One run as a bar, and the figures beside it.
+struct ComparisonBar {
+  std::string model;                ///< id
+  std::optional<double> tolerance;  ///< where the model reads one [mm]
+  double cycle_time = 0;            ///< [s]
+  double against_cam = 1;           ///< cycle time over programmed time
+  double contour_error = 0;         ///< largest [mm]
+  std::vector<BarPart> parts;  ///< in the order of all_causes(), the rest last; they add up to cycle_time
+};
+
+/// Neighbouring runs on one machine.
+struct MachineBars {
+  std::string machine;         ///< name
+  double programmed_time = 0;  ///< what `cam` promises [s]
+  std::vector<ComparisonBar> bars;
+};
+
+/// A comparison as stacked bars: what is drawn, apart from how.
+struct ComparisonBars {
+  std::vector<MachineBars> machines;  ///< in the order of the runs
+  std::vector<CauseKind> kinds;       ///< that are told apart, in the order of their parts
+  bool rest = false;                  ///< whether any bar has a part without cause
+  double longest = 0;                 ///< time that the bars must have room for [s]
+
+  std::size_t count() const;
+};
+
+/// Kinds of causes that a legend may hold, the rest not counted.
+inline constexpr std::size_t most_cause_kinds = 11;
+
+/// Kinds of causes that take less than 1 % of every run, and those beyond most_cause_kinds, become one part;
+/// a single such kind keeps its name if there is room.
+ComparisonBars comparison_bars(std::span<const ComparedRun> runs);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/charts/comparison_bars.h"
+#include "ui/charts/comparison_layout.h"
+
+namespace feedscope::ui {
+
+/// Several runs of a program side by side: a bar each, as long as its cycle time, cut by what limits it; the
+/// programmed time of each machine as a line across its bars; the figures of each run beside its bar.
+class ComparisonChart : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ComparisonChart(QWidget* parent = nullptr);
+
+  /// `title`: the program; `details`: what else holds for all runs, behind the title.
+  void set_comparison(const QString& title, const QString& details, ComparisonBars bars);
+  const ComparisonBars& bars() const { return bars_; }
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void draw_title(QPainter& painter, const ComparisonLayout& layout) const;
+  void draw_legend(QPainter& painter, const ComparisonLayout& layout) const;
+  void draw_columns(QPainter& painter, const ComparisonLayout& layout) const;
+  void draw_axis(QPainter& painter, const ComparisonLayout& layout) const;
+  void draw_machines(QPainter& painter, const ComparisonLayout& layout) const;
+  void draw_bars(QPainter& painter, const ComparisonLayout& layout) const;
+
+  QString title_;
+  QString details_;
+  ComparisonBars bars_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,250 @@
+#include "ui/charts/comparison_layout.h"
+
+#include <QCoreApplication>
+#include <QFontMetricsF>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/clock_text.h"
+#include "ui/scene/cause_colour.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr double margin = 16;
+constexpr double title_height = 28;
+constexpr double legend_row = 20;
+constexpr double most_legend_width = 240;
+constexpr double legend_gap = 10;
+constexpr double headings_height = 34;
+constexpr double axis_height = 40;
+constexpr double least_row = 16;
+constexpr double natural_row = 26;
+constexpr double largest_row = 36;
+constexpr double model_gap = 0.35;    // between models of which one has several runs, in rows
+constexpr double machine_gap = 0.35;  // between machines, in rows
+constexpr double bar_share = 0.74;
+constexpr double column_gap = 18;
+constexpr double most_name_width = 160;
+constexpr double headroom = 1.02;
+constexpr double tick_distance = 65;
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("feedscope::ui::ComparisonChart", text);
+}
+
+template <typename Visit>
+void for_each_bar(const ComparisonBars& bars, Visit visit) {
+  for (const MachineBars& machine : bars.machines) {
+    for (const ComparisonBar& bar : machine.bars) {
+      visit(bar);
+    }
+  }
+}
+
+/// Whether some model of a machine has several runs, so that models are worth setting apart.
+bool has_families(const MachineBars& machine) {
+  return std::ranges::adjacent_find(machine.bars, {}, &ComparisonBar::model) != machine.bars.end();
+}
+
+bool begins_family(const MachineBars& machine, std::size_t bar) {
+  return bar > 0 && has_families(machine) && machine.bars[bar].model != machine.bars[bar - 1].model;
+}
+
+/// Height of all rows and machine lines, in rows.
+double row_units(const ComparisonBars& bars) {
+  double units = -machine_gap;
+  for (const MachineBars& machine : bars.machines) {
+    units += machine_gap + 1;
+    for (std::size_t i = 0; i < machine.bars.size(); ++i) {
+      units += begins_family(machine, i) ? 1 + model_gap : 1;
+    }
+  }
+  return units;
+}
+
+/// Height of everything but the rows.
+double fixed_height(double legend_rows) {
+  return 2 * margin + title_height + legend_rows * legend_row + legend_gap + headings_height + axis_height;
+}
+
+std::vector<QString> legend_texts(const ComparisonBars& bars) {
+  std::vector<QString> texts;
+  for (const CauseKind kind : bars.kinds) {
+    texts.push_back(QString::fromStdString(cause_kind_title(kind)));
+  }
+  if (bars.rest) {
+    texts.push_back(tr("other causes"));
+  }
+  texts.push_back(tr("programmed time"));
+  return texts;
+}
+
+/// Entries in rows from the left, as many in each as there is room for.
+std::vector<QRectF> lay_legend(const std::vector<QString>& texts, double width,
+                               const QFontMetricsF& metrics) {
+  std::vector<QRectF> entries;
+  double x = margin;
+  double y = margin + title_height;
+  for (const QString& text : texts) {
+    const double needed =
+        std::min(most_legend_width, legend_swatch + std::ceil(metrics.horizontalAdvance(text)) + column_gap);
+    if (x > margin && x + needed > width - margin) {
+      x = margin;
+      y += legend_row;
+    }
+    entries.emplace_back(x, y, needed - column_gap, legend_row);
+    x += needed;
+  }
+  return entries;
+}
+
+double legend_rows(const std::vector<QRectF>& entries) {
+  return entries.empty() ? 0 : (entries.back().top() - entries.front().top()) / legend_row + 1;
+}
+
+TextColumn model_column(const ComparisonBars& bars) {
+  TextColumn column{QString(), tr("model"), {}, Qt::AlignLeft};
+  for (const MachineBars& machine : bars.machines) {
+    for (std::size_t i = 0; i < machine.bars.size(); ++i) {
+      const bool told = i > 0 && machine.bars[i].model == machine.bars[i - 1].model;
+      column.texts.push_back(told ? QString() : QString::fromStdString(machine.bars[i].model));
+    }
+  }
+  return column;
+}
+
+template <typename Text>
+TextColumn column_of(const ComparisonBars& bars, const QString& heading, const QString& below, Text text) {
+  TextColumn column{heading, below, {}};
+  for_each_bar(bars, [&](const ComparisonBar& bar) { column.texts.push_back(text(bar)); });
+  return column;
+}
+
+std::vector<TextColumn> name_columns(const ComparisonBars& bars) {
+  return {model_column(bars),
+          column_of(bars, tr("tolerance"), QStringLiteral("[mm]"), [](const ComparisonBar& bar) {
+            return bar.tolerance ? QLocale().toString(*bar.tolerance, 'g', QLocale::FloatingPointShortest)
+                                 : QStringLiteral("–");
+          })};
+}
+
+std::vector<TextColumn> figure_columns(const ComparisonBars& bars) {
+  const QLocale locale;
+  std::vector<TextColumn> columns{
+      column_of(bars, tr("cycle time"), QStringLiteral("[s]"),
+                [&](const ComparisonBar& bar) { return seconds_text(bar.cycle_time, bars); })};
+  if (bars.longest >= 60) {
+    columns.push_back(column_of(bars, QString(), QStringLiteral("h:mm:ss"), [](const ComparisonBar& bar) {
+      return QString::fromStdString(clock_text(bar.cycle_time));
+    }));
+  }
+  columns.push_back(column_of(bars, tr("against"), tr("cam"), [&](const ComparisonBar& bar) {
+    return QStringLiteral("× %1").arg(locale.toString(bar.against_cam, 'f', 3));
+  }));
+  columns.push_back(
+      column_of(bars, tr("contour error"), QStringLiteral("[mm]"),
+                [&](const ComparisonBar& bar) { return locale.toString(bar.contour_error, 'f', 4); }));
+  return columns;
+}
+
+double width_of(const TextColumn& column, const QFontMetricsF& metrics) {
+  double width = std::max(metrics.horizontalAdvance(column.heading), metrics.horizontalAdvance(column.below));
+  for (const QString& text : column.texts) {
+    width = std::max(width, metrics.horizontalAdvance(text));
+  }
+  return std::ceil(width);
+}
+
+/// Stands columns from the left and gives the end of the last.
+double lay_columns(std::vector<TextColumn>& columns, double left, const QFontMetricsF& metrics) {
+  for (TextColumn& column : columns) {
+    column.left = left;
+    column.right = left + std::min(most_name_width, width_of(column, metrics));
+    left = column.right + column_gap;
+  }
+  return left;
+}
+
+void move_columns(std::vector<TextColumn>& columns, double distance) {
+  for (TextColumn& column : columns) {
+    column.left += distance;
+    column.right += distance;
+  }
+}
+
+/// Rows and machine lines from `top` down; gives where they end.
+double lay_rows(ComparisonLayout& layout, const ComparisonBars& bars, double top, double width, double row) {
+  double y = top;
+  for (const MachineBars& machine : bars.machines) {
+    y += layout.machines.empty() ? 0 : machine_gap * row;
+    layout.machines.emplace_back(margin, y, width - 2 * margin, row);
+    y += row;
+    for (std::size_t i = 0; i < machine.bars.size(); ++i) {
+      y += begins_family(machine, i) ? model_gap * row : 0;
+      layout.rows.emplace_back(margin, y, width - 2 * margin, row);
+      y += row;
+    }
+  }
+  layout.bar_height = std::round(bar_share * row);
+  return y;
+}
+
+int height_with_rows(double row, const ComparisonBars& bars, int width, const QFont& font) {
+  const double rows = legend_rows(lay_legend(legend_texts(bars), width, QFontMetricsF(font)));
+  return static_cast<int>(std::ceil(fixed_height(rows) + row * row_units(bars)));
+}
+
+}  // namespace
+
+QString seconds_text(double seconds, const ComparisonBars& bars) {
+  return QLocale().toString(seconds, 'f', bars.longest < 1000 ? 3 : 1);
+}
+
+ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QFont& font) {
+  const QFontMetricsF metrics(font);
+  ComparisonLayout layout;
+  layout.title = QRectF(margin, margin, size.width() - 2 * margin, title_height);
+  layout.legend_texts = legend_texts(bars);
+  layout.legend = lay_legend(layout.legend_texts, size.width(), metrics);
+
+  const double fixed = fixed_height(legend_rows(layout.legend));
+  const double row = std::clamp(std::floor((size.height() - fixed) / std::max(1.0, row_units(bars))),
+                                least_row, largest_row);
+  layout.headings = QRectF(margin, fixed - margin - axis_height - headings_height, size.width() - 2 * margin,
+                           headings_height);
+
+  layout.names = name_columns(bars);
+  layout.figures = figure_columns(bars);
+  const double left = lay_columns(layout.names, margin, metrics);
+  const double figures_width = lay_columns(layout.figures, 0, metrics) - column_gap;
+  const double right = size.width() - margin - figures_width - column_gap;
+  move_columns(layout.figures, size.width() - margin - figures_width);
+
+  const double top = layout.headings.bottom();
+  const double bottom = lay_rows(layout, bars, top, size.width(), row);
+  layout.plot = QRectF(left, top, right - left, bottom - top);
+  layout.axis = QRectF(left, bottom, right - left, axis_height);
+  const double most = bars.longest > 0 ? headroom * bars.longest : 1;
+  layout.pixels_per_second = layout.plot.width() / most;
+  layout.ticks = round_ticks(0, most, std::max(2, static_cast<int>(layout.plot.width() / tick_distance)));
+  return layout;
+}
+
+int natural_comparison_height(const ComparisonBars& bars, int width, const QFont& font) {
+  return height_with_rows(natural_row, bars, width, font);
+}
+
+int least_comparison_height(const ComparisonBars& bars, int width, const QFont& font) {
+  return height_with_rows(least_row, bars, width, font);
+}
+
+int enough_comparison_height(const ComparisonBars& bars, int width) {
+  const double entries_a_row = std::max(1.0, std::floor((width - 2 * margin) / most_legend_width));
+  const double most_rows = std::ceil(static_cast<double>(most_cause_kinds + 2) / entries_a_row);
+  return static_cast<int>(std::ceil(fixed_height(most_rows) + least_row * row_units(bars)));
+}
+
+}  // namespace feedscope::ui

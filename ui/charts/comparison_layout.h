@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QFont>
+#include <QRectF>
+#include <QSize>
+#include <QString>
+#include <vector>
+
+#include "ui/charts/comparison_bars.h"
+#include "ui/scene/ticks.h"
+
+namespace feedscope::ui {
+
+/// A column of texts beside the bars: its heading in two lines, the second the unit or more of the name.
+struct TextColumn {
+  QString heading;
+  QString below;
+  std::vector<QString> texts;  ///< one a run
+  Qt::AlignmentFlag side = Qt::AlignRight;
+  double left = 0;
+  double right = 0;
+};
+
+/// Where everything of a comparison stands [px]: title, legend, column headings, then a row each run with
+/// its name, its bar and its figures, and the time axis below.
+struct ComparisonLayout {
+  QRectF title;
+  std::vector<QString> legend_texts;  ///< a kind each, the rest if there is one, the programmed time
+  std::vector<QRectF> legend;         ///< with room for the swatch in front of the text
+  QRectF headings;
+  std::vector<TextColumn> names;    ///< left of the plot: model, tolerance
+  std::vector<TextColumn> figures;  ///< right of the plot
+  std::vector<QRectF> machines;     ///< the line above the runs of each machine
+  std::vector<QRectF> rows;         ///< one a run, over the whole width
+  QRectF plot;                      ///< around the rows; 0 s at its left
+  QRectF axis;                      ///< below the plot
+  double bar_height = 0;
+  Ticks ticks;  ///< [s]
+  double pixels_per_second = 0;
+
+  double x_of(double time) const { return plot.left() + time * pixels_per_second; }
+};
+
+/// Room for the swatch in front of a legend's text [px].
+inline constexpr double legend_swatch = 20;
+
+/// A time of a comparison with as many decimals as its longest leaves sense for.
+QString seconds_text(double seconds, const ComparisonBars& bars);
+
+/// `size` at least least_comparison_size(). Rows grow with the height up to a largest size.
+ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QFont& font);
+
+/// The height at which rows are easy to read in a picture this wide, and the least at which they fit.
+int natural_comparison_height(const ComparisonBars& bars, int width, const QFont& font);
+int least_comparison_height(const ComparisonBars& bars, int width, const QFont& font);
+
+/// The least width of a comparison [px].
+inline constexpr int least_comparison_width = 640;
+/// least_comparison_height or more of the runs of `bars`, whatever comes to limit them.
+int enough_comparison_height(const ComparisonBars& bars, int width);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+
+#include "core/limits/cause.h"
+#include "ui/scene/colour_map.h"
+
+namespace feedscope::ui {
+
+/// Colour of a limiting cause, the same in the scene and in every chart; the axis does not change it.
+///
+/// Any two are 15 or more apart in CIELAB, with normal colour vision and without red, green or blue cones
+/// (Machado 2009, severity 1). Grey is the feed that was asked for; what stops the tool is dark.
+Rgb cause_colour(CauseKind kind);
+
+/// The name of a cause whatever its axis: "axis jerk", "radial jerk on a blend".
+std::string cause_kind_title(CauseKind kind);
+
+}  // namespace feedscope::ui
