@@ -42,8 +42,9 @@ class WardRunner {
 
   /// Lowers corner speeds, and feeds on arcs, until every corner and every arc keeps the tolerance.
   void enforce_tolerance(ProgressSteps& steps);
-  /// Lowers those that are too far from the path and in `check`, which is cleared. True if any was.
-  bool lower_blocks(int pass, ProgressSteps& steps);
+  /// Lowers those that are due for a look and too far from the path; unless `every`, only those that the pass
+  /// before lowered. True if any was.
+  bool lower_blocks(int pass, bool every, ProgressSteps& steps);
   bool lower_corner(std::size_t block, int pass);
   bool lower_arc(std::size_t block, int pass);
   void mark_neighbours();
@@ -82,7 +83,7 @@ class WardRunner {
   double lag_ = 0;  ///< of the path behind the middle of the filters at the point looked at last [s]
   std::vector<SpeedBound> limits_;     ///< of the feed, a block
   std::vector<double> corner_speeds_;  ///< at the start of every block, to be laid next [mm/s]
-  std::vector<char> check_;            ///< blocks whose start or inside may have moved
+  std::vector<char> check_;            ///< a block: due for a look, or lowered at the last one
   std::vector<char> slowed_;           ///< arcs whose feed this pass has lowered
   std::vector<Span> spans_;            ///< of the element under way
 };

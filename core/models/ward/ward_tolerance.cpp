@@ -11,8 +11,13 @@ namespace {
 // converges too slowly, at the latest by a stop in the corner.
 constexpr double aim = 0.98;
 constexpr double slack = 1e-6;
-constexpr int careful_passes = 16;
-constexpr int last_passes = 24;
+constexpr int careful_passes = 32;
+constexpr int last_passes = 40;
+
+// What check_ holds of a block. Most are settled after a few passes, but lie in the window of one that is not:
+// only those that were lowered are looked at again at once, the others when these are settled.
+constexpr char due = 1;
+constexpr char lowered_last = 2;
 
 double lowering_factor(double distance, double tolerance, int pass) {
   const double factor = std::sqrt(aim * tolerance / distance);
@@ -22,29 +27,38 @@ double lowering_factor(double distance, double tolerance, int pass) {
 }  // namespace
 
 void WardRunner::enforce_tolerance(ProgressSteps& steps) {
-  check_.assign(train_.size(), 1);
+  check_.assign(train_.size(), due);
   slowed_.assign(train_.size(), 0);
-  for (int pass = 0; lower_blocks(pass, steps); ++pass) {
-    cap_by_short_blocks(train_, corner_speeds_);
-    mark_neighbours();
-    lay_pulses(train_, limits_, corner_speeds_);
-    walk_.forget();
-    lag_ = 0;
+  bool every = true;
+  for (int pass = 0;; ++pass) {
+    if (lower_blocks(pass, every, steps)) {
+      cap_by_short_blocks(train_, corner_speeds_);
+      mark_neighbours();
+      lay_pulses(train_, limits_, corner_speeds_);
+      walk_.forget();
+      lag_ = 0;
+      every = false;
+    } else if (every) {
+      return;
+    } else {
+      every = true;
+    }
   }
 }
 
-bool WardRunner::lower_blocks(int pass, ProgressSteps& steps) {
+bool WardRunner::lower_blocks(int pass, bool every, ProgressSteps& steps) {
   steps.at(train_.first);
-  bool lowered = false;
+  const char wanted = every ? due : due | lowered_last;
+  bool any = false;
   for (std::size_t i = 0; i < train_.size(); ++i) {
-    if (!check_[i]) {
-      continue;
+    if ((check_[i] & wanted) == wanted) {
+      const bool corner = i > 0 && lower_corner(i, pass);
+      const bool arc = is_arc(i) && lower_arc(i, pass);
+      check_[i] = corner || arc ? lowered_last : 0;
+      any = any || corner || arc;
     }
-    check_[i] = 0;
-    lowered = (i > 0 && lower_corner(i, pass)) || lowered;
-    lowered = (is_arc(i) && lower_arc(i, pass)) || lowered;
   }
-  return lowered;
+  return any;
 }
 
 bool WardRunner::lower_corner(std::size_t block, int pass) {
@@ -89,11 +103,11 @@ void WardRunner::mark_neighbours() {
     const double last = (slowed_[i] ? blocks[i + 1].start : blocks[i].start) + train_.delay();
     slowed_[i] = 0;
     for (std::size_t k = i; k > unmarked && blocks[k].start >= first; --k) {
-      check_[k - 1] = 1;
+      check_[k - 1] |= due;
     }
     std::size_t k = std::max(i, unmarked);
     for (; k < train_.size() && blocks[k].start <= last; ++k) {
-      check_[k] = 1;
+      check_[k] |= due;
     }
     unmarked = k;
   }
