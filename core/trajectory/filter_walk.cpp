@@ -64,10 +64,11 @@ struct TurnIntegrals {
   /// E_3 = sum_(k>0) (ix)^k/(k+3)!
   void sum_third(double x) {
     static constexpr std::array<std::array<double, 2>, 9> coefficients = turn_series();
+    constexpr double few_terms_up_to = 0.4;
     const double square = -x * x;
     double even = 0;
     double odd = 0;
-    for (std::size_t k = coefficients.size(); k-- > 0;) {
+    for (std::size_t k = x < few_terms_up_to ? 5 : coefficients.size(); k-- > 0;) {
       even = even * square + coefficients[k][0];
       odd = odd * square + coefficients[k][1];
     }
@@ -76,15 +77,15 @@ struct TurnIntegrals {
   }
 };
 
-/// P_lowest ... P_filters of a part `h` after its start, P_(-1) being the velocity.
-template <int filters, int lowest>
-using Integrals = std::array<Vec3, filters - lowest + 1>;
+/// P_lowest ... P_highest of a part `h` after its start, P_(-1) being the velocity.
+template <int highest, int lowest>
+using Integrals = std::array<Vec3, highest - lowest + 1>;
 
-template <int filters, int lowest>
-void add_turn(const CommandPart& part, double h, Integrals<filters, lowest>& out) {
+template <int highest, int lowest>
+void add_turn(const CommandPart& part, double h, Integrals<highest, lowest>& out) {
   const TurnIntegrals turn(part.rate * h);
   double power = 1;
-  for (int m = 0; m <= filters; ++m, power *= h) {
+  for (int m = 0; m <= highest; ++m, power *= h) {
     if (m >= lowest) {
       const auto i = static_cast<std::size_t>(m);
       out[static_cast<std::size_t>(m - lowest)] +=
@@ -115,18 +116,20 @@ Vec3 straight_integral(const Knot& knot, const std::array<double, 5>& h_over) {
   }
 }
 
-template <int filters, int lowest, typename Knot>
-Integrals<filters, lowest> integrals_at(const Knot& knot, double h) {
+template <int highest, int lowest, typename Knot>
+Integrals<highest, lowest> integrals_at(const Knot& knot, double h) {
   const std::array<double, 5> h_over{0, h, h / 2, h * (1.0 / 3), h / 4};
-  Integrals<filters, lowest> out;
+  Integrals<highest, lowest> out;
   out[0] = straight_integral<lowest>(knot, h_over);
   out[1] = straight_integral<lowest + 1>(knot, h_over);
-  out[2] = straight_integral<lowest + 2>(knot, h_over);
-  if constexpr (filters - lowest == 3) {
+  if constexpr (highest - lowest >= 2) {
+    out[2] = straight_integral<lowest + 2>(knot, h_over);
+  }
+  if constexpr (highest - lowest >= 3) {
     out[3] = straight_integral<lowest + 3>(knot, h_over);
   }
   if (knot.part.rate > 0) {
-    add_turn<filters, lowest>(knot.part, h, out);
+    add_turn<highest, lowest>(knot.part, h, out);
   }
   return out;
 }
@@ -135,12 +138,17 @@ Integrals<filters, lowest> integrals_at(const Knot& knot, double h) {
 
 Kinematics FilterWalk::at(const PulseTrain& train, double t) {
   seek(train, t);
-  return train.filters == 2 ? evaluate<2, true>(t) : evaluate<3, true>(t);
+  return train.filters == 2 ? evaluate<2>(t, true) : evaluate<3>(t, true);
 }
 
 Kinematics FilterWalk::motion_at(const PulseTrain& train, double t) {
   seek(train, t);
-  return train.filters == 2 ? evaluate<2, false>(t) : evaluate<3, false>(t);
+  return train.filters == 2 ? evaluate<2>(t, false) : evaluate<3>(t, false);
+}
+
+VelocityPoint FilterWalk::velocity_at(const PulseTrain& train, double t) {
+  seek(train, t);
+  return train.filters == 2 ? evaluate_velocity<2>(t) : evaluate_velocity<3>(t);
 }
 
 double FilterWalk::next_knot(const PulseTrain& train, double t) {
@@ -154,34 +162,54 @@ double FilterWalk::next_knot(const PulseTrain& train, double t) {
   return next;
 }
 
-template <int filters, bool with_jerk>
-Kinematics FilterWalk::evaluate(double t) const {
+const FilterWalk::Knot* FilterWalk::settled_in() const {
   const Knot& newest = knots_[cursor_[0]];
-  if (cursor_[0] == cursor_[filters] && newest.part.rate == 0) {
-    const double h = t - train_->half_delay() - newest.part.time;
-    return {newest.part.position + h * newest.part.velocity, newest.part.velocity, Vec3::Zero(),
-            Vec3::Zero()};
-  }
-  constexpr int lowest = filters - (with_jerk ? 3 : 2);
+  return is_settled() && newest.part.rate == 0 ? &newest : nullptr;
+}
+
+/// T1^-n sum_i (-1)^i C(n,i) P_m(t - i T1) for m from lowest to highest.
+template <int filters, int highest, int lowest>
+std::array<Vec3, highest - lowest + 1> FilterWalk::differences(double t) const {
   constexpr auto signs = binomials<filters>();
-  Integrals<filters, lowest> sums;
+  Integrals<highest, lowest> sums;
   sums.fill(Vec3::Zero());
   for (std::size_t i = 0; i <= filters; ++i) {
     const Knot& knot = knots_[cursor_[i]];
     const double age = t - static_cast<double>(i) * train_->filter_time;
-    const auto terms = integrals_at<filters, lowest>(knot, age - knot.part.time);
+    const auto terms = integrals_at<highest, lowest>(knot, age - knot.part.time);
     for (std::size_t m = 0; m < terms.size(); ++m) {
       sums[m] += signs[i] * terms[m];
     }
   }
-  const double scale = 1 / (filters == 2 ? train_->filter_time * train_->filter_time
-                                         : train_->filter_time * train_->filter_time * train_->filter_time);
-  constexpr std::size_t top = sums.size() - 1;
-  Kinematics motion{anchor_ + scale * sums[top], scale * sums[top - 1], scale * sums[top - 2], Vec3::Zero()};
-  if constexpr (with_jerk) {
-    motion.jerk = scale * sums[0];
+  const double square = train_->filter_time * train_->filter_time;
+  const double scale = 1 / (filters == 2 ? square : square * train_->filter_time);
+  for (Vec3& sum : sums) {
+    sum *= scale;
   }
-  return motion;
+  return sums;
+}
+
+template <int filters>
+Kinematics FilterWalk::evaluate(double t, bool with_jerk) const {
+  if (const Knot* knot = settled_in()) {
+    const double h = t - train_->half_delay() - knot->part.time;
+    return {knot->part.position + h * knot->part.velocity, knot->part.velocity, Vec3::Zero(), Vec3::Zero()};
+  }
+  if (with_jerk) {
+    const auto d = differences<filters, filters, filters - 3>(t);
+    return {anchor_ + d[3], d[2], d[1], d[0]};
+  }
+  const auto d = differences<filters, filters, filters - 2>(t);
+  return {anchor_ + d[2], d[1], d[0], Vec3::Zero()};
+}
+
+template <int filters>
+VelocityPoint FilterWalk::evaluate_velocity(double t) const {
+  if (const Knot* knot = settled_in()) {
+    return {knot->part.velocity, Vec3::Zero()};
+  }
+  const auto d = differences<filters, filters - 1, filters - 2>(t);
+  return {d[1], d[0]};
 }
 
 void FilterWalk::seek(const PulseTrain& train, double t) {

@@ -24,8 +24,9 @@ class FilterWalk {
  public:
   /// Smoothed motion at `t` from its start [s].
   Kinematics at(const PulseTrain& train, double t);
-  /// Without the jerk, for those who need it most often.
+  /// Without the jerk, and without the position either, for those who need no more many times.
   Kinematics motion_at(const PulseTrain& train, double t);
+  VelocityPoint velocity_at(const PulseTrain& train, double t);
   /// First instant after `t` [s] at which a pulse begins to count, or one of its averages to begin or end:
   /// between two such instants the motion of straight pulses is one polynomial.
   double next_knot(const PulseTrain& train, double t);
@@ -42,8 +43,13 @@ class FilterWalk {
     CommandPart part;
     std::array<Vec3, most_filters + 1> integrals;
   };
-  template <int filters, bool with_jerk>
-  Kinematics evaluate(double t) const;
+  template <int filters, int highest, int lowest>
+  std::array<Vec3, highest - lowest + 1> differences(double t) const;
+  template <int filters>
+  Kinematics evaluate(double t, bool with_jerk) const;
+  template <int filters>
+  VelocityPoint evaluate_velocity(double t) const;
+  const Knot* settled_in() const;
   void seek(const PulseTrain& train, double t);
   void restart(double anchor_time);
   void append_block();

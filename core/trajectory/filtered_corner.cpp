@@ -8,8 +8,7 @@
 
 namespace feedscope {
 
-Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3& point, double time,
-                          double good_enough) {
+Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3& point, double time) {
   constexpr int newton_steps = 8;
   constexpr double precision = 1e-9;  // of the distance squared that another step could win
   const double longest_step = train.half_delay() / 2;
@@ -24,7 +23,7 @@ Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3&
     }
     const double slope = offset.dot(at.velocity);
     const double curvature = at.velocity.squaredNorm() + offset.dot(at.acceleration);
-    if (best.distance <= good_enough || !(curvature > 0) ||
+    if (!(curvature > 0) ||
         slope * slope <= precision * curvature * squared) {
       break;
     }
@@ -55,9 +54,9 @@ BlendRecord filtered_corner(FilterWalk& walk, const PulseTrain& train, std::size
   record.transition = train.blocks[block].corner_speed * std::max(before, after);
   record.epsilon = nearest.distance;
   record.min_radius = bend > 0 ? std::pow(nearest.motion.velocity.norm(), 3) / bend : 0;
-  record.entry_speed = walk.motion_at(train, middle - before).velocity.norm();
+  record.entry_speed = walk.velocity_at(train, middle - before).velocity.norm();
   record.length = LengthWalk(walk, train, middle - before).advance_to(middle + after);
-  record.exit_speed = walk.motion_at(train, middle + after).velocity.norm();
+  record.exit_speed = walk.velocity_at(train, middle + after).velocity.norm();
   return record;
 }
 

@@ -10,9 +10,8 @@ struct Approach {
   double time = 0;      ///< of the motion [s]
   Kinematics motion;    ///< there, without the jerk
 };
-/// Newton steps from `time` on; ends early once the distance is at most `good_enough` [mm].
-Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3& point, double time,
-                          double good_enough = 0);
+/// By Newton steps from `time` on.
+Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3& point, double time);
 
 /// Direction change at the start of `block`, 0 at the start of the motion [rad].
 double corner_turn(const PulseTrain& train, std::size_t block);

@@ -10,16 +10,17 @@ LengthWalk::LengthWalk(FilterWalk& walk, const PulseTrain& train, double t)
     : walk_(walk), train_(train), last_(sample(t)) {}
 
 LengthWalk::Sample LengthWalk::sample(double t) {
-  const Kinematics motion = walk_.motion_at(train_, t);
-  const double speed = motion.velocity.norm();
-  return {t, speed, speed > 0 ? motion.acceleration.dot(motion.velocity) / speed : 0};
+  const auto [velocity, acceleration] = walk_.velocity_at(train_, t);
+  const double speed = velocity.norm();
+  return {t, speed, speed > 0 ? acceleration.dot(velocity) / speed : 0};
 }
 
 double LengthWalk::advance_to(double t) {
   constexpr double least_share = 1.0 / 16;  // many short polynomials are taken together
   constexpr double largest_share = 1.0 / 2;
   constexpr int deepest = 10;
-  const double tolerance = 1e-8 * train_.largest_feed;  // a second [mm/s]
+  // A second [mm/s]; the jerk of two filters jumps where pulses begin.
+  const double tolerance = (train_.filters == 2 ? 1e-8 : 1e-7) * train_.largest_feed;
   double sum = 0;
   while (last_.time < t) {
     const double knot = walk_.next_knot(train_, last_.time);
@@ -95,7 +96,7 @@ double FilteredMotion::time_at_length(double t0, double t1, double target) const
   double t = (t0 + t1) / 2;
   for (int i = 0; i < 100 && high - low > resolution; ++i) {
     const double covered = covered_to_low + LengthWalk(walk, train_, low).advance_to(t);
-    const double newton = t - (covered - target) / walk.motion_at(train_, t).velocity.norm();
+    const double newton = t - (covered - target) / walk.velocity_at(train_, t).velocity.norm();
     if (covered < target) {
       low = t;
       covered_to_low = covered;

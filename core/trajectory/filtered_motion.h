@@ -6,7 +6,7 @@ namespace feedscope {
 
 /// Path length of smoothed pulses, from instant to instant in order: exact where the velocity is constant,
 /// else by quadrature with the speed and its derivative at three places, halved until that agrees with the
-/// rule of lower order to 1e-9 of what the largest speed covers.
+/// rule of lower order to 1e-7 of what the largest speed covers.
 class LengthWalk {
  public:
   /// Starts at `t` from the start of the motion [s].

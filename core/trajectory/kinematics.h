@@ -12,4 +12,9 @@ struct Kinematics {
   Vec3 jerk;          ///< [mm/s3]
 };
 
+struct VelocityPoint {
+  Vec3 velocity;      ///< [mm/s]
+  Vec3 acceleration;  ///< [mm/s2]
+};
+
 }  // namespace feedscope

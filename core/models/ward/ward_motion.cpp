@@ -102,7 +102,7 @@ Cause WardRunner::cause_between(double from, double to, std::size_t block,
                                 std::optional<std::size_t> corner) {
   constexpr double reached = 0.99;
   const double limit = limits_[block].value;
-  const Kinematics at = walk_.motion_at(train_, (from + to) / 2);
+  const VelocityPoint at = walk_.velocity_at(train_, (from + to) / 2);
   if (at.velocity.norm() >= reached * limit * (is_arc(block) ? arc_gain(block) : 1.0)) {
     return limits_[block].cause;
   }

@@ -52,11 +52,11 @@ class WardRunner {
   /// filters reach at most, and in its middle; `time` is when the path is about there [s].
   template <typename F>
   void for_points_of_arc(std::size_t block, F f) const;
-  /// Distance of a point from the path near `time` [mm], exact unless it is below `good_enough` or clearly
-  /// above: then a first evaluation and its Newton step tell.
-  double distance_of(const Vec3& point, double time, double good_enough);
-  double corner_distance_of(std::size_t block, double good_enough);
-  double arc_distance(std::size_t block, double good_enough);
+  /// Distance of a point from the path near `time` [mm]: by one evaluation and its Newton step where that is
+  /// precise, which it mostly is because the path lags as much as at the point before.
+  double distance_of(const Vec3& point, double time);
+  double corner_distance_of(std::size_t block);
+  double arc_distance(std::size_t block);
   bool is_arc(std::size_t block) const { return train_.segment(block).kind == SegmentKind::arc; }
 
   void lay_motion(ProgressSteps& steps);

@@ -63,7 +63,7 @@ bool WardRunner::lower_blocks(int pass, bool every, ProgressSteps& steps) {
 
 bool WardRunner::lower_corner(std::size_t block, int pass) {
   const double allowed = settings_.tolerance * (1 + slack);
-  const double distance = corner_distance_of(block, allowed);
+  const double distance = corner_distance_of(block);
   if (distance <= allowed || corner_speeds_[block] == 0) {
     return false;
   }
@@ -77,7 +77,7 @@ bool WardRunner::lower_arc(std::size_t block, int pass) {
     return false;  // alone between two stops it keeps the tolerance by its limit
   }
   const double allowed = settings_.tolerance * (1 + slack);
-  const double distance = arc_distance(block, allowed);
+  const double distance = arc_distance(block);
   if (distance <= allowed) {
     return false;
   }
@@ -128,40 +128,42 @@ void WardRunner::for_points_of_arc(std::size_t block, F f) const {
   at(begin + half);
 }
 
-double WardRunner::arc_distance(std::size_t block, double good_enough) {
+double WardRunner::arc_distance(std::size_t block) {
   double distance = 0;
   for_points_of_arc(block, [&](const Vec3& point, double time) {
-    distance = std::max(distance, distance_of(point, time, good_enough));
+    distance = std::max(distance, distance_of(point, time));
   });
   return distance;
 }
 
-double WardRunner::corner_distance_of(std::size_t block, double good_enough) {
-  return distance_of(train_.point(block), train_.blocks[block].start + train_.half_delay(), good_enough);
+double WardRunner::corner_distance_of(std::size_t block) {
+  return distance_of(train_.point(block), train_.blocks[block].start + train_.half_delay());
 }
 
-double WardRunner::distance_of(const Vec3& point, double time, double good_enough) {
-  constexpr double margin = 0.02;
+double WardRunner::distance_of(const Vec3& point, double time) {
+  constexpr double precision = 1e-4;  // of the distance squared
   const Kinematics at = walk_.motion_at(train_, time + lag_);
   const Vec3 offset = at.position - point;
-  const double squared = offset.squaredNorm();
   const double slope = offset.dot(at.velocity);
   const double curvature = at.velocity.squaredNorm() + offset.dot(at.acceleration);
   const double step = curvature > 0 ? -slope / curvature : 0;
-  lag_ = std::abs(lag_ + step) < train_.filter_time / 4 ? lag_ + step : 0;
-  const double nearest = std::max(0.0, squared + slope * step);
+  const double nearest = offset.squaredNorm() + slope * step;
   const double doubt = std::abs(at.velocity.dot(at.acceleration) * step * step * step);
-  const double limit = good_enough * good_enough;
-  if (squared <= limit ||
-      (limit > 0 && lag_ != 0 && std::abs(nearest - limit) > margin * limit + 2 * doubt)) {
-    return std::sqrt(std::min(squared, nearest));
+  if (curvature > 0 && std::abs(lag_ + step) < train_.filter_time / 4) {
+    lag_ += step;
+    const double allowed = settings_.tolerance * settings_.tolerance;
+    if (doubt <= precision * nearest && std::abs(nearest - allowed) > 2 * precision * allowed) {
+      return std::sqrt(nearest);
+    }
+  } else {
+    lag_ = 0;
   }
-  return closest_approach(walk_, train_, point, time + lag_, good_enough).distance;
+  return closest_approach(walk_, train_, point, time + lag_).distance;
 }
 
 double WardRunner::contour_error(std::size_t block) {
-  const double corner = block > 0 ? corner_distance_of(block, 0) : 0;
-  return is_arc(block) ? std::max(corner, arc_distance(block, 0)) : corner;
+  const double corner = block > 0 ? corner_distance_of(block) : 0;
+  return is_arc(block) ? std::max(corner, arc_distance(block)) : corner;
 }
 
 }  // namespace feedscope
