@@ -23,8 +23,7 @@ Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3&
     }
     const double slope = offset.dot(at.velocity);
     const double curvature = at.velocity.squaredNorm() + offset.dot(at.acceleration);
-    if (!(curvature > 0) ||
-        slope * slope <= precision * curvature * squared) {
+    if (!(curvature > 0) || slope * slope <= precision * curvature * squared) {
       break;
     }
     time += std::clamp(-slope / curvature, -longest_step, longest_step);

@@ -7,12 +7,16 @@
 namespace feedscope {
 
 LengthWalk::LengthWalk(FilterWalk& walk, const PulseTrain& train, double t)
-    : walk_(walk), train_(train), last_(sample(t)) {}
+    : walk_(walk), train_(train), last_(sample(t)), middle_(last_) {}
 
-LengthWalk::Sample LengthWalk::sample(double t) {
+SpeedSample LengthWalk::sample(double t) {
   const auto [velocity, acceleration] = walk_.velocity_at(train_, t);
   const double speed = velocity.norm();
   return {t, speed, speed > 0 ? acceleration.dot(velocity) / speed : 0};
+}
+
+SpeedSample LengthWalk::sample_at(double t) {
+  return t == middle_.time ? middle_ : sample(t);
 }
 
 double LengthWalk::advance_to(double t) {
@@ -28,20 +32,21 @@ double LengthWalk::advance_to(double t) {
     const double least = last_.time + least_share * train_.filter_time;
     const double most = last_.time + largest_share * train_.filter_time;
     const double until = std::min(t, settled ? knot : std::clamp(knot, least, most));
-    const Sample end = sample(until);
+    const SpeedSample end = sample(until);
     if (settled) {
       sum += last_.speed * (until - last_.time);
     } else {
       const double duration = until - last_.time;
-      sum += between(last_, sample(last_.time + duration / 2), end, tolerance * duration, deepest);
+      middle_ = sample(last_.time + duration / 2);
+      sum += between(last_, middle_, end, tolerance * duration, deepest);
     }
     last_ = end;
   }
   return sum;
 }
 
-double LengthWalk::between(const Sample& from, const Sample& middle, const Sample& to, double tolerance,
-                           int depth) {
+double LengthWalk::between(const SpeedSample& from, const SpeedSample& middle, const SpeedSample& to,
+                           double tolerance, int depth) {
   const double h = to.time - from.time;
   const double ends = from.speed + to.speed;
   const double slopes = from.slope - to.slope;

@@ -4,6 +4,13 @@
 
 namespace feedscope {
 
+/// Speed and its derivative at one instant.
+struct SpeedSample {
+  double time = 0;   ///< [s]
+  double speed = 0;  ///< [mm/s]
+  double slope = 0;  ///< [mm/s2]
+};
+
 /// Path length of smoothed pulses, from instant to instant in order: exact where the velocity is constant,
 /// else by quadrature with the speed and its derivative at three places, halved until that agrees with the
 /// rule of lower order to 1e-7 of what the largest speed covers.
@@ -14,19 +21,18 @@ class LengthWalk {
   /// Path length covered since the instant before [mm].
   double advance_to(double t);
 
+  /// At an instant near the one advanced to; free at the middle of the last step.
+  SpeedSample sample_at(double t);
+
  private:
-  /// Speed [mm/s] and its derivative at one instant.
-  struct Sample {
-    double time = 0;
-    double speed = 0;
-    double slope = 0;
-  };
-  Sample sample(double t);
-  double between(const Sample& from, const Sample& middle, const Sample& to, double tolerance, int depth);
+  SpeedSample sample(double t);
+  double between(const SpeedSample& from, const SpeedSample& middle, const SpeedSample& to, double tolerance,
+                 int depth);
 
   FilterWalk& walk_;
   const PulseTrain& train_;
-  Sample last_;
+  SpeedSample last_;
+  SpeedSample middle_;
 };
 
 /// Velocity pulses smoothed by equal moving averages, from standstill to standstill (Ward 2021, eq 1-7;

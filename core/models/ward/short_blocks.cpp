@@ -13,7 +13,11 @@ double short_block_speed(double speed, double length, double half_delay) {
 void cap_by_short_blocks(const PulseTrain& train, std::span<double> corner_speeds) {
   const double c = train.half_delay();
   const auto cap = [&](double& speed, double other, std::size_t block) {
-    speed = std::min(speed, short_block_speed(other, train.segment(block).length, c));
+    const double length = train.segment(block).length;
+    const double reach = c * other;
+    if (speed * (reach - length) > reach * other) {  // most are not capped, and need no division
+      speed = std::min(speed, short_block_speed(other, length, c));
+    }
   };
   for (std::size_t i = 1; i + 1 < train.size(); ++i) {
     cap(corner_speeds[i + 1], corner_speeds[i], i);
@@ -42,10 +46,10 @@ void lay_pulses(PulseTrain& train, std::span<const SpeedBound> limits,
     train.largest_feed = std::max(train.largest_feed, pulses.feed);
     pulses.start = time;
     pulses.corner_speed = left;
-    const double widths = (i > 0 ? c * (1 - left / pulses.feed) : 0) +
-                          (i + 1 < train.size() ? c * (1 - right / pulses.feed) : 0);
-    const double rest = length - sum + squares / pulses.feed;
-    time += widths + (is_short ? 0 : std::max(0.0, rest / pulses.feed));
+    const double inverse = 1 / pulses.feed;
+    const double rest = is_short ? 0 : std::max(0.0, length - sum + squares * inverse);
+    time += (i > 0 ? c * (1 - left * inverse) : 0) + (i + 1 < train.size() ? c * (1 - right * inverse) : 0) +
+            rest * inverse;
   }
   train.blocks.back() = {time, 0, 0};
 }

@@ -83,8 +83,8 @@ void WardRunner::add_span(LengthWalk& length, std::size_t block, const SpanEnd& 
   if (to.time - before.end <= rounding * train_.filter_time) {
     return;
   }
-  const Cause cause = cause_between(before.end, to.time, block, to.corner);
   const double q = before.q + length.advance_to(to.time);
+  const Cause cause = cause_at(length.sample_at((before.end + to.time) / 2), block, to.corner);
   if (spans_.size() > 1 && !to.settled && !before.settled && before.cause == cause) {
     spans_.back() = {to.time, q, cause, false};
   } else {
@@ -98,18 +98,17 @@ bool WardRunner::slowed_by_tolerance(std::size_t corner) const {
          corner_speeds_[corner] < std::min(limits_[corner - 1].value, limits_[corner].value) * (1 - rounding);
 }
 
-Cause WardRunner::cause_between(double from, double to, std::size_t block,
-                                std::optional<std::size_t> corner) {
+Cause WardRunner::cause_at(const SpeedSample& at, std::size_t block,
+                           std::optional<std::size_t> corner) const {
   constexpr double reached = 0.99;
   const double limit = limits_[block].value;
-  const VelocityPoint at = walk_.velocity_at(train_, (from + to) / 2);
-  if (at.velocity.norm() >= reached * limit * (is_arc(block) ? arc_gain(block) : 1.0)) {
+  if (at.speed >= reached * limit * (is_arc(block) ? arc_gain(block) : 1.0)) {
     return limits_[block].cause;
   }
   if (train_.blocks[block].feed < reached * limit || (corner && slowed_by_tolerance(*corner))) {
     return {CauseKind::contour_tolerance};
   }
-  return at.acceleration.dot(at.velocity) >= 0 ? Cause{CauseKind::axis_jerk} : Cause{CauseKind::ramp_down};
+  return at.slope >= 0 ? Cause{CauseKind::axis_jerk} : Cause{CauseKind::ramp_down};
 }
 
 double WardRunner::arc_gain(std::size_t block) const {

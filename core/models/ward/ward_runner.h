@@ -66,9 +66,8 @@ class WardRunner {
   double contour_error(std::size_t block);
   void add_spans(LengthWalk& length, std::size_t block);
   void add_span(LengthWalk& length, std::size_t block, const SpanEnd& to);
-  /// Why the tool is not faster between `from` and `to` on `block`. `corner`: whose blending pulse that is,
-  /// if one.
-  Cause cause_between(double from, double to, std::size_t block, std::optional<std::size_t> corner);
+  /// Why the tool is not faster at an instant of `block`. `corner`: whose blending pulse that is, if one.
+  Cause cause_at(const SpeedSample& at, std::size_t block, std::optional<std::size_t> corner) const;
   /// Share of the speed limit on an arc that the filters leave of a pulse.
   double arc_gain(std::size_t block) const;
   bool slowed_by_tolerance(std::size_t corner) const;

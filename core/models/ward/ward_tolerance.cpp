@@ -14,8 +14,8 @@ constexpr double slack = 1e-6;
 constexpr int careful_passes = 32;
 constexpr int last_passes = 40;
 
-// What check_ holds of a block. Most are settled after a few passes, but lie in the window of one that is not:
-// only those that were lowered are looked at again at once, the others when these are settled.
+// What check_ holds of a block. Most are settled after a few passes, but lie in the window of one that is
+// not: only those that were lowered are looked at again at once, the others when these are settled.
 constexpr char due = 1;
 constexpr char lowered_last = 2;
 
