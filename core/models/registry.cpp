@@ -3,6 +3,7 @@
 #include "core/models/essid/essid_model.h"
 #include "core/models/gassara/gassara_model.h"
 #include "core/models/msaddek/msaddek_model.h"
+#include "core/models/optimal/optimal_model.h"
 #include "core/models/tapie/tapie_model.h"
 #include "core/models/ward/ward_model.h"
 
@@ -15,7 +16,9 @@ const std::vector<const ControlModel*>& all_models() {
   static const TapieModel tapie;
   static const MsaddekModel msaddek;
   static const WardModel ward;
-  static const std::vector<const ControlModel*> models{&cam, &essid, &gassara, &tapie, &msaddek, &ward};
+  static const OptimalModel optimal;
+  static const std::vector<const ControlModel*> models{&cam,     &essid, &gassara, &tapie,
+                                                       &msaddek, &ward,  &optimal};
   return models;
 }
 

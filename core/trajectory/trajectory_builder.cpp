@@ -2,6 +2,15 @@
 
 namespace feedscope {
 
+TrajectoryBuilder::TrajectoryBuilder(const Trajectory& same_path)
+    : path_(same_path.path()), records_(same_path.blends()), compaction_error_(same_path.compaction_error()) {
+  for (std::size_t e = 0; e < path_.elements.size(); ++e) {
+    lines_.push_back(same_path.line_of(e));
+    feeds_.push_back(same_path.feed_of(e));
+    rapid_.push_back(same_path.is_rapid(e));
+  }
+}
+
 void TrajectoryBuilder::reserve(std::size_t elements, std::size_t pieces) {
   path_.elements.reserve(elements);
   lines_.reserve(elements);
@@ -78,6 +87,17 @@ void TrajectoryBuilder::add_piece(Piece piece, double duration) {
   piece.time = time_;
   pieces_.push_back(piece);
   time_ += duration;
+}
+
+void TrajectoryBuilder::slow_down(const Mark& start, double factor) {
+  for (std::size_t p = start.piece; p < pieces_.size(); ++p) {
+    Piece& piece = pieces_[p];
+    piece.time = start.time + (piece.time - start.time) * factor;
+    piece.v /= factor;
+    piece.a /= factor * factor;
+    piece.j /= factor * factor * factor;
+  }
+  time_ = start.time + (time_ - start.time) * factor;
 }
 
 Trajectory TrajectoryBuilder::finish() {

@@ -10,6 +10,10 @@ namespace feedscope {
 /// Collects path, time law and per-element facts of a run in the order in which they are executed.
 class TrajectoryBuilder {
  public:
+  TrajectoryBuilder() = default;
+  /// The path of another run, to be passed in another time.
+  explicit TrajectoryBuilder(const Trajectory& same_path);
+
   /// Makes room for that many, so that long programs are not copied while they grow.
   void reserve(std::size_t elements, std::size_t pieces);
   /// Appends `element`, whose `s` is set here; `feed` [mm/s]. Returns its index.
@@ -24,6 +28,15 @@ class TrajectoryBuilder {
 
   /// Appends a piece that lasts `duration` [s]; `piece.time` is set here. Nothing for duration <= 0.
   void add_piece(Piece piece, double duration);
+  /// A place in the motion: what is added next begins there.
+  struct Mark {
+    std::size_t piece;
+    double time;  ///< [s]
+  };
+  Mark mark() const { return {pieces_.size(), time_}; }
+  /// Passes everything from `start` on slower by `factor` >= 1: times grow by it, velocities fall by it.
+  void slow_down(const Mark& start, double factor);
+
   /// Entry and exit speed are filled in by finish().
   void add_blend_record(const BlendRecord& record) { records_.push_back(record); }
 

@@ -19,7 +19,7 @@ MachineLibrary library() {
   return MachineLibrary(folder, all_model_settings());
 }
 
-std::string row(const Machine& machine, const std::string& name, const std::string& key, double value) {
+std::string row(const Machine& machine, const std::string& name, const std::string& key, const auto& value) {
   const Provenance& provenance = machine.provenance.at(key);
   return fmt::format("| `{}` | {} | {}{} |\n", name, value, provenance.assumed ? "assumed: " : "",
                      provenance.source);
@@ -38,7 +38,7 @@ std::string readme_section(const Machine& machine) {
     }
   }
   for (const auto& [key, value] : machine.settings.values()) {
-    text += row(machine, "settings." + key, key, std::get<double>(value));
+    text += std::visit([&](const auto& v) { return row(machine, "settings." + key, key, v); }, value);
   }
   return text;
 }

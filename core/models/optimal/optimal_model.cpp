@@ -1,0 +1,113 @@
+#include "core/models/optimal/optimal_model.h"
+
+#include <algorithm>
+
+#include "core/models/optimal/acceleration_law.h"
+
+namespace feedscope {
+namespace {
+
+/// On a filtered path the course is a function of time, not of path length.
+constexpr const char* no_path = "ward";
+constexpr const char* usual_path = "essid";
+
+/// What the limits are exceeded by at most between the places of a curve that are looked at.
+constexpr double between_places = 1.005;
+
+/// What the models whose paths can be taken read, each key once.
+void add_settings_of_paths(ModelInfo& info, SettingSpec& path) {
+  for (const ControlModel* model : all_models()) {
+    if (dynamic_cast<const OptimalModel*>(model) != nullptr || model->info().id == no_path) {
+      continue;
+    }
+    const ModelInfo& inner = model->info();
+    if (inner.id != usual_path) {
+      path.choices.push_back(inner.id);
+    }
+    for (const std::string& key : inner.uses) {
+      if (std::find(info.uses.begin(), info.uses.end(), key) == info.uses.end()) {
+        info.uses.push_back(key);
+      }
+    }
+    for (const SettingSpec& spec : inner.settings) {
+      const auto same = [&](const SettingSpec& other) { return other.key == spec.key; };
+      if (std::none_of(info.settings.begin(), info.settings.end(), same)) {
+        info.settings.push_back(spec);
+      }
+    }
+  }
+}
+
+ModelInfo make_info() {
+  ModelInfo info;
+  info.id = "optimal";
+  info.title = "Time-optimal bound";
+  info.reference = "";
+  info.summary =
+      "The least time that any law could take on the path that another model runs, its blends included, "
+      "under "
+      "the limits of the axes and the programmed feed: what a better control could still win. The settings "
+      "of "
+      "the other model shape the path.";
+  SettingSpec path;
+  path.key = "path";
+  path.title = "Path of the model";
+  path.explanation =
+      "Model whose path is run; ward is none of them, as the course of filtered motion is known over time "
+      "only.";
+  path.choices = {usual_path};
+  add_settings_of_paths(info, path);
+  info.settings.insert(info.settings.begin(), {path});
+  info.remarks = {"Stops only where the path itself has a kink, a reversal or a dwell.",
+                  "Kinks of up to 0.01 rad at arcs count as tangent, as in every model."};
+  return info;
+}
+
+}  // namespace
+
+const ModelInfo& OptimalModel::info() const {
+  static const ModelInfo info = make_info();
+  return info;
+}
+
+Guarantees OptimalModel::guarantees(const Settings& settings) const {
+  const Guarantees inner = find_model(settings.text("path")).guarantees(settings);
+  Guarantees promised;
+  promised.lines.velocity = promised.lines.acceleration = {KeptLimit::Of::whole};
+  promised.arcs = promised.blends = promised.lines;
+  promised.arcs.acceleration.factor = promised.blends.acceleration.factor = between_places;
+  promised.arcs.velocity.factor = promised.blends.velocity.factor = between_places;
+  promised.contour = inner.contour;
+  promised.meets_tangent_ends = inner.meets_tangent_ends;
+  promised.stops_at_line_corners = inner.contour == 0;
+  promised.stops_at_arc_corners = true;
+  promised.stops_at_rapids = false;
+  return promised;
+}
+
+Trajectory OptimalModel::do_simulate(const Toolpath& toolpath, const Machine& machine,
+                                     const Settings& settings, Progress* progress) const {
+  const AxisVectors axes(machine);
+  TrajectoryBuilder builder(
+      find_model(settings.text("path")).simulate(toolpath, machine, settings, progress));
+  AccelerationLaw law(toolpath, axes, 1, builder);
+  const BlendedPath& path = builder.path();
+  const auto count = static_cast<std::uint32_t>(path.elements.size());
+  ProgressSteps steps(progress, toolpath.segments.size());
+  for (std::uint32_t first = 0; first < count;) {
+    std::uint32_t last = first + 1;
+    while (last < count && !is_stop(path, last)) {
+      ++last;
+    }
+    if (path.elements[first].kind == ElementKind::dwell) {
+      const double time = toolpath.segments[path.elements[first].segment].dwell;
+      builder.add_piece({0, 0, 0, 0, 0, first, {CauseKind::dwell}}, time);
+    } else {
+      law.run(first, last, steps);
+    }
+    first = last;
+  }
+  return builder.finish();
+}
+
+}  // namespace feedscope

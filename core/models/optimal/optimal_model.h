@@ -1,0 +1,24 @@
+#pragma once
+
+#include "core/models/control_model.h"
+
+namespace feedscope {
+
+/// The bound that no control can beat: on the path that another model runs, its blends included, the least
+/// time that any law s(t) could take under the limits of the axes (MODELS section 8).
+///
+/// With T the tangent, c and d the second and third derivative of the path by path length:
+///
+///   velocity      v |T_j| <= V_j, programmed feed and rapids as ceilings
+///   acceleration  |T_j v' + c_j v^2| <= A_j
+class OptimalModel : public ControlModel {
+ public:
+  const ModelInfo& info() const override;
+  Guarantees guarantees(const Settings& settings) const override;
+
+ private:
+  Trajectory do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
+                         Progress* progress) const override;
+};
+
+}  // namespace feedscope

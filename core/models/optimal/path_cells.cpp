@@ -1,0 +1,161 @@
+#include "core/models/optimal/path_cells.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/blend/corner.h"
+#include "core/blend/junction.h"
+
+namespace feedscope {
+namespace {
+
+/// A cell of an arc turns by this at most; one of a blend, which is passed in a much shorter time, by more
+/// [rad].
+constexpr double arc_turn = 0.03;
+constexpr double blend_turn = 0.06;
+
+/// A cell of a blend is halved this often at most.
+constexpr int deepest_cut = 12;
+
+PathPoint point_of(const CurvePoint& at) {
+  return {at.d1, at.d2, at.d3};
+}
+
+PathPoint point_of(const BlendShape::Point& at) {
+  return {at.tangent, at.k * at.normal, at.dk_ds * at.normal - at.k * at.k * at.tangent};
+}
+
+/// Least number of cells for a curve of `length` whose largest curvature vector is about `curvature` [1/mm].
+int least_cells(double length, double curvature, const CellRule& rule) {
+  constexpr double few = 2;
+  constexpr double most = 16;
+  constexpr double slight = 1e-3;
+  const double acceleration = rule.acceleration.minCoeff();
+  const double limit = std::min(rule.speed * rule.speed, acceleration / curvature);
+  double count = few;
+  if (curvature * limit > slight * acceleration) {
+    const double change = 2 * acceleration * length / limit;  // of v^2, over v^2
+    count = std::clamp(std::ceil(most * change), most / 4, most);
+  }
+  return rule.fineness * static_cast<int>(count);
+}
+
+void append_arc(const Arc& arc, double offset, PathCell cell, double length, const CellRule& rule,
+                std::vector<PathCell>& cells) {
+  const double sweep = length / arc.length_per_radian();
+  const int count = std::max(least_cells(length, arc.curvature(), rule),
+                             static_cast<int>(std::ceil(sweep * rule.fineness / arc_turn)));
+  cell.length = length / count;
+  cell.to = point_of(arc.at(offset));
+  for (int i = 0; i < count; ++i) {
+    cell.offset = i * cell.length;
+    cell.from = cell.to;
+    cell.middle = point_of(arc.at(offset + cell.offset + cell.length / 2));
+    cell.to = point_of(arc.at(offset + (i + 1) * cell.length));
+    cells.push_back(cell);
+  }
+}
+
+/// Cuts a blend into cells, halving by its own parameter until each turns little.
+class BlendCutter {
+ public:
+  BlendCutter(const BlendShape& shape, const CellRule& rule, const PathCell& cell,
+              std::vector<PathCell>& cells)
+      : shape_(shape), rule_(rule), cell_(cell), cells_(cells) {}
+
+  void cut(int count) {
+    const std::size_t first = cells_.size();
+    const double whole = cell_.length;
+    BlendShape::Point from = shape_.at(0);
+    for (int i = 0; i < count; ++i) {
+      const double end = static_cast<double>(i + 1) / count;
+      const BlendShape::Point to = shape_.at(end);
+      cut(static_cast<double>(i) / count, end, from, to, 0);
+      from = to;
+    }
+    const double scale = whole / reached_;  // Simpson's rule against the length that the path goes by
+    for (std::size_t i = first; i < cells_.size(); ++i) {
+      cells_[i].length *= scale;
+      cells_[i].offset *= scale;
+    }
+  }
+
+ private:
+  void cut(double u0, double u1, const BlendShape::Point& from, const BlendShape::Point& to, int depth) {
+    const double middle = (u0 + u1) / 2;
+    const BlendShape::Point at = shape_.at(middle);
+    const double cosine = std::cos(blend_turn / rule_.fineness);
+    if (depth < deepest_cut && from.tangent.dot(to.tangent) < cosine) {
+      cut(u0, middle, from, at, depth + 1);
+      cut(middle, u1, at, to, depth + 1);
+      return;
+    }
+    cell_.length = (u1 - u0) * (from.sigma + 4 * at.sigma + to.sigma) / 6;
+    cell_.offset = reached_;
+    cell_.from = point_of(from);
+    cell_.middle = point_of(at);
+    cell_.to = point_of(to);
+    reached_ += cell_.length;
+    cells_.push_back(cell_);
+  }
+
+  const BlendShape& shape_;
+  const CellRule& rule_;
+  PathCell cell_;
+  std::vector<PathCell>& cells_;
+  double reached_ = 0;
+};
+
+void append_blend(const CubicBlend& blend, const PathCell& cell, const CellRule& rule,
+                  std::vector<PathCell>& cells) {
+  const Vec3 in = blend.corner - blend.start;
+  const double transition = in.norm();
+  const BlendShape shape(in / transition, (blend.end - blend.corner) / transition, transition, blend.alpha);
+  const int count = least_cells(cell.length, shape.middle_curvature(), rule);
+  BlendCutter(shape, rule, cell, cells).cut(count);
+}
+
+}  // namespace
+
+void append_cells(const BlendedPath& path, std::uint32_t index, const CellRule& rule,
+                  std::vector<PathCell>& cells) {
+  const PathElement& element = path.elements[index];
+  PathCell cell;
+  cell.length = element.length;
+  cell.element = index;
+  switch (element.kind) {
+    case ElementKind::line:
+    case ElementKind::filtered:
+      cell.straight = true;
+      cell.from = cell.middle = cell.to = point_of(path.at(element, 0));
+      cells.push_back(cell);
+      break;
+    case ElementKind::arc:
+      append_arc(path.arcs[element.geometry], element.arc_offset, cell, element.length, rule, cells);
+      break;
+    case ElementKind::blend:
+      append_blend(path.blends[element.geometry], cell, rule, cells);
+      break;
+    case ElementKind::dwell:
+      break;
+  }
+}
+
+bool is_stop(const BlendedPath& path, std::uint32_t index) {
+  const PathElement& before = path.elements[index - 1];
+  const PathElement& after = path.elements[index];
+  if (before.kind == ElementKind::dwell || after.kind == ElementKind::dwell) {
+    return true;
+  }
+  if (before.kind == ElementKind::blend || after.kind == ElementKind::blend) {
+    return false;
+  }
+  const bool arc = before.kind == ElementKind::arc || after.kind == ElementKind::arc;
+  constexpr double digits = 1e-14;  // what rounding of the coordinates does to the direction of a short line
+  const double rounding =
+      digits * (1 + after.start.cwiseAbs().maxCoeff()) / std::min(before.length, after.length);
+  const double allowed = (arc ? tangent_angle : straight_angle) + rounding;
+  return turn_angle(path.at(before, before.length).d1, path.at(after, 0).d1) > allowed;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/blend/blended_path.h"
+#include "core/limits/segment_limits.h"
+
+namespace feedscope {
+
+/// Derivatives of the path by path length at one place: unit tangent T, curvature vector c = p'' [1/mm] and
+/// d = p''' [1/mm2].
+struct PathPoint {
+  Vec3 t = Vec3::Zero();
+  Vec3 c = Vec3::Zero();
+  Vec3 d = Vec3::Zero();
+};
+
+/// A part of one element, short enough that the path hardly turns on it; lines are one cell.
+struct PathCell {
+  double length = 0;  ///< > 0 [mm]
+  double offset = 0;  ///< of its start from the start of the element [mm]
+  std::uint32_t element = 0;
+  bool straight = false;
+  PathPoint from;
+  PathPoint middle;
+  PathPoint to;
+};
+
+/// How finely curves are cut.
+struct CellRule {
+  int fineness = 1;   ///< 2: cells of half the length
+  Vec3 acceleration;  ///< fewer cells where turning at `speed` asks for next to nothing of these [mm/s2]
+  double speed = 0;   ///< [mm/s]
+};
+
+/// Appends the cells of element `index`. Nothing for a dwell.
+void append_cells(const BlendedPath& path, std::uint32_t index, const CellRule& rule,
+                  std::vector<PathCell>& cells);
+
+/// Whether the tool must stop between elements `index` - 1 and `index` whatever the time law: a kink, a
+/// reversal, a dwell on one of the two sides. Curves that a control inserts are tangent to their neighbours.
+bool is_stop(const BlendedPath& path, std::uint32_t index);
+
+}  // namespace feedscope
