@@ -46,7 +46,7 @@ std::array<ChartSpec, 3> chart_specs() {
   add_axes(acceleration, Channel::acceleration_x);
   ChartSpec jerk{ChartsPanel::tr("Jerk"),
                  ChartsPanel::tr("m/s³"),
-                 {{Channel::tangential_jerk, tangential, path_color, path_width}},
+                 {{Channel::tangential_jerk, tangential, path_color, path_width, true}},
                  units::to_m,
                  1};
   add_axes(jerk, Channel::jerk_x);

@@ -23,7 +23,9 @@ constexpr int right_margin = 14;
 constexpr int top_margin = 6;
 constexpr int bottom_margin = 8;
 constexpr int labelled_bottom_margin = 36;
-constexpr double limit_in_sight = 1.6;  // a limit within this multiple of the largest value widens the chart
+// A limit, or what may be cut, widens the chart up to this multiple of the other curves' largest value: more
+// than the square root of 3 that along a line in space the path has over its axes.
+constexpr double in_sight = 1.75;
 constexpr double headroom = 0.06;
 constexpr double tick_distance = 18;  // [px]
 constexpr double zoom_a_notch = 0.8;
@@ -153,14 +155,15 @@ void KinematicChart::fit_values(const std::vector<Extent>& extents) {
   double lower = 0;
   double upper = 0;
   for (std::size_t k = 0; k < extents.size(); ++k) {
-    if (!spec_.curves[k].demand && !extents[k].empty()) {
+    if (!spec_.curves[k].may_be_cut && !extents[k].empty()) {
       lower = std::min(lower, spec_.convert(double{extents[k].min}));
       upper = std::max(upper, spec_.convert(double{extents[k].max}));
     }
   }
-  const double sight = limit_in_sight * std::max(upper, -lower);
+  const double sight = in_sight * std::max(upper, -lower);
   for (std::size_t k = 0; k < extents.size(); ++k) {
-    if (spec_.curves[k].demand && !extents[k].empty()) {
+    if (spec_.curves[k].may_be_cut && !extents[k].empty()) {
+      lower = std::min(lower, std::max(-sight, spec_.convert(double{extents[k].min})));
       upper = std::max(upper, std::min(sight, spec_.convert(double{extents[k].max})));
     }
   }

@@ -19,8 +19,8 @@ struct CurveSpec {
   Channel channel;
   QString name;
   QColor color;
-  double width = 1;     ///< [px]
-  bool demand = false;  ///< asked for, not reached: the chart need not grow to show it in full
+  double width = 1;         ///< [px]
+  bool may_be_cut = false;  ///< the chart need not grow far beyond the other curves to show it in full
 };
 
 /// A permitted largest magnitude, drawn dashed on the sides of zero that the chart shows.
