@@ -125,7 +125,7 @@ std::string summary_text(const Run& run) {
   figures.add({"mean feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.mean_feed))});
   figures.add({"peak feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.peak_feed))});
   figures.add({"contour error", fmt::format("at most {:.4f} mm, {} corner blends", s.max_contour_error,
-                                            run.trajectory->blends().size())});
+                                            run.trajectory->blend_count())});
   return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + "\nTime by limiting cause\n" +
          cause_table(s);
 }

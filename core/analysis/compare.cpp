@@ -55,7 +55,7 @@ std::vector<std::string> taken_by(const ControlModel& model, std::vector<std::st
 }
 
 ComparedRun figures_of(const Run& run) {
-  return {run.setup, run.summary, run.trajectory->path_length(), run.trajectory->blends().size(),
+  return {run.setup, run.summary, run.trajectory->path_length(), run.trajectory->blend_count(),
           run.simulate_time};
 }
 

@@ -33,8 +33,9 @@ MachineLibrary shipped_machines() {
 LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress) {
   const StopWatch watch;
   LoadedProgram loaded;
-  loaded.program = std::make_shared<const Program>(read_program(std::move(source), progress));
-  loaded.toolpath = std::make_shared<const Toolpath>(build_toolpath(*loaded.program));
+  Program program = read_program(std::move(source), progress);
+  loaded.toolpath = std::make_shared<const Toolpath>(take_toolpath(program));
+  loaded.program = std::make_shared<const Program>(std::move(program));
   loaded.read_time = watch.seconds();
   return loaded;
 }
@@ -76,7 +77,7 @@ Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress) {
   run.input = input;
   run.setup = std::move(setup);
   run.trajectory = std::make_shared<const Trajectory>(
-      run.setup.model->simulate(*input.toolpath, run.setup.machine, run.setup.settings, progress));
+      run.setup.model->simulate(input.toolpath, run.setup.machine, run.setup.settings, progress));
   const auto& axes = run.setup.machine.axes;
   run.summary =
       summarise(*run.trajectory, *input.toolpath, {axes[0].velocity, axes[1].velocity, axes[2].velocity});

@@ -13,7 +13,7 @@ namespace feedscope {
 
 /// A program read once; every run on it shares it.
 struct LoadedProgram {
-  std::shared_ptr<const Program> program;
+  std::shared_ptr<const Program> program;  ///< its motions have become the toolpath
   std::shared_ptr<const Toolpath> toolpath;
   double read_time = 0;  ///< wall clock, text to toolpath [s]
 };

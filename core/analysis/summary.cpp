@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/trajectory/part_walk.h"
+
 namespace feedscope {
 namespace {
 
@@ -75,14 +77,15 @@ class Peaks {
  public:
   explicit Peaks(const Trajectory& trajectory) : trajectory_(trajectory) {}
 
-  void add_piece(std::size_t index) {
-    const Piece& piece = trajectory_.pieces()[index];
-    const PathElement& element = trajectory_.path().elements[piece.element];
-    const double duration = trajectory_.piece_end(index) - piece.time;
-    if (element.kind == ElementKind::line) {
-      add_straight(piece, (element.end - element.start) / element.length, duration);
-    } else if (element.kind != ElementKind::dwell) {
-      add_curved(index, samples(index, piece, element, duration), duration);
+  void add_part(const Part& part, const PartMotion& motion) {
+    const ElementKind kind = trajectory_.path().kind(part.element);
+    if (kind == ElementKind::dwell) {
+      return;
+    }
+    if (kind == ElementKind::line) {
+      add_straight(part, motion.curve().direction);
+    } else {
+      add_curved(part, motion);
     }
   }
 
@@ -91,37 +94,38 @@ class Peaks {
 
  private:
   /// On a straight line every extreme is one of a polynomial, on each axis at the same time.
-  void add_straight(const Piece& piece, const Vec3& direction, double duration) {
-    const double end_acceleration = piece.a + piece.j * duration;
-    const double end_speed = piece.v + duration * (piece.a + piece.j * duration / 2);
-    double speed = std::max(std::abs(piece.v), std::abs(end_speed));
-    const double extreme = piece.j != 0 ? -piece.a / piece.j : -1;
+  void add_straight(const Part& part, const Vec3& direction) {
+    const double duration = part.duration;
+    const double end_acceleration = part.a + part.j * duration;
+    const double end_speed = part.v + duration * (part.a + part.j * duration / 2);
+    double speed = std::max(std::abs(part.v), std::abs(end_speed));
+    const double extreme = part.j != 0 ? -part.a / part.j : -1;
     if (extreme > 0 && extreme < duration) {
-      speed = std::max(speed, std::abs(piece.v + piece.a * extreme / 2));
+      speed = std::max(speed, std::abs(part.v + part.a * extreme / 2));
     }
     add(speed, direction.cwiseAbs() * speed,
-        direction.cwiseAbs() * std::max(std::abs(piece.a), std::abs(end_acceleration)),
-        direction.cwiseAbs() * std::abs(piece.j));
+        direction.cwiseAbs() * std::max(std::abs(part.a), std::abs(end_acceleration)),
+        direction.cwiseAbs() * std::abs(part.j));
   }
 
-  void add_curved(std::size_t index, int count, double duration) {
+  void add_curved(const Part& part, const PartMotion& motion) {
+    const int count = samples(part, motion.curve());
     for (int i = 0; i <= count; ++i) {
-      const Kinematics motion = trajectory_.kinematics_in_piece(index, duration * i / count);
-      add(motion.velocity.norm(), motion.velocity.cwiseAbs(), motion.acceleration.cwiseAbs(),
-          motion.jerk.cwiseAbs());
+      const Kinematics at = motion.kinematics(part.duration * i / count);
+      add(at.velocity.norm(), at.velocity.cwiseAbs(), at.acceleration.cwiseAbs(), at.jerk.cwiseAbs());
     }
   }
 
-  int samples(std::size_t index, const Piece& piece, const PathElement& element, double duration) const {
-    if (piece.law == Law::filtered) {
-      return trajectory_.filtered_spans(index, filtered_per_filter_time);
+  int samples(const Part& part, const ElementCurve& curve) const {
+    if (part.law == Law::filtered) {
+      return trajectory_.filtered_spans(part, filtered_per_filter_time);
     }
-    const double travel = duration * (piece.v + duration * (piece.a / 2 + duration * piece.j / 6));
+    const double travel = advance({0, part.v, part.a, part.j}, part.duration).q;
     double share = travel / blend_per_sample;
-    if (element.kind == ElementKind::arc) {
-      share = travel / trajectory_.path().arcs[element.geometry].length_per_radian() / turn_per_sample;
-    } else if (piece.law == Law::path_length) {
-      share = travel / element.length / blend_length_per_sample;
+    if (curve.is_arc()) {
+      share = travel / curve.arc.length_per_radian() / turn_per_sample;
+    } else if (part.law == Law::path_length) {
+      share = travel / curve.length / blend_length_per_sample;
     }
     return 1 + static_cast<int>(std::clamp(share, 0.0, 1e6));
   }
@@ -150,16 +154,21 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
 
   Peaks peaks(trajectory);
   std::vector<ExactSum> by_cause(all_causes().size());
+  std::vector<ExactSum> by_slower_place(all_causes().size());
   ExactSum waiting;
-  const auto& elements = trajectory.path().elements;
-  for (std::size_t i = 0; i < trajectory.pieces().size(); ++i) {
-    const Piece& piece = trajectory.pieces()[i];
-    const double duration = trajectory.piece_end(i) - piece.time;
-    by_cause[cause_index(piece.cause)].add(duration);
-    if (elements[piece.element].kind == ElementKind::dwell) {
-      waiting.add(duration);
+  for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
+    const Part& part = walk.part();
+    by_cause[cause_index(part.cause)].add(part.duration);
+    if (part.cause.kind == CauseKind::ramp_down) {
+      by_slower_place[cause_index(trajectory.slower_place(part.piece))].add(part.duration);
     }
-    peaks.add_piece(i);
+    if (trajectory.path().kind(part.element) == ElementKind::dwell) {
+      waiting.add(part.duration);
+    }
+    peaks.add_part(part, walk.motion());
+  }
+  for (const ExactSum& sum : by_slower_place) {
+    summary.time_by_slower_place.push_back(sum.value());
   }
   for (const ExactSum& sum : by_cause) {
     summary.time_by_cause.push_back(sum.value());
@@ -168,8 +177,8 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
   for (const FilteredMotion& motion : trajectory.motions()) {
     summary.max_contour_error = std::max(summary.max_contour_error, motion.contour_error());
   }
-  for (const BlendRecord& blend : trajectory.blends()) {
-    summary.max_contour_error = std::max(summary.max_contour_error, blend.epsilon);
+  for (std::size_t i = 0; i < trajectory.path().corner_count(); ++i) {
+    summary.max_contour_error = std::max(summary.max_contour_error, trajectory.path().corner(i).epsilon);
   }
   const double moving = summary.cycle_time - waiting.value();
   summary.mean_feed = moving > 0 ? trajectory.path_length() / moving : 0;

@@ -23,6 +23,8 @@ struct Summary {
   double peak_feed = 0;          ///< [mm/s]
   std::array<AxisPeaks, 3> axes;
   std::vector<double> time_by_cause;  ///< by cause_index(); adds up to cycle_time [s]
+  /// Of the time of ramp_down: by cause_index() of what sets the slower place ahead [s].
+  std::vector<double> time_by_slower_place;
 };
 
 /// `rapid_speed` per axis [mm/s].

@@ -1,5 +1,10 @@
 #include "core/blend/blended_path.h"
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/blend/junction.h"
+
 namespace feedscope {
 namespace {
 
@@ -17,26 +22,157 @@ CurvePoint by_path_length(const CurvePoint& p) {
 
 }  // namespace
 
-CurvePoint BlendedPath::at(const PathElement& element, double s) const {
-  switch (element.kind) {
-    case ElementKind::line: {
-      const Vec3 direction = (element.end - element.start) / element.length;
-      return {element.start + direction * s, direction, Vec3::Zero(), Vec3::Zero()};
-    }
+CurvePoint ElementCurve::at(double s) const {
+  s = std::clamp(s, 0.0, length);
+  switch (kind) {
     case ElementKind::arc:
-      return arcs[element.geometry].at(element.arc_offset + s);
-    case ElementKind::blend: {
-      const CubicBlend& blend = blends[element.geometry];
+    case ElementKind::connecting_arc:
+      return arc.at(s);
+    case ElementKind::blend:
       return by_path_length(blend.at(blend.parameter_at(s)));
-    }
-    case ElementKind::filtered: {
-      const Vec3 chord = (element.end - element.start) / element.length;
-      return {element.start + chord * s, chord, Vec3::Zero(), Vec3::Zero()};
-    }
+    case ElementKind::line:
+    case ElementKind::filtered:
     case ElementKind::dwell:
       break;
   }
-  return {element.start, Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  // From the nearer end, so that both ends are met exactly.
+  const Vec3 position = s <= length / 2 ? Vec3(start + s * direction) : Vec3(end - (length - s) * direction);
+  return {position, direction, Vec3::Zero(), Vec3::Zero()};
+}
+
+BlendedPath::BlendedPath(std::shared_ptr<const Toolpath> programmed,
+                         std::shared_ptr<const CompactedPath> compacted)
+    : programmed_(std::move(programmed)), compacted_(std::move(compacted)) {}
+
+void BlendedPath::reserve(std::size_t elements) {
+  entries_.reserve(elements);
+}
+
+void BlendedPath::shrink() {
+  entries_.shrink_to_fit();
+  transitions_.shrink_to_fit();
+  corners_.shrink_to_fit();
+}
+
+std::uint32_t BlendedPath::add(ElementKind kind, std::uint32_t block, double length, std::uint32_t index) {
+  Entry& entry = entries_.emplace_back();
+  entry.s = length_;
+  entry.block = block;
+  entry.index = index & 0x1fffffff;
+  entry.kind = kind;
+  length_ += length;
+  return static_cast<std::uint32_t>(entries_.size() - 1);
+}
+
+std::uint32_t BlendedPath::add_corner(ElementKind kind, std::uint32_t block, double transition,
+                                      double length) {
+  const std::uint32_t element = add(kind, block, length, static_cast<std::uint32_t>(corners_.size()));
+  transitions_.push_back(transition);
+  corners_.push_back(element);
+  return element;
+}
+
+std::size_t BlendedPath::base_segment(std::uint32_t block) const {
+  if (!compacted_) {
+    return block;
+  }
+  const auto& first = compacted_->first;
+  return static_cast<std::size_t>(std::upper_bound(first.begin(), first.end(), block) - first.begin()) - 1;
+}
+
+/// Where line element `i` begins on its segment of the base [mm].
+double BlendedPath::line_offset(std::size_t i) const {
+  if (i > 0 && in_corner(i - 1)) {
+    return transitions_[entries_[i - 1].index];
+  }
+  const std::size_t chord = base_segment(entries_[i].block);
+  if (!compacted_ || compacted_->first[chord] == entries_[i].block) {
+    return 0;
+  }
+  const Vec3 passed = programmed_->start_of(entries_[i].block) - base().start_of(chord);
+  return passed.dot(base().tangent_at_start(chord));
+}
+
+BlendedPath::CornerPlan BlendedPath::plan_of(std::size_t corner) const {
+  const std::size_t segment = base_segment(entries_[corners_[corner]].block);
+  return {base().segments[segment].end, base().tangent_at_end(segment), base().tangent_at_start(segment + 1)};
+}
+
+const Vec3& BlendedPath::corner_point(std::size_t corner) const {
+  return programmed_->segments[entries_[corners_[corner]].block].end;
+}
+
+Corner BlendedPath::corner(std::size_t corner) const {
+  const CornerPlan plan = plan_of(corner);
+  Corner laid;
+  laid.turn = turn_angle(plan.in, plan.out);
+  laid.transition = transitions_[corner];
+  laid.epsilon = kind(corners_[corner]) == ElementKind::blend
+                     ? blend_epsilon(plan.in, plan.out, laid.transition, alpha_)
+                     : laid.transition * std::tan(laid.turn / 4);
+  return laid;
+}
+
+double BlendedPath::min_radius(std::size_t corner) const {
+  const CornerPlan plan = plan_of(corner);
+  return kind(corners_[corner]) == ElementKind::blend
+             ? least_radius(BlendShape(plan.in, plan.out, transitions_[corner], alpha_))
+             : transitions_[corner] / std::tan(turn_angle(plan.in, plan.out) / 2);
+}
+
+ElementCurve BlendedPath::curve(std::size_t i) const {
+  const Entry& entry = entries_[i];
+  ElementCurve curve;
+  curve.kind = entry.kind;
+  curve.length = length(i);
+  if (in_corner(i)) {
+    const CornerPlan plan = plan_of(entry.index);
+    const double transition = transitions_[entry.index];
+    curve.start = plan.point - transition * plan.in;
+    curve.end = plan.point + transition * plan.out;
+    if (entry.kind == ElementKind::blend) {
+      curve.blend = {curve.start, plan.point, curve.end, alpha_};
+    } else {
+      curve.arc = corner_arc(plan.point, plan.in, plan.out, transition);
+    }
+    return curve;
+  }
+  const std::size_t segment = base_segment(entry.block);
+  curve.start = base().start_of(segment);
+  curve.end = base().segments[segment].end;
+  switch (entry.kind) {
+    case ElementKind::line: {
+      curve.direction = base().tangent_at_start(segment);
+      curve.start += line_offset(i) * curve.direction;
+      const bool next_on_it = i + 1 < size() && base_segment(entries_[i + 1].block) == segment;
+      if (next_on_it) {  // its corner, or the next part of a chord
+        curve.end = curve.start + curve.length * curve.direction;
+      }
+      break;
+    }
+    case ElementKind::arc:
+      curve.arc = base().arcs[static_cast<std::size_t>(base().segments[segment].arc)];
+      break;
+    case ElementKind::filtered:
+      curve.direction =
+          curve.length > 0 ? Vec3((curve.end - curve.start) / curve.length) : Vec3(Vec3::Zero());
+      break;
+    default:
+      curve.direction = Vec3::Zero();
+  }
+  return curve;
+}
+
+PathElement BlendedPath::element(std::size_t i) const {
+  const ElementCurve course = curve(i);
+  return {course.start,      course.end,        entries_[i].s,   course.length,
+          entries_[i].block, entries_[i].index, entries_[i].kind};
+}
+
+std::size_t BlendedPath::element_at(double s) const {
+  const auto after = std::lower_bound(entries_.begin(), entries_.end(), s,
+                                      [](const Entry& entry, double value) { return entry.s < value; });
+  return after == entries_.begin() ? 0 : static_cast<std::size_t>(after - entries_.begin()) - 1;
 }
 
 }  // namespace feedscope

@@ -1,39 +1,115 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
-#include "core/toolpath/toolpath.h"
+#include "core/blend/compaction.h"
+#include "core/blend/corner.h"
 
 namespace feedscope {
 
-/// `filtered`: a segment as smoothing filters draw it; its course is known to the motion alone.
-enum class ElementKind : std::uint8_t { line, arc, blend, dwell, filtered };
+/// `blend`: a cubic blend in a corner; `connecting_arc`: a circle arc in one; `filtered`: a segment as
+/// smoothing filters draw it, whose course is known to the motion alone.
+enum class ElementKind : std::uint8_t { line, arc, blend, connecting_arc, dwell, filtered };
 
 /// One geometric piece of the path that the control executes.
 struct PathElement {
-  Vec3 start;                  ///< [mm]
-  Vec3 end;                    ///< [mm]
-  double s = 0;                ///< path length at the start, from the path's beginning [mm]
-  double length = 0;           ///< [mm]; 0 for a dwell
-  double arc_offset = 0;       ///< arcs: path length on the arc at the element's start [mm]
-  std::uint32_t segment = 0;   ///< of the programmed path; for a blend the one that ends at its corner
-  std::uint32_t geometry = 0;  ///< index into arcs or blends; filtered: into Trajectory::motions
+  Vec3 start;                 ///< [mm]; of a filtered element as programmed
+  Vec3 end;                   ///< [mm]
+  double s = 0;               ///< path length at the start, from the path's beginning [mm]
+  double length = 0;          ///< [mm]; 0 for a dwell
+  std::uint32_t segment = 0;  ///< of the programmed path; for a blend the one that ends at its corner
+  std::uint32_t index = 0;    ///< blends and connecting arcs: of the corner; filtered: of the motion
   ElementKind kind = ElementKind::line;
 };
 
-/// The executed geometry: programmed segments, shortened where corner blends are inserted.
-/// Keeps what it needs of the programmed path, so that it can be shown without it.
-struct BlendedPath {
-  std::vector<PathElement> elements;  ///< in order, without gaps
-  std::vector<Arc> arcs;
-  std::vector<CubicBlend> blends;
+/// The course of one element, ready to be evaluated many times.
+class ElementCurve {
+ public:
+  ElementKind kind = ElementKind::line;
+  double length = 0;  ///< [mm]
+  Vec3 start;         ///< [mm]
+  Vec3 end;           ///< [mm]
+  Vec3 direction;     ///< lines: unit; zero for a dwell; filtered: along the programmed chord
+  Arc arc;            ///< arcs and connecting arcs
+  CubicBlend blend;   ///< blends
 
-  double length() const { return elements.empty() ? 0 : elements.back().s + elements.back().length; }
-  /// Position and derivatives by path length (arc length) at `s` from the element's start [mm]. For a
-  /// filtered element the chord from start to end stands in; Trajectory::state_at_path follows the course
-  /// itself.
-  CurvePoint at(const PathElement& element, double s) const;
+  /// Position and derivatives by path length at `s` from the element's start, clamped to it [mm]. For a
+  /// filtered element the chord stands in; Trajectory::state_at_path follows the course itself.
+  CurvePoint at(double s) const;
+  bool is_arc() const { return kind == ElementKind::arc || kind == ElementKind::connecting_arc; }
+};
+
+/// The executed geometry: programmed segments, shortened where corner blends are inserted. Keeps the
+/// programmed path and of every element only what that does not say: 16 bytes an element, 12 more a corner.
+class BlendedPath {
+ public:
+  BlendedPath() = default;
+  /// `compacted`: what the control made of `programmed` before it went on, if it did.
+  explicit BlendedPath(std::shared_ptr<const Toolpath> programmed,
+                       std::shared_ptr<const CompactedPath> compacted = nullptr);
+
+  std::size_t size() const { return entries_.size(); }
+  bool empty() const { return entries_.empty(); }
+  double length() const { return length_; }  ///< [mm]
+  ElementKind kind(std::size_t i) const { return entries_[i].kind; }
+  std::uint32_t segment(std::size_t i) const { return entries_[i].block; }
+  std::uint32_t index(std::size_t i) const { return entries_[i].index; }
+  double s(std::size_t i) const { return i < size() ? entries_[i].s : length_; }
+  double length(std::size_t i) const { return s(i + 1) - entries_[i].s; }
+  bool in_corner(std::size_t i) const {
+    return kind(i) == ElementKind::blend || kind(i) == ElementKind::connecting_arc;
+  }
+  PathElement element(std::size_t i) const;
+  ElementCurve curve(std::size_t i) const;
+  /// Number of the element on which path length `s` lies, the earlier one at a border; 0 <= s <= length().
+  std::size_t element_at(double s) const;
+
+  /// The programmed path, never null but for an empty path.
+  const std::shared_ptr<const Toolpath>& programmed() const { return programmed_; }
+  /// What the elements run on: the compacted path where there is one.
+  const Toolpath& base() const { return compacted_ ? compacted_->path : *programmed_; }
+
+  /// Corners in order of their elements.
+  std::size_t corner_count() const { return corners_.size(); }
+  std::uint32_t corner_element(std::size_t corner) const { return corners_[corner]; }
+  double corner_transition(std::size_t corner) const { return transitions_[corner]; }  ///< T [mm]
+  /// How the corner was laid: its turn [rad], transition and distance of the corner point [mm].
+  Corner corner(std::size_t corner) const;
+  double min_radius(std::size_t corner) const;         ///< [mm]
+  const Vec3& corner_point(std::size_t corner) const;  ///< programmed [mm]
+
+  void reserve(std::size_t elements);
+  void shrink();  ///< gives back room that is not needed
+  /// Appends an element of `length` [mm] of programmed segment `block`; index as PathElement::index.
+  std::uint32_t add(ElementKind kind, std::uint32_t block, double length, std::uint32_t index = 0);
+  /// Appends the curve that begins `transition` [mm] before the end of `block` and ends as much after it.
+  std::uint32_t add_corner(ElementKind kind, std::uint32_t block, double transition, double length);
+  void set_blend_weight(double alpha) { alpha_ = alpha; }  ///< of all cubic blends
+
+ private:
+  struct Entry {
+    double s = 0;
+    std::uint32_t block = 0;
+    std::uint32_t index : 29 = 0;
+    ElementKind kind : 3 = ElementKind::line;
+  };
+  struct CornerPlan {
+    Vec3 point, in, out;
+  };
+
+  std::size_t base_segment(std::uint32_t block) const;
+  double line_offset(std::size_t i) const;
+  CornerPlan plan_of(std::size_t corner) const;
+
+  std::shared_ptr<const Toolpath> programmed_;
+  std::shared_ptr<const CompactedPath> compacted_;
+  std::vector<Entry> entries_;
+  std::vector<double> transitions_;     ///< a corner
+  std::vector<std::uint32_t> corners_;  ///< element of each
+  double length_ = 0;
+  double alpha_ = 2.5;
 };
 
 }  // namespace feedscope

@@ -16,8 +16,13 @@ Corner lay_corner(const Vec3& in, const Vec3& out, double longest, const CornerR
   Corner corner;
   corner.turn = turn_angle(in, out);
   corner.transition = std::min(4 * used_tolerance(in, out, rule) / ((4 - rule.alpha) * half_sine), longest);
-  corner.epsilon = corner.transition * (4 - rule.alpha) * half_sine / 4;
+  corner.epsilon = blend_epsilon(in, out, corner.transition, rule.alpha);
   return corner;
+}
+
+double blend_epsilon(const Vec3& in, const Vec3& out, double transition, double alpha) {
+  const double half_sine = (out - in).norm() / 2;  // sin(phi/2)
+  return transition * (4 - alpha) * half_sine / 4;
 }
 
 Corner lay_arc_corner(const Vec3& in, const Vec3& out, double longest, const CornerRule& rule) {
@@ -81,6 +86,15 @@ BlendShape::Point BlendShape::at(double u) const {
   point.tangent = (x1 * first_ + y1 * second_) / norm;
   point.normal = (-y1 * first_ + x1 * second_) / norm;
   return point;
+}
+
+double least_radius(const BlendShape& shape) {
+  constexpr int intervals = 32;
+  double largest = 0;
+  for (int i = 0; i <= intervals; ++i) {
+    largest = std::max(largest, shape.at(static_cast<double>(i) / intervals).k);
+  }
+  return 1 / largest;
 }
 
 }  // namespace feedscope

@@ -37,6 +37,9 @@ Corner lay_arc_corner(const Vec3& in, const Vec3& out, double longest, const Cor
 /// That arc, of radius T / tan(phi/2).
 Arc corner_arc(const Vec3& corner, const Vec3& in, const Vec3& out, double transition);
 
+/// Distance of the corner from a cubic blend of transition T: T (4 - alpha) sin(phi/2) / 4 [mm].
+double blend_epsilon(const Vec3& in, const Vec3& out, double transition, double alpha);
+
 CubicBlend corner_blend(const Vec3& corner, const Vec3& in, const Vec3& out, double transition, double alpha);
 
 /// A blend seen along its own parameter u in [0, 1]: metric, curvature, tangent and normal (Essid 2019,
@@ -67,5 +70,8 @@ class BlendShape {
   double transition_;
   double alpha_;
 };
+
+/// Of the blend, from 33 places [mm].
+double least_radius(const BlendShape& shape);
 
 }  // namespace feedscope

@@ -90,22 +90,17 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
       "time_s,path_mm,line,x_mm,y_mm,z_mm,feed_mm_min,programmed_feed_mm_min,vx_mm_min,vy_mm_min,vz_mm_min,"
       "ax_m_s2,ay_m_s2,az_m_s2,jx_m_s3,jy_m_s3,jz_m_s3,at_m_s2,jt_m_s3,cause");
   sink.end_row();
-  const auto& pieces = trajectory.pieces();
-  std::size_t piece = 0;
   // A step that the end cuts to nothing but rounding is no row of its own.
   const auto rows = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-12)));
   for (std::size_t row = 0; row < rows; ++row) {
     const double time = static_cast<double>(row) * step;
-    while (piece + 1 < pieces.size() && pieces[piece + 1].time <= time) {
-      ++piece;
-    }
-    const State state = trajectory.state_in_piece(piece, time - pieces[piece].time);
+    const State state = trajectory.state(time);
     write_row(sink, state, causes[cause_index(state.cause)]);
     if (progress != nullptr && row % rows_per_report == 0) {
       progress->report(static_cast<double>(row) / static_cast<double>(rows));
     }
   }
-  if (!pieces.empty()) {
+  if (!trajectory.pieces().empty()) {
     const State state = trajectory.state(duration);
     write_row(sink, state, causes[cause_index(state.cause)]);
   }
@@ -118,10 +113,13 @@ void write_blends(std::ostream& out, const Trajectory& trajectory) {
       "line,kind,x_mm,y_mm,z_mm,turn_deg,transition_mm,epsilon_mm,length_mm,min_radius_mm,entry_feed_mm_min,"
       "exit_feed_mm_min");
   sink.end_row();
-  for (const BlendRecord& blend : trajectory.blends()) {
-    const ElementKind kind = trajectory.path().elements[blend.element].kind;
+  for (std::size_t i = 0; i < trajectory.blend_count(); ++i) {
+    const BlendRecord blend = trajectory.blend(i);
+    const ElementKind kind = trajectory.path().kind(blend.element);
     sink.count(blend.line);
-    sink.text(kind == ElementKind::arc ? "arc," : kind == ElementKind::filtered ? "filtered," : "cubic,");
+    sink.text(kind == ElementKind::connecting_arc ? "arc,"
+              : kind == ElementKind::filtered     ? "filtered,"
+                                                  : "cubic,");
     sink.vector(blend.corner, 1);
     sink.number(units::to_deg(blend.turn));
     sink.number(blend.transition);

@@ -14,10 +14,11 @@ constexpr double slack = 1 + 1e-9;
 /// Nodes, and per gap between neighbours its limits and whether it still has to be checked.
 class NodePlanner {
  public:
-  NodePlanner(std::span<const PlanElement> elements, std::span<const double> ceiling,
+  NodePlanner(std::span<const PlanElement> elements, std::span<const SpeedBound> ceiling,
               std::span<const std::uint32_t> level)
       : elements_(elements), ceiling_(ceiling), found_(level.begin(), level.end()) {
-    nodes_ = {{0, 0}, {static_cast<std::uint32_t>(elements.size()), 0}};
+    const Cause rest{CauseKind::exact_stop};
+    nodes_ = {{0, 0, rest}, {static_cast<std::uint32_t>(elements.size()), 0, rest}};
     gaps_ = {{span_limits(elements, 0, elements.size()), true}};
     insert_found();
     make_reachable();
@@ -77,7 +78,7 @@ class NodePlanner {
         s += elements_[e].length;
         const double v = walk.move_to(s).v;
         const bool inside = walk.largest_speed() > elements_[e].limits.speed.value * slack;
-        const bool after = e + 1 < last && v > ceiling_[e + 1] * slack;
+        const bool after = e + 1 < last && v > ceiling_[e + 1].value * slack;
         const bool only_inside = inside && !after && !before;
         before = after;
         if (only_inside) {  // hold the element by its two ends
@@ -94,7 +95,7 @@ class NodePlanner {
           take();
           continue;
         }
-        if (slowest == last || ceiling_[e + 1] < ceiling_[slowest]) {
+        if (slowest == last || ceiling_[e + 1].value < ceiling_[slowest].value) {
           slowest = e + 1;
         }
         if (++run == together || !careful) {
@@ -127,7 +128,7 @@ class NodePlanner {
           continue;
         }
         gaps.push_back({span_limits(elements_, from, *next), true});
-        nodes.push_back({*next, ceiling_[*next]});
+        nodes.push_back({*next, ceiling_[*next].value, ceiling_[*next].cause});
         from = *next;
         split = true;
       }
@@ -142,30 +143,34 @@ class NodePlanner {
       lower(nodes_[g + 1], nodes_[g].speed, g, g + 1);
     }
     for (std::size_t g = gaps_.size(); g-- > 0;) {
-      lower(nodes_[g], nodes_[g + 1].speed, g, g);
+      if (lower(nodes_[g], nodes_[g + 1].speed, g, g)) {
+        nodes_[g].cause = nodes_[g + 1].cause;
+      }
     }
   }
 
   /// Lowers `node` to what gap `g` lets reach from `other`; the gaps on both sides of `node` change.
-  void lower(PlanNode& node, double other, std::size_t g, std::size_t index) {
+  bool lower(PlanNode& node, double other, std::size_t g, std::size_t index) {
     if (node.speed <= other) {
-      return;
+      return false;
     }
     const double reach = reachable_speed(other, gaps_[g].limits.length, gaps_[g].limits.ramp());
-    if (reach < node.speed) {
-      node.speed = reach;
-      gaps_[g].unchecked = true;
-      if (index > 0) {
-        gaps_[index - 1].unchecked = true;
-      }
-      if (index < gaps_.size()) {
-        gaps_[index].unchecked = true;
-      }
+    if (reach >= node.speed) {
+      return false;
     }
+    node.speed = reach;
+    gaps_[g].unchecked = true;
+    if (index > 0) {
+      gaps_[index - 1].unchecked = true;
+    }
+    if (index < gaps_.size()) {
+      gaps_[index].unchecked = true;
+    }
+    return true;
   }
 
   std::span<const PlanElement> elements_;
-  std::span<const double> ceiling_;
+  std::span<const SpeedBound> ceiling_;
   std::vector<PlanNode> nodes_;
   std::vector<Gap> gaps_;
   std::vector<std::uint32_t> found_;
@@ -193,20 +198,21 @@ SpanLimits span_limits(std::span<const PlanElement> elements, std::size_t first,
 }
 
 std::vector<PlanNode> plan_nodes(std::span<const PlanElement> elements,
-                                 std::span<const double> junction_ceiling,
+                                 std::span<const SpeedBound> junction_ceiling,
                                  std::span<const std::uint32_t> level) {
   return NodePlanner(elements, junction_ceiling, level).plan();
 }
 
-std::size_t first_too_fast(std::span<const PlanElement> elements, std::span<const double> junction_ceiling,
-                           std::size_t first, std::size_t last, const SpeedProfile& profile) {
+std::size_t first_too_fast(std::span<const PlanElement> elements,
+                           std::span<const SpeedBound> junction_ceiling, std::size_t first, std::size_t last,
+                           const SpeedProfile& profile) {
   ProfileWalk walk(profile);
   double s = 0;
   for (std::size_t e = first; e < last; ++e) {
     s += elements[e].length;
     const double v = walk.move_to(s).v;
     if (walk.largest_speed() > elements[e].limits.speed.value * slack ||
-        (e + 1 < last && v > junction_ceiling[e + 1] * slack)) {
+        (e + 1 < last && v > junction_ceiling[e + 1].value * slack)) {
       return e;
     }
   }
@@ -214,7 +220,7 @@ std::size_t first_too_fast(std::span<const PlanElement> elements, std::span<cons
 }
 
 void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<const std::uint32_t> block_of,
-                             std::uint32_t horizon, std::span<double> junction_ceiling) {
+                             std::uint32_t horizon, std::span<SpeedBound> junction_ceiling) {
   // Least acceleration and jerk of the elements ahead, each by a queue of rising values.
   std::deque<std::size_t> by_acceleration;
   std::deque<std::size_t> by_jerk;
@@ -244,7 +250,7 @@ void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<co
     if (ahead < elements.size()) {
       const double reach =
           reachable_speed(0, length, {acceleration(by_acceleration.front()), jerk(by_jerk.front())});
-      junction_ceiling[e] = std::min(junction_ceiling[e], reach);
+      junction_ceiling[e].lower(reach, {CauseKind::lookahead_horizon});
     }
     length -= elements[e].length;
   }

@@ -19,6 +19,7 @@ struct PlanElement {
 struct PlanNode {
   std::uint32_t junction = 0;  ///< before element `junction`; elements.size() is the end
   double speed = 0;            ///< [mm/s]
+  Cause cause;  ///< what sets it: the junction itself, or the slower place behind that it leads to
 };
 
 /// Limits of ramps over elements [first, last): the least of them.
@@ -46,16 +47,17 @@ SpanLimits span_limits(std::span<const PlanElement> elements, std::size_t first,
 /// `level`: junctions, in order and not the ends, that are nodes whatever their speed.
 /// Cost linear in the number of elements: a bounded number of passes.
 std::vector<PlanNode> plan_nodes(std::span<const PlanElement> elements,
-                                 std::span<const double> junction_ceiling,
+                                 std::span<const SpeedBound> junction_ceiling,
                                  std::span<const std::uint32_t> level = {});
 
 /// Lowers `junction_ceiling` so that from every junction standstill is reached within `horizon` programmed
 /// blocks: the look-ahead of MODELS section 1. `block_of`: the programmed block of each element.
 void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<const std::uint32_t> block_of,
-                             std::uint32_t horizon, std::span<double> junction_ceiling);
+                             std::uint32_t horizon, std::span<SpeedBound> junction_ceiling);
 
 /// First element, or junction, of [first, last) that `profile` passes faster than allowed; `last` if none.
-std::size_t first_too_fast(std::span<const PlanElement> elements, std::span<const double> junction_ceiling,
-                           std::size_t first, std::size_t last, const SpeedProfile& profile);
+std::size_t first_too_fast(std::span<const PlanElement> elements,
+                           std::span<const SpeedBound> junction_ceiling, std::size_t first, std::size_t last,
+                           const SpeedProfile& profile);
 
 }  // namespace feedscope

@@ -35,10 +35,15 @@ std::string limit_key(char axis, const SettingSpec& limit) {
 
 }  // namespace
 
+Trajectory ControlModel::simulate(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
+                                  const Settings& settings, Progress* progress) const {
+  check_axes(*toolpath, machine);
+  return do_simulate(toolpath, machine, settings, progress);
+}
+
 Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
                                   Progress* progress) const {
-  check_axes(toolpath, machine);
-  return do_simulate(toolpath, machine, settings, progress);
+  return simulate(std::make_shared<const Toolpath>(toolpath), machine, settings, progress);
 }
 
 const ControlModel& find_model(const std::string& id) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -29,14 +30,17 @@ class ControlModel {
   virtual const ModelInfo& info() const = 0;
   /// What holds of every motion that simulate() makes with `settings`, as complete_settings gives them.
   virtual Guarantees guarantees(const Settings& settings) const = 0;
-  /// Deterministic. `settings` as complete_settings gives them. Throws InputError if an axis that moves lacks
-  /// a limit, Cancelled when stopped.
+  /// Deterministic. `settings` as complete_settings gives them; the trajectory shares `toolpath`. Throws
+  /// InputError if an axis that moves lacks a limit, Cancelled when stopped.
+  Trajectory simulate(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
+                      const Settings& settings, Progress* progress = nullptr) const;
+  /// The same of a copy of `toolpath`.
   Trajectory simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
                       Progress* progress = nullptr) const;
 
  private:
-  virtual Trajectory do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
-                                 Progress* progress) const = 0;
+  virtual Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
+                                 const Settings& settings, Progress* progress) const = 0;
 };
 
 /// All models, in the order in which they are listed.

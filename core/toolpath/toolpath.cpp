@@ -103,4 +103,11 @@ Toolpath build_toolpath(const Program& program) {
   return toolpath;
 }
 
+Toolpath take_toolpath(Program& program) {
+  Toolpath toolpath = build_toolpath(program);
+  program.motions = {};
+  program.arcs = {};
+  return toolpath;
+}
+
 }  // namespace feedscope

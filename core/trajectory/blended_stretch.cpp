@@ -34,7 +34,6 @@ void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, co
   for (std::size_t i = range.first; i < range.last; ++i) {
     const Segment& segment = toolpath.segments[i];
     const auto block = static_cast<std::uint32_t>(i);
-    const double feed = programmed_speed(toolpath, i, axes.velocity).value;
     const bool corner = i + 1 < range.last && junction_kind(toolpath, i + 1) == JunctionKind::corner;
     CornerPlace place;
     CornerPiece piece;
@@ -44,20 +43,11 @@ void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, co
     }
     const double length = segment.length - cut_before - piece.transition;
     if (length > least_line) {
-      const std::uint32_t index = builder.add_segment(toolpath, i, feed, cut_before, piece.transition);
+      const std::uint32_t index = builder.add_segment(block, length);
       stretch.add({length, segment_limits(toolpath, i, axes)}, index, block);
     }
     if (corner) {
-      PathElement element;
-      element.kind = piece.kind;
-      element.start = place.point - piece.transition * place.in;
-      element.end = place.point + piece.transition * place.out;
-      element.length = piece.length;
-      element.segment = block;
-      element.geometry = piece.geometry;
-      const std::uint32_t index = builder.add_element(element, segment.line, feed, false);
-      builder.add_blend_record({segment.line, index, place.point, piece.turn, piece.transition, piece.epsilon,
-                                piece.length, piece.min_radius, 0, 0});
+      const std::uint32_t index = builder.add_corner(piece.kind, block, piece.transition, piece.length);
       stretch.add({piece.length, piece.limits}, index, block, true);
     }
     cut_before = piece.transition;

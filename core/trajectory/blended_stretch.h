@@ -16,15 +16,11 @@ struct CornerPlace {
   SpeedBound feed;     ///< the lower of the two blocks'
 };
 
-/// The blend that a model lays there; its curve is in the builder already.
+/// The curve that a model lays there.
 struct CornerPiece {
   ElementKind kind = ElementKind::blend;
-  std::uint32_t geometry = 0;  ///< of the builder
-  double turn = 0;             ///< [rad]
-  double transition = 0;       ///< from the corner to both ends [mm]
-  double epsilon = 0;          ///< distance of the corner from the blend [mm]
-  double length = 0;           ///< [mm]
-  double min_radius = 0;       ///< [mm]
+  double transition = 0;  ///< from the corner to both ends [mm]
+  double length = 0;      ///< [mm]
   MotionLimits limits;
 };
 

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "core/blend/junction.h"
-#include "core/feed/profile_walk.h"
 
 namespace feedscope {
 
@@ -53,7 +53,7 @@ void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progres
     const StretchRange range = next_stretch(toolpath, first, stop_at_arc_corners, stop_at_line_corners);
     steps.at(first);
     if (toolpath.segments[first].kind == SegmentKind::dwell) {
-      const std::uint32_t element = builder.add_segment(toolpath, first, 0);
+      const std::uint32_t element = builder.add_segment(static_cast<std::uint32_t>(first));
       builder.add_piece({0, 0, 0, 0, 0, element, {CauseKind::dwell}}, toolpath.segments[first].dwell);
     } else {
       run(range, steps);
@@ -65,20 +65,24 @@ void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progres
 void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3& axis_jerk,
                            double interpolation_period, std::uint32_t lookahead_blocks) {
   const std::size_t count = stretch.plan.size();
-  stretch.ceiling.assign(count + 1, 0);
+  stretch.ceiling.assign(count + 1, {0, {CauseKind::exact_stop}});
   for (std::size_t j = 1; j < count; ++j) {
-    const PathElement& before = path.elements[stretch.element[j - 1]];
-    const PathElement& after = path.elements[stretch.element[j]];
-    double ceiling = std::min(stretch.plan[j - 1].limits.speed.value, stretch.plan[j].limits.speed.value);
-    const bool arcs = before.kind == ElementKind::arc || after.kind == ElementKind::arc;
+    SpeedBound& ceiling = stretch.ceiling[j];
+    ceiling = stretch.plan[j - 1].limits.speed;
+    ceiling.lower(stretch.plan[j].limits.speed.value, stretch.plan[j].limits.speed.cause);
+    const std::uint32_t before = stretch.element[j - 1];
+    const std::uint32_t after = stretch.element[j];
+    const bool arcs = path.kind(before) == ElementKind::arc || path.kind(after) == ElementKind::arc ||
+                      path.kind(before) == ElementKind::connecting_arc ||
+                      path.kind(after) == ElementKind::connecting_arc;
     if (arcs && stretch.blend[j - 1] == 0 && stretch.blend[j] == 0) {
-      const Vec3 step = path.at(after, 0).d2 - path.at(before, before.length).d2;
-      ceiling = std::min(ceiling, crossing_speed(step, axis_jerk, interpolation_period).value);
+      const Vec3 step = path.curve(after).at(0).d2 - path.curve(before).at(path.length(before)).d2;
+      const SpeedBound crossing = crossing_speed(step, axis_jerk, interpolation_period);
+      ceiling.lower(crossing.value, crossing.cause);
     }
-    stretch.ceiling[j] = ceiling;
   }
   apply_lookahead_horizon(stretch.plan, stretch.block, lookahead_blocks, stretch.ceiling);
-  stretch.ceiling.front() = stretch.ceiling.back() = 0;
+  stretch.ceiling.front() = stretch.ceiling.back() = {0, {CauseKind::exact_stop}};
 }
 
 SpeedProfile profile_to(double target, const SpanLimits& span, double speed, double acceleration) {
@@ -99,37 +103,118 @@ SpeedProfile profile_to(double target, const SpanLimits& span, double speed, dou
   return plan(low);
 }
 
-double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const SpeedProfile& profile,
-                   const SpanLimits& span, std::size_t first, std::size_t last) {
-  const bool slows_first = profile.peak < profile.v0;
-  const auto cause_of = [&](std::size_t phase, std::size_t e) -> Cause {
-    if (phase == 3) {
-      return stretch.plan[e].limits.speed.cause;
-    }
-    if (phase > 3 || slows_first) {
-      return {CauseKind::ramp_down};
-    }
-    return phase == 1 ? Cause{CauseKind::axis_acceleration, span.acceleration.axis}
-                      : Cause{CauseKind::axis_jerk, span.jerk.axis};
-  };
-  ProfileWalk walk(profile);
-  double start = 0;
-  for (std::size_t e = first; e < last; ++e) {
-    const double end = start + stretch.plan[e].length;
-    while (walk.phase() < 7) {
-      const double left = walk.phase_left();
-      const double time = e + 1 == last ? left : walk.time_to(end);
-      const Motion1d& at = walk.at();
-      builder.add_piece(
-          {0, at.s - start, at.v, at.a, walk.jerk(), stretch.element[e], cause_of(walk.phase(), e)}, time);
-      walk.move_by(time);
-      if (time < left) {
-        break;
-      }
-    }
-    start = end;
+namespace {
+
+std::uint8_t code_of(Cause cause) {
+  return static_cast<std::uint8_t>(cause_index(cause));
+}
+
+/// Lays pieces over elements [first, last) of a stretch, one after the other, and keeps the place.
+class ProfileLayer {
+ public:
+  ProfileLayer(TrajectoryBuilder& builder, const Stretch& stretch, std::size_t first, std::size_t last,
+               const Motion1d& start)
+      : builder_(builder), stretch_(stretch), element_(first), last_(last), at_(start) {}
+
+  double speed() const { return at_.v; }
+
+  /// Constant jerk over one phase, whatever elements it crosses.
+  void add(const Phase& phase, Cause cause, std::uint8_t second = Piece::no_cause) {
+    add_piece(at_.a, phase.jerk, cause, Law::path_length, second, phase.duration);
+    move_to(advance(at_, phase.jerk, phase.duration));
   }
-  return walk.at().v;
+
+  /// Up to `top` acceleration, held, and back, as one piece.
+  void add_ramp(std::span<const Phase, 3> phases, Cause cause, std::uint8_t second) {
+    const double duration = phases[0].duration + phases[1].duration + phases[2].duration;
+    const double jerk = phases[0].jerk;
+    add_piece(jerk * phases[0].duration, jerk, cause, Law::ramp, second, duration);
+    Motion1d end = at_;
+    for (const Phase& phase : phases) {
+      end = advance(end, phase.jerk, phase.duration);
+    }
+    end.a = 0;
+    move_to(end);
+  }
+
+  /// Constant speed; the elements tell why it is not higher.
+  void add_cruise(double duration) {
+    constexpr std::size_t most_elements = 256;  // of one piece, so that none takes long to look into
+    while (duration > 0) {
+      const Cause cause = stretch_.plan[element_].limits.speed.cause;
+      double end = start_ + stretch_.plan[element_].length;
+      for (std::size_t e = element_ + 1;
+           e < last_ && e - element_ < most_elements && stretch_.plan[e].limits.speed.cause == cause &&
+           end < at_.s + at_.v * duration;
+           ++e) {
+        end += stretch_.plan[e].length;
+      }
+      const double to_end = (end - at_.s) / at_.v;
+      const bool rest = to_end >= duration || element_ + 1 == last_;
+      const double time = rest ? duration : to_end;
+      add_piece(0, 0, cause, Law::path_length, Piece::no_cause, time);
+      move_to({rest ? at_.s + at_.v * time : end, at_.v, 0});
+      duration = rest ? 0 : duration - time;
+    }
+  }
+
+ private:
+  void add_piece(double a, double j, Cause cause, Law law, std::uint8_t second, double duration) {
+    builder_.add_piece({0, at_.s - start_, at_.v, a, j, stretch_.element[element_], cause, law, second},
+                       duration);
+  }
+
+  void move_to(const Motion1d& there) {
+    constexpr double rounding = 1e-12;  // mm
+    at_ = there;
+    while (element_ + 1 < last_ && at_.s >= start_ + stretch_.plan[element_].length - rounding) {
+      start_ += stretch_.plan[element_].length;
+      ++element_;
+    }
+    at_.s = std::max(at_.s, start_);
+  }
+
+  TrajectoryBuilder& builder_;
+  const Stretch& stretch_;
+  std::size_t element_;
+  std::size_t last_;
+  Motion1d at_;       ///< s from the start of the first element
+  double start_ = 0;  ///< of the element, likewise
+};
+
+/// Whether three phases raise or lower the speed from no acceleration to none, the same both ways.
+bool is_ramp(std::span<const Phase, 3> phases, double acceleration) {
+  constexpr double rounding = 1e-12;
+  return acceleration == 0 && phases[0].duration > 0 && phases[1].jerk == 0 &&
+         phases[2].jerk == -phases[0].jerk &&
+         std::abs(phases[2].duration - phases[0].duration) <= rounding * phases[0].duration;
+}
+
+}  // namespace
+
+double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const SpeedProfile& profile,
+                   const SpanLimits& span, std::size_t first, std::size_t last, Cause slower_place) {
+  const Cause by_jerk{CauseKind::axis_jerk, span.jerk.axis};
+  const Cause by_acceleration{CauseKind::axis_acceleration, span.acceleration.axis};
+  ProfileLayer layer(builder, stretch, first, last, {0, profile.v0, profile.a0});
+  const auto add = [&](std::span<const Phase, 3> phases, double acceleration, bool slows) {
+    const Cause outer = slows ? Cause{CauseKind::ramp_down} : by_jerk;
+    const Cause inner = slows ? outer : by_acceleration;
+    const std::uint8_t second = code_of(slows ? slower_place : by_acceleration);
+    if (is_ramp(phases, acceleration)) {
+      layer.add_ramp(phases, outer, second);
+      return;
+    }
+    for (int i = 0; i < 3; ++i) {
+      layer.add(phases[static_cast<std::size_t>(i)], i == 1 ? inner : outer,
+                slows ? second : Piece::no_cause);
+    }
+  };
+  const std::span phases(profile.phases);
+  add(phases.subspan<0, 3>(), profile.a0, profile.peak < profile.v0);
+  layer.add_cruise(profile.phases[3].duration);
+  add(phases.subspan<4, 3>(), 0, true);
+  return layer.speed();
 }
 
 void add_planned_motion(TrajectoryBuilder& builder, const Stretch& stretch,
@@ -145,13 +230,15 @@ void add_planned_motion(TrajectoryBuilder& builder, const Stretch& stretch,
       const bool below = speed < limit.value * (1 - 1e-9);
       const bool slows_next = n + 2 < nodes.size() && nodes[n + 2].speed < speed;
       const Cause held = slows_next ? Cause{CauseKind::ramp_down} : gained;
-      builder.add_piece({0, 0, speed, 0, 0, stretch.element[first], below ? held : limit.cause},
+      builder.add_piece({0, 0, speed, 0, 0, stretch.element[first], below ? held : limit.cause,
+                         Law::path_length, code_of(nodes[n + 1].cause)},
                         stretch.plan[first].length / speed);
       continue;
     }
     const SpanLimits span = span_limits(stretch.plan, first, last);
     gained = {CauseKind::axis_jerk, span.jerk.axis};
-    speed = add_profile(builder, stretch, profile_to(nodes[n + 1].speed, span, speed, 0), span, first, last);
+    speed = add_profile(builder, stretch, profile_to(nodes[n + 1].speed, span, speed, 0), span, first, last,
+                        nodes[n + 1].cause);
   }
 }
 

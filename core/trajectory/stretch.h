@@ -17,7 +17,7 @@ struct Stretch {
   std::vector<std::uint32_t> element;  ///< index into the path
   std::vector<std::uint32_t> block;    ///< programmed segment
   std::vector<std::uint8_t> blend;     ///< 1: a corner blend, whose speed the model itself sets
-  std::vector<double> ceiling;         ///< at the plan.size() + 1 junctions [mm/s]
+  std::vector<SpeedBound> ceiling;     ///< at the plan.size() + 1 junctions [mm/s]
   std::vector<std::uint32_t> level;    ///< junctions that are nodes of the plan in any case
 
   void clear();
@@ -58,10 +58,10 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
 /// to `target`, to the highest speed that can be reached.
 SpeedProfile profile_to(double target, const SpanLimits& span, double speed, double acceleration);
 
-/// Lays `profile` over elements [first, last) of the stretch as pieces by path length.
-/// Returns the speed at its end [mm/s].
+/// Lays `profile` over elements [first, last) of the stretch as pieces by path length. `slower_place`: what
+/// sets the speed that it slows down to. Returns the speed at its end [mm/s].
 double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const SpeedProfile& profile,
-                   const SpanLimits& span, std::size_t first, std::size_t last);
+                   const SpanLimits& span, std::size_t first, std::size_t last, Cause slower_place);
 
 /// Lays the jerk-limited law from node to node over the whole stretch, from rest to rest; level elements at
 /// constant speed.

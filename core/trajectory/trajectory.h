@@ -1,33 +1,16 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/blend/blended_path.h"
-#include "core/limits/cause.h"
 #include "core/trajectory/filtered_motion.h"
+#include "core/trajectory/piece.h"
 
 namespace feedscope {
 
-/// What q(t) of a piece counts.
-enum class Law : std::uint8_t {
-  path_length,  ///< path length from the element's start [mm]
-  parameter,    ///< the blend's own parameter u
-  filtered,     ///< path length; the motion is that of a FilteredMotion, q its value at the piece's start
-};
-
-/// Motion on (a part of) one path element: q(tau) = q + v tau + a tau^2/2 + j tau^3/6, tau = t - time.
-/// A filtered piece uses q only.
-struct Piece {
-  double time = 0;  ///< start [s]; it ends where the next begins
-  double q = 0;
-  double v = 0;
-  double a = 0;
-  double j = 0;
-  std::uint32_t element = 0;  ///< index into BlendedPath::elements
-  Cause cause;
-  Law law = Law::path_length;
-};
+class PartWalk;
 
 /// Everything at one instant. Vectors by the chain rule from curve and law, nothing differenced.
 struct State {
@@ -42,8 +25,9 @@ struct State {
   double tangential_jerk = 0;          ///< d2v/dt2 [mm/s3]
   double programmed_feed = 0;          ///< [mm/s]; for a rapid the axes' speed along it
   std::uint32_t line = 0;              ///< source line
-  std::uint32_t element = 0;           ///< index into BlendedPath::elements
+  std::uint32_t element = 0;           ///< index into the BlendedPath
   Cause cause;
+  Cause slower_place;  ///< what sets the speed of the place ahead where `cause` is ramp_down, else `cause`
 };
 
 /// One curve that the control put into a corner, a cubic blend or a connecting arc: ask its element which.
@@ -51,7 +35,7 @@ struct State {
 /// length of the longer one, `epsilon` by closest approach, `min_radius` there.
 struct BlendRecord {
   std::uint32_t line = 0;     ///< of the block that ends at the corner
-  std::uint32_t element = 0;  ///< index into BlendedPath::elements; filtered: the one that ends at the corner
+  std::uint32_t element = 0;  ///< index into the BlendedPath; filtered: the one that ends at the corner
   Vec3 corner;                ///< programmed [mm]
   double turn = 0;            ///< direction change [rad]
   double transition = 0;      ///< T, from the corner to the blend's ends [mm]
@@ -65,59 +49,69 @@ struct BlendRecord {
 /// What a control model says the machine does: executed path and time law as exact pieces.
 class Trajectory {
  public:
-  Trajectory() = default;
-  /// `blends` in the order of their elements, entry and exit speed filled in here but for filtered motion.
-  /// `lines`, `feeds` [mm/s]: per path element, source line and programmed feed (axes' speed for a rapid).
-  Trajectory(BlendedPath path, std::vector<Piece> pieces, double duration, std::vector<BlendRecord> blends,
-             std::vector<std::uint32_t> lines, std::vector<double> feeds, std::vector<bool> rapid,
-             double compaction_error = 0, std::vector<FilteredMotion> motions = {});
+  /// What a TrajectoryBuilder collects.
+  struct Content {
+    BlendedPath path;
+    std::vector<Piece> pieces;  ///< in order of time and of elements
+    double duration = 0;        ///< [s]
+    Vec3 axis_velocity;         ///< of rapids and of blocks without feed [mm/s]
+    double compaction_error = 0;
+    std::vector<FilteredMotion> motions;
+    std::vector<std::uint32_t> filtered_corners;  ///< elements that end at one
+  };
 
-  double duration() const { return duration_; }          ///< cycle time [s]
-  double path_length() const { return path_.length(); }  ///< executed [mm]
-  const BlendedPath& path() const { return path_; }
-  const std::vector<Piece>& pieces() const { return pieces_; }
-  const std::vector<BlendRecord>& blends() const { return blends_; }
+  Trajectory() = default;
+  explicit Trajectory(Content content) : content_(std::move(content)) {}
+
+  double duration() const { return content_.duration; }          ///< cycle time [s]
+  double path_length() const { return content_.path.length(); }  ///< executed [mm]
+  const BlendedPath& path() const { return content_.path; }
+  const Content& content() const { return content_; }
+  const std::vector<Piece>& pieces() const { return content_.pieces; }
+  const std::vector<FilteredMotion>& motions() const { return content_.motions; }
   /// Largest distance of a programmed point that the control leaves out from the executed path [mm].
-  double compaction_error() const { return compaction_error_; }
-  const std::vector<FilteredMotion>& motions() const { return motions_; }
+  double compaction_error() const { return content_.compaction_error; }
+
+  /// Corners that the control rounds, in order of the path.
+  std::size_t blend_count() const;
+  BlendRecord blend(std::size_t i) const;
 
   /// State at a time, clamped to [0, duration]. At a piece border: the piece that begins there.
   /// An empty trajectory gives a State at the origin, at rest.
   State state(double time) const;
   /// State at the first instant at which the path length is `s`, clamped to [0, path_length()].
   State state_at_path(double s) const;
-  /// State in a known piece at `tau` from its start; for callers that walk the pieces in order.
-  State state_in_piece(std::size_t piece, double tau) const;
-  Kinematics kinematics_in_piece(std::size_t piece, double tau) const;
   std::size_t piece_at(double time) const;
   double piece_end(std::size_t piece) const;  ///< [s]
-  /// Into how many equal parts a filtered piece is to be cut so that each lasts at most 1/`a_filter_time` of
+  /// The elements [piece.element, last_element()] that a piece may run over.
+  std::uint32_t last_element(std::size_t piece) const;
+  /// Of a piece that slows down (cause ramp_down): what sets the speed of the place ahead; else its own
+  /// cause.
+  Cause slower_place(std::size_t piece) const;
+  /// Into how many equal parts a filtered part is to be cut so that each lasts at most 1/`a_filter_time` of
   /// the filter time; 1 where its velocity is constant.
-  int filtered_spans(std::size_t piece, double a_filter_time) const;
-  double piece_length(std::size_t piece) const;  ///< path length of a filtered piece [mm]
+  int filtered_spans(const Part& part, double a_filter_time) const;
+  double filtered_length(const Part& part) const;  ///< path length of a filtered part [mm]
+  const FilteredMotion& motion_of(std::uint32_t element) const {
+    return content_.motions[content_.path.index(element)];
+  }
 
-  std::uint32_t line_of(std::size_t element) const { return lines_[element]; }
-  double feed_of(std::size_t element) const { return feeds_[element]; }  ///< [mm/s]
-  bool is_rapid(std::size_t element) const { return rapid_[element]; }
+  std::uint32_t line_of(std::size_t element) const { return segment_of(element).line; }
+  double feed_of(std::size_t element) const;  ///< [mm/s]; the axes' speed for a rapid
+  bool is_rapid(std::size_t element) const { return segment_of(element).rapid; }
   /// First instant at which the block of `line`, or of the nearest later line that moves, is under way.
   double time_of_line(std::uint32_t line) const;
 
  private:
-  void fill_blend_speeds();
+  const Segment& segment_of(std::size_t element) const {
+    return content_.path.programmed()->segments[content_.path.segment(element)];
+  }
+  /// Time from the start of a piece until its q is reached [s].
+  double time_in_piece(std::size_t piece, double q) const;
+  /// The parts from the first one on `element` on.
+  PartWalk walk_from(std::uint32_t element) const;
 
-  CurvePoint curve_point(const Piece& piece, double q) const;
-  const FilteredMotion& motion_of(const Piece& piece) const;
-  State filtered_state(State state, const Piece& piece, double tau) const;
-
-  BlendedPath path_;
-  std::vector<Piece> pieces_;
-  double duration_ = 0;
-  std::vector<BlendRecord> blends_;
-  std::vector<std::uint32_t> lines_;
-  std::vector<double> feeds_;
-  std::vector<bool> rapid_;
-  double compaction_error_ = 0;
-  std::vector<FilteredMotion> motions_;
+  Content content_;
 };
 
 }  // namespace feedscope

@@ -5,10 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "core/machine/machine.h"
-#include "core/models/control_model.h"
-#include "core/program/program.h"
-#include "core/toolpath/toolpath.h"
+#include "core/analysis/run.h"
 #include "tests/benchmark/heap_meter.h"
 #include "tests/benchmark/programs.h"
 
@@ -36,13 +33,10 @@ void read(State& state, const Kind& kind) {
   const auto blocks = static_cast<std::size_t>(state.range(0));
   const HeapMeter meter;
   const auto source = std::make_shared<const SourceText>("benchmark.nc", kind.text(blocks));
-  Program program;
-  Toolpath toolpath;
+  LoadedProgram program;
   for (auto _ : state) {
     program = {};
-    toolpath = {};
-    program = read_program(source);
-    toolpath = build_toolpath(program);
+    program = load_program(source);
   }
   state.SetBytesProcessed(static_cast<std::int64_t>(source->text().size() * state.iterations()));
   set_counters(state, blocks, meter);
@@ -55,12 +49,12 @@ void simulate(State& state, const Kind& kind, const ControlModel& model) {
       MachineLibrary(FEEDSCOPE_SOURCE_DIR "/machines", all_model_settings()).load("spinner-mvc850");
   const Settings settings = complete_settings(model, machine);
   const HeapMeter meter;
-  const Program program = read_program(std::make_shared<const SourceText>("benchmark.nc", kind.text(blocks)));
-  const Toolpath toolpath = build_toolpath(program);
+  const LoadedProgram program =
+      load_program(std::make_shared<const SourceText>("benchmark.nc", kind.text(blocks)));
   Trajectory trajectory;
   for (auto _ : state) {
     trajectory = {};
-    trajectory = model.simulate(toolpath, machine, settings);
+    trajectory = model.simulate(program.toolpath, machine, settings);
   }
   set_counters(state, blocks, meter);
 }

@@ -6,17 +6,18 @@
 
 #include "core/machine/machine.h"
 #include "core/toolpath/toolpath.h"
-#include "core/trajectory/trajectory.h"
+#include "tests/support/parts.h"
 
 /// What must hold of the motion of any planned model, on any path.
 namespace feedscope::testing {
 
 inline void expect_no_gaps_between_pieces(const Trajectory& run) {
-  for (std::size_t p = 0; p + 1 < run.pieces().size(); ++p) {
-    const State end = run.state_in_piece(p, run.piece_end(p) - run.pieces()[p].time);
-    const State next = run.state_in_piece(p + 1, 0);
-    ASSERT_LT((end.position - next.position).norm(), 1e-7) << "piece " << p;
-    ASSERT_NEAR(end.speed, next.speed, 1e-6 * (1 + end.speed)) << "piece " << p;
+  const std::vector<Part> parts = testing::parts_of(run);
+  for (std::size_t p = 0; p + 1 < parts.size(); ++p) {
+    const State end = testing::state_in(run, parts[p], parts[p].duration);
+    const State next = testing::state_in(run, parts[p + 1], 0);
+    ASSERT_LT((end.position - next.position).norm(), 1e-7) << "part at " << parts[p].time;
+    ASSERT_NEAR(end.speed, next.speed, 1e-6 * (1 + end.speed)) << "part at " << parts[p].time;
     ASSERT_TRUE(std::isfinite(end.speed));
   }
 }
@@ -29,16 +30,16 @@ inline void expect_rest_at_the_programmed_ends(const Toolpath& path, const Traje
 }
 
 inline void expect_axis_limits_on_lines(const Trajectory& run, const Machine& machine) {
-  for (std::size_t p = 0; p < run.pieces().size(); ++p) {
+  for (const Part& part : testing::parts_of(run)) {
     for (const double share : {0.0, 1.0}) {
-      const State state = run.state_in_piece(p, share * (run.piece_end(p) - run.pieces()[p].time));
-      if (run.path().elements[state.element].kind != ElementKind::line) {
+      const State state = testing::state_in(run, part, share * part.duration);
+      if (run.path().kind(state.element) != ElementKind::line) {
         continue;
       }
       for (int j = 0; j < 3; ++j) {
         const AxisLimits& axis = machine.axes[static_cast<std::size_t>(j)];
-        ASSERT_LE(std::abs(state.acceleration[j]), axis.acceleration * (1 + 1e-6)) << "piece " << p;
-        ASSERT_LE(std::abs(state.jerk[j]), axis.jerk * (1 + 1e-6)) << "piece " << p;
+        ASSERT_LE(std::abs(state.acceleration[j]), axis.acceleration * (1 + 1e-6)) << "part at " << part.time;
+        ASSERT_LE(std::abs(state.jerk[j]), axis.jerk * (1 + 1e-6)) << "part at " << part.time;
       }
     }
   }

@@ -19,10 +19,6 @@ constexpr double samples_a_filter_time = 8;
 constexpr double sharpest = 0.2;         // cosine of half the turn
 constexpr int most_inner_samples = 720;  // ten turns of a helix in one piece; beyond, turns repeat
 
-double law_value(const Piece& p, double tau) {
-  return p.q + tau * (p.v + tau * (p.a / 2 + tau * p.j / 6));
-}
-
 /// The share of a blend in which it turns is proportional to this: |S'(1/2)| / |S'(0)| = (3/alpha - 1/2) cos.
 double half_turn_cosine(const CubicBlend& blend) {
   return (blend.end - blend.start).norm() / (2 * (blend.corner - blend.start).norm());
@@ -72,11 +68,13 @@ Envelope::Envelope(std::shared_ptr<const Trajectory> trajectory, Progress* progr
     : trajectory_(std::move(trajectory)) {
   const std::size_t pieces = trajectory_->pieces().size();
   std::vector<Band> groups((pieces + pieces_a_group - 1) / pieces_a_group);
-  for (std::size_t i = 0; i < pieces; ++i) {
-    const double length = trajectory_->piece_end(i) - trajectory_->pieces()[i].time;
-    add_piece(groups[i / pieces_a_group], i, 0, length);
-    if (progress != nullptr && i % 4096 == 0) {
-      progress->report(static_cast<double>(i) / static_cast<double>(pieces));
+  std::size_t reported = 0;
+  for (PartWalk walk(*trajectory_); !walk.done(); walk.next()) {
+    const Part& part = walk.part();
+    add_part(groups[part.piece / pieces_a_group], part, walk.motion(), part.duration);
+    if (progress != nullptr && part.piece >= reported) {
+      progress->report(static_cast<double>(part.piece) / static_cast<double>(pieces));
+      reported = part.piece + std::size_t{4096};
     }
   }
   while (groups.size() > fan_out) {
@@ -150,36 +148,42 @@ void Envelope::add_pieces(Band& band, std::size_t first, std::size_t last, doubl
 }
 
 void Envelope::add_piece(Band& band, std::size_t piece, double from, double to) const {
-  const Piece& p = trajectory_->pieces()[piece];
-  band.add(trajectory_->state_in_piece(piece, from));
-  if (!(to > from)) {
-    return;
-  }
-  band.add(trajectory_->state_in_piece(piece, to));
-  const double speed_turns = p.j == 0 ? from : -p.a / p.j;
-  if (speed_turns > from && speed_turns < to) {
-    band.add(trajectory_->state_in_piece(piece, speed_turns));
-  }
-  const int inner = inner_samples(piece, from, to);
-  for (int k = 1; k <= inner; ++k) {
-    band.add(trajectory_->state_in_piece(piece, from + (to - from) * k / (inner + 1)));
+  const double until = trajectory_->pieces()[piece].time + to;
+  for (PartWalk walk(*trajectory_, piece, from); !walk.done(); walk.next()) {
+    const Part& part = walk.part();
+    if (part.piece != piece || part.time > until) {
+      break;
+    }
+    add_part(band, part, walk.motion(), std::min(part.duration, until - part.time));
   }
 }
 
-int Envelope::inner_samples(std::size_t index, double from, double to) const {
-  const Piece& piece = trajectory_->pieces()[index];
-  const BlendedPath& path = trajectory_->path();
-  const PathElement& element = path.elements[piece.element];
-  const double advance = law_value(piece, to) - law_value(piece, from);
+void Envelope::add_part(Band& band, const Part& part, const PartMotion& motion, double duration) const {
+  band.add(motion.state(0));
+  if (!(duration > 0)) {
+    return;
+  }
+  band.add(motion.state(duration));
+  const double speed_turns = part.j == 0 ? 0 : -part.a / part.j;
+  if (speed_turns > 0 && speed_turns < duration) {
+    band.add(motion.state(speed_turns));
+  }
+  const int inner = inner_samples(part, motion.curve(), duration);
+  for (int k = 1; k <= inner; ++k) {
+    band.add(motion.state(duration * k / (inner + 1)));
+  }
+}
+
+int Envelope::inner_samples(const Part& part, const ElementCurve& curve, double duration) const {
+  const double advanced = advance({0, part.v, part.a, part.j}, duration).q;
   double steps = 0;
-  if (piece.law == Law::filtered) {
-    const double share = (to - from) / (trajectory_->piece_end(index) - piece.time);
-    steps = share * trajectory_->filtered_spans(index, samples_a_filter_time);
-  } else if (element.kind == ElementKind::arc) {
-    steps = advance / path.arcs[element.geometry].length_per_radian() / arc_step;
-  } else if (element.kind == ElementKind::blend) {
-    const double share = piece.law == Law::parameter ? advance : advance / element.length;
-    const double cosine = std::max(sharpest, half_turn_cosine(path.blends[element.geometry]));
+  if (part.law == Law::filtered) {
+    steps = duration / part.duration * trajectory_->filtered_spans(part, samples_a_filter_time);
+  } else if (curve.is_arc()) {
+    steps = advanced / curve.arc.length_per_radian() / arc_step;
+  } else if (curve.kind == ElementKind::blend) {
+    const double share = part.law == Law::parameter ? advanced : advanced / curve.length;
+    const double cosine = std::max(sharpest, half_turn_cosine(curve.blend));
     steps = share * samples_a_blend / (cosine * cosine);
   }
   return static_cast<int>(std::clamp(std::ceil(steps) - 1, 0.0, double{most_inner_samples}));

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
-#include "core/trajectory/trajectory.h"
+#include "core/trajectory/part_walk.h"
 
 namespace feedscope::ui {
 
@@ -84,7 +84,8 @@ class Envelope {
   void add_piece(Band& band, std::size_t piece, double from, double to) const;
   void add_pieces(Band& band, std::size_t first, std::size_t last, double from, double to) const;
   void add_groups(Band& band, std::size_t first, std::size_t last) const;
-  int inner_samples(std::size_t index, double from, double to) const;
+  void add_part(Band& band, const Part& part, const PartMotion& motion, double duration) const;
+  int inner_samples(const Part& part, const ElementCurve& curve, double duration) const;
 
   std::shared_ptr<const Trajectory> trajectory_;
   std::vector<std::vector<Band>> levels_;  ///< [0]: one band a group of pieces; each next level merges a few

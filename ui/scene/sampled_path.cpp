@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/trajectory/part_walk.h"
 
 namespace feedscope::ui {
 namespace {
@@ -99,139 +100,114 @@ namespace {
 class ExecutedSampling {
  public:
   ExecutedSampling(const Trajectory& trajectory, std::size_t max_points)
-      : trajectory_(trajectory),
-        max_points_(max_points),
-        in_corner_(trajectory.path().elements.size(), false) {
-    for (const BlendRecord& blend : trajectory.blends()) {
-      in_corner_[blend.element] = true;
-    }
-    for (std::size_t i = 0; i < trajectory.pieces().size(); ++i) {
-      const Piece& piece = trajectory.pieces()[i];
-      if (piece.law != Law::parameter && !trajectory.is_rapid(piece.element)) {
-        top_speed_ = std::max({top_speed_, start_speed(i), end_speed(i)});
+      : trajectory_(trajectory), max_points_(max_points) {
+    for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
+      const Part& part = walk.part();
+      if (part.law != Law::parameter && !trajectory.is_rapid(part.element)) {
+        const PartMotion motion = walk.motion();
+        top_speed_ = std::max({top_speed_, speed_in(motion, part, 0), speed_in(motion, part, part.duration)});
       }
     }
   }
 
   SampledPath run() {
     SampledPath path;
-    const std::size_t pieces = trajectory_.pieces().size();
-    if (pieces == 0) {
+    if (trajectory_.pieces().empty()) {
       return path;
     }
     std::size_t wanted = 1;
-    for (std::size_t i = 0; i < pieces; ++i) {
-      wanted += spans_of(i, 0);
+    for (PartWalk walk(trajectory_); !walk.done(); walk.next()) {
+      wanted += spans_of(walk.part(), 0);
     }
     const double spacing = spacing_for(wanted, max_points_, trajectory_.path_length());
     const std::size_t reserve = std::min(wanted, max_points_) + 2;
-    path.origin = trajectory_.path().elements.front().start;
+    path.origin = trajectory_.path().element(0).start;
     path.positions.reserve(reserve);
     path.kinds.reserve(reserve);
     path.feeds.reserve(reserve);
     path.times.reserve(reserve);
     Sampler sampler(path, spacing);
-    for (std::size_t i = 0; i < pieces; ++i) {
-      const std::size_t count = spans_of(i, spacing);
-      const double step = duration_of(i) / static_cast<double>(count);
-      const double span = advance_of(i) / static_cast<double>(count);
-      for (std::size_t k = 0; k < count; ++k) {
-        add(path, sampler, i, step * static_cast<double>(k), span);
+    Part last;
+    for (PartWalk walk(trajectory_); !walk.done(); walk.next()) {
+      if (path.size() > 0 && feed_jumps(last, walk.part())) {
+        add(path, sampler, PartMotion(trajectory_, last), last, last.duration, 0);
       }
-      if (feed_jumps_after(i)) {
-        add(path, sampler, i, duration_of(i), 0);
+      last = walk.part();
+      const std::size_t count = spans_of(last, spacing);
+      const double step = last.duration / static_cast<double>(count);
+      const double span = advance_of(last) / static_cast<double>(count);
+      const PartMotion motion = walk.motion();
+      for (std::size_t k = 0; k < count; ++k) {
+        add(path, sampler, motion, last, step * static_cast<double>(k), span);
       }
     }
     Sampler all(path, 0);
-    add(path, all, pieces - 1, duration_of(pieces - 1), 0);
+    add(path, all, PartMotion(trajectory_, last), last, last.duration, 0);
     return path;
   }
 
  private:
-  double duration_of(std::size_t piece) const {
-    return trajectory_.piece_end(piece) - trajectory_.pieces()[piece].time;
+  static double speed_in(const PartMotion& motion, const Part& part, double tau) {
+    return part.law == Law::filtered ? motion.kinematics(tau).velocity.norm()
+                                     : advance({part.q, part.v, part.a, part.j}, tau).v;
   }
 
-  double start_speed(std::size_t index) const {
-    const Piece& piece = trajectory_.pieces()[index];
-    return piece.law == Law::filtered ? trajectory_.kinematics_in_piece(index, 0).velocity.norm() : piece.v;
-  }
-
-  double end_speed(std::size_t index) const {
-    const Piece& piece = trajectory_.pieces()[index];
-    const double duration = duration_of(index);
-    if (piece.law == Law::filtered) {
-      return trajectory_.kinematics_in_piece(index, duration).velocity.norm();
-    }
-    return piece.v + duration * (piece.a + duration * piece.j / 2);
-  }
-
-  /// At the latest where the piece ends, q has gone this far, [mm] or blend parameter.
-  double course_of(std::size_t index) const {
-    const Piece& piece = trajectory_.pieces()[index];
-    const double duration = duration_of(index);
-    return duration *
-           (std::abs(piece.v) + duration * (std::abs(piece.a) / 2 + duration * std::abs(piece.j) / 6));
+  /// At the latest where the part ends, q has gone this far, [mm] or blend parameter.
+  static double course_of(const Part& part) {
+    return advance({0, std::abs(part.v), std::abs(part.a), std::abs(part.j)}, part.duration).q;
   }
 
   /// The same as a length [mm].
-  double advance_of(std::size_t index) const {
-    const Piece& piece = trajectory_.pieces()[index];
-    if (piece.law == Law::filtered) {
-      return trajectory_.piece_length(index);
+  double advance_of(const Part& part) const {
+    if (part.law == Law::filtered) {
+      return trajectory_.filtered_length(part);
     }
-    const double length = trajectory_.path().elements[piece.element].length;
-    return course_of(index) * (piece.law == Law::parameter ? length : 1.0);
+    return course_of(part) * (part.law == Law::parameter ? trajectory_.path().length(part.element) : 1.0);
   }
 
   /// A model may change the feed at once; colours must not flow over the whole span then.
-  bool feed_jumps_after(std::size_t index) const {
-    if (index + 1 == trajectory_.pieces().size()) {
-      return false;
-    }
-    const Piece& next = trajectory_.pieces()[index + 1];
-    const bool both_by_length =
-        next.law == Law::path_length && trajectory_.pieces()[index].law == Law::path_length;
-    return both_by_length && std::abs(next.v - end_speed(index)) > top_speed_ / (10 * feed_steps);
+  bool feed_jumps(const Part& before, const Part& next) const {
+    return next.law == Law::path_length && before.law == Law::path_length &&
+           std::abs(next.v - advance({0, before.v, before.a, before.j}, before.duration).v) >
+               top_speed_ / (10 * feed_steps);
   }
 
   /// Filters round every corner; those slowed for the tolerance are shown as blends.
-  SpanKind kind_of(std::size_t index) const {
-    const Piece& piece = trajectory_.pieces()[index];
-    if (trajectory_.is_rapid(piece.element)) {
+  SpanKind kind_of(const Part& part) const {
+    if (trajectory_.is_rapid(part.element)) {
       return SpanKind::rapid;
     }
-    const bool blend = piece.law == Law::filtered ? piece.cause.kind == CauseKind::contour_tolerance
-                                                  : bool{in_corner_[piece.element]};
+    const bool blend = part.law == Law::filtered ? part.cause.kind == CauseKind::contour_tolerance
+                                                 : trajectory_.path().in_corner(part.element);
     return blend ? SpanKind::blend : SpanKind::cut;
   }
 
-  std::size_t spans_of(std::size_t index, double spacing) const {
-    const Piece& piece = trajectory_.pieces()[index];
-    const PathElement& element = trajectory_.path().elements[piece.element];
-    if (piece.law == Law::filtered) {
-      return spans(trajectory_.filtered_spans(index, spans_a_filter_time), advance_of(index), spacing);
+  std::size_t spans_of(const Part& part, double spacing) const {
+    if (part.law == Law::filtered) {
+      return spans(trajectory_.filtered_spans(part, spans_a_filter_time), advance_of(part), spacing);
     }
-    const double duration = duration_of(index);
-    const double course = course_of(index);
+    const BlendedPath& path = trajectory_.path();
+    const double course = course_of(part);
     double wanted = 1;
-    if (piece.law == Law::parameter) {
+    if (part.law == Law::parameter) {
       wanted = spans_of_blend * course;
-    } else if (!trajectory_.is_rapid(piece.element) && top_speed_ > 0) {
-      const double change = duration * (std::abs(piece.a) + duration * std::abs(piece.j) / 2);
+    } else if (!trajectory_.is_rapid(part.element) && top_speed_ > 0) {
+      const double change = part.duration * (std::abs(part.a) + part.duration * std::abs(part.j) / 2);
       wanted = std::min(feed_steps, feed_steps * change / top_speed_);
     }
-    if (element.kind == ElementKind::arc) {
-      wanted = std::max(wanted, spans_of_arc(trajectory_.path().arcs[element.geometry], course));
-    } else if (element.kind == ElementKind::blend && piece.law == Law::path_length && element.length > 0) {
-      wanted = std::max(wanted, spans_of_blend * course / element.length);
+    const ElementKind kind = path.kind(part.element);
+    if (kind == ElementKind::arc || kind == ElementKind::connecting_arc) {
+      wanted = std::max(wanted, spans_of_arc(path.curve(part.element).arc, course));
+    } else if (kind == ElementKind::blend && part.law == Law::path_length && path.length(part.element) > 0) {
+      wanted = std::max(wanted, spans_of_blend * course / path.length(part.element));
     }
-    return spans(wanted, advance_of(index), spacing);
+    return spans(wanted, advance_of(part), spacing);
   }
 
-  void add(SampledPath& path, Sampler& sampler, std::size_t piece, double tau, double span) const {
-    const State state = trajectory_.state_in_piece(piece, tau);
-    const SpanKind kind = kind_of(piece);
+  void add(SampledPath& path, Sampler& sampler, const PartMotion& motion, const Part& part, double tau,
+           double span) const {
+    const State state = motion.state(tau);
+    const SpanKind kind = kind_of(part);
     if (kind != SpanKind::rapid) {
       path.peak_feed = std::max(path.peak_feed, state.speed);
     }
@@ -243,8 +219,7 @@ class ExecutedSampling {
 
   const Trajectory& trajectory_;
   std::size_t max_points_;
-  std::vector<bool> in_corner_;  ///< elements that the control put into corners
-  double top_speed_ = 0;         ///< [mm/s]
+  double top_speed_ = 0;  ///< [mm/s]
 };
 
 }  // namespace

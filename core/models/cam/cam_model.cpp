@@ -25,16 +25,17 @@ Guarantees CamModel::guarantees(const Settings&) const {
   return promised;
 }
 
-Trajectory CamModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings&,
-                                 Progress* progress) const {
+Trajectory CamModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
+                                 const Settings&, Progress* progress) const {
+  const Toolpath& toolpath = *shared;
   const Vec3 velocity = axis_limit_vector(machine, &AxisLimits::velocity);
-  TrajectoryBuilder builder;
+  TrajectoryBuilder builder(shared, velocity);
   builder.reserve(toolpath.segments.size(), toolpath.segments.size());
   ProgressSteps steps(progress, toolpath.segments.size());
   for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
     const Segment& segment = toolpath.segments[i];
     const SpeedBound programmed = programmed_speed(toolpath, i, velocity);
-    const std::uint32_t index = builder.add_segment(toolpath, i, programmed.value);
+    const std::uint32_t index = builder.add_segment(static_cast<std::uint32_t>(i));
     if (segment.kind == SegmentKind::dwell) {
       builder.add_piece({0, 0, 0, 0, 0, index, {CauseKind::dwell}}, segment.dwell);
     } else {

@@ -69,10 +69,13 @@ Guarantees EssidModel::guarantees(const Settings& settings) const {
   return promised;
 }
 
-Trajectory EssidModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
-                                   Progress* progress) const {
-  TrajectoryBuilder builder;
-  EssidRunner runner(toolpath, AxisVectors(machine), EssidSettings(settings), builder);
+Trajectory EssidModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
+                                   const Settings& settings, Progress* progress) const {
+  const Toolpath& toolpath = *shared;
+  TrajectoryBuilder builder(shared, axis_limit_vector(machine, &AxisLimits::velocity));
+  const EssidSettings own(settings);
+  builder.set_blend_weight(own.corner.alpha);
+  EssidRunner runner(toolpath, AxisVectors(machine), own, builder);
   run_stretches(toolpath, builder, progress, false,
                 [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
   return builder.finish();

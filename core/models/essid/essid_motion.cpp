@@ -23,8 +23,8 @@ void EssidRunner::move(const std::vector<PlanNode>& nodes, ProgressSteps& steps)
     }
     const std::size_t last = nodes[n + 1].junction;
     const SpanLimits span = span_limits(stretch_.plan, first, last);
-    speed_ =
-        add_profile(builder_, stretch_, profile_to(nodes[n + 1].speed, span, speed_, 0), span, first, last);
+    speed_ = add_profile(builder_, stretch_, profile_to(nodes[n + 1].speed, span, speed_, 0), span, first,
+                         last, nodes[n + 1].cause);
     ++n;
   }
 }
@@ -80,14 +80,14 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
       if (motion.exit_speed > end_speed * (1 + 1e-9)) {
         continue;
       }
-      add_blend_steps(motion.steps, e);
+      add_blend_steps(motion.steps, e, nodes[target].cause);
       speed_ = motion.exit_speed;
       return target;
     }
     const SpeedProfile profile = profile_to(end_speed, span, motion.exit_speed, carried);
     if (profile.feasible && first_too_fast(stretch_.plan, stretch_.ceiling, e + 1, last, profile) == last) {
-      add_blend_steps(motion.steps, e);
-      speed_ = add_profile(builder_, stretch_, profile, span, e + 1, last);
+      add_blend_steps(motion.steps, e, nodes[target].cause);
+      speed_ = add_profile(builder_, stretch_, profile, span, e + 1, last, nodes[target].cause);
       return target;
     }
   }
@@ -102,15 +102,16 @@ void EssidRunner::pass_level(std::size_t element) {
                        stretch_.plan[element].length / speed_);
   } else {
     const double du = speed_ / blend.shape.at(0).sigma;
-    add_blend_steps({{1 / du, 0, du, 0, 0, cause}}, element);
+    add_blend_steps({{1 / du, 0, du, 0, 0, cause}}, element, cause);
   }
 }
 
-void EssidRunner::add_blend_steps(const std::vector<BlendStep>& blend_steps, std::size_t element) {
+void EssidRunner::add_blend_steps(const std::vector<BlendStep>& blend_steps, std::size_t element,
+                                  Cause slower_place) {
   for (const BlendStep& step : blend_steps) {
-    builder_.add_piece(
-        {0, step.u, step.du, step.ddu, step.dddu, stretch_.element[element], step.cause, Law::parameter},
-        step.duration);
+    builder_.add_piece({0, step.u, step.du, step.ddu, step.dddu, stretch_.element[element], step.cause,
+                        Law::parameter, static_cast<std::uint8_t>(cause_index(slower_place))},
+                       step.duration);
   }
 }
 

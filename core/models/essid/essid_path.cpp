@@ -10,15 +10,6 @@ namespace {
 /// speed that hardly changes, they would exceed the radial jerk share by more than 3.3 (0.66 of the axis).
 constexpr double level_turn = 0.5;
 
-double least_radius(const BlendShape& shape) {
-  constexpr int intervals = 32;
-  double largest = 0;
-  for (int i = 0; i <= intervals; ++i) {
-    largest = std::max(largest, shape.at(static_cast<double>(i) / intervals).k);
-  }
-  return 1 / largest;
-}
-
 }  // namespace
 
 EssidRunner::EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,
@@ -60,17 +51,9 @@ CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
     const SpeedBound steady = steady_speed_limit(shape, place.feed, blend_limits_);
     speed.lower(steady.value, steady.cause);
   }
-  CornerPiece piece;
-  piece.kind = ElementKind::blend;
-  piece.geometry = builder_.add_blend(curve);
-  piece.turn = corner.turn;
-  piece.transition = corner.transition;
-  piece.epsilon = corner.epsilon;
-  piece.length = curve.length();
-  piece.min_radius = least_radius(shape);
-  piece.limits = blend_motion_limits(shape, speed, blend_limits_);
-  blends_.push_back({shape, place.feed, corner.turn, piece.limits.jerk.value});
-  return piece;
+  const MotionLimits limits = blend_motion_limits(shape, speed, blend_limits_);
+  blends_.push_back({shape, place.feed, corner.turn, limits.jerk.value});
+  return {ElementKind::blend, corner.transition, curve.length(), limits};
 }
 
 bool EssidRunner::is_level(const Blend& blend) const {

@@ -41,7 +41,8 @@ class EssidRunner {
   std::optional<std::size_t> move_over_blend(const std::vector<PlanNode>& nodes, std::size_t n);
   /// Passes a level blend, at constant speed where that keeps every limit, else at constant du/dt.
   void pass_level(std::size_t element);
-  void add_blend_steps(const std::vector<BlendStep>& blend_steps, std::size_t element);
+  /// `slower_place`: what sets the speed of the node ahead.
+  void add_blend_steps(const std::vector<BlendStep>& blend_steps, std::size_t element, Cause slower_place);
   const Blend& blend_of(std::size_t element) const {
     return blends_[static_cast<std::size_t>(blend_index_[element])];
   }

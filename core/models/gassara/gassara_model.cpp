@@ -85,25 +85,18 @@ Guarantees GassaraModel::guarantees(const Settings&) const {
   return promised;
 }
 
-Trajectory GassaraModel::do_simulate(const Toolpath& toolpath, const Machine& machine,
+Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
                                      const Settings& settings, Progress* progress) const {
+  const Toolpath& toolpath = *shared;
   const GassaraSettings own(settings);
   const AxisVectors axes(machine);
-  TrajectoryBuilder builder;
+  TrajectoryBuilder builder(shared, axes.velocity);
   Stretch stretch;
   const auto blend_corner = [&](const CornerPlace& place) {
     const Corner corner = lay_arc_corner(place.in, place.out, place.longest, own.corner);
-    const Arc arc = corner_arc(place.point, place.in, place.out, corner.transition);
-    CornerPiece piece;
-    piece.kind = ElementKind::arc;
-    piece.geometry = builder.add_arc(arc);
-    piece.turn = corner.turn;
-    piece.transition = corner.transition;
-    piece.epsilon = corner.epsilon;
-    piece.length = arc.length();
-    piece.min_radius = arc.radius;
-    piece.limits = arc_blend_limits(place, arc.radius, axes, own);
-    return piece;
+    const double radius = corner.transition / std::tan(corner.turn / 2);
+    return CornerPiece{ElementKind::connecting_arc, corner.transition, radius * corner.turn,
+                       arc_blend_limits(place, radius, axes, own)};
   };
   run_stretches(toolpath, builder, progress, false, [&](const StretchRange& range, ProgressSteps& steps) {
     lay_blended_stretch(toolpath, range, axes, builder, stretch, blend_corner);

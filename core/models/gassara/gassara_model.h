@@ -20,8 +20,8 @@ class GassaraModel : public ControlModel {
   Guarantees guarantees(const Settings& settings) const override;
 
  private:
-  Trajectory do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
-                         Progress* progress) const override;
+  Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
+                         const Settings& settings, Progress* progress) const override;
 };
 
 }  // namespace feedscope

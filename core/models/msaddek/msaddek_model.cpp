@@ -68,13 +68,17 @@ Guarantees MsaddekModel::guarantees(const Settings& settings) const {
   return promised;
 }
 
-Trajectory MsaddekModel::do_simulate(const Toolpath& toolpath, const Machine& machine,
+Trajectory MsaddekModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
                                      const Settings& settings, Progress* progress) const {
+  const Toolpath& toolpath = *shared;
   const MsaddekSettings own(settings);
-  const CompactedPath compacted = compact(toolpath, own.compaction, own.tolerance);
-  TrajectoryBuilder builder;
-  builder.set_compaction_error(compacted.deviation);
-  MsaddekRunner runner(toolpath, compacted, AxisVectors(machine), own, builder);
+  const AxisVectors axes(machine);
+  const auto compacted =
+      std::make_shared<const CompactedPath>(compact(toolpath, own.compaction, own.tolerance));
+  const bool merges = compacted->path.segments.size() < toolpath.segments.size();
+  TrajectoryBuilder builder(shared, axes.velocity, merges ? compacted : nullptr);
+  builder.set_compaction_error(compacted->deviation);
+  MsaddekRunner runner(toolpath, *compacted, axes, own, builder);
   run_stretches(toolpath, builder, progress, false,
                 [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
   return builder.finish();

@@ -82,7 +82,6 @@ void MsaddekRunner::add_line(std::size_t segment, double cut_before, double cut_
   const Vec3& start = path.start_of(segment);
   const Vec3 direction = path.tangent_at_start(segment);
   const double end = path.segments[segment].length - cut_after;
-  const double feed = programmed_speed(path, segment, axes_.velocity).value;
   const std::uint32_t last = compacted_.first[segment + 1];
   double from = cut_before;
   for (std::uint32_t block = compacted_.first[segment]; block < last; ++block) {
@@ -92,48 +91,32 @@ void MsaddekRunner::add_line(std::size_t segment, double cut_before, double cut_
     if (to - from <= least_line) {
       continue;
     }
-    PathElement element;
-    element.start = start + from * direction;
-    element.end = block + 1 == last && cut_after == 0 ? programmed.end : Vec3(start + to * direction);
-    element.length = to - from;
-    element.segment = block;
-    const std::uint32_t index = builder_.add_element(element, programmed.line, feed, programmed.rapid);
-    stretch_.add({element.length, limits}, index, static_cast<std::uint32_t>(segment));
+    stretch_.add({to - from, limits}, builder_.add_segment(block, to - from),
+                 static_cast<std::uint32_t>(segment));
     from = to;
   }
 }
 
 void MsaddekRunner::add_arc(std::size_t segment, const MotionLimits& limits) {
   const std::uint32_t block = compacted_.first[segment];
-  const double feed = programmed_speed(programmed_, block, axes_.velocity).value;
-  const std::uint32_t index = builder_.add_segment(programmed_, block, feed);
-  stretch_.add({programmed_.segments[block].length, limits}, index, static_cast<std::uint32_t>(segment));
+  stretch_.add({programmed_.segments[block].length, limits}, builder_.add_segment(block),
+               static_cast<std::uint32_t>(segment));
 }
 
 void MsaddekRunner::add_connection(std::size_t segment, const ConnectingArc& connection) {
   const Toolpath& path = compacted_.path;
-  const Segment& before = programmed_.segments[compacted_.first[segment + 1] - 1];
   SpeedBound feed = programmed_speed(path, segment, axes_.velocity);
-  const double programmed = feed.value;
   const SpeedBound next = programmed_speed(path, segment + 1, axes_.velocity);
   feed.lower(next.value, next.cause);
 
   const Arc& arc = connection.arc;
-  PathElement element;
-  element.kind = ElementKind::arc;
-  element.start = before.end - connection.transition * path.tangent_at_end(segment);
-  element.end = before.end + connection.transition * path.tangent_at_start(segment + 1);
-  element.length = arc.length();
-  element.segment = compacted_.first[segment + 1] - 1;
-  element.geometry = builder_.add_arc(arc);
-  const std::uint32_t index = builder_.add_element(element, before.line, programmed, false);
-  builder_.add_blend_record({before.line, index, before.end, connection.turn, connection.transition,
-                             connection.epsilon, element.length, arc.radius, 0, 0});
-
+  const double length = arc.length();
+  const std::uint32_t index = builder_.add_corner(
+      ElementKind::connecting_arc, compacted_.first[segment + 1] - 1, connection.transition, length);
   MotionLimits limits = arc_limits(arc, feed, axes_);
-  limits.speed.lower(element.length / settings_.period, {CauseKind::interpolation_period});
+  limits.speed.lower(length / settings_.period, {CauseKind::interpolation_period});
   lower_by_curvature(limits.speed, arc.curvature());
-  stretch_.add({element.length, limits}, index, static_cast<std::uint32_t>(segment));
+  stretch_.add({length, limits}, index, static_cast<std::uint32_t>(segment));
 }
 
 void MsaddekRunner::move_static(ProgressSteps& steps) {

@@ -49,7 +49,7 @@ void AccelerationLaw::run(std::uint32_t first, std::uint32_t last, ProgressSteps
   next_ = first;
   double x = 0;
   for (std::size_t size = window_cells; next_ < last || !cells_.empty();) {
-    steps.at(builder_.path().elements[next_ < last ? next_ : last - 1].segment);
+    steps.at(builder_.path().segment(next_ < last ? next_ : last - 1));
     while (next_ < last && cells_.size() < size) {
       add_element(next_++);
     }
@@ -79,7 +79,7 @@ std::size_t AccelerationLaw::plan_window(bool to_rest, double x) {
 
 void AccelerationLaw::add_element(std::uint32_t index) {
   const SpeedBound programmed =
-      programmed_speed(toolpath_, builder_.path().elements[index].segment, axes_.velocity);
+      programmed_speed(toolpath_, builder_.path().segment(index), axes_.velocity);
   rule_.speed = programmed.value;
   path_cells_.clear();
   append_cells(builder_.path(), index, rule_, path_cells_);

@@ -85,22 +85,23 @@ Guarantees OptimalModel::guarantees(const Settings& settings) const {
   return promised;
 }
 
-Trajectory OptimalModel::do_simulate(const Toolpath& toolpath, const Machine& machine,
+Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
                                      const Settings& settings, Progress* progress) const {
+  const Toolpath& toolpath = *shared;
   const AxisVectors axes(machine);
   TrajectoryBuilder builder(
-      find_model(settings.text("path")).simulate(toolpath, machine, settings, progress));
+      find_model(settings.text("path")).simulate(shared, machine, settings, progress));
   AccelerationLaw law(toolpath, axes, 1, builder);
   const BlendedPath& path = builder.path();
-  const auto count = static_cast<std::uint32_t>(path.elements.size());
+  const auto count = static_cast<std::uint32_t>(path.size());
   ProgressSteps steps(progress, toolpath.segments.size());
   for (std::uint32_t first = 0; first < count;) {
     std::uint32_t last = first + 1;
     while (last < count && !is_stop(path, last)) {
       ++last;
     }
-    if (path.elements[first].kind == ElementKind::dwell) {
-      const double time = toolpath.segments[path.elements[first].segment].dwell;
+    if (path.kind(first) == ElementKind::dwell) {
+      const double time = toolpath.segments[path.segment(first)].dwell;
       builder.add_piece({0, 0, 0, 0, 0, first, {CauseKind::dwell}}, time);
     } else {
       law.run(first, last, steps);

@@ -40,18 +40,16 @@ int least_cells(double length, double curvature, const CellRule& rule) {
   return rule.fineness * static_cast<int>(count);
 }
 
-void append_arc(const Arc& arc, double offset, PathCell cell, double length, const CellRule& rule,
-                std::vector<PathCell>& cells) {
-  const double sweep = length / arc.length_per_radian();
-  const int count = std::max(least_cells(length, arc.curvature(), rule),
-                             static_cast<int>(std::ceil(sweep * rule.fineness / arc_turn)));
-  cell.length = length / count;
-  cell.to = point_of(arc.at(offset));
+void append_arc(const Arc& arc, PathCell cell, const CellRule& rule, std::vector<PathCell>& cells) {
+  const int count = std::max(least_cells(cell.length, arc.curvature(), rule),
+                             static_cast<int>(std::ceil(arc.sweep * rule.fineness / arc_turn)));
+  cell.length /= count;
+  cell.to = point_of(arc.at(0));
   for (int i = 0; i < count; ++i) {
     cell.offset = i * cell.length;
     cell.from = cell.to;
-    cell.middle = point_of(arc.at(offset + cell.offset + cell.length / 2));
-    cell.to = point_of(arc.at(offset + (i + 1) * cell.length));
+    cell.middle = point_of(arc.at(cell.offset + cell.length / 2));
+    cell.to = point_of(arc.at((i + 1) * cell.length));
     cells.push_back(cell);
   }
 }
@@ -119,22 +117,23 @@ void append_blend(const CubicBlend& blend, const PathCell& cell, const CellRule&
 
 void append_cells(const BlendedPath& path, std::uint32_t index, const CellRule& rule,
                   std::vector<PathCell>& cells) {
-  const PathElement& element = path.elements[index];
+  const ElementCurve curve = path.curve(index);
   PathCell cell;
-  cell.length = element.length;
+  cell.length = curve.length;
   cell.element = index;
-  switch (element.kind) {
+  switch (curve.kind) {
     case ElementKind::line:
     case ElementKind::filtered:
       cell.straight = true;
-      cell.from = cell.middle = cell.to = point_of(path.at(element, 0));
+      cell.from = cell.middle = cell.to = point_of(curve.at(0));
       cells.push_back(cell);
       break;
     case ElementKind::arc:
-      append_arc(path.arcs[element.geometry], element.arc_offset, cell, element.length, rule, cells);
+    case ElementKind::connecting_arc:
+      append_arc(curve.arc, cell, rule, cells);
       break;
     case ElementKind::blend:
-      append_blend(path.blends[element.geometry], cell, rule, cells);
+      append_blend(curve.blend, cell, rule, cells);
       break;
     case ElementKind::dwell:
       break;
@@ -142,20 +141,20 @@ void append_cells(const BlendedPath& path, std::uint32_t index, const CellRule& 
 }
 
 bool is_stop(const BlendedPath& path, std::uint32_t index) {
-  const PathElement& before = path.elements[index - 1];
-  const PathElement& after = path.elements[index];
-  if (before.kind == ElementKind::dwell || after.kind == ElementKind::dwell) {
+  if (path.kind(index - 1) == ElementKind::dwell || path.kind(index) == ElementKind::dwell) {
     return true;
   }
-  if (before.kind == ElementKind::blend || after.kind == ElementKind::blend) {
+  if (path.in_corner(index - 1) || path.in_corner(index)) {
     return false;
   }
+  const ElementCurve before = path.curve(index - 1);
+  const ElementCurve after = path.curve(index);
   const bool arc = before.kind == ElementKind::arc || after.kind == ElementKind::arc;
   constexpr double digits = 1e-14;  // what rounding of the coordinates does to the direction of a short line
   const double rounding =
       digits * (1 + after.start.cwiseAbs().maxCoeff()) / std::min(before.length, after.length);
   const double allowed = (arc ? tangent_angle : straight_angle) + rounding;
-  return turn_angle(path.at(before, before.length).d1, path.at(after, 0).d1) > allowed;
+  return turn_angle(before.at(before.length).d1, after.at(0).d1) > allowed;
 }
 
 }  // namespace feedscope

@@ -32,22 +32,21 @@ Guarantees TapieModel::guarantees(const Settings&) const {
   return promised;
 }
 
-Trajectory TapieModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
-                                   Progress* progress) const {
+Trajectory TapieModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
+                                   const Settings& settings, Progress* progress) const {
+  const Toolpath& toolpath = *shared;
   const SetPointRule rule{
       AxisVectors(machine),
       units::from_m(settings.number("curvilinear_jerk_m_s3")) * settings.number("tangential_share"),
       settings.number("interpolation_period_s")};
   const auto lookahead = static_cast<std::uint32_t>(settings.number("lookahead_blocks"));
-  TrajectoryBuilder builder;
+  TrajectoryBuilder builder(shared, rule.axes.velocity);
   Stretch stretch;
   run_stretches(toolpath, builder, progress, true, [&](const StretchRange& range, ProgressSteps& steps) {
     stretch.clear();
     for (std::size_t i = range.first; i < range.last; ++i) {
-      const double feed = programmed_speed(toolpath, i, rule.axes.velocity).value;
-      const std::uint32_t element = builder.add_segment(toolpath, i, feed);
-      stretch.add({toolpath.segments[i].length, rule.limits(toolpath, i)}, element,
-                  static_cast<std::uint32_t>(i));
+      const auto block = static_cast<std::uint32_t>(i);
+      stretch.add({toolpath.segments[i].length, rule.limits(toolpath, i)}, builder.add_segment(block), block);
     }
     set_junction_ceilings(stretch, builder.path(), rule.axes.jerk, rule.period, lookahead);
     add_planned_motion(builder, stretch, plan_nodes(stretch.plan, stretch.ceiling), steps);

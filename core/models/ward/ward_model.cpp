@@ -80,13 +80,13 @@ Guarantees WardModel::guarantees(const Settings& settings) const {
   return promised;
 }
 
-Trajectory WardModel::do_simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
-                                  Progress* progress) const {
-  TrajectoryBuilder builder;
-  WardRunner runner(std::make_shared<const Toolpath>(toolpath), AxisVectors(machine), WardSettings(settings),
-                    builder);
+Trajectory WardModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
+                                  const Settings& settings, Progress* progress) const {
+  const AxisVectors axes(machine);
+  TrajectoryBuilder builder(shared, axes.velocity);
+  WardRunner runner(shared, axes, WardSettings(settings), builder);
   run_stretches(
-      toolpath, builder, progress, false,
+      *shared, builder, progress, false,
       [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, false);
   return builder.finish();
 }

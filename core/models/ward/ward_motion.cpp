@@ -16,7 +16,7 @@ void WardRunner::lay_motion(ProgressSteps& steps) {
     const std::size_t segment = train_.first + i;
     steps.at(segment);
     if (i > 0 && corner_turn(train_, i) > straight_angle) {
-      add_record(i);
+      builder_.add_filtered_corner();
     }
     error = std::max(error, contour_error(i));
     add_spans(length, i);
@@ -27,27 +27,12 @@ void WardRunner::lay_motion(ProgressSteps& steps) {
 }
 
 void WardRunner::add_element(double start, std::size_t block) {
-  const std::size_t segment = train_.first + block;
-  PathElement element;
-  element.kind = ElementKind::filtered;
-  element.geometry = builder_.motion_count();
-  element.segment = static_cast<std::uint32_t>(segment);
-  element.start = train_.point(block);
-  element.end = train_.point(block + 1);
-  element.length = spans_.back().q;
-  const std::uint32_t index = builder_.add_element(
-      element, train_.segment(block).line, programmed_speed(*toolpath_, segment, axes_.velocity).value,
-      train_.segment(block).rapid);
+  const std::uint32_t index = builder_.add_filtered(static_cast<std::uint32_t>(train_.first + block),
+                                                    spans_.back().q, builder_.motion_count());
   for (std::size_t k = 1; k < spans_.size(); ++k) {
     builder_.add_piece({0, spans_[k - 1].q, 0, 0, 0, index, spans_[k].cause, Law::filtered},
                        start + spans_[k].end - builder_.time());
   }
-}
-
-void WardRunner::add_record(std::size_t block) {
-  BlendRecord record = filtered_corner(walk_, train_, block);
-  record.element = builder_.element_count() - 1;
-  builder_.add_blend_record(record);
 }
 
 void WardRunner::add_spans(LengthWalk& length, std::size_t block) {

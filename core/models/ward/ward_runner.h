@@ -61,7 +61,6 @@ class WardRunner {
 
   void lay_motion(ProgressSteps& steps);
   void add_element(double start, std::size_t block);
-  void add_record(std::size_t block);
   /// Largest distance of the block's start and of its inside, if it is an arc [mm].
   double contour_error(std::size_t block);
   void add_spans(LengthWalk& length, std::size_t block);

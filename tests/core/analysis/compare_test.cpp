@@ -67,7 +67,7 @@ TEST(CompareRuns, GiveTheFiguresOfSingleRunsInTheOrderOfTheSetups) {
     EXPECT_EQ(runs[i].summary.cycle_time, alone.summary.cycle_time);
     EXPECT_EQ(runs[i].summary.time_by_cause, alone.summary.time_by_cause);
     EXPECT_EQ(runs[i].path_length, alone.trajectory->path_length());
-    EXPECT_EQ(runs[i].blends, alone.trajectory->blends().size());
+    EXPECT_EQ(runs[i].blends, alone.trajectory->blend_count());
   }
 }
 

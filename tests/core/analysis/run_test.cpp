@@ -67,7 +67,7 @@ TEST(Run, SharesTheProgramAndSumsUp) {
   const auto cam = simulate_run(program, make_setup(baseline));
   EXPECT_EQ(essid.input.program, cam.input.program);
   EXPECT_EQ(essid.input.toolpath, cam.input.toolpath);
-  EXPECT_EQ(essid.trajectory->blends().size(), 1U);
+  EXPECT_EQ(essid.trajectory->blend_count(), 1U);
   EXPECT_EQ(essid.summary.cycle_time, essid.trajectory->duration());
   EXPECT_GT(essid.summary.cycle_time, cam.summary.cycle_time);
   EXPECT_DOUBLE_EQ(cam.summary.cycle_time, 0.8);  // 40 mm at 50 mm/s

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <random>
 
+#include "core/trajectory/trajectory_builder.h"
+
 namespace feedscope {
 namespace {
 
@@ -20,38 +22,43 @@ Segment line_to(const Vec3& end, double length, double feed) {
   return segment;
 }
 
-PathElement line_element(const Vec3& start, const Vec3& end, double s) {
-  PathElement element;
-  element.start = start;
-  element.end = end;
-  element.s = s;
-  element.length = (end - start).norm();
-  return element;
+/// A piece and its time [s].
+struct Passage {
+  Piece piece;
+  double duration;
+};
+
+/// `toolpath` as it is, passed as `runs` say.
+Trajectory trajectory_of(const Toolpath& toolpath, const std::vector<Passage>& runs) {
+  TrajectoryBuilder builder(std::make_shared<const Toolpath>(toolpath), rapid_speed);
+  for (std::uint32_t i = 0; i < toolpath.segments.size(); ++i) {
+    builder.add_segment(i);
+  }
+  for (const Passage& run : runs) {
+    builder.add_piece(run.piece, run.duration);
+  }
+  return builder.finish();
 }
 
-Trajectory trajectory_of(BlendedPath path, std::vector<Piece> pieces, double duration,
-                         std::vector<BlendRecord> blends = {}) {
-  const std::size_t n = path.elements.size();
-  return Trajectory(std::move(path), std::move(pieces), duration, std::move(blends),
-                    std::vector<std::uint32_t>(n, 1), std::vector<double>(n, 50),
-                    std::vector<bool>(n, false));
+Toolpath one_line(const Vec3& end) {
+  Toolpath toolpath;
+  toolpath.segments = {line_to(end, end.norm(), 50)};
+  return toolpath;
 }
 
 /// Rest to rest along (3, 4, 0) / 5 by four phases of constant jerk J, each of time h: the ramp of MODELS
 /// section 1 up and down. Peak speed J h^2, peak acceleration J h, length 2 J h^3.
 Trajectory four_phases(double jerk, double h) {
   const double length = 2 * jerk * h * h * h;
-  BlendedPath path;
-  path.elements = {line_element(Vec3::Zero(), Vec3(0.6, 0.8, 0) * length, 0)};
   const Cause x{CauseKind::axis_jerk, 0};
   const Cause down{CauseKind::ramp_down, -1};
+  const auto stop = static_cast<std::uint8_t>(cause_index({CauseKind::exact_stop}));
   const double v = jerk * h * h / 2;
   const double a = jerk * h;
-  std::vector<Piece> pieces{{0, 0, 0, 0, jerk, 0, x, Law::path_length},
-                            {h, jerk * h * h * h / 6, v, a, -jerk, 0, x, Law::path_length},
-                            {2 * h, length / 2, 2 * v, 0, -jerk, 0, down, Law::path_length},
-                            {3 * h, length - jerk * h * h * h / 6, v, -a, jerk, 0, down, Law::path_length}};
-  return trajectory_of(std::move(path), std::move(pieces), 4 * h);
+  return trajectory_of(one_line(Vec3(0.6, 0.8, 0) * length),
+                       {{{0, 0, 0, 0, jerk, 0, x}, h},
+                        {{0, jerk * h * h * h / 6, v, a, -jerk, 0, x}, h},
+                        {{0, length / 2, 2 * v, -a, -jerk, 0, down, Law::ramp, stop}, 2 * h}});
 }
 
 TEST(Summary, OfARestToRestMoveIsTheClosedForm) {
@@ -74,14 +81,14 @@ TEST(Summary, OfARestToRestMoveIsTheClosedForm) {
   EXPECT_EQ(summary.axes[2].velocity, 0);
   EXPECT_DOUBLE_EQ(summary.time_by_cause[cause_index({CauseKind::axis_jerk, 0})], 0.1);
   EXPECT_DOUBLE_EQ(summary.time_by_cause[cause_index({CauseKind::ramp_down, -1})], 0.1);
+  EXPECT_DOUBLE_EQ(summary.time_by_slower_place[cause_index({CauseKind::exact_stop, -1})], 0.1);
 }
 
 TEST(Summary, FindsThePeakInsideAPiece) {
   // v = 10 + 40 t - 80 t^2 / 2 over 1 s: largest at t = 0.5, 20 mm/s; both ends are at 10 mm/s.
-  BlendedPath path;
-  path.elements = {line_element(Vec3::Zero(), Vec3(10 + 20 - 80.0 / 6, 0, 0), 0)};
-  const Summary summary = summarise(
-      trajectory_of(std::move(path), {{0, 0, 10, 40, -80, 0, {}, Law::path_length}}, 1), {}, rapid_speed);
+  const Summary summary =
+      summarise(trajectory_of(one_line(Vec3(10 + 20 - 80.0 / 6, 0, 0)), {{{0, 0, 10, 40, -80, 0, {}}, 1}}),
+                {}, rapid_speed);
   EXPECT_DOUBLE_EQ(summary.peak_feed, 20);
   EXPECT_DOUBLE_EQ(summary.axes[0].velocity, 20);
   EXPECT_DOUBLE_EQ(summary.axes[0].acceleration, 40);
@@ -89,15 +96,15 @@ TEST(Summary, FindsThePeakInsideAPiece) {
 
 TEST(Summary, FindsTheCentripetalPeaksOfACircle) {
   // Steady 50 mm/s on radius 10: acceleration v^2/r = 250, jerk v^3/r^2 = 1250 on each axis in turn.
-  BlendedPath path;
-  path.arcs = {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::Zero(), 10, 2 * std::numbers::pi}};
-  PathElement circle = line_element(Vec3(10, 0, 0), Vec3(10, 0, 0), 0);
-  circle.kind = ElementKind::arc;
-  circle.length = path.arcs[0].length();
-  path.elements = {circle};
-  const double duration = circle.length / 50;
-  const Summary summary = summarise(
-      trajectory_of(std::move(path), {{0, 0, 50, 0, 0, 0, {}, Law::path_length}}, duration), {}, rapid_speed);
+  Toolpath toolpath;
+  toolpath.start = Vec3(10, 0, 0);
+  toolpath.arcs = {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::Zero(), 10, 2 * std::numbers::pi}};
+  Segment circle = line_to(toolpath.start, toolpath.arcs[0].length(), 50);
+  circle.kind = SegmentKind::arc;
+  circle.arc = 0;
+  toolpath.segments = {circle};
+  const Summary summary =
+      summarise(trajectory_of(toolpath, {{{0, 0, 50, 0, 0, 0, {}}, circle.length / 50}}), {}, rapid_speed);
   EXPECT_NEAR(summary.peak_feed, 50, 1e-12);
   for (const std::size_t axis : {0U, 1U}) {
     EXPECT_NEAR(summary.axes[axis].velocity, 50, 50 * 1e-4);
@@ -109,21 +116,23 @@ TEST(Summary, FindsTheCentripetalPeaksOfACircle) {
 
 TEST(Summary, FindsPeaksOnABlendOfEitherLaw) {
   // With constant du/dt the peaks of a cubic are at its ends: |S''(0)| and |S'''|.
-  BlendedPath path;
-  path.blends = {{Vec3(-1, 0, 0), Vec3::Zero(), Vec3(0, 1, 0), 2.5}};
-  PathElement blend = line_element(Vec3(-1, 0, 0), Vec3(0, 1, 0), 0);
-  blend.kind = ElementKind::blend;
-  blend.length = path.blends[0].length();
-  path.elements = {blend};
-  const CurvePoint start = path.blends[0].at(0);
-  const Summary by_parameter =
-      summarise(trajectory_of(path, {{0, 0, 4, 0, 0, 0, {}, Law::parameter}}, 0.25), {}, rapid_speed);
+  Toolpath toolpath;
+  toolpath.start = Vec3(-1, 0, 0);
+  toolpath.segments = {line_to(Vec3::Zero(), 1, 50), line_to(Vec3(0, 1, 0), 1, 50)};
+  const CubicBlend blend{Vec3(-1, 0, 0), Vec3::Zero(), Vec3(0, 1, 0), 2.5};
+  const auto run = [&](Law law, double v, double duration) {
+    TrajectoryBuilder builder(std::make_shared<const Toolpath>(toolpath), rapid_speed);
+    builder.add_corner(ElementKind::blend, 0, 1, blend.length());
+    builder.add_piece({0, 0, v, 0, 0, 0, {}, law}, duration);
+    return summarise(builder.finish(), {}, rapid_speed);
+  };
+  const CurvePoint start = blend.at(0);
+  const Summary by_parameter = run(Law::parameter, 4, 0.25);
   EXPECT_NEAR(by_parameter.axes[0].velocity, 4 * start.d1.x(), 1e-9);
   EXPECT_NEAR(by_parameter.axes[0].acceleration, 16 * std::abs(start.d2.x()), 1e-9);
   EXPECT_NEAR(by_parameter.axes[0].jerk, 64 * std::abs(start.d3.x()), 1e-9);
 
-  const Summary by_length = summarise(
-      trajectory_of(path, {{0, 0, 3, 0, 0, 0, {}, Law::path_length}}, blend.length / 3), {}, rapid_speed);
+  const Summary by_length = run(Law::path_length, 3, blend.length() / 3);
   EXPECT_NEAR(by_length.peak_feed, 3, 1e-9);
   EXPECT_NEAR(by_length.axes[0].velocity, 3, 1e-9);
 }
@@ -155,25 +164,27 @@ TEST(Summary, TakesTheAxesSpeedAlongAnArcWithoutFeed) {
 }
 
 TEST(Summary, LeavesDwellsOutOfTheMeanFeed) {
-  BlendedPath path;
-  path.elements = {line_element(Vec3::Zero(), Vec3(10, 0, 0), 0),
-                   line_element(Vec3(10, 0, 0), Vec3(10, 0, 0), 10)};
-  path.elements[1].kind = ElementKind::dwell;
-  const Summary summary =
-      summarise(trajectory_of(std::move(path),
-                              {{0, 0, 5, 0, 0, 0, {}, Law::path_length},
-                               {2, 0, 0, 0, 0, 1, {CauseKind::dwell, -1}, Law::path_length}},
-                              5),
-                {}, rapid_speed);
+  Toolpath toolpath = one_line(Vec3(10, 0, 0));
+  Segment dwell;
+  dwell.kind = SegmentKind::dwell;
+  dwell.end = Vec3(10, 0, 0);
+  toolpath.segments.push_back(dwell);
+  const Summary summary = summarise(
+      trajectory_of(toolpath, {{{0, 0, 5, 0, 0, 0, {}}, 2}, {{0, 0, 0, 0, 0, 1, {CauseKind::dwell}}, 3}}), {},
+      rapid_speed);
   EXPECT_DOUBLE_EQ(summary.mean_feed, 5);
   EXPECT_DOUBLE_EQ(summary.time_by_cause[cause_index({CauseKind::dwell, -1})], 3);
 }
 
 TEST(Summary, TakesTheLargestContourErrorOfTheBlends) {
-  std::vector<BlendRecord> blends(3);
-  blends[1].epsilon = 0.08;
-  blends[2].epsilon = 0.02;
-  EXPECT_EQ(summarise(trajectory_of({}, {}, 0, blends), {}, rapid_speed).max_contour_error, 0.08);
+  Toolpath toolpath;  // two right angles, where the distance of the corner is T (4 - alpha) sin(45) / 4
+  toolpath.segments = {line_to(Vec3(4, 0, 0), 4, 50), line_to(Vec3(4, 4, 0), 4, 50),
+                       line_to(Vec3(8, 4, 0), 4, 50)};
+  TrajectoryBuilder builder(std::make_shared<const Toolpath>(toolpath), rapid_speed);
+  builder.add_corner(ElementKind::blend, 0, 0.8, 1);
+  builder.add_corner(ElementKind::blend, 1, 0.2, 0.3);
+  EXPECT_NEAR(summarise(builder.finish(), {}, rapid_speed).max_contour_error, 0.8 * 1.5 * std::sqrt(0.5) / 4,
+              1e-12);
 }
 
 TEST(Summary, OfNothingIsZero) {
@@ -188,15 +199,11 @@ TEST(Summary, TimesByCauseAddUpToTheCycleTime) {
   std::mt19937 random(7);
   std::uniform_real_distribution<double> magnitude(-9, 1);
   std::uniform_int_distribution<std::size_t> cause(0, all_causes().size() - 1);
-  BlendedPath path;
-  path.elements = {line_element(Vec3::Zero(), Vec3(1, 0, 0), 0)};
-  std::vector<Piece> pieces;
-  double time = 0;
+  std::vector<Passage> runs;
   for (int i = 0; i < 200000; ++i) {
-    pieces.push_back({time, 0, 0, 0, 0, 0, all_causes()[cause(random)], Law::path_length});
-    time += std::pow(10, magnitude(random));
+    runs.push_back({{0, 0, 0, 0, 0, 0, all_causes()[cause(random)]}, std::pow(10, magnitude(random))});
   }
-  const Summary summary = summarise(trajectory_of(std::move(path), std::move(pieces), time), {}, rapid_speed);
+  const Summary summary = summarise(trajectory_of(one_line(Vec3(1, 0, 0)), runs), {}, rapid_speed);
   const double sum = std::accumulate(summary.time_by_cause.begin(), summary.time_by_cause.end(), 0.0);
   EXPECT_NEAR(sum, summary.cycle_time, 1e-12 * summary.cycle_time);
 }

@@ -147,17 +147,16 @@ TEST(BlendShape, AgreesWithTheCurveAndItsFiniteDifferences) {
   }
 }
 
-TEST(BlendedPath, DerivativesByPathLengthBelongToAUnitSpeedCurve) {
+TEST(ElementCurve, DerivativesByPathLengthBelongToAUnitSpeedCurve) {
   const auto unit = directions();
-  BlendedPath path;
-  path.blends.push_back(corner_blend(Vec3(1, 2, 3), unit[1], unit[2], 0.5, 2.5));
-  PathElement element;
-  element.kind = ElementKind::blend;
-  element.length = path.blends[0].length();
+  ElementCurve curve;
+  curve.kind = ElementKind::blend;
+  curve.blend = corner_blend(Vec3(1, 2, 3), unit[1], unit[2], 0.5, 2.5);
+  curve.length = curve.blend.length();
   const double h = 1e-5;
-  for (double s = 0.05; s < element.length - 0.05; s += 0.05) {
-    const CurvePoint at = path.at(element, s);
-    const CurvePoint before = path.at(element, s - h), after = path.at(element, s + h);
+  for (double s = 0.05; s < curve.length - 0.05; s += 0.05) {
+    const CurvePoint at = curve.at(s);
+    const CurvePoint before = curve.at(s - h), after = curve.at(s + h);
     EXPECT_NEAR(at.d1.norm(), 1, 1e-9);
     EXPECT_NEAR(at.d1.dot(at.d2), 0, 1e-8);
     EXPECT_LT(((after.position - before.position) / (2 * h) - at.d1).norm(), 1e-6);

@@ -7,12 +7,14 @@
 
 #include "core/base/error.h"
 #include "core/export/export.h"
+#include "core/trajectory/trajectory_builder.h"
+#include "tests/support/paths.h"
 
 namespace feedscope {
 namespace {
 
-using testing::HasSubstr;
-using testing::ThrowsMessage;
+using ::testing::HasSubstr;
+using ::testing::ThrowsMessage;
 
 constexpr const char* csv_header =
     "time_s,path_mm,line,x_mm,y_mm,z_mm,feed_mm_min,programmed_feed_mm_min,vx_mm_min,vy_mm_min,vz_mm_min,"
@@ -20,16 +22,19 @@ constexpr const char* csv_header =
 
 /// 0.02 s up by jerk 1000 mm/s3 times -1 in X and steady after it for 0.03 s, from line 7.
 Trajectory ramp_and_cruise() {
-  BlendedPath path;
-  PathElement line;
-  line.start = Vec3(1, 2, 3);
-  line.length = 10;
+  auto toolpath = std::make_shared<Toolpath>();
+  toolpath->start = Vec3(1, 2, 3);
+  Segment line;
   line.end = Vec3(-9, 2, 3);
-  path.elements = {line};
-  return Trajectory(std::move(path),
-                    {{0, 0, 5, 0, 1000, 0, {CauseKind::axis_jerk, 0}, Law::path_length},
-                     {0.02, 1, 10, 0, 0, 0, {CauseKind::programmed_feed, -1}, Law::path_length}},
-                    0.05, {}, {7}, {10}, {false});
+  line.length = 10;
+  line.feed = 10;
+  line.line = 7;
+  toolpath->segments = {line};
+  TrajectoryBuilder builder(toolpath, Vec3::Constant(500));
+  builder.add_segment(0);
+  builder.add_piece({0, 0, 5, 0, 1000, 0, {CauseKind::axis_jerk, 0}}, 0.02);
+  builder.add_piece({0, 1, 10, 0, 0, 0, {CauseKind::programmed_feed}}, 0.03);
+  return builder.finish();
 }
 
 std::string csv(const Trajectory& trajectory, double step) {
@@ -91,31 +96,29 @@ TEST(Csv, DoesNotDependOnTheLocale) {
 }
 
 TEST(BlendsCsv, HoldsARowEachBlendInUnitsOfItsColumns) {
-  BlendedPath path;
-  path.elements.resize(2);
-  path.elements[0].kind = ElementKind::blend;
-  path.elements[1].kind = ElementKind::arc;
-  BlendRecord blend;
-  blend.line = 12;
-  blend.element = 0;
-  blend.corner = Vec3(1, -2, 3.5);
-  blend.turn = std::acos(-1.0) / 4;
-  blend.transition = 0.5;
-  blend.epsilon = 0.08;
-  blend.length = 0.9;
-  blend.min_radius = 0.25;
-  blend.entry_speed = 10;
-  blend.exit_speed = 20;
-  BlendRecord arc = blend;
-  arc.element = 1;
-  arc.line = 13;
+  // Right angles of lines 1 and 2 from T before to T behind; a circle arc has T = R, eps = R (sqrt(2) - 1).
+  const auto toolpath =
+      std::make_shared<const Toolpath>(testing::polyline({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {8, 4, 0}}, 10));
+  TrajectoryBuilder builder(toolpath, Vec3::Constant(500));
+  builder.add_segment(0, 3);
+  builder.add_corner(ElementKind::connecting_arc, 0, 1, std::acos(-1.0) / 2);
+  builder.add_segment(1, 2);
+  builder.add_corner(ElementKind::blend, 1, 1, 1.5);
+  builder.add_segment(2, 3);
+  for (std::uint32_t e = 0; e < 5; ++e) {
+    const bool cubic = e == 3;  // u from 0 to 1 in half a second
+    builder.add_piece({0, 0, cubic ? 2.0 : 10.0, 0, 0, e, {}, cubic ? Law::parameter : Law::path_length},
+                      cubic ? 0.5 : builder.path().length(e) / 10);
+  }
   std::ostringstream out;
-  write_blends(out, Trajectory(std::move(path), {}, 0, {blend, arc}, {1, 1}, {1, 1}, {false, false}));
+  write_blends(out, builder.finish());
+  // alpha = 2.5: eps = 1.5 sin(45) / 4, speed at the ends 2 * 2.5 mm/s, least radius in the middle
+  // 8 eps (3/2 - alpha/4)^2 / (alpha (4 - alpha))
   EXPECT_EQ(out.str(),
             "line,kind,x_mm,y_mm,z_mm,turn_deg,transition_mm,epsilon_mm,length_mm,min_radius_mm,"
             "entry_feed_mm_min,exit_feed_mm_min\n"
-            "12,cubic,1,-2,3.5,45,0.5,0.08,0.9,0.25,600,1200\n"
-            "13,arc,1,-2,3.5,45,0.5,0.08,0.9,0.25,600,1200\n");
+            "1,arc,4,0,0,90,1,0.41421356237,1.5707963268,1,600,600\n"
+            "2,cubic,4,4,0,90,1,0.26516504294,1.5,0.43310290348,300,300\n");
 }
 
 }  // namespace

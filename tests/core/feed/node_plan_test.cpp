@@ -13,10 +13,11 @@ PlanElement element(double length, double speed, double jerk = 15000) {
   return {length, {{speed, {}}, {1000, 0}, {jerk, 0}}};
 }
 
-std::vector<double> ceilings(const std::vector<PlanElement>& elements) {
-  std::vector<double> ceiling(elements.size() + 1, 0);
+std::vector<SpeedBound> ceilings(const std::vector<PlanElement>& elements) {
+  std::vector<SpeedBound> ceiling(elements.size() + 1);
   for (std::size_t j = 1; j < elements.size(); ++j) {
-    ceiling[j] = std::min(elements[j - 1].limits.speed.value, elements[j].limits.speed.value);
+    ceiling[j] = elements[j - 1].limits.speed;
+    ceiling[j].lower(elements[j].limits.speed.value, elements[j].limits.speed.cause);
   }
   return ceiling;
 }
@@ -120,8 +121,10 @@ TEST(LookaheadHorizon, LetsTheToolStopWithinTheBlocksAhead) {
   }
   auto ceiling = ceilings(elements);
   apply_lookahead_horizon(elements, block_of, 8, ceiling);
-  EXPECT_NEAR(ceiling[50], reachable_speed(0, 0.8, {1000, 15000}), 1e-9);
-  EXPECT_DOUBLE_EQ(ceiling[99], 200);  // the end of the path is in sight: planned as a standstill anyway
+  EXPECT_EQ(ceiling[50].cause.kind, CauseKind::lookahead_horizon);
+  EXPECT_NEAR(ceiling[50].value, reachable_speed(0, 0.8, {1000, 15000}), 1e-9);
+  EXPECT_DOUBLE_EQ(ceiling[99].value,
+                   200);  // the end of the path is in sight: planned as a standstill anyway
 }
 
 }  // namespace

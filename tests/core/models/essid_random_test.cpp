@@ -47,7 +47,7 @@ TEST_P(EssidOnRandomPaths, BeginsAndEndsAtTheProgrammedPointsAtRest) {
 
 TEST_P(EssidOnRandomPaths, KeepsTheContourToleranceAtEveryCorner) {
   for_each_run([](const Toolpath&, const Trajectory& run, const Settings& settings) {
-    for (const BlendRecord& blend : run.blends()) {
+    for (const BlendRecord& blend : testing::blends_of(run)) {
       ASSERT_LE(blend.epsilon, settings.number("contour_tolerance_mm"));
       ASSERT_GT(blend.min_radius, 0);
     }
@@ -57,13 +57,13 @@ TEST_P(EssidOnRandomPaths, KeepsTheContourToleranceAtEveryCorner) {
 TEST_P(EssidOnRandomPaths, KeepsTheProgrammedFeedAndTheAxisVelocities) {
   const Machine machine = testing::spinner();
   for_each_run([&](const Toolpath&, const Trajectory& run, const Settings&) {
-    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
-      const State state = run.state_in_piece(p, (run.piece_end(p) - run.pieces()[p].time) / 2);
-      const bool blend = run.path().elements[state.element].kind == ElementKind::blend;
+    for (const Part& part : testing::parts_of(run)) {
+      const State state = testing::state_in(run, part, part.duration / 2);
+      const bool blend = run.path().kind(state.element) == ElementKind::blend;
       // the law on a blend is checked once a sample: a little more is possible in between, and right behind
       // it
       const double slack = blend ? 1.01 : 1.001;
-      ASSERT_LE(state.speed, state.programmed_feed * slack) << "piece " << p;
+      ASSERT_LE(state.speed, state.programmed_feed * slack) << "part at " << part.time;
       for (int j = 0; j < 3; ++j) {
         ASSERT_LE(std::abs(state.velocity[j]), machine.axes[static_cast<std::size_t>(j)].velocity * slack);
       }
@@ -82,15 +82,15 @@ TEST_P(EssidOnRandomPaths, KeepsTheAxisAccelerationOnBlendsAndTheBlendJerkAboutT
   // Radial and tangential shares add up to the acceleration; eq 26 lets the radial jerk share be exceeded.
   const Machine machine = testing::spinner();
   for_each_run([&](const Toolpath&, const Trajectory& run, const Settings&) {
-    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
-      const State state = run.state_in_piece(p, (run.piece_end(p) - run.pieces()[p].time) / 2);
-      if (run.path().elements[state.element].kind != ElementKind::blend) {
+    for (const Part& part : testing::parts_of(run)) {
+      const State state = testing::state_in(run, part, part.duration / 2);
+      if (run.path().kind(state.element) != ElementKind::blend) {
         continue;
       }
       for (int j = 0; j < 3; ++j) {
         const AxisLimits& axis = machine.axes[static_cast<std::size_t>(j)];
-        ASSERT_LE(std::abs(state.acceleration[j]), axis.acceleration * 1.01) << "piece " << p;
-        ASSERT_LE(std::abs(state.jerk[j]), axis.blend_jerk * 2.2) << "piece " << p;
+        ASSERT_LE(std::abs(state.acceleration[j]), axis.acceleration * 1.01) << "part at " << part.time;
+        ASSERT_LE(std::abs(state.jerk[j]), axis.blend_jerk * 2.2) << "part at " << part.time;
       }
     }
   });

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "tests/support/parts.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -18,8 +19,8 @@ Trajectory run(const Toolpath& path) {
 TEST(GassaraSpline, ReproducesTheComparisonOfEssid2019) {
   // MODELS section 6: at P_4 R 6.916 mm and 37.19 mm/s, total 2.903 s
   const Trajectory trajectory = run(testing::polyline(testing::essid_spline(), 50));
-  ASSERT_EQ(trajectory.blends().size(), 9u);
-  const BlendRecord& blend = trajectory.blends()[2];
+  ASSERT_EQ(trajectory.blend_count(), 9u);
+  const BlendRecord& blend = trajectory.blend(2);
   EXPECT_NEAR(units::to_deg(blend.turn), 17.35, 0.005);
   EXPECT_NEAR(blend.min_radius, 6.916, 1e-3);
   EXPECT_NEAR(blend.entry_speed, 37.19, 0.005);
@@ -32,14 +33,14 @@ TEST(GassaraModel, BlendsTheCornersOfEssidByArcsOfTheSameDepth) {
   const ControlModel& essid = find_model("essid");
   const Trajectory cubic = essid.simulate(path, testing::spinner(), testing::spinner_settings(essid));
   const Trajectory arcs = run(path);
-  ASSERT_EQ(arcs.blends().size(), 3u);
+  ASSERT_EQ(arcs.blend_count(), 3u);
   for (std::size_t i = 0; i < 3; ++i) {
-    const BlendRecord& blend = arcs.blends()[i];
-    EXPECT_NEAR(blend.epsilon, cubic.blends()[i].epsilon, 1e-12);
+    const BlendRecord& blend = arcs.blend(i);
+    EXPECT_NEAR(blend.epsilon, cubic.blend(i).epsilon, 1e-12);
     // closed form: eps = R (1 / cos(phi/2) - 1)
     EXPECT_NEAR(blend.min_radius * (1 / std::cos(blend.turn / 2) - 1), blend.epsilon, 1e-12);
-    const PathElement& element = arcs.path().elements[blend.element];
-    const Vec3 middle = arcs.path().at(element, element.length / 2).position;
+    const ElementCurve curve = arcs.path().curve(blend.element);
+    const Vec3 middle = curve.at(curve.length / 2).position;
     EXPECT_NEAR((middle - blend.corner).norm(), blend.epsilon, 1e-12);
   }
 }
@@ -49,7 +50,7 @@ TEST(GassaraModel, PassesABlendAtTheLeastOfItsThreeLimits) {
   const double radius = 0.08 / (std::sqrt(2.0) - 1);
   const auto entry = [](double feed) {
     const Trajectory trajectory = run(testing::polyline({{0, 0, 0}, {50, 0, 0}, {50, 50, 0}}, feed));
-    const BlendRecord& blend = trajectory.blends().at(0);
+    const BlendRecord& blend = trajectory.blend(0);
     EXPECT_NEAR(trajectory.state_at_path(50 - blend.transition + blend.length / 2).speed, blend.entry_speed,
                 1e-9);
     return blend.entry_speed;
@@ -60,16 +61,16 @@ TEST(GassaraModel, PassesABlendAtTheLeastOfItsThreeLimits) {
 
 TEST(GassaraModel, HoldsItsSpeedOnEveryBlendAndSaysWhatLimitsIt) {
   const Trajectory trajectory = run(testing::polyline(testing::essid_spline(), 50));
-  for (const BlendRecord& blend : trajectory.blends()) {
-    for (std::size_t p = 0; p < trajectory.pieces().size(); ++p) {
-      if (trajectory.pieces()[p].element == blend.element) {
-        EXPECT_NEAR(trajectory.pieces()[p].v, blend.entry_speed, 1e-9);
-        EXPECT_EQ(trajectory.pieces()[p].a, 0);
+  for (const BlendRecord& blend : testing::blends_of(trajectory)) {
+    for (const Part& part : testing::parts_of(trajectory)) {
+      if (part.element == blend.element) {
+        EXPECT_NEAR(part.v, blend.entry_speed, 1e-9);
+        EXPECT_EQ(part.a, 0);
       }
     }
   }
-  const State middle = trajectory.state_at_path(trajectory.path().elements[trajectory.blends()[2].element].s +
-                                                trajectory.blends()[2].length / 2);
+  const State middle = trajectory.state_at_path(trajectory.path().s(trajectory.blend(2).element) +
+                                                trajectory.blend(2).length / 2);
   EXPECT_EQ(middle.cause.kind, CauseKind::blend_radial_acceleration);
 }
 
@@ -78,9 +79,9 @@ TEST(GassaraModel, ABlendBetweenSlowerOnesIsLimitedByTheSlowerOfThem) {
   const auto cause_behind = [](const Vec3& last) {
     const Trajectory trajectory =
         run(testing::polyline({{0, 0, 0}, {20, 0, 0}, {20, 0.4, 0}, {20.002, 0.8, 0}, last}, 50));
-    const BlendRecord& gentle = trajectory.blends().at(1);
+    const BlendRecord gentle = trajectory.blend(1);
     EXPECT_LT(gentle.entry_speed, std::sqrt(200 * gentle.min_radius));
-    const double start = trajectory.path().elements[gentle.element].s;
+    const double start = trajectory.path().s(gentle.element);
     return trajectory.state_at_path(start + gentle.length / 2).cause.kind;
   };
   EXPECT_EQ(cause_behind({0, 0.8, 0}), CauseKind::ramp_down);   // X reverses: 0.6 of the tolerance

@@ -58,9 +58,9 @@ Toolpath cut_line(int blocks, double length) {
 
 TEST(MsaddekModel, PutsAConnectingArcIntoACorner) {
   const Trajectory trajectory = run(right_angle(), settings_for("dynamic"));
-  ASSERT_EQ(trajectory.blends().size(), 1u);
-  const BlendRecord& arc = trajectory.blends()[0];
-  EXPECT_EQ(trajectory.path().elements[arc.element].kind, ElementKind::arc);
+  ASSERT_EQ(trajectory.blend_count(), 1u);
+  const BlendRecord& arc = trajectory.blend(0);
+  EXPECT_EQ(trajectory.path().kind(arc.element), ElementKind::connecting_arc);
   EXPECT_EQ(arc.line, 1u);
   EXPECT_NEAR(arc.min_radius, tit, 1e-12);
   EXPECT_NEAR(arc.epsilon, (std::sqrt(2) - 1) * tit, 1e-12);
@@ -71,7 +71,7 @@ TEST(MsaddekModel, StaticFeedOfAConnectingArcIsTheLeastOfEquation18) {
   // R = 7 um: R b/t_cy = 5.50, sqrt(R A) = 5.92, (J R^2)^(1/3) = 1.35, (0.6 J R^2)^(1/3) = 1.14 mm/s
   const Trajectory trajectory = run(right_angle(), settings_for("static"));
   const double on_arc = std::cbrt(0.6 * 50000 * tit * tit);
-  EXPECT_NEAR(trajectory.blends()[0].entry_speed, on_arc, 1e-9);
+  EXPECT_NEAR(trajectory.blend(0).entry_speed, on_arc, 1e-9);
   EXPECT_NEAR(trajectory.duration(), 2 * (100 - tit) / feed + tit * units::pi / 2 / on_arc, 1e-9);
 }
 
@@ -103,7 +103,7 @@ TEST(MsaddekModel, CompactionConservesTheFeedOnShortBlocks) {
   // Msaddek 2011, section 3.3.4: small blocks compacted into 5 mm segments keep more of the feed.
   const Trajectory trajectory = run(cut_line(1000, 0.1), settings_for("static", 5));
   EXPECT_NEAR(trajectory.duration(), 100 / feed, 1e-9);
-  EXPECT_EQ(trajectory.path().elements.size(), 1000u) << "every block keeps its element";
+  EXPECT_EQ(trajectory.path().size(), 1000u) << "every block keeps its element";
 }
 
 TEST(MsaddekModel, CompactionErrorCountsAsContourError) {
@@ -126,8 +126,8 @@ TEST(MsaddekModel, DynamicFeedCrossesIntoAConnectingArcByEquation3) {
   // V = sqrt(J t_cy R)
   const Trajectory trajectory = run(right_angle(), settings_for("dynamic"));
   const double crossing = std::sqrt(50000 * period * tit);
-  EXPECT_NEAR(trajectory.blends()[0].entry_speed, crossing, 1e-9);
-  EXPECT_NEAR(trajectory.blends()[0].exit_speed, crossing, 1e-9);
+  EXPECT_NEAR(trajectory.blend(0).entry_speed, crossing, 1e-9);
+  EXPECT_NEAR(trajectory.blend(0).exit_speed, crossing, 1e-9);
 
   const double ramps = ramp_time(0, feed, xy_ramp) + ramp_time(feed, crossing, xy_ramp);
   const double ramped = ramp_length(0, feed, xy_ramp) + ramp_length(feed, crossing, xy_ramp);
@@ -147,7 +147,7 @@ TEST(MsaddekModel, FeedIsNearZeroAtSharpCornersOfTheHermle) {
   settings.set("contour_tolerance_mm", 0.004);
   const Trajectory trajectory = find_model("msaddek").simulate(
       testing::polyline({{0, 0, 0}, {100, 0, 0}, {100, 100, 0}}, 250), hermle, settings);
-  EXPECT_LT(trajectory.blends()[0].entry_speed, 0.01 * 250);
+  EXPECT_LT(trajectory.blend(0).entry_speed, 0.01 * 250);
 }
 
 TEST(MsaddekModel, AShortLookaheadSlowsShortBlocks) {
@@ -166,7 +166,7 @@ TEST(MsaddekModel, ACornerThatTouchesAnArcIsAnExactStop) {
   Toolpath path = testing::polyline({{0, 0, 0}, {50, 0, 0}}, feed);
   testing::append_arc(path, {30, 0, 0}, 1, feed);
   const Trajectory trajectory = run(path, settings_for("dynamic"));
-  EXPECT_TRUE(trajectory.blends().empty());
+  EXPECT_EQ(trajectory.blend_count(), 0u);
   EXPECT_LT(trajectory.state_at_path(50).speed, 1e-6);
 }
 

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/models/control_model.h"
+#include "tests/support/parts.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -39,13 +40,14 @@ class MsaddekOnRandomPaths : public ::testing::TestWithParam<double> {
 TEST_P(MsaddekOnRandomPaths, PathHasNoGapsAndDynamicFeedDoesNotJump) {
   for (const char* law : {"static", "dynamic"}) {
     for_each_run(law, [law](const Toolpath&, const Trajectory& run) {
-      for (std::size_t p = 0; p + 1 < run.pieces().size(); ++p) {
-        const State end = run.state_in_piece(p, run.piece_end(p) - run.pieces()[p].time);
-        const State next = run.state_in_piece(p + 1, 0);
-        ASSERT_LT((end.position - next.position).norm(), 1e-7) << "piece " << p;
+      const std::vector<Part> parts = testing::parts_of(run);
+      for (std::size_t p = 0; p + 1 < parts.size(); ++p) {
+        const State end = testing::state_in(run, parts[p], parts[p].duration);
+        const State next = testing::state_in(run, parts[p + 1], 0);
+        ASSERT_LT((end.position - next.position).norm(), 1e-7) << "part at " << parts[p].time;
         ASSERT_TRUE(std::isfinite(end.speed));
         if (law == std::string("dynamic")) {
-          ASSERT_NEAR(end.speed, next.speed, 1e-6 * (1 + end.speed)) << "piece " << p;
+          ASSERT_NEAR(end.speed, next.speed, 1e-6 * (1 + end.speed)) << "part at " << parts[p].time;
         }
       }
     });
@@ -54,13 +56,12 @@ TEST_P(MsaddekOnRandomPaths, PathHasNoGapsAndDynamicFeedDoesNotJump) {
 
 TEST_P(MsaddekOnRandomPaths, ElementsJoinWithoutAKinkExceptAtStops) {
   for_each_run("dynamic", [](const Toolpath&, const Trajectory& run) {
-    const auto& elements = run.path().elements;
-    for (std::size_t e = 0; e + 1 < elements.size(); ++e) {
-      ASSERT_LT((elements[e].end - elements[e + 1].start).norm(), 1e-7) << "element " << e;
-      const Vec3 out = run.path().at(elements[e], elements[e].length).d1;
-      const Vec3 in = run.path().at(elements[e + 1], 0).d1;
-      if ((out - in).norm() > 0.011) {
-        ASSERT_LT(run.state_at_path(elements[e + 1].s).speed, 1e-2) << "element " << e;
+    for (std::size_t e = 0; e + 1 < run.path().size(); ++e) {
+      const ElementCurve before = run.path().curve(e);
+      const ElementCurve after = run.path().curve(e + 1);
+      ASSERT_LT((before.end - after.start).norm(), 1e-7) << "element " << e;
+      if ((before.at(before.length).d1 - after.at(0).d1).norm() > 0.011) {
+        ASSERT_LT(run.state_at_path(run.path().s(e + 1)).speed, 1e-2) << "element " << e;
       }
     }
   });
@@ -78,7 +79,7 @@ TEST_P(MsaddekOnRandomPaths, BeginsAndEndsAtTheProgrammedPointsAtRest) {
 TEST_P(MsaddekOnRandomPaths, KeepsTheContourTolerance) {
   for_each_run("dynamic", [](const Toolpath&, const Trajectory& run) {
     ASSERT_LE(run.compaction_error(), tolerance);
-    for (const BlendRecord& arc : run.blends()) {
+    for (const BlendRecord& arc : testing::blends_of(run)) {
       ASSERT_LE(arc.epsilon, tolerance);
     }
   });
@@ -87,17 +88,17 @@ TEST_P(MsaddekOnRandomPaths, KeepsTheContourTolerance) {
 TEST_P(MsaddekOnRandomPaths, DynamicFeedStaysBelowTheStaticFeedOfEveryElement) {
   for_each_run("dynamic", [](const Toolpath& path, const Trajectory& run) {
     const Trajectory fixed = find_model("msaddek").simulate(path, testing::spinner(), settings("static"));
-    ASSERT_EQ(fixed.path().elements.size(), run.path().elements.size());
+    ASSERT_EQ(fixed.path().size(), run.path().size());
     ASSERT_GE(run.duration(), fixed.duration() * (1 - 1e-9));
-    std::vector<double> ceiling(run.path().elements.size());
+    std::vector<double> ceiling(run.path().size());
     for (const Piece& piece : fixed.pieces()) {
       ceiling[piece.element] = piece.v;
     }
-    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
-      const double tau = run.piece_end(p) - run.pieces()[p].time;
+    for (const Part& part : testing::parts_of(run)) {
+      const double tau = part.duration;
       for (const double share : {0.0, 0.5, 1.0}) {
-        const State state = run.state_in_piece(p, share * tau);
-        ASSERT_LE(state.speed, ceiling[state.element] * 1.001 + 1e-9) << "piece " << p;
+        const State state = testing::state_in(run, part, share * tau);
+        ASSERT_LE(state.speed, ceiling[state.element] * 1.001 + 1e-9) << "part at " << part.time;
       }
     }
   });
@@ -106,16 +107,16 @@ TEST_P(MsaddekOnRandomPaths, DynamicFeedStaysBelowTheStaticFeedOfEveryElement) {
 TEST_P(MsaddekOnRandomPaths, KeepsEveryAxisOnLinesAndTwiceOverOnArcs) {
   const Machine machine = testing::spinner();
   for_each_run("dynamic", [&](const Toolpath&, const Trajectory& run) {
-    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
+    for (const Part& part : testing::parts_of(run)) {
       for (const double share : {0.0, 0.5, 1.0}) {
-        const State state = run.state_in_piece(p, share * (run.piece_end(p) - run.pieces()[p].time));
-        const bool line = run.path().elements[state.element].kind == ElementKind::line;
+        const State state = testing::state_in(run, part, share * part.duration);
+        const bool line = run.path().kind(state.element) == ElementKind::line;
         for (int j = 0; j < 3; ++j) {
           const AxisLimits& axis = machine.axes[static_cast<std::size_t>(j)];
           ASSERT_LE(std::abs(state.velocity[j]), axis.velocity * 1.001);
           ASSERT_LE(std::abs(state.acceleration[j]), axis.acceleration * (line ? 1 + 1e-6 : 2));
           if (line) {
-            ASSERT_LE(std::abs(state.jerk[j]), axis.jerk * (1 + 1e-6)) << "piece " << p;
+            ASSERT_LE(std::abs(state.jerk[j]), axis.jerk * (1 + 1e-6)) << "part at " << part.time;
           }
         }
       }

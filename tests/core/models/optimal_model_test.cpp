@@ -46,7 +46,7 @@ double time_with_cells(const Toolpath& path, const Machine& machine, const std::
   TrajectoryBuilder builder(find_model(model).simulate(path, machine, settings_on(model, machine)));
   AccelerationLaw law(path, axes, fineness, builder);
   ProgressSteps steps(nullptr, 1);
-  law.run(0, static_cast<std::uint32_t>(builder.path().elements.size()), steps);
+  law.run(0, static_cast<std::uint32_t>(builder.path().size()), steps);
   return builder.finish().duration();
 }
 
@@ -163,15 +163,15 @@ TEST(OptimalModel, KeepsFeedVelocityAndAccelerationOnRandomPaths) {
     SCOPED_TRACE(i);
     testing::expect_no_gaps_between_pieces(run);
     testing::expect_rest_at_the_programmed_ends(path, run);
-    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
+    for (const Part& part : testing::parts_of(run)) {
       for (const double share : {0.0, 0.2, 0.5, 0.8, 1.0}) {
-        const State state = run.state_in_piece(p, share * (run.piece_end(p) - run.pieces()[p].time));
-        ASSERT_LE(state.speed, state.programmed_feed * (1 + 1e-6)) << "piece " << p;
+        const State state = testing::state_in(run, part, share * part.duration);
+        ASSERT_LE(state.speed, state.programmed_feed * (1 + 1e-6)) << "part at " << part.time;
         for (int j = 0; j < 3; ++j) {
           const AxisLimits& axis = machine.axes[static_cast<std::size_t>(j)];
-          ASSERT_LE(std::abs(state.velocity[j]), axis.velocity * (1 + 1e-6)) << "piece " << p;
+          ASSERT_LE(std::abs(state.velocity[j]), axis.velocity * (1 + 1e-6)) << "part at " << part.time;
           ASSERT_LE(std::abs(state.acceleration[j]), axis.acceleration * promised.arcs.acceleration.factor)
-              << "piece " << p;
+              << "part at " << part.time;
         }
       }
     }

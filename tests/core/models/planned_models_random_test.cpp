@@ -45,10 +45,10 @@ TEST_P(PlannedModelOnRandomPaths, BeginsAndEndsAtTheProgrammedPointsAtRest) {
 
 TEST_P(PlannedModelOnRandomPaths, KeepsTheProgrammedFeedAndTheAxisVelocities) {
   for_each_run([&](const Toolpath&, const Trajectory& run) {
-    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
+    for (const Part& part : testing::parts_of(run)) {
       for (const double share : {0.0, 0.3, 0.7, 1.0}) {
-        const State state = run.state_in_piece(p, share * (run.piece_end(p) - run.pieces()[p].time));
-        ASSERT_LE(state.speed, state.programmed_feed * (1 + 1e-6)) << "piece " << p;
+        const State state = testing::state_in(run, part, share * part.duration);
+        ASSERT_LE(state.speed, state.programmed_feed * (1 + 1e-6)) << "part at " << part.time;
         for (int j = 0; j < 3; ++j) {
           ASSERT_LE(std::abs(state.velocity[j]),
                     machine.axes[static_cast<std::size_t>(j)].velocity * (1 + 1e-6));

@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "core/models/tapie/set_point.h"
+#include "tests/support/parts.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -26,8 +27,8 @@ Trajectory run(const Toolpath& path) {
 
 double largest_speed(const Trajectory& trajectory) {
   double largest = 0;
-  for (std::size_t p = 0; p < trajectory.pieces().size(); ++p) {
-    largest = std::max(largest, trajectory.state_in_piece(p, 0).speed);
+  for (const Part& part : testing::parts_of(trajectory)) {
+    largest = std::max(largest, testing::state_in(trajectory, part, 0).speed);
   }
   return largest;
 }
@@ -196,8 +197,8 @@ TEST(TapieModel, AnArcTooShortForItsSetPointPeaksWhereEquation16Says) {
     (used < length * std::sqrt(5000.0) ? low : high) = peak;
   }
   double peak = 0;
-  for (std::size_t p = 0; trajectory.pieces()[p].element == 0; ++p) {
-    peak = std::max(peak, trajectory.state_in_piece(p, 0).speed);
+  for (const Part& part : testing::parts_of(trajectory)) {
+    peak = std::max(peak, part.element == 0 ? part.v : 0);
   }
   EXPECT_NEAR(trajectory.state_at_path(length).speed, exit, 1e-6);
   EXPECT_NEAR(peak, low, 1e-6);
@@ -207,9 +208,9 @@ TEST(TapieModel, AnArcTooShortForItsSetPointPeaksWhereEquation16Says) {
 TEST(TapieModel, AHalfCircleOf10MmReachesItsSteadyFeedAndTheLongerOnesTheProgrammedOne) {
   const Trajectory trajectory = run(testing::spiral(10, 5, 5, 0, pi, from_m_min(6)));
   double largest[5] = {};
-  for (std::size_t p = 0; p < trajectory.pieces().size(); ++p) {
-    double& value = largest[trajectory.pieces()[p].element];
-    value = std::max(value, trajectory.state_in_piece(p, 0).speed);
+  for (const Part& part : testing::parts_of(trajectory)) {
+    double& value = largest[part.element];
+    value = std::max(value, testing::state_in(trajectory, part, 0).speed);
   }
   EXPECT_NEAR(to_m_min(largest[0]), 5.061, 0.005 * 5.061);
   for (const double speed : {largest[1], largest[2], largest[3], largest[4]}) {
@@ -236,7 +237,7 @@ TEST(TapieModel, CornersAreExactStops) {
   Toolpath path = testing::polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 50);
   testing::append_arc(path, Vec3(10, 20, 0), pi, 50);
   const Trajectory trajectory = run(path);
-  EXPECT_TRUE(trajectory.blends().empty());
+  EXPECT_EQ(trajectory.blend_count(), 0u);
   EXPECT_LT(trajectory.state_at_path(10).speed, 1e-3);
   EXPECT_LT((trajectory.state_at_path(10).position - Vec3(10, 0, 0)).norm(), 1e-9);
   EXPECT_LT(trajectory.state_at_path(20).speed, 1e-3);

@@ -9,6 +9,7 @@
 #include "core/base/units.h"
 #include "core/models/ward/corner_pulse.h"
 #include "core/models/ward/short_blocks.h"
+#include "tests/support/parts.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -139,8 +140,8 @@ TEST(WardRightAngle, PulsesAndTimesAreThoseDerived) {
     for (const bool enforce : {false, true}) {
       const Trajectory trajectory = run(right_angle(c.feed), {3, 76.9, 0, c.tolerance, enforce});
       EXPECT_NEAR(trajectory.duration(), c.time, exact * c.time);
-      ASSERT_EQ(trajectory.blends().size(), 1u);
-      EXPECT_NEAR(trajectory.blends()[0].epsilon, c.tolerance, 1e-6 * c.tolerance);
+      ASSERT_EQ(trajectory.blend_count(), 1u);
+      EXPECT_NEAR(trajectory.blend(0).epsilon, c.tolerance, 1e-6 * c.tolerance);
     }
   }
 }
@@ -190,7 +191,7 @@ TEST(WardShortBlocks, CornersWithinOneWindowKeepTheToleranceOnlyIfEnforced) {
   const auto worst = [&](bool enforce) {
     const Trajectory trajectory = run(path, {3, 76.9, 0, 0.01, enforce});
     double error = 0;
-    for (const BlendRecord& blend : trajectory.blends()) {
+    for (const BlendRecord& blend : testing::blends_of(trajectory)) {
       error = std::max(error, blend.epsilon);
     }
     return error;

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/models/control_model.h"
+#include "tests/support/parts.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -39,15 +40,17 @@ class WardOnRandomPaths : public ::testing::TestWithParam<int> {
 
 TEST_P(WardOnRandomPaths, PathVelocityAndAccelerationHaveNoGaps) {
   for_each_run([](const Toolpath&, const Trajectory& run) {
-    for (std::size_t p = 0; p + 1 < run.pieces().size(); ++p) {
-      const State end = run.state_in_piece(p, run.piece_end(p) - run.pieces()[p].time);
-      const State next = run.state_in_piece(p + 1, 0);
-      ASSERT_LT((end.position - next.position).norm(), 1e-9) << "piece " << p;
-      ASSERT_LT((end.velocity - next.velocity).norm(), 1e-7 * (1 + end.speed)) << "piece " << p;
+    const std::vector<Part> parts = testing::parts_of(run);
+    for (std::size_t p = 0; p + 1 < parts.size(); ++p) {
+      const State end = testing::state_in(run, parts[p], parts[p].duration);
+      const State next = testing::state_in(run, parts[p + 1], 0);
+      ASSERT_LT((end.position - next.position).norm(), 1e-9) << "part at " << parts[p].time;
+      ASSERT_LT((end.velocity - next.velocity).norm(), 1e-7 * (1 + end.speed)) << "part at " << parts[p].time;
       ASSERT_LT((end.acceleration - next.acceleration).norm(),
                 1e-5 * (1 + end.acceleration.norm()) + 1e-14 * end.time * 15000)
-          << "piece " << p;
-      ASSERT_NEAR(end.path_length, next.path_length, 1e-7 * (1 + end.path_length)) << "piece " << p;
+          << "part at " << parts[p].time;
+      ASSERT_NEAR(end.path_length, next.path_length, 1e-7 * (1 + end.path_length))
+          << "part at " << parts[p].time;
       ASSERT_TRUE(end.jerk.allFinite() && std::isfinite(end.tangential_jerk));
     }
   });
@@ -64,7 +67,7 @@ TEST_P(WardOnRandomPaths, BeginsAndEndsAtTheProgrammedPointsAtRest) {
 
 TEST_P(WardOnRandomPaths, KeepsTheContourToleranceAtEveryCorner) {
   for_each_run([](const Toolpath&, const Trajectory& run) {
-    for (const BlendRecord& blend : run.blends()) {
+    for (const BlendRecord& blend : testing::blends_of(run)) {
       ASSERT_LE(blend.epsilon, tolerance * (1 + 1e-5)) << "line " << blend.line;
     }
   });
@@ -73,8 +76,8 @@ TEST_P(WardOnRandomPaths, KeepsTheContourToleranceAtEveryCorner) {
 TEST_P(WardOnRandomPaths, KeepsTheAxisVelocities) {
   const Machine machine = testing::spinner();
   for_each_run([&](const Toolpath&, const Trajectory& run) {
-    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
-      const State state = run.state_in_piece(p, (run.piece_end(p) - run.pieces()[p].time) / 2);
+    for (const Part& part : testing::parts_of(run)) {
+      const State state = testing::state_in(run, part, part.duration / 2);
       for (int j = 0; j < 3; ++j) {
         ASSERT_LE(std::abs(state.velocity[j]),
                   machine.axes[static_cast<std::size_t>(j)].velocity * (1 + 1e-9));
@@ -89,13 +92,13 @@ TEST_P(WardOnRandomPaths, StateIsTheDerivativeOfItselfAndOfThePathLength) {
     for (const FilteredMotion& motion : run.motions()) {
       largest = std::max(largest, motion.train().largest_feed);
     }
-    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
-      const double duration = run.piece_end(p) - run.pieces()[p].time;
+    for (const Part& part : testing::parts_of(run)) {
+      const double duration = part.duration;
       const double h = duration * 1e-4;
-      const State at = run.state_in_piece(p, duration * 0.43);
-      const State before = run.state_in_piece(p, duration * 0.43 - h);
-      const State after = run.state_in_piece(p, duration * 0.43 + h);
-      const FilteredMotion& motion = run.motions()[run.path().elements[at.element].geometry];
+      const State at = testing::state_in(run, part, duration * 0.43);
+      const State before = testing::state_in(run, part, duration * 0.43 - h);
+      const State after = testing::state_in(run, part, duration * 0.43 + h);
+      const FilteredMotion& motion = run.motion_of(at.element);
       const double jerk = 4 * largest / (motion.filter_time() * motion.filter_time());  // knots in between
       const auto near = [&](const Vec3& low, const Vec3& high, const Vec3& exact, double change,
                             double rounding) {
@@ -103,13 +106,13 @@ TEST_P(WardOnRandomPaths, StateIsTheDerivativeOfItselfAndOfThePathLength) {
       };
       ASSERT_TRUE(near(before.position, after.position, at.velocity, jerk * h * h,
                        1e-11 + 1e-15 * at.time * at.speed))
-          << p;
+          << part.time;
       ASSERT_TRUE(near(before.velocity, after.velocity, at.acceleration, jerk * h,
                        1e-11 * (1 + at.speed) + 1e-15 * at.time * at.acceleration.norm()));
       ASSERT_NEAR((after.path_length - before.path_length) / (2 * h), at.speed,
                   1e-4 * (at.speed + at.acceleration.norm() * duration + jerk * duration * duration) +
                       (1e-11 * (1 + at.path_length) + 1e-9 * largest * duration) / h)
-          << p;
+          << part.time;
     }
   });
 }

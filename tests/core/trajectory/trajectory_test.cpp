@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/models/control_model.h"
+#include "tests/support/parts.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -32,18 +33,18 @@ TEST(Trajectory, StateIsTheDerivativeOfItself) {
   std::mt19937 random(6);
   for (int i = 0; i < 20; ++i) {
     const Trajectory run = essid_run(testing::random_path(random, 12));
-    for (std::size_t p = 0; p < run.pieces().size(); ++p) {
-      const double duration = run.piece_end(p) - run.pieces()[p].time;
+    for (const Part& part : testing::parts_of(run)) {
+      const double duration = part.duration;
       const double h = duration * 1e-4;
       const double tau = duration * 0.43;
-      const State at = run.state_in_piece(p, tau);
-      const State before = run.state_in_piece(p, tau - h);
-      const State after = run.state_in_piece(p, tau + h);
+      const State at = testing::state_in(run, part, tau);
+      const State before = testing::state_in(run, part, tau - h);
+      const State after = testing::state_in(run, part, tau + h);
       // Central differences: relative error of the order of (h / duration)^2, plus rounding over h.
       const auto near = [&](const Vec3& low, const Vec3& high, const Vec3& exact, double rounding) {
         return ((high - low) / (2 * h) - exact).norm() <= 1e-4 * exact.norm() + rounding / h;
       };
-      ASSERT_TRUE(near(before.position, after.position, at.velocity, 1e-11)) << i << ' ' << p;
+      ASSERT_TRUE(near(before.position, after.position, at.velocity, 1e-11)) << i << ' ' << part.time;
       ASSERT_TRUE(near(before.velocity, after.velocity, at.acceleration, 1e-11 * (1 + at.speed)));
       ASSERT_TRUE(
           near(before.acceleration, after.acceleration, at.jerk, 1e-11 * (1 + at.acceleration.norm())));

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/parts.h"
 #include "tests/ui/run_fixture.h"
 
 namespace feedscope::ui {
@@ -29,12 +30,11 @@ std::string random_program(unsigned seed, int blocks) {
 /// Extents found by looking at very many states.
 Band brute_force(const Trajectory& trajectory, double from, double to) {
   Band band;
-  for (std::size_t i = trajectory.piece_at(from); i <= trajectory.piece_at(to); ++i) {
-    const double start = trajectory.pieces()[i].time;
-    const double begin = std::max(from, start) - start;
-    const double end = std::min(to, trajectory.piece_end(i)) - start;
+  for (const Part& part : feedscope::testing::parts_of(trajectory)) {
+    const double begin = std::max(from, part.time) - part.time;
+    const double end = std::min(to - part.time, part.duration);
     for (int k = 0; k <= fine_samples && end > begin; ++k) {
-      band.add(trajectory.state_in_piece(i, begin + (end - begin) * k / fine_samples));
+      band.add(feedscope::testing::state_in(trajectory, part, begin + (end - begin) * k / fine_samples));
     }
   }
   return band;

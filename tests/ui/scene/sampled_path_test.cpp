@@ -5,6 +5,7 @@
 #include <random>
 
 #include "core/base/units.h"
+#include "tests/support/parts.h"
 #include "tests/ui/run_fixture.h"
 
 namespace feedscope::ui {
@@ -83,7 +84,7 @@ TEST_P(MarkedCorners, HaveTheLengthOfTheBlends) {
   const auto run = simulate_text(random_program(3, 40), GetParam());
   const SampledPath path = sample_executed(*run.trajectory);
   double length = 0;
-  for (const BlendRecord& blend : run.trajectory->blends()) {
+  for (const BlendRecord& blend : testing::blends_of(*run.trajectory)) {
     length += run.trajectory->is_rapid(blend.element) ? 0 : blend.length;
   }
   ASSERT_GT(length, 0);

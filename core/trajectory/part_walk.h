@@ -1,0 +1,60 @@
+#pragma once
+
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// Position and its derivatives on one part, for many instants of it.
+class PartMotion {
+ public:
+  /// `filters`: what evaluates filtered parts, to be shared between neighbouring ones; none: their direct sum.
+  PartMotion(const Trajectory& trajectory, const Part& part, FilterWalk* filters = nullptr);
+  /// `tau` from the start of the part [s].
+  State state(double tau) const;
+  /// Without the path length that costs a quadrature on curves.
+  Kinematics kinematics(double tau) const;
+  const ElementCurve& curve() const { return curve_; }
+
+ private:
+  CurvePoint curve_point(double q) const;
+  State filtered_state(State state, double tau) const;
+  Kinematics filtered_kinematics(double tau) const;
+
+  const Trajectory& trajectory_;
+  Part part_;
+  ElementCurve curve_;
+  FilterWalk* filters_;
+};
+
+/// The parts of a trajectory one after the other: of all its pieces, or from some instant on.
+///
+///   for (PartWalk walk(trajectory); !walk.done(); walk.next()) { ... walk.part() ... }
+class PartWalk {
+ public:
+  /// From the beginning of piece `piece` on.
+  explicit PartWalk(const Trajectory& trajectory, std::size_t piece = 0);
+  /// From `tau` after the beginning of `piece` on; the first part begins there [s].
+  PartWalk(const Trajectory& trajectory, std::size_t piece, double tau);
+
+  bool done() const { return piece_ >= trajectory_.pieces().size(); }
+  const Part& part() const { return part_; }
+  /// Of the part; valid as long as the walk.
+  PartMotion motion();
+  void next();
+
+ private:
+  void enter_piece(double tau);
+  void find_part();
+
+  const Trajectory& trajectory_;
+  std::size_t piece_;
+  double duration_ = 0;  ///< of the piece [s]
+  PiecePhases phases_;
+  int phase_ = 0;
+  double tau_ = 0;  ///< where the part begins in the piece [s]
+  std::uint32_t last_element_ = 0;
+  Part part_;
+  FilterWalk filters_;
+};
+
+}  // namespace feedscope
