@@ -105,8 +105,8 @@ Toolpath build_toolpath(const Program& program) {
 
 Toolpath take_toolpath(Program& program) {
   Toolpath toolpath = build_toolpath(program);
-  program.motions = {};
-  program.arcs = {};
+  program.motions = std::vector<MotionBlock>();
+  program.arcs = std::vector<ArcWords>();
   return toolpath;
 }
 
