@@ -73,7 +73,12 @@ void PartWalk::find_part() {
   part_.j = at.j;
   part_.duration = phases_.end(phase_) - tau_;
   if (part_.element < last_element_) {
-    part_.duration = time_to_reach(at, path.length(part_.element), part_.duration);
+    const double reached = time_to_reach(at, path.length(part_.element), part_.duration);
+    const double beyond = part_.duration - reached;
+    constexpr double rounding = 1e-15;  // of the clock; what is no longer than that is no part of its own
+    if (beyond > 4 * rounding * (1 + part_.time)) {
+      part_.duration = reached;
+    }
   }
   const bool holds = piece.law == Law::ramp && phase_ == 1 && piece.cause.kind != CauseKind::ramp_down;
   part_.cause = holds ? all_causes()[piece.second] : piece.cause;
@@ -107,7 +112,10 @@ PartMotion PartWalk::motion() {
 }
 
 PartMotion::PartMotion(const Trajectory& trajectory, const Part& part, FilterWalk* filters)
-    : trajectory_(trajectory), part_(part), curve_(trajectory.path().curve(part.element)), filters_(filters) {}
+    : trajectory_(trajectory),
+      part_(part),
+      curve_(trajectory.path().curve(part.element)),
+      filters_(filters) {}
 
 CurvePoint PartMotion::curve_point(double q) const {
   return part_.law == Law::parameter ? curve_.blend.at(std::clamp(q, 0.0, 1.0)) : curve_.at(q);

@@ -7,7 +7,8 @@ namespace feedscope {
 /// Position and its derivatives on one part, for many instants of it.
 class PartMotion {
  public:
-  /// `filters`: what evaluates filtered parts, to be shared between neighbouring ones; none: their direct sum.
+  /// `filters`: what evaluates filtered parts, to be shared between neighbouring ones; none: their direct
+  /// sum.
   PartMotion(const Trajectory& trajectory, const Part& part, FilterWalk* filters = nullptr);
   /// `tau` from the start of the part [s].
   State state(double tau) const;

@@ -78,8 +78,7 @@ std::size_t AccelerationLaw::plan_window(bool to_rest, double x) {
 }
 
 void AccelerationLaw::add_element(std::uint32_t index) {
-  const SpeedBound programmed =
-      programmed_speed(toolpath_, builder_.path().segment(index), axes_.velocity);
+  const SpeedBound programmed = programmed_speed(toolpath_, builder_.path().segment(index), axes_.velocity);
   rule_.speed = programmed.value;
   path_cells_.clear();
   append_cells(builder_.path(), index, rule_, path_cells_);

@@ -89,8 +89,7 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
                                      const Settings& settings, Progress* progress) const {
   const Toolpath& toolpath = *shared;
   const AxisVectors axes(machine);
-  TrajectoryBuilder builder(
-      find_model(settings.text("path")).simulate(shared, machine, settings, progress));
+  TrajectoryBuilder builder(find_model(settings.text("path")).simulate(shared, machine, settings, progress));
   AccelerationLaw law(toolpath, axes, 1, builder);
   const BlendedPath& path = builder.path();
   const auto count = static_cast<std::uint32_t>(path.size());
