@@ -36,6 +36,7 @@ ProgramView::ProgramView(QWidget* parent) : QPlainTextEdit(parent), number_area_
   setUndoRedoEnabled(false);
   setFrameShape(QFrame::NoFrame);
   QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+  fixed.setFamilies({QStringLiteral("DejaVu Sans Mono"), fixed.family()});  // the same in every picture
   fixed.setPixelSize(12);
   setFont(fixed);
   setPlaceholderText(tr("Open an NC program (Ctrl+O), or drop one here."));
