@@ -6,6 +6,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
+#include "core/trajectory/part_walk.h"
 
 namespace feedscope {
 namespace {
@@ -90,11 +91,15 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
       "time_s,path_mm,line,x_mm,y_mm,z_mm,feed_mm_min,programmed_feed_mm_min,vx_mm_min,vy_mm_min,vz_mm_min,"
       "ax_m_s2,ay_m_s2,az_m_s2,jx_m_s3,jy_m_s3,jz_m_s3,at_m_s2,jt_m_s3,cause");
   sink.end_row();
+  PartWalk walk(trajectory);
   // A step that the end cuts to nothing but rounding is no row of its own.
   const auto rows = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-12)));
   for (std::size_t row = 0; row < rows; ++row) {
     const double time = static_cast<double>(row) * step;
-    const State state = trajectory.state(time);
+    while (!walk.done() && walk.part().time + walk.part().duration <= time) {
+      walk.next();
+    }
+    const State state = walk.done() ? trajectory.state(time) : walk.motion().state(time - walk.part().time);
     write_row(sink, state, causes[cause_index(state.cause)]);
     if (progress != nullptr && row % rows_per_report == 0) {
       progress->report(static_cast<double>(row) / static_cast<double>(rows));
@@ -113,8 +118,9 @@ void write_blends(std::ostream& out, const Trajectory& trajectory) {
       "line,kind,x_mm,y_mm,z_mm,turn_deg,transition_mm,epsilon_mm,length_mm,min_radius_mm,entry_feed_mm_min,"
       "exit_feed_mm_min");
   sink.end_row();
+  FilterWalk filters;
   for (std::size_t i = 0; i < trajectory.blend_count(); ++i) {
-    const BlendRecord blend = trajectory.blend(i);
+    const BlendRecord blend = trajectory.blend(i, filters);
     const ElementKind kind = trajectory.path().kind(blend.element);
     sink.count(blend.line);
     sink.text(kind == ElementKind::connecting_arc ? "arc,"

@@ -180,8 +180,10 @@ State PartMotion::filtered_state(State state, double tau) const {
   state.velocity = at.velocity;
   state.acceleration = at.acceleration;
   state.jerk = at.jerk;
-  state.path_length = trajectory_.path().s(part_.element) +
-                      std::min(curve_.length, part_.q + motion.length(start, start + tau));
+  const double covered = filters_ != nullptr
+                             ? LengthWalk(*filters_, motion.train(), start).advance_to(start + tau)
+                             : motion.length(start, start + tau);
+  state.path_length = trajectory_.path().s(part_.element) + std::min(curve_.length, part_.q + covered);
   state.speed = at.velocity.norm();
   if (state.speed > 0) {
     const double along = at.acceleration.dot(at.velocity) / state.speed;

@@ -141,6 +141,12 @@ int Trajectory::filtered_spans(const Part& part, double a_filter_time) const {
 }
 
 double Trajectory::filtered_length(const Part& part) const {
+  const Piece& piece = pieces()[part.piece];
+  if (part.time == piece.time && part.duration == piece_end(part.piece) - piece.time) {
+    const std::size_t next = part.piece + std::size_t{1};
+    const bool ends_here = next == pieces().size() || pieces()[next].element != piece.element;
+    return (ends_here ? path().length(piece.element) : pieces()[next].q) - piece.q;
+  }
   const FilteredMotion& motion = motion_of(part.element);
   const double start = part.time - motion.start();
   return motion.length(start, start + part.duration);
@@ -151,10 +157,14 @@ std::size_t Trajectory::blend_count() const {
 }
 
 BlendRecord Trajectory::blend(std::size_t i) const {
+  FilterWalk filters;
+  return blend(i, filters);
+}
+
+BlendRecord Trajectory::blend(std::size_t i, FilterWalk& filters) const {
   if (!content_.filtered_corners.empty()) {
     const std::uint32_t before = content_.filtered_corners[i];
     const PulseTrain& train = motion_of(before).train();
-    FilterWalk filters;
     BlendRecord rounded = filtered_corner(filters, train, path().segment(before) + 1 - train.first);
     rounded.element = before;
     return rounded;

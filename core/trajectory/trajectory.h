@@ -75,6 +75,8 @@ class Trajectory {
   /// Corners that the control rounds, in order of the path.
   std::size_t blend_count() const;
   BlendRecord blend(std::size_t i) const;
+  /// The same for many in order, which on filtered motion share what `filters` knows.
+  BlendRecord blend(std::size_t i, FilterWalk& filters) const;
 
   /// State at a time, clamped to [0, duration]. At a piece border: the piece that begins there.
   /// An empty trajectory gives a State at the origin, at rest.

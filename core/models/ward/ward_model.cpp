@@ -84,10 +84,14 @@ Trajectory WardModel::do_simulate(const std::shared_ptr<const Toolpath>& shared,
                                   const Settings& settings, Progress* progress) const {
   const AxisVectors axes(machine);
   TrajectoryBuilder builder(shared, axes.velocity);
-  WardRunner runner(shared, axes, WardSettings(settings), builder);
-  run_stretches(
-      *shared, builder, progress, false,
-      [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, false);
+  const std::size_t count = shared->segments.size();
+  builder.reserve(count, count + count / 4);
+  {
+    WardRunner runner(shared, axes, WardSettings(settings), builder);
+    run_stretches(
+        *shared, builder, progress, false,
+        [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, false);
+  }
   return builder.finish();
 }
 

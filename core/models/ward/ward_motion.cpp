@@ -9,7 +9,6 @@ namespace feedscope {
 
 void WardRunner::lay_motion(ProgressSteps& steps) {
   const double start = builder_.time();
-  double error = 0;
   walk_.forget();
   LengthWalk length(walk_, train_, 0);
   for (std::size_t i = 0; i < train_.size(); ++i) {
@@ -18,11 +17,11 @@ void WardRunner::lay_motion(ProgressSteps& steps) {
     if (i > 0 && corner_turn(train_, i) > straight_angle) {
       builder_.add_filtered_corner();
     }
-    error = std::max(error, contour_error(i));
     add_spans(length, i);
     add_element(start, i);
   }
   train_.blocks.shrink_to_fit();
+  const double error = *std::max_element(distance_.begin(), distance_.end());
   builder_.add_motion({start, std::move(train_), error});
 }
 

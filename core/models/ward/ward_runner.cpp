@@ -29,6 +29,8 @@ void WardRunner::run(const StretchRange& range, ProgressSteps& steps) {
   walk_.forget();
   if (settings_.enforce) {
     enforce_tolerance(steps);
+  } else {
+    measure_distances();
   }
   lay_motion(steps);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -29,6 +30,12 @@ class WardRunner {
     Cause cause;
     bool settled = false;
   };
+  /// Of a block's programmed points from the path [mm].
+  struct BlockDistance {
+    double corner = 0;  ///< its start
+    double arc = 0;     ///< places inside an arc
+    double largest() const { return std::max(corner, arc); }
+  };
   struct SpanEnd {
     double time = 0;                                   ///< of the motion [s]
     std::optional<std::size_t> corner = std::nullopt;  ///< whose blending pulse fills the span, if one
@@ -45,8 +52,8 @@ class WardRunner {
   /// Lowers those that are due for a look and too far from the path; unless `every`, only those that the pass
   /// before lowered. True if any was.
   bool lower_blocks(int pass, bool every, ProgressSteps& steps);
-  bool lower_corner(std::size_t block, int pass);
-  bool lower_arc(std::size_t block, int pass);
+  bool lower_corner(std::size_t block, double distance, int pass);
+  bool lower_arc(std::size_t block, double distance, int pass);
   void mark_neighbours();
   /// Calls f(point, time) for programmed points inside the arc that `block` is, as far from its ends as the
   /// filters reach at most, and in its middle; `time` is when the path is about there [s].
@@ -55,14 +62,12 @@ class WardRunner {
   /// Distance of a point from the path near `time` [mm]: by one evaluation and its Newton step where that is
   /// precise, which it mostly is because the path lags as much as at the point before.
   double distance_of(const Vec3& point, double time);
-  double corner_distance_of(std::size_t block);
-  double arc_distance(std::size_t block);
+  BlockDistance distance_of_block(std::size_t block);
+  void measure_distances();
   bool is_arc(std::size_t block) const { return train_.segment(block).kind == SegmentKind::arc; }
 
   void lay_motion(ProgressSteps& steps);
   void add_element(double start, std::size_t block);
-  /// Largest distance of the block's start and of its inside, if it is an arc [mm].
-  double contour_error(std::size_t block);
   void add_spans(LengthWalk& length, std::size_t block);
   void add_span(LengthWalk& length, std::size_t block, const SpanEnd& to);
   /// Why the tool is not faster at an instant of `block`. `corner`: whose blending pulse that is, if one.
@@ -81,6 +86,7 @@ class WardRunner {
   double lag_ = 0;  ///< of the path behind the middle of the filters at the point looked at last [s]
   std::vector<SpeedBound> limits_;     ///< of the feed, a block
   std::vector<double> corner_speeds_;  ///< at the start of every block, to be laid next [mm/s]
+  std::vector<double> distance_;       ///< a block, when it was last looked at [mm]
   std::vector<char> check_;            ///< a block: due for a look, or lowered at the last one
   std::vector<char> slowed_;           ///< arcs whose feed this pass has lowered
   std::vector<Span> spans_;            ///< of the element under way

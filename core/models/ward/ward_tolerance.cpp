@@ -28,6 +28,7 @@ double lowering_factor(double distance, double tolerance, int pass) {
 
 void WardRunner::enforce_tolerance(ProgressSteps& steps) {
   check_.assign(train_.size(), due);
+  distance_.assign(train_.size(), 0);
   slowed_.assign(train_.size(), 0);
   bool every = true;
   for (int pass = 0;; ++pass) {
@@ -52,8 +53,10 @@ bool WardRunner::lower_blocks(int pass, bool every, ProgressSteps& steps) {
   bool any = false;
   for (std::size_t i = 0; i < train_.size(); ++i) {
     if ((check_[i] & wanted) == wanted) {
-      const bool corner = i > 0 && lower_corner(i, pass);
-      const bool arc = is_arc(i) && lower_arc(i, pass);
+      const BlockDistance distance = distance_of_block(i);
+      distance_[i] = distance.largest();
+      const bool corner = lower_corner(i, distance.corner, pass);
+      const bool arc = lower_arc(i, distance.arc, pass);
       check_[i] = corner || arc ? lowered_last : 0;
       any = any || corner || arc;
     }
@@ -61,24 +64,20 @@ bool WardRunner::lower_blocks(int pass, bool every, ProgressSteps& steps) {
   return any;
 }
 
-bool WardRunner::lower_corner(std::size_t block, int pass) {
-  const double allowed = settings_.tolerance * (1 + slack);
-  const double distance = corner_distance_of(block);
-  if (distance <= allowed || corner_speeds_[block] == 0) {
+bool WardRunner::lower_corner(std::size_t block, double distance, int pass) {
+  if (distance <= settings_.tolerance * (1 + slack) || corner_speeds_[block] == 0) {
     return false;
   }
   corner_speeds_[block] *= pass < last_passes ? lowering_factor(distance, settings_.tolerance, pass) : 0;
   return true;
 }
 
-bool WardRunner::lower_arc(std::size_t block, int pass) {
+bool WardRunner::lower_arc(std::size_t block, double distance, int pass) {
   const bool stops_after = block + 1 == train_.size() || corner_speeds_[block + 1] == 0;
   if (corner_speeds_[block] == 0 && stops_after && pass >= last_passes) {
     return false;  // alone between two stops it keeps the tolerance by its limit
   }
-  const double allowed = settings_.tolerance * (1 + slack);
-  const double distance = arc_distance(block);
-  if (distance <= allowed) {
+  if (distance <= settings_.tolerance * (1 + slack)) {
     return false;
   }
   const double factor = lowering_factor(distance, settings_.tolerance, pass);
@@ -128,16 +127,17 @@ void WardRunner::for_points_of_arc(std::size_t block, F f) const {
   at(begin + half);
 }
 
-double WardRunner::arc_distance(std::size_t block) {
-  double distance = 0;
-  for_points_of_arc(block, [&](const Vec3& point, double time) {
-    distance = std::max(distance, distance_of(point, time));
-  });
+WardRunner::BlockDistance WardRunner::distance_of_block(std::size_t block) {
+  BlockDistance distance;
+  if (block > 0) {
+    distance.corner = distance_of(train_.point(block), train_.blocks[block].start + train_.half_delay());
+  }
+  if (is_arc(block)) {
+    for_points_of_arc(block, [&](const Vec3& point, double time) {
+      distance.arc = std::max(distance.arc, distance_of(point, time));
+    });
+  }
   return distance;
-}
-
-double WardRunner::corner_distance_of(std::size_t block) {
-  return distance_of(train_.point(block), train_.blocks[block].start + train_.half_delay());
 }
 
 double WardRunner::distance_of(const Vec3& point, double time) {
@@ -161,9 +161,11 @@ double WardRunner::distance_of(const Vec3& point, double time) {
   return closest_approach(walk_, train_, point, time + lag_).distance;
 }
 
-double WardRunner::contour_error(std::size_t block) {
-  const double corner = block > 0 ? corner_distance_of(block) : 0;
-  return is_arc(block) ? std::max(corner, arc_distance(block)) : corner;
+void WardRunner::measure_distances() {
+  distance_.clear();
+  for (std::size_t i = 0; i < train_.size(); ++i) {
+    distance_.push_back(distance_of_block(i).largest());
+  }
 }
 
 }  // namespace feedscope
