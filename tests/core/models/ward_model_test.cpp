@@ -220,6 +220,59 @@ TEST(WardArc, RunsACircleInTheTimeOfTheArcWithinTheTolerance) {
   }
 }
 
+TEST(WardArc, SpeedIsThatAtWhichTheFiltersLoseTheTolerance) {
+  Toolpath path;
+  path.start = Vec3(4, 0, 0);
+  testing::append_arc(path, Vec3::Zero(), 2, 20);
+  const Arc& arc = path.arcs[0];
+  for (const int filters : {2, 3}) {
+    for (const double tolerance : {1e-9, 1e-3, 0.1, 3.0}) {
+      const double speed = arc_speed(filters, 0.05, arc, tolerance);
+      const double x = speed / arc.radius * 0.05 / 2;
+      EXPECT_NEAR(1 - turn_gain(filters, x), tolerance / arc.radius, 1e-15 + 1e-9 * tolerance);
+      EXPECT_LT(x, units::pi);
+    }
+    EXPECT_TRUE(std::isinf(arc_speed(filters, 0.05, arc, 4)));
+  }
+}
+
+TEST(WardArc, LosesTheToleranceIfEnforcedAndTellsWhatItLosesIfNot) {
+  Toolpath path;
+  path.start = Vec3(4, 0, 0);
+  testing::append_arc(path, Vec3::Zero(), 4 * units::pi, 60);
+  for (const int filters : {2, 3}) {
+    const Trajectory kept = run(path, {filters, 15, 0, 0.02});
+    EXPECT_NEAR(kept.state(kept.duration() / 2).position.norm(), 4 - 0.02, 1e-9);
+    EXPECT_NEAR(kept.motions()[0].contour_error(), 0.02, 1e-7);
+    EXPECT_EQ(kept.state(kept.duration() / 2).cause, Cause{CauseKind::contour_tolerance});
+    const Trajectory free = run(path, {filters, 15, 0, 0.02, false});
+    const double lost = 4 - free.state(free.duration() / 2).position.norm();
+    const double t1 = free.motions()[0].filter_time();
+    const double x = free.motions()[0].train().largest_feed / 4 * t1 / 2;
+    EXPECT_NEAR(lost, 4 * (1 - std::pow(std::sin(x) / x, filters)), 1e-9);
+    EXPECT_NEAR(free.motions()[0].contour_error(), lost, 1e-7);
+    EXPECT_GT(lost, 0.1);
+    EXPECT_NEAR(summarise(free, path, Vec3::Constant(500)).max_contour_error, lost, 1e-7);
+  }
+}
+
+TEST(WardArc, ALargeOneIsALine) {
+  Toolpath line;
+  line.start = Vec3::Zero();
+  testing::append_line(line, Vec3(5, 0, 0), 50);
+  Toolpath arc;
+  arc.start = Vec3::Zero();
+  testing::append_arc(arc, Vec3(0, 1e6, 0), 5e-6, 50);
+  const Trajectory straight = run(line, {});
+  const Trajectory turned = run(arc, {});
+  EXPECT_NEAR(turned.duration(), straight.duration(), 1e-9);
+  for (int i = 0; i <= 20; ++i) {
+    const double t = straight.duration() * i / 20;
+    EXPECT_LT((turned.state(t).position - straight.state(t).position).norm(), 2e-5);  // sagitta of 5 mm
+    EXPECT_NEAR(turned.state(t).speed, straight.state(t).speed, 1e-5);
+  }
+}
+
 TEST(WardSettings, RefuseAnOddNumberOfFilters) {
   const ControlModel& ward = find_model("ward");
   Machine machine = testing::spinner();

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "core/models/control_model.h"
+#include "core/trajectory/filtered_corner.h"
 #include "tests/support/parts.h"
 #include "tests/support/paths.h"
 
@@ -69,6 +70,28 @@ TEST_P(WardOnRandomPaths, KeepsTheContourToleranceAtEveryCorner) {
   for_each_run([](const Toolpath&, const Trajectory& run) {
     for (const BlendRecord& blend : testing::blends_of(run)) {
       ASSERT_LE(blend.epsilon, tolerance * (1 + 1e-5)) << "line " << blend.line;
+    }
+  });
+}
+
+TEST_P(WardOnRandomPaths, KeepsTheContourToleranceOnArcs) {
+  for_each_run([](const Toolpath&, const Trajectory& run) {
+    for (const FilteredMotion& motion : run.motions()) {
+      const PulseTrain& train = motion.train();
+      FilterWalk walk;
+      ASSERT_LE(motion.contour_error(), tolerance * (1 + 1e-5));
+      for (std::size_t i = 0; i < train.size(); ++i) {
+        if (train.segment(i).kind != SegmentKind::arc) {
+          continue;
+        }
+        for (int k = 0; k <= 24; ++k) {
+          const double time =
+              train.blocks[i].start + (train.blocks[i + 1].start - train.blocks[i].start) * k / 25;
+          const Approach nearest =
+              closest_approach(walk, train, train.commanded(i, time), time + train.half_delay());
+          ASSERT_LE(nearest.distance, tolerance * 1.05) << "between the places that are watched; block " << i;
+        }
+      }
     }
   });
 }
