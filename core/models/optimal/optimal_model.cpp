@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/models/optimal/acceleration_law.h"
+#include "core/models/optimal/jerk_law.h"
 
 namespace feedscope {
 namespace {
@@ -57,7 +58,14 @@ ModelInfo make_info() {
       "only.";
   path.choices = {usual_path};
   add_settings_of_paths(info, path);
-  info.settings.insert(info.settings.begin(), {path});
+  SettingSpec jerk;
+  jerk.key = "jerk";
+  jerk.title = "Jerk limits";
+  jerk.explanation =
+      "on: a law that keeps the jerk of every axis too, close to the fastest; off: the fastest under velocity "
+      "and acceleration limits.";
+  jerk.choices = {"on", "off"};
+  info.settings.insert(info.settings.begin(), {path, jerk});
   info.remarks = {"Stops only where the path itself has a kink, a reversal or a dwell.",
                   "Kinks of up to 0.01 rad at arcs count as tangent, as in every model."};
   return info;
@@ -90,7 +98,9 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   const Toolpath& toolpath = *shared;
   const AxisVectors axes(machine);
   TrajectoryBuilder builder(find_model(settings.text("path")).simulate(shared, machine, settings, progress));
-  AccelerationLaw law(toolpath, axes, 1, builder);
+  const bool with_jerk = settings.text("jerk") == "on";
+  AccelerationLaw acceleration_law(toolpath, axes, 1, builder);
+  JerkLaw jerk_law(toolpath, axes, builder);
   const BlendedPath& path = builder.path();
   const auto count = static_cast<std::uint32_t>(path.size());
   ProgressSteps steps(progress, toolpath.segments.size());
@@ -102,8 +112,10 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
     if (path.kind(first) == ElementKind::dwell) {
       const double time = toolpath.segments[path.segment(first)].dwell;
       builder.add_piece({0, 0, 0, 0, 0, first, {CauseKind::dwell}}, time);
+    } else if (with_jerk) {
+      jerk_law.run(first, last, steps);
     } else {
-      law.run(first, last, steps);
+      acceleration_law.run(first, last, steps);
     }
     first = last;
   }

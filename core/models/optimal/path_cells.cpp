@@ -33,7 +33,9 @@ int least_cells(double length, double curvature, const CellRule& rule) {
   const double acceleration = rule.acceleration.minCoeff();
   const double limit = std::min(rule.speed * rule.speed, acceleration / curvature);
   double count = few;
-  if (curvature * limit > slight * acceleration) {
+  const double bend = 4 * curvature / length;  // what the curvature changes by, by path length, on a blend
+  if (curvature * limit > slight * acceleration ||
+      bend * limit * std::sqrt(limit) > slight * rule.jerk.minCoeff()) {
     const double change = 2 * acceleration * length / limit;  // of v^2, over v^2
     count = std::clamp(std::ceil(most * change), most / 4, most);
   }

@@ -31,7 +31,8 @@ struct PathCell {
 struct CellRule {
   int fineness = 1;   ///< 2: cells of half the length
   Vec3 acceleration;  ///< fewer cells where turning at `speed` asks for next to nothing of these [mm/s2]
-  double speed = 0;   ///< [mm/s]
+  Vec3 jerk = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< the same [mm/s3]
+  double speed = 0;                                                     ///< [mm/s]
 };
 
 /// Appends the cells of element `index`. Nothing for a dwell.

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <vector>
+
+#include "core/feed/node_plan.h"
+#include "core/models/optimal/jerk_solver.h"
+#include "core/trajectory/trajectory_builder.h"
+
+namespace feedscope {
+
+/// A law close to the fastest under velocity, acceleration and jerk limits of every axis, from standstill to
+/// standstill (MODELS section 8 b):
+///
+///   |T_j s''' + 3 c_j v v' + d_j v^3| <= J_j
+///
+/// on lines and arcs of the program with J, on corner blends with Jtb. It begins with a law that keeps static
+/// limits of every element, as the planned models do, passed slower until it keeps all limits strictly, and is
+/// improved by JerkSolver in windows that overlap. Two pieces of constant jerk a cell. Curvature may jump
+/// between elements: v and v' are continuous there, the acceleration across the path is not.
+class JerkLaw {
+ public:
+  /// `builder` holds the path and takes the motion.
+  JerkLaw(const Toolpath& toolpath, const AxisVectors& axes, TrajectoryBuilder& builder);
+
+  /// Lays the motion over elements [first, last).
+  void run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps);
+
+ private:
+  struct Cell {
+    double length;
+    double offset;  ///< in the element [mm]
+    std::uint32_t element;
+  };
+  struct Phase {
+    double time;
+    double jerk;
+    Motion1d at;
+  };
+
+  void plan(std::uint32_t first, std::uint32_t last);
+  PlanElement plan_element(std::uint32_t index);
+  void lay_phases();
+  Motion1d planned_at(double time);
+  double planned_time(double s);
+  void cut_cells(std::uint32_t first, std::uint32_t last);
+  void cut_element(std::uint32_t index, double begin);
+  void fill_places(std::size_t first, std::size_t last);
+  void add_places(const Cell& cell);
+  void start_strictly();
+  void improve(ProgressSteps& steps);
+  double time() const;
+  void add_planned(std::uint32_t first);
+  Cause planned_cause(const PlanElement& element, double jerk, const Motion1d& at) const;
+  void add_pieces(std::size_t first, std::size_t last);
+  void add_half(const Cell& cell, const Motion1d& from, double jerk, double time, Cause cause);
+  Cause cause_of(std::size_t cell, const CellMotion& motion) const;
+  void load_element(std::uint32_t index);
+  PathPoint point_at(double s);
+  PlaceLimits limits_at(double s);
+  const Vec3& jerk_of(std::uint32_t index) const;
+
+  const Toolpath& toolpath_;
+  const AxisVectors& axes_;
+  TrajectoryBuilder& builder_;
+  CellRule rule_;
+
+  std::vector<PlanElement> plan_;
+  std::vector<PlanNode> plan_nodes_;
+  std::vector<Phase> phases_;
+  double planned_duration_ = 0;
+  std::size_t phase_ = 0;
+  double ramp_time_ = 0;  ///< of the fastest ramps [s]
+
+  std::vector<Cell> cells_;
+  std::vector<LawNode> nodes_;
+
+  std::vector<SolverCell> solver_cells_;
+  std::vector<CellPlace> places_;
+  JerkSolver solver_;
+
+  std::vector<PathCell> geometry_;  ///< of element loaded_
+  std::uint32_t loaded_ = 0;
+  SpeedBound feed_;                 ///< of that element
+  std::size_t at_ = 0;              ///< last geometry cell looked at
+  double excess_ = 1;
+};
+
+}  // namespace feedscope

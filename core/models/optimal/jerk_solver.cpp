@@ -1,0 +1,136 @@
+#include "core/models/optimal/jerk_solver.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope {
+namespace {
+
+constexpr double first_mu = 0.1;
+/// The time comes out too long by about this share for every limit that is active in a cell.
+constexpr double last_mu = 4e-5;
+constexpr double less_mu = 0.25;
+constexpr int most_steps = 60;
+constexpr int most_halvings = 30;
+
+}  // namespace
+
+bool JerkSolver::keeps_limits(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places,
+                              const LawNode* nodes) {
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const CellMotion motion =
+        CellMotion::through(cells[i].length, nodes[i].v, nodes[i].a, nodes[i + 1].v, nodes[i + 1].a);
+    if (!std::isfinite(cell_value(motion, &places[cells[i].first], &places[cells[i].first] + (cells[i].last - cells[i].first), 1))) {
+      return false;
+    }
+  }
+  return true;
+}
+
+double JerkSolver::value(const LawNode* nodes, double mu) const {
+  double sum = 0;
+  for (std::size_t i = 0; i < cells_->size(); ++i) {
+    const SolverCell& cell = (*cells_)[i];
+    const CellMotion motion =
+        CellMotion::through(cell.length, nodes[i].v, nodes[i].a, nodes[i + 1].v, nodes[i + 1].a);
+    sum += cell_value(motion, places_->data() + cell.first, places_->data() + cell.last, mu * weight_[i]);
+    if (!std::isfinite(sum)) {
+      break;
+    }
+  }
+  return sum;
+}
+
+void JerkSolver::assemble(const LawNode* nodes, double mu) {
+  const std::size_t count = cells_->size();
+  diagonal_.assign(count + 1, Matrix2::Zero());
+  beside_.assign(count, Matrix2::Zero());
+  slope_.assign(count + 1, Vector2::Zero());
+  for (std::size_t i = 0; i < count; ++i) {
+    const SolverCell& cell = (*cells_)[i];
+    const CellMotion motion =
+        CellMotion::through(cell.length, nodes[i].v, nodes[i].a, nodes[i + 1].v, nodes[i + 1].a);
+    const CellCost cost = cell_cost(motion, cell.length, places_->data() + cell.first,
+                                    places_->data() + cell.last, mu * weight_[i]);
+    diagonal_[i] += cost.curvature.topLeftCorner<2, 2>();
+    beside_[i] += cost.curvature.topRightCorner<2, 2>();
+    diagonal_[i + 1] += cost.curvature.bottomRightCorner<2, 2>();
+    slope_[i] += cost.slope.head<2>();
+    slope_[i + 1] += cost.slope.tail<2>();
+  }
+}
+
+/// Block elimination over the inner nodes; returns the slope along the step.
+double JerkSolver::solve() {
+  const std::size_t count = cells_->size();
+  constexpr double slight = 1e-12;
+  move_.assign(count + 1, Vector2::Zero());
+  std::vector<Matrix2>& inverse = diagonal_;
+  for (std::size_t i = 1; i < count; ++i) {
+    Matrix2 pivot = diagonal_[i];
+    Vector2 right = -slope_[i];
+    if (i > 1) {
+      const Matrix2 factor = beside_[i - 1].transpose() * inverse[i - 1];
+      pivot -= factor * beside_[i - 1];
+      right -= factor * move_[i - 1];
+    }
+    pivot.diagonal() += slight * diagonal_[i].diagonal();
+    inverse[i] = pivot.inverse();
+    move_[i] = right;
+  }
+  double along = 0;
+  for (std::size_t i = count; i-- > 1;) {
+    Vector2 right = move_[i];
+    if (i + 1 < count) {
+      right -= beside_[i] * move_[i + 1];
+    }
+    move_[i] = inverse[i] * right;
+    along += move_[i].dot(slope_[i]);
+  }
+  return along;
+}
+
+/// One Newton step, shortened until it lowers the value; returns the share taken.
+double JerkSolver::step(LawNode* nodes, double mu) {
+  assemble(nodes, mu);
+  const double along = solve();
+  const double before = value(nodes, mu);
+  const std::size_t count = cells_->size();
+  trial_.resize(count + 1);
+  double share = 1;
+  for (int i = 0; i < most_halvings; ++i, share /= 2) {
+    for (std::size_t n = 0; n <= count; ++n) {
+      const double square = nodes[n].v * nodes[n].v + share * move_[n][0];
+      trial_[n] = {std::sqrt(std::max(square, 0.0)), nodes[n].a + share * move_[n][1]};
+    }
+    if (value(trial_.data(), mu) <= before + 0.1 * share * along) {
+      std::copy(trial_.begin(), trial_.end(), nodes);
+      return share;
+    }
+  }
+  return 0;
+}
+
+void JerkSolver::improve(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places,
+                         LawNode* nodes) {
+  cells_ = &cells;
+  places_ = &places;
+  weight_.clear();
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    weight_.push_back(
+        CellMotion::through(cells[i].length, nodes[i].v, nodes[i].a, nodes[i + 1].v, nodes[i + 1].a).time);
+  }
+  double mu = first_mu;
+  for (int i = 0; i < most_steps; ++i) {
+    const double taken = step(nodes, mu);
+    if (taken >= 0.5 || taken == 0) {
+      if (mu <= last_mu) {
+        break;
+      }
+      mu = std::max(mu * less_mu, last_mu);
+    }
+  }
+}
+
+}  // namespace feedscope

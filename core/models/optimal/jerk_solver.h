@@ -1,0 +1,53 @@
+#pragma once
+
+#include <vector>
+
+#include "core/models/optimal/jerk_cell.h"
+
+namespace feedscope {
+
+/// Speed and acceleration along the path where two cells meet.
+struct LawNode {
+  double v = 0;  ///< [mm/s]
+  double a = 0;  ///< [mm/s2]
+};
+
+/// A cell with the places where its limits are looked at: [first, last) of the places.
+struct SolverCell {
+  double length = 0;
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// Lowers the time of a law by Newton steps on time and barriers (an interior point method): speeds and
+/// accelerations of neighbouring nodes alone are coupled, so that a step costs as much as there are cells.
+/// Every iterate keeps all limits.
+class JerkSolver {
+ public:
+  /// `nodes`: one more than cells; must keep the limits strictly. The first and the last stay.
+  void improve(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places, LawNode* nodes);
+
+  /// Whether a law keeps all limits strictly.
+  static bool keeps_limits(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places,
+                           const LawNode* nodes);
+
+ private:
+  using Vector2 = Eigen::Vector2d;
+  using Matrix2 = Eigen::Matrix2d;
+
+  double value(const LawNode* nodes, double mu) const;
+  void assemble(const LawNode* nodes, double mu);
+  double solve();
+  double step(LawNode* nodes, double mu);
+
+  const std::vector<SolverCell>* cells_ = nullptr;
+  const std::vector<CellPlace>* places_ = nullptr;
+  std::vector<double> weight_;  ///< of a cell's barriers: its time at first [s]
+  std::vector<Matrix2> diagonal_;
+  std::vector<Matrix2> beside_;  ///< couples a node with the next
+  std::vector<Vector2> slope_;
+  std::vector<Vector2> move_;
+  std::vector<LawNode> trial_;
+};
+
+}  // namespace feedscope
