@@ -168,7 +168,8 @@ double cell_value(const CellMotion& motion, const CellPlace* first, const CellPl
   return motion.time + mu * (logs - std::log(product));
 }
 
-CellCost cell_cost(const CellMotion& m, double length, const CellPlace* first, const CellPlace* last, double mu) {
+CellCost cell_cost(const CellMotion& m, double length, const CellPlace* first, const CellPlace* last,
+                   double mu) {
   const MotionSlopes slopes(m);
   CellCost cost;
   cost.slope = slopes.time;
@@ -196,8 +197,7 @@ CellCost cell_cost(const CellMotion& m, double length, const CellPlace* first, c
     for (int index = 0; index < limits.count; ++index) {
       const auto k = static_cast<std::size_t>(index);
       add(limits.acceleration(index, at.v, at.a), limits.at[k] * a + 2 * limits.ac[k] * at.v * v);
-      const Vector4d turning =
-          limits.jc[k] * (at.v * a + at.a * v) + 3 * limits.jd[k] * at.v * at.v * v;
+      const Vector4d turning = limits.jc[k] * (at.v * a + at.a * v) + 3 * limits.jd[k] * at.v * at.v * v;
       add(limits.jerk(index, at.v, at.a, at.j), limits.jt[k] * (second ? slopes.j2 : slopes.j1) + turning);
       if (middle) {
         add(limits.jerk(index, at.v, at.a, m.j2), limits.jt[k] * slopes.j2 + turning);

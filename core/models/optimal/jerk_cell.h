@@ -36,16 +36,17 @@ struct Sloped {
 
 /// What the axes ask of speed, acceleration and jerk at one place, each over its limit: at most 1.
 struct PlaceLimits {
-  int count = 0;            ///< axes that can limit; 1 on a line
-  double ceiling = 0;       ///< [mm/s]
-  std::array<double, 3> at; ///< T_j / A_j
-  std::array<double, 3> ac; ///< c_j / A_j
-  std::array<double, 3> jt; ///< T_j / J_j
-  std::array<double, 3> jc; ///< 3 c_j / J_j
-  std::array<double, 3> jd; ///< d_j / J_j
+  int count = 0;             ///< axes that can limit; 1 on a line
+  double ceiling = 0;        ///< [mm/s]
+  std::array<double, 3> at;  ///< T_j / A_j
+  std::array<double, 3> ac;  ///< c_j / A_j
+  std::array<double, 3> jt;  ///< T_j / J_j
+  std::array<double, 3> jc;  ///< 3 c_j / J_j
+  std::array<double, 3> jd;  ///< d_j / J_j
   std::array<std::int8_t, 3> axis;
 
-  PlaceLimits(const PathPoint& point, bool straight, double speed, const Vec3& acceleration, const Vec3& jerk);
+  PlaceLimits(const PathPoint& point, bool straight, double speed, const Vec3& acceleration,
+              const Vec3& jerk);
   double acceleration(int k, double v, double a) const;
   double jerk(int k, double v, double a, double j) const;
 };
@@ -56,9 +57,9 @@ struct CellPlace {
   PlaceLimits limits;
 };
 
-/// Sum of cost and slopes of the cell's time and of mu times its barriers -log(1 - p^2), p what is asked of the
-/// limits. Slopes by (v0^2, a0, v1^2, a1): in these, what couples speed and acceleration along the path is
-/// linear. `curvature` without the second slopes of p, hence positive.
+/// Sum of cost and slopes of the cell's time and of mu times its barriers -log(1 - p^2), p what is asked of
+/// the limits. Slopes by (v0^2, a0, v1^2, a1): in these, what couples speed and acceleration along the path
+/// is linear. `curvature` without the second slopes of p, hence positive.
 struct CellCost {
   double value = 0;  ///< infinite where a limit is not kept
   Eigen::Vector4d slope = Eigen::Vector4d::Zero();

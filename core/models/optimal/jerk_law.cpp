@@ -14,17 +14,17 @@ constexpr double turning = 0.4;
 constexpr double along = 0.5;
 constexpr double turning_jerk = 0.25;
 
-constexpr double ramp_cells = 5;       ///< cells in the time of the shortest ramp
-constexpr double stretch_cells = 20;   ///< cells of a stretch at least
-constexpr double growth = 0.4;         ///< of cells by time, away from where the law may change
-constexpr double level_after = 2;      ///< ramp times within which they stay short
-constexpr double cell_turn = 0.15;     ///< [rad]
+constexpr double ramp_cells = 5;      ///< cells in the time of the shortest ramp
+constexpr double stretch_cells = 20;  ///< cells of a stretch at least
+constexpr double growth = 0.4;        ///< of cells by time, away from where the law may change
+constexpr double level_after = 2;     ///< ramp times within which they stay short
+constexpr double cell_turn = 0.15;    ///< [rad]
 constexpr std::size_t window_cells = 256;
-constexpr double window_ramps = 8;     ///< a window lasts so many ramps at least
+constexpr double window_ramps = 8;  ///< a window lasts so many ramps at least
 
 double largest_part(const PathCell& cell, int axis, Vec3 PathPoint::*of) {
-  return std::max({std::abs((cell.from.*of)[axis]), std::abs((cell.middle.*of)[axis]),
-                   std::abs((cell.to.*of)[axis])});
+  return std::max(
+      {std::abs((cell.from.*of)[axis]), std::abs((cell.middle.*of)[axis]), std::abs((cell.to.*of)[axis])});
 }
 
 double turn_of(const std::vector<PathCell>& cells) {
@@ -329,7 +329,8 @@ void JerkLaw::improve(ProgressSteps& steps) {
 double JerkLaw::time() const {
   double sum = 0;
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    sum += CellMotion::through(cells_[i].length, nodes_[i].v, nodes_[i].a, nodes_[i + 1].v, nodes_[i + 1].a).time;
+    sum += CellMotion::through(cells_[i].length, nodes_[i].v, nodes_[i].a, nodes_[i + 1].v, nodes_[i + 1].a)
+               .time;
   }
   return sum;
 }
@@ -375,8 +376,8 @@ Cause JerkLaw::cause_of(std::size_t cell, const CellMotion& m) const {
     for (int k = 0; k < limits.count; ++k) {
       const std::int8_t axis = limits.axis[static_cast<std::size_t>(k)];
       const double acceleration = std::abs(limits.acceleration(k, m.v_middle, m.a_middle));
-      const double jerk = std::max(std::abs(limits.jerk(k, m.v0, m.a0, m.j1)),
-                                   std::abs(limits.jerk(k, m.v1, m.a1, m.j2)));
+      const double jerk =
+          std::max(std::abs(limits.jerk(k, m.v0, m.a0, m.j1)), std::abs(limits.jerk(k, m.v1, m.a1, m.j2)));
       if (acceleration > largest) {
         largest = acceleration;
         cause = {CauseKind::axis_acceleration, axis};

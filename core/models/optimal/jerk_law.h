@@ -14,8 +14,8 @@ namespace feedscope {
 ///   |T_j s''' + 3 c_j v v' + d_j v^3| <= J_j
 ///
 /// on lines and arcs of the program with J, on corner blends with Jtb. It begins with a law that keeps static
-/// limits of every element, as the planned models do, passed slower until it keeps all limits strictly, and is
-/// improved by JerkSolver in windows that overlap. Two pieces of constant jerk a cell. Curvature may jump
+/// limits of every element, as the planned models do, passed slower until it keeps all limits strictly, and
+/// is improved by JerkSolver in windows that overlap. Two pieces of constant jerk a cell. Curvature may jump
 /// between elements: v and v' are continuous there, the acceleration across the path is not.
 class JerkLaw {
  public:
@@ -80,8 +80,8 @@ class JerkLaw {
 
   std::vector<PathCell> geometry_;  ///< of element loaded_
   std::uint32_t loaded_ = 0;
-  SpeedBound feed_;                 ///< of that element
-  std::size_t at_ = 0;              ///< last geometry cell looked at
+  SpeedBound feed_;     ///< of that element
+  std::size_t at_ = 0;  ///< last geometry cell looked at
   double excess_ = 1;
 };
 

@@ -21,7 +21,8 @@ bool JerkSolver::keeps_limits(const std::vector<SolverCell>& cells, const std::v
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const CellMotion motion =
         CellMotion::through(cells[i].length, nodes[i].v, nodes[i].a, nodes[i + 1].v, nodes[i + 1].a);
-    if (!std::isfinite(cell_value(motion, &places[cells[i].first], &places[cells[i].first] + (cells[i].last - cells[i].first), 1))) {
+    if (!std::isfinite(cell_value(motion, &places[cells[i].first],
+                                  &places[cells[i].first] + (cells[i].last - cells[i].first), 1))) {
       return false;
     }
   }

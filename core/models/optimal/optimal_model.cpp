@@ -14,6 +14,7 @@ constexpr const char* usual_path = "essid";
 
 /// What the limits are exceeded by at most between the places of a curve that are looked at.
 constexpr double between_places = 1.005;
+constexpr double jerk_between_places = 1.02;
 
 /// What the models whose paths can be taken read, each key once.
 void add_settings_of_paths(ModelInfo& info, SettingSpec& path) {
@@ -62,7 +63,8 @@ ModelInfo make_info() {
   jerk.key = "jerk";
   jerk.title = "Jerk limits";
   jerk.explanation =
-      "on: a law that keeps the jerk of every axis too, close to the fastest; off: the fastest under velocity "
+      "on: a law that keeps the jerk of every axis too, close to the fastest; off: the fastest under "
+      "velocity "
       "and acceleration limits.";
   jerk.choices = {"on", "off"};
   info.settings.insert(info.settings.begin(), {path, jerk});
@@ -85,6 +87,11 @@ Guarantees OptimalModel::guarantees(const Settings& settings) const {
   promised.arcs = promised.blends = promised.lines;
   promised.arcs.acceleration.factor = promised.blends.acceleration.factor = between_places;
   promised.arcs.velocity.factor = promised.blends.velocity.factor = between_places;
+  if (settings.text("jerk") == "on") {
+    promised.lines.jerk = {KeptLimit::Of::whole};
+    promised.arcs.jerk = promised.blends.jerk = {KeptLimit::Of::whole, jerk_between_places};
+    promised.blends.of_blend_jerk = true;
+  }
   promised.contour = inner.contour;
   promised.meets_tangent_ends = inner.meets_tangent_ends;
   promised.stops_at_line_corners = inner.contour == 0;

@@ -11,6 +11,10 @@ namespace feedscope {
 ///
 ///   velocity      v |T_j| <= V_j, programmed feed and rapids as ceilings
 ///   acceleration  |T_j v' + c_j v^2| <= A_j
+///   jerk          |T_j v'' + 3 c_j v v' + d_j v^3| <= J_j, Jtb_j in corners; only with jerk=on
+///
+/// Primes of v by time. Without jerk limits the bound is exact but for its grid (AccelerationLaw); with them
+/// it is the time of a law that keeps them and is close to the fastest (JerkLaw).
 class OptimalModel : public ControlModel {
  public:
   const ModelInfo& info() const override;

@@ -19,6 +19,7 @@ Settings settings_on(const std::string& path, const Machine& machine) {
   const ControlModel& optimal = find_model("optimal");
   Settings settings = complete_settings(optimal, machine);
   settings.set("path", path);
+  settings.set("jerk", std::string("off"));
   return settings;
 }
 
