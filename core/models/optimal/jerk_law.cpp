@@ -70,7 +70,8 @@ const Vec3& JerkLaw::jerk_of(std::uint32_t index) const {
   return builder_.path().in_corner(index) ? axes_.blend_jerk : axes_.jerk;
 }
 
-void JerkLaw::load_element(std::uint32_t index) {
+void JerkLaw::load_element(std::uint32_t index, int fineness) {
+  rule_.fineness = fineness;
   feed_ = programmed_speed(toolpath_, builder_.path().segment(index), axes_.velocity);
   rule_.speed = feed_.value;
   geometry_.clear();
@@ -265,7 +266,7 @@ void JerkLaw::add_places(const Cell& cell) {
     point_at(cell.offset);
     const std::size_t from = at_;
     point_at(cell.offset + cell.length);
-    const int parts = 2 * static_cast<int>(at_ - from + 1);
+    const int parts = at_ == from ? 2 : 4;
     for (int k = 0; k <= parts; ++k) {
       const double share = static_cast<double>(k) / parts;
       places_.push_back({share, limits_at(cell.offset + share * cell.length)});
@@ -409,7 +410,7 @@ void JerkLaw::add_pieces(std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     const Cell& cell = cells_[i];
     if (cell.element != loaded_ || i == first) {
-      load_element(cell.element);
+      load_element(cell.element, 2);
     }
     const CellMotion m =
         CellMotion::through(cell.length, nodes_[i].v, nodes_[i].a, nodes_[i + 1].v, nodes_[i + 1].a);

@@ -54,7 +54,7 @@ class JerkLaw {
   void add_pieces(std::size_t first, std::size_t last);
   void add_half(const Cell& cell, const Motion1d& from, double jerk, double time, Cause cause);
   Cause cause_of(std::size_t cell, const CellMotion& motion) const;
-  void load_element(std::uint32_t index);
+  void load_element(std::uint32_t index, int fineness = 1);
   PathPoint point_at(double s);
   PlaceLimits limits_at(double s);
   const Vec3& jerk_of(std::uint32_t index) const;

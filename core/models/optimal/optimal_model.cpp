@@ -47,10 +47,8 @@ ModelInfo make_info() {
   info.reference = "";
   info.summary =
       "The least time that any law could take on the path that another model runs, its blends included, "
-      "under "
-      "the limits of the axes and the programmed feed: what a better control could still win. The settings "
-      "of "
-      "the other model shape the path.";
+      "under the limits of the axes and the programmed feed: what a better control could still win. The "
+      "settings of the other model shape the path.";
   SettingSpec path;
   path.key = "path";
   path.title = "Path of the model";
@@ -64,8 +62,7 @@ ModelInfo make_info() {
   jerk.title = "Jerk limits";
   jerk.explanation =
       "on: a law that keeps the jerk of every axis too, close to the fastest; off: the fastest under "
-      "velocity "
-      "and acceleration limits.";
+      "velocity and acceleration limits.";
   jerk.choices = {"on", "off"};
   info.settings.insert(info.settings.begin(), {path, jerk});
   info.remarks = {"Stops only where the path itself has a kink, a reversal or a dwell.",
