@@ -17,8 +17,10 @@ constexpr double turning_jerk = 0.25;
 constexpr double ramp_cells = 5;      ///< cells in the time of the shortest ramp
 constexpr double stretch_cells = 20;  ///< cells of a stretch at least
 constexpr double growth = 0.4;        ///< of cells by time, away from where the law may change
-constexpr double level_after = 2;     ///< ramp times within which they stay short
-constexpr double cell_turn = 0.15;    ///< [rad]
+/// Cells last longer in the first law than they will, up to this share, where it is slower than the feed.
+constexpr double least_speed_share = 0.3;
+constexpr double level_after = 2;   ///< ramp times within which they stay short
+constexpr double cell_turn = 0.15;  ///< [rad]
 constexpr std::size_t window_cells = 256;
 constexpr double window_ramps = 8;  ///< a window lasts so many ramps at least
 
@@ -207,7 +209,9 @@ void JerkLaw::cut_element(std::uint32_t index, double begin) {
   phase_ = phase;
   const double jerk = axis_share(jerk_of(index), geometry_.front().from.t).value;
   const double ramp = std::min(ramp_time_, std::sqrt(feed_.value / jerk));
-  const double unit = std::min(ramp / ramp_cells, planned_duration_ / stretch_cells);
+  const double planned_speed = length / duration;
+  const double speed_up = std::max(planned_speed / feed_.value, least_speed_share);
+  const double unit = std::min(ramp / ramp_cells / speed_up, planned_duration_ / stretch_cells);
   const double most = duration / std::ceil(std::max(turn_of(geometry_) / cell_turn, 1.0));
   std::vector<double> times;
   double t = 0;
@@ -395,7 +399,8 @@ Cause JerkLaw::cause_of(std::size_t cell, const CellMotion& m) const {
 
 void JerkLaw::add_half(const Cell& cell, const Motion1d& from, double jerk, double time, Cause cause) {
   builder_.add_piece({0, cell.offset + from.s, from.v, from.a, jerk, cell.element, cause}, time);
-  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+  const double crest = jerk < 0 ? std::clamp(-from.a / (jerk * time), 0.0, 1.0) : 0;  // of the speed
+  for (const double share : {0.0, 0.25, 0.5, 0.75, 1.0, crest}) {
     const Motion1d at = advance(from, jerk, share * time);
     const PlaceLimits limits = limits_at(cell.offset + at.s);
     excess_ = std::max(excess_, at.v / limits.ceiling);
