@@ -54,7 +54,7 @@ void JerkLaw::run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps)
   cut_cells(first, last);
   start_strictly();
   improve(steps);
-  if (time() >= planned_duration_) {
+  if (straight_ && time() >= planned_duration_) {
     add_planned(first);
     return;
   }
@@ -123,8 +123,10 @@ PlanElement JerkLaw::plan_element(std::uint32_t index) {
 
 void JerkLaw::plan(std::uint32_t first, std::uint32_t last) {
   plan_.clear();
+  straight_ = true;
   for (std::uint32_t e = first; e < last; ++e) {
     plan_.push_back(plan_element(e));
+    straight_ = straight_ && geometry_.front().straight;
   }
   std::vector<SpeedBound> ceilings(plan_.size() + 1);
   for (std::size_t j = 1; j < plan_.size(); ++j) {

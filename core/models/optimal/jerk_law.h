@@ -68,6 +68,7 @@ class JerkLaw {
   std::vector<PlanNode> plan_nodes_;
   std::vector<Phase> phases_;
   double planned_duration_ = 0;
+  bool straight_ = false;  ///< the whole stretch
   std::size_t phase_ = 0;
   double ramp_time_ = 0;  ///< of the fastest ramps [s]
 
