@@ -88,6 +88,18 @@ BlendShape::Point BlendShape::at(double u) const {
   return point;
 }
 
+Vec3 BlendShape::largest_tangent() const {
+  // The tangent turns from one direction to the other: p cos(a) + q sin(a) on each axis, 0 <= a <= phi < pi.
+  Vec3 largest;
+  for (int j = 0; j < 3; ++j) {
+    const double p = first_[j], q = second_[j];
+    const double slope_at_end = q * cos_ - p * sin_;
+    const bool crest = q * slope_at_end < 0;
+    largest[j] = crest ? std::hypot(p, q) : std::max(std::abs(p), std::abs(p * cos_ + q * sin_));
+  }
+  return largest;
+}
+
 double least_radius(const BlendShape& shape) {
   constexpr int intervals = 32;
   double largest = 0;

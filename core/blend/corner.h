@@ -59,6 +59,8 @@ class BlendShape {
   /// `in`, `out`: unit directions that differ.
   BlendShape(const Vec3& in, const Vec3& out, double transition, double alpha);
   Point at(double u) const;
+  /// Per axis the largest part of the unit tangent anywhere on the blend.
+  Vec3 largest_tangent() const;
   /// Curvature at u = 1/2: alpha (4 - alpha) tan^2(phi/2) / (8 eps (3/2 - alpha/4)^2).
   double middle_curvature() const { return at(0.5).k; }
 

@@ -39,15 +39,19 @@ double reachable_speed(double v0, double length, const RampLimits& limits) {
     const double b = full / 2;
     return -b + std::sqrt((v0 - b) * (v0 - b) + 2 * A * length);
   }
-  // x^3 + 2 v0 x = length sqrt(J) with x = sqrt(v1 - v0)
+  // x^3 + 2 v0 x = length sqrt(J) with x = sqrt(v1 - v0): convex, so that Newton's steps from above only
+  // fall. Each of the two terms alone gives an upper bound.
   const double rhs = length * std::sqrt(J);
-  const double third = 2 * v0 / 3;
-  double x;
-  if (third <= 1e-12 * std::cbrt(rhs * rhs)) {
-    x = std::cbrt(rhs);
-  } else {
-    const double root = std::sqrt(third);
-    x = 2 * root * std::sinh(std::asinh(rhs / (2 * third * root)) / 3);
+  double x = std::cbrt(rhs);
+  if (2 * v0 * x > rhs) {
+    x = rhs / (2 * v0);
+  }
+  for (int i = 0; i < 60; ++i) {
+    const double step = (x * (x * x + 2 * v0) - rhs) / (3 * x * x + 2 * v0);
+    if (!(step > 1e-16 * x)) {
+      break;
+    }
+    x -= step;
   }
   return v0 + x * x;
 }
@@ -98,7 +102,9 @@ SpeedProfile plan_profile(double v0, double a0, double v1, double length, double
     profile.phases = {up[0], up[1], up[2], Phase{}, down[0], down[1], down[2]};
   };
   const auto excess = [&](double peak) {
-    return covered(v0, a0, speed_change(v0, a0, peak, limits)) + ramp_length(peak, v1, limits) - length;
+    const double first =
+        a0 == 0 ? ramp_length(v0, peak, limits) : covered(v0, a0, speed_change(v0, a0, peak, limits));
+    return first + ramp_length(peak, v1, limits) - length;
   };
 
   const double settled = v0 + a0 * std::abs(a0) / (2 * limits.jerk);

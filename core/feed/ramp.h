@@ -33,7 +33,7 @@ double ramp_time(double v0, double v1, const RampLimits& limits);
 double ramp_length(double v0, double v1, const RampLimits& limits);
 
 /// Highest speed that a ramp from `v0` reaches within `length` [mm/s]; also the highest speed from which `v0`
-/// is reached, the ramp being its own mirror image. Closed form.
+/// is reached, the ramp being its own mirror image. Exact to rounding.
 double reachable_speed(double v0, double length, const RampLimits& limits);
 
 /// Phases that bring (v, a) to (target, 0) fastest: jerk, constant acceleration, opposite jerk.

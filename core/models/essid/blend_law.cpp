@@ -152,21 +152,9 @@ SpeedBound entry_speed_limit(const BlendShape::Point& entry, const SpeedBound& f
 
 MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& speed,
                                  const BlendLimits& limits) {
-  constexpr int intervals = 8;
-  MotionLimits least{
-      speed, {std::numeric_limits<double>::infinity(), -1}, {std::numeric_limits<double>::infinity(), -1}};
-  for (int i = 0; i <= intervals; ++i) {
-    const Vec3 tangent = shape.at(static_cast<double>(i) / intervals).tangent;
-    const AxisBound acceleration = axis_share(limits.tangential_acceleration, tangent);
-    const AxisBound jerk = axis_share(limits.tangential_jerk, tangent);
-    if (acceleration.value < least.acceleration.value) {
-      least.acceleration = acceleration;
-    }
-    if (jerk.value < least.jerk.value) {
-      least.jerk = jerk;
-    }
-  }
-  return least;
+  const Vec3 tangent = shape.largest_tangent();
+  return {speed, axis_share(limits.tangential_acceleration, tangent),
+          axis_share(limits.tangential_jerk, tangent)};
 }
 
 BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& ceiling,

@@ -147,6 +147,26 @@ TEST(BlendShape, AgreesWithTheCurveAndItsFiniteDifferences) {
   }
 }
 
+TEST(BlendShape, LargestTangentIsTheLargestOfManyPlaces) {
+  const auto unit = directions();
+  for (const Vec3& in : unit) {
+    for (const Vec3& out : unit) {
+      const double turn = turn_angle(in, out);
+      if (turn < 0.01 || turn > 3) {
+        continue;
+      }
+      const BlendShape shape(in, out, 0.5, 2.5);
+      Vec3 largest = Vec3::Zero();
+      for (int i = 0; i <= 2000; ++i) {
+        largest = largest.cwiseMax(shape.at(i / 2000.0).tangent.cwiseAbs());
+      }
+      const Vec3 exact = shape.largest_tangent();
+      ASSERT_TRUE((exact.array() >= largest.array() - 1e-12).all());
+      ASSERT_LT((exact - largest).norm(), 1e-3);
+    }
+  }
+}
+
 TEST(ElementCurve, DerivativesByPathLengthBelongToAUnitSpeedCurve) {
   const auto unit = directions();
   ElementCurve curve;
