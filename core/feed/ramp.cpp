@@ -90,8 +90,29 @@ double SpeedProfile::length() const {
   return motion.s;
 }
 
-SpeedProfile plan_profile(double v0, double a0, double v1, double length, double ceiling,
-                          const RampLimits& limits) {
+namespace {
+
+/// Takes a rounding error out of the length: all speeds changed by the same share, all times kept.
+void fit_length(SpeedProfile& profile, double length) {
+  constexpr double rounding = 1e-6;
+  const double factor = length / profile.length();
+  profile.feasible = std::abs(factor - 1) <= rounding;
+  if (profile.feasible) {
+    profile.v0 *= factor;
+    profile.a0 *= factor;
+    profile.peak *= factor;
+    for (Phase& phase : profile.phases) {
+      phase.jerk *= factor;
+    }
+  }
+}
+
+SpeedProfile plan_unfitted(double v0, double a0, double v1, double length, double ceiling,
+                           const RampLimits& limits) {
+  constexpr double rounding = 1e-12;
+  if (a0 == 0 && std::abs(v1 - v0) <= rounding * v0) {
+    v0 = v1;  // a ramp would take the root of it in time
+  }
   SpeedProfile profile;
   profile.v0 = v0;
   profile.a0 = a0;
@@ -123,7 +144,6 @@ SpeedProfile plan_profile(double v0, double a0, double v1, double length, double
     high = std::max(settled, v1);
     if (excess(low) > tolerance) {
       build(low);
-      profile.feasible = excess(low) <= 1e-9 * (length + 1e-3);
       return profile;
     }
   }
@@ -138,7 +158,8 @@ SpeedProfile plan_profile(double v0, double a0, double v1, double length, double
       peak = (low + high) / 2;
     }
     const double f = excess(peak);
-    if (std::abs(f) <= 1e-15 * (length + 1e-3)) {
+    if (f <= 0 && f >= -1e-15 * (length + 1e-3)) {
+      low = peak;
       break;
     }
     if (f < 0) {
@@ -153,7 +174,21 @@ SpeedProfile plan_profile(double v0, double a0, double v1, double length, double
       side = 1;
     }
   }
-  build(peak);
+  // A peak next to v0 or v1 is too coarse a measure of the length, which goes with its root: the rest is run
+  // at the peak.
+  build(low);
+  profile.phases[3] = {low > 0 ? std::max(-excess(low), 0.0) / low : 0, 0};
+  return profile;
+}
+
+}  // namespace
+
+SpeedProfile plan_profile(double v0, double a0, double v1, double length, double ceiling,
+                          const RampLimits& limits) {
+  SpeedProfile profile = plan_unfitted(v0, a0, v1, length, ceiling, limits);
+  fit_length(profile, length);
+  const bool turns_back = a0 < 0 && v0 - a0 * a0 / (2 * limits.jerk) < 0;
+  profile.feasible = profile.feasible && !turns_back;
   return profile;
 }
 

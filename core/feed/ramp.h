@@ -58,8 +58,9 @@ struct SpeedProfile {
 };
 
 /// The profile of highest peak, at most `ceiling`, that covers `length` exactly and ends at (v1, 0)
-/// (the seven-phase law on a line of Essid 2019 and Dong 2014). Not feasible if even braking at once is too
-/// long, or if v1 lies beyond what the length allows to reach.
+/// (the seven-phase law on a line of Essid 2019 and Dong 2014). Its length is exact: where rounding leaves up
+/// to 1e-6 of it, all speeds are changed by that share. Not feasible if even braking at once is too long, if
+/// v1 lies beyond what the length allows to reach, or if `a0` is so low that the speed would fall below 0.
 SpeedProfile plan_profile(double v0, double a0, double v1, double length, double ceiling,
                           const RampLimits& limits);
 

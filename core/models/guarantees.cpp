@@ -107,7 +107,7 @@ std::string stop_sentence(const Guarantees& g) {
     places.emplace_back("at reversals");
   }
   if (g.stops_at_rapids) {
-    places.emplace_back("between rapid and feed motion");
+    places.emplace_back("before and after every rapid");
   }
   return places.empty() ? "Full stops at dwells only." : fmt::format("Full stops {}.", listed(places));
 }

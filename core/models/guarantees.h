@@ -58,7 +58,7 @@ struct Guarantees {
   bool stops_at_line_corners = false;  ///< of two lines
   bool stops_at_arc_corners = false;   ///< that touch an arc
   bool stops_at_reversals = true;
-  bool stops_at_rapids = true;  ///< between rapid and feed motion
+  bool stops_at_rapids = true;  ///< before and after every one
 };
 
 /// All three limits of every axis kept in whole.

@@ -28,6 +28,19 @@ Arc arc_between(const Vec3& start, const Vec3& end, const ArcWords& words) {
   return arc;
 }
 
+/// Largest gap that is left before an arc [mm].
+constexpr double arc_gap = 1e-10;
+
+Segment line_segment(const Vec3& start, const MotionBlock& block) {
+  Segment segment;
+  segment.end = block.target;
+  segment.length = (block.target - start).norm();
+  segment.feed = block.feed;
+  segment.line = block.line;
+  segment.rapid = block.motion == Motion::rapid;
+  return segment;
+}
+
 Vec3 tangent(const Toolpath& toolpath, std::size_t i, bool at_end) {
   const Segment& segment = toolpath.segments[i];
   switch (segment.kind) {
@@ -66,8 +79,15 @@ Toolpath build_toolpath(const Program& program) {
   toolpath.bounds = program.bounds;
   toolpath.segments.reserve(program.motions.size());
   toolpath.arcs.reserve(program.arcs.size());
-  Vec3 position = toolpath.start;
+  Vec3 position = toolpath.start;  // where the last segment ends
+  MotionBlock skipped;             // the last line too short to be a segment
+  skipped.target = position;
   for (const MotionBlock& block : program.motions) {
+    // An arc is exact only from its programmed start.
+    if (block.motion == Motion::arc && (skipped.target - position).norm() > arc_gap) {
+      toolpath.segments.push_back(line_segment(position, skipped));
+      position = skipped.target;
+    }
     Segment segment;
     segment.end = block.target;
     segment.feed = block.feed;
@@ -91,13 +111,17 @@ Toolpath build_toolpath(const Program& program) {
       }
       case Motion::rapid:
       case Motion::line:
-        segment.length = (block.target - position).norm();
+        segment = line_segment(position, block);
         if (segment.length <= same_point) {
+          skipped = block;
           continue;
         }
         break;
     }
     position = segment.end;
+    if (segment.kind != SegmentKind::dwell) {
+      skipped.target = position;
+    }
     toolpath.segments.push_back(segment);
   }
   return toolpath;

@@ -37,7 +37,8 @@ struct Toolpath {
 };
 
 /// Blocks to segments: arcs get frames, helices stay helices, blocks that do not move vanish.
-/// Ends are the programmed points exactly; a line no longer than same_point vanishes too.
+/// Ends are the programmed points exactly; a line no longer than same_point vanishes too, unless an arc
+/// begins at its end.
 Toolpath build_toolpath(const Program& program);
 /// The same; the motions and arcs of `program`, which the toolpath replaces, are given up.
 Toolpath take_toolpath(Program& program);

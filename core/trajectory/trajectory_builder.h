@@ -37,7 +37,8 @@ class TrajectoryBuilder {
     content_.filtered_corners.push_back(static_cast<std::uint32_t>(path().size() - 1));
   }
 
-  /// Appends a piece that lasts `duration` [s]; `piece.time` is set here. Nothing for duration <= 0.
+  /// Appends a piece that lasts `duration` [s]; `piece.time` is set here. Nothing for duration <= 0, nor
+  /// for one that is lost in the rounding of the time reached.
   void add_piece(Piece piece, double duration);
   /// A place in the motion: what is added next begins there.
   struct Mark {

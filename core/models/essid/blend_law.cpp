@@ -150,11 +150,34 @@ SpeedBound entry_speed_limit(const BlendShape::Point& entry, const SpeedBound& f
   return bound;
 }
 
-MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& speed,
+namespace {
+
+/// Lowers the speed at u = 0 to what keeps rows (0)-(3) at `p`, whether the blend is passed at constant speed
+/// or at constant du/dt; `sigma`: at u = 0.
+void lower_to_steady_rows(SpeedBound& speed, double feed, const BlendShape::Point& p, double sigma,
+                          const BlendLimits& limits) {
+  const double share = p.sigma / sigma;  // of the speed at u = 0, at constant du/dt
+  const double growth = std::max(1.0, share);
+  const AxisBound velocity = axis_share(limits.velocity, growth * p.tangent);
+  const AxisBound across = axis_share(limits.radial_acceleration, share * share * p.k * p.normal);
+  speed.lower(feed / growth, speed.cause);
+  speed.lower(velocity.value, {CauseKind::blend_velocity, velocity.axis});
+  speed.lower(std::sqrt(across.value), {CauseKind::blend_radial_acceleration, across.axis});
+}
+
+}  // namespace
+
+MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& speed, double feed,
                                  const BlendLimits& limits) {
+  constexpr int intervals = 8;
   const Vec3 tangent = shape.largest_tangent();
-  return {speed, axis_share(limits.tangential_acceleration, tangent),
-          axis_share(limits.tangential_jerk, tangent)};
+  MotionLimits least{speed, axis_share(limits.tangential_acceleration, tangent),
+                     axis_share(limits.tangential_jerk, tangent)};
+  const double sigma = shape.at(0).sigma;
+  for (int i = 0; i <= intervals; ++i) {
+    lower_to_steady_rows(least.speed, feed, shape.at(static_cast<double>(i) / intervals), sigma, limits);
+  }
+  return least;
 }
 
 BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& ceiling,
@@ -169,15 +192,20 @@ BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& c
   while (motion.steps.size() < most_samples && now.du > 1e-3 * du) {
     const auto [jerk, cause] = runner.choose(now, period);
     const Sample next = step(now, jerk, period);
-    motion.peak_speed = std::max(motion.peak_speed, shape.at(now.u).sigma * now.du);
+    const double duration = next.u < 1 ? period : time_to_end(now, jerk, period);
+    for (const Sample& sample : {now, step(now, jerk, duration / 2)}) {
+      const BlendShape::Point p = shape.at(sample.u);
+      const double v = p.sigma * sample.du;
+      motion.peak_speed = std::max(motion.peak_speed, v);
+      motion.peak_axis_use = std::max(motion.peak_axis_use, v / axis_share(limits.velocity, p.tangent).value);
+    }
     if (next.u < 1) {
       motion.steps.push_back({period, now.u, now.du, now.ddu, jerk, cause});
       now = next;
       continue;
     }
-    const double rest = time_to_end(now, jerk, period);
-    motion.steps.push_back({rest, now.u, now.du, now.ddu, jerk, cause});
-    const Sample end = step(now, jerk, rest);
+    motion.steps.push_back({duration, now.u, now.du, now.ddu, jerk, cause});
+    const Sample end = step(now, jerk, duration);
     const BlendShape::Point p = shape.at(1);
     motion.exit_speed = p.sigma * end.du;
     motion.peak_speed = std::max(motion.peak_speed, motion.exit_speed);

@@ -30,8 +30,11 @@ inline constexpr double sharp_turn = 2.0;
 SpeedBound entry_speed_limit(const BlendShape::Point& entry, const SpeedBound& feed,
                              const BlendLimits& limits);
 
-/// Least tangential acceleration and jerk that the axes allow anywhere on the blend [mm/s2, mm/s3].
-MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& speed, const BlendLimits& limits);
+/// Least tangential acceleration and jerk that the axes allow anywhere on the blend [mm/s2, mm/s3], and
+/// `speed`, lowered where rows (0)-(3) of eq 24 ask for less further on: eq 26 looks at the entry only, where
+/// the curvature is less than in the middle and another axis may bear it. `feed`: programmed [mm/s].
+MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& speed, double feed,
+                                 const BlendLimits& limits);
 
 /// One sampling interval on a blend: constant parametric jerk.
 struct BlendStep {
@@ -47,7 +50,8 @@ struct BlendStep {
 struct BlendMotion {
   std::vector<BlendStep> steps;
   double exit_speed = 0;         ///< [mm/s]
-  double peak_speed = 0;         ///< largest of all samples [mm/s]
+  double peak_speed = 0;         ///< largest at the samples and half way between them [mm/s]
+  double peak_axis_use = 0;      ///< largest share of an axis velocity at the same places
   double exit_acceleration = 0;  ///< along the path [mm/s2]
   bool complete = false;         ///< false: the tool would stall on the blend
 };

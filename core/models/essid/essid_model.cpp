@@ -46,8 +46,11 @@ const ModelInfo& EssidModel::info() const {
         {alpha, used_tolerance_setting(), reading},
         {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "radial_acceleration_share",
          "radial_jerk_share"},
-        {"At the entry of a blend the radial share of the jerk is kept; further on it is exceeded by up to "
-         "about 1.7 (reading strict keeps it)."}};
+        {"reading corrected, published: at the entry of a blend the radial shares of acceleration and jerk "
+         "are "
+         "kept. Further on, with equal axes and shares of 0.2, the acceleration stays within 1.01 and the "
+         "jerk "
+         "within 2.2 times the limit; the curvature grows up to five times, and other axes bear it."}};
   }();
   return info;
 }
@@ -62,8 +65,11 @@ Guarantees EssidModel::guarantees(const Settings& settings) const {
   promised.lines = all_kept();
   promised.lines.velocity.factor = promised.feed;
   promised.arcs = static_arc_limits();
-  promised.blends = {
-      {Of::whole, promised.feed}, {Of::whole, promised.feed}, {Of::whole, strict ? 1 : 2.2}, true};
+  promised.blends.velocity = {Of::whole, promised.feed};
+  if (strict) {
+    promised.blends = all_kept();
+    promised.blends.of_blend_jerk = true;
+  }
   promised.contour = 1;
   promised.stops_at_arc_corners = true;
   return promised;

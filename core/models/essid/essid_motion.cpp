@@ -72,7 +72,8 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
   for (const double share : {1.0, 0.5, 0.0}) {
     ceiling.value = speed_ + share * (fastest - speed_);
     const BlendMotion motion = run_blend(blend.shape, speed_, ceiling, blend_limits_, period);
-    if (!motion.complete || motion.peak_speed > fastest * sampled_slack) {
+    if (!motion.complete || motion.peak_speed > fastest * sampled_slack ||
+        motion.peak_axis_use > sampled_slack) {
       continue;
     }
     const double carried = settings_.reading == EssidReading::published ? 0 : motion.exit_acceleration;
@@ -83,6 +84,9 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
       add_blend_steps(motion.steps, e, nodes[target].cause);
       speed_ = motion.exit_speed;
       return target;
+    }
+    if (std::abs(carried) > span.acceleration.value) {
+      continue;
     }
     const SpeedProfile profile = profile_to(end_speed, span, motion.exit_speed, carried);
     if (profile.feasible && first_too_fast(stretch_.plan, stretch_.ceiling, e + 1, last, profile) == last) {

@@ -51,7 +51,7 @@ CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
     const SpeedBound steady = steady_speed_limit(shape, place.feed, blend_limits_);
     speed.lower(steady.value, steady.cause);
   }
-  const MotionLimits limits = blend_motion_limits(shape, speed, blend_limits_);
+  const MotionLimits limits = blend_motion_limits(shape, speed, place.feed.value, blend_limits_);
   blends_.push_back({shape, place.feed, corner.turn, limits.jerk.value});
   return {ElementKind::blend, corner.transition, curve.length(), limits};
 }

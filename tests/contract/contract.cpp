@@ -1,0 +1,89 @@
+#include "tests/contract/contract.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <fstream>
+
+#include "core/program/program.h"
+
+namespace feedscope::contract {
+namespace {
+
+std::string text_of(const Case& example) {
+  return fmt::format("{}\n", fmt::join(example.lines, "\n"));
+}
+
+Result check_run(const Toolpath& toolpath, const Inputs& inputs) {
+  const Trajectory run = inputs.model.simulate(toolpath, inputs.machine, inputs.settings);
+  const Guarantees promised = inputs.model.guarantees(inputs.settings);
+  const double tolerance =
+      inputs.settings.has("contour_tolerance_mm") ? inputs.settings.number("contour_tolerance_mm") : 0;
+  const Motion motion(toolpath, run);
+  const auto first_of = [](auto... checks) {
+    Result broken;
+    ((broken = broken ? broken : checks()), ...);
+    return broken;
+  };
+  return first_of(
+      [&] { return check_time(motion); }, [&] { return check_finite(motion); },
+      [&] { return check_summary(motion, inputs.machine); }, [&] { return check_ends(motion, promised); },
+      [&] { return check_continuity(motion, promised); },
+      [&] { return check_limits(motion, promised, inputs.machine); },
+      [&] { return check_feed(motion, promised); }, [&] { return check_stops(motion, promised); },
+      [&] { return check_contour(motion, promised, tolerance); }, [&] { return check_derivatives(motion); },
+      [&] { return check_displacement(motion); }, [&] { return check_path_lookup(motion); },
+      [&] { return check_again(motion, inputs); }, [&] { return check_split(motion, promised, inputs); });
+}
+
+}  // namespace
+
+Result check_case(const Case& example) {
+  try {
+    const Program program =
+        read_program(std::make_shared<const SourceText>(SourceText("program", text_of(example))));
+    const ControlModel& model = find_model(example.model);
+    return check_run(build_toolpath(program),
+                     {model, example.machine, complete_settings(model, example.machine)});
+  } catch (const std::exception& error) {
+    return Finding{"throws", error.what()};
+  }
+}
+
+Case smallest(const Case& broken, const std::string& check) {
+  constexpr int most_runs = 2000;
+  Case best = broken;
+  int runs = 0;
+  for (std::size_t chunk = best.lines.size(); chunk > 0; chunk /= 2) {
+    for (std::size_t first = 0; first < best.lines.size() && runs < most_runs;) {
+      Case fewer = best;
+      const auto begin = fewer.lines.begin() + static_cast<std::ptrdiff_t>(first);
+      const std::size_t count = std::min(chunk, best.lines.size() - first);
+      fewer.lines.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
+      ++runs;
+      const Result result = check_case(fewer);
+      if (result && result->check == check) {
+        best = std::move(fewer);
+      } else {
+        first += chunk;
+      }
+    }
+  }
+  return best;
+}
+
+std::string report(const Case& broken, const Finding& finding, const std::filesystem::path& folder,
+                   const std::string& name) {
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path program = folder / (name + ".nc");
+  const std::filesystem::path machine = folder / (name + ".toml");
+  std::ofstream(program) << text_of(broken);
+  std::ofstream(machine) << write_machine(broken.machine);
+  constexpr std::size_t shown = 20;
+  return fmt::format("{} breaks '{}': {}\n{} blocks{}\nfeedscope simulate {} --machine {} --model {}\n",
+                     broken.model, finding.check, finding.detail, broken.lines.size(),
+                     broken.lines.size() <= shown ? ":\n" + text_of(broken) : "", program.string(),
+                     machine.string(), broken.model);
+}
+
+}  // namespace feedscope::contract

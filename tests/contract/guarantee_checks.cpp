@@ -1,0 +1,250 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/blend/junction.h"
+#include "tests/contract/checks.h"
+
+namespace feedscope::contract {
+namespace {
+
+constexpr double rounding = 2e-6;  ///< of a limit, relative
+constexpr double met = 1e-9;       ///< a programmed point is met [mm]
+constexpr double rest = 1e-3;      ///< speed that rounding of lengths leaves at a standstill [mm/s]
+
+/// Largest absolute value of each axis that counts against a limit.
+struct AxisLoad {
+  Vec3 whole;
+  Vec3 along;
+  Vec3 across;
+  Vec3 of(KeptLimit::Of what) const {
+    return what == KeptLimit::Of::parts ? Vec3(along.cwiseMax(across)) : whole;
+  }
+};
+
+AxisLoad acceleration_load(const State& s) {
+  const Vec3 along = s.speed > 0 ? Vec3(s.velocity / s.speed * s.tangential_acceleration) : s.acceleration;
+  return {s.acceleration.cwiseAbs(), along.cwiseAbs(), (s.acceleration - along).cwiseAbs()};
+}
+
+AxisLoad jerk_load(const State& s) {
+  if (!(s.speed > 0)) {
+    return {s.jerk.cwiseAbs(), s.jerk.cwiseAbs(), Vec3::Zero()};
+  }
+  const Vec3 tangent = s.velocity / s.speed;
+  const double turning = (s.acceleration - tangent * s.tangential_acceleration).squaredNorm() / s.speed;
+  return {s.jerk.cwiseAbs(), (tangent * s.tangential_jerk).cwiseAbs(), (tangent * turning).cwiseAbs()};
+}
+
+Result broken_limit(const Motion& motion, const Part& part, const char* name, const KeptLimit& kept,
+                    const Vec3& load, const Machine& machine, double AxisLimits::*limit) {
+  if (kept.of == KeptLimit::Of::nothing) {
+    return {};
+  }
+  for (std::size_t j = 0; j < 3; ++j) {
+    const double bound = kept.factor * machine.axes[j].*limit;
+    const double value = load[static_cast<Eigen::Index>(j)];
+    if (!(value <= bound * (1 + rounding))) {
+      static constexpr const char* places[]{"line", "arc", "blend", "dwell"};
+      const char* place = places[static_cast<std::size_t>(part.place)];
+      return Finding{fmt::format("{}-on-{}", name, place),
+                     fmt::format("part {} at {} s, line {}: {} of axis {} on a {} is {}, {} times the limit; "
+                                 "promised is {}",
+                                 part.number, part.time, motion.run().line_of(part.element), name,
+                                 axis_names[j], place, value, value / (machine.axes[j].*limit), kept.factor)};
+    }
+  }
+  return {};
+}
+
+const KeptLimits& limits_at(const Guarantees& promised, Place place) {
+  return place == Place::line ? promised.lines : place == Place::arc ? promised.arcs : promised.blends;
+}
+
+}  // namespace
+
+Result check_limits(const Motion& motion, const Guarantees& promised, const Machine& machine) {
+  for (const Part& part : motion.parts()) {
+    if (part.place == Place::dwell) {
+      continue;
+    }
+    const KeptLimits& kept = limits_at(promised, part.place);
+    const auto jerk =
+        part.place == Place::blend && kept.of_blend_jerk ? &AxisLimits::blend_jerk : &AxisLimits::jerk;
+    for (const double share : {0.0, 0.21, 0.5, 0.79, 1.0}) {
+      const State s = motion.at(part, share);
+      const AxisLoad a = acceleration_load(s);
+      const AxisLoad j = jerk_load(s);
+      for (const Result& broken :
+           {broken_limit(motion, part, "velocity", kept.velocity, s.velocity.cwiseAbs(), machine,
+                         &AxisLimits::velocity),
+            broken_limit(motion, part, "acceleration", kept.acceleration, a.of(kept.acceleration.of), machine,
+                         &AxisLimits::acceleration),
+            broken_limit(motion, part, "jerk", kept.jerk, j.of(kept.jerk.of), machine, jerk)}) {
+        if (broken) {
+          return broken;
+        }
+      }
+    }
+  }
+  return {};
+}
+
+namespace {
+
+/// Largest programmed feed of the elements between two standstills, for every part [mm/s].
+std::vector<double> feeds_of_runs(const Motion& motion) {
+  const std::vector<Part>& parts = motion.parts();
+  std::vector<double> feeds(parts.size());
+  for (std::size_t first = 0; first < parts.size();) {
+    std::size_t last = first;
+    double feed = 0;
+    for (; last < parts.size(); ++last) {
+      const std::uint32_t segment = parts[last].segment;
+      const bool new_segment = last > first && segment != parts[last - 1].segment;
+      if (new_segment && junction_kind(motion.toolpath(), segment) == JunctionKind::stop) {
+        break;
+      }
+      feed = std::max(feed, motion.run().feed_of(parts[last].element));
+    }
+    std::fill(feeds.begin() + static_cast<std::ptrdiff_t>(first),
+              feeds.begin() + static_cast<std::ptrdiff_t>(last), feed);
+    first = last;
+  }
+  return feeds;
+}
+
+}  // namespace
+
+Result check_feed(const Motion& motion, const Guarantees& promised) {
+  const std::vector<double> of_run = promised.feed_of_run ? feeds_of_runs(motion) : std::vector<double>();
+  for (const Part& part : motion.parts()) {
+    const double programmed = promised.feed_of_run ? of_run[part.number] : motion.run().feed_of(part.element);
+    for (const double share : {0.0, 0.5, 1.0}) {
+      const double speed = motion.at(part, share).speed;
+      if (!(speed <= programmed * promised.feed * (1 + rounding) + met)) {
+        return Finding{
+            "feed", fmt::format("part {} at {} s, line {}: {} mm/s, programmed {} mm/s, {} times that "
+                                "is promised",
+                                part.number, part.time, motion.run().line_of(part.element), speed, programmed,
+                                promised.feed)};
+      }
+    }
+  }
+  return {};
+}
+
+namespace {
+
+bool is_promised_stop(const Toolpath& toolpath, std::size_t i, const Guarantees& promised) {
+  const Segment& before = toolpath.segments[i - 1];
+  const Segment& after = toolpath.segments[i];
+  if (before.kind == SegmentKind::dwell || after.kind == SegmentKind::dwell) {
+    return promised.continuity != Continuity::position;
+  }
+  switch (junction_kind(toolpath, i)) {
+    case JunctionKind::pass:
+      return false;
+    case JunctionKind::corner:
+      return promised.stops_at_line_corners;
+    case JunctionKind::arc_corner:
+      return promised.stops_at_arc_corners;
+    case JunctionKind::stop:
+      break;
+  }
+  return before.rapid || after.rapid ? promised.stops_at_rapids : promised.stops_at_reversals;
+}
+
+/// Distance of the path from the end of segment i - 1, where segment i begins [mm].
+double distance_at_border(const Motion& motion, std::size_t i) {
+  const std::size_t part = motion.first_part_of(i);
+  const double s =
+      part < motion.parts().size() ? motion.element_start(motion.parts()[part]) : motion.run().path_length();
+  return (motion.run().state_at_path(s).position - motion.toolpath().segments[i - 1].end).norm();
+}
+
+}  // namespace
+
+Result check_stops(const Motion& motion, const Guarantees& promised) {
+  const Toolpath& toolpath = motion.toolpath();
+  for (std::size_t i = 1; i < toolpath.segments.size(); ++i) {
+    if (!is_promised_stop(toolpath, i, promised)) {
+      continue;
+    }
+    const std::size_t next = motion.first_part_of(i);
+    const double before = next > 0 ? motion.at(motion.parts()[next - 1], 1).speed : 0;
+    const double after = next < motion.parts().size() ? motion.at(motion.parts()[next], 0).speed : 0;
+    const double off = distance_at_border(motion, i);
+    if (!(before <= rest && after <= rest && off <= met)) {
+      return Finding{"stops", fmt::format("end of line {}: {} and {} mm/s, {} mm off",
+                                          toolpath.segments[i - 1].line, before, after, off)};
+    }
+  }
+  return {};
+}
+
+namespace {
+
+/// Distance of `point` from the path between the ends of segments i - 2 and i + 1, sampled, then closed in
+/// on [mm].
+double distance_near(const Motion& motion, std::size_t i, const Vec3& point) {
+  const std::vector<Part>& parts = motion.parts();
+  const std::size_t first = motion.first_part_of(i - 1);
+  const std::size_t last = std::max(first + 1, motion.first_part_of(i + 1));
+  const double reach = motion.memory(parts[std::min(first, parts.size() - 1)]);
+  const double end = last < parts.size() ? parts[last].time + parts[last].duration : motion.run().duration();
+  const double from = std::max(0.0, parts[first > 0 ? first - 1 : 0].time - reach);
+  const double to = std::min(motion.run().duration(), end + reach);
+  double best = std::numeric_limits<double>::infinity();
+  double at = from;
+  const auto look = [&](double time) {
+    const double distance = (motion.run().state(time).position - point).norm();
+    if (distance < best) {
+      best = distance;
+      at = time;
+    }
+  };
+  constexpr int reached = 64;
+  double width = reach > 0 ? (to - from) / reached : 0;
+  for (int k = 0; reach > 0 && k <= reached; ++k) {
+    look(from + k * width);
+  }
+  for (std::size_t p = first > 0 ? first - 1 : 0; p < parts.size() && p <= last; ++p) {
+    constexpr int samples = 8;
+    for (int k = 0; k <= samples; ++k) {
+      look(parts[p].time + parts[p].duration * k / samples);
+    }
+    width = std::max(width, parts[p].duration / samples);
+  }
+  for (; width > 1e-12 * (1 + to) && best > met; width /= 2) {
+    const double middle = at;
+    look(std::max(from, middle - width / 2));
+    look(std::min(to, middle + width / 2));
+  }
+  return best;
+}
+
+}  // namespace
+
+Result check_contour(const Motion& motion, const Guarantees& promised, double tolerance) {
+  const Toolpath& toolpath = motion.toolpath();
+  for (std::size_t i = 1; i < toolpath.segments.size(); ++i) {
+    const JunctionKind kind = junction_kind(toolpath, i);
+    const bool exact = promised.contour == 0 || (kind == JunctionKind::pass && promised.meets_tangent_ends);
+    if (kind == JunctionKind::stop || (!exact && promised.contour == Guarantees::unbounded)) {
+      continue;
+    }
+    const double allowed = exact ? met : promised.contour * tolerance * (1 + rounding) + met;
+    const double distance =
+        exact ? distance_at_border(motion, i) : distance_near(motion, i, toolpath.segments[i - 1].end);
+    if (!(distance <= allowed)) {
+      return Finding{"contour", fmt::format("end of line {}: {} mm from the path, promised is {} mm",
+                                            toolpath.segments[i - 1].line, distance, allowed)};
+    }
+  }
+  return {};
+}
+
+}  // namespace feedscope::contract

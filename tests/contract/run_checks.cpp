@@ -1,0 +1,92 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/blend/junction.h"
+#include "tests/contract/checks.h"
+
+namespace feedscope::contract {
+namespace {
+
+/// Segments [first, last) of `whole` as a path of their own.
+Toolpath part_of(const Toolpath& whole, std::size_t first, std::size_t last) {
+  Toolpath part = whole;
+  part.start = whole.start_of(first);
+  part.segments.assign(whole.segments.begin() + static_cast<std::ptrdiff_t>(first),
+                       whole.segments.begin() + static_cast<std::ptrdiff_t>(last));
+  return part;
+}
+
+/// Where every model may be cut: what it promises to be a standstill, and what is one to a model without any.
+bool can_be_cut(const Toolpath& toolpath, std::size_t i, const Guarantees& promised) {
+  switch (junction_kind(toolpath, i)) {
+    case JunctionKind::stop:
+      return true;
+    case JunctionKind::corner:
+      return promised.stops_at_line_corners;
+    case JunctionKind::arc_corner:
+      return promised.stops_at_arc_corners;
+    case JunctionKind::pass:
+      break;
+  }
+  return false;
+}
+
+Result compare(const Trajectory& whole, double from, const Trajectory& part, double to, std::uint32_t line) {
+  const double clock = 1e-9 * (1 + whole.duration());
+  if (!(std::abs(to - from - part.duration()) <= clock)) {
+    return Finding{"split", fmt::format("at the end of line {}: {} s of the whole program, {} s alone", line,
+                                        to - from, part.duration())};
+  }
+  for (const double share : {0.11, 0.37, 0.5, 0.83}) {
+    const double time = share * part.duration();
+    const State a = whole.state(from + time);
+    const State b = part.state(time);
+    const double off = (a.position - b.position).norm();
+    const double change = (a.speed + b.speed) * clock;
+    if (!(off <= 1e-8 + change)) {
+      return Finding{"split",
+                     fmt::format("at the end of line {}: states {} s on are {} mm apart", line, time, off)};
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result check_again(const Motion& motion, const Inputs& inputs) {
+  const Trajectory again = inputs.model.simulate(motion.toolpath(), inputs.machine, inputs.settings);
+  return same_bits(motion.run(), again) ? Result() : Finding{"again", "another result when run again"};
+}
+
+Result check_split(const Motion& motion, const Guarantees& promised, const Inputs& inputs) {
+  constexpr std::size_t most_cuts = 3;  // of a program
+  const Toolpath& toolpath = motion.toolpath();
+  std::vector<std::size_t> places;
+  for (std::size_t i = 1; i < toolpath.segments.size(); ++i) {
+    if (can_be_cut(toolpath, i, promised)) {
+      places.push_back(i);
+    }
+  }
+  const std::size_t step = 1 + places.size() / most_cuts;
+  for (std::size_t k = places.size() % step; k < places.size(); k += step) {
+    const std::size_t i = places[k];
+    const std::size_t part = motion.first_part_of(i);
+    const double cut = part < motion.parts().size() ? motion.parts()[part].time : motion.run().duration();
+    const std::uint32_t line = toolpath.segments[i - 1].line;
+    const auto run = [&](std::size_t first, std::size_t last) {
+      return inputs.model.simulate(part_of(toolpath, first, last), inputs.machine, inputs.settings);
+    };
+    if (Result wrong = compare(motion.run(), 0, run(0, i), cut, line)) {
+      return wrong;
+    }
+    if (Result wrong =
+            compare(motion.run(), cut, run(i, toolpath.segments.size()), motion.run().duration(), line)) {
+      return wrong;
+    }
+  }
+  return {};
+}
+
+}  // namespace feedscope::contract
