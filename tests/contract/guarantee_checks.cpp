@@ -157,12 +157,16 @@ bool is_promised_stop(const Toolpath& toolpath, std::size_t i, const Guarantees&
   return before.rapid || after.rapid ? promised.stops_at_rapids : promised.stops_at_reversals;
 }
 
-/// Distance of the path from the end of segment i - 1, where segment i begins [mm].
+/// Distance of the path from the end of segment i - 1, where segment i begins, less what rounding of the time
+/// leaves open [mm]. Path lengths of filtered motion are quadratures: there the time tells the place.
 double distance_at_border(const Motion& motion, std::size_t i) {
   const std::size_t part = motion.first_part_of(i);
+  const Part& before = motion.parts()[part > 0 ? part - 1 : 0];
   const double s =
       part < motion.parts().size() ? motion.element_start(motion.parts()[part]) : motion.run().path_length();
-  return (motion.run().state_at_path(s).position - motion.toolpath().segments[i - 1].end).norm();
+  const State there = motion.memory(before) > 0 ? motion.at(before, 1) : motion.run().state_at_path(s);
+  constexpr double clock = 4e-16;
+  return (there.position - motion.toolpath().segments[i - 1].end).norm() - clock * there.time * there.speed;
 }
 
 }  // namespace

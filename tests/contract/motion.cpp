@@ -83,17 +83,12 @@ double Motion::memory(const Part& part) const {
 }
 
 double Motion::commanded_speed(const Part& part) const {
-  double speed = 0;
-  if (const FilteredMotion* motion = filtered(part)) {
-    for (const Pulse& pulse : motion->pulses()) {
-      speed = std::max(speed, pulse.velocity.norm());
-    }
-  }
-  return speed;
+  const FilteredMotion* motion = filtered(part);
+  return motion != nullptr ? motion->train().largest_feed : 0;
 }
 
 double Motion::open_length(const Part& part) const {
-  constexpr double quadrature = 2e-9;  // of the length, and of what the largest speed covers
+  constexpr double quadrature = 2e-8;  // of the length, and of what the largest speed covers
   const PathElement& element = run_.path().elements[part.element];
   const FilteredMotion* motion = filtered(part);
   return motion != nullptr

@@ -257,8 +257,9 @@ Result check_displacement(const Motion& motion) {
   double slack = met;
   for (const Part& part : motion.parts()) {
     // Filters change the law within a part: no halving may hit its pattern.
-    const double pieces =
-        motion.memory(part) > 0 ? std::min(std::ceil(12 * part.duration / motion.time_scale(part)), 300.0) : 1;
+    const double pieces = motion.memory(part) > 0
+                              ? std::min(std::ceil(12 * part.duration / motion.time_scale(part)), 300.0)
+                              : 1;
     Vec3 along = Vec3::Zero();
     for (double piece = 0; piece < pieces; ++piece) {
       along += way(motion, part, piece / pieces, (piece + 1) / pieces, allowed / pieces, 12);
