@@ -56,7 +56,7 @@ std::uint32_t TrajectoryBuilder::add_motion(FilteredMotion motion) {
 }
 
 void TrajectoryBuilder::add_piece(Piece piece, double duration) {
-  if (!(time_ + duration > time_)) {  // nothing, or less than the clock resolves
+  if (!(content_.duration + duration > content_.duration)) {  // nothing, or less than the clock resolves
     return;
   }
   piece.time = content_.duration;

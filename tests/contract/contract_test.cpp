@@ -18,13 +18,6 @@ std::vector<std::string> model_ids() {
   return ids;
 }
 
-/// Models with findings that are not mended yet; the long run shows them.
-void skip_if_open(const std::string& model) {
-  if (model == "ward") {
-    GTEST_SKIP() << "open: a stretch depends on the ones before it (split)";
-  }
-}
-
 /// Every combination of the choices of a model's settings, on `machine`.
 std::vector<Machine> with_every_choice(const Machine& machine, const ControlModel& model) {
   std::vector<Machine> all{machine};
@@ -52,10 +45,6 @@ class ModelContract : public ::testing::TestWithParam<std::string> {
 };
 
 TEST_P(ModelContract, HoldsOnHandCasesOnEveryMachineWithEveryChoice) {
-  skip_if_open(GetParam());
-  if (IsSkipped()) {
-    return;
-  }
   const MachineLibrary library = shipped_machines();
   const ControlModel& model = find_model(GetParam());
   for (const std::string& id : library.ids()) {
@@ -86,10 +75,6 @@ TEST_P(RandomContract, Holds) {
   constexpr std::uint64_t programs = 450;
   constexpr std::uint64_t seed = 2026;
   const auto& [model, share] = GetParam();
-  skip_if_open(model);
-  if (IsSkipped()) {
-    return;
-  }
   for (std::uint64_t i = 0; i < programs; ++i) {
     const std::uint64_t number = static_cast<std::uint64_t>(share) * programs + i;
     const Case example = random_case(model, seed, number);

@@ -5,12 +5,10 @@
 namespace feedscope::contract {
 namespace {
 
-Place place_of(const Toolpath& toolpath, const PathElement& element, bool in_corner) {
-  if (in_corner && element.kind != ElementKind::filtered) {
-    return Place::blend;
-  }
-  switch (element.kind) {
+Place place_of(const Toolpath& toolpath, const BlendedPath& path, std::uint32_t element) {
+  switch (path.kind(element)) {
     case ElementKind::blend:
+    case ElementKind::connecting_arc:
       return Place::blend;
     case ElementKind::arc:
       return Place::arc;
@@ -21,27 +19,23 @@ Place place_of(const Toolpath& toolpath, const PathElement& element, bool in_cor
     case ElementKind::filtered:
       break;
   }
-  return toolpath.segments[element.segment].kind == SegmentKind::arc ? Place::arc : Place::line;
+  return toolpath.segments[path.segment(element)].kind == SegmentKind::arc ? Place::arc : Place::line;
 }
 
 }  // namespace
 
 Motion::Motion(const Toolpath& toolpath, const Trajectory& run) : toolpath_(toolpath), run_(run) {
-  const std::vector<PathElement>& elements = run.path().elements;
-  std::vector<bool> in_corner(elements.size(), false);
-  for (const BlendRecord& blend : run.blends()) {
-    in_corner[blend.element] = true;
-  }
-  for (std::size_t i = 0; i < run.pieces().size(); ++i) {
-    const Piece& piece = run.pieces()[i];
-    const PathElement& element = elements[piece.element];
-    parts_.push_back({i, piece.time, run.piece_end(i) - piece.time, piece.element, element.segment,
-                      place_of(toolpath, element, in_corner[piece.element])});
+  const BlendedPath& path = run.path();
+  for (PartWalk walk(run); !walk.done(); walk.next()) {
+    const feedscope::Part& law = walk.part();
+    parts_.push_back({laws_.size(), law.time, law.duration, law.element, path.segment(law.element),
+                      place_of(toolpath, path, law.element)});
+    laws_.push_back(law);
   }
 }
 
 State Motion::at(const Part& part, double share) const {
-  return run_.state_in_piece(part.number, share * part.duration);
+  return PartMotion(run_, laws_[part.number]).state(share * part.duration);
 }
 
 std::size_t Motion::first_part_of(std::size_t segment) const {
@@ -51,25 +45,21 @@ std::size_t Motion::first_part_of(std::size_t segment) const {
 }
 
 double Motion::element_start(const Part& part) const {
-  return run_.path().elements[part.element].s;
+  return run_.path().s(part.element);
 }
 
 double Motion::size(const Part& part) const {
-  const PathElement& element = run_.path().elements[part.element];
-  double size = element.start.norm() + element.end.norm() + element.length;
-  if (element.kind == ElementKind::arc) {
-    size += run_.path().arcs[element.geometry].radius;
-  }
-  return size;
+  const ElementCurve curve = run_.path().curve(part.element);
+  const double size = curve.start.norm() + curve.end.norm() + curve.length;
+  return curve.is_arc() ? size + curve.arc.radius : size;
 }
 
 double Motion::length(const Part& part) const {
-  return run_.path().elements[part.element].length;
+  return run_.path().length(part.element);
 }
 
 const FilteredMotion* Motion::filtered(const Part& part) const {
-  const PathElement& element = run_.path().elements[part.element];
-  return element.kind == ElementKind::filtered ? &run_.motions()[element.geometry] : nullptr;
+  return run_.path().kind(part.element) == ElementKind::filtered ? &run_.motion_of(part.element) : nullptr;
 }
 
 double Motion::time_scale(const Part& part) const {
@@ -89,26 +79,24 @@ double Motion::commanded_speed(const Part& part) const {
 
 double Motion::open_length(const Part& part) const {
   constexpr double quadrature = 2e-8;  // of the length, and of what the largest speed covers
-  const PathElement& element = run_.path().elements[part.element];
   const FilteredMotion* motion = filtered(part);
-  return motion != nullptr
-             ? quadrature * (element.s + element.length + commanded_speed(part) * motion->delay())
-             : 0;
+  const double end = element_start(part) + length(part);
+  return motion != nullptr ? quadrature * (end + commanded_speed(part) * motion->delay()) : 0;
 }
 
 bool same_bits(const Trajectory& a, const Trajectory& b) {
   const auto same_piece = [](const Piece& p, const Piece& q) {
     return p.time == q.time && p.q == q.q && p.v == q.v && p.a == q.a && p.j == q.j &&
-           p.element == q.element && p.cause == q.cause && p.law == q.law;
+           p.element == q.element && p.cause == q.cause && p.law == q.law && p.second == q.second;
   };
-  const auto same_element = [](const PathElement& p, const PathElement& q) {
-    return p.start == q.start && p.end == q.end && p.s == q.s && p.length == q.length &&
-           p.segment == q.segment && p.kind == q.kind;
-  };
-  return a.duration() == b.duration() &&
-         std::equal(a.pieces().begin(), a.pieces().end(), b.pieces().begin(), b.pieces().end(), same_piece) &&
-         std::equal(a.path().elements.begin(), a.path().elements.end(), b.path().elements.begin(),
-                    b.path().elements.end(), same_element);
+  bool same =
+      a.duration() == b.duration() && a.path().size() == b.path().size() &&
+      std::equal(a.pieces().begin(), a.pieces().end(), b.pieces().begin(), b.pieces().end(), same_piece);
+  for (std::size_t e = 0; same && e < a.path().size(); ++e) {
+    same = a.path().s(e) == b.path().s(e) && a.path().segment(e) == b.path().segment(e) &&
+           a.path().kind(e) == b.path().kind(e);
+  }
+  return same;
 }
 
 }  // namespace feedscope::contract

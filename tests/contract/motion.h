@@ -2,14 +2,14 @@
 
 #include <vector>
 
-#include "core/trajectory/trajectory.h"
+#include "core/trajectory/part_walk.h"
 
 namespace feedscope::contract {
 
 /// What kind of place of the path a part of a motion is on.
 enum class Place : std::uint8_t { line, arc, blend, dwell };
 
-/// A part of a motion on one path element with one law.
+/// A part of a motion on one path element with one law; its duration reaches to the next one.
 struct Part {
   std::size_t number = 0;
   double time = 0;      ///< [s]
@@ -50,6 +50,7 @@ class Motion {
 
   const Toolpath& toolpath_;
   const Trajectory& run_;
+  std::vector<feedscope::Part> laws_;
   std::vector<Part> parts_;
 };
 

@@ -30,6 +30,7 @@ void WardRunner::enforce_tolerance(ProgressSteps& steps) {
   check_.assign(train_.size(), due);
   distance_.assign(train_.size(), 0);
   slowed_.assign(train_.size(), 0);
+  lag_ = 0;
   bool every = true;
   for (int pass = 0;; ++pass) {
     if (lower_blocks(pass, every, steps)) {
