@@ -22,6 +22,10 @@ std::size_t Trajectory::piece_at(double time) const {
 
 std::uint32_t Trajectory::last_element(std::size_t piece) const {
   const std::uint32_t first = pieces()[piece].element;
+  const Law law = pieces()[piece].law;
+  if (law == Law::parameter || law == Law::filtered) {
+    return first;
+  }
   auto last = static_cast<std::uint32_t>(path().size() - 1);
   if (piece + 1 < pieces().size()) {
     const Piece& next = pieces()[piece + 1];
