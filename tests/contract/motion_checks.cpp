@@ -181,7 +181,7 @@ Result check_derivatives_at(const Motion& motion, const Part& part, double share
   for (const Result& result : {wrong("velocity", velocity, at.velocity, motion.size(part), at.speed),
                                wrong("acceleration", acceleration, at.acceleration,
                                      std::max(at.speed, commanded), at.acceleration.norm()),
-                               wrong("jerk", jerk, at.jerk, change, at.jerk.norm())}) {
+                               wrong("jerk", jerk, at.jerk, 4 * change, at.jerk.norm())}) {
     if (result) {
       return result;
     }
