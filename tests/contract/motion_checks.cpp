@@ -178,10 +178,11 @@ Result check_derivatives_at(const Motion& motion, const Part& part, double share
   const auto jerk = difference<Vec3>(s, h, [](const State& x) { return x.acceleration; });
   const double commanded = motion.commanded_speed(part);
   const double change = std::max(at.acceleration.norm(), commanded / motion.time_scale(part));
-  for (const Result& result : {wrong("velocity", velocity, at.velocity, motion.size(part), at.speed),
-                               wrong("acceleration", acceleration, at.acceleration,
-                                     std::max(at.speed, commanded), at.acceleration.norm()),
-                               wrong("jerk", jerk, at.jerk, 4 * change, at.jerk.norm())}) {
+  for (const Result& result :
+       {wrong("velocity", velocity, at.velocity, motion.size(part), at.speed),
+        wrong("acceleration", acceleration, at.acceleration, std::max(at.speed, commanded),
+              at.acceleration.norm()),
+        wrong("jerk", jerk, at.jerk, change + at.speed * at.speed / motion.length(part), at.jerk.norm())}) {
     if (result) {
       return result;
     }
