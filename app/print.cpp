@@ -42,17 +42,32 @@ std::string axis_table(const Run& run) {
   return table.text("lrrr");
 }
 
-std::string cause_table(const Summary& summary) {
-  const auto& times = summary.time_by_cause;
-  std::vector<std::size_t> order(times.size());
-  std::iota(order.begin(), order.end(), 0);
+/// Positions of what takes any time, most of it first.
+std::vector<std::size_t> longest_first(const std::vector<double>& times) {
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (times[i] > 0) {
+      order.push_back(i);
+    }
+  }
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return times[a] > times[b]; });
+  return order;
+}
+
+std::string cause_table(const Summary& summary) {
   TextTable table;
-  for (const std::size_t i : order) {
-    if (times[i] > 0) {
-      table.add({cause_title(all_causes()[i]), fmt::format("{:.3f} s", times[i]),
-                 fmt::format("{:.1f} %", 100 * times[i] / summary.cycle_time)});
+  const auto add = [&](const std::string& title, double time) {
+    table.add(
+        {title, fmt::format("{:.3f} s", time), fmt::format("{:.1f} %", 100 * time / summary.cycle_time)});
+  };
+  for (const std::size_t i : longest_first(summary.time_by_cause)) {
+    add(cause_title(all_causes()[i]), summary.time_by_cause[i]);
+    if (all_causes()[i].kind == CauseKind::ramp_down) {
+      for (const std::size_t place : longest_first(summary.time_by_slower_place)) {
+        add(fmt::format("  which is {}", cause_title(all_causes()[place])),
+            summary.time_by_slower_place[place]);
+      }
     }
   }
   return table.text("lrr");

@@ -64,11 +64,12 @@ Json peaks(const Summary& summary) {
   return {{"feed_mm_min", finite(units::to_mm_min(summary.peak_feed))}, {"axes", axes}};
 }
 
-Json time_by_cause(const Summary& summary) {
+/// `seconds` by cause_index(); those without time are left out.
+Json by_cause(const std::vector<double>& seconds) {
   Json times = Json::object();
-  for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
-    if (summary.time_by_cause[i] > 0) {
-      times[cause_key(all_causes()[i])] = summary.time_by_cause[i];
+  for (std::size_t i = 0; i < seconds.size(); ++i) {
+    if (seconds[i] > 0) {
+      times[cause_key(all_causes()[i])] = seconds[i];
     }
   }
   return times;
@@ -85,7 +86,8 @@ Json run_facts(const Machine& machine, const ModelInfo& model, const Settings& s
           {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
           {"max_contour_error_mm", finite(summary.max_contour_error)},
           {"peaks", peaks(summary)},
-          {"time_by_cause_s", time_by_cause(summary)}};
+          {"time_by_cause_s", by_cause(summary.time_by_cause)},
+          {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)}};
 }
 
 Json axis_limits(const Machine& machine) {

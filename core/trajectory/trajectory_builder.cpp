@@ -75,7 +75,27 @@ void TrajectoryBuilder::slow_down(const Mark& start, double factor) {
   content_.duration = start.time + (content_.duration - start.time) * factor;
 }
 
+void TrajectoryBuilder::name_slower_places() {
+  const auto& pieces = content_.pieces;
+  Cause ahead{CauseKind::exact_stop};
+  for (std::size_t p = pieces.size(); p-- > 0;) {
+    Piece& piece = content_.pieces[p];
+    if (piece.cause.kind == CauseKind::ramp_down) {
+      if (piece.second == Piece::no_cause) {
+        piece.second = static_cast<std::uint8_t>(cause_index(ahead));
+      }
+      continue;
+    }
+    const bool filtered = piece.law == Law::filtered;
+    const bool from_rest = filtered ? p == 0 || pieces[p - 1].law != Law::filtered ||
+                                          path().index(pieces[p - 1].element) != path().index(piece.element)
+                                    : piece.v <= 0;
+    ahead = from_rest ? Cause{CauseKind::exact_stop} : piece.cause;
+  }
+}
+
 Trajectory TrajectoryBuilder::finish() {
+  name_slower_places();
   content_.path.shrink();
   content_.pieces.shrink_to_fit();
   return Trajectory(std::move(content_));

@@ -57,10 +57,14 @@ class TrajectoryBuilder {
   double time() const { return content_.duration; }
   /// Index of the motion that is added next.
   std::uint32_t motion_count() const { return static_cast<std::uint32_t>(content_.motions.size()); }
-  /// The trajectory of everything added; the builder is empty then.
+  /// The trajectory of everything added; the builder is empty then. A piece of cause ramp_down that does not
+  /// say what it slows down for takes the cause of what follows the slowing, or exact_stop where that begins
+  /// at rest.
   Trajectory finish();
 
  private:
+  void name_slower_places();
+
   Trajectory::Content content_;
 };
 

@@ -59,6 +59,12 @@ TEST_F(CommandLine, SimulateWritesJsonToStandardOutputAndNothingElse) {
     sum += seconds.get<double>();
   }
   EXPECT_NEAR(sum, report["cycle_time_s"].get<double>(), 1e-12);
+  double slowing = 0;
+  for (const auto& [place, seconds] : report["ramp_down_by_slower_place_s"].items()) {
+    slowing += seconds.get<double>();
+  }
+  EXPECT_NEAR(slowing, report["time_by_cause_s"]["ramp_down"].get<double>(), 1e-12);
+  EXPECT_GT(report["ramp_down_by_slower_place_s"]["exact_stop"].get<double>(), 0);
 }
 
 TEST_F(CommandLine, SimulateReadsStandardInput) {

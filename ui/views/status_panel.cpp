@@ -80,6 +80,13 @@ void StatusPanel::count_diagnostics() {
       style()->standardIcon(errors > 0 ? QStyle::SP_MessageBoxCritical : QStyle::SP_MessageBoxWarning));
 }
 
+QString StatusPanel::cause_text(const State& state) {
+  const QString cause = QString::fromStdString(cause_title(state.cause));
+  return state.cause.kind == CauseKind::ramp_down
+             ? tr("cause: %1 (%2)").arg(cause, QString::fromStdString(cause_title(state.slower_place)))
+             : tr("cause: %1").arg(cause);
+}
+
 void StatusPanel::show_cursor() {
   if (!model_.cursor().valid()) {
     cursor_->clear();
@@ -92,7 +99,7 @@ void StatusPanel::show_cursor() {
       tr("%1 mm").arg(locale.toString(state.path_length, 'f', 3)),
       tr("line %1").arg(state.line),
       tr("%1 mm/min").arg(locale.toString(units::to_mm_min(state.speed), 'f', 0)),
-      tr("cause: %1").arg(QString::fromStdString(cause_title(state.cause))),
+      cause_text(state),
   };
   cursor_->setText(parts.join(QStringLiteral("   ")));
 }

@@ -25,6 +25,7 @@ class StatusPanel : public QWidget {
   void show_busy(bool busy);
   void show_cursor();
   void count_diagnostics();
+  static QString cause_text(const State& state);
 
   RunModel& model_;
   QProgressBar* progress_;

@@ -40,7 +40,10 @@ struct Sample {
     summary.peak_feed = 1;
     summary.axes[1] = {2, 3000, 4000};
     summary.time_by_cause.assign(all_causes().size(), 0);
-    summary.time_by_cause[cause_index({CauseKind::axis_jerk, 1})] = 3.25;
+    summary.time_by_cause[cause_index({CauseKind::axis_jerk, 1})] = 2;
+    summary.time_by_cause[cause_index({CauseKind::ramp_down})] = 1.25;
+    summary.time_by_slower_place.assign(all_causes().size(), 0);
+    summary.time_by_slower_place[cause_index({CauseKind::exact_stop})] = 1.25;
   }
   std::string text() const {
     return simulation_json({program, toolpath, machine, model, settings, summary, 0.5, 0.25});
@@ -62,7 +65,8 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
               "axes": {"X": {"velocity_mm_min": 0.0, "acceleration_m_s2": 0.0, "jerk_m_s3": 0.0},
                        "Y": {"velocity_mm_min": 120.0, "acceleration_m_s2": 3.0, "jerk_m_s3": 4.0},
                        "Z": {"velocity_mm_min": 0.0, "acceleration_m_s2": 0.0, "jerk_m_s3": 0.0}}},
-    "time_by_cause_s": {"axis_jerk_y": 3.25},
+    "time_by_cause_s": {"axis_jerk_y": 2.0, "ramp_down": 1.25},
+    "ramp_down_by_slower_place_s": {"exact_stop": 1.25},
     "diagnostics": [{"severity": "error", "line": 2, "column": 1, "code": "unread",
                      "message": "\"foo\" is no word"}],
     "elapsed": {"read_s": 0.5, "simulate_s": 0.25}})");
