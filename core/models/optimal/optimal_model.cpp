@@ -61,9 +61,10 @@ ModelInfo make_info() {
   jerk.key = "jerk";
   jerk.title = "Jerk limits";
   jerk.explanation =
-      "on: a law that keeps the jerk of every axis too, close to the fastest; off: the fastest under "
-      "velocity and acceleration limits.";
-  jerk.choices = {"on", "off"};
+      "off: the fastest under velocity and acceleration limits, which no law can beat; on: a law that keeps "
+      "the "
+      "jerk of every axis too, close to the fastest, and slow to compute.";
+  jerk.choices = {"off", "on"};
   info.settings.insert(info.settings.begin(), {path, jerk});
   info.remarks = {"Stops only where the path itself has a kink, a reversal or a dwell.",
                   "Kinks of up to 0.01 rad at arcs count as tangent, as in every model."};
