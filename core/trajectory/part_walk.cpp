@@ -85,26 +85,25 @@ void PartWalk::find_part() {
 }
 
 void PartWalk::next() {
-  if (part_.law == Law::filtered) {
+  do {
+    step();
+  } while (!done() && !(part_.duration > 0));
+}
+
+void PartWalk::step() {
+  const double left = phases_.end(phase_) - tau_ - part_.duration;
+  if (part_.law != Law::filtered && left > 0) {  // the element ended
+    tau_ += part_.duration;
+    ++part_.element;
+    find_part();
+  } else if (part_.law != Law::filtered && phase_ + 1 < phases_.count()) {
+    tau_ = phases_.end(phase_);
+    ++phase_;
+    find_part();
+  } else {
     ++piece_;
     enter_piece(0);
-    return;
   }
-  do {
-    const double left = phases_.end(phase_) - tau_ - part_.duration;
-    if (left > 0) {  // the element ended
-      tau_ += part_.duration;
-      ++part_.element;
-    } else if (phase_ + 1 < phases_.count()) {
-      tau_ = phases_.end(phase_);
-      ++phase_;
-    } else {
-      ++piece_;
-      enter_piece(0);
-      return;
-    }
-    find_part();
-  } while (!(part_.duration > 0));
 }
 
 PartMotion PartWalk::motion() {

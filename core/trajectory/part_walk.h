@@ -44,6 +44,7 @@ class PartWalk {
   void next();
 
  private:
+  void step();
   void enter_piece(double tau);
   void find_part();
 

@@ -63,7 +63,10 @@ State Trajectory::state_at_path(double path_length) const {
   if (pieces().empty()) {
     return state(0);
   }
-  const double s = std::clamp(path_length, 0.0, path().length());
+  if (path_length >= path().length()) {
+    return state(duration());
+  }
+  const double s = std::max(path_length, 0.0);
   const std::size_t element = path().element_at(s);
   const double local = s - path().s(element);
   const auto curved = [&] { return path().curve(element).blend.parameter_at(local); };

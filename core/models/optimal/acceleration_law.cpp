@@ -203,7 +203,7 @@ void AccelerationLaw::add_phases(const Cell& cell, double x0, double x1, const P
   const double v0 = std::sqrt(x0);
   const double v1 = std::sqrt(x1);
   const double top = std::sqrt(peak);
-  const double least = 1e-12 * cell.length;
+  const double least = 1e-12 * (1 + cell.length);  // mm, far below what positions resolve
   const auto add = [&](double q, double from, double to, double length, Cause cause) {
     if (length > least) {
       const double time = 2 * length / (from + to);
