@@ -48,7 +48,7 @@ double reachable_speed(double v0, double length, const RampLimits& limits) {
   }
   for (int i = 0; i < 60; ++i) {
     const double step = (x * (x * x + 2 * v0) - rhs) / (3 * x * x + 2 * v0);
-    if (!(step > 1e-16 * x)) {
+    if (!(step > 1e-15 * x)) {
       break;
     }
     x -= step;

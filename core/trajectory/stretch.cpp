@@ -94,6 +94,12 @@ SpeedProfile profile_to(double target, const SpanLimits& span, double speed, dou
   if (profile.feasible || target <= settled) {
     return profile;
   }
+  if (acceleration == 0) {  // mostly it is rounding that keeps `target` out of reach
+    SpeedProfile reached = plan(std::min(target, reachable_speed(speed, span.length, span.ramp())));
+    if (reached.feasible) {
+      return reached;
+    }
+  }
   double low = std::max(settled, 0.0);
   double high = target;
   for (int i = 0; i < 50; ++i) {
