@@ -18,7 +18,6 @@ double parse_tolerance(const std::string& text) {
   SettingSpec number;
   number.key = "--tolerance";
   number.unit = "mm";
-  number.minimum_allowed = false;
   return std::get<double>(parse_setting(number, text));
 }
 

@@ -20,7 +20,7 @@ struct RunOptions {
   SetupRequest request() const;
 };
 
-/// Reads a --tolerance [mm]. Throws InputError if it is no number or not above 0.
+/// Reads a --tolerance [mm]. Throws InputError if it is no number or below 0.
 double parse_tolerance(const std::string& text);
 
 /// Adds them to a command; `values` must live as long as the command.

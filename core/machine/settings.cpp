@@ -28,7 +28,9 @@ SettingSpec number_spec(std::string key, std::string title, std::string unit, do
 std::vector<SettingSpec> make_common_settings() {
   SettingSpec tolerance = number_spec(
       "contour_tolerance_mm", "Contour tolerance", "mm", 0.01,
-      "How far the control may leave the programmed corners; the larger, the less it slows down there.");
+      "How far the control may leave the programmed corners; the larger, the less it slows down there. 0: "
+      "it stops in every corner.");
+  tolerance.minimum_allowed = true;
   tolerance.maximum = 10;
   SettingSpec period =
       number_spec("interpolation_period_s", "Interpolation period", "s", 0.002,

@@ -15,4 +15,11 @@ SettingSpec used_tolerance_setting() {
   return beta;
 }
 
+void promise_tolerance(Guarantees& promised, const Settings& settings, double factor) {
+  const bool exact = settings.number("contour_tolerance_mm") == 0;
+  promised.contour = exact ? 0 : factor;
+  promised.meets_tangent_ends = promised.meets_tangent_ends || exact;
+  promised.stops_at_line_corners = exact;
+}
+
 }  // namespace feedscope

@@ -31,11 +31,24 @@ class BadInput : public feedscope::test::CommandLine {
   }
 };
 
-TEST_F(BadInput, AToleranceOfZeroIsNamedWithItsBound) {
-  expect_wrong_use("simulate corner.nc --tolerance 0",
-                   "--tolerance = 0 is out of bounds; it must be above 0 mm");
-  expect_wrong_use("simulate corner.nc --set contour_tolerance_mm=0",
-                   "contour_tolerance_mm = 0 is out of bounds; it must be above 0 mm and at most 10 mm");
+TEST_F(BadInput, ANegativeToleranceIsNamedWithItsBound) {
+  expect_wrong_use("simulate corner.nc --tolerance -0.01",
+                   "--tolerance = -0.01 is out of bounds; it must be at least 0 mm");
+  expect_wrong_use(
+      "simulate corner.nc --set contour_tolerance_mm=-0.01",
+      "contour_tolerance_mm = -0.01 is out of bounds; it must be at least 0 mm and at most 10 mm");
+}
+
+TEST_F(BadInput, AToleranceOfZeroStopsInEveryCorner) {
+  write("leg.nc", "G1 X20 F3000\n");
+  const auto leg = [this](const std::string& id) {
+    const Result result = run("simulate leg.nc --json - --tolerance 0 --model " + id);
+    return json::parse(result.out)["cycle_time_s"].get<double>();
+  };
+  with_every_model("corner.nc --tolerance 0", 0, [&](const std::string& id, const json& report) {
+    EXPECT_NEAR(report["cycle_time_s"].get<double>(), 2 * leg(id), 1e-9) << id;
+    EXPECT_LE(report["max_contour_error_mm"].get<double>(), 1e-9) << id;
+  });
 }
 
 TEST_F(BadInput, AToleranceLargerThanThePartLeavesHalfOfEveryBlock) {

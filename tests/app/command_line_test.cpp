@@ -170,8 +170,8 @@ TEST_F(CommandLine, NamesAWrongSetup) {
   expect_wrong_use("simulate corner.nc --set reading=quick",
                    "it must be one of: corrected, published, strict");
   expect_wrong_use("simulate corner.nc --tolerance wide", "--tolerance = 'wide' is no number");
-  expect_wrong_use("simulate corner.nc --tolerance 0",
-                   "--tolerance = 0 is out of bounds; it must be above 0 mm");
+  expect_wrong_use("simulate corner.nc --tolerance -1",
+                   "--tolerance = -1 is out of bounds; it must be at least 0 mm");
   expect_wrong_use("simulate corner.nc --csv a.csv --step 0",
                    "--step = 0 is out of bounds; it must be above 0 s");
   expect_wrong_use("simulate corner.nc --csv a.csv --step 1e-15", "use a larger step");

@@ -59,9 +59,20 @@ bool is_open(const std::string& model, const Finding& finding) {
   });
 }
 
-/// `machine`, and again with each other choice of a model's settings.
+const char* const tolerance_key = "contour_tolerance_mm";
+
+bool reads_tolerance(const ControlModel& model) {
+  const std::vector<std::string>& keys = model.info().uses;
+  return std::find(keys.begin(), keys.end(), tolerance_key) != keys.end();
+}
+
+/// `machine`, and again with each other choice of a model's settings, and without any tolerance.
 std::vector<Machine> with_every_choice(const Machine& machine, const ControlModel& model) {
   std::vector<Machine> all{machine};
+  if (reads_tolerance(model)) {
+    all.push_back(machine);
+    all.back().settings.set(tolerance_key, 0.0);
+  }
   for (const SettingSpec& spec : model.info().settings) {
     for (const std::string& choice : spec.choices) {
       all.push_back(machine);
@@ -100,6 +111,16 @@ TEST_P(ModelContract, HoldsOnAMillionIdenticalPoints) {
   std::vector<std::string> lines{"G1 X10 F3000"};
   lines.resize(1000000, "X10");
   expect_kept({lines, shipped_machines().load(default_machine), GetParam()}, "points");
+}
+
+TEST_P(ModelContract, HoldsOnRandomProgramsWithoutAnyTolerance) {
+  constexpr std::uint64_t programs = 200;
+  constexpr std::uint64_t seed = 2027;
+  for (std::uint64_t number = 0; reads_tolerance(find_model(GetParam())) && number < programs; ++number) {
+    Case example = random_case(GetParam(), seed, number);
+    example.machine.settings.set(tolerance_key, 0.0);
+    expect_kept(example, "exact-" + std::to_string(number));
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, ModelContract, ::testing::ValuesIn(model_ids()),

@@ -54,7 +54,6 @@ SetupBar::SetupBar(RunModel& model, QWidget* parent)
   fix_width(control_model_, 42);
   tolerance_->setDecimals(4);
   tolerance_->setRange(0, 10);
-  tolerance_->setSpecialValueText(QStringLiteral("–"));  // at 0: the model reads no tolerance
   tolerance_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   tolerance_->setKeyboardTracking(false);
   tolerance_->setSuffix(QStringLiteral(" mm"));
@@ -92,6 +91,7 @@ void SetupBar::show_tolerance() {
   const QSignalBlocker blocker(tolerance_);
   const bool read = model_.setup().file().settings.has(tolerance_key);
   tolerance_->setEnabled(read);
+  tolerance_->setSpecialValueText(read ? QString() : QStringLiteral("–"));  // stands for the 0 set below
   tolerance_->setValue(read ? std::get<double>(model_.setup().value(tolerance_key)) : 0);
 }
 

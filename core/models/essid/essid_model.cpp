@@ -70,8 +70,8 @@ Guarantees EssidModel::guarantees(const Settings& settings) const {
     promised.blends = all_kept();
     promised.blends.of_blend_jerk = true;
   }
-  promised.contour = 1;
   promised.stops_at_arc_corners = true;
+  promise_tolerance(promised, settings, 1);
   return promised;
 }
 
@@ -82,7 +82,7 @@ Trajectory EssidModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
   const EssidSettings own(settings);
   builder.set_blend_weight(own.corner.alpha);
   EssidRunner runner(toolpath, AxisVectors(machine), own, builder);
-  run_stretches(toolpath, builder, progress, false,
+  run_stretches(toolpath, builder, progress, own.corner.tolerance == 0,
                 [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
   return builder.finish();
 }

@@ -74,14 +74,14 @@ const ModelInfo& GassaraModel::info() const {
   return info;
 }
 
-Guarantees GassaraModel::guarantees(const Settings&) const {
+Guarantees GassaraModel::guarantees(const Settings& settings) const {
   Guarantees promised;
   promised.covered = Covered::lines;
   promised.lines = promised.blends = all_kept();
   promised.blends.of_blend_jerk = true;
   promised.arcs = static_arc_limits();
-  promised.contour = 1;
   promised.stops_at_arc_corners = true;
+  promise_tolerance(promised, settings, 1);
   return promised;
 }
 
@@ -98,7 +98,8 @@ Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
     return CornerPiece{ElementKind::connecting_arc, corner.transition, radius * corner.turn,
                        arc_blend_limits(place, radius, axes, own)};
   };
-  run_stretches(toolpath, builder, progress, false, [&](const StretchRange& range, ProgressSteps& steps) {
+  const bool exact = own.corner.tolerance == 0;
+  run_stretches(toolpath, builder, progress, exact, [&](const StretchRange& range, ProgressSteps& steps) {
     lay_blended_stretch(toolpath, range, axes, builder, stretch, blend_corner);
     set_junction_ceilings(stretch, builder.path(), axes.jerk, own.period, own.lookahead);
     for (std::uint32_t e = 0; e < stretch.plan.size(); ++e) {

@@ -2,6 +2,7 @@
 
 #include "core/base/units.h"
 #include "core/models/msaddek/msaddek_stretch.h"
+#include "core/models/shared_settings.h"
 
 namespace feedscope {
 
@@ -54,14 +55,14 @@ Guarantees MsaddekModel::guarantees(const Settings& settings) const {
   const bool compacts = settings.number("compaction_mm") > 0;
   Guarantees promised;
   promised.covered = Covered::lines;
-  promised.contour = compacts ? 2 : 1;
   promised.meets_tangent_ends = !compacts;
+  promise_tolerance(promised, settings, compacts ? 2 : 1);
   promised.lines = all_kept();
   promised.arcs = promised.blends = static_arc_limits();
   if (settings.text("law") == "static") {
     promised.lines.acceleration = promised.lines.jerk = {};
     promised.continuity = Continuity::position;
-    promised.stops_at_reversals = promised.stops_at_rapids = false;
+    promised.stops_at_reversals = promised.stops_at_rapids = promised.stops_at_line_corners = false;
   } else {
     promised.stops_at_arc_corners = true;
   }
@@ -79,7 +80,7 @@ Trajectory MsaddekModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   TrajectoryBuilder builder(shared, axes.velocity, merges ? compacted : nullptr);
   builder.set_compaction_error(compacted->deviation);
   MsaddekRunner runner(toolpath, *compacted, axes, own, builder);
-  run_stretches(toolpath, builder, progress, false,
+  run_stretches(toolpath, builder, progress, own.tolerance == 0,
                 [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
   return builder.finish();
 }

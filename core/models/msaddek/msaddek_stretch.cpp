@@ -25,7 +25,7 @@ void MsaddekRunner::run(const StretchRange& range, ProgressSteps& steps) {
   };
   const std::size_t last = chord_of(range.last);
   for (std::size_t chord = chord_of(range.first); chord < last;) {
-    StretchRange chords = next_stretch(compacted_.path, chord, true);
+    StretchRange chords = next_stretch(compacted_.path, chord, true, settings_.tolerance == 0);
     chords.last = std::min(chords.last, last);
     lay_path(chords);
     if (settings_.law == MsaddekLaw::static_feed) {

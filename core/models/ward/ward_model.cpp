@@ -1,5 +1,7 @@
 #include "core/models/ward/ward_model.h"
 
+#include <limits>
+
 #include "core/base/units.h"
 #include "core/models/ward/ward_runner.h"
 #include "core/trajectory/stretch.h"
@@ -7,11 +9,12 @@
 namespace feedscope {
 
 WardSettings::WardSettings(const Settings& settings)
-    : tolerance(settings.number("contour_tolerance_mm")),
+    : exact(settings.number("contour_tolerance_mm") == 0),
+      tolerance(exact ? std::numeric_limits<double>::infinity() : settings.number("contour_tolerance_mm")),
       filters(static_cast<int>(settings.number("filters"))),
       jerk(units::from_m(settings.number("filter_jerk_m_s3"))),
       time(settings.number("filter_time_s")),
-      enforce(settings.text("enforce") == "on") {}
+      enforce(settings.text("enforce") == "on" && !exact) {}
 
 const ModelInfo& WardModel::info() const {
   static const ModelInfo info = [] {
@@ -63,7 +66,9 @@ const ModelInfo& WardModel::info() const {
         {"A filtered velocity is an average of commanded ones, which keeps the axes' velocities.",
          "Acceleration and jerk follow from the filters alone: a change of feed dF takes the jerk dF/T1^2; "
          "the axes' limits are not looked at.",
-         "With three filters the jerk is continuous, too."}};
+         "With three filters the jerk is continuous, too.",
+         "Tolerance 0: full stops in every corner; on arcs the path still lies inside, by what the filters "
+         "take off the radius."}};
   }();
   return info;
 }
@@ -74,7 +79,9 @@ Guarantees WardModel::guarantees(const Settings& settings) const {
   promised.lines.velocity.of = KeptLimit::Of::whole;
   promised.arcs = promised.blends = promised.lines;
   promised.feed_of_run = true;
-  promised.contour = settings.text("enforce") == "on" ? 1 : Guarantees::unbounded;
+  const WardSettings own(settings);
+  promised.contour = own.enforce ? 1 : Guarantees::unbounded;
+  promised.stops_at_line_corners = promised.stops_at_arc_corners = own.exact;
   promised.meets_tangent_ends = false;
   promised.continuity = Continuity::acceleration;
   return promised;
@@ -87,10 +94,11 @@ Trajectory WardModel::do_simulate(const std::shared_ptr<const Toolpath>& shared,
   const std::size_t count = shared->segments.size();
   builder.reserve(count, count + count / 4);
   {
-    WardRunner runner(shared, axes, WardSettings(settings), builder);
+    const WardSettings own(settings);
+    WardRunner runner(shared, axes, own, builder);
     run_stretches(
-        *shared, builder, progress, false,
-        [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, false);
+        *shared, builder, progress, own.exact,
+        [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, own.exact);
   }
   return builder.finish();
 }

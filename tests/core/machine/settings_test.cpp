@@ -53,17 +53,20 @@ TEST(ParseSetting, NamesKeyValueAndBoundsOfWhatIsNoNumber) {
   for (const std::string text : {"", "abc", "1.2.3", "1 mm", "0x10", "--1", "1,2,3"}) {
     EXPECT_THAT([&] { parse_setting(spec_of("contour_tolerance_mm"), text); },
                 fails_with("contour_tolerance_mm = '" + text +
-                           "' is no number; it must be above 0 mm and at most 10 mm"));
+                           "' is no number; it must be at least 0 mm and at most 10 mm"));
   }
 }
 
 TEST(ParseSetting, RejectsNumbersOutOfBounds) {
-  for (const std::string text : {"0", "-1", "10.1", "nan", "inf", "-inf"}) {
+  for (const std::string text : {"-1e-9", "-1", "10.1", "nan", "inf", "-inf"}) {
     EXPECT_THAT([&] { parse_setting(spec_of("contour_tolerance_mm"), text); },
-                fails_with("it must be above 0 mm and at most 10 mm"))
+                fails_with("it must be at least 0 mm and at most 10 mm"))
         << text;
   }
+  EXPECT_EQ(parsed("contour_tolerance_mm", "0"), 0);
   EXPECT_EQ(parsed("contour_tolerance_mm", "10"), 10);
+  EXPECT_THAT([] { parse_setting(spec_of("interpolation_period_s"), "0"); },
+              fails_with("it must be above 0 s and at most 1 s"));
 }
 
 TEST(ParseSetting, KeepsCountsWhole) {
