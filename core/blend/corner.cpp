@@ -74,17 +74,18 @@ BlendShape::Point BlendShape::at(double u) const {
   const double x3 = p3 * (1 + cos_), y3 = p3 * sin_;
 
   const double norm = std::sqrt(x1 * x1 + y1 * y1);
-  const double dnorm = (x1 * x2 + y1 * y2) / norm;
+  const double inverse = 1 / norm;
+  const double dnorm = (x1 * x2 + y1 * y2) * inverse;
   Point point;
   point.sigma = transition_ * norm;
   point.dsigma = transition_ * dnorm;
-  point.ddsigma = transition_ * (x2 * x2 + y2 * y2 + x1 * x3 + y1 * y3 - dnorm * dnorm) / norm;
+  point.ddsigma = transition_ * (x2 * x2 + y2 * y2 + x1 * x3 + y1 * y3 - dnorm * dnorm) * inverse;
   const double cross = x1 * y2 - y1 * x2;
-  const double norm3 = norm * norm * norm;
-  point.k = cross / (norm3 * transition_);
-  point.dk_ds = (x1 * y3 - y1 * x3 - 3 * cross * dnorm / norm) / (norm3 * norm * transition_ * transition_);
-  point.tangent = (x1 * first_ + y1 * second_) / norm;
-  point.normal = (-y1 * first_ + x1 * second_) / norm;
+  const double bend = inverse * inverse * inverse / transition_;
+  point.k = cross * bend;
+  point.dk_ds = (x1 * y3 - y1 * x3 - 3 * cross * dnorm * inverse) * bend * inverse / transition_;
+  point.tangent = (x1 * inverse) * first_ + (y1 * inverse) * second_;
+  point.normal = (-y1 * inverse) * first_ + (x1 * inverse) * second_;
   return point;
 }
 

@@ -107,35 +107,28 @@ class NodePlanner {
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
   }
 
+  /// From the back, so that every node behind moves once and the others not at all.
   void insert_found() {
-    if (found_.empty()) {
-      return;
-    }
-    std::vector<PlanNode> nodes;
-    std::vector<Gap> gaps;
-    nodes.reserve(nodes_.size() + found_.size());
-    gaps.reserve(nodes_.size() + found_.size());
-    auto next = found_.begin();
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-      nodes.push_back(nodes_[n]);
-      if (n + 1 == nodes_.size()) {
-        break;
+    std::size_t left = found_.size();
+    std::size_t g = gaps_.size();
+    nodes_.resize(nodes_.size() + left);
+    gaps_.resize(gaps_.size() + left);
+    while (left > 0) {
+      --g;
+      std::size_t last = nodes_[g + 1].junction;
+      nodes_[g + 1 + left] = nodes_[g + 1];
+      if (found_[left - 1] <= nodes_[g].junction) {
+        gaps_[g + left] = gaps_[g];
+        continue;
       }
-      bool split = false;
-      std::size_t from = nodes_[n].junction;
-      for (; next != found_.end() && *next < nodes_[n + 1].junction; ++next) {
-        if (*next <= from) {
-          continue;
-        }
-        gaps.push_back({span_limits(elements_, from, *next), true});
-        nodes.push_back({*next, ceiling_[*next].value, ceiling_[*next].cause});
-        from = *next;
-        split = true;
+      for (; left > 0 && found_[left - 1] > nodes_[g].junction; --left) {
+        const std::uint32_t junction = found_[left - 1];
+        gaps_[g + left] = {span_limits(elements_, junction, last), true};
+        nodes_[g + left] = {junction, ceiling_[junction].value, ceiling_[junction].cause};
+        last = junction;
       }
-      gaps.push_back(split ? Gap{span_limits(elements_, from, nodes_[n + 1].junction), true} : gaps_[n]);
+      gaps_[g + left] = {span_limits(elements_, nodes_[g].junction, last), true};
     }
-    nodes_ = std::move(nodes);
-    gaps_ = std::move(gaps);
   }
 
   void make_reachable() {
@@ -151,10 +144,12 @@ class NodePlanner {
 
   /// Lowers `node` to what gap `g` lets reach from `other`; the gaps on both sides of `node` change.
   bool lower(PlanNode& node, double other, std::size_t g, std::size_t index) {
-    if (node.speed <= other) {
+    const double length = gaps_[g].limits.length;
+    const RampLimits ramp = gaps_[g].limits.ramp();
+    if (node.speed <= other || ramp_length(other, node.speed, ramp) <= length) {
       return false;
     }
-    const double reach = reachable_speed(other, gaps_[g].limits.length, gaps_[g].limits.ramp());
+    const double reach = reachable_speed(other, length, ramp);
     if (reach >= node.speed) {
       return false;
     }

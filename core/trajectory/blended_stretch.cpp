@@ -30,6 +30,7 @@ CornerPlace corner_behind(const Toolpath& toolpath, std::size_t segment, const V
 void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
                          TrajectoryBuilder& builder, Stretch& stretch, const BlendCorner& blend) {
   stretch.clear();
+  stretch.reserve(2 * (range.last - range.first));
   double cut_before = 0;
   for (std::size_t i = range.first; i < range.last; ++i) {
     const Segment& segment = toolpath.segments[i];

@@ -17,6 +17,14 @@ void Stretch::clear() {
   level.clear();
 }
 
+void Stretch::reserve(std::size_t elements) {
+  plan.reserve(elements);
+  element.reserve(elements);
+  block.reserve(elements);
+  blend.reserve(elements);
+  ceiling.reserve(elements + 1);
+}
+
 void Stretch::add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed,
                   bool is_blend) {
   plan.push_back(planned);

@@ -21,6 +21,8 @@ struct Stretch {
   std::vector<std::uint32_t> level;    ///< junctions that are nodes of the plan in any case
 
   void clear();
+  /// Makes room for that many, so that long stretches are not copied while they grow.
+  void reserve(std::size_t elements);
   void add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed,
            bool is_blend = false);
 

@@ -31,9 +31,9 @@ struct Use {
   double share = 0;
   Cause cause;
 
-  void add(double value, const Vec3& limit, const Vec3& direction, CauseKind kind) {
+  void add(double value, const Vec3& limit_inverse, const Vec3& direction, CauseKind kind) {
     for (int j = 0; j < 3; ++j) {
-      const double part = std::abs(value * direction[j]) / limit[j];
+      const double part = std::abs(value * direction[j]) * limit_inverse[j];
       if (part > share) {
         share = part;
         cause = {kind, static_cast<std::int8_t>(j)};
@@ -52,14 +52,14 @@ class BlendRunner {
     const BlendShape::Point p = shape_.at(sample.u);
     const double v = p.sigma * sample.du;
     const double dv = p.dsigma * sample.du * sample.du + p.sigma * sample.ddu;
-    const AxisBound jerk = axis_share(limits_.tangential_jerk, p.tangent);
+    const double jerk_inverse = p.tangent.cwiseAbs().cwiseProduct(limits_.inverse.tangential_jerk).maxCoeff();
     Use use;
-    use.share = (v + (dv > 0 ? dv * dv / (2 * jerk.value) : 0)) / ceiling_.value;
+    use.share = (v + (dv > 0 ? dv * dv / 2 * jerk_inverse : 0)) / ceiling_.value;
     use.cause = ceiling_.cause;
-    use.add(v, limits_.velocity, p.tangent, CauseKind::blend_velocity);
-    use.add(dv, limits_.tangential_acceleration, p.tangent, CauseKind::blend_tangential_acceleration);
-    use.add(v * v * p.k, limits_.radial_acceleration, p.normal, CauseKind::blend_radial_acceleration);
-    use.add(3 * v * dv * p.k + v * v * v * p.dk_ds, limits_.radial_jerk, p.normal,
+    use.add(v, limits_.inverse.velocity, p.tangent, CauseKind::blend_velocity);
+    use.add(dv, limits_.inverse.tangential_acceleration, p.tangent, CauseKind::blend_tangential_acceleration);
+    use.add(v * v * p.k, limits_.inverse.radial_acceleration, p.normal, CauseKind::blend_radial_acceleration);
+    use.add(3 * v * dv * p.k + v * v * v * p.dk_ds, limits_.inverse.radial_jerk, p.normal,
             CauseKind::blend_radial_jerk);
     return use;
   }
@@ -78,26 +78,55 @@ class BlendRunner {
       return use_at(next.u <= 1 ? next : step(now, x, time_to_end(now, x, period)));
     };
 
-    if (use(high).share <= 1) {
+    Candidate broken{high, use(high)};
+    if (broken.use.share <= 1) {
       return {high, {CauseKind::blend_tangential_jerk, jerk.axis}};
     }
-    double kept = low;
-    if (use(low).share > 1) {
-      kept = least_excess(low, high, use);
-      const Use there = use(kept);
-      if (there.share > 1) {
-        return {kept, there.cause};
+    Candidate kept{low, use(low)};
+    if (kept.use.share > 1) {
+      const double least = least_excess(low, high, use);
+      kept = {least, use(least)};
+      if (kept.use.share > 1) {
+        return {kept.jerk, kept.use.cause};
       }
     }
-    double broken = high;
-    for (int i = 0; i < 24; ++i) {
-      const double middle = (kept + broken) / 2;
-      (use(middle).share <= 1 ? kept : broken) = middle;
-    }
-    return {kept, use(broken).cause};
+    return largest_kept(kept, broken, use);
   }
 
  private:
+  struct Candidate {
+    double jerk;
+    Use use;
+  };
+
+  /// Where between `kept` and `broken` the share passes 1, to 2^-24 of their distance from below: regula
+  /// falsi (Illinois), in steps that leave both ends by that much at least.
+  template <typename F>
+  static std::pair<double, Cause> largest_kept(Candidate kept, Candidate broken, const F& use) {
+    const double least_step = std::ldexp(broken.jerk - kept.jerk, -24);
+    double below = 1 - kept.use.share;
+    double above = broken.use.share - 1;
+    int side = 0;
+    for (int i = 0; i < 60 && broken.jerk - kept.jerk > least_step * (1 + 1e-6); ++i) {
+      const double width = broken.jerk - kept.jerk;
+      const double step = i < 30 ? width * below / (below + above) : width / 2;
+      const double jerk = kept.jerk + std::clamp(step, least_step, width - least_step);
+      const Use there = use(jerk);
+      if (there.share <= 1) {
+        above = side == 1 ? above / 2 : above;
+        below = 1 - there.share;
+        kept = {jerk, there};
+        side = 1;
+      } else {
+        below = side == -1 ? below / 2 : below;
+        above = there.share - 1;
+        broken = {jerk, there};
+        side = -1;
+      }
+    }
+    return {kept.jerk, broken.use.cause};
+  }
+
   /// The shares are convex in the jerk within one sample: a golden-section search finds the least.
   template <typename F>
   static double least_excess(double low, double high, const F& use) {
@@ -132,11 +161,12 @@ class BlendRunner {
 }  // namespace
 
 BlendLimits::BlendLimits(const AxisVectors& axes, double radial_acceleration_share, double radial_jerk_share)
-    : velocity(axes.velocity),
-      tangential_acceleration((1 - radial_acceleration_share) * axes.acceleration),
-      radial_acceleration(radial_acceleration_share * axes.acceleration),
-      tangential_jerk((1 - radial_jerk_share) * axes.blend_jerk),
-      radial_jerk(radial_jerk_share * axes.blend_jerk) {}
+    : BlendRows{axes.velocity, (1 - radial_acceleration_share) * axes.acceleration,
+                radial_acceleration_share * axes.acceleration, (1 - radial_jerk_share) * axes.blend_jerk,
+                radial_jerk_share * axes.blend_jerk},
+      inverse{velocity.cwiseInverse(), tangential_acceleration.cwiseInverse(),
+              radial_acceleration.cwiseInverse(), tangential_jerk.cwiseInverse(),
+              radial_jerk.cwiseInverse()} {}
 
 SpeedBound entry_speed_limit(const BlendShape::Point& entry, const SpeedBound& feed,
                              const BlendLimits& limits) {
@@ -158,6 +188,14 @@ void lower_to_steady_rows(SpeedBound& speed, double feed, const BlendShape::Poin
                           const BlendLimits& limits) {
   const double share = p.sigma / sigma;  // of the speed at u = 0, at constant du/dt
   const double growth = std::max(1.0, share);
+  const double v = share * speed.value;
+  Use use;
+  use.share = growth * speed.value / feed;
+  use.add(growth * speed.value, limits.inverse.velocity, p.tangent, CauseKind::blend_velocity);
+  use.add(v * v * p.k, limits.inverse.radial_acceleration, p.normal, CauseKind::blend_radial_acceleration);
+  if (use.share <= 1) {
+    return;
+  }
   const AxisBound velocity = axis_share(limits.velocity, growth * p.tangent);
   const AxisBound across = axis_share(limits.radial_acceleration, share * share * p.k * p.normal);
   speed.lower(feed / growth, speed.cause);
@@ -173,9 +211,11 @@ MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& spee
   const Vec3 tangent = shape.largest_tangent();
   MotionLimits least{speed, axis_share(limits.tangential_acceleration, tangent),
                      axis_share(limits.tangential_jerk, tangent)};
-  const double sigma = shape.at(0).sigma;
-  for (int i = 0; i <= intervals; ++i) {
-    lower_to_steady_rows(least.speed, feed, shape.at(static_cast<double>(i) / intervals), sigma, limits);
+  const BlendShape::Point entry = shape.at(0);
+  lower_to_steady_rows(least.speed, feed, entry, entry.sigma, limits);
+  for (int i = 1; i <= intervals; ++i) {
+    lower_to_steady_rows(least.speed, feed, shape.at(static_cast<double>(i) / intervals), entry.sigma,
+                         limits);
   }
   return least;
 }
@@ -245,10 +285,11 @@ bool keeps_rows_at(const BlendShape& shape, double speed, const BlendLimits& lim
   for (int i = 0; i <= intervals; ++i) {
     const BlendShape::Point p = shape.at(static_cast<double>(i) / intervals);
     Use use;
-    use.add(speed, limits.velocity, p.tangent, CauseKind::blend_velocity);
-    use.add(v2 * p.k, limits.radial_acceleration, p.normal, CauseKind::blend_radial_acceleration);
-    use.add(v2 * speed * p.k * p.k, limits.tangential_jerk, p.tangent, CauseKind::blend_tangential_jerk);
-    use.add(v2 * speed * p.dk_ds, limits.radial_jerk, p.normal, CauseKind::blend_radial_jerk);
+    use.add(speed, limits.inverse.velocity, p.tangent, CauseKind::blend_velocity);
+    use.add(v2 * p.k, limits.inverse.radial_acceleration, p.normal, CauseKind::blend_radial_acceleration);
+    use.add(v2 * speed * p.k * p.k, limits.inverse.tangential_jerk, p.tangent,
+            CauseKind::blend_tangential_jerk);
+    use.add(v2 * speed * p.dk_ds, limits.inverse.radial_jerk, p.normal, CauseKind::blend_radial_jerk);
     if (use.share > 1) {
       return false;
     }

@@ -7,13 +7,19 @@
 
 namespace feedscope {
 
-/// Limits on a corner blend (Essid 2019, eq 14, 15, 24): shares of an axis for radial and tangential motion.
-struct BlendLimits {
-  Vec3 velocity;                 ///< V [mm/s]
-  Vec3 tangential_acceleration;  ///< (1 - R_A) A [mm/s2]
-  Vec3 radial_acceleration;      ///< R_A A [mm/s2]
-  Vec3 tangential_jerk;          ///< (1 - R_J) Jtb [mm/s3]
-  Vec3 radial_jerk;              ///< R_J Jtb [mm/s3]
+/// A value an axis for each row of eq 24 of Essid 2019.
+struct BlendRows {
+  Vec3 velocity;
+  Vec3 tangential_acceleration;
+  Vec3 radial_acceleration;
+  Vec3 tangential_jerk;
+  Vec3 radial_jerk;
+};
+
+/// Limits on a corner blend (Essid 2019, eq 14, 15, 24): shares of an axis for radial and tangential motion,
+/// V, (1 - R_A) A, R_A A, (1 - R_J) Jtb, R_J Jtb [mm/s, mm/s2, mm/s3].
+struct BlendLimits : BlendRows {
+  BlendRows inverse;  ///< 1 / limit
 
   BlendLimits(const AxisVectors& axes, double radial_acceleration_share, double radial_jerk_share);
 };
