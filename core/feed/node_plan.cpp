@@ -19,7 +19,8 @@ class NodePlanner {
       : elements_(elements), ceiling_(ceiling), found_(level.begin(), level.end()) {
     const Cause rest{CauseKind::exact_stop};
     nodes_ = {{0, 0, rest}, {static_cast<std::uint32_t>(elements.size()), 0, rest}};
-    gaps_ = {{span_limits(elements, 0, elements.size()), true}};
+    forward_ = {{0, false}, {0, false}};
+    gaps_ = {{span_limits(elements, 0, elements.size())}};
     insert_found();
     make_reachable();
   }
@@ -37,7 +38,13 @@ class NodePlanner {
  private:
   struct Gap {
     SpanLimits limits;
-    bool unchecked = true;
+    bool unchecked = true;  ///< whether the law in it passes something too fast
+    bool is_new = true;     ///< what can be reached through it is not known yet
+  };
+  /// Of a node: the speed that can be reached from the nodes before it, and whether it has just changed.
+  struct Forward {
+    double speed = std::numeric_limits<double>::quiet_NaN();
+    bool changed = true;
   };
 
   bool any_unchecked() const {
@@ -112,61 +119,74 @@ class NodePlanner {
     std::size_t left = found_.size();
     std::size_t g = gaps_.size();
     nodes_.resize(nodes_.size() + left);
+    forward_.resize(nodes_.size());
     gaps_.resize(gaps_.size() + left);
     while (left > 0) {
       --g;
       std::size_t last = nodes_[g + 1].junction;
       nodes_[g + 1 + left] = nodes_[g + 1];
+      forward_[g + 1 + left] = forward_[g + 1];
       if (found_[left - 1] <= nodes_[g].junction) {
         gaps_[g + left] = gaps_[g];
         continue;
       }
       for (; left > 0 && found_[left - 1] > nodes_[g].junction; --left) {
         const std::uint32_t junction = found_[left - 1];
-        gaps_[g + left] = {span_limits(elements_, junction, last), true};
+        gaps_[g + left] = {span_limits(elements_, junction, last)};
         nodes_[g + left] = {junction, ceiling_[junction].value, ceiling_[junction].cause};
+        forward_[g + left] = {};
         last = junction;
       }
-      gaps_[g + left] = {span_limits(elements_, nodes_[g].junction, last), true};
+      gaps_[g + left] = {span_limits(elements_, nodes_[g].junction, last)};
     }
   }
 
+  /// Every node to its ceiling, or to what its neighbours let it reach: the same whatever order the nodes
+  /// were found in. Only what new gaps change is computed again.
   void make_reachable() {
-    for (std::size_t g = 0; g < gaps_.size(); ++g) {
-      lower(nodes_[g + 1], nodes_[g].speed, g, g + 1);
-    }
-    for (std::size_t g = gaps_.size(); g-- > 0;) {
-      if (lower(nodes_[g], nodes_[g + 1].speed, g, g)) {
-        nodes_[g].cause = nodes_[g + 1].cause;
+    for (std::size_t g = 0; g + 1 < gaps_.size(); ++g) {
+      Forward& after = forward_[g + 1];
+      const double before = after.speed;
+      if (gaps_[g].is_new || forward_[g].changed) {
+        after.speed = through(g, forward_[g].speed, ceiling_[nodes_[g + 1].junction].value);
       }
+      after.changed = after.speed != before;
     }
+    bool changed = false;  // the node behind the gap
+    for (std::size_t g = gaps_.size(); g-- > 1;) {
+      changed = (gaps_[g].is_new || changed || forward_[g].changed) && settle(g);
+      gaps_[g].is_new = forward_[g].changed = false;
+    }
+    gaps_[0].is_new = false;
   }
 
-  /// Lowers `node` to what gap `g` lets reach from `other`; the gaps on both sides of `node` change.
-  bool lower(PlanNode& node, double other, std::size_t g, std::size_t index) {
+  /// Sets node `g` by the one behind it; whether that changes it.
+  bool settle(std::size_t g) {
+    PlanNode& node = nodes_[g];
+    const PlanNode before = node;
+    const double reach = through(g, nodes_[g + 1].speed, forward_[g].speed);
+    node.cause = reach < forward_[g].speed ? nodes_[g + 1].cause : ceiling_[node.junction].cause;
+    node.speed = reach;
+    if (node.speed != before.speed) {
+      gaps_[g - 1].unchecked = gaps_[g].unchecked = true;
+    }
+    return node.speed != before.speed || node.cause != before.cause;
+  }
+
+  /// The speed, at most `wanted`, that gap `g` lets reach from `other` at its far end.
+  double through(std::size_t g, double other, double wanted) const {
     const double length = gaps_[g].limits.length;
     const RampLimits ramp = gaps_[g].limits.ramp();
-    if (node.speed <= other || ramp_length(other, node.speed, ramp) <= length) {
-      return false;
+    if (wanted <= other || ramp_length(other, wanted, ramp) <= length) {
+      return wanted;
     }
-    const double reach = reachable_speed(other, length, ramp);
-    if (reach >= node.speed) {
-      return false;
-    }
-    node.speed = reach;
-    gaps_[g].unchecked = true;
-    if (index > 0) {
-      gaps_[index - 1].unchecked = true;
-    }
-    if (index < gaps_.size()) {
-      gaps_[index].unchecked = true;
-    }
-    return true;
+    return std::min(wanted, reachable_speed(other, length, ramp));
   }
 
   std::span<const PlanElement> elements_;
   std::span<const SpeedBound> ceiling_;
   std::vector<PlanNode> nodes_;
+  std::vector<Forward> forward_;  ///< a node
   std::vector<Gap> gaps_;
   std::vector<std::uint32_t> found_;
 };

@@ -41,8 +41,8 @@ SpanLimits span_limits(std::span<const PlanElement> elements, std::size_t first,
 ///         |        /      \     ....            every element keeps its ceiling, every junction its own.
 ///         +------------------------------- path
 ///
-/// Starts with the two standstills, adds the slowest places that the law between them passes too fast, lowers
-/// nodes until each can be reached from its neighbours, and repeats until nothing is too fast.
+/// Starts with the two standstills, adds the slowest places that the law between them passes too fast, sets
+/// every node to what can be reached from its neighbours, and repeats until nothing is too fast.
 /// `junction_ceiling`: elements.size() + 1 values, the first and last taken as 0 [mm/s].
 /// `level`: junctions, in order and not the ends, that are nodes whatever their speed.
 /// Cost linear in the number of elements: a bounded number of passes.

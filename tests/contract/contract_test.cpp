@@ -27,8 +27,6 @@ struct OpenFinding {
   const char* check;
 };
 constexpr OpenFinding open_findings[] = {
-    // The plan of a stretch hangs on rounding where two places are nearly as slow.
-    {"gassara", "split"},
     // Path lengths of filtered motion are quadratures, on which places and instants of a path length hang.
     {"ward", "continuity"},
     {"ward", "displacement"},

@@ -51,6 +51,20 @@ TEST(NodePlan, ASlowPlaceBecomesANodeAtItsCeiling) {
   EXPECT_DOUBLE_EQ(nodes[2].speed, 10);
 }
 
+TEST(NodePlan, ANodeIsNotHeldDownByLimitsOfElementsThatASlowerPlaceCutsOff) {
+  // At first the gap up to junction 2 has the low jerk of its first element; then junction 1 becomes a node.
+  const std::vector<PlanElement> elements{element(5, 2, 20), element(7, 80, 300), element(50, 40, 300)};
+  const std::vector<std::uint32_t> last{2};
+  const std::vector<std::uint32_t> both{1, 2};
+  const auto nodes = plan_nodes(elements, ceilings(elements), last);
+  const auto known = plan_nodes(elements, ceilings(elements), both);
+  ASSERT_EQ(nodes.size(), 4u);
+  ASSERT_EQ(known.size(), 4u);
+  EXPECT_EQ(nodes[1].speed, 2);
+  EXPECT_EQ(nodes[2].speed, reachable_speed(2, 7, {1000, 300}));
+  EXPECT_EQ(nodes[2].speed, known[2].speed);
+}
+
 TEST(NodePlan, ANodeIsLoweredToWhatTheNextCanBeReachedFrom) {
   const std::vector<PlanElement> elements{element(50, 80), element(0.05, 40), element(0.5, 5),
                                           element(50, 80)};
