@@ -59,5 +59,8 @@ Result check_contour(const Motion& motion, const Guarantees& promised, double to
 Result check_again(const Motion& motion, const Inputs& inputs);
 /// The same motion in two halves, cut at every full stop in turn.
 Result check_split(const Motion& motion, const Guarantees& promised, const Inputs& inputs);
+/// On its own path no motion takes less than the bound, model `optimal`. One that exceeds velocity, feed or
+/// acceleration must when it is passed so much slower that it keeps them.
+Result check_bound(const Motion& motion, const Guarantees& promised, const Inputs& inputs);
 
 }  // namespace feedscope::contract

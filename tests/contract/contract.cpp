@@ -33,7 +33,8 @@ Result check_run(const Toolpath& toolpath, const Inputs& inputs) {
       [&] { return check_feed(motion, promised); }, [&] { return check_stops(motion, promised); },
       [&] { return check_contour(motion, promised, tolerance); }, [&] { return check_derivatives(motion); },
       [&] { return check_displacement(motion); }, [&] { return check_path_lookup(motion); },
-      [&] { return check_again(motion, inputs); }, [&] { return check_split(motion, promised, inputs); });
+      [&] { return check_again(motion, inputs); }, [&] { return check_split(motion, promised, inputs); },
+      [&] { return check_bound(motion, promised, inputs); });
 }
 
 }  // namespace

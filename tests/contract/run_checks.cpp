@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/blend/junction.h"
+#include "core/limits/segment_limits.h"
 #include "tests/contract/checks.h"
 
 namespace feedscope::contract {
@@ -85,6 +86,63 @@ Result check_split(const Motion& motion, const Guarantees& promised, const Input
             compare(motion.run(), cut, run(i, toolpath.segments.size()), motion.run().duration(), line)) {
       return wrong;
     }
+  }
+  return {};
+}
+
+namespace {
+
+/// What times must grow by for the motion to keep programmed feed, velocity and acceleration; at least 1.
+double slower_by(const Motion& motion, const AxisVectors& axes) {
+  double factor = 1;
+  for (const Part& part : motion.parts()) {
+    if (part.place == Place::dwell) {
+      continue;
+    }
+    constexpr int samples = 8;
+    for (int k = 0; k <= samples; ++k) {
+      const State s = motion.at(part, static_cast<double>(k) / samples);
+      factor = std::max({factor, s.speed / s.programmed_feed,
+                         s.velocity.cwiseAbs().cwiseQuotient(axes.velocity).maxCoeff(),
+                         std::sqrt(s.acceleration.cwiseAbs().cwiseQuotient(axes.acceleration).maxCoeff())});
+    }
+  }
+  return factor;
+}
+
+/// Settings of the bound on the path of the model of `inputs`.
+Settings settings_of_bound(const ControlModel& bound, const Inputs& inputs) {
+  Settings settings = complete_settings(bound, inputs.machine);
+  for (const auto& [key, value] : inputs.settings.values()) {
+    settings.set(key, value);
+  }
+  settings.set("path", inputs.model.info().id);
+  settings.set("jerk", std::string("off"));
+  return settings;
+}
+
+bool has_path(const ControlModel& bound, const std::string& id) {
+  const std::vector<SettingSpec>& specs = bound.info().settings;
+  const auto path = std::find_if(specs.begin(), specs.end(), [](const auto& s) { return s.key == "path"; });
+  return std::find(path->choices.begin(), path->choices.end(), id) != path->choices.end();
+}
+
+}  // namespace
+
+Result check_bound(const Motion& motion, const Guarantees& promised, const Inputs& inputs) {
+  const ControlModel& bound = find_model("optimal");
+  if (promised.continuity == Continuity::position || !has_path(bound, inputs.model.info().id)) {
+    return {};
+  }
+  constexpr double grid = 1e-3;  // of its time: what cells of half the length change at most
+  const double least =
+      bound.simulate(motion.toolpath(), inputs.machine, settings_of_bound(bound, inputs)).duration();
+  const double factor = slower_by(motion, AxisVectors(inputs.machine));
+  if (!(least <= motion.run().duration() * factor * (1 + grid))) {
+    return Finding{"bound",
+                   fmt::format("{} s, passed {} times as slow to keep feed, velocity and acceleration; "
+                               "the bound is {} s",
+                               motion.run().duration(), factor, least)};
   }
   return {};
 }

@@ -15,7 +15,7 @@ constexpr double arc_turn = 0.03;
 constexpr double blend_turn = 0.06;
 
 /// A cell of a blend is halved this often at most.
-constexpr int deepest_cut = 12;
+constexpr int deepest_cut = 44;
 
 PathPoint point_of(const CurvePoint& at) {
   return {at.d1, at.d2, at.d3};
