@@ -64,6 +64,11 @@ void TrajectoryBuilder::add_piece(Piece piece, double duration) {
   content_.duration += duration;
 }
 
+void TrajectoryBuilder::take_back(const Mark& start) {
+  content_.pieces.resize(start.piece);
+  content_.duration = start.time;
+}
+
 void TrajectoryBuilder::slow_down(const Mark& start, double factor) {
   for (std::size_t p = start.piece; p < content_.pieces.size(); ++p) {
     Piece& piece = content_.pieces[p];

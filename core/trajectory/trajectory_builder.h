@@ -46,6 +46,8 @@ class TrajectoryBuilder {
     double time;  ///< [s]
   };
   Mark mark() const { return {content_.pieces.size(), content_.duration}; }
+  /// Forgets everything from `start` on.
+  void take_back(const Mark& start);
   /// Passes everything from `start` on slower by `factor` >= 1: times grow by it, velocities fall by it.
   void slow_down(const Mark& start, double factor);
 

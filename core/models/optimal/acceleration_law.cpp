@@ -249,7 +249,10 @@ AccelerationLaw::CurvedMotion AccelerationLaw::curved_motion(const Cell& cell, d
   const double v0 = std::sqrt(x0);
   const double v1 = std::sqrt(motion.x);
   const double third = (2 * v0 + v1) / 3;
-  const double root = std::sqrt(std::max(third * third + 2 * motion.begin * cell.length / 3, 0.0));
+  if (2 * motion.begin * cell.length / 3 < -third * third / 2) {  // would come to a standstill on the way
+    motion.begin = mean;
+  }
+  const double root = std::sqrt(third * third + 2 * motion.begin * cell.length / 3);
   motion.time = 2 * cell.length / (third + root);
   motion.jerk = 2 * (v1 - v0 - motion.begin * motion.time) / (motion.time * motion.time);
   return motion;

@@ -3,36 +3,31 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/trajectory/stretch.h"
-
 namespace feedscope {
 namespace {
 
-/// Shares of the limits that the first law uses on curves: acceleration by turning, jerk by turning steadily,
-/// by turning and speeding up together, and what is left along the path.
-constexpr double turning = 0.4;
-constexpr double along = 0.5;
-constexpr double turning_jerk = 0.25;
-
-constexpr double ramp_cells = 5;      ///< cells in the time of the shortest ramp
-constexpr double stretch_cells = 20;  ///< cells of a stretch at least
-constexpr double growth = 0.4;        ///< of cells by time, away from where the law may change
+constexpr double slight = 1e-9;        ///< of a length, for rounding
+constexpr double digits = 2e-16;       ///< of a path length
+constexpr double rounded_jerk = 1e-4;  ///< share of the jerk that rounding of a cell's length may make
+constexpr double ramp_cells = 5;       ///< cells in the time of the shortest ramp
+constexpr double stretch_cells = 20;   ///< cells of a stretch at least
+constexpr double growth = 0.4;         ///< of cells by time, away from where the law may change
 /// Cells last longer in the first law than they will, up to this share, where it is slower than the feed.
 constexpr double least_speed_share = 0.3;
-constexpr double level_after = 2;   ///< ramp times within which they stay short
+constexpr double level_after = 2;  ///< ramp times within which they stay short
+/// The law is passed slower in such steps, which do not hang on the rounding of path lengths.
+constexpr double excess_step = 1e-4;
 constexpr double cell_turn = 0.15;  ///< [rad]
 constexpr std::size_t window_cells = 256;
 constexpr double window_ramps = 8;  ///< a window lasts so many ramps at least
 
-double largest_part(const PathCell& cell, int axis, Vec3 PathPoint::*of) {
-  return std::max(
-      {std::abs((cell.from.*of)[axis]), std::abs((cell.middle.*of)[axis]), std::abs((cell.to.*of)[axis])});
-}
-
-double turn_of(const std::vector<PathCell>& cells) {
+/// What the cells that begin in [from, to) turn by [rad].
+double turn_of(const std::vector<PathCell>& cells, double from, double to) {
+  const auto before = [](const PathCell& cell, double offset) { return cell.offset < offset; };
   double turn = 0;
-  for (const PathCell& cell : cells) {
-    turn += cell.middle.c.norm() * cell.length;
+  for (auto cell = std::lower_bound(cells.begin(), cells.end(), from, before);
+       cell != cells.end() && cell->offset < to; ++cell) {
+    turn += cell->middle.c.norm() * cell->length;
   }
   return turn;
 }
@@ -50,12 +45,12 @@ void JerkLaw::run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps)
   const TrajectoryBuilder::Mark start = builder_.mark();
   excess_ = 1;
   plan(first, last);
-  lay_phases();
-  cut_cells(first, last);
-  start_strictly();
+  const double planned = first_law_.duration();
+  start_strictly(first, last);
   improve(steps);
-  if (straight_ && time() >= planned_duration_) {
-    add_planned(first);
+  if (first_law_.is_straight() && time() >= planned) {
+    plan(first, last);
+    add_planned(first, last);
     return;
   }
   for (std::size_t i = 0; i < cells_.size(); i += window_cells) {
@@ -64,7 +59,7 @@ void JerkLaw::run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps)
     add_pieces(i, end);
   }
   if (excess_ > 1) {
-    builder_.slow_down(start, excess_);
+    builder_.slow_down(start, std::ceil(excess_ / excess_step) * excess_step);
   }
 }
 
@@ -82,157 +77,85 @@ void JerkLaw::load_element(std::uint32_t index, int fineness) {
   at_ = 0;
 }
 
-/// Static limits, such that any ramp that keeps them keeps those of the axes.
-PlanElement JerkLaw::plan_element(std::uint32_t index) {
-  load_element(index);
-  const Vec3& jerk = jerk_of(index);
-  PlanElement element;
-  element.length = builder_.path().length(index);
-  MotionLimits& limits = element.limits;
-  limits.speed = feed_;
-  if (geometry_.front().straight) {
-    const Vec3& t = geometry_.front().from.t;
-    const AxisBound velocity = axis_share(axes_.velocity, t);
-    limits.speed.lower(velocity.value, {CauseKind::axis_velocity, velocity.axis});
-    limits.acceleration = axis_share(axes_.acceleration, t);
-    limits.jerk = axis_share(jerk, t);
-    return element;
-  }
-  Vec3 t = Vec3::Zero();
-  Vec3 c = Vec3::Zero();
-  Vec3 d = Vec3::Zero();
-  for (const PathCell& cell : geometry_) {
-    for (int j = 0; j < 3; ++j) {
-      t[j] = std::max(t[j], largest_part(cell, j, &PathPoint::t));
-      c[j] = std::max(c[j], largest_part(cell, j, &PathPoint::c));
-      d[j] = std::max(d[j], largest_part(cell, j, &PathPoint::d));
-    }
-  }
-  const AxisBound velocity = axis_share(axes_.velocity, t);
-  const AxisBound radial = axis_share(turning * axes_.acceleration, c);
-  const AxisBound steady = axis_share(turning_jerk * jerk, d);
-  limits.speed.lower(velocity.value, {CauseKind::axis_velocity, velocity.axis});
-  limits.speed.lower(std::sqrt(radial.value), {CauseKind::axis_acceleration, radial.axis});
-  limits.speed.lower(std::cbrt(steady.value), {CauseKind::axis_jerk, steady.axis});
-  const AxisBound mixed = axis_share(turning_jerk * jerk, 3 * limits.speed.value * c);
-  limits.acceleration = axis_share(along * axes_.acceleration, t);
-  limits.acceleration.value = std::min(limits.acceleration.value, mixed.value);
-  limits.jerk = axis_share(along * jerk, t);
-  return element;
-}
-
 void JerkLaw::plan(std::uint32_t first, std::uint32_t last) {
-  plan_.clear();
-  straight_ = true;
+  first_law_.clear();
   for (std::uint32_t e = first; e < last; ++e) {
-    plan_.push_back(plan_element(e));
-    straight_ = straight_ && geometry_.front().straight;
+    load_element(e);
+    first_law_.add_element(geometry_, e, feed_, axes_, jerk_of(e));
   }
-  std::vector<SpeedBound> ceilings(plan_.size() + 1);
-  for (std::size_t j = 1; j < plan_.size(); ++j) {
-    ceilings[j] = plan_[j].limits.speed;
-    ceilings[j].lower(plan_[j - 1].limits.speed.value, plan_[j - 1].limits.speed.cause);
-  }
-  plan_nodes_ = plan_nodes(plan_, ceilings);
-}
-
-void JerkLaw::lay_phases() {
-  phases_.clear();
-  Motion1d at;
-  double time = 0;
-  double quickest = std::numeric_limits<double>::infinity();
-  double top = 0;
-  double end = 0;
-  for (std::size_t n = 0; n + 1 < plan_nodes_.size(); ++n) {
-    const SpanLimits span = span_limits(plan_, plan_nodes_[n].junction, plan_nodes_[n + 1].junction);
-    const SpeedProfile profile = profile_to(plan_nodes_[n + 1].speed, span, at.v, 0);
-    at.s = end;
-    at.a = 0;
-    end += span.length;
-    for (const auto& phase : profile.phases) {
-      if (phase.duration > 0) {
-        phases_.push_back({time, phase.jerk, at});
-        at = advance(at, phase.jerk, phase.duration);
-        time += phase.duration;
-        top = std::max(top, at.v);
-        quickest = std::min(quickest, span.acceleration.value / span.jerk.value);
-      }
-    }
-  }
-  phases_.push_back({time, 0, {end, 0, 0}});
-  planned_duration_ = time;
-  const double jerk = axes_.jerk.maxCoeff();
-  ramp_time_ = std::min(quickest, std::sqrt(top / jerk));
-  phase_ = 0;
-}
-
-/// The planned motion; times in order.
-Motion1d JerkLaw::planned_at(double time) {
-  while (phase_ + 2 < phases_.size() && phases_[phase_ + 1].time <= time) {
-    ++phase_;
-  }
-  const Phase& phase = phases_[phase_];
-  return advance(phase.at, phase.jerk, time - phase.time);
-}
-
-/// When the planned motion reaches `s`; in order.
-double JerkLaw::planned_time(double s) {
-  while (phase_ + 2 < phases_.size() && phases_[phase_ + 1].at.s <= s) {
-    ++phase_;
-  }
-  const Phase& phase = phases_[phase_];
-  double low = 0;
-  double high = phases_[phase_ + 1].time - phase.time;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (advance(phase.at, phase.jerk, middle).s < s ? low : high) = middle;
-  }
-  return phase.time + high;
+  first_law_.plan();
 }
 
 void JerkLaw::cut_cells(std::uint32_t first, std::uint32_t last) {
+  first_law_.rewind();
   cells_.clear();
   nodes_.assign(1, {});
+  // A shorter cell would have its jerk from the rounding of its length.
+  const double least_jerk = std::min(axes_.jerk.minCoeff(), axes_.blend_jerk.minCoeff());
+  least_time_ = std::cbrt(digits * (1 + first_law_.length()) / (rounded_jerk * least_jerk));
+  std::size_t part = 0;
   double begin = 0;
   for (std::uint32_t e = first; e < last; ++e) {
     load_element(e);
-    cut_element(e, begin);
-    begin += builder_.path().length(e);
+    const double length = law_length(builder_.path(), e);
+    double reached = 0;
+    do {
+      const bool ends =
+          part + 1 == first_law_.size() || first_law_.part_begin(part + 1) >= begin + (1 - slight) * length;
+      reached = cut_part(e, begin, reached, ends ? length : first_law_.part_end(part) - begin, part);
+      ++part;
+      if (ends) {
+        break;
+      }
+    } while (true);
+    begin += length;
   }
   nodes_.back() = {};
 }
 
-/// Cells of about equal time near the ends of an element, longer ones away from them; they turn little.
-void JerkLaw::cut_element(std::uint32_t index, double begin) {
-  const double length = builder_.path().length(index);
-  const std::size_t phase = phase_;
-  const double start = planned_time(begin);
-  const double duration = planned_time(begin + length) - start;
-  phase_ = phase;
+/// Cells up to `to` on the element, of about equal time near the ends of the part, longer ones away from
+/// them; they turn little. Returns where the last one ends, before `to` where that is next to nothing away
+/// [mm].
+double JerkLaw::cut_part(std::uint32_t index, double begin, double from, double to, std::size_t part) {
+  const std::size_t place = first_law_.place();
+  const double start = first_law_.time_at(begin + from);
+  const double duration = first_law_.time_at(begin + to) - start;
+  first_law_.rewind(place);
+  const bool ends = to == law_length(builder_.path(), index);
+  if (duration < least_time_ && (!ends || from > 0)) {
+    if (ends) {
+      const Motion1d at = first_law_.at(start + duration);
+      cells_.back().length = to - cells_.back().offset;
+      nodes_.back() = {std::max(at.v, 0.0), at.a};
+    }
+    return from;
+  }
   const double jerk = axis_share(jerk_of(index), geometry_.front().from.t).value;
-  const double ramp = std::min(ramp_time_, std::sqrt(feed_.value / jerk));
-  const double planned_speed = length / duration;
+  const double ramp = std::min(first_law_.ramp_time(), std::sqrt(feed_.value / jerk));
+  const double planned_speed = (to - from) / duration;
   const double speed_up = std::max(planned_speed / feed_.value, least_speed_share);
-  const double unit = std::min(ramp / ramp_cells / speed_up, planned_duration_ / stretch_cells);
-  const double most = duration / std::ceil(std::max(turn_of(geometry_) / cell_turn, 1.0));
+  const double fine = first_law_.fineness(part);
+  const double unit = std::min(ramp / ramp_cells / speed_up, first_law_.duration() / stretch_cells) / fine;
+  const double most = duration / std::ceil(std::max(fine * turn_of(geometry_, from, to) / cell_turn, 1.0));
   std::vector<double> times;
   double t = 0;
   while (t < duration) {
     const double away = std::max(std::min(t, duration - t) - level_after * ramp, 0.0);
-    t += std::min(unit + growth * away, most * (1 + 1e-9));
+    t += std::max(std::min(unit + growth * away, most * (1 + 1e-9)), least_time_);
     times.push_back(t);
   }
-  double reached = 0;
+  double reached = from;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const bool end = i + 1 == times.size();
-    const Motion1d at = planned_at(start + times[i] * duration / t);
-    const double offset = end ? length : at.s - begin;
+    const Motion1d at = first_law_.at(start + times[i] * duration / t);
+    const double offset = end ? to : at.s - begin;
     if (offset > reached) {
       cells_.push_back({offset - reached, reached, index});
       nodes_.push_back({std::max(at.v, 0.0), at.a});
       reached = offset;
     }
   }
+  return to;
 }
 
 PathPoint JerkLaw::point_at(double s) {
@@ -293,34 +216,54 @@ void JerkLaw::fill_places(std::size_t first, std::size_t last) {
   }
 }
 
-/// Passes the planned law slower until all limits are kept strictly.
-void JerkLaw::start_strictly() {
+void JerkLaw::slow_nodes(double factor) {
+  for (LawNode& node : nodes_) {
+    node.v /= factor;
+    node.a /= factor * factor;
+  }
+}
+
+/// Makes the first law slower where it does not keep all limits strictly: around these places, and only if
+/// that does not end, all over.
+void JerkLaw::start_strictly(std::uint32_t first, std::uint32_t last) {
   constexpr double slower = 1.15;
   constexpr int most_rounds = 60;
-  double factor = 1;
-  const auto slow = [&] {
-    factor *= slower;
-    for (LawNode& node : nodes_) {
-      node.v /= slower;
-      node.a /= slower * slower;
+  constexpr int local_rounds = 24;
+  for (int round = 0; round < most_rounds; ++round) {
+    if (round < local_rounds) {
+      first_law_.plan();
+      cut_cells(first, last);
     }
-  };
-  slow();
+    slow_nodes(slower);
+    if (!lower_exceeded()) {
+      return;
+    }
+  }
+}
+
+/// Lowers the first law where the limits of a cell are not kept strictly; whether there are such cells.
+bool JerkLaw::lower_exceeded() {
+  bool any = false;
+  double begin = 0;
+  double last_lowered = -1;
   for (std::size_t i = 0; i < cells_.size(); i += window_cells) {
     const std::size_t end = std::min(i + window_cells, cells_.size());
     fill_places(i, end);
-    for (int round = 0; round < most_rounds && !JerkSolver::keeps_limits(solver_cells_, places_, &nodes_[i]);
-         ++round) {
-      slow();
+    for (std::size_t k = i; k < end; begin += cells_[k++].length) {
+      if (!JerkSolver::keeps_limits(solver_cells_[k - i], places_, &nodes_[k])) {
+        any = true;
+        last_lowered = first_law_.lower_at(begin + cells_[k].length / 2, last_lowered);
+      }
     }
   }
+  return any;
 }
 
 void JerkLaw::improve(ProgressSteps& steps) {
   for (std::size_t i = 0; i < cells_.size();) {
     std::size_t end = i;
     double time = 0;
-    while (end < cells_.size() && (end < i + window_cells || time < window_ramps * ramp_time_)) {
+    while (end < cells_.size() && (end < i + window_cells || time < window_ramps * first_law_.ramp_time())) {
       time += CellMotion::through(cells_[end].length, nodes_[end].v, nodes_[end].a, nodes_[end + 1].v,
                                   nodes_[end + 1].a)
                   .time;
@@ -342,18 +285,19 @@ double JerkLaw::time() const {
   return sum;
 }
 
-/// The planned law itself: where nothing turns no other is faster. Its pieces run over several elements.
-void JerkLaw::add_planned(std::uint32_t first) {
+/// The first law itself: where nothing turns no other is faster. Its pieces run over several elements.
+void JerkLaw::add_planned(std::uint32_t first, std::uint32_t last) {
   std::uint32_t element = first;
   double begin = 0;
-  for (std::size_t i = 0; i + 1 < phases_.size(); ++i) {
-    const Phase& phase = phases_[i];
-    while (element + 1 < first + plan_.size() && begin + builder_.path().length(element) <= phase.at.s) {
-      begin += builder_.path().length(element++);
+  const std::vector<FirstLaw::Phase>& phases = first_law_.phases();
+  for (std::size_t i = 0; i + 1 < phases.size(); ++i) {
+    const FirstLaw::Phase& phase = phases[i];
+    while (element + 1 < last && begin + law_length(builder_.path(), element) <= phase.at.s) {
+      begin += law_length(builder_.path(), element++);
     }
-    const Cause cause = planned_cause(plan_[element - first], phase.jerk, phase.at);
+    const Cause cause = planned_cause(first_law_.straight_element(element), phase.jerk, phase.at);
     builder_.add_piece({0, phase.at.s - begin, phase.at.v, phase.at.a, phase.jerk, element, cause},
-                       phases_[i + 1].time - phase.time);
+                       phases[i + 1].time - phase.time);
   }
 }
 

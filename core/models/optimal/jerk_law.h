@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/feed/node_plan.h"
+#include "core/models/optimal/first_law.h"
 #include "core/models/optimal/jerk_solver.h"
 #include "core/trajectory/trajectory_builder.h"
 
@@ -31,25 +31,18 @@ class JerkLaw {
     double offset;  ///< in the element [mm]
     std::uint32_t element;
   };
-  struct Phase {
-    double time;
-    double jerk;
-    Motion1d at;
-  };
 
   void plan(std::uint32_t first, std::uint32_t last);
-  PlanElement plan_element(std::uint32_t index);
-  void lay_phases();
-  Motion1d planned_at(double time);
-  double planned_time(double s);
   void cut_cells(std::uint32_t first, std::uint32_t last);
-  void cut_element(std::uint32_t index, double begin);
+  double cut_part(std::uint32_t index, double begin, double from, double to, std::size_t part);
   void fill_places(std::size_t first, std::size_t last);
   void add_places(const Cell& cell);
-  void start_strictly();
+  void start_strictly(std::uint32_t first, std::uint32_t last);
+  bool lower_exceeded();
+  void slow_nodes(double factor);
   void improve(ProgressSteps& steps);
   double time() const;
-  void add_planned(std::uint32_t first);
+  void add_planned(std::uint32_t first, std::uint32_t last);
   Cause planned_cause(const PlanElement& element, double jerk, const Motion1d& at) const;
   void add_pieces(std::size_t first, std::size_t last);
   void add_half(const Cell& cell, const Motion1d& from, double jerk, double time, Cause cause);
@@ -64,14 +57,8 @@ class JerkLaw {
   TrajectoryBuilder& builder_;
   CellRule rule_;
 
-  std::vector<PlanElement> plan_;
-  std::vector<PlanNode> plan_nodes_;
-  std::vector<Phase> phases_;
-  double planned_duration_ = 0;
-  bool straight_ = false;  ///< the whole stretch
-  std::size_t phase_ = 0;
-  double ramp_time_ = 0;  ///< of the fastest ramps [s]
-
+  FirstLaw first_law_;
+  double least_time_ = 0;  ///< of a cell [s]
   std::vector<Cell> cells_;
   std::vector<LawNode> nodes_;
 

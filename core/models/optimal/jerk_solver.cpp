@@ -11,22 +11,17 @@ constexpr double first_mu = 0.1;
 /// The time comes out too long by about this share for every limit that is active in a cell.
 constexpr double last_mu = 4e-5;
 constexpr double less_mu = 0.25;
+/// The last steps go on until they gain no more than this share of the time.
+constexpr double settled = 1e-12;
 constexpr int most_steps = 60;
 constexpr int most_halvings = 30;
 
 }  // namespace
 
-bool JerkSolver::keeps_limits(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places,
+bool JerkSolver::keeps_limits(const SolverCell& cell, const std::vector<CellPlace>& places,
                               const LawNode* nodes) {
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    const CellMotion motion =
-        CellMotion::through(cells[i].length, nodes[i].v, nodes[i].a, nodes[i + 1].v, nodes[i + 1].a);
-    if (!std::isfinite(cell_value(motion, &places[cells[i].first],
-                                  &places[cells[i].first] + (cells[i].last - cells[i].first), 1))) {
-      return false;
-    }
-  }
-  return true;
+  const CellMotion motion = CellMotion::through(cell.length, nodes[0].v, nodes[0].a, nodes[1].v, nodes[1].a);
+  return std::isfinite(cell_value(motion, places.data() + cell.first, places.data() + cell.last, 1));
 }
 
 double JerkSolver::value(const LawNode* nodes, double mu) const {
@@ -92,8 +87,8 @@ double JerkSolver::solve() {
   return along;
 }
 
-/// One Newton step, shortened until it lowers the value; returns the share taken.
-double JerkSolver::step(LawNode* nodes, double mu) {
+/// One Newton step, shortened until it lowers the value.
+JerkSolver::Step JerkSolver::step(LawNode* nodes, double mu) {
   assemble(nodes, mu);
   const double along = solve();
   const double before = value(nodes, mu);
@@ -107,10 +102,10 @@ double JerkSolver::step(LawNode* nodes, double mu) {
     }
     if (value(trial_.data(), mu) <= before + 0.1 * share * along) {
       std::copy(trial_.begin(), trial_.end(), nodes);
-      return share;
+      return {share, -along};
     }
   }
-  return 0;
+  return {0, -along};
 }
 
 void JerkSolver::improve(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places,
@@ -118,15 +113,18 @@ void JerkSolver::improve(const std::vector<SolverCell>& cells, const std::vector
   cells_ = &cells;
   places_ = &places;
   weight_.clear();
+  double time = 0;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     weight_.push_back(
         CellMotion::through(cells[i].length, nodes[i].v, nodes[i].a, nodes[i + 1].v, nodes[i + 1].a).time);
+    time += weight_.back();
   }
   double mu = first_mu;
   for (int i = 0; i < most_steps; ++i) {
-    const double taken = step(nodes, mu);
-    if (taken >= 0.5 || taken == 0) {
-      if (mu <= last_mu) {
+    const Step taken = step(nodes, mu);
+    const bool last = mu <= last_mu;
+    if (taken.share == 0 || (taken.share >= 0.5 && (!last || taken.gain < settled * time))) {
+      if (last) {
         break;
       }
       mu = std::max(mu * less_mu, last_mu);

@@ -27,8 +27,8 @@ class JerkSolver {
   /// `nodes`: one more than cells; must keep the limits strictly. The first and the last stay.
   void improve(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places, LawNode* nodes);
 
-  /// Whether a law keeps all limits strictly.
-  static bool keeps_limits(const std::vector<SolverCell>& cells, const std::vector<CellPlace>& places,
+  /// Whether a law keeps all limits of a cell strictly; `nodes`: at its beginning and end.
+  static bool keeps_limits(const SolverCell& cell, const std::vector<CellPlace>& places,
                            const LawNode* nodes);
 
  private:
@@ -38,7 +38,12 @@ class JerkSolver {
   double value(const LawNode* nodes, double mu) const;
   void assemble(const LawNode* nodes, double mu);
   double solve();
-  double step(LawNode* nodes, double mu);
+  /// Of a Newton step: the share of it that was taken, and what the whole of it would have gained [s].
+  struct Step {
+    double share;
+    double gain;
+  };
+  Step step(LawNode* nodes, double mu);
 
   const std::vector<SolverCell>* cells_ = nullptr;
   const std::vector<CellPlace>* places_ = nullptr;

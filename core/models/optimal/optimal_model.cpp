@@ -4,6 +4,7 @@
 
 #include "core/models/optimal/acceleration_law.h"
 #include "core/models/optimal/jerk_law.h"
+#include "core/models/optimal/own_law.h"
 
 namespace feedscope {
 namespace {
@@ -104,7 +105,11 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
                                      const Settings& settings, Progress* progress) const {
   const Toolpath& toolpath = *shared;
   const AxisVectors axes(machine);
-  TrajectoryBuilder builder(find_model(settings.text("path")).simulate(shared, machine, settings, progress));
+  const ControlModel& model = find_model(settings.text("path"));
+  const Trajectory model_run = model.simulate(shared, machine, settings, progress);
+  const bool can_be_run = model.guarantees(settings).continuity != Continuity::position;
+  TrajectoryBuilder builder(model_run);
+  const OwnLaw own_law(model_run, axes);
   const bool with_jerk = settings.text("jerk") == "on";
   AccelerationLaw acceleration_law(toolpath, axes, 1, builder);
   JerkLaw jerk_law(toolpath, axes, builder);
@@ -120,7 +125,11 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
       const double time = toolpath.segments[path.segment(first)].dwell;
       builder.add_piece({0, 0, 0, 0, 0, first, {CauseKind::dwell}}, time);
     } else if (with_jerk) {
+      const TrajectoryBuilder::Mark start = builder.mark();
       jerk_law.run(first, last, steps);
+      if (can_be_run) {
+        own_law.replace_slower(first, last, start, builder);
+      }
     } else {
       acceleration_law.run(first, last, steps);
     }

@@ -117,11 +117,18 @@ void append_blend(const CubicBlend& blend, const PathCell& cell, const CellRule&
 
 }  // namespace
 
+double law_length(const BlendedPath& path, std::uint32_t index) {
+  constexpr double step = 0x1p-36;  // mm
+  constexpr double too_short = 0x1p-24;
+  const double length = path.length(index);
+  return length < too_short ? length : std::round(length / step) * step;
+}
+
 void append_cells(const BlendedPath& path, std::uint32_t index, const CellRule& rule,
                   std::vector<PathCell>& cells) {
   const ElementCurve curve = path.curve(index);
   PathCell cell;
-  cell.length = curve.length;
+  cell.length = law_length(path, index);
   cell.element = index;
   switch (curve.kind) {
     case ElementKind::line:

@@ -35,6 +35,10 @@ struct CellRule {
   double speed = 0;                                                     ///< [mm/s]
 };
 
+/// Length of element `index` [mm], rounded so that it does not hang on how far from the path's beginning it
+/// lies: path lengths are rounded there, and a law would be another one.
+double law_length(const BlendedPath& path, std::uint32_t index);
+
 /// Appends the cells of element `index`. Nothing for a dwell.
 void append_cells(const BlendedPath& path, std::uint32_t index, const CellRule& rule,
                   std::vector<PathCell>& cells);
