@@ -54,6 +54,7 @@ void FirstLaw::clear() {
   parts_.clear();
   begins_.clear();
   fineness_.clear();
+  ends_element_.clear();
   length_ = largest_jerk_ = 0;
   straight_ = true;
 }
@@ -80,6 +81,7 @@ void FirstLaw::add_element(const std::vector<PathCell>& cells, std::uint32_t ind
     most = cell == first ? speed : std::max(most, speed);
   }
   add_part(first, end, feed, axes, jerk);
+  ends_element_.back() = 1;
 }
 
 void FirstLaw::add_part(const PathCell* first, const PathCell* last, const SpeedBound& feed,
@@ -106,6 +108,7 @@ void FirstLaw::add_part(const PathCell* first, const PathCell* last, const Speed
   }
   begins_.push_back(length_);
   fineness_.push_back(1);
+  ends_element_.push_back(0);
   length_ += part.length;
   parts_.push_back(part);
   largest_jerk_ = std::max(largest_jerk_, jerk.maxCoeff());

@@ -29,11 +29,13 @@ class FirstLaw {
   double lower_at(double s, double lowered);
 
   std::size_t size() const { return parts_.size(); }
-  /// Parts in order; those of one element lie together.
+  /// Parts in order of the path. Where a part begins and ends from the start [mm].
   double part_begin(std::size_t part) const { return begins_[part]; }
   double part_end(std::size_t part) const { return part + 1 < size() ? begins_[part + 1] : length_; }
-  /// How many times as many cells as usual the part needs: where it had to be lowered, more.
+  /// Whether it is the last one of its path element.
+  bool ends_element(std::size_t part) const { return ends_element_[part] != 0; }
   double length() const { return length_; }  ///< [mm]
+  /// How many times as many cells as usual the part needs: where it had to be lowered, more.
   double fineness(std::size_t part) const { return fineness_[part]; }
 
   bool is_straight() const { return straight_; }  ///< one part an element, full limits
@@ -58,6 +60,7 @@ class FirstLaw {
   std::vector<PlanElement> parts_;
   std::vector<double> begins_;    ///< of parts [mm]
   std::vector<double> fineness_;  ///< of parts
+  std::vector<std::uint8_t> ends_element_;
   double length_ = 0;
   double largest_jerk_ = 0;
   std::uint32_t first_ = 0;

@@ -94,21 +94,15 @@ void JerkLaw::cut_cells(std::uint32_t first, std::uint32_t last) {
   const double least_jerk = std::min(axes_.jerk.minCoeff(), axes_.blend_jerk.minCoeff());
   least_time_ = std::cbrt(digits * (1 + first_law_.length()) / (rounded_jerk * least_jerk));
   std::size_t part = 0;
-  double begin = 0;
   for (std::uint32_t e = first; e < last; ++e) {
     load_element(e);
-    const double length = law_length(builder_.path(), e);
+    const double begin = first_law_.part_begin(part);
     double reached = 0;
-    do {
-      const bool ends =
-          part + 1 == first_law_.size() || first_law_.part_begin(part + 1) >= begin + (1 - slight) * length;
-      reached = cut_part(e, begin, reached, ends ? length : first_law_.part_end(part) - begin, part);
-      ++part;
-      if (ends) {
-        break;
-      }
-    } while (true);
-    begin += length;
+    for (bool ends = false; !ends; ++part) {
+      ends = first_law_.ends_element(part);
+      const double to = ends ? law_length(builder_.path(), e) : first_law_.part_end(part) - begin;
+      reached = cut_part(e, begin, reached, to, part);
+    }
   }
   nodes_.back() = {};
 }
