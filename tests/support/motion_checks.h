@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "core/machine/machine.h"
 #include "core/toolpath/toolpath.h"
 #include "tests/support/parts.h"
 
@@ -27,22 +26,6 @@ inline void expect_rest_at_the_programmed_ends(const Toolpath& path, const Traje
   const State end = run.state(run.duration());
   ASSERT_LT((end.position - path.segments.back().end).norm(), 1e-6);
   ASSERT_LT(end.speed, 1e-3);
-}
-
-inline void expect_axis_limits_on_lines(const Trajectory& run, const Machine& machine) {
-  for (const Part& part : testing::parts_of(run)) {
-    for (const double share : {0.0, 1.0}) {
-      const State state = testing::state_in(run, part, share * part.duration);
-      if (run.path().kind(state.element) != ElementKind::line) {
-        continue;
-      }
-      for (int j = 0; j < 3; ++j) {
-        const AxisLimits& axis = machine.axes[static_cast<std::size_t>(j)];
-        ASSERT_LE(std::abs(state.acceleration[j]), axis.acceleration * (1 + 1e-6)) << "part at " << part.time;
-        ASSERT_LE(std::abs(state.jerk[j]), axis.jerk * (1 + 1e-6)) << "part at " << part.time;
-      }
-    }
-  }
 }
 
 }  // namespace feedscope::testing
