@@ -52,7 +52,8 @@ class NodePlanner {
   }
 
   /// Fills found_ with junctions that have to become nodes, in order. Of neighbouring places that are too
-  /// fast only the slowest of a few does when `careful`, so that ramps still run over the others.
+  /// fast only the slowest of a few, the first of equals, does when `careful`, so that ramps still run over
+  /// the others.
   void find_too_fast(bool careful) {
     constexpr std::size_t together = 8;
     found_.clear();
@@ -102,7 +103,7 @@ class NodePlanner {
           take();
           continue;
         }
-        if (slowest == last || ceiling_[e + 1].value < ceiling_[slowest].value) {
+        if (slowest == last || ceiling_[e + 1].value * slack < ceiling_[slowest].value) {
           slowest = e + 1;
         }
         if (++run == together || !careful) {
