@@ -204,17 +204,19 @@ void AccelerationLaw::add_phases(const Cell& cell, double x0, double x1, const P
   const double v1 = std::sqrt(x1);
   const double top = std::sqrt(peak);
   const double least = 1e-12 * (1 + cell.length);  // mm, far below what positions resolve
-  const auto add = [&](double q, double from, double to, double length, Cause cause) {
+  double reached = 0;  // what is left out moves the next one: a piece begins where the cell does
+  const auto add = [&](double from, double to, double length, Cause cause) {
     if (length > least) {
       const double time = 2 * length / (from + to);
-      builder_.add_piece({0, cell.offset + q, from, (to - from) / time, 0, cell.element, cause}, time);
+      builder_.add_piece({0, cell.offset + reached, from, (to - from) / time, 0, cell.element, cause}, time);
+      reached += length;
     }
   };
   const auto axis = static_cast<std::int8_t>(cell.from.axis_of_highest(x0));
   const bool full = peak >= cell.ceiling.value * (1 - at_ceiling);
-  add(0, v0, top, up, {CauseKind::axis_acceleration, axis});
-  add(up, top, top, level, full ? cell.ceiling.cause : Cause{CauseKind::ramp_down});
-  add(up + level, top, v1, down, {CauseKind::ramp_down});
+  add(v0, top, up, {CauseKind::axis_acceleration, axis});
+  add(top, top, level, full ? cell.ceiling.cause : Cause{CauseKind::ramp_down});
+  add(top, v1, down, {CauseKind::ramp_down});
 }
 
 /// What constant accelerations a cell of a curve allows all over; `gain` is 0 if they do not lead to `x1`.
@@ -229,8 +231,8 @@ AccelerationLaw::Phases AccelerationLaw::curved_phases(const Cell& cell, double 
       phases.loss = std::min(phases.loss, -range->lowest(x));
     }
   }
-  const bool leads = phases.gain > 0 && phases.loss > 0 && x1 <= x0 + 2 * phases.gain * cell.length &&
-                     x0 <= x1 + 2 * phases.loss * cell.length;
+  const bool leads = std::max(x0, x1) <= ceiling && phases.gain > 0 && phases.loss > 0 &&
+                     x1 <= x0 + 2 * phases.gain * cell.length && x0 <= x1 + 2 * phases.loss * cell.length;
   return leads ? phases : Phases{crest, 0, 0};
 }
 

@@ -13,6 +13,9 @@ namespace {
 /// [rad].
 constexpr double arc_turn = 0.03;
 constexpr double blend_turn = 0.06;
+/// Curvature and speed by the parameter change by this share at most in a cell that turns by more than that.
+constexpr double even_change = 0.2;
+constexpr double slight_turn = 0.015;
 
 /// A cell of a blend is halved this often at most.
 constexpr int deepest_cut = 44;
@@ -84,8 +87,7 @@ class BlendCutter {
   void cut(double u0, double u1, const BlendShape::Point& from, const BlendShape::Point& to, int depth) {
     const double middle = (u0 + u1) / 2;
     const BlendShape::Point at = shape_.at(middle);
-    const double cosine = std::cos(blend_turn / rule_.fineness);
-    if (depth < deepest_cut && from.tangent.dot(to.tangent) < cosine) {
+    if (depth < deepest_cut && !is_even(from, to)) {
       cut(u0, middle, from, at, depth + 1);
       cut(middle, u1, at, to, depth + 1);
       return;
@@ -97,6 +99,16 @@ class BlendCutter {
     cell_.to = point_of(to);
     reached_ += cell_.length;
     cells_.push_back(cell_);
+  }
+
+  /// Whether it turns little from `from` to `to`, and where it turns at all, about evenly.
+  bool is_even(const BlendShape::Point& from, const BlendShape::Point& to) const {
+    const auto within = [](double a, double b) {
+      return std::abs(a - b) <= even_change * std::max(std::abs(a), std::abs(b));
+    };
+    const double turn = (to.tangent - from.tangent).norm() * rule_.fineness;
+    return turn <= slight_turn ||
+           (turn <= blend_turn && within(from.k, to.k) && within(from.sigma, to.sigma));
   }
 
   const BlendShape& shape_;
