@@ -206,7 +206,7 @@ void AccelerationLaw::add_phases(const Cell& cell, double x0, double x1, const P
   const double least = 1e-12 * (1 + cell.length);  // mm, far below what positions resolve
   double reached = 0;  // what is left out moves the next one: a piece begins where the cell does
   const auto add = [&](double from, double to, double length, Cause cause) {
-    if (length > least) {
+    if (length > least || std::abs(to - from) > at_ceiling * (from + to)) {
       const double time = 2 * length / (from + to);
       builder_.add_piece({0, cell.offset + reached, from, (to - from) / time, 0, cell.element, cause}, time);
       reached += length;

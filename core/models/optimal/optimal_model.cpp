@@ -68,7 +68,8 @@ ModelInfo make_info() {
   jerk.choices = {"off", "on"};
   info.settings.insert(info.settings.begin(), {path, jerk});
   info.remarks = {
-      "On sharp corner blends a limit was seen exceeded by up to 15 % between the places looked at.",
+      "On blends that nearly reverse, of a least radius below a nanometre, a limit may be exceeded by some "
+      "percent.",
       "Stops only where the path itself has a kink, a reversal or a dwell.",
       "Kinks of up to 0.01 rad at arcs count as tangent, as in every model."};
   return info;
@@ -96,7 +97,7 @@ Guarantees OptimalModel::guarantees(const Settings& settings) const {
   promised.contour = inner.contour;
   promised.meets_tangent_ends = inner.meets_tangent_ends;
   promised.stops_at_line_corners = inner.contour == 0;
-  promised.stops_at_arc_corners = true;
+  promised.stops_at_arc_corners = inner.meets_tangent_ends;  // compaction turns lines at their ends
   promised.stops_at_rapids = false;
   return promised;
 }

@@ -132,6 +132,44 @@ TEST(OptimalWithJerk, IsFasterThanTheModelsThatKeepTheLimits) {
   }
 }
 
+/// What times must grow by for a run to keep velocity, acceleration and jerk, seen at 17 instants of each
+/// part.
+double slower_by(const Trajectory& run, const AxisVectors& axes) {
+  double factor = 1;
+  for (const Part& part : testing::parts_of(run)) {
+    const Vec3& jerk = run.path().in_corner(part.element) ? axes.blend_jerk : axes.jerk;
+    for (int k = 0; k <= 16; ++k) {
+      const State state = testing::state_in(run, part, part.duration * k / 16);
+      factor = std::max({factor, state.velocity.cwiseAbs().cwiseQuotient(axes.velocity).maxCoeff(),
+                         std::sqrt(state.acceleration.cwiseAbs().cwiseQuotient(axes.acceleration).maxCoeff()),
+                         std::cbrt(state.jerk.cwiseAbs().cwiseQuotient(jerk).maxCoeff())});
+    }
+  }
+  return factor;
+}
+
+TEST(OptimalWithJerk, IsNeverSlowerThanTheModelPassedSoSlowlyThatItKeepsTheLimits) {
+  std::mt19937 random(5);
+  const Machine machine = testing::mikron();
+  for (int i = 0; i < 40; ++i) {
+    const Toolpath path = testing::random_path(random, 1 + i / 2);
+    for (const std::string model : {"essid", "gassara", "tapie"}) {
+      const Trajectory run = find_model(model).simulate(path, machine, settings_on(model, machine));
+      const double allowed = run.duration() * slower_by(run, AxisVectors(machine));
+      ASSERT_LE(time_of(path, model, machine), allowed * (1 + 1e-6)) << model << ", program " << i;
+    }
+  }
+}
+
+TEST(OptimalWithJerk, IsSlowAtANearReversalOnlyAroundIt) {
+  // The blend's least radius is far below a micrometre; the law may nearly stop there, as one that stops.
+  const Machine machine = spinner_as_published();
+  const Toolpath path = testing::polyline({{0, 0, 0}, {5, 0, 0}, {0, 1e-4, 0}}, 50);
+  const double with_stop = 2 * plan_profile(0, 0, 0, 5, 50, {1000, 15000}).duration();
+  EXPECT_LT(time_of(path, "essid", machine), 1.5 * with_stop);
+  EXPECT_LT(time_of(path, "essid", machine, "off"), with_stop);
+}
+
 TEST(OptimalWithJerk, RunsACircleAtTheSpeedThatItsJerkAllows) {
   // At constant speed the jerk v^3 / R^2 turns from axis to axis: v = (J R^2)^(1/3). Far from both ends a
   // turn takes no longer than that; where both axes share the jerk the tool may be a little faster.
