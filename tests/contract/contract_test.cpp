@@ -35,7 +35,8 @@ constexpr OpenFinding open_findings[] = {
     {"ward", "stops"},
     // Between the places of an arc that are watched the tolerance may be exceeded by some percent.
     {"ward", "contour"},
-    // A program begun elsewhere has other roundings, on which the solver of jerk=on hangs in a few programs.
+    // A program begun elsewhere has other roundings of path lengths: on them hang the cells of jerk=on in a
+    // few programs in a thousand, and the time of blocks of 1e-6 mm.
     {"optimal", "split"},
     // Parts of nanoseconds in the peak of curvature of a near reversal, of less than a nanometre.
     {"optimal", "derivatives"},
