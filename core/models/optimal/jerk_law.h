@@ -13,10 +13,10 @@ namespace feedscope {
 ///
 ///   |T_j s''' + 3 c_j v v' + d_j v^3| <= J_j
 ///
-/// on lines and arcs of the program with J, on corner blends with Jtb. It begins with a law that keeps static
-/// limits of every element, as the planned models do, passed slower until it keeps all limits strictly, and
-/// is improved by JerkSolver in windows that overlap. Two pieces of constant jerk a cell. Curvature may jump
-/// between elements: v and v' are continuous there, the acceleration across the path is not.
+/// on lines and arcs of the program with J, on corner blends with Jtb. It begins with FirstLaw, lowered
+/// around the places where it does not keep all limits strictly, and is improved by JerkSolver in windows
+/// that overlap. Two pieces of constant jerk a cell. Curvature may jump between elements: v and v' are
+/// continuous there, the acceleration across the path is not.
 class JerkLaw {
  public:
   /// `builder` holds the path and takes the motion.

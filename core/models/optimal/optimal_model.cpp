@@ -9,7 +9,7 @@
 namespace feedscope {
 namespace {
 
-/// On a filtered path the course is a function of time, not of path length.
+/// The course of filtered motion is a function of the time of its filters, not of path length.
 constexpr const char* no_path = "ward";
 constexpr const char* usual_path = "essid";
 
@@ -54,8 +54,9 @@ ModelInfo make_info() {
   path.key = "path";
   path.title = "Path of the model";
   path.explanation =
-      "Model whose path is run; ward is none of them, as the course of filtered motion is known over time "
-      "only.";
+      "Model whose path is run; ward is none of them yet: the course of its motion is known by the time of "
+      "its "
+      "filters, not by path length.";
   path.choices = {usual_path};
   add_settings_of_paths(info, path);
   SettingSpec jerk;
