@@ -38,7 +38,7 @@ constexpr OpenFinding open_findings[] = {
     // A program begun elsewhere has other roundings of path lengths: on them hang the cells of jerk=on in a
     // few programs in a thousand, and the time of blocks of 1e-6 mm.
     {"optimal", "split"},
-    // Parts of nanoseconds in the peak of curvature of a near reversal, of less than a nanometre.
+    // Parts of nanoseconds in the peak of curvature of a near reversal.
     {"optimal", "derivatives"},
     // The same peaks: the place of a path length on a blend is not known as finely as they are narrow.
     {"optimal", "acceleration-on-blend"},

@@ -69,8 +69,7 @@ ModelInfo make_info() {
   jerk.choices = {"off", "on"};
   info.settings.insert(info.settings.begin(), {path, jerk});
   info.remarks = {
-      "On blends that nearly reverse, of a least radius below a nanometre, a limit may be exceeded by some "
-      "percent.",
+      "On blends that nearly reverse limits were seen exceeded by 5 % (acceleration) and a third (jerk).",
       "Stops only where the path itself has a kink, a reversal or a dwell.",
       "Kinks of up to 0.01 rad at arcs count as tangent, as in every model."};
   return info;
