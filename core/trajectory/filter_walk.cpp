@@ -173,10 +173,11 @@ std::array<Vec3, highest - lowest + 1> FilterWalk::differences(double t) const {
   constexpr auto signs = binomials<filters>();
   Integrals<highest, lowest> sums;
   sums.fill(Vec3::Zero());
+  const double since_anchor = t - anchor_time_;
   for (std::size_t i = 0; i <= filters; ++i) {
     const Knot& knot = knots_[cursor_[i]];
-    const double age = t - static_cast<double>(i) * train_->filter_time;
-    const auto terms = integrals_at<highest, lowest>(knot, age - knot.part.time);
+    const double age = since_anchor - static_cast<double>(i) * train_->filter_time;
+    const auto terms = integrals_at<highest, lowest>(knot, age - knot.start);
     for (std::size_t m = 0; m < terms.size(); ++m) {
       sums[m] += signs[i] * terms[m];
     }
@@ -221,12 +222,12 @@ void FilterWalk::seek(const PulseTrain& train, double t) {
     append_block();
   }
   for (std::size_t i = 0; i <= static_cast<std::size_t>(train.filters); ++i) {
-    const double age = t - static_cast<double>(i) * train.filter_time;
+    const double age = t - anchor_time_ - static_cast<double>(i) * train.filter_time;
     std::size_t& cursor = cursor_[i];
-    while (cursor + 1 < knots_.size() && knots_[cursor + 1].part.time <= age) {
+    while (cursor + 1 < knots_.size() && knots_[cursor + 1].start <= age) {
       ++cursor;
     }
-    while (cursor > 0 && knots_[cursor].part.time > age) {
+    while (cursor > 0 && knots_[cursor].start > age) {
       --cursor;
     }
   }
@@ -249,7 +250,7 @@ void FilterWalk::restart(double anchor_time) {
   }
   parts[k].begin_later(anchor_time - parts[k].time);
   anchor_ = parts[k].position;
-  knots_.push_back({parts[k], {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}});
+  knots_.push_back({parts[k], 0, {Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()}});
   while (++k < count) {
     append(parts[k]);
   }
@@ -275,7 +276,8 @@ void FilterWalk::append(const CommandPart& part) {
   const Knot& before = knots_.back();
   Knot knot;
   knot.part = part;
-  knot.integrals = integrals_at<most_filters, 0>(before, part.time - before.part.time);
+  knot.start = part.time - anchor_time_;
+  knot.integrals = integrals_at<most_filters, 0>(before, knot.start - before.start);
   knot.integrals[0] = part.position - anchor_;
   knots_.push_back(knot);
 }

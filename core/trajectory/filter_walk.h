@@ -22,6 +22,10 @@ namespace feedscope {
 /// of a delay.
 class FilterWalk {
  public:
+  /// What rounding may make of a velocity, as a share of the largest that is commanded, T1 times that of an
+  /// acceleration: 2^n terms of up to (4 n)^n/n!, n = 3, each of a few roundings.
+  static constexpr double velocity_rounding = 1e-12;
+
   /// Smoothed motion at `t` from its start [s].
   Kinematics at(const PulseTrain& train, double t);
   /// Without the jerk, and without the position either, for those who need no more many times.
@@ -41,6 +45,7 @@ class FilterWalk {
   /// A part and the integrals P_0 (as distance from the anchor) ... P_n at its start.
   struct Knot {
     CommandPart part;
+    double start = 0;  ///< after the anchor, free of the rounding of late times [s]
     std::array<Vec3, most_filters + 1> integrals;
   };
   template <int filters, int highest, int lowest>

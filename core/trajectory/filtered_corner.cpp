@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/blend/junction.h"
+#include "core/trajectory/length_walk.h"
 
 namespace feedscope {
 

@@ -4,37 +4,6 @@
 
 namespace feedscope {
 
-/// Speed and its derivative at one instant.
-struct SpeedSample {
-  double time = 0;   ///< [s]
-  double speed = 0;  ///< [mm/s]
-  double slope = 0;  ///< [mm/s2]
-};
-
-/// Path length of smoothed pulses, from instant to instant in order: exact where the velocity is constant,
-/// else by quadrature with the speed and its derivative at three places, halved until that agrees with the
-/// rule of lower order to 1e-7 of what the largest speed covers.
-class LengthWalk {
- public:
-  /// Starts at `t` from the start of the motion [s].
-  LengthWalk(FilterWalk& walk, const PulseTrain& train, double t);
-  /// Path length covered since the instant before [mm].
-  double advance_to(double t);
-
-  /// At an instant near the one advanced to; free at the middle of the last step.
-  SpeedSample sample_at(double t);
-
- private:
-  SpeedSample sample(double t);
-  double between(const SpeedSample& from, const SpeedSample& middle, const SpeedSample& to, double tolerance,
-                 int depth);
-
-  FilterWalk& walk_;
-  const PulseTrain& train_;
-  SpeedSample last_;
-  SpeedSample middle_;
-};
-
 /// Velocity pulses smoothed by equal moving averages, from standstill to standstill (Ward 2021, eq 1-7;
 /// MODELS section 5). Kept as pulses: between their starts t_j and t_j + i T1 every axis is a polynomial of
 /// degree n + 1 of its own, on arcs a harmonic besides. An evaluation here costs the pulses within one delay;
@@ -54,10 +23,6 @@ class FilteredMotion {
 
   /// At `t` from the start [s].
   Kinematics at(double t) const;
-  /// Path length from `t0` to `t1` [mm], by a LengthWalk.
-  double length(double t0, double t1) const;
-  /// First time in [t0, t1] at which `length` [mm] from t0 is covered.
-  double time_at_length(double t0, double t1, double length) const;
   /// Whether one straight pulse fills the filters all the time from `t0` to `t1`: the velocity is constant.
   bool is_settled(double t0, double t1) const;
 

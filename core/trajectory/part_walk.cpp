@@ -42,13 +42,7 @@ void PartWalk::enter_piece(double tau) {
   if (piece.law == Law::filtered) {
     part_.time = piece.time + tau;
     part_.duration = duration_ - tau;
-    part_.q = piece.q;
-    if (tau > 0) {
-      Part passed = part_;
-      passed.time = piece.time;
-      passed.duration = tau;
-      part_.q += trajectory_.filtered_length(passed);
-    }
+    part_.q = tau > 0 ? trajectory_.filtered_q(piece_, tau, filters_) : piece.q;
     return;
   }
   if (tau > 0 && last_element_ > piece.element) {
@@ -172,17 +166,15 @@ Kinematics PartMotion::filtered_kinematics(double tau) const {
 }
 
 State PartMotion::filtered_state(State state, double tau) const {
-  const FilteredMotion& motion = trajectory_.motion_of(part_.element);
-  const double start = part_.time - motion.start();
   const Kinematics at = filtered_kinematics(tau);
   state.position = at.position;
   state.velocity = at.velocity;
   state.acceleration = at.acceleration;
   state.jerk = at.jerk;
-  const double covered = filters_ != nullptr
-                             ? LengthWalk(*filters_, motion.train(), start).advance_to(start + tau)
-                             : motion.length(start, start + tau);
-  state.path_length = trajectory_.path().s(part_.element) + std::min(curve_.length, part_.q + covered);
+  const double passed = part_.time - trajectory_.pieces()[part_.piece].time + tau;
+  FilterWalk own;
+  state.path_length = trajectory_.path().s(part_.element) +
+                      trajectory_.filtered_q(part_.piece, passed, filters_ != nullptr ? *filters_ : own);
   state.speed = at.velocity.norm();
   if (state.speed > 0) {
     const double along = at.acceleration.dot(at.velocity) / state.speed;

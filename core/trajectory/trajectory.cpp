@@ -89,9 +89,11 @@ double Trajectory::time_in_piece(std::size_t index, double q) const {
   const Piece& piece = pieces()[index];
   const double duration = piece_end(index) - piece.time;
   if (piece.law == Law::filtered) {
-    const FilteredMotion& motion = motion_of(piece.element);
-    const double start = piece.time - motion.start();
-    return motion.time_at_length(start, start + duration, q - piece.q) - start;
+    const double length = filtered_end(index) - piece.q;
+    const double share = length > 0 ? std::clamp((q - piece.q) / length, 0.0, 1.0) : 0;
+    FilterWalk filters;
+    const double start = piece.time - motion_of(piece.element).start();
+    return filtered_course(index, filters).time_at(share) - start;
   }
   const PiecePhases phases(piece, duration);
   double tau = 0;
@@ -147,16 +149,32 @@ int Trajectory::filtered_spans(const Part& part, double a_filter_time) const {
       std::ceil(std::clamp(part.duration / motion.filter_time() * a_filter_time, 1.0, most)));
 }
 
+double Trajectory::filtered_end(std::size_t piece) const {
+  const std::uint32_t element = pieces()[piece].element;
+  const std::size_t next = piece + 1;
+  const bool ends_here = next == pieces().size() || pieces()[next].element != element;
+  return ends_here ? path().length(element) : pieces()[next].q;
+}
+
+SpanCourse Trajectory::filtered_course(std::size_t piece, FilterWalk& filters) const {
+  const FilteredMotion& motion = motion_of(pieces()[piece].element);
+  const double start = pieces()[piece].time - motion.start();
+  return {filters, motion.train(), start, start + (piece_end(piece) - pieces()[piece].time)};
+}
+
+double Trajectory::filtered_q(std::size_t piece, double tau, FilterWalk& filters) const {
+  const Piece& at = pieces()[piece];
+  const double start = at.time - motion_of(at.element).start();
+  return at.q + (filtered_end(piece) - at.q) * filtered_course(piece, filters).share_at(start + tau);
+}
+
 double Trajectory::filtered_length(const Part& part) const {
   const Piece& piece = pieces()[part.piece];
-  if (part.time == piece.time && part.duration == piece_end(part.piece) - piece.time) {
-    const std::size_t next = part.piece + std::size_t{1};
-    const bool ends_here = next == pieces().size() || pieces()[next].element != piece.element;
-    return (ends_here ? path().length(piece.element) : pieces()[next].q) - piece.q;
-  }
-  const FilteredMotion& motion = motion_of(part.element);
-  const double start = part.time - motion.start();
-  return motion.length(start, start + part.duration);
+  const bool whole = part.time == piece.time && part.duration == piece_end(part.piece) - piece.time;
+  FilterWalk filters;
+  const double end = whole ? filtered_end(part.piece)
+                           : filtered_q(part.piece, part.time - piece.time + part.duration, filters);
+  return end - part.q;
 }
 
 std::size_t Trajectory::blend_count() const {

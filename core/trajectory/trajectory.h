@@ -6,6 +6,7 @@
 
 #include "core/blend/blended_path.h"
 #include "core/trajectory/filtered_motion.h"
+#include "core/trajectory/length_walk.h"
 #include "core/trajectory/piece.h"
 
 namespace feedscope {
@@ -94,6 +95,9 @@ class Trajectory {
   /// the filter time; 1 where its velocity is constant.
   int filtered_spans(const Part& part, double a_filter_time) const;
   double filtered_length(const Part& part) const;  ///< path length of a filtered part [mm]
+  /// Path length from the start of its element, `tau` from the start of a filtered piece [s], [mm]: between
+  /// the lengths that are kept for both ends of the piece by a SpanCourse.
+  double filtered_q(std::size_t piece, double tau, FilterWalk& filters) const;
   const FilteredMotion& motion_of(std::uint32_t element) const {
     return content_.motions[content_.path.index(element)];
   }
@@ -108,6 +112,9 @@ class Trajectory {
   const Segment& segment_of(std::size_t element) const {
     return content_.path.programmed()->segments[content_.path.segment(element)];
   }
+  double filtered_end(std::size_t piece) const;  ///< q at the end of a filtered piece [mm]
+  /// The span of its motion that a filtered piece is.
+  SpanCourse filtered_course(std::size_t piece, FilterWalk& filters) const;
   /// Time from the start of a piece until its q is reached [s].
   double time_in_piece(std::size_t piece, double q) const;
   /// The parts from the first one on `element` on.

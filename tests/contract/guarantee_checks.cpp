@@ -158,13 +158,12 @@ bool is_promised_stop(const Toolpath& toolpath, std::size_t i, const Guarantees&
 }
 
 /// Distance of the path from the end of segment i - 1, where segment i begins, less what rounding of the time
-/// leaves open [mm]. Path lengths of filtered motion are quadratures: there the time tells the place.
+/// leaves open [mm].
 double distance_at_border(const Motion& motion, std::size_t i) {
   const std::size_t part = motion.first_part_of(i);
-  const Part& before = motion.parts()[part > 0 ? part - 1 : 0];
   const double s =
       part < motion.parts().size() ? motion.element_start(motion.parts()[part]) : motion.run().path_length();
-  const State there = motion.memory(before) > 0 ? motion.at(before, 1) : motion.run().state_at_path(s);
+  const State there = motion.run().state_at_path(s);
   constexpr double clock = 4e-16;
   return (there.position - motion.toolpath().segments[i - 1].end).norm() - clock * there.time * there.speed;
 }
@@ -191,9 +190,14 @@ Result check_stops(const Motion& motion, const Guarantees& promised) {
 
 namespace {
 
-/// Distance of `point` from the path between the ends of segments i - 2 and i + 1, sampled, then closed in
-/// on [mm].
-double distance_near(const Motion& motion, std::size_t i, const Vec3& point) {
+struct Sample {
+  double time = 0;      ///< [s]
+  double distance = 0;  ///< [mm]
+};
+
+/// Distance of `point` from the path between the ends of segments i - 2 and i + 1 [mm]: sampled, then closed
+/// in on from every sample that is nearer than its neighbours, until one is within `enough`.
+double distance_near(const Motion& motion, std::size_t i, const Vec3& point, double enough) {
   const std::vector<Part>& parts = motion.parts();
   const std::size_t first = motion.first_part_of(i - 1);
   const std::size_t last = std::max(first + 1, motion.first_part_of(i + 1));
@@ -201,31 +205,33 @@ double distance_near(const Motion& motion, std::size_t i, const Vec3& point) {
   const double end = last < parts.size() ? parts[last].time + parts[last].duration : motion.run().duration();
   const double from = std::max(0.0, parts[first > 0 ? first - 1 : 0].time - reach);
   const double to = std::min(motion.run().duration(), end + reach);
-  double best = std::numeric_limits<double>::infinity();
-  double at = from;
-  const auto look = [&](double time) {
-    const double distance = (motion.run().state(time).position - point).norm();
-    if (distance < best) {
-      best = distance;
-      at = time;
-    }
-  };
+  std::vector<Sample> samples;
+  const auto look = [&](double time) { return Sample{time, (motion.position(time) - point).norm()}; };
   constexpr int reached = 64;
-  double width = reach > 0 ? (to - from) / reached : 0;
   for (int k = 0; reach > 0 && k <= reached; ++k) {
-    look(from + k * width);
+    samples.push_back(look(from + k * (to - from) / reached));
   }
   for (std::size_t p = first > 0 ? first - 1 : 0; p < parts.size() && p <= last; ++p) {
-    constexpr int samples = 8;
-    for (int k = 0; k <= samples; ++k) {
-      look(parts[p].time + parts[p].duration * k / samples);
+    constexpr int of_part = 8;
+    for (int k = 0; k <= of_part; ++k) {
+      samples.push_back(look(parts[p].time + parts[p].duration * k / of_part));
     }
-    width = std::max(width, parts[p].duration / samples);
   }
-  for (; width > 1e-12 * (1 + to) && best > met; width /= 2) {
-    const double middle = at;
-    look(std::max(from, middle - width / 2));
-    look(std::min(to, middle + width / 2));
+  std::sort(samples.begin(), samples.end(), [](const Sample& a, const Sample& b) { return a.time < b.time; });
+  double best = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < samples.size() && best > enough; ++k) {
+    const Sample& before = samples[k > 0 ? k - 1 : k];
+    const Sample& after = samples[std::min(k + 1, samples.size() - 1)];
+    Sample nearest = samples[k];
+    const bool is_least = nearest.distance <= before.distance && nearest.distance <= after.distance;
+    double width = is_least ? after.time - before.time : 0;
+    for (; width > 1e-12 * (1 + to) && nearest.distance > enough; width /= 2) {
+      for (const double time : {nearest.time - width / 2, nearest.time + width / 2}) {
+        const Sample there = look(std::clamp(time, from, to));
+        nearest = there.distance < nearest.distance ? there : nearest;
+      }
+    }
+    best = std::min(best, nearest.distance);
   }
   return best;
 }
@@ -241,8 +247,8 @@ Result check_contour(const Motion& motion, const Guarantees& promised, double to
       continue;
     }
     const double allowed = exact ? met : promised.contour * tolerance * (1 + rounding) + met;
-    const double distance =
-        exact ? distance_at_border(motion, i) : distance_near(motion, i, toolpath.segments[i - 1].end);
+    const double distance = exact ? distance_at_border(motion, i)
+                                  : distance_near(motion, i, toolpath.segments[i - 1].end, allowed);
     if (!(distance <= allowed)) {
       return Finding{"contour", fmt::format("end of line {}: {} mm from the path, promised is {} mm",
                                             toolpath.segments[i - 1].line, distance, allowed)};

@@ -35,7 +35,19 @@ Motion::Motion(const Toolpath& toolpath, const Trajectory& run) : toolpath_(tool
 }
 
 State Motion::at(const Part& part, double share) const {
-  return PartMotion(run_, laws_[part.number]).state(share * part.duration);
+  return PartMotion(run_, laws_[part.number], &filters_).state(share * part.duration);
+}
+
+Kinematics Motion::kinematics(const Part& part, double share) const {
+  return PartMotion(run_, laws_[part.number], &filters_).kinematics(share * part.duration);
+}
+
+Vec3 Motion::position(double time) const {
+  const auto after =
+      std::partition_point(parts_.begin(), parts_.end(), [&](const Part& part) { return part.time <= time; });
+  const std::size_t number =
+      after == parts_.begin() ? 0 : static_cast<std::size_t>(after - parts_.begin()) - 1;
+  return PartMotion(run_, laws_[number], &filters_).kinematics(time - parts_[number].time).position;
 }
 
 std::size_t Motion::first_part_of(std::size_t segment) const {
@@ -67,6 +79,40 @@ double Motion::time_scale(const Part& part) const {
   return motion != nullptr ? std::min(part.duration, motion->filter_time()) : part.duration;
 }
 
+std::vector<double> Motion::law_borders(const Part& part) const {
+  std::vector<double> borders{0};
+  if (const FilteredMotion* motion = filtered(part)) {
+    const double start = part.time - motion->start();
+    const double least = 1e-9 * motion->filter_time();  // what rounding keeps apart is one place
+    for (double t = start;;) {
+      t = std::max(filters_.next_knot(motion->train(), t), t + least);
+      const double share = (t - start) / part.duration;
+      if (!(share < 1)) {
+        break;
+      }
+      borders.push_back(share);
+    }
+  }
+  borders.push_back(1);
+  return borders;
+}
+
+double Motion::turn_rate(const Part& part) const {
+  const FilteredMotion* motion = filtered(part);
+  double rate = 0;
+  for (std::size_t i = 0; motion != nullptr && i < motion->train().size(); ++i) {
+    const PulseTrain& train = motion->train();
+    if (train.segment(i).kind == SegmentKind::arc) {
+      rate = std::max(rate, train.blocks[i].feed / train.arc(i).length_per_radian());
+    }
+  }
+  return rate;
+}
+
+double Motion::velocity_rounding(const Part& part) const {
+  return FilterWalk::velocity_rounding * commanded_speed(part);
+}
+
 double Motion::memory(const Part& part) const {
   const FilteredMotion* motion = filtered(part);
   return motion != nullptr ? motion->delay() : 0;
@@ -75,13 +121,6 @@ double Motion::memory(const Part& part) const {
 double Motion::commanded_speed(const Part& part) const {
   const FilteredMotion* motion = filtered(part);
   return motion != nullptr ? motion->train().largest_feed : 0;
-}
-
-double Motion::open_length(const Part& part) const {
-  constexpr double quadrature = 2e-8;  // of the length, and of what the largest speed covers
-  const FilteredMotion* motion = filtered(part);
-  const double end = element_start(part) + length(part);
-  return motion != nullptr ? quadrature * (end + commanded_speed(part) * motion->delay()) : 0;
 }
 
 bool same_bits(const Trajectory& a, const Trajectory& b) {

@@ -94,7 +94,7 @@ Result check_ends(const Motion& motion, const Guarantees& promised) {
   const double off_start = (start.position - toolpath.start).norm();
   const double off_end = std::max((end.position - target).norm(), (last.position - target).norm());
   const Part& final = motion.parts().back();
-  const double open = open_position(motion, final, motion.at(final, 0.9).speed) + motion.open_length(final);
+  const double open = open_position(motion, final, motion.at(final, 0.9).speed);
   if (!(off_start <= met) || !(off_end <= met + open)) {
     return Finding{"ends", fmt::format("begins {} mm, ends {} mm off", off_start, off_end)};
   }
@@ -111,8 +111,7 @@ Result check_continuity(const Motion& motion, const Guarantees& promised) {
     const double gap = (a.position - b.position).norm();
     const double along = std::abs(a.path_length - b.path_length);
     const double open = open_position(motion, motion.parts()[i + 1], std::max(a.speed, b.speed));
-    if (!(gap <= met + open) ||
-        !(along <= met + open + 4e-15 * a.path_length + motion.open_length(motion.parts()[i + 1]))) {
+    if (!(gap <= met + open) || !(along <= met + open + 4e-15 * a.path_length)) {
       return Finding{"continuity", fmt::format("{}: {} mm from the part before, {} mm along the path",
                                                place_text(motion, motion.parts()[i + 1]), gap, along)};
     }
@@ -178,11 +177,13 @@ Result check_derivatives_at(const Motion& motion, const Part& part, double share
   const auto jerk = difference<Vec3>(s, h, [](const State& x) { return x.acceleration; });
   const double commanded = motion.commanded_speed(part);
   const double change = std::max(at.acceleration.norm(), commanded / motion.time_scale(part));
+  const double smoothed = motion.velocity_rounding(part) / rounding;
   for (const Result& result :
        {wrong("velocity", velocity, at.velocity, motion.size(part), at.speed),
-        wrong("acceleration", acceleration, at.acceleration, std::max(at.speed, commanded),
-              at.acceleration.norm()),
-        wrong("jerk", jerk, at.jerk, change + at.speed * at.speed / motion.length(part), at.jerk.norm())}) {
+        wrong("acceleration", acceleration, at.acceleration, at.speed + smoothed, at.acceleration.norm()),
+        wrong("jerk", jerk, at.jerk,
+              change + smoothed / motion.time_scale(part) + at.speed * at.speed / motion.length(part),
+              at.jerk.norm())}) {
     if (result) {
       return result;
     }
@@ -203,22 +204,19 @@ Result check_derivatives(const Motion& motion) {
     if (part.place == Place::dwell || part.duration < too_short) {
       continue;
     }
-    if (motion.memory(part) == 0) {
-      if (Result wrong = check_derivatives_at(motion, part, 0.43, 0.01)) {
-        return wrong;
-      }
-      continue;
-    }
-    // The law of filters changes somewhere in a part, where differences mean nothing: one place must do.
-    const double step = 2e-4 * motion.time_scale(part) / part.duration;
-    Result wrong;
-    for (const double share : {0.43, 0.52, 0.61, 0.74, 0.87}) {
-      wrong = check_derivatives_at(motion, part, share, step);
-      if (!wrong) {
-        break;
+    // Where the law changes differences mean nothing: the longest stretch without a change is looked at.
+    const std::vector<double> borders = motion.law_borders(part);
+    std::size_t longest = 1;
+    for (std::size_t i = 1; i < borders.size(); ++i) {
+      if (borders[i] - borders[i - 1] > borders[longest] - borders[longest - 1]) {
+        longest = i;
       }
     }
-    if (wrong) {
+    const double from = borders[longest - 1];
+    const double width = borders[longest] - from;
+    const double most = motion.memory(part) > 0 ? 2e-4 * motion.time_scale(part) / part.duration : width;
+    if (Result wrong =
+            check_derivatives_at(motion, part, from + 0.43 * width, std::min(0.01 * width, most))) {
       return wrong;
     }
   }
@@ -234,7 +232,7 @@ Vec3 way(const Motion& motion, const Part& part, double low, double high, double
   const auto rule = [&](double from, double to) {
     Vec3 sum = Vec3::Zero();
     for (std::size_t i = 0; i < 3; ++i) {
-      sum += weights[i] * motion.at(part, (from + to) / 2 + (to - from) / 2 * nodes[i]).velocity;
+      sum += weights[i] * motion.kinematics(part, (from + to) / 2 + (to - from) / 2 * nodes[i]).velocity;
     }
     return Vec3(sum * (to - from) * part.duration);
   };
@@ -257,20 +255,23 @@ Result check_displacement(const Motion& motion) {
   Vec3 sum = motion.toolpath().start;
   double slack = met;
   for (const Part& part : motion.parts()) {
-    // Filters change the law within a part: no halving may hit its pattern.
-    const double pieces = motion.memory(part) > 0
-                              ? std::min(std::ceil(12 * part.duration / motion.time_scale(part)), 300.0)
-                              : 1;
+    const std::vector<double> borders = motion.law_borders(part);
+    const double turn = motion.turn_rate(part) * part.duration;
     Vec3 along = Vec3::Zero();
-    for (double piece = 0; piece < pieces; ++piece) {
-      along += way(motion, part, piece / pieces, (piece + 1) / pieces, allowed / pieces, 12);
+    for (std::size_t i = 1; i < borders.size(); ++i) {
+      const double width = borders[i] - borders[i - 1];
+      constexpr double most_pieces = 300;
+      const double pieces = std::clamp(std::ceil(turn * width), 1.0, most_pieces);
+      for (double piece = 0; piece < pieces; ++piece) {
+        const double from = borders[i - 1] + piece / pieces * width;
+        along += way(motion, part, from, from + width / pieces, allowed * width / pieces, 12);
+      }
     }
     const State start = motion.at(part, 0);
     const State end = motion.at(part, 1);
-    // What the rule cannot see of a change right at the end of a step.
-    const double unseen = 1e-7 * motion.commanded_speed(part) * motion.time_scale(part);
-    const double open = allowed + unseen + open_position(motion, part, std::max(start.speed, end.speed)) +
-                        1e-13 * along.norm();
+    const double open = allowed + open_position(motion, part, std::max(start.speed, end.speed)) +
+                        1e-13 * along.norm() +
+                        motion.velocity_rounding(part) * (part.duration + motion.memory(part));
     const double off = (start.position + along - end.position).norm();
     if (!(off <= met + open)) {
       return Finding{"displacement",
@@ -295,8 +296,7 @@ Result check_path_lookup(const Motion& motion) {
     const double s = length * i / 16;
     const State found = motion.run().state_at_path(s);
     const State again = motion.run().state(found.time);
-    const Part& last = motion.parts().back();
-    const double slack = 1e-8 + 4e-15 * s + 4 * clock * found.time * found.speed + motion.open_length(last);
+    const double slack = 1e-8 + 4e-15 * s + 4 * clock * found.time * found.speed;
     if (!(std::abs(found.path_length - s) <= slack) || !((found.position - again.position).norm() <= slack)) {
       return Finding{"path-lookup",
                      fmt::format("state_at_path({}) is at {} mm, {} mm from state({})", s, found.path_length,

@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/models/ward/ward_settings.h"
 #include "core/trajectory/filtered_corner.h"
+#include "core/trajectory/length_walk.h"
 #include "core/trajectory/stretch.h"
 
 namespace feedscope {

@@ -8,6 +8,7 @@
 #include "core/base/units.h"
 #include "core/models/control_model.h"
 #include "core/trajectory/filtered_motion.h"
+#include "core/trajectory/length_walk.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -233,8 +234,49 @@ TEST_P(FilterWalkTest, LengthIsTheIntegralOfTheSpeed) {
         }
       }
       ASSERT_NEAR(covered, sum, 2e-5 * sum);
-      ASSERT_NEAR(motion.length(0, motion.duration()), covered,
+      ASSERT_NEAR(LengthWalk(walk, motion.train(), 0).advance_to(motion.duration()), covered,
                   1e-8 * motion.train().largest_feed * motion.duration());
+    }
+  }
+}
+
+TEST_P(FilterWalkTest, KeepsTheSpeedOfAnArcAnHourLater) {
+  constexpr double radius = 300;
+  constexpr double feed = 0.5;
+  constexpr double filter_time = 1e-3;
+  Toolpath path;
+  path.start = Vec3(radius, 0, 0);
+  testing::append_arc(path, Vec3::Zero(), 6, feed);
+  PulseTrain train{std::make_shared<const Toolpath>(path), 0, GetParam(), filter_time, feed, {}};
+  train.blocks = {{0, feed, 0}, {6 * radius / feed, 0, 0}};
+  FilterWalk walk;
+  for (double t = 3500; t < 3500.1; t += 0.37 * filter_time) {
+    ASSERT_NEAR(walk.velocity_at(train, t).velocity.norm(), feed, FilterWalk::velocity_rounding * feed) << t;
+  }
+}
+
+TEST_P(FilterWalkTest, ShareOfASpanNeverDecreasesAndIsTheInverseOfItsTime) {
+  std::mt19937 random(8);
+  for (int i = 0; i < 20; ++i) {
+    const Trajectory trajectory = run(testing::random_path(random, 20), GetParam());
+    for (const FilteredMotion& motion : trajectory.motions()) {
+      FilterWalk walk;
+      const double from = 0.1 * motion.duration();
+      const double to = std::min(0.9 * motion.duration(), from + 5 * motion.delay());
+      const SpanCourse course(walk, motion.train(), from, to);
+      ASSERT_EQ(course.share_at(from), 0);
+      ASSERT_EQ(course.share_at(to), 1);
+      constexpr int count = 300;
+      double before = 0;
+      for (int k = 1; k <= count; ++k) {
+        const double t = from + (to - from) * k / count;
+        const double share = course.share_at(t);
+        ASSERT_GE(share, before) << t;
+        const double found = course.time_at(share);
+        ASSERT_LE(found, t + 1e-12 * to);  // the first instant, the later ones may be at rest
+        ASSERT_NEAR(course.share_at(found), share, FilterWalk::velocity_rounding) << t;
+        before = share;
+      }
     }
   }
 }
