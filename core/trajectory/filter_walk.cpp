@@ -153,13 +153,14 @@ VelocityPoint FilterWalk::velocity_at(const PulseTrain& train, double t) {
 
 double FilterWalk::next_knot(const PulseTrain& train, double t) {
   seek(train, t);
-  double next = std::numeric_limits<double>::infinity();
+  constexpr double never = std::numeric_limits<double>::infinity();
+  double next = never;
   for (int i = 0; i <= train.filters; ++i) {
     const std::size_t after = cursor_[static_cast<std::size_t>(i)] + 1;
     const double begins = after < knots_.size() ? knots_[after].part.time : known_until_;
     next = std::min(next, begins + i * train.filter_time);
   }
-  return next;
+  return std::max(next, std::nextafter(t, never));
 }
 
 const FilterWalk::Knot* FilterWalk::settled_in() const {

@@ -122,9 +122,12 @@ Result check_continuity(const Motion& motion, const Guarantees& promised) {
     }
     const double turn = (a.velocity - b.velocity).norm();
     const double kick = (a.acceleration - b.acceleration).norm();
+    const double jerk = std::max(a.jerk.norm(), b.jerk.norm());
+    const Part& part = motion.parts()[i + 1];
+    const double smoothed = 2 * motion.velocity_rounding(part) / motion.time_scale(part);
     if (promised.continuity == Continuity::acceleration &&
         !(turn <= 1e-6 * (1 + a.speed) &&
-          kick <= 1e-5 * (1 + a.acceleration.norm()) + 1e-14 * a.time * a.jerk.norm())) {
+          kick <= 1e-5 * (1 + a.acceleration.norm()) + 1e-14 * a.time * jerk + smoothed)) {
       return Finding{"continuity", fmt::format("{}: velocity jumps by {} mm/s, acceleration by {} mm/s2",
                                                place_text(motion, motion.parts()[i + 1]), turn, kick)};
     }
