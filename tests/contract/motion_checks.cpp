@@ -124,7 +124,11 @@ Result check_continuity(const Motion& motion, const Guarantees& promised) {
     const double kick = (a.acceleration - b.acceleration).norm();
     const double jerk = std::max(a.jerk.norm(), b.jerk.norm());
     const Part& part = motion.parts()[i + 1];
-    const double smoothed = 2 * motion.velocity_rounding(part) / motion.time_scale(part);
+    // Filters difference coordinates twice.
+    const double scale = motion.memory(part) > 0 ? motion.time_scale(part) : 0;
+    const double smoothed = scale > 0 ? 2 * motion.velocity_rounding(part) / scale +
+                                            rounding * motion.size(part) / (scale * scale)
+                                      : 0;
     if (promised.continuity == Continuity::acceleration &&
         !(turn <= 1e-6 * (1 + a.speed) &&
           kick <= 1e-5 * (1 + a.acceleration.norm()) + 1e-14 * a.time * jerk + smoothed)) {
