@@ -27,7 +27,7 @@ struct OpenFinding {
   const char* check;
 };
 constexpr OpenFinding open_findings[] = {
-    // One corner in a few hundred programs of short blocks is up to 0.1 % farther from the path than promised.
+    // A corner in a few programs in a thousand is up to 0.1 % farther from the path than promised.
     {"ward", "contour"},
     // A program begun elsewhere has other roundings of path lengths: on them hang the cells of jerk=on in a
     // few programs in a thousand, and the time of blocks of 1e-6 mm.
