@@ -24,7 +24,7 @@ bool has_errors(const std::vector<Diagnostic>& diagnostics) {
 }
 
 std::string format(const Diagnostic& d, std::string_view file) {
-  std::string place(file);
+  std::string place(d.file.empty() ? file : d.file);
   if (d.line > 0) {
     place += fmt::format(":{}", d.line);
     if (d.column > 0) {

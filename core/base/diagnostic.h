@@ -20,11 +20,13 @@ struct Diagnostic {
   std::string code;          ///< stable short name, "arc-radius"
   std::string message;       ///< thing and value
   std::string hint;          ///< what to do; may be empty
+  std::string file = {};     ///< of a subprogram in a file of its own; empty: the program itself
 };
 
 bool has_errors(const std::vector<Diagnostic>& diagnostics);
 
-/// One line as a compiler prints it: "part.nc:3:7: error: message [code]", followed by " (hint)" if any.
+/// One line as a compiler prints it, `file` being the program's: "part.nc:3:7: error: message [code]",
+/// followed by " (hint)" if any.
 std::string format(const Diagnostic& diagnostic, std::string_view file);
 
 }  // namespace feedscope

@@ -31,11 +31,16 @@ Json program_facts(const Program& program, const Toolpath& toolpath) {
 Json diagnostics(const Program& program) {
   Json list = Json::array();
   for (const Diagnostic& d : program.diagnostics) {
-    list.push_back({{"severity", to_string(d.severity)},
-                    {"line", d.line},
-                    {"column", d.column},
-                    {"code", d.code},
-                    {"message", d.message}});
+    Json entry{{"severity", to_string(d.severity)},
+               {"line", d.line},
+               {"column", d.column},
+               {"code", d.code},
+               {"message", d.message},
+               {"hint", d.hint}};
+    if (!d.file.empty()) {
+      entry["file"] = d.file;
+    }
+    list.push_back(std::move(entry));
   }
   return list;
 }

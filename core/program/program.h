@@ -2,12 +2,15 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
 #include "core/base/progress.h"
-#include "core/program/source_text.h"
+#include "core/program/dialect.h"
+#include "core/program/path_control.h"
+#include "core/program/text/source_text.h"
 
 namespace feedscope {
 
@@ -27,15 +30,19 @@ struct MotionBlock {
   double dwell = 0;        ///< [s], dwells only
   std::uint32_t line = 0;  ///< 1-based line in the source
   std::int32_t arc = -1;   ///< index into Program::arcs, arcs only
+  std::uint16_t path_control = 0;  ///< index into Program::path_controls
   Motion motion = Motion::line;
 };
 
 /// What a program says, free of its dialect.
 struct Program {
   std::shared_ptr<const SourceText> source;
-  std::uint32_t block_count = 0;  ///< lines with words, readable or not, up to the program's end
+  Dialect dialect = Dialect::iso;  ///< it was read as
+  /// Lines with words, readable or not, up to the program's end; in loops and calls each time they run.
+  std::uint64_t block_count = 0;
   std::vector<MotionBlock> motions;
   std::vector<ArcWords> arcs;
+  std::vector<PathControl> path_controls;  ///< the first is the machine's
   /// Of the programmed points; Toolpath::bounds adds what arcs reach beyond them [mm]. The tool starts at
   /// X0 Y0 Z0, an assumed place that is left out: a coordinate counts from the first block that programs
   /// its axis, or from the start of the first feed motion.
@@ -44,11 +51,15 @@ struct Program {
 };
 
 struct ReadOptions {
-  bool skip_deleted_blocks =
-      false;  ///< as with the control's block delete switch on: "/" blocks are left out
+  std::optional<Dialect> dialect = std::nullopt;  ///< none: recognised from the text
+  /// As with the control's block delete switch on: "/" blocks are left out.
+  bool skip_deleted_blocks = false;
+  /// Lines that loops and calls may run on top of the program's own, so that an endless loop ends.
+  std::uint64_t repeat_limit = 2'000'000;
+  std::size_t call_depth = 64;  ///< of calls inside each other
 };
 
-/// Reads the ISO core: G0-G4, G17-G21, G90-G91.1, G94, F S T M N, comments; see README.md beside this file.
+/// Reads a program of any dialect; see README.md beside this file.
 ///
 /// A wrong line is a diagnostic and reading goes on; `progress` may stop the reading (throws Cancelled).
 /// A block whose position words cannot be read does not move; an arc that cannot be one becomes a line to

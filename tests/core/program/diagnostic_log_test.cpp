@@ -1,4 +1,4 @@
-#include "core/program/diagnostic_log.h"
+#include "core/program/text/diagnostic_log.h"
 
 #include <gtest/gtest.h>
 

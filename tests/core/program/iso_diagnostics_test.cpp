@@ -40,7 +40,8 @@ INSTANTIATE_TEST_SUITE_P(
              "is taken "
              "for the comment; add the closing bracket)"},
         Case{"G0 X1\nN20 CYCLE832(0.01)",
-             "f:2:5: error: \"CYCLE832\" is not a word of the ISO core [unread-statement] (names, variables "
+             "f:2:5: error: \"CYCLE832(0.01)\" is not a word of the ISO core [unread-statement] (names, "
+             "variables "
              "and "
              "expressions are not read; the block does not move)"},
         Case{"G0 X1\nG1 X#101+5 F100",
@@ -128,36 +129,37 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Arcs, IsoDiagnostics,
-    testing::Values(Case{"G1 X10 F1\nG2 X20 Y0 I4 J0",
-                         "f:2:11: error: the arc's radius is 4.0000 mm at its start but 6.0000 mm "
-                         "at its end [arc-radius] (check the centre; a straight line to the end is "
-                         "taken instead)"},
-                    Case{"G1 X10 F1\nG2 X20 Y0 I15 J0",
-                         "f:2:11: error: the arc's radius is 15.0000 mm at its start but 5.0000 "
-                         "mm at its end [arc-radius] (the centre would fit as a position "
-                         "(G90.1); a straight line to the end is taken instead)"},
-                    Case{"G1 X10 F1\nG2 X20 R4",
-                         "f:2:8: error: radius 4.0000 mm is too small for ends 10.0000 mm apart "
-                         "[arc-radius] (write R of at least half the distance; a straight line to the "
-                         "end is taken instead)"},
-                    Case{"G1 X10 F1\nG2 X20",
-                         "f:2:4: error: the arc has neither a centre (I, J, K) nor a radius (R) "
-                         "[arc-center] (a straight line to the end is taken instead)"},
-                    Case{"G1 X10 F1\nG2 X20 I5 R5",
-                         "f:2:8: error: the arc has both a centre (I, J, K) and a radius (R) "
-                         "[arc-center] (R counts; remove one of them)"},
-                    Case{"G1 X10 F1\nG2 X10 I0",
-                         "f:2:8: error: the arc's centre is its start point [arc-center] (a straight "
-                         "line to the end is taken instead)"},
-                    Case{"G1 X10 F1\nG2 X10 R5",
-                         "f:2:8: error: an arc with R must not end where it starts [arc-ends] (write a "
-                         "full circle with I, J, K)"},
-                    Case{"G1 X10 F1\nG2 I5 P0",
-                         "f:2:7: error: P0 is not a number of turns from 1 to 10000 [arc-turns] (one "
-                         "turn is taken)"},
-                    Case{"G1 X10 F1\nG2 X20 I5 K3",
-                         "f:2:11: warning: K3 lies across the plane of the arc [unused-word] (it is "
-                         "left out; is a G17, G18 or G19 missing?)"}));
+    testing::Values(
+        Case{"G1 X10 F1\nG2 X20 Y0 I4 J0",
+             "f:2:11: error: the arc's radius is 4.0000 mm at its start but 6.0000 mm "
+             "at its end [arc-radius] (check the centre; a straight line to the end is "
+             "taken instead)"},
+        Case{"G1 X10 F1\nG2 X20 Y0 I15 J0",
+             "f:2:11: error: the arc's radius is 15.0000 mm at its start but 5.0000 "
+             "mm at its end [arc-radius] (the centre would fit as a position "
+             "(G90.1); a straight line to the end is taken instead)"},
+        Case{"G1 X10 F1\nG2 X20 R4",
+             "f:2:8: error: radius 4.0000 mm is too small for ends 10.0000 mm apart "
+             "[arc-radius] (the radius must be at least half the distance; a straight line to the "
+             "end is taken instead)"},
+        Case{"G1 X10 F1\nG2 X20",
+             "f:2:4: error: the arc has neither a centre (I, J, K) nor a radius (R) "
+             "[arc-center] (a straight line to the end is taken instead)"},
+        Case{"G1 X10 F1\nG2 X20 I5 R5",
+             "f:2:8: error: the arc has both a centre (I, J, K) and a radius (R) "
+             "[arc-center] (R counts; remove one of them)"},
+        Case{"G1 X10 F1\nG2 X10 I0",
+             "f:2:8: error: the arc's centre is its start point [arc-center] (a straight "
+             "line to the end is taken instead)"},
+        Case{"G1 X10 F1\nG2 X10 R5",
+             "f:2:8: error: an arc given by its radius must not end where it starts [arc-ends] (write "
+             "a full circle with its centre)"},
+        Case{"G1 X10 F1\nG2 I5 P0",
+             "f:2:7: error: P0 is not a number of turns from 1 to 10000 [arc-turns] (one "
+             "turn is taken)"},
+        Case{"G1 X10 F1\nG2 X20 I5 K3",
+             "f:2:11: warning: K3 lies across the plane of the arc [unused-word] (it is "
+             "left out; is a G17, G18 or G19 missing?)"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Files, IsoDiagnostics,
@@ -169,8 +171,8 @@ INSTANTIATE_TEST_SUITE_P(
              "f: error: the program holds no blocks [empty-program] (give a file with NC "
              "blocks such as \"G1 X10 F500\")"},
         Case{"M3 S100",
-             "f: warning: no block of the program moves [no-motion] (only the ISO core is read, no "
-             "dialogue programs (Heidenhain) and no macros)"},
+             "f: warning: no block of the program moves [no-motion] (if the program is another "
+             "dialect's, name it with --dialect)"},
         Case{"G0 X1\nM30\n\nG0 X2",
              "f:4:1: info: the program ends in line 2; what follows is not executed "
              "[text-after-end]"}));

@@ -1,4 +1,4 @@
-#include "core/program/source_text.h"
+#include "core/program/text/source_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

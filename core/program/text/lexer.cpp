@@ -1,8 +1,10 @@
-#include "core/program/lexer.h"
+#include "core/program/text/lexer.h"
 
 #include <fast_float/fast_float.h>
 
 #include <algorithm>
+
+#include "core/program/text/scanner.h"
 
 namespace feedscope {
 
@@ -10,18 +12,11 @@ namespace {
 
 constexpr double number_limit = 1e9;
 
-bool is_blank(char c) {
-  return c == ' ' || c == '\t';
-}
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-char to_upper(char c) {
-  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-bool is_letter(char c) {
-  return to_upper(c) >= 'A' && to_upper(c) <= 'Z';
-}
+using letters::is_blank;
+using letters::is_digit;
+using letters::is_letter;
+using letters::to_upper;
+
 bool is_number_part(char c) {
   return is_digit(c) || c == '.' || c == '+' || c == '-';
 }
@@ -35,19 +30,10 @@ std::size_t skip_blanks(std::string_view text, std::size_t at) {
 
 /// End of a name such as "CYCLE832", "_X" or "BEGIN".
 std::size_t name_end(std::string_view text, std::size_t at) {
-  while (at < text.size() && (is_letter(text[at]) || is_digit(text[at]) || text[at] == '_')) {
+  while (at < text.size() && letters::is_name_part(text[at])) {
     ++at;
   }
   return at;
-}
-
-/// End of a statement: the line's, without a ";" comment and the blanks before it.
-std::size_t statement_end(std::string_view text, std::size_t at) {
-  std::size_t end = std::min(text.find(';', at), text.size());
-  while (end > at + 1 && is_blank(text[end - 1])) {
-    --end;
-  }
-  return end;
 }
 
 /// End of what was meant as a number: up to a blank, a comment or a letter that starts the next word.
@@ -63,11 +49,7 @@ std::size_t bad_number_end(std::string_view text, std::size_t at) {
 }
 
 bool is_not_finite(std::string_view name) {
-  const auto same = [&](std::string_view other) {
-    return std::equal(name.begin(), name.end(), other.begin(), other.end(),
-                      [](char a, char b) { return to_upper(a) == b; });
-  };
-  return same("NAN") || same("INF") || same("INFINITY");
+  return letters::same(name, "NAN") || letters::same(name, "INF") || letters::same(name, "INFINITY");
 }
 
 bool starts_statement(char c) {
@@ -80,6 +62,11 @@ std::size_t Lexer::add_fault(FaultKind kind, std::size_t from, std::size_t to) {
   block_.faults.push_back(
       {kind, static_cast<std::uint32_t>(from + 1), static_cast<std::uint32_t>(to - from)});
   return to;
+}
+
+std::size_t Lexer::stop_at(std::size_t at) {
+  block_.statement = static_cast<std::uint32_t>(at + 1);
+  return block_.text.size();
 }
 
 std::size_t Lexer::read_comment(std::size_t at) {
@@ -123,12 +110,10 @@ std::size_t Lexer::read_word(std::size_t at) {
     if (is_not_finite(text.substr(i, stop - i))) {
       return add_fault(FaultKind::malformed_number, at, stop);
     }
-    add_fault(FaultKind::statement, at, stop);
-    return text.size();
+    return stop_at(at);
   }
   if (i < text.size() && starts_statement(text[i])) {
-    add_fault(FaultKind::statement, at, statement_end(text, at));
-    return text.size();
+    return stop_at(at);
   }
   if (i == text.size() || !(is_digit(text[i]) || text[i] == '.')) {
     const std::size_t first = skip_blanks(text, at + 1);
@@ -150,8 +135,7 @@ std::size_t Lexer::read_word(std::size_t at) {
     return add_fault(FaultKind::number_range, at, number_end);
   }
   if (next < text.size() && starts_statement(text[next])) {
-    add_fault(FaultKind::statement, at, statement_end(text, at));
-    return text.size();
+    return stop_at(at);
   }
   const bool has_point = text.substr(i, number_end - i).find('.') != std::string_view::npos;
   block_.words.push_back({to_upper(text[at]), has_point, static_cast<std::uint32_t>(at + 1),
@@ -165,6 +149,7 @@ const Block& Lexer::read(std::string_view line) {
   block_.faults.clear();
   block_.delete_level = 0;
   block_.percent = 0;
+  block_.statement = 0;
   comments_nest_ = true;
   std::size_t at = 0;
   while ((at = skip_blanks(line, at)) < line.size()) {
@@ -181,9 +166,10 @@ const Block& Lexer::read(std::string_view line) {
     } else if (c == '/' && block_.delete_level == 0 &&
                (block_.words.empty() || (block_.words.size() == 1 && block_.words[0].letter == 'N'))) {
       at = read_delete(at);
+    } else if (starts_statement(c)) {
+      at = stop_at(at);
     } else {
-      add_fault(starts_statement(c) ? FaultKind::statement : FaultKind::character, at,
-                starts_statement(c) ? statement_end(line, at) : at + 1);
+      add_fault(FaultKind::character, at, at + 1);
       break;
     }
   }

@@ -1,4 +1,4 @@
-#include "core/program/arc_solver.h"
+#include "core/program/path/arc_solver.h"
 
 #include <algorithm>
 #include <cmath>

@@ -20,7 +20,6 @@ enum class FaultKind : std::uint8_t {
   malformed_number,  ///< "X1..2", "X-", "Xnan", "X1e5"
   number_range,      ///< beyond +-1e9
   unclosed_comment,  ///< "(" without ")"; the rest of the line is taken for the comment
-  statement,         ///< name, variable, expression, assignment; the rest of the line is not read
   character,         ///< a character that starts no word; the rest of the line is not read
 };
 
@@ -37,6 +36,9 @@ struct Block {
   std::vector<Fault> faults;  ///< in written order; empty for a sound line
   int delete_level = 0;       ///< of a leading "/": 1 to 9, "/" alone is 1; 0: none
   std::uint32_t percent = 0;  ///< column of "%", which ends the line; 0: none
+  /// Column from which on the line holds more than words with plain numbers: a name, variable, expression or
+  /// assignment, together with the letter before it; 0: none. It is the dialect's to read.
+  std::uint32_t statement = 0;
 
   std::string_view text_of(const Word& word) const { return text.substr(word.column - 1, word.length); }
   std::string_view text_of(const Fault& fault) const { return text.substr(fault.column - 1, fault.length); }
@@ -56,6 +58,7 @@ class Lexer {
   std::size_t read_word(std::size_t at);
   std::size_t read_comment(std::size_t at);
   std::size_t read_delete(std::size_t at);
+  std::size_t stop_at(std::size_t at);
   std::size_t add_fault(FaultKind kind, std::size_t from, std::size_t to);
 
   Block block_;

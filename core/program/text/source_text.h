@@ -22,6 +22,8 @@ class SourceText {
 
   const std::string& name() const { return name_; }
   const std::string& text() const { return text_; }
+  /// Where the file lies, for what it calls; empty for a text that is no file.
+  const std::filesystem::path& folder() const { return folder_; }
   /// Number of lines; a last line without line end counts, an empty text has none.
   std::uint32_t line_count() const { return static_cast<std::uint32_t>(starts_.size()); }
   /// Line `number` (1-based) without its line end (LF, CR, CR LF or CR CR LF) and without a byte order mark.
@@ -31,6 +33,7 @@ class SourceText {
  private:
   std::string name_;
   std::string text_;
+  std::filesystem::path folder_;
   std::vector<std::uint32_t> starts_;  ///< byte offset of every line
 };
 

@@ -1,4 +1,4 @@
-#include "core/program/g_codes.h"
+#include "core/program/iso/g_codes.h"
 
 #include <array>
 

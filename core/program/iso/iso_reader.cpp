@@ -1,4 +1,4 @@
-#include "core/program/iso_reader.h"
+#include "core/program/iso/iso_reader.h"
 
 #include <fmt/format.h>
 
@@ -6,13 +6,11 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "core/program/message.h"
+#include "core/program/text/message.h"
 
 namespace feedscope {
 
 namespace {
-
-using Text = DiagnosticLog::Text;
 
 /// Ten times a G number; -1 for what cannot be one.
 int g_number(double value) {
@@ -45,48 +43,38 @@ std::uint32_t IsoReader::Words::first_column(std::string_view letters) const {
   return column;
 }
 
-IsoReader::IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options)
-    : options_(options) {
-  program_.source = std::move(source);
-}
-
-Program IsoReader::read(Progress* progress) {
-  constexpr std::uint32_t lines_between_reports = 4096;
-  const SourceText& source = *program_.source;
-  const std::uint32_t count = source.line_count();
-  program_.motions.reserve(std::min<std::size_t>(count, std::size_t{1} << 24));
-  for (line_ = 1; line_ <= count && end_line_ == 0; ++line_) {
-    if (progress != nullptr && line_ % lines_between_reports == 0) {
-      progress->report(static_cast<double>(line_) / count);
-    }
-    read_block(lexer_.read(source.line(line_)));
-  }
-  report_nothing_read();
-  report_text_after_end();
-  program_.diagnostics = log_.take();
-  return std::move(program_);
-}
-
-void IsoReader::read_block(const Block& block) {
-  const bool skipped = options_.skip_deleted_blocks && block.delete_level > 0;
-  if (!skipped && !(block.words.empty() && block.faults.empty())) {
-    ++program_.block_count;
-    words_met_ = words_met_ || !block.words.empty();
-    report_faults(block);
-    gather(block);
-    apply_feed();
-    const bool sound = std::all_of(block.faults.begin(), block.faults.end(), [](const Fault& fault) {
-      return fault.kind == FaultKind::unclosed_comment;
-    });
-    if (sound) {
-      check_rotary();
-      check_unused();
-      move();
-    }
+void IsoReader::run_line(std::string_view line) {
+  const Block& block = lexer_.read(line);
+  const bool skipped = options().skip_deleted_blocks && block.delete_level > 0;
+  if (!skipped && !(block.words.empty() && block.faults.empty() && block.statement == 0)) {
+    run_block(block);
   }
   if (block.percent > 0 && words_met_) {
-    end_line_ = line_;
+    end_program();
   }
+}
+
+void IsoReader::run_block(const Block& block) {
+  count_block();
+  words_met_ = words_met_ || !block.words.empty();
+  report_faults(block);
+  report_statement(block);
+  gather(block);
+  apply_feed();
+  const bool sound =
+      block.statement == 0 && std::all_of(block.faults.begin(), block.faults.end(), [](const Fault& fault) {
+        return fault.kind == FaultKind::unclosed_comment;
+      });
+  if (sound) {
+    check_rotary();
+    check_unused();
+    move();
+  }
+}
+
+std::uint32_t IsoReader::first_word(std::string_view line) {
+  const Block& block = lexer_.read(line);
+  return block.words.empty() ? 0 : block.words.front().column;
 }
 
 void IsoReader::gather(const Block& block) {
@@ -203,11 +191,10 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
       state_.absolute_centers = false;
       break;
     case GAction::feed_per_minute:
-      state_.feed_per_minute = true;
+      path().set_feed_mode(FeedMode::per_minute);
       break;
     case GAction::other_feed:
-      state_.feed_per_minute = false;
-      state_.feed = 0;
+      path().set_feed_mode(code.number == 930 ? FeedMode::inverse_time : FeedMode::per_revolution);
       break;
     case GAction::work_offset:
       state_.work_offset = code.number;
@@ -228,7 +215,7 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
 void IsoReader::apply_m(const Word& word) {
   words_.other_codes = true;
   if (word.value == 2 || word.value == 30 || word.value == 99) {
-    end_line_ = line_;
+    end_program();
   } else if (word.value == 97 || word.value == 98) {
     words_.own_words = true;
     report(Severity::error, "subprogram", 0, word.column, [&] {
@@ -239,6 +226,9 @@ void IsoReader::apply_m(const Word& word) {
 }
 
 void IsoReader::apply_feed() {
+  if (words_.has('S') && words_['S'].value >= 0) {
+    path().set_spindle_speed(words_['S'].value / 60);
+  }
   const bool is_time = words_.dwell > 0 && !words_.has_any("PXU");
   if (!words_.has('F') || is_time) {
     return;
@@ -247,17 +237,23 @@ void IsoReader::apply_feed() {
   if (!(word.value > 0)) {
     report(Severity::error, "feed-value", 0, word.column, [&] {
       return Text{fmt::format("feed F{} is not above zero", word.value),
-                  state_.feed > 0 ? "the last valid feed stays in force; write a feed above zero"
-                                  : "feed moves run as fast as the axes allow; write a feed above zero"};
+                  path().feed() > 0 ? "the last valid feed stays in force; write a feed above zero"
+                                    : "feed moves run as fast as the axes allow; write a feed above zero"};
     });
-  } else if (state_.feed_per_minute) {
-    state_.feed = units::from_mm_min(state_.to_mm(word.value));
+    return;
   }
-}
-
-Program read_program(std::shared_ptr<const SourceText> source, Progress* progress,
-                     const ReadOptions& options) {
-  return IsoReader(std::move(source), options).read(progress);
+  switch (path().feed_mode()) {
+    case FeedMode::per_minute:
+      path().set_feed(units::from_mm_min(state_.to_mm(word.value)));
+      break;
+    case FeedMode::inverse_time:
+      path().set_feed(word.value / 60);
+      break;
+    case FeedMode::per_revolution:
+    case FeedMode::per_tooth:
+      path().set_feed(state_.to_mm(word.value));
+      break;
+  }
 }
 
 }  // namespace feedscope

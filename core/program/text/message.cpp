@@ -1,4 +1,4 @@
-#include "core/program/message.h"
+#include "core/program/text/message.h"
 
 #include <fmt/format.h>
 

@@ -3,18 +3,16 @@
 
 #include <string>
 
-#include "core/program/iso_reader.h"
-#include "core/program/message.h"
+#include "core/program/iso/iso_reader.h"
+#include "core/program/text/message.h"
 
 namespace feedscope {
 
 namespace {
 
-using Text = DiagnosticLog::Text;
-
 constexpr std::string_view not_moved = "the block does not move; correct the word or write a plain number";
 
-Text text_of(const Fault& fault, std::string_view written) {
+DiagnosticLog::Text text_of(const Fault& fault, std::string_view written) {
   switch (fault.kind) {
     case FaultKind::malformed_number:
       return {fmt::format("{} has no readable number", quoted(written)), std::string(not_moved)};
@@ -24,9 +22,6 @@ Text text_of(const Fault& fault, std::string_view written) {
     case FaultKind::unclosed_comment:
       return {fmt::format("the comment {} is not closed", quoted(written)),
               "the rest of the line is taken for the comment; add the closing bracket"};
-    case FaultKind::statement:
-      return {fmt::format("{} is not a word of the ISO core", quoted(written)),
-              "names, variables and expressions are not read; the block does not move"};
     case FaultKind::character:
       break;
   }
@@ -45,8 +40,6 @@ std::string_view code_of(FaultKind kind) {
       return "number-range";
     case FaultKind::unclosed_comment:
       return "unclosed-comment";
-    case FaultKind::statement:
-      return "unread-statement";
     case FaultKind::character:
       break;
   }
@@ -62,9 +55,20 @@ void IsoReader::report_faults(const Block& block) {
   }
 }
 
+void IsoReader::report_statement(const Block& block) {
+  if (block.statement == 0) {
+    return;
+  }
+  report(Severity::error, "unread-statement", 0, block.statement, [&] {
+    return Text{
+        fmt::format("{} is not a word of the ISO core", quoted(block.text.substr(block.statement - 1))),
+        "names, variables and expressions are not read; the block does not move"};
+  });
+}
+
 void IsoReader::report_unread(const GCode& code, const Word& word) {
-  const bool shifted = code.action == GAction::work_offset && !program_.motions.empty() &&
-                       state_.work_offset != 0 && state_.work_offset != code.number;
+  const bool shifted = code.action == GAction::work_offset && path().has_moved() && state_.work_offset != 0 &&
+                       state_.work_offset != code.number;
   if (shifted) {
     report(Severity::warning, "work-offset", code.number, word.column, [&] {
       return Text{fmt::format("{} follows {} on the way", g_name(code.number), g_name(state_.work_offset)),
@@ -120,35 +124,6 @@ void IsoReader::check_unused() {
         return Text{fmt::format("{}{} has no meaning in this block", letter, words_[letter].value),
                     is_arc ? "it is left out" : "it is left out; is a G2 or G3 missing?"};
       });
-    }
-  }
-}
-
-void IsoReader::report_nothing_read() {
-  if (program_.block_count == 0) {
-    log_.add(Severity::error, "empty-program", 0, {}, [] {
-      return Text{"the program holds no blocks", "give a file with NC blocks such as \"G1 X10 F500\""};
-    });
-  } else if (program_.motions.empty()) {
-    log_.add(Severity::warning, "no-motion", 0, {}, [] {
-      return Text{"no block of the program moves",
-                  "only the ISO core is read, no dialogue programs (Heidenhain) and no macros"};
-    });
-  }
-}
-
-void IsoReader::report_text_after_end() {
-  if (end_line_ == 0) {
-    return;
-  }
-  const SourceText& source = *program_.source;
-  for (std::uint32_t line = end_line_ + 1; line <= source.line_count(); ++line) {
-    const Block& block = lexer_.read(source.line(line));
-    if (!block.words.empty()) {
-      log_.add(Severity::info, "text-after-end", 0, {line, block.words.front().column}, [&] {
-        return Text{fmt::format("the program ends in line {}; what follows is not executed", end_line_), ""};
-      });
-      return;
     }
   }
 }

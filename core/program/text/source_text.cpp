@@ -1,4 +1,4 @@
-#include "core/program/source_text.h"
+#include "core/program/text/source_text.h"
 
 #include <fmt/format.h>
 
@@ -107,7 +107,9 @@ SourceText SourceText::from_file(const std::filesystem::path& path) {
     size = error ? 0 : static_cast<std::size_t>(bytes);
   }
   check_size(name, size);
-  return {name, read_all(file.get(), name, size)};
+  SourceText source(name, read_all(file.get(), name, size));
+  source.folder_ = std::filesystem::absolute(path).parent_path();
+  return source;
 }
 
 std::string_view SourceText::line(std::uint32_t number) const {

@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 
-#include "core/base/geometry.h"
 #include "core/base/units.h"
+#include "core/program/path/plane.h"
 
 namespace feedscope {
 
@@ -18,13 +18,6 @@ enum class MotionMode : std::uint8_t {
   unread,   ///< cycle, spline, thread: positions are left out
 };
 
-/// Plane of arcs, by its normal.
-enum class Plane : std::uint8_t { xy = 2, zx = 1, yz = 0 };
-
-inline Vec3 normal_of(Plane plane) {
-  return Vec3::Unit(static_cast<int>(plane));
-}
-
 /// What stays in force from block to block.
 struct ModalState {
   MotionMode motion = MotionMode::none;
@@ -32,10 +25,7 @@ struct ModalState {
   bool inch = false;
   bool incremental = false;              ///< G91
   bool absolute_centers = false;         ///< G90.1
-  bool feed_per_minute = true;           ///< G94; G93 and G95 are not read
   int work_offset = 0;                   ///< ten times the G number; 0: none yet
-  double feed = 0;                       ///< the last valid one [mm/s]; 0: none yet
-  Vec3 position = Vec3::Zero();          ///< [mm]
   std::array<double, 6> further_axes{};  ///< A B C U V W as written
 
   double to_mm(double value) const { return inch ? units::from_inch(value) : value; }

@@ -1,4 +1,4 @@
-#include "core/program/diagnostic_log.h"
+#include "core/program/text/diagnostic_log.h"
 
 #include <fmt/format.h>
 
@@ -9,15 +9,20 @@ namespace feedscope {
 bool DiagnosticLog::admit(Severity severity, std::string_view code, int detail, Place place) {
   Kind& kind = kinds_[{code, detail}];
   kind.severity = std::max(kind.severity, severity);
+  const std::pair at{place.line, place.column};
+  if (std::find(kind.places.begin(), kind.places.begin() + kind.kept, at) !=
+      kind.places.begin() + kind.kept) {
+    return false;
+  }
   const std::uint32_t limit = severity == Severity::info ? kept_of_an_info : kept_of_a_kind;
   if (kind.kept < limit) {
-    ++kind.kept;
+    kind.places[kind.kept++] = at;
     return true;
   }
   if (++kind.left_out == 1) {
     kind.first_left_out = place.line;
   }
-  kind.last_left_out = place.line;
+  kind.last_left_out = std::max(kind.last_left_out, place.line);
   return false;
 }
 

@@ -3,13 +3,11 @@
 
 #include <cmath>
 
-#include "core/program/iso_reader.h"
+#include "core/program/iso/iso_reader.h"
 
 namespace feedscope {
 
 namespace {
-
-using Text = DiagnosticLog::Text;
 
 constexpr std::string_view axis_letters = "XYZ";
 constexpr std::string_view center_letters = "IJK";
@@ -33,13 +31,19 @@ void IsoReader::move() {
     });
     state_.motion = MotionMode::rapid;
   }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (words_.has(axis_letters[static_cast<std::size_t>(axis)])) {
+      path().program_axis(axis);
+    }
+  }
+  path().set_column(words_.first_column("XYZIJKR"));
   const Vec3 target = target_of_block();
   switch (state_.motion) {
     case MotionMode::rapid:
-      add_motion(Motion::rapid, target);
+      path().rapid(target);
       break;
     case MotionMode::line:
-      add_motion(Motion::line, target);
+      path().line(target);
       break;
     case MotionMode::arc_cw:
     case MotionMode::arc_ccw:
@@ -72,12 +76,7 @@ void IsoReader::dwell() {
       });
     }
     if (word.value > 0) {
-      MotionBlock block;
-      block.target = state_.position;
-      block.dwell = milliseconds ? word.value / 1000 : word.value;
-      block.line = line_;
-      block.motion = Motion::dwell;
-      program_.motions.push_back(block);
+      path().dwell(milliseconds ? word.value / 1000 : word.value);
     }
     return;
   }
@@ -91,7 +90,7 @@ void IsoReader::arc(const Vec3& target) {
     report(Severity::error, "arc-center", 0, words_.first_column("XYZ"), [] {
       return Text{"the arc has neither a centre (I, J, K) nor a radius (R)", std::string(straight_instead)};
     });
-    add_motion(Motion::line, target);
+    path().line(target);
     return;
   }
   if (words_.has('R') && words_.has_any("IJK")) {
@@ -100,25 +99,20 @@ void IsoReader::arc(const Vec3& target) {
     });
   }
   const Vec3 normal = normal_of(state_.plane);
-  const Vec3 axis = state_.motion == MotionMode::arc_ccw ? normal : Vec3(-normal);
-  ArcSolution solution;
+  ArcRequest request;
+  request.target = target;
+  request.axis = state_.motion == MotionMode::arc_ccw ? normal : Vec3(-normal);
+  request.column = words_.first_column(words_.has('R') ? "R" : "IJK");
+  request.extra_turns = extra_turns();
   if (words_.has('R')) {
-    const double radius = state_.to_mm(words_['R'].value);
-    solution = solve_radius_arc(state_.position, target, radius, axis, extra_turns());
+    request.radius = state_.to_mm(words_['R'].value);
+    path().arc_by_radius(request);
   } else {
     check_center_axis();
-    const Vec3 center = center_of_block(state_.absolute_centers);
-    solution = solve_center_arc(state_.position, target, center, axis, extra_turns());
-  }
-  if (solution.fault != ArcFault::none) {
-    report_arc_fault(solution, target, axis);
-    add_motion(Motion::line, target);
-    return;
-  }
-  for (int i = 0; i < solution.count; ++i) {
-    const ArcSolution::Piece& piece = solution.pieces[static_cast<std::size_t>(i)];
-    program_.arcs.push_back(piece.words);
-    add_motion(Motion::arc, piece.target, static_cast<std::int32_t>(program_.arcs.size() - 1));
+    request.center = center_of_block(state_.absolute_centers);
+    request.other_center = center_of_block(!state_.absolute_centers);
+    request.other_reading = state_.absolute_centers ? "an offset (G91.1)" : "a position (G90.1)";
+    path().arc_by_center(request);
   }
 }
 
@@ -148,82 +142,8 @@ void IsoReader::check_center_axis() {
   }
 }
 
-void IsoReader::report_arc_fault(const ArcSolution& solution, const Vec3& target, const Vec3& axis) {
-  const std::uint32_t column = words_.first_column(words_.has('R') ? "R" : "IJK");
-  switch (solution.fault) {
-    case ArcFault::none:
-      break;
-    case ArcFault::center_at_start:
-      report(Severity::error, "arc-center", 2, column, [] {
-        return Text{"the arc's centre is its start point", std::string(straight_instead)};
-      });
-      break;
-    case ArcFault::radius_mismatch:
-      report(Severity::error, "arc-radius", 0, column, [&] {
-        const Vec3 other_center = center_of_block(!state_.absolute_centers);
-        const ArcSolution other = solve_center_arc(state_.position, target, other_center, axis, 0);
-        const std::string_view other_mode = state_.absolute_centers ? "offset (G91.1)" : "position (G90.1)";
-        const std::string advice = other.fault == ArcFault::none
-                                       ? fmt::format("the centre would fit as a {}", other_mode)
-                                       : "check the centre";
-        return Text{fmt::format("the arc's radius is {:.4f} mm at its start but {:.4f} mm at its end",
-                                solution.start_radius, solution.end_radius),
-                    fmt::format("{}; {}", advice, straight_instead)};
-      });
-      break;
-    case ArcFault::radius_too_small:
-      report(Severity::error, "arc-radius", 1, column, [&] {
-        return Text{fmt::format("radius {:.4f} mm is too small for ends {:.4f} mm apart",
-                                solution.start_radius, 2 * solution.end_radius),
-                    fmt::format("write R of at least half the distance; {}", straight_instead)};
-      });
-      break;
-    case ArcFault::same_ends:
-      report(Severity::error, "arc-ends", 0, column, [] {
-        return Text{"an arc with R must not end where it starts", "write a full circle with I, J, K"};
-      });
-      break;
-  }
-}
-
-double IsoReader::usable_feed() {
-  if (state_.feed == 0 && state_.feed_per_minute && !feed_missed_) {
-    feed_missed_ = true;
-    report(Severity::error, "feed-missing", 0, words_.first_column("XYZIJKR"), [] {
-      return Text{"a feed move without a feed", "it runs as fast as the axes allow; write F before it"};
-    });
-  }
-  return state_.feed;
-}
-
-void IsoReader::add_motion(Motion motion, const Vec3& target, std::int32_t arc_index) {
-  extend_bounds(motion, target);
-  MotionBlock block;
-  block.target = target;
-  block.feed = motion == Motion::rapid ? 0 : usable_feed();
-  block.line = line_;
-  block.arc = arc_index;
-  block.motion = motion;
-  program_.motions.push_back(block);
-  state_.position = target;
-}
-
-void IsoReader::extend_bounds(Motion motion, const Vec3& target) {
-  for (int axis = 0; axis < 3; ++axis) {
-    bool& known = axis_known_[static_cast<std::size_t>(axis)];
-    if (!known && motion != Motion::rapid) {
-      program_.bounds.add(axis, state_.position[axis]);
-      known = true;
-    }
-    known = known || words_.has(axis_letters[static_cast<std::size_t>(axis)]);
-    if (known) {
-      program_.bounds.add(axis, target[axis]);
-    }
-  }
-}
-
 Vec3 IsoReader::target_of_block() const {
-  Vec3 target = state_.position;
+  Vec3 target = path().position();
   for (int axis = 0; axis < 3; ++axis) {
     const char letter = axis_letters[static_cast<std::size_t>(axis)];
     if (words_.has(letter)) {
@@ -235,7 +155,7 @@ Vec3 IsoReader::target_of_block() const {
 }
 
 Vec3 IsoReader::center_of_block(bool absolute) const {
-  Vec3 center = state_.position;
+  Vec3 center = path().position();
   for (int axis = 0; axis < 3; ++axis) {
     const char letter = center_letters[static_cast<std::size_t>(axis)];
     if (words_.has(letter)) {

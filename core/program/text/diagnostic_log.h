@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -12,15 +13,17 @@
 namespace feedscope {
 
 /// Collects diagnostics so that a long program with a fault on every line stays readable and small: of one
-/// kind the first ten are kept, of an info the first, and the others counted in one closing line.
+/// kind the first ten are kept, of an info the first, and the others counted in one closing line. What is
+/// said of one place again, as in a loop, counts once.
 class DiagnosticLog {
  public:
   static constexpr std::uint32_t kept_of_a_kind = 10;
   static constexpr std::uint32_t kept_of_an_info = 1;
 
   struct Place {
-    std::uint32_t line = 0;    ///< 1-based; 0: the file as a whole
-    std::uint32_t column = 0;  ///< 1-based byte column; 0: the line as a whole
+    std::uint32_t line = 0;      ///< 1-based; 0: the file as a whole
+    std::uint32_t column = 0;    ///< 1-based byte column; 0: the line as a whole
+    std::string_view file = {};  ///< of a subprogram in a file of its own; empty: the program itself
   };
   struct Text {
     std::string message;
@@ -34,7 +37,7 @@ class DiagnosticLog {
     if (admit(severity, code, detail, place)) {
       Text made = text();
       diagnostics_.push_back({severity, place.line, place.column, std::string(code), std::move(made.message),
-                              std::move(made.hint)});
+                              std::move(made.hint), std::string(place.file)});
     }
   }
 
@@ -45,6 +48,7 @@ class DiagnosticLog {
   struct Kind {
     Severity severity = Severity::info;
     std::uint32_t kept = 0;
+    std::array<std::pair<std::uint32_t, std::uint32_t>, kept_of_a_kind> places{};  ///< kept: line, column
     std::uint32_t left_out = 0;
     std::uint32_t first_left_out = 0;  ///< line
     std::uint32_t last_left_out = 0;   ///< line

@@ -1,0 +1,262 @@
+#include "core/program/path/path_writer.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+namespace feedscope {
+
+namespace {
+
+using Text = DiagnosticLog::Text;
+
+constexpr std::string_view straight_instead = "a straight line to the end is taken instead";
+
+struct ArcShape {
+  Vec3 from;  ///< from the centre to the start, in the plane
+  double sweep = 0;
+  double length = 0;
+};
+
+ArcShape shape_of(const Vec3& start, const ArcSolution::Piece& piece) {
+  const Vec3& axis = piece.words.axis;
+  const auto in_plane = [&](const Vec3& v) -> Vec3 { return v - axis.dot(v) * axis; };
+  ArcShape shape;
+  shape.from = in_plane(start - piece.words.center);
+  const Vec3 to = in_plane(piece.target - piece.words.center);
+  if ((to - shape.from).norm() > same_point) {
+    shape.sweep = std::atan2(axis.dot(shape.from.cross(to)), shape.from.dot(to));
+    shape.sweep += shape.sweep < 0 ? 2 * std::numbers::pi : 0;
+  }
+  shape.sweep += 2 * std::numbers::pi * piece.words.turns;
+  shape.length = std::hypot(shape.from.norm() * shape.sweep, axis.dot(piece.target - start));
+  return shape;
+}
+
+}  // namespace
+
+PathWriter::PathWriter(Program& program, DiagnosticLog& log) : program_(program), log_(log) {
+  program_.path_controls.emplace_back();
+}
+
+void PathWriter::begin_line(std::uint32_t shown, const DiagnosticLog::Place& place) {
+  line_ = shown;
+  place_ = place;
+  axis_programmed_.fill(false);
+}
+
+void PathWriter::finish() {}
+
+void PathWriter::set_frame(const CoordinateFrame& frame) {
+  frame_ = frame;
+  programmed_ = frame_.is_identity() ? shown_ : frame_.to_programmed(shown_);
+}
+
+void PathWriter::rapid(const Vec3& target) {
+  append(Motion::rapid, target, 0);
+}
+
+void PathWriter::line(const Vec3& target) {
+  append(Motion::line, target, feed_over((target - programmed_).norm()));
+}
+
+void PathWriter::arc_by_center(const ArcRequest& request) {
+  arc(request,
+      solve_center_arc(programmed_, request.target, request.center, request.axis, request.extra_turns));
+}
+
+void PathWriter::arc_by_radius(const ArcRequest& request) {
+  arc(request,
+      solve_radius_arc(programmed_, request.target, request.radius, request.axis, request.extra_turns));
+}
+
+void PathWriter::arc(const ArcRequest& request, const ArcSolution& solution) {
+  if (solution.fault != ArcFault::none) {
+    report_arc_fault(request, solution);
+    line(request.target);
+    return;
+  }
+  for (int i = 0; i < solution.count; ++i) {
+    const ArcSolution::Piece& piece = solution.pieces[static_cast<std::size_t>(i)];
+    const double feed =
+        feed_mode_ == FeedMode::inverse_time ? feed_over(shape_of(programmed_, piece).length) : feed_over(0);
+    if (frame_.is_shift()) {
+      program_.arcs.push_back({frame_.to_shown(piece.words.center), piece.words.axis, piece.words.turns});
+    } else if (frame_.scale_across(piece.words.axis) > 0) {
+      const Vec3 along = frame_.turned(piece.words.axis).normalized();
+      program_.arcs.push_back(
+          {frame_.to_shown(piece.words.center), frame_.mirrors() ? Vec3(-along) : along, piece.words.turns});
+    } else {
+      straight_arc(request, piece);
+      continue;
+    }
+    append(Motion::arc, piece.target, feed, static_cast<std::int32_t>(program_.arcs.size() - 1));
+  }
+}
+
+void PathWriter::straight_arc(const ArcRequest& request, const ArcSolution::Piece& piece) {
+  constexpr double chord_error = 1e-3;
+  constexpr double most_chords = 1e5;
+  log_.add(Severity::info, "scaled-arc", 0, {place_.line, request.column, place_.file}, [] {
+    return Text{"the arc is scaled unevenly and becomes an ellipse",
+                "it is read as lines within 0.001 mm of it"};
+  });
+  const ArcShape shape = shape_of(programmed_, piece);
+  const Vec3 start = programmed_;
+  const Vec3 side = piece.words.axis.cross(shape.from);
+  const double radius = std::max(frame_.turned(shape.from).norm(), frame_.turned(side).norm());
+  const double step = 2 * std::acos(std::max(0.0, 1 - chord_error / std::max(radius, chord_error)));
+  const double count = std::clamp(std::ceil(shape.sweep / step), 1.0, most_chords);
+  const double rise = piece.words.axis.dot(piece.target - start);
+  for (double i = 1; i <= count; ++i) {
+    const double angle = shape.sweep * i / count;
+    const Vec3 on_circle = start - shape.from + std::cos(angle) * shape.from + std::sin(angle) * side;
+    line(i < count ? Vec3(on_circle + rise * i / count * piece.words.axis) : piece.target);
+  }
+}
+
+void PathWriter::dwell(double seconds) {
+  MotionBlock block;
+  block.target = shown_;
+  block.dwell = seconds;
+  block.line = line_;
+  block.motion = Motion::dwell;
+  block.path_control = path_control_index();
+  program_.motions.push_back(block);
+}
+
+void PathWriter::set_feed_mode(FeedMode mode) {
+  if (mode != feed_mode_) {
+    feed_mode_ = mode;
+    feed_ = 0;
+  }
+}
+
+double PathWriter::feed_over(double length) {
+  double feed = feed_;
+  switch (feed_mode_) {
+    case FeedMode::per_minute:
+      break;
+    case FeedMode::inverse_time:
+      feed *= length;
+      break;
+    case FeedMode::per_revolution:
+      feed *= spindle_speed_;
+      break;
+    case FeedMode::per_tooth:
+      feed *= tooth_count_ * spindle_speed_;
+      break;
+  }
+  if (feed == 0 && length > 0) {
+    report_missing_feed();
+  }
+  return feed;
+}
+
+void PathWriter::report_missing_feed() {
+  if (feed_missed_) {
+    return;
+  }
+  feed_missed_ = true;
+  const bool no_spindle = feed_ > 0 && spindle_speed_ == 0;
+  log_.add(Severity::error, "feed-missing", 0, place_, [&] {
+    return Text{no_spindle ? "a feed per revolution without a spindle speed" : "a feed move without a feed",
+                no_spindle ? "it runs as fast as the axes allow; write S before it"
+                           : "it runs as fast as the axes allow; write F before it"};
+  });
+}
+
+void PathWriter::append(Motion motion, const Vec3& target, double feed, std::int32_t arc_index) {
+  const Vec3 shown = frame_.is_identity() ? target : frame_.to_shown(target);
+  extend_bounds(motion, shown);
+  MotionBlock block;
+  block.target = shown;
+  block.feed = feed;
+  block.line = line_;
+  block.arc = arc_index;
+  block.motion = motion;
+  block.path_control = path_control_index();
+  program_.motions.push_back(block);
+  programmed_ = target;
+  shown_ = shown;
+}
+
+void PathWriter::extend_bounds(Motion motion, const Vec3& target) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    if (!axis_known_[i] && motion != Motion::rapid) {
+      program_.bounds.add(axis, shown_[axis]);
+      axis_known_[i] = true;
+    }
+    axis_known_[i] = axis_known_[i] || axis_programmed_[i];
+    if (axis_known_[i]) {
+      program_.bounds.add(axis, target[axis]);
+    }
+  }
+}
+
+std::uint16_t PathWriter::path_control_index() {
+  constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
+  std::vector<PathControl>& all = program_.path_controls;
+  if (all[control_index_] != path_control_) {
+    const auto found = std::find(all.begin(), all.end(), path_control_);
+    if (found != all.end()) {
+      control_index_ = static_cast<std::uint16_t>(found - all.begin());
+    } else if (all.size() <= most) {
+      control_index_ = static_cast<std::uint16_t>(all.size());
+      all.push_back(path_control_);
+    } else {
+      log_.add(Severity::error, "path-controls", 0, place_, [] {
+        return Text{"the program has more than 65536 different path control settings",
+                    "the last one stays in force; divide the program"};
+      });
+    }
+  }
+  return control_index_;
+}
+
+void PathWriter::report_arc_fault(const ArcRequest& request, const ArcSolution& solution) {
+  const DiagnosticLog::Place place{place_.line, request.column, place_.file};
+  switch (solution.fault) {
+    case ArcFault::none:
+      break;
+    case ArcFault::center_at_start:
+      log_.add(Severity::error, "arc-center", 2, place, [] {
+        return Text{"the arc's centre is its start point", std::string(straight_instead)};
+      });
+      break;
+    case ArcFault::radius_mismatch:
+      log_.add(Severity::error, "arc-radius", 0, place, [&] {
+        const bool other_fits =
+            !request.other_reading.empty() &&
+            solve_center_arc(programmed_, request.target, request.other_center, request.axis, 0).fault ==
+                ArcFault::none;
+        const std::string advice = other_fits
+                                       ? fmt::format("the centre would fit as {}", request.other_reading)
+                                       : "check the centre";
+        return Text{fmt::format("the arc's radius is {:.4f} mm at its start but {:.4f} mm at its end",
+                                solution.start_radius, solution.end_radius),
+                    fmt::format("{}; {}", advice, straight_instead)};
+      });
+      break;
+    case ArcFault::radius_too_small:
+      log_.add(Severity::error, "arc-radius", 1, place, [&] {
+        return Text{fmt::format("radius {:.4f} mm is too small for ends {:.4f} mm apart",
+                                solution.start_radius, 2 * solution.end_radius),
+                    fmt::format("the radius must be at least half the distance; {}", straight_instead)};
+      });
+      break;
+    case ArcFault::same_ends:
+      log_.add(Severity::error, "arc-ends", 0, place, [] {
+        return Text{"an arc given by its radius must not end where it starts",
+                    "write a full circle with its centre"};
+      });
+      break;
+  }
+}
+
+}  // namespace feedscope

@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "core/base/geometry.h"
+#include "core/program/path/arc_solver.h"
+#include "core/program/path/coordinate_frame.h"
+#include "core/program/path_control.h"
+#include "core/program/program.h"
+#include "core/program/text/diagnostic_log.h"
+
+namespace feedscope {
+
+/// How F is meant.
+enum class FeedMode : std::uint8_t {
+  per_minute,      ///< G94
+  inverse_time,    ///< G93: F is one over the minutes of the block
+  per_revolution,  ///< G95: along with the spindle speed
+  per_tooth,       ///< per revolution and tooth
+};
+
+/// An arc to be, in programmed coordinates.
+struct ArcRequest {
+  Vec3 target;
+  Vec3 center;               ///< used by arc_by_center()
+  double radius = 0;         ///< used by arc_by_radius(); negative for the larger arc [mm]
+  Vec3 axis;                 ///< unit; counter-clockwise seen against it
+  double extra_turns = 0;    ///< whole turns more
+  std::uint32_t column = 0;  ///< of centre or radius, for messages
+  /// A centre that the words would give if they were read another way, and that way's name: a hint where
+  /// the centre itself does not fit.
+  Vec3 other_center = Vec3::Zero();
+  std::string_view other_reading;
+};
+
+/// What the motion words of every dialect come to: takes motions in programmed coordinates, one after the
+/// other, and appends them to the Program in the coordinates that are shown, with feed, path control, line
+/// and bounds. The tool starts at X0 Y0 Z0.
+class PathWriter {
+ public:
+  /// Both outlive it.
+  PathWriter(Program& program, DiagnosticLog& log);
+
+  /// What follows is of this line: `shown` of the program, `place` where the words stand.
+  void begin_line(std::uint32_t shown, const DiagnosticLog::Place& place);
+  /// Column of the motion's words, for messages.
+  void set_column(std::uint32_t column) { place_.column = column; }
+  /// The line programs this axis, 0 to 2: the extent counts it from now on.
+  void program_axis(int axis) { axis_programmed_[static_cast<std::size_t>(axis)] = true; }
+  /// All three.
+  void program_axes() { axis_programmed_.fill(true); }
+  /// After the last line.
+  void finish();
+
+  /// Where the tool is [mm], in programmed and in shown coordinates.
+  const Vec3& position() const { return programmed_; }
+  const Vec3& shown_position() const { return shown_; }
+  bool has_moved() const { return !program_.motions.empty(); }
+
+  const CoordinateFrame& frame() const { return frame_; }
+  /// The tool stays where it is; its programmed coordinates change.
+  void set_frame(const CoordinateFrame& frame);
+
+  void rapid(const Vec3& target);
+  void line(const Vec3& target);
+  /// An arc that cannot be one is reported and becomes a line to its end, so that the position goes on.
+  void arc_by_center(const ArcRequest& arc);
+  void arc_by_radius(const ArcRequest& arc);
+  void dwell(double seconds);
+
+  void set_feed_mode(FeedMode mode);
+  FeedMode feed_mode() const { return feed_mode_; }
+  /// > 0; mm/s, 1/s, mm a revolution or a tooth as the mode says.
+  void set_feed(double feed) { feed_ = feed; }
+  /// The last valid one; 0: none yet in this mode.
+  double feed() const { return feed_; }
+  void set_spindle_speed(double revolutions_per_second) { spindle_speed_ = revolutions_per_second; }
+  void set_tooth_count(double teeth) { tooth_count_ = teeth; }
+
+  const PathControl& path_control() const { return path_control_; }
+  void set_path_control(const PathControl& control) { path_control_ = control; }
+
+ private:
+  void arc(const ArcRequest& request, const ArcSolution& solution);
+  void report_arc_fault(const ArcRequest& request, const ArcSolution& solution);
+  void straight_arc(const ArcRequest& request, const ArcSolution::Piece& piece);
+  double feed_over(double length);
+  void report_missing_feed();
+  void append(Motion motion, const Vec3& target, double feed, std::int32_t arc_index = -1);
+  void extend_bounds(Motion motion, const Vec3& target);
+  std::uint16_t path_control_index();
+
+  Program& program_;
+  DiagnosticLog& log_;
+  DiagnosticLog::Place place_;
+  std::uint32_t line_ = 0;
+  CoordinateFrame frame_;
+  Vec3 programmed_ = Vec3::Zero();
+  Vec3 shown_ = Vec3::Zero();
+  std::array<bool, 3> axis_programmed_{};
+  std::array<bool, 3> axis_known_{};
+  FeedMode feed_mode_ = FeedMode::per_minute;
+  double feed_ = 0;
+  double spindle_speed_ = 0;
+  double tooth_count_ = 1;
+  bool feed_missed_ = false;
+  PathControl path_control_;
+  std::uint16_t control_index_ = 0;  ///< of the last motion
+};
+
+}  // namespace feedscope

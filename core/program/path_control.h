@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+namespace feedscope {
+
+/// What a control does where blocks meet.
+enum class PathMode : std::uint8_t {
+  machine,     ///< what the machine file and the model say
+  exact_stop,  ///< stops at the end of every block: G9, G60, G61, G61.1
+  continuous,  ///< runs through: G64, G641 to G645, M120
+};
+
+enum class AccelerationMode : std::uint8_t {
+  machine,
+  soft,   ///< jerk limited: SOFT
+  brisk,  ///< acceleration steps: BRISK
+  drive,  ///< acceleration that falls above a speed: DRIVE
+};
+
+enum class Switch : std::uint8_t { machine, on, off };
+
+/// How the program wants its path to be run, whatever the words of its dialect. What it leaves open is the
+/// machine's. Every motion has one.
+struct PathControl {
+  PathMode mode = PathMode::machine;
+  /// Largest distance of the executed from the programmed path [mm]: CTOL, CYCLE832, G64 P, cycle 32 T.
+  std::optional<double> contour_tolerance;
+  /// Distance from a corner at which its blend may begin [mm]: ADIS, ADISPOS.
+  std::optional<double> blend_distance;
+  std::optional<double> orientation_tolerance;  ///< of the tool [rad]: OTOL, TA
+  Switch compaction = Switch::machine;          ///< joins short blocks: COMPON, COMPCURV, COMPCAD, G64 Q
+  std::optional<double> compaction_tolerance;   ///< [mm]; none: the contour tolerance
+  AccelerationMode acceleration = AccelerationMode::machine;
+  Switch feed_forward = Switch::machine;  ///< FFWON, FFWOF
+  Switch look_ahead = Switch::machine;    ///< G05.1, G08, G5 P10000, G64 against G60 aside
+
+  bool operator==(const PathControl&) const = default;
+};
+
+}  // namespace feedscope

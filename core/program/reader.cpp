@@ -1,0 +1,139 @@
+#include "core/program/reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/program/text/read_fault.h"
+
+namespace feedscope {
+
+Reader::Reader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress)
+    : options_(options), progress_(progress), path_(program_, log_), files_(source->folder()), text_(source) {
+  program_.source = std::move(source);
+}
+
+Program Reader::read() {
+  program_.motions.reserve(std::min<std::size_t>(program_.source->line_count(), std::size_t{1} << 24));
+  while (!ended()) {
+    if (next_line_ > text_->line_count()) {
+      if (calls_.empty()) {
+        break;
+      }
+      run_out();
+      continue;
+    }
+    line_ = next_line_++;
+    if (!within_run_limit()) {
+      break;
+    }
+    const std::uint32_t shown = shown_line();
+    last_run_ = std::max(last_run_, shown);
+    path_.begin_line(shown, place(0));
+    try {
+      run_line(text_->line(line_));
+    } catch (const ReadFault& fault) {
+      report(Severity::error, fault.code, 0, fault.column, [&] { return Text{fault.message, fault.hint}; });
+    }
+  }
+  path_.finish();
+  report_nothing_read();
+  report_text_after_end();
+  program_.diagnostics = log_.take();
+  return std::move(program_);
+}
+
+bool Reader::within_run_limit() {
+  constexpr std::uint64_t lines_between_reports = 4096;
+  const std::uint32_t count = program_.source->line_count();
+  if (++lines_run_ % lines_between_reports == 0 && progress_ != nullptr) {
+    progress_->report(std::min(1.0, static_cast<double>(shown_line()) / count));
+  }
+  if (lines_run_ <= count + options_.repeat_limit) {
+    return true;
+  }
+  report(Severity::error, "run-limit", 0, 0, [&] {
+    return Text{
+        fmt::format("loops and calls have run {} lines without coming to an end", options_.repeat_limit),
+        "the rest is left out; check the loop's condition, or raise the limit with --repeat-limit"};
+  });
+  return false;
+}
+
+void Reader::run_out() {
+  return_from_call();
+}
+
+bool Reader::call(std::shared_ptr<const SourceText> text, std::uint32_t line, std::uint32_t times) {
+  if (calls_.size() >= options_.call_depth) {
+    report(Severity::error, "call-depth", 0, 0, [&] {
+      return Text{fmt::format("calls are nested more than {} deep", options_.call_depth),
+                  "this call is left out; check whether the subprogram calls itself, or raise the limit with "
+                  "--call-depth"};
+    });
+    return false;
+  }
+  calls_.push_back({text_, line_, line, std::max(times, 1U)});
+  text_ = std::move(text);
+  next_line_ = line;
+  return true;
+}
+
+bool Reader::return_from_call() {
+  if (calls_.empty()) {
+    return false;
+  }
+  Call& last = calls_.back();
+  if (--last.times > 0) {
+    next_line_ = last.start;
+    return true;
+  }
+  text_ = std::move(last.text);
+  next_line_ = last.line + 1;
+  calls_.pop_back();
+  left_call();
+  return true;
+}
+
+std::uint32_t Reader::shown_line() const {
+  if (text_ == program_.source) {
+    return line_;
+  }
+  const auto from_program = std::find_if(calls_.rbegin(), calls_.rend(),
+                                         [this](const Call& call) { return call.text == program_.source; });
+  return from_program->line;
+}
+
+DiagnosticLog::Place Reader::place(std::uint32_t column) const {
+  return {line_, column, text_ == program_.source ? std::string_view() : std::string_view(text_->name())};
+}
+
+void Reader::report_nothing_read() {
+  if (program_.block_count == 0) {
+    log_.add(Severity::error, "empty-program", 0, {}, [] {
+      return Text{"the program holds no blocks", "give a file with NC blocks such as \"G1 X10 F500\""};
+    });
+  } else if (program_.motions.empty()) {
+    log_.add(Severity::warning, "no-motion", 0, {}, [] {
+      return Text{"no block of the program moves",
+                  "if the program is another dialect's, name it with --dialect"};
+    });
+  }
+}
+
+void Reader::report_text_after_end() {
+  if (end_line_ == 0 || last_run_ > end_line_) {
+    return;
+  }
+  const SourceText& source = *program_.source;
+  for (std::uint32_t line = end_line_ + 1; line <= source.line_count(); ++line) {
+    if (const std::uint32_t column = first_word(source.line(line)); column > 0) {
+      log_.add(Severity::info, "text-after-end", 0, {line, column, {}}, [&] {
+        return Text{fmt::format("the program ends in line {}; what follows is not executed", end_line_), ""};
+      });
+      return;
+    }
+  }
+}
+
+}  // namespace feedscope

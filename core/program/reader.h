@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/program/path/path_writer.h"
+#include "core/program/program.h"
+#include "core/program/text/diagnostic_log.h"
+#include "core/program/text/subprogram_files.h"
+
+namespace feedscope {
+
+/// Runs a program line by line, as a control does: with jumps, calls and repeats. What a line means is the
+/// dialect's, which derives from this class; where the path goes is the PathWriter's.
+class Reader {
+ public:
+  Reader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);
+  virtual ~Reader() = default;
+  Reader(const Reader&) = delete;
+  Reader& operator=(const Reader&) = delete;
+
+  /// Runs the whole program, once.
+  Program read();
+
+ protected:
+  using Text = DiagnosticLog::Text;
+
+  /// One line in force, without its end. ReadFault is caught and reported.
+  virtual void run_line(std::string_view line) = 0;
+  /// The text in force has no further line. By default a called one returns, the program itself ends.
+  virtual void run_out();
+  /// A call was left, by return_from_call() or at the end of its file.
+  virtual void left_call() {}
+  /// 1-based column of the first word of `line`, 0 for none; to say that text behind the end is not run.
+  virtual std::uint32_t first_word(std::string_view line) = 0;
+
+  const SourceText& text() const { return *text_; }
+  /// 1-based, of the line in force, in text().
+  std::uint32_t line() const { return line_; }
+  bool in_main_text() const { return text_ == program_.source; }
+  std::size_t call_depth() const { return calls_.size(); }
+
+  /// The next line that runs is `line` of the text in force.
+  void jump_to(std::uint32_t line) { next_line_ = line; }
+  /// The next line that runs is `line` of `text`; after return_from_call() it goes on behind the line in
+  /// force, or runs the call again until it has run `times` (>= 1). False, and reported, beyond the depth
+  /// that ReadOptions allow.
+  bool call(std::shared_ptr<const SourceText> text, std::uint32_t line, std::uint32_t times = 1);
+  bool call(std::uint32_t line, std::uint32_t times = 1) { return call(text_, line, times); }
+  /// False if nothing was called.
+  bool return_from_call();
+  void end_program() { end_line_ = shown_line(); }
+  bool ended() const { return end_line_ != 0; }
+
+  /// Line of the program itself that the line in force was called from, or is.
+  std::uint32_t shown_line() const;
+  /// Counts a block: a line that holds words.
+  void count_block() { ++program_.block_count; }
+
+  template <typename MakeText>
+  void report(Severity severity, std::string_view code, int detail, std::uint32_t column, MakeText&& text) {
+    log_.add(severity, code, detail, place(column), text);
+  }
+  DiagnosticLog::Place place(std::uint32_t column) const;
+
+  const ReadOptions& options() const { return options_; }
+  SubprogramFiles& subprogram_files() { return files_; }
+  PathWriter& path() { return path_; }
+  const PathWriter& path() const { return path_; }
+  DiagnosticLog& log() { return log_; }
+
+ private:
+  struct Call {
+    std::shared_ptr<const SourceText> text;  ///< that goes on
+    std::uint32_t line = 0;                  ///< of the call
+    std::uint32_t start = 0;                 ///< first line of what is called
+    std::uint32_t times = 0;                 ///< left to run, this one included
+  };
+
+  bool within_run_limit();
+  void report_nothing_read();
+  void report_text_after_end();
+
+  ReadOptions options_;
+  Progress* progress_;
+  Program program_;
+  DiagnosticLog log_;
+  PathWriter path_;
+  SubprogramFiles files_;
+  std::shared_ptr<const SourceText> text_;
+  std::vector<Call> calls_;
+  std::uint32_t line_ = 0;
+  std::uint32_t next_line_ = 1;
+  std::uint32_t end_line_ = 0;  ///< shown; 0: not met
+  std::uint32_t last_run_ = 0;  ///< the farthest shown line that ran
+  std::uint64_t lines_run_ = 0;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,125 @@
+#include "core/program/text/expression.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/program/text/message.h"
+#include "core/program/text/read_fault.h"
+
+namespace feedscope {
+
+namespace {
+
+/// Of brackets, signs and functions inside each other; a line is short, the stack is not endless.
+constexpr int deepest = 200;
+
+double finite(double value, std::string_view text, std::uint32_t column) {
+  if (!std::isfinite(value)) {
+    throw ReadFault{"expression-value", column, fmt::format("{} has no finite value here", quoted(text)),
+                    "check the values that go into it"};
+  }
+  return value;
+}
+
+bool takes_symbol(Scanner& scanner, std::string_view symbol) {
+  return letters::is_letter(symbol.back()) ? scanner.take_name(symbol) : scanner.take(symbol);
+}
+
+}  // namespace
+
+void ExpressionReader::expect(Scanner& scanner, char c) {
+  const std::uint32_t column = scanner.column();
+  if (!scanner.take(c)) {
+    throw ReadFault{"expression", column, fmt::format("\"{}\" is missing here", c),
+                    "check the brackets of the expression"};
+  }
+}
+
+double ExpressionReader::infix(Scanner& scanner, int least_rank) {
+  double value = read_operand(scanner);
+  while (true) {
+    const std::size_t before = scanner.at();
+    const std::uint32_t column = scanner.column();
+    const ExpressionGrammar::Infix* found = nullptr;
+    for (const ExpressionGrammar::Infix& candidate : grammar_.infixes) {
+      if (takes_symbol(scanner, candidate.text)) {
+        found = &candidate;
+        break;
+      }
+    }
+    if (found == nullptr || found->rank < least_rank) {
+      scanner.move_to(before);
+      return value;
+    }
+    value = finite(found->apply(value, infix(scanner, found->rank + 1)), found->text, column);
+  }
+}
+
+double ExpressionReader::read_operand(Scanner& scanner) {
+  const std::uint32_t column = scanner.column();
+  struct Level {
+    int& depth;
+    explicit Level(int& d) : depth(++d) {}
+    ~Level() { --depth; }
+  } const level(depth_);
+  if (depth_ > deepest) {
+    throw ReadFault{"expression", column, fmt::format("the expression is nested more than {} deep", deepest),
+                    "divide it into several assignments"};
+  }
+  for (const ExpressionGrammar::Prefix& prefix : grammar_.prefixes) {
+    if (takes_symbol(scanner, prefix.text)) {
+      return finite(prefix.apply(infix(scanner, prefix.rank)), prefix.text, column);
+    }
+  }
+  return primary(scanner);
+}
+
+double ExpressionReader::primary(Scanner& scanner) {
+  if (scanner.take(grammar_.open)) {
+    const double value = read(scanner);
+    expect(scanner, grammar_.close);
+    return value;
+  }
+  if (const std::optional<double> value = scanner.number(grammar_.decimal_comma)) {
+    return *value;
+  }
+  if (const std::optional<double> value = variable(scanner)) {
+    return *value;
+  }
+  if (const std::optional<double> value = function(scanner)) {
+    return *value;
+  }
+  const std::uint32_t column = scanner.column();
+  const std::string_view rest = scanner.rest();
+  throw ReadFault{"expression", column,
+                  rest.empty() ? "a value is missing at the end of the expression"
+                               : fmt::format("{} is no value, variable or function", quoted(rest)),
+                  "write a number, a variable or a function here"};
+}
+
+std::optional<double> ExpressionReader::function(Scanner& scanner) {
+  const std::uint32_t column = scanner.column();
+  for (const ExpressionGrammar::Function& candidate : grammar_.functions) {
+    if (!scanner.take_name(candidate.name)) {
+      continue;
+    }
+    double first = 0;
+    double second = 0;
+    if (grammar_.bare_arguments && candidate.arguments == 1) {
+      first = read_operand(scanner);
+    } else {
+      expect(scanner, grammar_.open);
+      first = read(scanner);
+      if (candidate.arguments == 2) {
+        expect(scanner, ',');
+        second = read(scanner);
+      }
+      expect(scanner, grammar_.close);
+    }
+    return finite(candidate.apply(first, second), candidate.name, column);
+  }
+  return std::nullopt;
+}
+
+}  // namespace feedscope

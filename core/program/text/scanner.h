@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace feedscope {
+
+/// Characters of NC texts: ASCII whatever the locale.
+namespace letters {
+
+constexpr bool is_blank(char c) {
+  return c == ' ' || c == '\t';
+}
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+constexpr char to_upper(char c) {
+  return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+constexpr bool is_letter(char c) {
+  return to_upper(c) >= 'A' && to_upper(c) <= 'Z';
+}
+/// May stand in a name after its first character.
+constexpr bool is_name_part(char c) {
+  return is_letter(c) || is_digit(c) || c == '_';
+}
+/// Upper and lower case are the same.
+bool same(std::string_view a, std::string_view b);
+
+}  // namespace letters
+
+/// A place in a line that moves on as statements are read; for what is more than letters with numbers.
+/// Blanks before what is looked for are skipped; upper and lower case are the same.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text, std::size_t at = 0) : text_(text), at_(at) {}
+
+  std::string_view text() const { return text_; }
+  std::size_t at() const { return at_; }
+  void move_to(std::size_t at) { at_ = at; }
+  /// 1-based byte column of the next character that is not blank.
+  std::uint32_t column();
+  bool at_end();
+  /// The next character that is not blank; 0 at the end.
+  char peek();
+  /// The character `ahead` places after the next one, blanks counted; 0 beyond the end.
+  char peek_at(std::size_t ahead) const { return at_ + ahead < text_.size() ? text_[at_ + ahead] : '\0'; }
+  std::string_view rest();
+
+  /// Takes what is named and returns true, or stays.
+  bool take(char c);
+  bool take(std::string_view symbol);
+  /// The same for a name that no name character follows.
+  bool take_name(std::string_view name);
+  /// Takes letters, digits and underscores from a letter or underscore on; empty if none stands here.
+  std::string_view name();
+  /// Takes an unsigned decimal number, its point a comma too if `comma`; none if none stands here.
+  /// Throws ReadFault "malformed-number" and "number-range".
+  std::optional<double> number(bool comma = false);
+
+ private:
+  void skip_blanks();
+
+  std::string_view text_;
+  std::size_t at_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/program/text/source_text.h"
+
+namespace feedscope {
+
+/// The files that a program calls: those beside it, by name whatever its case. Each is read once.
+class SubprogramFiles {
+ public:
+  /// `folder` empty: nothing is found.
+  explicit SubprogramFiles(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// The first of `names` that is a file beside the program; nullptr if none is, or it cannot be read.
+  std::shared_ptr<const SourceText> find(const std::vector<std::string>& names);
+
+ private:
+  void list();
+
+  std::filesystem::path folder_;
+  bool listed_ = false;
+  std::map<std::string, std::filesystem::path> files_;  ///< by upper-case name
+  std::map<std::string, std::shared_ptr<const SourceText>> read_;
+};
+
+}  // namespace feedscope
