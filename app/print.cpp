@@ -73,6 +73,29 @@ std::string cause_table(const Summary& summary) {
   return table.text("lrr");
 }
 
+/// The line that a diagnostic speaks of and a caret under its place; a long line is cut around it.
+std::string marked_line(const Program& program, const Diagnostic& diagnostic) {
+  constexpr std::size_t widest = 100;
+  constexpr std::size_t before = 60;
+  const SourceText* text = program.source.get();
+  for (const auto& called : program.called_files) {
+    text = called->name() == diagnostic.file ? called.get() : text;
+  }
+  if (diagnostic.line == 0 || diagnostic.column == 0) {
+    return "";
+  }
+  const std::string_view line = text->line(diagnostic.line);
+  const std::size_t column = std::min<std::size_t>(diagnostic.column - 1, line.size());
+  const std::size_t from = column > before ? column - before : 0;
+  std::string shown, indent;
+  for (std::size_t i = from; i < std::min(line.size(), from + widest); ++i) {
+    const bool plain = line[i] >= ' ' && line[i] <= '~';
+    shown += plain ? line[i] : line[i] == '\t' ? ' ' : '?';
+  }
+  indent.assign(column - from, ' ');
+  return fmt::format("  {}\n  {}^\n", shown, indent);
+}
+
 }  // namespace
 
 std::string TextTable::text(std::string_view alignments) const {
@@ -122,9 +145,12 @@ std::string time_text(double seconds) {
   return seconds < 60 ? text : fmt::format("{} ({})", text, clock_text(seconds));
 }
 
-void print_diagnostics(const Program& program) {
+void print_diagnostics(const Program& program, DiagnosticStyle style) {
   for (const Diagnostic& diagnostic : program.diagnostics) {
     fmt::print(stderr, "{}\n", format(diagnostic, program.source->name()));
+    if (style == DiagnosticStyle::with_source) {
+      fmt::print(stderr, "{}", marked_line(program, diagnostic));
+    }
   }
 }
 

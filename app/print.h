@@ -35,7 +35,11 @@ std::string wrapped(const std::string& text, std::size_t indent);
 std::string time_text(double seconds);
 
 /// Diagnostics to standard error, one line each as a compiler does.
-void print_diagnostics(const Program& program);
+enum class DiagnosticStyle {
+  line,         ///< one line each
+  with_source,  ///< and the line of the program, with a mark under the place
+};
+void print_diagnostics(const Program& program, DiagnosticStyle style = DiagnosticStyle::line);
 
 /// Figures of a run for people.
 std::string summary_text(const Run& run);

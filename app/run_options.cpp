@@ -21,18 +21,48 @@ double parse_tolerance(const std::string& text) {
   return std::get<double>(parse_setting(number, text));
 }
 
-void add_program_option(CLI::App& command, std::string& file) {
-  command.add_option("FILE", file, "NC program; - for standard input")->required();
+ReadOptions ProgramOptions::reading() const {
+  ReadOptions options;
+  if (!dialect.empty()) {
+    options.dialect = dialect_of_id(dialect);
+  }
+  options.skip_deleted_blocks = skip_deleted;
+  options.repeat_limit = repeat_limit;
+  options.call_depth = call_depth;
+  return options;
+}
+
+void add_program_options(CLI::App& command, ProgramOptions& values) {
+  std::vector<std::string_view> dialects;
+  for (const DialectInfo& info : all_dialects()) {
+    dialects.push_back(info.id);
+  }
+  command.add_option("FILE", values.file, "NC program; - for standard input")->required();
+  command
+      .add_option("--dialect", values.dialect,
+                  fmt::format("Language of the program: {} [recognised]", fmt::join(dialects, ", ")))
+      ->type_name("ID");
+  command.add_flag("--skip-deleted", values.skip_deleted, "Leave out blocks that begin with /");
+  command
+      .add_option("--repeat-limit", values.repeat_limit,
+                  fmt::format("Lines that loops and calls may run [{}]", values.repeat_limit))
+      ->type_name("N");
+  command
+      .add_option("--call-depth", values.call_depth,
+                  fmt::format("Calls inside each other [{}]", values.call_depth))
+      ->type_name("N");
 }
 
 void add_run_options(CLI::App& command, RunOptions& values) {
-  add_program_option(command, values.file);
+  add_program_options(command, values);
   command
       .add_option("--machine", values.machine,
                   fmt::format("Machine id or machine file [{}]", default_machine))
       ->type_name("ID|FILE");
   command.add_option("--model", values.model, "Control model [the machine's own]")->type_name("ID");
-  command.add_option("--tolerance", values.tolerance, "Contour tolerance in mm [the machine's own]")
+  command
+      .add_option("--tolerance", values.tolerance,
+                  "Contour tolerance in mm, instead of the program's own [or else the machine's]")
       ->type_name("MM");
   add_set_option(command, values.set);
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -8,9 +9,20 @@
 
 namespace feedscope {
 
-/// The options that every command with a simulation has: FILE --machine --model --tolerance --set.
-struct RunOptions {
+/// The program and how it is read: FILE --dialect --skip-deleted --repeat-limit --call-depth.
+struct ProgramOptions {
   std::string file;
+  std::string dialect;  ///< id; "" to recognise it
+  bool skip_deleted = false;
+  std::uint64_t repeat_limit = ReadOptions().repeat_limit;
+  std::size_t call_depth = ReadOptions().call_depth;
+
+  /// Throws InputError for a dialect that is not known.
+  ReadOptions reading() const;
+};
+
+/// The options that every command with a simulation has: --machine --model --tolerance --set.
+struct RunOptions : ProgramOptions {
   std::string machine;
   std::string model;
   std::string tolerance;  ///< as typed, [mm]
@@ -25,8 +37,8 @@ double parse_tolerance(const std::string& text);
 
 /// Adds them to a command; `values` must live as long as the command.
 void add_run_options(CLI::App& command, RunOptions& values);
-/// Adds FILE alone.
-void add_program_option(CLI::App& command, std::string& file);
+/// Adds those of the program alone.
+void add_program_options(CLI::App& command, ProgramOptions& values);
 /// Adds --set alone.
 void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 

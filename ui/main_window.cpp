@@ -166,7 +166,7 @@ void MainWindow::ask_for_machine() {
 
 void MainWindow::show_program() {
   const auto program = model_.program();
-  program_->set_text(program == nullptr ? QString() : QString::fromStdString(program->source->text()));
+  program_->set_text(program == nullptr ? QString() : QString::fromStdString(program->source->utf8_text()));
   diagnostics_->set_diagnostics(program == nullptr ? std::vector<Diagnostic>() : program->diagnostics);
   const QString name = QString::fromStdU16String(model_.file().filename().u16string());
   setWindowTitle(name.isEmpty() ? tr("Feedscope") : tr("%1 – Feedscope").arg(name));

@@ -15,8 +15,7 @@
 namespace feedscope {
 namespace {
 
-struct CheckOptions {
-  std::string file;
+struct CheckOptions : ProgramOptions {
   std::string json;
 };
 
@@ -25,9 +24,18 @@ std::string range_text(double from, double to) {
                                                   : "not programmed";
 }
 
-std::string facts_text(const ProgramFacts& facts) {
+std::string tools_text(const Program& program) {
+  std::vector<std::string> names;
+  for (const ToolChange& tool : program.tools) {
+    names.push_back(fmt::format("{} (line {})", tool.name, tool.line));
+  }
+  return names.empty() ? "none named" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::string facts_text(const Program& program, const ProgramFacts& facts) {
   TextTable table;
-  table.add({"lines", fmt::format("{}, {} with words", facts.lines, facts.blocks)});
+  table.add({"dialect", std::string(info_of(program.dialect).title)});
+  table.add({"lines", fmt::format("{}; {} blocks run", facts.lines, facts.blocks)});
   table.add({"segments", fmt::format("{}: {} lines, {} arcs, {} dwells", facts.segments,
                                      facts.segments - facts.arcs - facts.dwells, facts.arcs, facts.dwells)});
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
@@ -44,6 +52,15 @@ std::string facts_text(const ProgramFacts& facts) {
                           ? fmt::format("{:.6g} to {:.6g} mm/min", units::to_mm_min(facts.least_feed),
                                         units::to_mm_min(facts.largest_feed))
                           : "none programmed"});
+  table.add({"tools", tools_text(program)});
+  table.add({"calls", fmt::format("{}", program.call_count)});
+  std::string label = "path control";
+  for (const PathControlRange& range : facts.path_control) {
+    const std::string lines = range.first_line == range.last_line
+                                  ? fmt::format("line {}", range.first_line)
+                                  : fmt::format("lines {} to {}", range.first_line, range.last_line);
+    table.add({std::exchange(label, ""), fmt::format("{}: {}", lines, describe(range.control))});
+  }
   return table.text("ll");
 }
 
@@ -53,17 +70,17 @@ int check(const CheckOptions& options) {
   LoadedProgram loaded;
   {
     Watch watch;
-    loaded = load_program(source, watch.stage("reading"));
+    loaded = load_program(source, watch.stage("reading"), options.reading());
   }
   const ProgramFacts facts = facts_of(*loaded.program, *loaded.toolpath);
-  print_diagnostics(*loaded.program);
+  print_diagnostics(*loaded.program, DiagnosticStyle::with_source);
   if (!options.json.empty()) {
     OutputFile json(options.json);
     json.stream() << check_json(*loaded.program, facts);
     json.commit();
   }
   if (options.json != "-") {
-    fmt::print("{}\n{}", source->name(), facts_text(facts));
+    fmt::print("{}\n{}", source->name(), facts_text(*loaded.program, facts));
   }
   return has_errors(loaded.program->diagnostics) ? exit_code::program_errors : exit_code::done;
 }
@@ -74,7 +91,7 @@ Command add_check_command(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
       app.add_subcommand("check", "Read an NC program and say what it holds and what is wrong");
-  add_program_option(*command, options->file);
+  add_program_options(*command, *options);
   command->add_option("--json", options->json, "Write facts and messages; - for standard output")
       ->type_name("FILE");
   return {command, [options] { return check(*options); }};

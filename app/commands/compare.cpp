@@ -22,8 +22,7 @@
 namespace feedscope {
 namespace {
 
-struct CompareOptions {
-  std::string file;
+struct CompareOptions : ProgramOptions {
   std::vector<std::string> machines;
   std::vector<std::string> models;
   std::vector<std::string> tolerances;  // as typed, mm
@@ -115,7 +114,7 @@ int compare(const CompareOptions& options) {
   std::vector<ComparedRun> runs;
   {
     Watch watch;
-    program = load_program(source, watch.stage("reading"));
+    program = load_program(source, watch.stage("reading"), options.reading());
     runs = compare_runs(program, setups, watch.stage("simulating"));
   }
   files.write(program, runs);
@@ -132,7 +131,7 @@ Command add_compare_command(CLI::App& app) {
   const auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand(
       "compare", "Simulate a program on several machines, models and tolerances, side by side");
-  add_program_option(*command, options->file);
+  add_program_options(*command, *options);
   const auto add_list = [&](const char* name, std::vector<std::string>& values, const std::string& text) {
     return command->add_option(name, values, text + "; repeat for more")->allow_extra_args(false);
   };

@@ -45,7 +45,7 @@ int render(const RenderOptions& options) {
   Run run;
   {
     Watch watch;
-    const LoadedProgram program = load_program(source, watch.stage("reading"));
+    const LoadedProgram program = load_program(source, watch.stage("reading"), options.run.reading());
     run = simulate_run(program, setup, watch.stage("simulating"));
   }
   out.stream() << ui::to_png(views.at(options.view)(run, size, cameras.at(options.camera)));

@@ -98,7 +98,7 @@ int simulate(const SimulateOptions& options) {
   Run run;
   {
     Watch watch;
-    const LoadedProgram program = load_program(source, watch.stage("reading"));
+    const LoadedProgram program = load_program(source, watch.stage("reading"), options.run.reading());
     run = simulate_run(program, setup, watch.stage("simulating"));
     results.write(run, step, watch);
   }

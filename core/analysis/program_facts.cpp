@@ -4,12 +4,40 @@
 
 namespace feedscope {
 
+namespace {
+
+/// As many as a reader of the facts looks through; loops may change the settings at every turn.
+constexpr std::size_t most_ranges = 200;
+
+std::vector<PathControlRange> path_control_ranges(const Toolpath& toolpath) {
+  std::vector<PathControlRange> ranges;
+  std::uint16_t last = 0;
+  for (const Segment& segment : toolpath.segments) {
+    if (segment.kind == SegmentKind::dwell) {
+      continue;
+    }
+    if (ranges.empty() || segment.path_control != last) {
+      if (ranges.size() == most_ranges) {
+        break;
+      }
+      ranges.push_back({segment.line, segment.line, toolpath.path_controls[segment.path_control]});
+      last = segment.path_control;
+    }
+    ranges.back().first_line = std::min(ranges.back().first_line, segment.line);
+    ranges.back().last_line = std::max(ranges.back().last_line, segment.line);
+  }
+  return ranges;
+}
+
+}  // namespace
+
 ProgramFacts facts_of(const Program& program, const Toolpath& toolpath) {
   ProgramFacts facts;
   facts.lines = program.source->line_count();
   facts.blocks = program.block_count;
   facts.segments = toolpath.segments.size();
   facts.bounds = program.bounds;
+  facts.path_control = path_control_ranges(toolpath);
   for (const Segment& segment : toolpath.segments) {
     facts.path_length += segment.length;
     facts.rapid_length += segment.rapid ? segment.length : 0;

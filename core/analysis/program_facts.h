@@ -1,10 +1,18 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "core/toolpath/toolpath.h"
 
 namespace feedscope {
+
+/// Lines whose motions follow one path control.
+struct PathControlRange {
+  std::uint32_t first_line = 0;
+  std::uint32_t last_line = 0;
+  PathControl control;
+};
 
 /// What a program holds, before any machine or model.
 struct ProgramFacts {
@@ -19,6 +27,7 @@ struct ProgramFacts {
   double dwell_time = 0;    ///< [s]
   double least_feed = 0;    ///< of what moves at a programmed feed; 0 if nothing does [mm/s]
   double largest_feed = 0;  ///< [mm/s]
+  std::vector<PathControlRange> path_control;  ///< in programmed order, dwells left out
 };
 
 ProgramFacts facts_of(const Program& program, const Toolpath& toolpath);

@@ -30,10 +30,11 @@ MachineLibrary shipped_machines() {
   return MachineLibrary(data_folder() / "machines", all_model_settings());
 }
 
-LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress) {
+LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress,
+                           const ReadOptions& options) {
   const StopWatch watch;
   LoadedProgram loaded;
-  Program program = read_program(std::move(source), progress);
+  Program program = read_program(std::move(source), progress, options);
   loaded.toolpath = std::make_shared<const Toolpath>(take_toolpath(program));
   loaded.program = std::make_shared<const Program>(std::move(program));
   loaded.read_time = watch.seconds();

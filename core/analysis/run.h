@@ -50,7 +50,8 @@ MachineLibrary shipped_machines();
 
 /// Reads a text into program and toolpath. A wrong line is a diagnostic of the program.
 /// Throws Cancelled when stopped.
-LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress = nullptr);
+LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress = nullptr,
+                           const ReadOptions& options = {});
 /// Reads a file, or standard input for "-". Throws InputError as SourceText::from_file does.
 LoadedProgram load_program(const std::filesystem::path& file, Progress* progress = nullptr);
 

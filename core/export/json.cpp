@@ -45,6 +45,28 @@ Json diagnostics(const Program& program) {
   return list;
 }
 
+Json tools(const Program& program) {
+  Json list = Json::array();
+  for (const ToolChange& tool : program.tools) {
+    list.push_back({{"name", tool.name}, {"line", tool.line}});
+  }
+  return list;
+}
+
+Json path_control(const ProgramFacts& facts) {
+  const auto optional = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
+  Json list = Json::array();
+  for (const PathControlRange& range : facts.path_control) {
+    list.push_back({{"first_line", range.first_line},
+                    {"last_line", range.last_line},
+                    {"exact_stop", range.control.mode == PathMode::exact_stop},
+                    {"contour_tolerance_mm", optional(range.control.contour_tolerance)},
+                    {"blend_distance_mm", optional(range.control.blend_distance)},
+                    {"text", describe(range.control)}});
+  }
+  return list;
+}
+
 Json settings_values(const Settings& settings) {
   Json values = Json::object();
   for (const auto& [key, value] : settings.values()) {
@@ -139,6 +161,7 @@ std::string comparison_json(const LoadedProgram& program, std::span<const Compar
 std::string check_json(const Program& program, const ProgramFacts& facts) {
   return text_of({{"program",
                    {{"file", program.source->name()},
+                    {"dialect", info_of(program.dialect).id},
                     {"lines", facts.lines},
                     {"blocks", facts.blocks},
                     {"segments", facts.segments},
@@ -150,6 +173,9 @@ std::string check_json(const Program& program, const ProgramFacts& facts) {
                     {"feed_mm_min",
                      {{"min", finite(units::to_mm_min(facts.least_feed))},
                       {"max", finite(units::to_mm_min(facts.largest_feed))}}},
+                    {"tools", tools(program)},
+                    {"calls", program.call_count},
+                    {"path_control", path_control(facts)},
                     {"bounds", bounds(facts.bounds)}}},
                   {"diagnostics", diagnostics(program)}});
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 
 namespace feedscope {
 
@@ -38,5 +39,8 @@ struct PathControl {
 
   bool operator==(const PathControl&) const = default;
 };
+
+/// "continuous, contour tolerance 0.01 mm, compaction on"; "as the machine" where nothing is said.
+std::string describe(const PathControl& control);
 
 }  // namespace feedscope

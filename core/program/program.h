@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/base/diagnostic.h"
@@ -34,6 +35,12 @@ struct MotionBlock {
   Motion motion = Motion::line;
 };
 
+/// A tool that the program asks for.
+struct ToolChange {
+  std::string name;        ///< number or name
+  std::uint32_t line = 0;  ///< of its first use
+};
+
 /// What a program says, free of its dialect.
 struct Program {
   std::shared_ptr<const SourceText> source;
@@ -43,6 +50,9 @@ struct Program {
   std::vector<MotionBlock> motions;
   std::vector<ArcWords> arcs;
   std::vector<PathControl> path_controls;  ///< the first is the machine's
+  std::vector<ToolChange> tools;           ///< in the order of their first use
+  std::uint64_t call_count = 0;            ///< subprogram calls that were run
+  std::vector<std::shared_ptr<const SourceText>> called_files;
   /// Of the programmed points; Toolpath::bounds adds what arcs reach beyond them [mm]. The tool starts at
   /// X0 Y0 Z0, an assumed place that is left out: a coordinate counts from the first block that programs
   /// its axis, or from the start of the first feed motion.

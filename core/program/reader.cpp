@@ -39,6 +39,7 @@ Program Reader::read() {
   path_.finish();
   report_nothing_read();
   report_text_after_end();
+  program_.called_files = files_.all_read();
   program_.diagnostics = log_.take();
   return std::move(program_);
 }
@@ -73,6 +74,7 @@ bool Reader::call(std::shared_ptr<const SourceText> text, std::uint32_t line, st
     });
     return false;
   }
+  ++program_.call_count;
   calls_.push_back({text_, line_, line, std::max(times, 1U)});
   text_ = std::move(text);
   next_line_ = line;
@@ -102,6 +104,14 @@ std::uint32_t Reader::shown_line() const {
   const auto from_program = std::find_if(calls_.rbegin(), calls_.rend(),
                                          [this](const Call& call) { return call.text == program_.source; });
   return from_program->line;
+}
+
+void Reader::select_tool(std::string_view name) {
+  const bool is_new = std::none_of(program_.tools.begin(), program_.tools.end(),
+                                   [&](const ToolChange& tool) { return tool.name == name; });
+  if (is_new) {
+    program_.tools.push_back({std::string(name), shown_line()});
+  }
 }
 
 DiagnosticLog::Place Reader::place(std::uint32_t column) const {

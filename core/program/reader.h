@@ -56,6 +56,8 @@ class Reader {
 
   /// Line of the program itself that the line in force was called from, or is.
   std::uint32_t shown_line() const;
+  /// The program asks for a tool, by number or name.
+  void select_tool(std::string_view name);
   /// Counts a block: a line that holds words.
   void count_block() { ++program_.block_count; }
 

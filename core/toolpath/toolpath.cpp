@@ -37,6 +37,7 @@ Segment line_segment(const Vec3& start, const MotionBlock& block) {
   segment.length = (block.target - start).norm();
   segment.feed = block.feed;
   segment.line = block.line;
+  segment.path_control = block.path_control;
   segment.rapid = block.motion == Motion::rapid;
   return segment;
 }
@@ -77,6 +78,9 @@ double Toolpath::length() const {
 Toolpath build_toolpath(const Program& program) {
   Toolpath toolpath;
   toolpath.bounds = program.bounds;
+  if (!program.path_controls.empty()) {
+    toolpath.path_controls = program.path_controls;
+  }
   toolpath.segments.reserve(program.motions.size());
   toolpath.arcs.reserve(program.arcs.size());
   Vec3 position = toolpath.start;  // where the last segment ends
@@ -92,6 +96,7 @@ Toolpath build_toolpath(const Program& program) {
     segment.end = block.target;
     segment.feed = block.feed;
     segment.line = block.line;
+    segment.path_control = block.path_control;
     segment.rapid = block.motion == Motion::rapid;
     switch (block.motion) {
       case Motion::dwell:

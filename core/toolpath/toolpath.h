@@ -13,12 +13,13 @@ enum class SegmentKind : std::uint8_t { line, arc, dwell };
 
 /// One geometric element of the programmed path; it starts where the one before ends.
 struct Segment {
-  Vec3 end;                ///< [mm]
-  double length = 0;       ///< > 0; 0 for a dwell [mm]
-  double feed = 0;         ///< programmed [mm/s]; 0 for rapids and dwells
-  double dwell = 0;        ///< [s], dwells only
-  std::uint32_t line = 0;  ///< 1-based line of the block
-  std::int32_t arc = -1;   ///< index into Toolpath::arcs, arcs only
+  Vec3 end;                        ///< [mm]
+  double length = 0;               ///< > 0; 0 for a dwell [mm]
+  double feed = 0;                 ///< programmed [mm/s]; 0 for rapids and dwells
+  double dwell = 0;                ///< [s], dwells only
+  std::uint32_t line = 0;          ///< 1-based line of the block
+  std::int32_t arc = -1;           ///< index into Toolpath::arcs, arcs only
+  std::uint16_t path_control = 0;  ///< index into Toolpath::path_controls
   SegmentKind kind = SegmentKind::line;
   bool rapid = false;
 };
@@ -28,9 +29,11 @@ struct Toolpath {
   Vec3 start = Vec3::Zero();  ///< [mm]
   std::vector<Segment> segments;
   std::vector<Arc> arcs;
+  std::vector<PathControl> path_controls{PathControl()};  ///< the first is the machine's
   Bounds bounds;  ///< as Program::bounds, arcs with their full extent [mm]
 
   const Vec3& start_of(std::size_t i) const { return i == 0 ? start : segments[i - 1].end; }
+  const PathControl& path_control_of(std::size_t i) const { return path_controls[segments[i].path_control]; }
   Vec3 tangent_at_start(std::size_t i) const;  ///< unit; zero for a dwell
   Vec3 tangent_at_end(std::size_t i) const;    ///< unit; zero for a dwell
   double length() const;                       ///< sum of the segments [mm]

@@ -141,7 +141,7 @@ TEST_F(CommandLine, SimulateReportsAWrongProgramAndWritesTheRest) {
 }
 
 TEST_F(CommandLine, NamesAProgramThatCannotBeRead) {
-  write("binary.nc", std::string("G1\0X1", 5));
+  write("binary.nc", "G1" + std::string(100, '\0') + "X1");
   for (const std::string command : {"simulate", "check"}) {
     expect_wrong_use(command + " none.nc", "none.nc: there is no such file");
     expect_wrong_use(command + " .", "directory");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -47,24 +48,87 @@ void check_size(const std::string& name, std::size_t size) {
   }
 }
 
+constexpr bool is_noise(char c) {
+  return (static_cast<unsigned char>(c) < ' ' && c != '\t' && c != '\n' && c != '\r') || c == '\x7F';
+}
+
+[[noreturn]] void refuse(const std::string& name, std::string_view reason) {
+  throw InputError(fmt::format(
+      "{}: is not a text file ({}); give an NC program as ASCII, UTF-8 or Latin-1 text", name, reason));
+}
+
+/// Makes blanks of control characters. Throws InputError where so many stand between the first and the last
+/// printed one, that is without the leader and trailer of a tape, that it is no text.
+std::size_t clear_noise(const std::string& name, std::string& text) {
+  constexpr std::size_t always_allowed = 16;
+  constexpr std::size_t one_in = 200;
+  constexpr std::size_t run = 64;
+  if (text.starts_with("\xFF\xFE") || text.starts_with("\xFE\xFF")) {
+    refuse(name, "it is UTF-16");
+  }
+  const auto printed = [](char c) { return c > ' ' && c != '\x7F'; };
+  const auto first = std::find_if(text.begin(), text.end(), printed);
+  const auto last = std::find_if(text.rbegin(), text.rend(), printed).base();
+  std::size_t inside = 0;
+  std::size_t count = 0;
+  for (std::size_t at = 0; at < text.size(); at += run) {
+    const auto begin = text.begin() + static_cast<std::ptrdiff_t>(at);
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(at + run, text.size()));
+    const auto found = std::count_if(begin, end, is_noise);
+    if (found > 0) {
+      count += static_cast<std::size_t>(found);
+      inside +=
+          begin < last && end > first
+              ? static_cast<std::size_t>(std::count_if(std::max(begin, first), std::min(end, last), is_noise))
+              : 0;
+      std::replace_if(begin, end, is_noise, ' ');
+    }
+  }
+  if (inside > always_allowed + text.size() / one_in || (count > 0 && first == text.end())) {
+    refuse(name, fmt::format("it holds {} control characters", count));
+  }
+  return count;
+}
+
+/// Whether every byte beyond ASCII belongs to a UTF-8 sequence of two to four bytes.
+bool is_utf8(std::string_view text) {
+  std::size_t left = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool continues = byte >= 0x80 && byte < 0xC0;
+    if (continues != (left > 0)) {
+      return false;
+    }
+    if (left > 0) {
+      --left;
+    } else if (byte >= 0xC0) {
+      left = byte < 0xE0 ? 1 : byte < 0xF0 ? 2 : 3;
+      if (byte < 0xC2 || byte > 0xF4) {
+        return false;
+      }
+    }
+  }
+  return left == 0;
+}
+
 /// Reads to the end; `expected` bytes at once if known, else in growing pieces.
 std::string read_all(std::FILE* file, const std::string& name, std::size_t expected) {
   std::string text;
   std::size_t used = 0;
+  constexpr std::ptrdiff_t piece_looked_at = 4096;
   std::size_t piece = expected > 0 ? expected + 1 : std::size_t{1} << 20;
   while (true) {
     text.resize(used + piece);
     errno = 0;
     const std::size_t count = std::fread(text.data() + used, 1, piece, file);
-    if (std::memchr(text.data() + used, '\0', count) != nullptr) {
-      throw InputError(fmt::format(
-          "{}: is not a text file (it holds a zero byte); give an NC program as plain ASCII or UTF-8 text",
-          name));
-    }
+    const auto begin = text.begin() + static_cast<std::ptrdiff_t>(used);
     used += count;
     check_size(name, used);
     if (count < piece) {
       break;
+    }
+    if (std::all_of(begin, begin + piece_looked_at, is_noise)) {
+      refuse(name, "it goes on with control characters alone");
     }
     piece = used;
   }
@@ -79,8 +143,19 @@ std::string read_all(std::FILE* file, const std::string& name, std::size_t expec
 
 SourceText::SourceText(std::string name, std::string text) : name_(std::move(name)), text_(std::move(text)) {
   check_size(name_, text_.size());
+  noise_count_ = clear_noise(name_, text_);
   const std::string_view view = text_;
+  encoding_ = is_utf8(view) ? Encoding::utf8 : Encoding::latin1;
   starts_ = line_starts(view, view.starts_with(byte_order_mark) ? byte_order_mark.size() : 0);
+  for (std::size_t i = 0; i < starts_.size(); ++i) {
+    const std::size_t end = i + 1 < starts_.size() ? starts_[i + 1] : text_.size();
+    if (end - starts_[i] > longest_line) {
+      throw InputError(
+          fmt::format("{}:{}: the line is {} bytes long, more than the {} of any NC program; check "
+                      "the file's line ends",
+                      name_, i + 1, end - starts_[i], longest_line));
+    }
+  }
 }
 
 SourceText SourceText::from_file(const std::filesystem::path& path) {
@@ -110,6 +185,24 @@ SourceText SourceText::from_file(const std::filesystem::path& path) {
   SourceText source(name, read_all(file.get(), name, size));
   source.folder_ = std::filesystem::absolute(path).parent_path();
   return source;
+}
+
+std::string SourceText::to_utf8(std::string_view part) const {
+  if (encoding_ == Encoding::utf8) {
+    return std::string(part);
+  }
+  std::string out;
+  out.reserve(part.size());
+  for (const char c : part) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x80) {
+      out += c;
+    } else {
+      out += static_cast<char>(0xC0 | byte >> 6);
+      out += static_cast<char>(0x80 | (byte & 0x3F));
+    }
+  }
+  return out;
 }
 
 std::string_view SourceText::line(std::uint32_t number) const {

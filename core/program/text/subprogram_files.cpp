@@ -30,6 +30,16 @@ void SubprogramFiles::list() {
   }
 }
 
+std::vector<std::shared_ptr<const SourceText>> SubprogramFiles::all_read() const {
+  std::vector<std::shared_ptr<const SourceText>> all;
+  for (const auto& [name, text] : read_) {
+    if (text != nullptr) {
+      all.push_back(text);
+    }
+  }
+  return all;
+}
+
 std::shared_ptr<const SourceText> SubprogramFiles::find(const std::vector<std::string>& names) {
   if (folder_.empty()) {
     return nullptr;

@@ -20,6 +20,9 @@ class SubprogramFiles {
   /// The first of `names` that is a file beside the program; nullptr if none is, or it cannot be read.
   std::shared_ptr<const SourceText> find(const std::vector<std::string>& names);
 
+  /// In the order of their names.
+  std::vector<std::shared_ptr<const SourceText>> all_read() const;
+
  private:
   void list();
 

@@ -68,7 +68,7 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
     "time_by_cause_s": {"axis_jerk_y": 2.0, "ramp_down": 1.25},
     "ramp_down_by_slower_place_s": {"exact_stop": 1.25},
     "diagnostics": [{"severity": "error", "line": 2, "column": 1, "code": "unread",
-                     "message": "\"foo\" is no word"}],
+                     "message": "\"foo\" is no word", "hint": "hint"}],
     "elapsed": {"read_s": 0.5, "simulate_s": 0.25}})");
   EXPECT_EQ(Sample().text(), expected.dump(2) + "\n");
 }

@@ -96,9 +96,12 @@ TEST_F(SourceFile, MayBeEmpty) {
   EXPECT_EQ(SourceText::from_file(write("")).line_count(), 0U);
 }
 
-TEST_F(SourceFile, WithAZeroByteIsRefused) {
-  EXPECT_THAT(message_of(write(std::string("G0\0X1", 5))),
-              HasSubstr("is not a text file (it holds a zero byte)"));
+TEST_F(SourceFile, ThatIsNoTextOrHasAnEndlessLineIsRefused) {
+  EXPECT_THAT(message_of(write("G0 X1" + std::string(40, '\0') + "M30\n")),
+              HasSubstr("is not a text file (it holds 40 control characters)"));
+  EXPECT_THAT(message_of(write("\xFF\xFEG")), HasSubstr("is not a text file (it is UTF-16)"));
+  EXPECT_THAT(message_of(write("G0 X1\n" + std::string(SourceText::longest_line + 1, ' '))),
+              HasSubstr(":2: the line is 10000001 bytes long"));
 }
 
 TEST(SourceText, MissingFileIsRefused) {
@@ -115,6 +118,19 @@ TEST(SourceText, EndlessBinaryDeviceIsRefused) {
 
 TEST(SourceText, UnreadableFileIsRefused) {
   EXPECT_THAT(message_of("/proc/self/mem"), HasSubstr("cannot be read: "));
+}
+
+TEST(SourceText, ControlCharactersOfTapesAndSerialLinesBecomeBlanks) {
+  const SourceText tape("t", std::string(500, '\0') + "\x11G1 X1\x7F\nM30\n\x13\x1A");
+  EXPECT_EQ(tape.noise_count(), 504U);
+  EXPECT_TRUE(tape.line(1).ends_with(" G1 X1 "));
+  EXPECT_EQ(tape.line(2), "M30");
+}
+
+TEST(SourceText, TellsUtf8FromLatin1) {
+  EXPECT_EQ(SourceText("t", "G1 (Fr\xC3\xA4ser \xE2\x82\xAC)").encoding(), Encoding::utf8);
+  EXPECT_EQ(SourceText("t", "G1 (Fr\xE4ser)").encoding(), Encoding::latin1);
+  EXPECT_EQ(SourceText("t", "G1 (\xC3").encoding(), Encoding::latin1) << "a sequence cut short";
 }
 
 }  // namespace

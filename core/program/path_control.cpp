@@ -1,0 +1,58 @@
+#include "core/program/path_control.h"
+
+#include <fmt/format.h>
+
+#include <vector>
+
+#include "core/base/units.h"
+
+namespace feedscope {
+
+namespace {
+
+void add_switch(std::vector<std::string>& parts, std::string_view name, Switch value) {
+  if (value != Switch::machine) {
+    parts.push_back(fmt::format("{} {}", name, value == Switch::on ? "on" : "off"));
+  }
+}
+
+}  // namespace
+
+std::string describe(const PathControl& control) {
+  std::vector<std::string> parts;
+  if (control.mode != PathMode::machine) {
+    parts.emplace_back(control.mode == PathMode::exact_stop ? "exact stops" : "continuous");
+  }
+  if (control.contour_tolerance) {
+    parts.push_back(fmt::format("contour tolerance {} mm", *control.contour_tolerance));
+  }
+  if (control.blend_distance) {
+    parts.push_back(fmt::format("blends from {} mm before the corner", *control.blend_distance));
+  }
+  if (control.orientation_tolerance) {
+    parts.push_back(
+        fmt::format("orientation tolerance {:.6g} deg", units::to_deg(*control.orientation_tolerance)));
+  }
+  add_switch(parts, "compaction", control.compaction);
+  if (control.compaction_tolerance) {
+    parts.push_back(fmt::format("compaction tolerance {} mm", *control.compaction_tolerance));
+  }
+  switch (control.acceleration) {
+    case AccelerationMode::machine:
+      break;
+    case AccelerationMode::soft:
+      parts.emplace_back("jerk limited");
+      break;
+    case AccelerationMode::brisk:
+      parts.emplace_back("acceleration in steps");
+      break;
+    case AccelerationMode::drive:
+      parts.emplace_back("acceleration falling with speed");
+      break;
+  }
+  add_switch(parts, "feed forward", control.feed_forward);
+  add_switch(parts, "look-ahead", control.look_ahead);
+  return parts.empty() ? "as the machine" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace feedscope
