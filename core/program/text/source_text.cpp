@@ -84,7 +84,7 @@ std::size_t clear_noise(const std::string& name, std::string& text) {
       std::replace_if(begin, end, is_noise, ' ');
     }
   }
-  if (inside > always_allowed + text.size() / one_in || (count > 0 && first == text.end())) {
+  if (inside > always_allowed + text.size() / one_in || (count > always_allowed && first == text.end())) {
     refuse(name, fmt::format("it holds {} control characters", count));
   }
   return count;
