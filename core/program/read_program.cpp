@@ -5,9 +5,10 @@ namespace feedscope {
 
 Program read_program(std::shared_ptr<const SourceText> source, Progress* progress,
                      const ReadOptions& options) {
-  const Dialect dialect = options.dialect.value_or(recognise(*source));
-  Program program = IsoReader(std::move(source), options, progress).read();
-  program.dialect = dialect;
+  ReadOptions resolved = options;
+  resolved.dialect = options.dialect.value_or(recognise(*source));
+  Program program = IsoReader(std::move(source), resolved, progress).read();
+  program.dialect = *resolved.dialect;
   return program;
 }
 

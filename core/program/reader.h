@@ -37,6 +37,9 @@ class Reader {
   virtual std::uint32_t first_word(std::string_view line) = 0;
 
   const SourceText& text() const { return *text_; }
+  /// The text in force, and that of the program itself, to call.
+  const std::shared_ptr<const SourceText>& text_in_force() const { return text_; }
+  const std::shared_ptr<const SourceText>& main_text() const { return program_.source; }
   /// 1-based, of the line in force, in text().
   std::uint32_t line() const { return line_; }
   bool in_main_text() const { return text_ == program_.source; }

@@ -27,6 +27,8 @@ enum class GAction : std::uint8_t {
   incremental_centers,
   feed_per_minute,
   other_feed,     ///< F means something else from here on
+  path_control,   ///< exact stop, continuous path, look-ahead
+  cancel_macro,   ///< G67
   work_offset,    ///< a warning once it changes on the way
   cancel_cycle,   ///< G80
   report,         ///< not read; the block moves as programmed

@@ -55,17 +55,6 @@ void IsoReader::report_faults(const Block& block) {
   }
 }
 
-void IsoReader::report_statement(const Block& block) {
-  if (block.statement == 0) {
-    return;
-  }
-  report(Severity::error, "unread-statement", 0, block.statement, [&] {
-    return Text{
-        fmt::format("{} is not a word of the ISO core", quoted(block.text.substr(block.statement - 1))),
-        "names, variables and expressions are not read; the block does not move"};
-  });
-}
-
 void IsoReader::report_unread(const GCode& code, const Word& word) {
   const bool shifted = code.action == GAction::work_offset && path().has_moved() && state_.work_offset != 0 &&
                        state_.work_offset != code.number;

@@ -68,8 +68,8 @@ void IsoReader::dwell() {
       });
       return;
     }
-    const bool milliseconds = letter == 'P' && !word.has_point;
-    if (milliseconds && word.value > 0 && word.value < shortest_plain_p) {
+    const bool milliseconds = letter == 'P' && !word.has_point && !follows_linuxcnc(dialect_);
+    if (milliseconds && dialect_ == Dialect::iso && word.value > 0 && word.value < shortest_plain_p) {
       report(Severity::info, "dwell-unit", 0, word.column, [&] {
         return Text{fmt::format("P{0} without a decimal point is taken as {0} milliseconds", word.value),
                     fmt::format("write P{}.0 for seconds", word.value)};

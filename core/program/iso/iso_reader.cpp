@@ -21,12 +21,21 @@ int g_number(double value) {
 
 }  // namespace
 
+IsoReader::IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress)
+    : Reader(std::move(source), options, progress),
+      dialect_(options.dialect.value_or(Dialect::iso)),
+      variables_(dialect_),
+      expression_(dialect_, *this) {}
+
 void IsoReader::Words::clear() {
   present = 0;
   groups.fill(nullptr);
   other_codes = false;
   own_words = false;
+  exact_stop = false;
   dwell = 0;
+  macro_call = false;
+  flow = nullptr;
 }
 
 bool IsoReader::Words::has_any(std::string_view letters) const {
@@ -46,35 +55,43 @@ std::uint32_t IsoReader::Words::first_column(std::string_view letters) const {
 void IsoReader::run_line(std::string_view line) {
   const Block& block = lexer_.read(line);
   const bool skipped = options().skip_deleted_blocks && block.delete_level > 0;
-  if (!skipped && !(block.words.empty() && block.faults.empty() && block.statement == 0)) {
-    run_block(block);
+  const std::size_t depth = call_depth();
+  bool percent = block.percent > 0;
+  if (!skipped && block.statement > 0) {
+    count_block();
+    percent = run_statement(block);
+  } else if (!skipped && !(block.words.empty() && block.faults.empty())) {
+    count_block();
+    run_block(block, true);
   }
-  if (block.percent > 0 && words_met_) {
-    end_program();
+  if (percent && words_met_ && call_depth() == depth) {
+    depth > 0 ? leave_call() : end_program();
   }
 }
 
-void IsoReader::run_block(const Block& block) {
-  count_block();
+void IsoReader::run_block(const Block& block, bool readable) {
   words_met_ = words_met_ || !block.words.empty();
   report_faults(block);
-  report_statement(block);
   gather(block);
+  if (words_.macro_call) {
+    gather_macro_call(block);
+    return;
+  }
   apply_feed();
   const bool sound =
-      block.statement == 0 && std::all_of(block.faults.begin(), block.faults.end(), [](const Fault& fault) {
-        return fault.kind == FaultKind::unclosed_comment;
-      });
+      readable && std::all_of(block.faults.begin(), block.faults.end(),
+                              [](const Fault& fault) { return fault.kind == FaultKind::unclosed_comment; });
   if (sound) {
     check_rotary();
     check_unused();
-    move();
+    words_.exact_stop ? move_to_exact_stop() : move();
   }
+  run_calls(sound);
 }
 
 std::uint32_t IsoReader::first_word(std::string_view line) {
   const Block& block = lexer_.read(line);
-  return block.words.empty() ? 0 : block.words.front().column;
+  return block.words.empty() ? block.statement : block.words.front().column;
 }
 
 void IsoReader::gather(const Block& block) {
@@ -83,6 +100,9 @@ void IsoReader::gather(const Block& block) {
   for (const Word& word : block.words) {
     switch (word.letter) {
       case 'G':
+        words_.macro_call = words_.macro_call || word.value == 65 || word.value == 66;
+        codes = true;
+        continue;
       case 'M':
         codes = true;
         continue;
@@ -92,7 +112,7 @@ void IsoReader::gather(const Block& block) {
       default:
         break;
     }
-    if (words_.has(word.letter)) {
+    if (words_.has(word.letter) && !words_.macro_call) {
       report(Severity::error, "duplicate-word", 0, word.column, [&] {
         return Text{fmt::format("{} stands twice in the block", word.letter),
                     fmt::format("{} counts; remove the other", quoted(block.text_of(word)))};
@@ -101,7 +121,7 @@ void IsoReader::gather(const Block& block) {
     words_.present |= 1U << (word.letter - 'A');
     words_.by_letter[static_cast<std::size_t>(word.letter - 'A')] = word;
   }
-  if (codes) {
+  if (codes && !words_.macro_call) {
     for (const Word& word : block.words) {
       if (word.letter == 'G') {
         apply_g(block, word);
@@ -109,6 +129,9 @@ void IsoReader::gather(const Block& block) {
         apply_m(word);
       }
     }
+  }
+  if (words_.has('T')) {
+    state_.selected_tool = words_['T'].value;
   }
 }
 
@@ -137,6 +160,9 @@ void IsoReader::apply_g(const Block& block, const Word& word) {
   words_.other_codes = words_.other_codes || code->group != GGroup::motion;
   if (code->needs_axes && !words_.has_any("XYZ")) {
     words_.other_codes = true;
+    if (number == 50 || number == 51) {
+      apply_path_control(*code);
+    }
     return;
   }
   report_unread(*code, word);
@@ -196,6 +222,12 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
     case GAction::other_feed:
       path().set_feed_mode(code.number == 930 ? FeedMode::inverse_time : FeedMode::per_revolution);
       break;
+    case GAction::path_control:
+      apply_path_control(code);
+      break;
+    case GAction::cancel_macro:
+      modal_macro_.reset();
+      break;
     case GAction::work_offset:
       state_.work_offset = code.number;
       break;
@@ -214,14 +246,12 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
 
 void IsoReader::apply_m(const Word& word) {
   words_.other_codes = true;
-  if (word.value == 2 || word.value == 30 || word.value == 99) {
+  if (word.value == 2 || word.value == 30) {
     end_program();
-  } else if (word.value == 97 || word.value == 98) {
-    words_.own_words = true;
-    report(Severity::error, "subprogram", 0, word.column, [&] {
-      return Text{fmt::format("M{} calls a subprogram, which is not read", word.value),
-                  "its motion is left out; insert the subprogram's blocks"};
-    });
+  } else if (word.value >= 97 && word.value <= 99) {
+    words_.flow = &word;
+  } else if (word.value == 6) {
+    state_.tool = words_.has('T') ? words_['T'].value : state_.selected_tool;
   }
 }
 

@@ -2,20 +2,29 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
+#include "core/program/iso/flow_index.h"
 #include "core/program/iso/g_codes.h"
+#include "core/program/iso/iso_expression.h"
+#include "core/program/iso/iso_variables.h"
 #include "core/program/iso/modal_state.h"
 #include "core/program/reader.h"
 #include "core/program/text/lexer.h"
+#include "core/program/text/read_fault.h"
 
 namespace feedscope {
 
 /// Reads what ISO controls share, and Fanuc, LinuxCNC and grbl. README.md beside program.h gives the words.
-class IsoReader : public Reader {
+class IsoReader : public Reader, private VariableSource {
  public:
-  IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress)
-      : Reader(std::move(source), options, progress) {}
+  /// `options.dialect` says which of them; none: Dialect::iso.
+  IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);
 
  private:
   /// The words of one block by letter, and what its G words ask for beyond modal changes.
@@ -26,6 +35,9 @@ class IsoReader : public Reader {
     bool other_codes = false;                          ///< G or M words that P, Q, L, R, I ... may belong to
     bool own_words = false;                            ///< an unread code owns the coordinates
     std::uint32_t dwell = 0;                           ///< column of G4; 0: none
+    bool exact_stop = false;                           ///< G9
+    bool macro_call = false;                           ///< G65, G66: the words are arguments
+    const Word* flow = nullptr;                        ///< M97, M98 or M99
 
     void clear();
     bool has(char letter) const { return (present >> (letter - 'A') & 1U) != 0; }
@@ -36,10 +48,12 @@ class IsoReader : public Reader {
 
   void run_line(std::string_view line) override;
   std::uint32_t first_word(std::string_view line) override;
+  void run_out() override { leave_call(); }
+  void left_call() override;
 
-  void run_block(const Block& block);
+  /// `readable`: false for a block of which words could not be read; it does not move.
+  void run_block(const Block& block, bool readable);
   void report_faults(const Block& block);
-  void report_statement(const Block& block);
   void gather(const Block& block);
   void apply_g(const Block& block, const Word& word);
   void apply_modal(const GCode& code, const Word& word);
@@ -57,10 +71,112 @@ class IsoReader : public Reader {
   Vec3 target_of_block() const;
   Vec3 center_of_block(bool absolute) const;
 
+  // Lines with variables, expressions and names: iso_statement.cpp.
+  struct Assignment {
+    std::uint32_t number = 0;
+    std::string name;  ///< empty: by number
+    double value = 0;
+    std::uint32_t column = 0;
+  };
+  /// True if "%" follows.
+  bool run_statement(const Block& block);
+  std::string_view without_comments(const Block& block);
+  /// Words and assignments from here on.
+  void run_items(Scanner& scan);
+  /// False, and reported, if one of them cannot be read.
+  bool read_items(Scanner& scan);
+  void read_word(Scanner& scan);
+  double read_value(Scanner& scan, bool& has_point);
+  void read_assignment(Scanner& scan);
+  void assign(const Assignment& assignment);
+  void report_fault(const ReadFault& fault);
+
+  // What variables hold: iso_parameters.cpp.
+  double numbered(std::uint32_t number, std::uint32_t column) override;
+  double named(const std::string& name, std::uint32_t column) override;
+  bool has_name(const std::string& name) const override;
+  double unset(std::uint32_t number, std::uint32_t column);
+  std::optional<double> built_in(std::uint32_t number) const;
+  std::optional<double> built_in(std::string_view name) const;
+  std::optional<double> fanuc_modal(std::uint32_t number) const;
+  double position_of(int axis) const;
+  double feed_word() const;
+  void raise_alarm(double number, std::uint32_t column);
+
+  // Jumps and loops: iso_flow.cpp.
+  bool run_flow(const Block& block, Scanner& scan);
+  bool run_o_word(const Block& block, Scanner& scan);
+  void run_o_word(FlowWord word, const std::string& label, std::uint32_t column, Scanner& scan);
+  bool run_macro_statement(Scanner& scan);
+  void run_if(Scanner& scan);
+  void go_to(Scanner& scan);
+  bool condition(Scanner& scan);
+  void begin_branch(bool holds, const FlowIndex::Statement& statement);
+  void begin_repeat(Scanner& scan, const FlowIndex::Statement& statement);
+  void end_repeat(const FlowIndex::Statement& statement);
+  void leave_loop(bool for_good, const FlowIndex::Statement& loop);
+  void begin_loop(bool holds, const FlowIndex::Statement& statement);
+  const FlowIndex& flow_index(const SourceText& text);
+
+  // Subprograms and macros: iso_calls.cpp.
+  struct Repeat {
+    std::uint32_t line = 0;
+    double left = 0;  ///< passes, the one that runs included
+  };
+  /// What a call holds; the first is the program's own.
+  struct Frame {
+    std::uint32_t called_from = 0;                  ///< line
+    std::optional<IsoVariables::Locals> arguments;  ///< none: the caller's local variables go on
+    std::vector<Repeat> repeats;                    ///< innermost last
+  };
+  struct Subprogram {
+    std::shared_ptr<const SourceText> text;  ///< nullptr: not found
+    std::uint32_t line = 0;
+  };
+  struct MacroCall {
+    double program = 0;
+    std::uint32_t column = 0;
+    double times = 1;
+    IsoVariables::Locals arguments{};
+    std::size_t depth = 0;  ///< of calls, at which G66 stands
+  };
+  void run_calls(bool sound);
+  void call_subprogram(const Word& word);
+  void call_blocks(const Word& word);
+  void return_to(const Word& word);
+  void call_o_word(const std::string& label, std::uint32_t column, Scanner& scan);
+  void return_from_o_word(Scanner& scan);
+  void gather_macro_call(const Block& block);
+  void call_macro(const MacroCall& macro);
+  void enter(const Subprogram& subprogram, double times,
+             const std::optional<IsoVariables::Locals>& arguments);
+  void leave_call();
+  Subprogram find_program(double number);
+  Subprogram find_o_word(const std::string& label);
+  double repeats_of_block();
+  void call_named_file(const Word& word);
+  void report_missing(const std::string& who, const std::string& file, std::uint32_t column);
+
+  // What rules the motion at the ends of blocks: iso_path_control.cpp.
+  void apply_path_control(const GCode& code);
+  void set_tolerances(PathControl& control);
+  void move_to_exact_stop();
+
+  Dialect dialect_;
   Lexer lexer_;
   ModalState state_;
   Words words_;
   bool words_met_ = false;  ///< from then on "%" ends the program
+  IsoVariables variables_;
+  IsoExpression expression_;
+  std::string statement_text_;
+  Block statement_;
+  std::vector<Assignment> assignments_;
+  std::map<const SourceText*, FlowIndex> flow_;
+  std::uint32_t tested_branch_ = 0;  ///< line of an "elseif" or "else" that an if jumps to; 0: none
+  std::map<std::uint32_t, std::shared_ptr<const SourceText>> program_files_;  ///< by number, nullptr: none
+  std::vector<Frame> frames_{1};
+  std::optional<MacroCall> modal_macro_;
 };
 
 }  // namespace feedscope

@@ -25,6 +25,8 @@ struct ModalState {
   bool inch = false;
   bool incremental = false;              ///< G91
   bool absolute_centers = false;         ///< G90.1
+  double selected_tool = 0;              ///< T; 0: none yet
+  double tool = 0;                       ///< that M6 brought in; 0: none yet
   int work_offset = 0;                   ///< ten times the G number; 0: none yet
   std::array<double, 6> further_axes{};  ///< A B C U V W as written
 

@@ -22,11 +22,14 @@ double finite(double value, std::string_view text, std::uint32_t column) {
   return value;
 }
 
-bool takes_symbol(Scanner& scanner, std::string_view symbol) {
-  return letters::is_letter(symbol.back()) ? scanner.take_name(symbol) : scanner.take(symbol);
-}
-
 }  // namespace
+
+bool ExpressionReader::take_operator(Scanner& scanner, std::string_view symbol) const {
+  if (!letters::is_letter(symbol.back())) {
+    return scanner.take(symbol);
+  }
+  return grammar_.digit_ends_name ? scanner.take_keyword(symbol) : scanner.take_name(symbol);
+}
 
 void ExpressionReader::expect(Scanner& scanner, char c) {
   const std::uint32_t column = scanner.column();
@@ -43,7 +46,7 @@ double ExpressionReader::infix(Scanner& scanner, int least_rank) {
     const std::uint32_t column = scanner.column();
     const ExpressionGrammar::Infix* found = nullptr;
     for (const ExpressionGrammar::Infix& candidate : grammar_.infixes) {
-      if (takes_symbol(scanner, candidate.text)) {
+      if (take_operator(scanner, candidate.text)) {
         found = &candidate;
         break;
       }
@@ -68,7 +71,7 @@ double ExpressionReader::read_operand(Scanner& scanner) {
                     "divide it into several assignments"};
   }
   for (const ExpressionGrammar::Prefix& prefix : grammar_.prefixes) {
-    if (takes_symbol(scanner, prefix.text)) {
+    if (take_operator(scanner, prefix.text)) {
       return finite(prefix.apply(infix(scanner, prefix.rank)), prefix.text, column);
     }
   }

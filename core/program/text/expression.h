@@ -35,8 +35,9 @@ struct ExpressionGrammar {
   std::span<const Function> functions;
   char open = '(';
   char close = ')';
-  bool bare_arguments = false;  ///< "SIN Q2"
-  bool decimal_comma = false;   ///< "1,5"; then ";" does not divide arguments either
+  bool bare_arguments = false;   ///< "SIN Q2"
+  bool decimal_comma = false;    ///< "1,5"; then ";" does not divide arguments either
+  bool digit_ends_name = false;  ///< an operator's name may be followed by a digit, "#1GT5"
 };
 
 /// Evaluates expressions as they are read. A dialect says what its variables are.
@@ -55,12 +56,14 @@ class ExpressionReader {
   /// The value of a variable, or of anything else that only this dialect has, at the scanner; none, and the
   /// scanner stays, if nothing of that kind stands there. Throws ReadFault.
   virtual std::optional<double> variable(Scanner& scanner) = 0;
+  /// Takes a bracket or comma. Throws ReadFault "expression" if it is missing.
+  static void expect(Scanner& scanner, char c);
 
  private:
   double infix(Scanner& scanner, int least_rank);
   double primary(Scanner& scanner);
   std::optional<double> function(Scanner& scanner);
-  void expect(Scanner& scanner, char c);
+  bool take_operator(Scanner& scanner, std::string_view symbol) const;
 
   const ExpressionGrammar& grammar_;
   int depth_ = 0;

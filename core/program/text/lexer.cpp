@@ -58,6 +58,20 @@ bool starts_statement(char c) {
 
 }  // namespace
 
+std::optional<std::size_t> CommentEnds::find(std::string_view text, std::size_t at) {
+  int depth = 0;
+  for (std::size_t i = at; nest_ && i < text.size(); ++i) {
+    if (text[i] == '(') {
+      ++depth;
+    } else if (text[i] == ')' && --depth == 0) {
+      return i + 1;
+    }
+  }
+  nest_ = false;
+  const std::size_t first_close = text.find(')', at);
+  return first_close == std::string_view::npos ? std::nullopt : std::optional(first_close + 1);
+}
+
 std::size_t Lexer::add_fault(FaultKind kind, std::size_t from, std::size_t to) {
   block_.faults.push_back(
       {kind, static_cast<std::uint32_t>(from + 1), static_cast<std::uint32_t>(to - from)});
@@ -70,20 +84,8 @@ std::size_t Lexer::stop_at(std::size_t at) {
 }
 
 std::size_t Lexer::read_comment(std::size_t at) {
-  int depth = 0;
-  for (std::size_t i = at; comments_nest_ && i < block_.text.size(); ++i) {
-    if (block_.text[i] == '(') {
-      ++depth;
-    } else if (block_.text[i] == ')' && --depth == 0) {
-      return i + 1;
-    }
-  }
-  comments_nest_ = false;
-  const std::size_t first_close = block_.text.find(')', at);
-  if (first_close != std::string_view::npos) {
-    return first_close + 1;
-  }
-  return add_fault(FaultKind::unclosed_comment, at, block_.text.size());
+  const std::optional<std::size_t> end = comment_ends_.find(block_.text, at);
+  return end ? *end : add_fault(FaultKind::unclosed_comment, at, block_.text.size());
 }
 
 std::size_t Lexer::read_delete(std::size_t at) {
@@ -101,7 +103,8 @@ std::size_t Lexer::read_word(std::size_t at) {
   const char* const end = text.data() + text.size();
   std::size_t i = skip_blanks(text, at + 1);
   bool negative = false;
-  if (i < text.size() && (text[i] == '-' || text[i] == '+')) {
+  const bool has_sign = i < text.size() && (text[i] == '-' || text[i] == '+');
+  if (has_sign) {
     negative = text[i] == '-';
     i = skip_blanks(text, i + 1);
   }
@@ -110,6 +113,10 @@ std::size_t Lexer::read_word(std::size_t at) {
     if (is_not_finite(text.substr(i, stop - i))) {
       return add_fault(FaultKind::malformed_number, at, stop);
     }
+    return stop_at(at);
+  }
+  if (has_sign && i + 1 < text.size() && is_letter(text[i]) && is_letter(text[i + 1]) &&
+      !is_not_finite(text.substr(i, name_end(text, i) - i))) {
     return stop_at(at);
   }
   if (i < text.size() && starts_statement(text[i])) {
@@ -150,7 +157,7 @@ const Block& Lexer::read(std::string_view line) {
   block_.delete_level = 0;
   block_.percent = 0;
   block_.statement = 0;
-  comments_nest_ = true;
+  comment_ends_ = {};
   std::size_t at = 0;
   while ((at = skip_blanks(line, at)) < line.size()) {
     const char c = line[at];

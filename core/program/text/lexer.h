@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -44,6 +45,17 @@ struct Block {
   std::string_view text_of(const Fault& fault) const { return text.substr(fault.column - 1, fault.length); }
 };
 
+/// Finds the ends of the comments "(...)" of one line, from left to right. A comment may hold another one,
+/// until one of them is not closed.
+class CommentEnds {
+ public:
+  /// One past the bracket that closes the comment at `at`; none if nothing does.
+  std::optional<std::size_t> find(std::string_view text, std::size_t at);
+
+ private:
+  bool nest_ = true;  ///< false once the line holds an odd "("
+};
+
 /// Takes the lines of address-letter dialects apart, free of what the words mean.
 ///
 /// Upper and lower case are the same. Blanks may stand between words, after the letter and after the sign,
@@ -62,7 +74,7 @@ class Lexer {
   std::size_t add_fault(FaultKind kind, std::size_t from, std::size_t to);
 
   Block block_;
-  bool comments_nest_ = true;  ///< false once a line holds an odd "("
+  CommentEnds comment_ends_;
 };
 
 }  // namespace feedscope

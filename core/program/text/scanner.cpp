@@ -23,7 +23,7 @@ void Scanner::skip_blanks() {
 
 std::uint32_t Scanner::column() {
   skip_blanks();
-  return static_cast<std::uint32_t>(at_ + 1);
+  return static_cast<std::uint32_t>(std::min(at_ + 1, text_.size()));
 }
 
 bool Scanner::at_end() {
@@ -61,6 +61,12 @@ bool Scanner::take_name(std::string_view name) {
   skip_blanks();
   const char after = peek_at(name.size());
   return !letters::is_name_part(after) && take(name);
+}
+
+bool Scanner::take_keyword(std::string_view name) {
+  skip_blanks();
+  const char after = peek_at(name.size());
+  return !letters::is_letter(after) && after != '_' && take(name);
 }
 
 std::string_view Scanner::name() {

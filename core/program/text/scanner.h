@@ -39,7 +39,7 @@ class Scanner {
   std::string_view text() const { return text_; }
   std::size_t at() const { return at_; }
   void move_to(std::size_t at) { at_ = at; }
-  /// 1-based byte column of the next character that is not blank.
+  /// 1-based byte column of the next character that is not blank; at the end of the last character.
   std::uint32_t column();
   bool at_end();
   /// The next character that is not blank; 0 at the end.
@@ -53,6 +53,8 @@ class Scanner {
   bool take(std::string_view symbol);
   /// The same for a name that no name character follows.
   bool take_name(std::string_view name);
+  /// The same for a name that a digit may follow, "DO1".
+  bool take_keyword(std::string_view name);
   /// Takes letters, digits and underscores from a letter or underscore on; empty if none stands here.
   std::string_view name();
   /// Takes an unsigned decimal number, its point a comma too if `comma`; none if none stands here.

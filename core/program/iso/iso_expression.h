@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+#include "core/program/dialect.h"
+#include "core/program/text/expression.h"
+
+namespace feedscope {
+
+/// LinuxCNC and grbl read alike; Fanuc and all others alike: in rank of operators, rounding, logic, undefined
+/// variables.
+inline bool follows_linuxcnc(Dialect dialect) {
+  return dialect == Dialect::linuxcnc || dialect == Dialect::grbl;
+}
+
+/// The value of a Fanuc variable that holds none: counts as zero in arithmetic, as unequal to zero in EQ and
+/// NE; a word with it is left out.
+double null_value();
+bool is_null(double value);
+
+/// Name of a LinuxCNC variable or O word: blanks left out, lower case.
+std::string normal_name(std::string_view name);
+
+/// What the variables of an expression hold.
+class VariableSource {
+ public:
+  virtual ~VariableSource() = default;
+  /// Of #number; may be the null value. Throws ReadFault.
+  virtual double numbered(std::uint32_t number, std::uint32_t column) = 0;
+  /// Of #<name>, the name being normal. Throws ReadFault if it has not been set.
+  virtual double named(const std::string& name, std::uint32_t column) = 0;
+  virtual bool has_name(const std::string& name) const = 0;
+};
+
+/// Expressions of Fanuc's macro B and of LinuxCNC: in square brackets, angles in degrees.
+class IsoExpression : public ExpressionReader {
+ public:
+  /// `variables` outlives it.
+  IsoExpression(Dialect dialect, VariableSource& variables);
+
+  /// The number behind "#": digits, a variable or an expression in brackets. Throws ReadFault.
+  std::uint32_t variable_number(Scanner& scanner);
+  /// Takes "<name>"; empty if none stands here. Throws ReadFault if it is not closed.
+  std::string variable_name(Scanner& scanner);
+  /// Fanuc's ROUND goes to whole numbers, in the word of an axis to the smallest step of input.
+  void set_rounding_step(double step) { rounding_step_ = step; }
+
+ private:
+  std::optional<double> variable(Scanner& scanner) override;
+  double arc_tangent(Scanner& scanner);
+  /// Of ATAN with two values: from 0 to 360 degrees on a Fanuc, from -180 to 180 in LinuxCNC.
+  double direction(double rise, double run) const;
+  double exists(Scanner& scanner);
+
+  VariableSource& variables_;
+  bool linuxcnc_;
+  double rounding_step_ = 1;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,208 @@
+// The part of IsoReader that says what variables hold: those that the program sets, and those of the control.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/base/units.h"
+#include "core/program/iso/iso_reader.h"
+#include "core/program/text/message.h"
+
+namespace feedscope {
+
+namespace {
+
+constexpr std::uint32_t first_of_control = 1000;  ///< Fanuc; below are the program's own
+constexpr std::uint32_t first_kept = 500;         ///< Fanuc; kept when the control is switched off
+
+double in_unit(double mm, bool inch) {
+  return inch ? mm / units::from_inch(1) : mm;
+}
+
+double motion_number(MotionMode mode) {
+  switch (mode) {
+    case MotionMode::none:
+    case MotionMode::unread:
+      return 80;
+    case MotionMode::rapid:
+      return 0;
+    case MotionMode::line:
+      return 1;
+    case MotionMode::arc_cw:
+      return 2;
+    case MotionMode::arc_ccw:
+      return 3;
+  }
+  return 80;
+}
+
+double plane_number(Plane plane) {
+  switch (plane) {
+    case Plane::xy:
+      return 17;
+    case Plane::zx:
+      return 18;
+    case Plane::yz:
+      return 19;
+  }
+  return 17;
+}
+
+double feed_mode_number(FeedMode mode) {
+  switch (mode) {
+    case FeedMode::inverse_time:
+      return 93;
+    case FeedMode::per_minute:
+      return 94;
+    case FeedMode::per_revolution:
+    case FeedMode::per_tooth:
+      return 95;
+  }
+  return 94;
+}
+
+}  // namespace
+
+double IsoReader::position_of(int axis) const {
+  return in_unit(path().position()[axis], state_.inch);
+}
+
+double IsoReader::feed_word() const {
+  const double feed = path().feed();
+  switch (path().feed_mode()) {
+    case FeedMode::per_minute:
+      return in_unit(units::to_mm_min(feed), state_.inch);
+    case FeedMode::inverse_time:
+      return feed * 60;
+    case FeedMode::per_revolution:
+    case FeedMode::per_tooth:
+      break;
+  }
+  return in_unit(feed, state_.inch);
+}
+
+std::optional<double> IsoReader::built_in(std::uint32_t number) const {
+  const auto axis_of = [&](std::uint32_t first) { return position_of(static_cast<int>(number - first)); };
+  if (follows_linuxcnc(dialect_)) {
+    if (number >= 5420 && number <= 5422) {
+      return axis_of(5420);
+    }
+    return number == 5400 ? std::optional(state_.tool) : std::nullopt;
+  }
+  if (number >= 5001 && number <= 5003) {
+    return axis_of(5001);
+  }
+  if (number >= 5041 && number <= 5043) {
+    return axis_of(5041);
+  }
+  return fanuc_modal(number);
+}
+
+std::optional<double> IsoReader::fanuc_modal(std::uint32_t number) const {
+  switch (number) {
+    case 4001:
+      return motion_number(state_.motion);
+    case 4002:
+      return plane_number(state_.plane);
+    case 4003:
+      return state_.incremental ? 91 : 90;
+    case 4005:
+      return feed_mode_number(path().feed_mode());
+    case 4006:
+      return state_.inch ? 20 : 21;
+    case 4109:
+      return feed_word();
+    case 4120:
+      return state_.selected_tool;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<double> IsoReader::built_in(std::string_view name) const {
+  if (!name.starts_with('_')) {
+    return std::nullopt;
+  }
+  const auto flag = [](bool holds) { return holds ? 1.0 : 0.0; };
+  const FeedMode mode = path().feed_mode();
+  const std::array<std::pair<std::string_view, double>, 22> values{{
+      {"_x", position_of(0)},
+      {"_y", position_of(1)},
+      {"_z", position_of(2)},
+      {"_motion_mode", 10 * motion_number(state_.motion)},
+      {"_plane", 10 * plane_number(state_.plane)},
+      {"_metric", flag(!state_.inch)},
+      {"_imperial", flag(state_.inch)},
+      {"_absolute", flag(!state_.incremental)},
+      {"_incremental", flag(state_.incremental)},
+      {"_ijk_absolute_mode", flag(state_.absolute_centers)},
+      {"_inverse_time", flag(mode == FeedMode::inverse_time)},
+      {"_units_per_minute", flag(mode == FeedMode::per_minute)},
+      {"_units_per_rev", flag(mode == FeedMode::per_revolution)},
+      {"_coord_system", state_.work_offset == 0 ? 540.0 : state_.work_offset},
+      {"_feed", feed_word()},
+      {"_selected_tool", state_.selected_tool},
+      {"_current_tool", state_.tool},
+      {"_call_level", static_cast<double>(call_depth())},
+      {"_line", static_cast<double>(line())},
+      {"_task", 0},
+      {"_vmajor", 2.9},
+      {"_vminor", 0},
+  }};
+  const auto found =
+      std::find_if(values.begin(), values.end(), [&](const auto& value) { return value.first == name; });
+  return found == values.end() ? std::nullopt : std::optional(found->second);
+}
+
+double IsoReader::numbered(std::uint32_t number, std::uint32_t column) {
+  if (const std::optional<double> value = built_in(number)) {
+    return *value;
+  }
+  const double value = variables_.get(number);
+  return is_null(value) ? unset(number, column) : value;
+}
+
+double IsoReader::unset(std::uint32_t number, std::uint32_t column) {
+  const bool linuxcnc = follows_linuxcnc(dialect_);
+  const bool of_control = linuxcnc ? number > 5000 : number >= first_of_control;
+  if (of_control) {
+    report(Severity::warning, "control-variable", static_cast<int>(number), column, [&] {
+      return Text{fmt::format("#{} holds a value of the control that is not known", number),
+                  "it is taken as zero; the path may differ from what the control does"};
+    });
+    return 0;
+  }
+  const bool kept = !variables_.is_local(number) && number > 0 && (linuxcnc || number >= first_kept);
+  if (kept) {
+    report(Severity::warning, "unset-variable", static_cast<int>(number), column, [&] {
+      return Text{fmt::format("#{} has not been set by the program", number),
+                  "it counts as zero; on the control it keeps the last value it had"};
+    });
+  }
+  return linuxcnc ? 0 : null_value();
+}
+
+double IsoReader::named(const std::string& name, std::uint32_t column) {
+  if (const std::optional<double> value = variables_.get(name)) {
+    return *value;
+  }
+  if (const std::optional<double> value = built_in(name)) {
+    return *value;
+  }
+  throw ReadFault{"unset-variable", column, fmt::format("#<{}> has not been set", name),
+                  "the block does not move; set it before, or check how the name is written"};
+}
+
+bool IsoReader::has_name(const std::string& name) const {
+  return variables_.get(name) || built_in(name);
+}
+
+void IsoReader::raise_alarm(double number, std::uint32_t column) {
+  report(Severity::error, "alarm", 0, column, [&] {
+    return Text{fmt::format("the program raises alarm {}", number),
+                "the control stops here; check the condition that leads to it"};
+  });
+  end_program();
+}
+
+}  // namespace feedscope

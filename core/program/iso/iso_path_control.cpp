@@ -1,0 +1,81 @@
+// The part of IsoReader that turns exact stops, path modes and look-ahead into PathControl.
+#include <fmt/format.h>
+
+#include "core/program/iso/iso_reader.h"
+
+namespace feedscope {
+
+void IsoReader::apply_path_control(const GCode& code) {
+  constexpr int exact_stop_of_block = 90;
+  constexpr int exact_path = 610;
+  constexpr int exact_stop = 611;
+  constexpr int continuous = 640;
+  constexpr double high_speed = 10000;
+  PathControl control = path().path_control();
+  const auto switched = [&](char letter, double on) {
+    if (words_.has(letter)) {
+      control.look_ahead = words_[letter].value >= on ? Switch::on : Switch::off;
+    }
+  };
+  switch (code.number) {
+    case exact_stop_of_block:
+      words_.exact_stop = true;
+      return;
+    case exact_path:
+    case exact_stop:
+      control.mode = PathMode::exact_stop;
+      break;
+    case continuous:
+      control.mode = PathMode::continuous;
+      set_tolerances(control);
+      break;
+    case 50:
+      switched('P', high_speed);
+      break;
+    case 51:
+      switched('Q', 1);
+      break;
+    case 80:
+      switched('P', 1);
+      break;
+    default:
+      break;
+  }
+  path().set_path_control(control);
+}
+
+void IsoReader::set_tolerances(PathControl& control) {
+  const auto tolerance = [&](char letter) -> std::optional<double> {
+    if (!words_.has(letter)) {
+      return std::nullopt;
+    }
+    const Word& word = words_[letter];
+    if (word.value < 0) {
+      report(Severity::error, "path-tolerance", 0, word.column, [&] {
+        return Text{fmt::format("tolerance {}{} of G64 is negative", letter, word.value),
+                    "it is left out; write a tolerance of zero or more"};
+      });
+      return std::nullopt;
+    }
+    return state_.to_mm(word.value);
+  };
+  control.contour_tolerance = tolerance('P');
+  const std::optional<double> joining = tolerance('Q');
+  control.compaction_tolerance = joining ? joining : control.contour_tolerance;
+  control.compaction = Switch::machine;
+  if (follows_linuxcnc(dialect_) || control.compaction_tolerance) {
+    const bool joins = control.compaction_tolerance.value_or(0) > 0;
+    control.compaction = joins ? Switch::on : Switch::off;
+  }
+}
+
+void IsoReader::move_to_exact_stop() {
+  const PathControl modal = path().path_control();
+  PathControl control = modal;
+  control.mode = PathMode::exact_stop;
+  path().set_path_control(control);
+  move();
+  path().set_path_control(modal);
+}
+
+}  // namespace feedscope

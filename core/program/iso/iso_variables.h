@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "core/program/dialect.h"
+
+namespace feedscope {
+
+/// The variables that a program has set, with the local ones of each call: #1 to #30 and named ones in
+/// LinuxCNC, #1 to #33 in Fanuc's macro B. What was not set holds the null value.
+class IsoVariables {
+ public:
+  static constexpr std::size_t most_locals = 33;
+  /// By number, [0] unused.
+  using Locals = std::array<double, most_locals + 1>;
+
+  explicit IsoVariables(Dialect dialect);
+
+  /// All null; in LinuxCNC, where a missing argument is zero, all zero.
+  Locals no_arguments() const;
+  bool is_local(std::uint32_t number) const { return number >= 1 && number <= local_count_; }
+
+  double get(std::uint32_t number) const;
+  void set(std::uint32_t number, double value);
+  /// Names that begin with "_" are global, others the call's. By normal_name().
+  std::optional<double> get(const std::string& name) const;
+  void set(const std::string& name, double value);
+
+  /// A call with local variables of its own; leave() brings the caller's back.
+  void enter(const Locals& arguments);
+  void leave();
+
+ private:
+  struct Level {
+    Locals locals;
+    std::map<std::string, double> named;
+  };
+
+  std::uint32_t local_count_;
+  double argument_left_out_;
+  std::vector<Level> levels_;
+  std::unordered_map<std::uint32_t, double> numbered_;
+  std::map<std::string, double> named_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/core/program/iso/iso_text.h"
+
+namespace feedscope {
+namespace {
+
+/// Of the last motion.
+PathControl control_of(Dialect dialect, const std::string& text) {
+  const Program program = read_clean_as(dialect, text);
+  return program.path_controls.at(program.motions.back().path_control);
+}
+
+TEST(IsoPathControl, IsTheMachinesUntilTheProgramSaysMore) {
+  EXPECT_EQ(control_of(Dialect::linuxcnc, "G0 X1"), PathControl());
+}
+
+TEST(IsoPathControl, ExactStopsAreModal) {
+  for (const char* const word : {"G61", "G61.1"}) {
+    EXPECT_EQ(control_of(Dialect::linuxcnc, std::string(word) + "\nG0 X1\nX2").mode, PathMode::exact_stop);
+    EXPECT_EQ(control_of(Dialect::linuxcnc, std::string(word) + " G0 X1\nG64 X2").mode, PathMode::continuous);
+  }
+}
+
+TEST(IsoPathControl, G9StopsAtTheEndOfItsBlockOnly) {
+  const Program program = read_clean_as(Dialect::fanuc, "G64 G1 X1 F100\nG9 X2\nX3");
+  const auto mode = [&](std::size_t i) {
+    return program.path_controls.at(program.motions[i].path_control).mode;
+  };
+  EXPECT_EQ(mode(0), PathMode::continuous);
+  EXPECT_EQ(mode(1), PathMode::exact_stop);
+  EXPECT_EQ(mode(2), PathMode::continuous);
+}
+
+TEST(IsoPathControl, G64HasToleranceAndJoinsLinesInItsUnit) {
+  const PathControl both = control_of(Dialect::linuxcnc, "G64 P0.05 Q0.02\nG0 X1");
+  EXPECT_EQ(both.contour_tolerance, 0.05);
+  EXPECT_EQ(both.compaction, Switch::on);
+  EXPECT_EQ(both.compaction_tolerance, 0.02);
+  const PathControl inch = control_of(Dialect::linuxcnc, "G20 G64 P0.001\nG0 X1");
+  EXPECT_NEAR(inch.contour_tolerance.value(), 0.0254, 1e-15);
+  EXPECT_NEAR(inch.compaction_tolerance.value(), 0.0254, 1e-15);
+  EXPECT_EQ(control_of(Dialect::linuxcnc, "G64 P0.05 Q0\nG0 X1").compaction, Switch::off);
+  EXPECT_EQ(control_of(Dialect::linuxcnc, "G64 P0.05\nG64\nG0 X1").contour_tolerance, std::nullopt);
+  EXPECT_EQ(control_of(Dialect::fanuc, "G64\nG0 X1").compaction, Switch::machine);
+}
+
+TEST(IsoPathControl, LookAheadIsSwitched) {
+  const auto look_ahead = [](const char* text) {
+    return control_of(Dialect::fanuc, std::string(text) + "\nG0 X1").look_ahead;
+  };
+  EXPECT_EQ(look_ahead("G05.1 Q1"), Switch::on);
+  EXPECT_EQ(look_ahead("G05.1 Q1\nG05.1 Q0"), Switch::off);
+  EXPECT_EQ(look_ahead("G08 P1"), Switch::on);
+  EXPECT_EQ(look_ahead("G08 P1\nG08 P0"), Switch::off);
+  EXPECT_EQ(look_ahead("G05 P10000"), Switch::on);
+  EXPECT_EQ(look_ahead("G05 P10000\nG05 P0"), Switch::off);
+}
+
+TEST(IsoPathControl, ANegativeToleranceIsRefused) {
+  EXPECT_EQ(
+      said_of(Dialect::linuxcnc, "G0 X1\nG64 P-1\nX2"),
+      "f:2:5: error: tolerance P-1 of G64 is negative [path-tolerance] (it is left out; write a tolerance of "
+      "zero or more)");
+}
+
+}  // namespace
+}  // namespace feedscope

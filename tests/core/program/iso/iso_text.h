@@ -1,0 +1,42 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "core/program/program.h"
+#include "tests/core/program/read_text.h"
+
+namespace feedscope {
+
+inline Program read_as(Dialect dialect, std::string text) {
+  return read_text(std::move(text), {.dialect = dialect});
+}
+
+/// Reads a program that must be free of diagnostics.
+inline Program read_clean_as(Dialect dialect, const std::string& text) {
+  Program program = read_as(dialect, text);
+  for (const Diagnostic& diagnostic : program.diagnostics) {
+    ADD_FAILURE() << format(diagnostic, "test.nc") << "\n" << text;
+  }
+  return program;
+}
+
+/// The X positions that a program goes to, one a motion; it must be free of diagnostics.
+inline std::vector<double> way(Dialect dialect, const std::string& text) {
+  std::vector<double> positions;
+  for (const MotionBlock& block : read_clean_as(dialect, text).motions) {
+    positions.push_back(block.target.x());
+  }
+  return positions;
+}
+
+/// The only diagnostic of a text, as printed.
+inline std::string said_of(Dialect dialect, const std::string& text) {
+  const Program program = read_as(dialect, text);
+  EXPECT_EQ(program.diagnostics.size(), 1U) << text;
+  return program.diagnostics.empty() ? "" : format(program.diagnostics.front(), "f");
+}
+
+}  // namespace feedscope
