@@ -39,7 +39,8 @@ ArcShape shape_of(const Vec3& start, const ArcSolution::Piece& piece) {
 
 }  // namespace
 
-PathWriter::PathWriter(Program& program, DiagnosticLog& log) : program_(program), log_(log) {
+PathWriter::PathWriter(Program& program, DiagnosticLog& log)
+    : program_(program), log_(log), compensation_(log) {
   program_.path_controls.emplace_back();
 }
 
@@ -49,11 +50,40 @@ void PathWriter::begin_line(std::uint32_t shown, const DiagnosticLog::Place& pla
   axis_programmed_.fill(false);
 }
 
-void PathWriter::finish() {}
+void PathWriter::finish() {
+  compensation_.finish();
+  write_ready();
+}
 
 void PathWriter::set_frame(const CoordinateFrame& frame) {
   frame_ = frame;
   programmed_ = frame_.is_identity() ? shown_ : frame_.to_programmed(shown_);
+  if (compensation_.is_on()) {
+    compensation_.switch_on(compensation_in_frame(), shown_, place_);
+    write_ready();
+  }
+}
+
+void PathWriter::set_compensation(ToolSide side, double radius, OutsideCorner corner, Plane plane,
+                                  std::uint32_t column) {
+  compensation_words_ = {side, radius, corner, normal_of(plane), Vec3::Unit(first_axis(plane))};
+  compensation_.switch_on(compensation_in_frame(), shown_, {place_.line, column, place_.file});
+  write_ready();
+}
+
+void PathWriter::end_compensation() {
+  compensation_.switch_off();
+  write_ready();
+}
+
+Compensation PathWriter::compensation_in_frame() const {
+  Compensation turned = compensation_words_;
+  if (!frame_.is_shift()) {
+    turned.first_axis = frame_.turned(turned.first_axis).normalized();
+    turned.normal = frame_.turned(turned.normal).normalized();
+    turned.normal *= frame_.mirrors() ? -1 : 1;
+  }
+  return turned;
 }
 
 void PathWriter::rapid(const Vec3& target) {
@@ -84,17 +114,15 @@ void PathWriter::arc(const ArcRequest& request, const ArcSolution& solution) {
     const ArcSolution::Piece& piece = solution.pieces[static_cast<std::size_t>(i)];
     const double feed =
         feed_mode_ == FeedMode::inverse_time ? feed_over(shape_of(programmed_, piece).length) : feed_over(0);
-    if (frame_.is_shift()) {
-      program_.arcs.push_back({frame_.to_shown(piece.words.center), piece.words.axis, piece.words.turns});
-    } else if (frame_.scale_across(piece.words.axis) > 0) {
-      const Vec3 along = frame_.turned(piece.words.axis).normalized();
-      program_.arcs.push_back(
-          {frame_.to_shown(piece.words.center), frame_.mirrors() ? Vec3(-along) : along, piece.words.turns});
-    } else {
-      straight_arc(request, piece);
-      continue;
+    ArcWords shown{frame_.to_shown(piece.words.center), piece.words.axis, piece.words.turns};
+    if (!frame_.is_shift()) {
+      if (frame_.scale_across(piece.words.axis) == 0) {
+        straight_arc(request, piece);
+        continue;
+      }
+      shown.axis = (frame_.mirrors() ? -1 : 1) * frame_.turned(piece.words.axis).normalized();
     }
-    append(Motion::arc, piece.target, feed, static_cast<std::int32_t>(program_.arcs.size() - 1));
+    append(Motion::arc, piece.target, feed, shown);
   }
 }
 
@@ -126,7 +154,11 @@ void PathWriter::dwell(double seconds) {
   block.line = line_;
   block.motion = Motion::dwell;
   block.path_control = path_control_index();
-  program_.motions.push_back(block);
+  if (compensation_.is_off()) {
+    write(block, {}, {});
+  } else {
+    pass_on({block, {}, place_, {}});
+  }
 }
 
 void PathWriter::set_feed_mode(FeedMode mode) {
@@ -170,31 +202,56 @@ void PathWriter::report_missing_feed() {
   });
 }
 
-void PathWriter::append(Motion motion, const Vec3& target, double feed, std::int32_t arc_index) {
-  const Vec3 shown = frame_.is_identity() ? target : frame_.to_shown(target);
-  extend_bounds(motion, shown);
+void PathWriter::append(Motion motion, const Vec3& target, double feed, const ArcWords& arc) {
+  programmed_ = target;
+  shown_ = frame_.is_identity() ? target : frame_.to_shown(target);
   MotionBlock block;
-  block.target = shown;
+  block.target = shown_;
   block.feed = feed;
   block.line = line_;
-  block.arc = arc_index;
   block.motion = motion;
   block.path_control = path_control_index();
-  program_.motions.push_back(block);
-  programmed_ = target;
-  shown_ = shown;
+  if (compensation_.is_off()) {
+    write(block, arc, axis_programmed_);
+  } else {
+    pass_on({block, arc, place_, axis_programmed_});
+  }
 }
 
-void PathWriter::extend_bounds(Motion motion, const Vec3& target) {
+void PathWriter::pass_on(const PathMotion& motion) {
+  compensation_.take(motion);
+  write_ready();
+}
+
+void PathWriter::write(MotionBlock block, const ArcWords& arc, const std::array<bool, 3>& axes) {
+  if (block.motion != Motion::dwell) {
+    extend_bounds(block, axes);
+  }
+  if (block.motion == Motion::arc) {
+    block.arc = static_cast<std::int32_t>(program_.arcs.size());
+    program_.arcs.push_back(arc);
+  }
+  program_.motions.push_back(block);
+  written_ = block.target;
+}
+
+void PathWriter::write_ready() {
+  for (const PathMotion& motion : compensation_.ready()) {
+    write(motion.block, motion.arc, motion.axes);
+  }
+  compensation_.ready().clear();
+}
+
+void PathWriter::extend_bounds(const MotionBlock& block, const std::array<bool, 3>& axes) {
   for (int axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<std::size_t>(axis);
-    if (!axis_known_[i] && motion != Motion::rapid) {
-      program_.bounds.add(axis, shown_[axis]);
+    if (!axis_known_[i] && block.motion != Motion::rapid) {
+      program_.bounds.add(axis, written_[axis]);
       axis_known_[i] = true;
     }
-    axis_known_[i] = axis_known_[i] || axis_programmed_[i];
+    axis_known_[i] = axis_known_[i] || axes[i];
     if (axis_known_[i]) {
-      program_.bounds.add(axis, target[axis]);
+      program_.bounds.add(axis, block.target[axis]);
     }
   }
 }

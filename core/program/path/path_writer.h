@@ -7,6 +7,8 @@
 #include "core/base/geometry.h"
 #include "core/program/path/arc_solver.h"
 #include "core/program/path/coordinate_frame.h"
+#include "core/program/path/cutter_compensation.h"
+#include "core/program/path/plane.h"
 #include "core/program/path_control.h"
 #include "core/program/program.h"
 #include "core/program/text/diagnostic_log.h"
@@ -54,7 +56,7 @@ class PathWriter {
   /// After the last line.
   void finish();
 
-  /// Where the tool is [mm], in programmed and in shown coordinates.
+  /// Where the programmed path has come to [mm], in programmed and in shown coordinates.
   const Vec3& position() const { return programmed_; }
   const Vec3& shown_position() const { return shown_; }
   bool has_moved() const { return !program_.motions.empty(); }
@@ -79,6 +81,13 @@ class PathWriter {
   void set_spindle_speed(double revolutions_per_second) { spindle_speed_ = revolutions_per_second; }
   void set_tooth_count(double teeth) { tooth_count_ = teeth; }
 
+  /// What follows is a contour of which the tool's centre is written, see CutterCompensation; `column` for
+  /// messages. Positions stay those of the contour.
+  void set_compensation(ToolSide side, double radius, OutsideCorner corner, Plane plane,
+                        std::uint32_t column);
+  void end_compensation();
+  bool is_compensated() const { return compensation_.is_on(); }
+
   const PathControl& path_control() const { return path_control_; }
   void set_path_control(const PathControl& control) { path_control_ = control; }
 
@@ -88,8 +97,12 @@ class PathWriter {
   void straight_arc(const ArcRequest& request, const ArcSolution::Piece& piece);
   double feed_over(double length);
   void report_missing_feed();
-  void append(Motion motion, const Vec3& target, double feed, std::int32_t arc_index = -1);
-  void extend_bounds(Motion motion, const Vec3& target);
+  void append(Motion motion, const Vec3& target, double feed, const ArcWords& arc = {});
+  void pass_on(const PathMotion& motion);
+  void write(MotionBlock block, const ArcWords& arc, const std::array<bool, 3>& axes);
+  void write_ready();
+  void extend_bounds(const MotionBlock& block, const std::array<bool, 3>& axes);
+  Compensation compensation_in_frame() const;
   std::uint16_t path_control_index();
 
   Program& program_;
@@ -99,6 +112,7 @@ class PathWriter {
   CoordinateFrame frame_;
   Vec3 programmed_ = Vec3::Zero();
   Vec3 shown_ = Vec3::Zero();
+  Vec3 written_ = Vec3::Zero();  ///< end of the last motion in the program
   std::array<bool, 3> axis_programmed_{};
   std::array<bool, 3> axis_known_{};
   FeedMode feed_mode_ = FeedMode::per_minute;
@@ -108,6 +122,8 @@ class PathWriter {
   bool feed_missed_ = false;
   PathControl path_control_;
   std::uint16_t control_index_ = 0;  ///< of the last motion
+  CutterCompensation compensation_;
+  Compensation compensation_words_;  ///< its axes in programmed coordinates
 };
 
 }  // namespace feedscope

@@ -1,0 +1,342 @@
+#include "core/program/path/cutter_compensation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/program/path/arc_solver.h"
+
+namespace feedscope {
+
+namespace {
+
+using Text = DiagnosticLog::Text;
+
+/// Paths whose ends are this close run on into each other: what the rounding of coordinates leaves between
+/// elements that touch with one tangent [mm].
+constexpr double join_gap = 1e-3;
+/// The same beside an arc that is as small as the tool, whose end directions are rounded more [mm].
+constexpr double join_gap_at_point = 1e-2;
+/// A cut into the contour that the rounding of coordinates explains [mm].
+constexpr double allowed_cut = 2e-3;
+constexpr double reversal_sine = 1e-9;
+
+double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
+bool is_point(const PlaneElement& path) {
+  return path.is_arc() && path.radius <= allowed_cut;
+}
+
+PathMotion as_line(PathMotion motion) {
+  motion.block.motion = motion.block.motion == Motion::arc ? Motion::line : motion.block.motion;
+  return motion;
+}
+
+bool same_normal(const Compensation& a, const Compensation& b) {
+  constexpr double same = 1e-9;
+  return (a.normal - b.normal).norm() <= same;
+}
+
+}  // namespace
+
+Vec2 CutterCompensation::in_plane(const Vec3& point) const {
+  const Vec3& x = compensation_.first_axis;
+  return {x.dot(point), compensation_.normal.cross(x).dot(point)};
+}
+
+/// The block programs an axis that lies in the plane, were it only where the contour is already.
+bool CutterCompensation::names_plane(const PathMotion& motion) const {
+  constexpr double across = 0.9;
+  bool named = false;
+  for (std::size_t i = 0; i < motion.axes.size(); ++i) {
+    named = named || (motion.axes[i] && std::abs(compensation_.normal[static_cast<int>(i)]) < across);
+  }
+  return named;
+}
+
+Vec3 CutterCompensation::in_space(const Vec2& point, const Vec3& height_of) const {
+  const Vec3& x = compensation_.first_axis;
+  const Vec3& normal = compensation_.normal;
+  return point.x() * x + point.y() * normal.cross(x) + normal.dot(height_of) * normal;
+}
+
+PlaneElement CutterCompensation::path_beside(const PlaneElement& contour) const {
+  return beside(contour, left_);
+}
+
+void CutterCompensation::switch_on(const Compensation& compensation, const Vec3& tool,
+                                   const DiagnosticLog::Place& place) {
+  if (is_on()) {
+    if (!same_normal(compensation, compensation_)) {
+      report_plane(place);
+    } else if (compensation.side == compensation_.side && compensation.radius == compensation_.radius) {
+      compensation_.corner = compensation.corner;
+      return;
+    }
+  }
+  release_square();
+  if (is_off()) {
+    tool_ = tool;
+    contour_ = tool;
+  }
+  compensation_ = compensation;
+  left_ = compensation.side == ToolSide::left ? compensation.radius : -compensation.radius;
+  stage_ = Stage::entry;
+}
+
+void CutterCompensation::switch_off() {
+  release_square();
+  if (stage_ != Stage::off) {
+    stage_ = stage_ == Stage::entry && tool_ == contour_ ? Stage::off : Stage::exit;
+  }
+}
+
+void CutterCompensation::finish() {
+  release_square();
+}
+
+void CutterCompensation::take(const PathMotion& motion) {
+  const bool is_arc = motion.block.motion == Motion::arc;
+  const Vec2 way = in_plane(motion.block.target) - in_plane(contour_);
+  const bool moves_in_plane =
+      motion.block.motion != Motion::dwell &&
+      (is_arc || way.norm() > same_point || (stage_ == Stage::exit && names_plane(motion)));
+  if (moves_in_plane) {
+    take_in_plane(motion);
+  } else {
+    take_across(motion);
+  }
+  contour_ = motion.block.target;
+}
+
+void CutterCompensation::take_across(const PathMotion& motion) {
+  if (held_) {
+    waiting_.push_back(motion);
+  } else {
+    write_beside(motion);
+  }
+}
+
+void CutterCompensation::take_in_plane(const PathMotion& motion) {
+  if (stage_ == Stage::exit) {
+    leave(motion);
+    return;
+  }
+  const PlaneElement contour = element_of(motion, in_plane(contour_));
+  const bool stays = !contour.is_arc() && (contour.end - contour.start).norm() <= same_point;
+  if (stays) {
+    take_across(as_line(motion));
+  } else if (stage_ == Stage::entry) {
+    enter(motion, contour);
+    stage_ = Stage::contour;
+  } else {
+    join(motion, contour);
+  }
+}
+
+PlaneElement CutterCompensation::element_of(const PathMotion& motion, const Vec2& start) {
+  const Vec2 end = in_plane(motion.block.target);
+  if (motion.block.motion != Motion::arc) {
+    return PlaneElement::line(start, end);
+  }
+  const int turn = compensation_.normal.dot(motion.arc.axis) > 0 ? 1 : -1;
+  const PlaneElement arc = PlaneElement::arc(start, end, in_plane(motion.arc.center), turn, motion.arc.turns);
+  if (path_beside(arc).radius >= -allowed_cut) {
+    return arc;
+  }
+  report_radius(motion, arc.radius);
+  return PlaneElement::line(start, end);
+}
+
+void CutterCompensation::enter(const PathMotion& motion, const PlaneElement& contour) {
+  if (!contour.is_arc()) {
+    hold(motion, contour, true);
+    return;
+  }
+  log_.add(Severity::error, "compensation-entry", 0, motion.place, [] {
+    return Text{"cutter radius compensation begins on an arc",
+                "a straight line leads to the arc beside its start; begin it on a line"};
+  });
+  write(as_line(motion), in_space(path_beside(contour).start, contour_));
+  hold(motion, contour, false);
+}
+
+void CutterCompensation::leave(const PathMotion& motion) {
+  if (motion.block.motion == Motion::arc) {
+    log_.add(Severity::error, "compensation-exit", 0, motion.place, [] {
+      return Text{"cutter radius compensation ends on an arc",
+                  "a straight line leads to its end instead; end it on a line"};
+    });
+  }
+  write(as_line(motion), motion.block.target);
+  stage_ = Stage::off;
+}
+
+void CutterCompensation::hold(const PathMotion& motion, const PlaneElement& contour, bool is_entry) {
+  held_ = Held{motion, contour, is_entry};
+}
+
+void CutterCompensation::join(const PathMotion& motion, const PlaneElement& next) {
+  const PlaneElement& last = held_->contour;
+  const Vec2 from = path_beside(last).end;
+  const Vec2 to = path_beside(next).start;
+  const bool at_point = is_point(path_beside(last)) || is_point(path_beside(next));
+  const double sine = cross(last.tangent_at_end(), next.tangent_at_start());
+  const double cosine = last.tangent_at_end().dot(next.tangent_at_start());
+  const bool reverses = std::abs(sine) <= reversal_sine && cosine < 0;
+  if (held_->is_entry) {
+    release(to);
+  } else if ((to - from).norm() <= (at_point ? join_gap_at_point : join_gap)) {
+    release(next.is_arc() && !last.is_arc() ? to : from);
+  } else if (reverses || sine * left_ < 0) {
+    go_around(next, motion);
+  } else {
+    release(inside_corner(last, next));
+  }
+  hold(motion, next, false);
+}
+
+Vec2 CutterCompensation::inside_corner(const PlaneElement& last, const PlaneElement& next) {
+  const PlaneElement path = path_beside(last);
+  const PlaneElement next_path = path_beside(next);
+  const Meetings found = meetings(path, next_path);
+  const auto cut_off = [&](const Vec2& p) { return (p - path.end).norm() + (p - next_path.start).norm(); };
+  if (found.count == 0) {
+    report_swallowed();
+    return path.end;
+  }
+  const bool second = found.count == 2 && cut_off(found.points[1]) < cut_off(found.points[0]);
+  return found.points[second ? 1 : 0];
+}
+
+void CutterCompensation::go_around(const PlaneElement& next, const PathMotion& motion) {
+  const bool rapid = motion.block.motion == Motion::rapid;
+  PathMotion linking = as_line(rapid ? held_->motion : motion);
+  linking.block.line = motion.block.line;
+  if (compensation_.corner == OutsideCorner::lines || linking.block.motion == Motion::rapid) {
+    go_around_on_lines(next, linking);
+    return;
+  }
+  release(path_beside(held_->contour).end);
+  linking.block.motion = Motion::arc;
+  linking.arc = {in_space(next.start, tool_), (left_ > 0 ? -1 : 1) * compensation_.normal, 0};
+  write(linking, in_space(path_beside(next).start, tool_));
+}
+
+//        up to a quarter turn              above
+//
+//     from - - - - tip                 from - - - tip
+//    contour ----.  |                 contour ---.   .
+//                |  |                           /   .
+//                |  to                         /   .  then a quarter turn at most to `next`'s path
+void CutterCompensation::go_around_on_lines(const PlaneElement& next, const PathMotion& linking) {
+  const PlaneElement last = held_->contour;
+  const Vec2 from = path_beside(last).end;
+  const Vec2 to = path_beside(next).start;
+  const Vec2 before = last.tangent_at_end();
+  const Vec2 after = next.tangent_at_start();
+  const double cosine = before.dot(after);
+  const bool sharp = cosine < 0;
+  const double further = std::abs(left_) * (sharp ? 1 : std::sqrt(std::max(0.0, 1 - cosine) / (1 + cosine)));
+  const Vec2 tip = from + further * before;
+  release(last.is_arc() ? from : tip);
+  if (last.is_arc()) {
+    write(linking, in_space(tip, tool_));
+  }
+  if (sharp) {
+    write(linking, in_space(to - further * after, tool_));
+  }
+  if (next.is_arc()) {
+    write(linking, in_space(to, tool_));
+  }
+}
+
+void CutterCompensation::release(const Vec2& end) {
+  const PathMotion& motion = held_->motion;
+  const PlaneElement path = path_beside(held_->contour);
+  if (motion.block.motion == Motion::arc && held_->contour.is_arc()) {
+    write_arc(path, end);
+  } else {
+    const bool backward =
+        !held_->is_entry && (end - in_plane(tool_)).dot(held_->contour.tangent_at_start()) < -allowed_cut;
+    if (backward) {
+      report_swallowed();
+    }
+    write(as_line(motion), in_space(end, motion.block.target));
+  }
+  held_.reset();
+  for (const PathMotion& other : waiting_) {
+    write_beside(other);
+  }
+  waiting_.clear();
+}
+
+void CutterCompensation::release_square() {
+  if (held_) {
+    release(path_beside(held_->contour).end);
+  }
+}
+
+void CutterCompensation::write_arc(const PlaneElement& path, const Vec2& end) {
+  PathMotion motion = held_->motion;
+  const Vec3 target = in_space(end, motion.block.target);
+  const double sweep = is_point(path) ? 0 : sweep_between(path, in_plane(tool_), end);
+  if (sweep * path.radius < -allowed_cut) {
+    report_swallowed();
+  }
+  if (sweep * path.radius <= same_point) {
+    write(as_line(motion), target);
+    return;
+  }
+  const double turns = std::ceil((sweep - same_point / path.radius) / (2 * std::numbers::pi)) - 1;
+  const ArcSolution solution =
+      solve_center_arc(tool_, target, in_space(path.center, target), motion.arc.axis, std::max(0.0, turns));
+  if (solution.fault != ArcFault::none) {
+    write(as_line(motion), target);
+  }
+  for (int i = 0; i < solution.count; ++i) {
+    const ArcSolution::Piece& piece = solution.pieces[static_cast<std::size_t>(i)];
+    motion.arc = piece.words;
+    write(motion, piece.target);
+  }
+}
+
+void CutterCompensation::write(const PathMotion& motion, const Vec3& to) {
+  ready_.push_back(motion);
+  ready_.back().block.target = to;
+  tool_ = to;
+}
+
+void CutterCompensation::write_beside(const PathMotion& motion) {
+  write(motion, in_space(in_plane(tool_), motion.block.target));
+}
+
+void CutterCompensation::report_plane(const DiagnosticLog::Place& place) {
+  log_.add(Severity::error, "compensation-plane", 0, place, [] {
+    return Text{"the plane changes while cutter radius compensation is on",
+                "it begins anew in the other plane; end it before"};
+  });
+}
+
+void CutterCompensation::report_radius(const PathMotion& motion, double radius) {
+  log_.add(Severity::error, "compensation-gouge", 0, motion.place, [&] {
+    return Text{
+        fmt::format("the arc's radius, {:.4f} mm, is smaller than the tool's, {:.4f} mm", radius,
+                    std::abs(left_)),
+        "a straight line to its end is taken instead, which cuts into the contour; use a smaller tool"};
+  });
+}
+
+void CutterCompensation::report_swallowed() {
+  log_.add(Severity::error, "compensation-gouge", 1, held_->motion.place, [&] {
+    return Text{fmt::format("a tool of radius {:.4f} mm does not fit between this block and its neighbours",
+                            std::abs(left_)),
+                "the path shown cuts into the contour here; use a smaller tool"};
+  });
+}
+
+}  // namespace feedscope

@@ -1,0 +1,114 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/program/path/plane_element.h"
+#include "core/program/program.h"
+#include "core/program/text/diagnostic_log.h"
+
+namespace feedscope {
+
+/// Side of the contour that the tool runs on, looking the way it moves.
+enum class ToolSide : std::uint8_t { left, right };
+
+/// How the tool gets around an outside corner of the contour.
+enum class OutsideCorner : std::uint8_t {
+  arc,    ///< on an arc about the corner
+  lines,  ///< straight on to where the paths beside both blocks meet; the tip is cut off above a quarter turn
+};
+
+struct Compensation {
+  ToolSide side = ToolSide::left;
+  double radius = 0;  ///< of the tool [mm]; negative: the other side
+  OutsideCorner corner = OutsideCorner::arc;
+  Vec3 normal = Vec3::UnitZ();      ///< unit, of the plane; left is left seen against it
+  Vec3 first_axis = Vec3::UnitX();  ///< unit, in the plane
+};
+
+/// A motion to be written, in shown coordinates.
+struct PathMotion {
+  MotionBlock block;  ///< its `arc` is not used
+  ArcWords arc;       ///< arcs only
+  DiagnosticLog::Place place;
+  std::array<bool, 3> axes{};  ///< that the block programs
+};
+
+/// Turns a contour into the path of the tool's centre beside it.
+///
+/// Entry: the first motion in the plane is a straight line from where the tool is to the place square beside
+/// the start of the next one. Exit: the contour ends square beside its last point; the next motion in the
+/// plane is a straight line to its programmed end. Inside corners: both paths end where they meet. Outside
+/// corners: as `corner` says; what is put in belongs to the later block. Motions across the plane and dwells
+/// take place where the block before them ends. A motion is ready when the next one in the plane is known.
+///
+/// Reported: "compensation-gouge" where the tool is too large for the contour, as far as two blocks that
+/// follow each other show it; "compensation-entry" and "compensation-exit" for arcs that should be lines;
+/// "compensation-plane" where it is switched to another plane on the way.
+class CutterCompensation {
+ public:
+  explicit CutterCompensation(DiagnosticLog& log) : log_(log) {}
+
+  /// Neither on, nor on the way out: motions need not be taken through it.
+  bool is_off() const { return stage_ == Stage::off; }
+  bool is_on() const { return stage_ == Stage::entry || stage_ == Stage::contour; }
+  /// From the next motion on. `tool` is where the tool is if the compensation is off. Another side or radius
+  /// makes an entry of the next motion.
+  void switch_on(const Compensation& compensation, const Vec3& tool, const DiagnosticLog::Place& place);
+  void switch_off();
+
+  void take(const PathMotion& motion);
+  /// No motion follows.
+  void finish();
+  /// Motions of the tool's centre in their order; the caller takes them out.
+  std::vector<PathMotion>& ready() { return ready_; }
+
+ private:
+  enum class Stage : std::uint8_t { off, entry, contour, exit };
+
+  struct Held {
+    PathMotion motion;
+    PlaneElement contour;
+    bool is_entry = false;
+  };
+
+  Vec2 in_plane(const Vec3& point) const;
+  bool names_plane(const PathMotion& motion) const;
+  Vec3 in_space(const Vec2& point, const Vec3& height_of) const;
+  PlaneElement element_of(const PathMotion& motion, const Vec2& start);
+  PlaneElement path_beside(const PlaneElement& contour) const;
+
+  void take_in_plane(const PathMotion& motion);
+  void take_across(const PathMotion& motion);
+  void enter(const PathMotion& motion, const PlaneElement& contour);
+  void leave(const PathMotion& motion);
+  void hold(const PathMotion& motion, const PlaneElement& contour, bool is_entry);
+  void join(const PathMotion& motion, const PlaneElement& next);
+  void go_around(const PlaneElement& next, const PathMotion& motion);
+  void go_around_on_lines(const PlaneElement& next, const PathMotion& linking);
+  Vec2 inside_corner(const PlaneElement& last, const PlaneElement& next);
+  /// Writes the held motion with this end, and what waits behind it.
+  void release(const Vec2& end);
+  void release_square();
+  void write_arc(const PlaneElement& path, const Vec2& end);
+  void write(const PathMotion& motion, const Vec3& to);
+  void write_beside(const PathMotion& motion);
+  void report_plane(const DiagnosticLog::Place& place);
+  void report_radius(const PathMotion& motion, double radius);
+  void report_swallowed();
+
+  DiagnosticLog& log_;
+  Stage stage_ = Stage::off;
+  Compensation compensation_;
+  double left_ = 0;              ///< of the contour [mm]
+  Vec3 tool_ = Vec3::Zero();     ///< where the centre is after what is ready [mm]
+  Vec3 contour_ = Vec3::Zero();  ///< end of what was taken [mm]
+  std::optional<Held> held_;
+  std::vector<PathMotion> waiting_;  ///< behind the held one: no motion in the plane
+  std::vector<PathMotion> ready_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "core/program/path/path_writer.h"
+
+namespace feedscope {
+
+/// A path written line by line, each motion on a line of its own.
+class ContourWriter {
+ public:
+  explicit ContourWriter(OutsideCorner corner = OutsideCorner::arc) : corner_(corner) { path_.set_feed(10); }
+
+  ContourWriter& on(ToolSide side, double radius, Plane plane = Plane::xy) {
+    path_.set_compensation(side, radius, corner_, plane, 1);
+    return *this;
+  }
+  ContourWriter& off() {
+    path_.end_compensation();
+    return *this;
+  }
+  ContourWriter& rapid(const Vec3& to) {
+    next();
+    path_.rapid(to);
+    return *this;
+  }
+  ContourWriter& line(const Vec3& to) {
+    next();
+    path_.line(to);
+    return *this;
+  }
+  ContourWriter& arc(const Vec3& to, const Vec3& center, const Vec3& axis, double extra_turns = 0) {
+    next();
+    ArcRequest request;
+    request.target = to;
+    request.center = center;
+    request.axis = axis;
+    request.extra_turns = extra_turns;
+    path_.arc_by_center(request);
+    return *this;
+  }
+  ContourWriter& dwell() {
+    next();
+    path_.dwell(1);
+    return *this;
+  }
+  ContourWriter& frame(const CoordinateFrame& frame) {
+    path_.set_frame(frame);
+    return *this;
+  }
+  PathWriter& path() { return path_; }
+
+  Program finish() {
+    path_.finish();
+    program_.diagnostics = log_.take();
+    return std::move(program_);
+  }
+  Program finish_clean() {
+    Program program = finish();
+    for (const Diagnostic& diagnostic : program.diagnostics) {
+      ADD_FAILURE() << format(diagnostic, "path");
+    }
+    return program;
+  }
+
+ private:
+  void next() {
+    ++line_;
+    path_.begin_line(line_, {line_, 0, {}});
+    path_.program_axes();
+  }
+
+  Program program_;
+  DiagnosticLog log_;
+  PathWriter path_{program_, log_};
+  OutsideCorner corner_;
+  std::uint32_t line_ = 0;
+};
+
+}  // namespace feedscope
