@@ -92,8 +92,8 @@ constexpr auto g_codes = std::to_array<GCode>({
     {600, GGroup::path_mode, accept, info, {}, {}},
     {610, GGroup::path_mode, path_control, info, {}, {}},
     {611, GGroup::path_mode, path_control, info, {}, {}},
-    {620, GGroup::path_mode, accept, info, {}, {}},
-    {630, GGroup::path_mode, accept, info, {}, {}},
+    {620, GGroup::path_mode, path_control, info, {}, {}},
+    {630, GGroup::path_mode, path_control, info, {}, {}},
     {640, GGroup::path_mode, path_control, info, {}, {}},
     {650, GGroup::none, own_words, error, "macro call", "its motion is left out"},
     {660, GGroup::none, own_words, error, "modal macro call", "its motion is left out"},
@@ -129,9 +129,10 @@ constexpr auto g_codes = std::to_array<GCode>({
     {970, GGroup::none, accept, info, {}, {}},
     {980, GGroup::none, accept, info, {}, {}},
     {990, GGroup::none, accept, info, {}, {}},
+    {1870, GGroup::none, path_control, info, {}, {}},
 });
 
-constexpr int number_limit = 1000;
+constexpr int number_limit = 2000;
 constexpr std::uint8_t absent = 255;
 static_assert(g_codes.size() < absent && g_codes.back().number < number_limit);
 

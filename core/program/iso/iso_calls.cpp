@@ -46,12 +46,12 @@ bool is_program_number(double value) {
 void IsoReader::run_calls(bool sound) {
   if (words_.flow != nullptr) {
     const Word& word = *words_.flow;
-    if (word.value == 98) {
-      call_subprogram(word);
-    } else if (word.value == 97) {
+    if (word.value == 97) {
       call_blocks(word);
-    } else {
+    } else if (word.value == 99) {
       return_to(word);
+    } else {
+      call_subprogram(word);
     }
     return;
   }

@@ -300,17 +300,14 @@ bool IsoReader::run_macro_statement(Scanner& scan) {
 
 void IsoReader::run_if(Scanner& scan) {
   const bool holds = condition(scan);
-  if (scan.take_keyword("GOTO")) {
-    if (holds) {
-      go_to(scan);
-    }
-  } else if (scan.take_keyword("THEN")) {
-    if (holds) {
-      run_items(scan);
-    }
-  } else {
+  const bool then = scan.take_keyword("THEN");
+  const bool go = scan.take_keyword("GOTO");
+  if (!then && !go) {
     throw ReadFault{"expression", scan.column(), "GOTO or THEN is missing after the condition",
                     "the line is left out; complete it"};
+  }
+  if (holds) {
+    go ? go_to(scan) : run_items(scan);
   }
 }
 

@@ -9,7 +9,10 @@ void IsoReader::apply_path_control(const GCode& code) {
   constexpr int exact_stop_of_block = 90;
   constexpr int exact_path = 610;
   constexpr int exact_stop = 611;
+  constexpr int corner_override = 620;
+  constexpr int tapping = 630;
   constexpr int continuous = 640;
+  constexpr int smoothness = 1870;
   constexpr double high_speed = 10000;
   PathControl control = path().path_control();
   const auto switched = [&](char letter, double on) {
@@ -29,6 +32,13 @@ void IsoReader::apply_path_control(const GCode& code) {
       control.mode = PathMode::continuous;
       set_tolerances(control);
       break;
+    case corner_override:
+    case tapping:
+      control.mode = PathMode::continuous;
+      break;
+    case smoothness:
+      control.contour_tolerance = tolerance('E', "G187");
+      break;
     case 50:
       switched('P', high_speed);
       break;
@@ -44,23 +54,24 @@ void IsoReader::apply_path_control(const GCode& code) {
   path().set_path_control(control);
 }
 
+std::optional<double> IsoReader::tolerance(char letter, std::string_view of) {
+  if (!words_.has(letter)) {
+    return std::nullopt;
+  }
+  const Word& word = words_[letter];
+  if (word.value < 0) {
+    report(Severity::error, "path-tolerance", 0, word.column, [&] {
+      return Text{fmt::format("tolerance {}{} of {} is negative", letter, word.value, of),
+                  "it is left out; write a tolerance of zero or more"};
+    });
+    return std::nullopt;
+  }
+  return state_.to_mm(word.value);
+}
+
 void IsoReader::set_tolerances(PathControl& control) {
-  const auto tolerance = [&](char letter) -> std::optional<double> {
-    if (!words_.has(letter)) {
-      return std::nullopt;
-    }
-    const Word& word = words_[letter];
-    if (word.value < 0) {
-      report(Severity::error, "path-tolerance", 0, word.column, [&] {
-        return Text{fmt::format("tolerance {}{} of G64 is negative", letter, word.value),
-                    "it is left out; write a tolerance of zero or more"};
-      });
-      return std::nullopt;
-    }
-    return state_.to_mm(word.value);
-  };
-  control.contour_tolerance = tolerance('P');
-  const std::optional<double> joining = tolerance('Q');
+  control.contour_tolerance = tolerance('P', "G64");
+  const std::optional<double> joining = tolerance('Q', "G64");
   control.compaction_tolerance = joining ? joining : control.contour_tolerance;
   control.compaction = Switch::machine;
   if (follows_linuxcnc(dialect_) || control.compaction_tolerance) {

@@ -245,10 +245,12 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
 }
 
 void IsoReader::apply_m(const Word& word) {
+  constexpr double call_of_external = 198;
   words_.other_codes = true;
   if (word.value == 2 || word.value == 30) {
     end_program();
-  } else if (word.value >= 97 && word.value <= 99) {
+  } else if ((word.value >= 97 && word.value <= 99) ||
+             (word.value == call_of_external && !follows_linuxcnc(dialect_))) {
     words_.flow = &word;
   } else if (word.value == 6) {
     state_.tool = words_.has('T') ? words_['T'].value : state_.selected_tool;

@@ -160,6 +160,7 @@ class IsoReader : public Reader, private VariableSource {
   // What rules the motion at the ends of blocks: iso_path_control.cpp.
   void apply_path_control(const GCode& code);
   void set_tolerances(PathControl& control);
+  std::optional<double> tolerance(char letter, std::string_view of);
   void move_to_exact_stop();
 
   Dialect dialect_;

@@ -74,6 +74,11 @@ TEST(MCalls, MotionOfTheBlockComesFirst) {
   EXPECT_EQ(fanuc("X5 M98 P1\nX9\nM30\nO1 X1\nM99 X7"), (Way{5, 1, 7, 9}));
 }
 
+TEST(MCalls, M198IsACallOnAFanucOnly) {
+  EXPECT_EQ(fanuc("M198 P1\nX9\nM30\nO1\nX1\nM99"), (Way{1, 9}));
+  EXPECT_EQ(linuxcnc("M198 P1\nX9\n"), (Way{9}));
+}
+
 TEST(MCalls, VariablesAreTheCallers) {
   EXPECT_EQ(linuxcnc("#1=0\nM98 P1 L10\nX#1\nM30\nO1\n#1=[#1+1]\nM99"), (Way{10}));
   EXPECT_EQ(fanuc("#1=0\nM98 P1 L10\nX#1\nM30\nO1\n#1=#1+1\nM99"), (Way{10}));

@@ -85,6 +85,7 @@ TEST(OWords, ALineRunsWithTheNumberOfItsText) {
 TEST(MacroB, IfGoesOrDoes) {
   EXPECT_EQ(fanuc("#1=1\nIF [#1 EQ 1] GOTO 10\nX1\nN10 X2"), (Way{2}));
   EXPECT_EQ(fanuc("#1=2\nIF[#1EQ1]GOTO10\nX1\nN10 X2"), (Way{1, 2}));
+  EXPECT_EQ(fanuc("IF [1] THEN GOTO 10\nX1\nN10 X2"), (Way{2}));
   EXPECT_EQ(fanuc("#1=2\nIF[#1 EQ 2] THEN #1=7\nX#1\nIF[#1 EQ 2] THEN #1=8\nX#1"), (Way{7, 7}));
 }
 

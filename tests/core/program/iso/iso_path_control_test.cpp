@@ -59,6 +59,16 @@ TEST(IsoPathControl, LookAheadIsSwitched) {
   EXPECT_EQ(look_ahead("G05 P10000\nG05 P0"), Switch::off);
 }
 
+TEST(IsoPathControl, CornerOverrideAndTappingEndTheExactStop) {
+  EXPECT_EQ(control_of(Dialect::fanuc, "G61\nG62\nG0 X1").mode, PathMode::continuous);
+  EXPECT_EQ(control_of(Dialect::fanuc, "G61\nG63\nG0 X1").mode, PathMode::continuous);
+}
+
+TEST(IsoPathControl, G187NamesATolerance) {
+  EXPECT_EQ(control_of(Dialect::fanuc, "G187 P3 E0.02\nG0 X1").contour_tolerance, 0.02);
+  EXPECT_EQ(control_of(Dialect::fanuc, "G187 E0.02\nG187\nG0 X1").contour_tolerance, std::nullopt);
+}
+
 TEST(IsoPathControl, ANegativeToleranceIsRefused) {
   EXPECT_EQ(
       said_of(Dialect::linuxcnc, "G0 X1\nG64 P-1\nX2"),
