@@ -1,3 +1,4 @@
+#include "core/program/heidenhain/heidenhain_reader.h"
 #include "core/program/iso/iso_reader.h"
 #include "core/program/program.h"
 
@@ -7,7 +8,9 @@ Program read_program(std::shared_ptr<const SourceText> source, Progress* progres
                      const ReadOptions& options) {
   ReadOptions resolved = options;
   resolved.dialect = options.dialect.value_or(recognise(*source));
-  Program program = IsoReader(std::move(source), resolved, progress).read();
+  Program program = *resolved.dialect == Dialect::heidenhain
+                        ? HeidenhainReader(std::move(source), resolved, progress).read()
+                        : IsoReader(std::move(source), resolved, progress).read();
   program.dialect = *resolved.dialect;
   return program;
 }

@@ -36,6 +36,7 @@ Program Reader::read() {
       report(Severity::error, fault.code, 0, fault.column, [&] { return Text{fault.message, fault.hint}; });
     }
   }
+  before_finish();
   path_.finish();
   report_nothing_read();
   report_text_after_end();

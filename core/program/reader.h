@@ -31,6 +31,8 @@ class Reader {
   virtual void run_line(std::string_view line) = 0;
   /// The text in force has no further line. By default a called one returns, the program itself ends.
   virtual void run_out();
+  /// The last line has run: what the dialect holds back goes to path() now.
+  virtual void before_finish() {}
   /// A call was left, by return_from_call() or at the end of its file.
   virtual void left_call() {}
   /// 1-based column of the first word of `line`, 0 for none; to say that text behind the end is not run.

@@ -1,0 +1,297 @@
+#include "core/program/heidenhain/contour_writer.h"
+
+#include <fmt/format.h>
+
+#include "core/program/heidenhain/corner_rounding.h"
+#include "core/program/heidenhain/plane_points.h"
+
+namespace feedscope {
+
+using Text = DiagnosticLog::Text;
+
+Vec3 ContourWriter::position() const {
+  return approach_ ? approach_->target : held_ ? last_.target : path_.position();
+}
+
+std::optional<PlaneElement> ContourWriter::curve_of(const Vec3& start, const ContourElement& element) const {
+  const bool is_arc = element.is_arc && element.radius == 0;
+  if (is_arc && element.plane != plane_) {
+    return std::nullopt;
+  }
+  const Vec2 from = in_plane(start, plane_);
+  const Vec2 to = in_plane(element.target, plane_);
+  if (!is_arc) {
+    return PlaneElement::line(from, to);
+  }
+  const bool full = (to - from).norm() <= same_point;
+  return PlaneElement::arc(from, to, in_plane(element.center, plane_), element.turn,
+                           element.extra_turns + (full ? 1 : 0));
+}
+
+std::optional<Vec2> ContourWriter::direction() const {
+  const std::optional<PlaneElement> curve = curve_of(last_start_, last_);
+  const Vec2 along = curve ? curve->tangent_at_end() : Vec2::Zero();
+  return along == Vec2::Zero() ? std::nullopt : std::optional(along);
+}
+
+void ContourWriter::add(const ContourElement& element) {
+  if (approach_) {
+    resolve_approach(element);
+  } else if (corner_) {
+    resolve_corner(element);
+  }
+  write_held();
+  last_ = element;
+  last_start_ = path_.position();
+  held_ = true;
+}
+
+void ContourWriter::flush() {
+  if (approach_) {
+    const ContourApproach approach = *approach_;
+    approach_.reset();
+    report_approach(approach.place, "no contour follows the approach",
+                    "a line to its first point is taken; write a contour element behind it");
+    go(approach.target, approach.feed, approach.place);
+  }
+  if (corner_) {
+    report_corner("no contour element follows in the next block",
+                  "the corner stays sharp; write the corner between two lines or arcs");
+    corner_.reset();
+  }
+  write_held();
+}
+
+void ContourWriter::write_held() {
+  if (held_) {
+    held_ = false;
+    last_start_ = path_.position();
+    write(last_);
+  }
+}
+
+void ContourWriter::write(const ContourElement& element) {
+  path_.begin_line(element.place.line, element.place.place);
+  for (int axis = 0; axis < 3; ++axis) {
+    if ((element.place.axes >> axis & 1U) != 0) {
+      path_.program_axis(axis);
+    }
+  }
+  path_.set_feed_mode(element.feed.mode);
+  path_.set_feed(element.feed.value);
+  compensate(element);
+  if (!element.is_arc) {
+    if (element.feed.rapid) {
+      path_.rapid(element.target);
+    } else {
+      path_.line(element.target);
+    }
+    return;
+  }
+  ArcRequest arc;
+  arc.target = element.target;
+  arc.center = element.center;
+  arc.radius = element.radius;
+  arc.axis = element.turn * normal_of(element.plane);
+  arc.extra_turns = element.extra_turns;
+  arc.column = element.place.place.column;
+  if (element.radius != 0) {
+    path_.arc_by_radius(arc);
+  } else {
+    path_.arc_by_center(arc);
+  }
+}
+
+void ContourWriter::compensate(const ContourElement& element) {
+  const double beside = element.side * element.tool_radius.value_or(0);
+  if (beside == beside_) {
+    return;
+  }
+  beside_ = beside;
+  if (beside == 0) {
+    path_.end_compensation();
+  } else {
+    path_.set_compensation(element.side > 0 ? ToolSide::left : ToolSide::right, *element.tool_radius,
+                           OutsideCorner::arc, plane_, element.place.place.column);
+  }
+}
+
+void ContourWriter::add_corner(const ContourCorner& corner) {
+  if (corner_) {
+    report_corner("another rounding or chamfer follows", "the first one is left out");
+  }
+  corner_ = corner;
+  if (!held_ || approach_) {
+    report_corner("no contour element stands in the block before",
+                  "it is left out; write the corner between two lines or arcs");
+    corner_.reset();
+  }
+}
+
+void ContourWriter::report_corner(std::string message, std::string hint) {
+  log_.add(Severity::error, "corner", 0, corner_->place.place, [&] {
+    return Text{fmt::format("the {} of {:.3f} mm: {}", corner_->rounding ? "rounding" : "chamfer",
+                            corner_->size, message),
+                std::move(hint)};
+  });
+}
+
+void ContourWriter::resolve_corner(const ContourElement& next) {
+  const int normal = normal_axis(plane_);
+  const Vec3 start = path_.position();
+  const auto first = curve_of(start, last_);
+  const auto second = curve_of(last_.target, next);
+  const bool level = std::abs(last_.target[normal] - start[normal]) <= same_point &&
+                     std::abs(next.target[normal] - last_.target[normal]) <= same_point;
+  if (!first || !second || !level) {
+    report_corner("the elements next to it leave the working plane", "the corner stays sharp");
+    corner_.reset();
+    return;
+  }
+  const CornerPiece piece = corner_->rounding ? round_corner(*first, *second, corner_->size)
+                                              : chamfer_corner(*first, *second, corner_->size);
+  switch (piece.fault) {
+    case CornerFault::none: {
+      ContourElement cut = last_;
+      cut.target = from_plane(piece.to, plane_, last_.target);
+      cut.is_arc = corner_->rounding;
+      cut.center = from_plane(piece.center, plane_, last_.target);
+      cut.plane = plane_;
+      cut.turn = piece.turn;
+      cut.extra_turns = 0;
+      cut.radius = 0;
+      cut.feed = corner_->feed.value_or(last_.feed);
+      cut.place = corner_->place;
+      last_.target = from_plane(piece.from, plane_, last_.target);
+      write_held();
+      write(cut);
+      break;
+    }
+    case CornerFault::smooth:
+      break;
+    case CornerFault::reversal:
+      report_corner("the path turns back at the corner", "the corner stays sharp");
+      break;
+    case CornerFault::too_large:
+      report_corner("it does not fit between the elements next to it",
+                    "the corner stays sharp; make it smaller");
+      break;
+    case CornerFault::not_lines:
+      report_corner("it stands next to an arc", "the corner stays sharp; a chamfer is for two lines");
+      break;
+  }
+  corner_.reset();
+}
+
+void ContourWriter::approach(const ContourApproach& approach) {
+  flush();
+  approach_ = approach;
+}
+
+void ContourWriter::report_approach(const ContourPlace& place, std::string message, std::string hint) {
+  log_.add(Severity::error, "approach", 0, place.place, [&] {
+    return Text{std::move(message), std::move(hint)};
+  });
+}
+
+void ContourWriter::go(const Vec3& target, const ContourFeed& feed, const ContourPlace& place, int side,
+                       std::optional<double> tool_radius) {
+  const int normal = normal_axis(plane_);
+  ContourElement step;
+  step.feed = feed;
+  step.place = place;
+  step.side = side;
+  step.tool_radius = tool_radius;
+  if (std::abs(target[normal] - path_.position()[normal]) > same_point) {
+    step.target = target;
+    step.target[normal] = path_.position()[normal];
+    write(step);
+  }
+  step.target = target;
+  write(step);
+}
+
+ContourElement ContourWriter::curve_element(const ApproachPath& path, const Vec3& target) const {
+  ContourElement element;
+  element.target = target;
+  element.is_arc = path.turn != 0;
+  element.center = from_plane(path.center, plane_, target);
+  element.plane = plane_;
+  element.turn = path.turn;
+  return element;
+}
+
+void ContourWriter::resolve_approach(const ContourElement& first) {
+  const ContourApproach approach = *approach_;
+  approach_.reset();
+  const auto curve = curve_of(approach.target, first);
+  if (!curve || curve->tangent_at_start() == Vec2::Zero()) {
+    report_approach(approach.place, "the contour behind the approach starts with no direction in the plane",
+                    "a line to its first point is taken");
+    go(approach.target, approach.feed, approach.place);
+    return;
+  }
+  // Square to the contour the tool comes in from beside it; else it is beside it from the auxiliary point on.
+  const bool square = approach.shape.kind == ApproachKind::normal_line;
+  const int side_before = square ? 0 : approach.side;
+  const auto path = approach_path(approach.shape, in_plane(path_.position(), plane_),
+                                  in_plane(approach.target, plane_), curve->tangent_at_start());
+  if (!path) {
+    report_approach(approach.place,
+                    fmt::format("the tool starts inside the approach arc of radius {:.3f} mm",
+                                std::abs(approach.shape.radius)),
+                    "a line to the contour's first point is taken; start farther away or make R smaller");
+    go(approach.target, approach.feed, approach.place);
+    return;
+  }
+  go(from_plane(path->point, plane_, approach.target), approach.travel, approach.place, side_before,
+     approach.tool_radius);
+  ContourElement element = curve_element(*path, approach.target);
+  element.feed = approach.feed;
+  element.side = approach.side;
+  element.tool_radius = approach.tool_radius;
+  element.place = approach.place;
+  write(element);
+}
+
+void ContourWriter::depart(const ContourDeparture& departure) {
+  const std::optional<Vec2> along = direction();
+  flush();
+  const Vec3 from = path_.position();
+  Vec3 end = from;
+  end[normal_axis(plane_)] = departure.target[normal_axis(plane_)];
+  const bool to_point = departure.shape.kind == ApproachKind::line_and_arc;
+  std::optional<ApproachPath> path;
+  if (!along) {
+    report_approach(departure.place, "no contour in the working plane stands before the departure",
+                    "a line to its end is taken");
+  } else {
+    path =
+        departure_path(departure.shape, in_plane(from, plane_), *along, in_plane(departure.target, plane_));
+    if (!path) {
+      report_approach(departure.place,
+                      fmt::format("the departure ends inside its arc of radius {:.3f} mm",
+                                  std::abs(departure.shape.radius)),
+                      "a line to its end is taken; end farther away or make R smaller");
+    }
+  }
+  if (path) {
+    ContourElement element = curve_element(*path, from_plane(path->point, plane_, from));
+    element.feed = departure.feed;
+    element.place = departure.place;
+    element.side = departure.shape.kind == ApproachKind::normal_line ? 0 : last_.side;
+    element.tool_radius = last_.tool_radius;
+    write(element);
+    last_ = element;
+    last_start_ = from;
+    end = from_plane(path->point, plane_, end);
+  }
+  if (to_point) {
+    end = departure.target;
+  }
+  if ((end - path_.position()).norm() > same_point) {
+    go(end, departure.feed, departure.place);
+  }
+}
+
+}  // namespace feedscope

@@ -1,0 +1,126 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/program/heidenhain/approach.h"
+#include "core/program/path/path_writer.h"
+#include "core/program/path/plane_element.h"
+
+namespace feedscope {
+
+/// The line that programs a motion.
+struct ContourPlace {
+  std::uint32_t line = 0;  ///< shown
+  DiagnosticLog::Place place;
+  std::uint8_t axes = 0;  ///< bit per axis programmed
+};
+
+struct ContourFeed {
+  FeedMode mode = FeedMode::per_minute;
+  double value = 0;    ///< as PathWriter::set_feed; 0: none yet
+  bool rapid = false;  ///< FMAX
+};
+
+/// A line or an arc as programmed.
+struct ContourElement {
+  Vec3 target = Vec3::Zero();
+  bool is_arc = false;
+  Vec3 center = Vec3::Zero();  ///< arcs; along the axis it does not matter
+  Plane plane = Plane::xy;     ///< arcs
+  int turn = 1;                ///< arcs: 1 counter-clockwise against the plane's normal, -1 clockwise
+  double extra_turns = 0;      ///< arcs
+  double radius = 0;           ///< not 0: an arc by its radius that has no centre; it becomes a line
+  ContourFeed feed;
+  int side = 0;  ///< of the tool: 1 left of the contour, -1 right, 0 on it
+  std::optional<double> tool_radius = std::nullopt;  ///< none: not known, the contour itself is shown
+  ContourPlace place;
+};
+
+/// What takes the place of a corner: RND, CHF.
+struct ContourCorner {
+  bool rounding = true;
+  double size = 0;  ///< radius or side [mm]
+  std::optional<ContourFeed> feed;
+  ContourPlace place;
+};
+
+/// APPR: the first point of the contour and the way there.
+struct ContourApproach {
+  ApproachShape shape;
+  Vec3 target;         ///< first point of the contour
+  ContourFeed travel;  ///< to the auxiliary point
+  ContourFeed feed;    ///< from there on
+  int side = 0;        ///< of the tool from the auxiliary point on
+  std::optional<double> tool_radius = std::nullopt;
+  ContourPlace place;
+};
+
+/// DEP: the way off the contour.
+struct ContourDeparture {
+  ApproachShape shape;
+  Vec3 target;  ///< LCT: where it goes; the others: height along the tool axis only
+  ContourFeed feed;
+  ContourPlace place;
+};
+
+/// Takes contours as the blocks of a program give them and writes their path. The last element is held back,
+/// for the block behind it may round its end, and an approach is, for the contour's first element says where
+/// it comes from.
+///
+///     held element      corner (RND, CHF)      next element
+///     ----------------------.  . . .  +
+///                              `.     |        the corner is cut off from both
+///                                `.   |
+///                                  .  |
+class ContourWriter {
+ public:
+  /// Both outlive it.
+  ContourWriter(PathWriter& path, DiagnosticLog& log) : path_(path), log_(log) {}
+
+  /// The working plane.
+  void set_plane(Plane plane) { plane_ = plane; }
+  Plane plane() const { return plane_; }
+
+  /// End of the last element or approach [mm].
+  Vec3 position() const;
+  /// Unit tangent at the end of the last element, in the plane; none before any motion in it.
+  std::optional<Vec2> direction() const;
+
+  void add(const ContourElement& element);
+  /// Between the last element and the next one.
+  void add_corner(const ContourCorner& corner);
+  void approach(const ContourApproach& approach);
+  void depart(const ContourDeparture& departure);
+  /// Writes what is held back. To be called before anything else changes the path or its frame, and at the
+  /// end.
+  void flush();
+
+ private:
+  void write(const ContourElement& element);
+  void write_held();
+  void compensate(const ContourElement& element);
+  void resolve_approach(const ContourElement& first);
+  void resolve_corner(const ContourElement& next);
+  void report_corner(std::string message, std::string hint);
+  void report_approach(const ContourPlace& place, std::string message, std::string hint);
+  /// Motion in the plane, then along the tool axis.
+  void go(const Vec3& target, const ContourFeed& feed, const ContourPlace& place, int side = 0,
+          std::optional<double> tool_radius = std::nullopt);
+  std::optional<PlaneElement> curve_of(const Vec3& start, const ContourElement& element) const;
+  ContourElement curve_element(const ApproachPath& path, const Vec3& target) const;
+
+  PathWriter& path_;
+  DiagnosticLog& log_;
+  Plane plane_ = Plane::xy;
+  bool held_ = false;
+  ContourElement last_;  ///< held, or written last
+  Vec3 last_start_ = Vec3::Zero();
+  std::optional<ContourCorner> corner_;
+  std::optional<ContourApproach> approach_;
+  double beside_ = 0;  ///< the compensation in force, positive to the left [mm]
+};
+
+}  // namespace feedscope

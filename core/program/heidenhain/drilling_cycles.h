@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "core/program/path/path_writer.h"
+#include "core/program/path/plane.h"
+
+namespace feedscope {
+
+/// What a drilling, tapping or boring cycle is given, by its Q numbers; [mm], [s], [mm/s].
+struct Drilling {
+  double clearance = 0;         ///< Q200, above the surface
+  double depth = 0;             ///< Q201, below the surface: negative
+  double infeed = 0;            ///< Q202
+  double surface = 0;           ///< Q203, coordinate
+  double second_clearance = 0;  ///< Q204, above the surface
+  double least_infeed = 0;      ///< Q205
+  double feed = 0;              ///< Q206
+  double retract_feed = 0;      ///< Q208; 0: as the cycle says
+  double top_dwell = 0;         ///< Q210
+  double bottom_dwell = 0;      ///< Q211
+  double decrement = 0;         ///< Q212, of the infeed each time
+  double breaks = 0;            ///< Q213, chip breaks before the tool is taken out
+  double retreat = 0;           ///< Q214, direction away from the wall, 0 to 4
+  double pitch = 0;             ///< Q239
+  double start_feed = 0;        ///< Q253
+  double break_distance = 0;    ///< Q256
+  double break_infeed = 0;      ///< Q257
+  double upper_stop = 0;        ///< Q258, before the depth reached, at the first infeed
+  double lower_stop = 0;        ///< Q259, at the last
+  double helix_infeed = 0;      ///< Q334
+  double diameter = 0;          ///< Q335
+  double by_diameter = 0;       ///< Q343
+  double climb = 1;             ///< Q351
+  double start_depth = 0;       ///< Q379
+};
+
+enum class CycleUnit : std::uint8_t { length, feed, plain };
+
+struct CycleParameter {
+  int q = 0;
+  double Drilling::*value = nullptr;
+  CycleUnit unit = CycleUnit::plain;
+  std::optional<double> otherwise;  ///< value of an older program that lacks it; none: needed
+};
+
+/// What the cycle `number` is given; empty for one that is no drilling cycle that is read.
+std::span<const CycleParameter> parameters_of_drilling(int number);
+
+/// Where holes are drilled.
+struct DrillingPlace {
+  PathWriter& path;
+  Plane plane = Plane::xy;   ///< across the holes
+  double spindle_speed = 0;  ///< [1/s]
+  std::optional<double> tool_radius;
+};
+
+enum class DrillingFault : std::uint8_t {
+  none,
+  depth,        ///< upwards
+  by_diameter,  ///< centring to a diameter: the tool's point angle is not known
+  tool_radius,  ///< of bore milling, not known
+  pitch,        ///< no pitch, or no spindle speed
+  steps,        ///< more than 10000 infeeds
+};
+
+/// Drills at the tool's position in the plane with cycle `number`, 200 to 240, and ends on the second
+/// clearance. With a fault nothing is drilled.
+DrillingFault drill(int number, const Drilling& words, const DrillingPlace& place);
+
+/// The cycles of older programs, 1 pecking, 2 tapping, 17 rigid tapping; they start and end where the tool
+/// is.
+struct OldDrilling {
+  double clearance = 0;  ///< from the tool to the surface [mm]
+  double depth = 0;      ///< signed: the direction [mm]
+  double infeed = 0;     ///< [mm]
+  double dwell = 0;      ///< [s]
+  double feed = 0;       ///< [mm/s]
+  double pitch = 0;      ///< [mm]
+};
+DrillingFault drill_old(int number, const OldDrilling& words, const DrillingPlace& place);
+
+}  // namespace feedscope

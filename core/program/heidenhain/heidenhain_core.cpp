@@ -1,0 +1,113 @@
+#include "core/program/heidenhain/heidenhain_core.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/units.h"
+#include "core/program/text/read_fault.h"
+
+namespace feedscope {
+
+HeidenhainCore::HeidenhainCore(std::shared_ptr<const SourceText> source, const ReadOptions& options,
+                               Progress* progress)
+    : Reader(std::move(source), options, progress),
+      contour_(path(), log()),
+      formulas_(parameters_, [this](const QName& name) { return unset_parameter(name); }) {}
+
+void HeidenhainCore::run_line(std::string_view line) {
+  const std::size_t last = line.find_last_not_of(" \t");
+  const bool goes_on = last != std::string_view::npos && line[last] == '~';
+  const std::string_view statement =
+      line.substr(0, std::min(line.find(';'), goes_on ? last : std::string_view::npos));
+  if (goes_on || !parts_.empty()) {
+    parts_.push_back({joined_.size(), this->line()});
+    joined_.append(statement) += ' ';
+    if (!goes_on) {
+      run_joined();
+    }
+    return;
+  }
+  if (statement.find_first_not_of(" \t") != std::string_view::npos) {
+    run_statement(statement);
+  }
+}
+
+void HeidenhainCore::run_joined() {
+  if (parts_.empty()) {
+    return;
+  }
+  try {
+    run_statement(joined_);
+  } catch (const ReadFault& fault) {
+    report(Severity::error, fault.code, 0, fault.column, [&] { return Text{fault.message, fault.hint}; });
+  }
+  joined_.clear();
+  parts_.clear();
+}
+
+void HeidenhainCore::before_finish() {
+  run_joined();
+  contour_.flush();
+}
+
+void HeidenhainCore::run_out() {
+  run_joined();
+  end_of_program();
+}
+
+DiagnosticLog::Place HeidenhainCore::spot(std::uint32_t column) const {
+  DiagnosticLog::Place spot = place(column);
+  for (auto part = parts_.rbegin(); part != parts_.rend(); ++part) {
+    if (column > part->start || part + 1 == parts_.rend()) {
+      const auto length = static_cast<std::uint32_t>(text().line(part->line).size());
+      spot.line = part->line;
+      spot.column = std::min(column - std::min(column, static_cast<std::uint32_t>(part->start)), length);
+      break;
+    }
+  }
+  spot.column = std::min(spot.column, static_cast<std::uint32_t>(text().line(spot.line).size()));
+  return spot;
+}
+
+ContourPlace HeidenhainCore::contour_place(std::uint32_t column, std::uint8_t axes) const {
+  return {shown_line(), parts_.empty() ? place(column) : spot(column), axes};
+}
+
+double HeidenhainCore::to_feed(double value) const {
+  // In inch programs the control counts feeds in tenths of an inch a minute.
+  return units::from_mm_min(is_inch() ? units::from_inch(value / 10) : value);
+}
+
+void HeidenhainCore::set_inch(bool inch) {
+  unit_ = inch ? units::from_inch(1) : 1;
+}
+
+double HeidenhainCore::unset_parameter(const QName& name) {
+  constexpr int tool_radius = 108;
+  constexpr int tool_axis = 109;
+  constexpr int unit = 113;
+  if (name.kind == QName::Kind::global) {
+    switch (name.number) {
+      case tool_radius:
+        if (tool_radius_) {
+          return *tool_radius_ / unit_;
+        }
+        break;
+      case tool_axis:
+        return normal_axis(contour_.plane());
+      case unit:
+        return is_inch() ? 1 : 0;
+      default:
+        break;
+    }
+  }
+  report(Severity::warning, "unset-parameter", static_cast<int>(name.kind) * 10000 + name.number, name.column,
+         [&] {
+           return Text{fmt::format("{} has no value yet", name.text()),
+                       "0 is taken; a control may still hold another value, assign it before"};
+         });
+  return 0;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,229 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <vector>
+
+#include "core/program/heidenhain/contour_writer.h"
+#include "core/program/heidenhain/drilling_cycles.h"
+#include "core/program/heidenhain/motion_words.h"
+#include "core/program/heidenhain/q_parameters.h"
+#include "core/program/heidenhain/transformations.h"
+#include "core/program/reader.h"
+
+namespace feedscope {
+
+/// What the two languages of the control have in common: contours, tools, cycles, labels, calls, parameters.
+/// Each language turns its lines into calls of what follows.
+class HeidenhainCore : public Reader {
+ protected:
+  HeidenhainCore(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);
+
+  // Text: heidenhain_core.cpp
+
+  /// One statement, comments left out, that may have come from several lines. ReadFault is caught.
+  virtual void run_statement(std::string_view statement) = 0;
+  /// The label that a line sets, as label() reads it; empty for none and for the end of a subprogram.
+  virtual std::string label_on(std::string_view line) = 0;
+  /// What the called programs must be written in too.
+  virtual Dialect dialect() const = 0;
+
+  /// As Reader's, also where a statement came from several lines.
+  template <typename MakeText>
+  void report(Severity severity, std::string_view code, int detail, std::uint32_t column, MakeText&& text) {
+    log().add(severity, code, detail, spot(column), text);
+  }
+  DiagnosticLog::Place spot(std::uint32_t column) const;
+  ContourPlace contour_place(std::uint32_t column, std::uint8_t axes) const;
+
+  /// Lengths and feeds as written, in mm and mm/s.
+  double to_mm(double value) const { return value * unit_; }
+  double to_feed(double value) const;
+  void set_inch(bool inch);
+  bool is_inch() const { return unit_ != 1; }
+  QFormulas& formulas() { return formulas_; }
+  QParameters& parameters() { return parameters_; }
+
+  // Motion: heidenhain_motion.cpp
+
+  enum class PathKind : std::uint8_t {
+    line,               ///< L, G0, G1
+    center_arc,         ///< C: about the pole
+    radius_arc,         ///< CR
+    tangent_arc,        ///< CT, G6
+    polar_line,         ///< LP, G10, G11
+    polar_arc,          ///< CP, G12, G13: about the pole
+    polar_tangent_arc,  ///< CTP, G16
+  };
+  void run_path(PathKind kind, const MotionWords& words);
+  void set_pole(const MotionWords& words);
+  void run_corner(bool rounding, double size, const MotionWords& words, std::uint32_t column);
+  void run_approach(ApproachKind kind, bool polar, const MotionWords& words, std::uint32_t column);
+  void run_departure(ApproachKind kind, bool polar, const MotionWords& words, std::uint32_t column);
+  /// Only M functions.
+  void run_functions(const MotionWords& words);
+  void check_rotary(char letter, double value, bool incremental, std::uint32_t column);
+  /// What is held back is written, and what follows is of this line.
+  void end_contour(std::uint32_t column);
+  /// The working plane.
+  Plane plane() const { return contour_.plane(); }
+
+  // Tools and settings: heidenhain_settings.cpp
+
+  struct ToolCall {
+    std::optional<std::string> tool;
+    std::optional<Plane> plane;   ///< across the tool axis
+    std::optional<double> speed;  ///< [1/min]
+    std::optional<double> feed;   ///< as written
+    double radius_excess = 0;     ///< DR [mm]
+  };
+  void define_tool(const std::string& tool, double radius) { tool_radii_[tool] = radius; }
+  void call_tool(const ToolCall& call);
+  void set_blank_corner(bool upper, const Vec3& corner, std::uint32_t column);
+  Transformations& transformations() { return transformations_; }
+  /// What the transformations are now is in force.
+  void apply_transformations(std::uint32_t column);
+  void set_tolerance(std::optional<double> tolerance, std::optional<double> orientation_tolerance,
+                     std::uint32_t column);
+  void dwell(double seconds, std::uint32_t column);
+  void set_datum(std::string_view what, std::uint32_t column);
+
+  // Labels, calls, the end: heidenhain_flow.cpp
+
+  /// A label's number, name in quotes or text parameter, as a key. Throws ReadFault.
+  std::string label(Scanner& scanner);
+  void call_label(const std::string& label, std::uint32_t column);
+  void repeat_from_label(const std::string& label, double times, std::uint32_t column);
+  void jump_to_label(const std::string& label, std::uint32_t column);
+  void end_subprogram();
+  void call_program(std::string_view written, std::uint32_t column);
+  /// The called program returns, the main one ends.
+  void end_of_program();
+
+  // Parameters: heidenhain_functions.cpp
+
+  /// "Q1 = ..." from the name on.
+  void assign(Scanner& scanner);
+  /// FN or D with its operands.
+  struct FunctionCall {
+    int number = 0;
+    std::uint32_t column = 0;
+    std::optional<QName> result;  ///< 0 to 8 and 13 have one
+    std::array<double, 2> values{};
+    std::string label;  ///< of the jumps 9 to 12
+  };
+  void run_function(const FunctionCall& call);
+  void read_system_data(const QName& result, double group, double number, double index, std::uint32_t column);
+  /// FN 14 and the functions that do not touch the path.
+  void note_function(int number, std::uint32_t column);
+
+  // Cycles: heidenhain_cycles.cpp
+
+  /// The parameters stand as "Q200=2" from the scanner on.
+  void define_cycle(int number, std::string_view title, Scanner& parameters, std::uint32_t column);
+  void define_old_drilling(int number) { cycle_ = {number, CycleKind::old_drilling, {}}; }
+  OldDrilling& old_drilling() { return old_drilling_; }
+  void define_program_cycle(std::string_view program) {
+    cycle_ = {12, CycleKind::program, std::string(program)};
+  }
+  void leave_out_cycle(int number, std::string_view title, std::uint32_t column);
+  /// `surface_offset` raises the surface of a drilling cycle [mm].
+  void call_cycle(std::uint32_t column, double surface_offset = 0);
+
+ private:
+  enum class CycleKind : std::uint8_t { none, drilling, old_drilling, program, left_out };
+  struct Cycle {
+    int number = 0;
+    CycleKind kind = CycleKind::none;
+    std::string program;
+  };
+  struct Frame {
+    bool program = false;  ///< a program was called, not a label
+    double unit = 1;
+    QParameters::Locals locals;
+  };
+  using Labels = std::map<std::string, std::uint32_t, std::less<>>;
+
+  void run_line(std::string_view line) override;
+  void run_joined();
+  void before_finish() override;
+  void left_call() override;
+  void run_out() override;
+
+  double unset_parameter(const QName& name);
+
+  ContourElement element_of(const MotionWords& words, const Vec3& target) const;
+  void add_path(PathKind kind, const MotionWords& words);
+  void add_radius_arc(ContourElement element, const MotionWords& words);
+  void add_center_arc(ContourElement element, const MotionWords& words);
+  void add_polar(PathKind kind, const MotionWords& words);
+  void add_tangent_arc(ContourElement element);
+  Vec3 target_of(const MotionWords& words) const;
+  Vec3 polar_target(const MotionWords& words) const;
+  int turn_of(const MotionWords& words);
+  bool has_pole(std::uint32_t column);
+  void apply_feed(const MotionWords& words);
+  void apply_side(const MotionWords& words);
+  ContourFeed feed_of(const MotionWords& words) const;
+  void start_functions(const MotionWords& words);
+  void finish_functions(const MotionWords& words, bool moved);
+  void retract(const MotionWords& words);
+  bool leaves_out_machine_position(const MotionWords& words);
+  ApproachShape approach_shape(ApproachKind kind, const MotionWords& words, std::uint32_t column);
+  void report_feed_value(const MotionWords& words);
+
+  std::optional<std::uint32_t> line_of_label(const std::string& label, std::uint32_t column);
+  const Labels& labels();
+  bool enter(const std::shared_ptr<const SourceText>& text, std::uint32_t line, bool program);
+
+  void read_cycle_parameters(Scanner& scanner);
+  std::optional<Drilling> drilling_words(std::uint32_t column);
+  void report_drilling_fault(DrillingFault fault, std::uint32_t column);
+  std::vector<Vec2> pattern_places(int number, std::uint32_t column);
+  void run_pattern(int number, std::uint32_t column);
+
+  ContourWriter contour_;
+  QParameters parameters_;
+  QFormulas formulas_;
+  Transformations transformations_;
+
+  std::string joined_;  ///< statement that goes over several lines
+  struct Part {
+    std::size_t start = 0;  ///< in joined_
+    std::uint32_t line = 0;
+  };
+  std::vector<Part> parts_;
+
+  double unit_ = 1;  ///< mm a written length
+  ContourFeed feed_;
+  bool last_rapid_ = false;
+  double tool_feed_ = 0;      ///< of the last tool call, as written
+  double spindle_speed_ = 0;  ///< [1/min]
+  int side_ = 0;
+  bool revolution_feed_ = false;  ///< M136
+  std::optional<Vec3> pole_;
+  Plane pole_plane_ = Plane::xy;
+  int last_turn_ = 0;
+  bool modal_cycle_ = false;              ///< M89
+  std::array<double, 6> further_axes_{};  ///< A B C U V W as written
+  std::uint32_t reported_axes_ = 0;
+
+  std::map<std::string, double> tool_radii_;
+  std::string tool_;
+  std::optional<double> tool_radius_;
+  std::optional<Vec3> blank_;
+
+  std::vector<Frame> frames_;
+  std::map<const SourceText*, Labels> labels_;
+  std::map<std::tuple<std::size_t, const SourceText*, std::uint32_t>, double> repeats_left_;
+
+  Cycle cycle_;
+  OldDrilling old_drilling_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,380 @@
+// The part of HeidenhainCore that moves.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/program/heidenhain/heidenhain_core.h"
+#include "core/program/heidenhain/plane_points.h"
+#include "core/program/text/read_fault.h"
+
+namespace feedscope {
+
+namespace {
+
+constexpr std::string_view straight_instead = "a straight line to the end is taken instead";
+
+/// Both axes of the plane, a bit each.
+std::uint8_t bits_of(Plane plane) {
+  return static_cast<std::uint8_t>(1 << first_axis(plane) | 1 << second_axis(plane));
+}
+
+}  // namespace
+
+void HeidenhainCore::run_path(PathKind kind, const MotionWords& words) {
+  start_functions(words);
+  apply_feed(words);
+  apply_side(words);
+  const bool moves =
+      words.has_axes() || words.has_polar() || (kind == PathKind::center_arc || kind == PathKind::polar_arc);
+  if (moves && !leaves_out_machine_position(words)) {
+    add_path(kind, words);
+    last_rapid_ = words.feed_word == FeedWord::rapid;
+  }
+  finish_functions(words, moves);
+}
+
+void HeidenhainCore::run_functions(const MotionWords& words) {
+  run_path(PathKind::line, words);
+}
+
+ContourFeed HeidenhainCore::feed_of(const MotionWords& words) const {
+  ContourFeed feed = feed_;
+  feed.rapid = words.feed_word == FeedWord::rapid;
+  return feed;
+}
+
+ContourElement HeidenhainCore::element_of(const MotionWords& words, const Vec3& target) const {
+  ContourElement element;
+  element.target = target;
+  element.plane = contour_.plane();
+  element.feed = feed_of(words);
+  element.side = side_;
+  element.tool_radius = tool_radius_;
+  element.place = contour_place(words.first_column, words.axis_bits());
+  return element;
+}
+
+Vec3 HeidenhainCore::target_of(const MotionWords& words) const {
+  Vec3 target = contour_.position();
+  for (int axis = 0; axis < 3; ++axis) {
+    target[axis] = words.axes[static_cast<std::size_t>(axis)].from(target[axis]);
+  }
+  return target;
+}
+
+void HeidenhainCore::add_path(PathKind kind, const MotionWords& words) {
+  switch (kind) {
+    case PathKind::line:
+      contour_.add(element_of(words, target_of(words)));
+      break;
+    case PathKind::center_arc:
+      add_center_arc(element_of(words, target_of(words)), words);
+      break;
+    case PathKind::radius_arc:
+      add_radius_arc(element_of(words, target_of(words)), words);
+      break;
+    case PathKind::tangent_arc:
+      add_tangent_arc(element_of(words, target_of(words)));
+      break;
+    case PathKind::polar_line:
+    case PathKind::polar_arc:
+    case PathKind::polar_tangent_arc:
+      add_polar(kind, words);
+      break;
+  }
+}
+
+bool HeidenhainCore::has_pole(std::uint32_t column) {
+  if (!pole_) {
+    report(Severity::error, "pole", 0, column, [] {
+      return Text{"no pole stands before what is measured from it",
+                  "a line to the end that can be read is taken; write the pole (CC, or I and J) before it"};
+    });
+  }
+  return pole_.has_value();
+}
+
+int HeidenhainCore::turn_of(const MotionWords& words) {
+  if (words.turn != 0) {
+    last_turn_ = words.turn;
+  } else if (last_turn_ == 0) {
+    report(Severity::error, "arc-direction", 0, words.first_column, [] {
+      return Text{"the arc has no direction", "counter-clockwise is taken; write DR+ or DR-"};
+    });
+    last_turn_ = 1;
+  }
+  return last_turn_;
+}
+
+void HeidenhainCore::add_center_arc(ContourElement element, const MotionWords& words) {
+  if (has_pole(words.first_column)) {
+    element.is_arc = true;
+    element.center = *pole_;
+    element.plane = pole_plane_;
+    element.turn = turn_of(words);
+  }
+  contour_.add(element);
+}
+
+void HeidenhainCore::add_radius_arc(ContourElement element, const MotionWords& words) {
+  if (!words.radius) {
+    report(Severity::error, "arc-radius", 2, words.first_column, [] {
+      return Text{"the arc has no radius", fmt::format("{}; write R", straight_instead)};
+    });
+    contour_.add(element);
+    return;
+  }
+  element.is_arc = true;
+  element.turn = turn_of(words);
+  const ArcSolution solution = solve_radius_arc(contour_.position(), element.target, *words.radius,
+                                                element.turn * normal_of(element.plane), 0);
+  if (solution.fault == ArcFault::none) {
+    element.center = solution.pieces[0].words.center;
+  } else {
+    element.radius = *words.radius;
+  }
+  contour_.add(element);
+}
+
+void HeidenhainCore::add_tangent_arc(ContourElement element) {
+  const std::optional<Vec2> direction = contour_.direction();
+  const Vec2 start = in_plane(contour_.position(), element.plane);
+  const Vec2 chord = in_plane(element.target, element.plane) - start;
+  if (!direction) {
+    report(Severity::error, "tangent-arc", 0, element.place.place.column, [] {
+      return Text{"no motion in the working plane stands before the arc that continues it",
+                  std::string(straight_instead)};
+    });
+  } else if (chord.norm() > same_point) {
+    const double across = cross(*direction, chord);
+    if (std::abs(across) > same_point * chord.norm()) {
+      element.is_arc = true;
+      element.turn = across > 0 ? 1 : -1;
+      const Vec2 center = start + chord.squaredNorm() / (2 * across) * left_of(*direction);
+      element.center = from_plane(center, element.plane, element.target);
+      last_turn_ = element.turn;
+    } else if (direction->dot(chord) < 0) {
+      report(Severity::error, "tangent-arc", 1, element.place.place.column, [] {
+        return Text{"the arc would end straight behind its start", std::string(straight_instead)};
+      });
+    }
+  }
+  contour_.add(element);
+}
+
+Vec3 HeidenhainCore::polar_target(const MotionWords& words) const {
+  const Vec2 from_pole = in_plane(contour_.position() - *pole_, pole_plane_);
+  const double angle_before = from_pole.norm() > 0 ? std::atan2(from_pole.y(), from_pole.x()) : 0.0;
+  const double radius = words.polar_radius.from(from_pole.norm());
+  const double angle = words.polar_angle.from(angle_before);
+  const Vec2 end = in_plane(*pole_, pole_plane_) + radius * Vec2(std::cos(angle), std::sin(angle));
+  const int normal = normal_axis(pole_plane_);
+  Vec3 target = contour_.position();
+  target[normal] = words.axes[static_cast<std::size_t>(normal)].from(target[normal]);
+  return from_plane(end, pole_plane_, target);
+}
+
+void HeidenhainCore::add_polar(PathKind kind, const MotionWords& words) {
+  if (!has_pole(words.first_column)) {
+    return;
+  }
+  constexpr double same_angle = 1e-9;
+  MotionWords polar = words;
+  if (kind == PathKind::polar_arc) {
+    polar.polar_radius.given = false;
+  }
+  ContourElement element = element_of(words, polar_target(polar));
+  element.place.axes |= bits_of(pole_plane_);
+  element.plane = pole_plane_;
+  if (kind == PathKind::polar_tangent_arc) {
+    add_tangent_arc(element);
+    return;
+  }
+  if (kind == PathKind::polar_arc) {
+    element.is_arc = true;
+    element.center = *pole_;
+    const double angle = words.polar_angle.value;
+    const bool by_sweep = words.polar_angle.given && words.polar_angle.incremental;
+    if (by_sweep && words.turn == 0 && angle != 0) {
+      last_turn_ = angle > 0 ? 1 : -1;
+    }
+    element.turn = turn_of(words);
+    if (by_sweep && angle * element.turn < 0) {
+      report(Severity::error, "arc-direction", 1, words.first_column, [&] {
+        return Text{fmt::format("the angle of {:.3f} degrees turns against the arc's direction",
+                                units::to_deg(angle)),
+                    "the sign of the angle counts; write both alike"};
+      });
+      element.turn = last_turn_ = -element.turn;
+    }
+    if (by_sweep) {
+      const double turns = std::abs(angle) / (2 * units::pi);
+      const double whole = std::floor(turns + same_angle);
+      element.extra_turns = whole;
+      if (whole > 0 && turns - whole < same_angle) {
+        // Ends that coincide are one turn already.
+        element.extra_turns = whole - 1;
+        element.target = from_plane(in_plane(contour_.position(), pole_plane_), pole_plane_, element.target);
+      }
+    }
+  }
+  contour_.add(element);
+}
+
+void HeidenhainCore::set_pole(const MotionWords& words) {
+  const Vec3 base = contour_.position();
+  Vec3 pole = pole_.value_or(base);
+  if (!words.has_axes()) {
+    pole = base;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const OptionalWord& word = words.axes[static_cast<std::size_t>(axis)];
+    if (word.given) {
+      pole[axis] = word.incremental ? base[axis] + word.value : word.value;
+    }
+  }
+  pole_ = pole;
+  if (!words.has_axes()) {
+    pole_plane_ = contour_.plane();
+  }
+  for (const Plane plane : {Plane::xy, Plane::zx, Plane::yz}) {
+    const auto given = [&](int axis) { return words.axes[static_cast<std::size_t>(axis)].given; };
+    if (given(first_axis(plane)) && given(second_axis(plane))) {
+      pole_plane_ = plane;
+    }
+  }
+}
+
+void HeidenhainCore::run_corner(bool rounding, double size, const MotionWords& words, std::uint32_t column) {
+  if (!(size > 0)) {
+    throw ReadFault{"corner", column,
+                    fmt::format("a {} of {} mm is not above zero", rounding ? "rounding" : "chamfer", size),
+                    "the corner stays sharp"};
+  }
+  ContourCorner corner;
+  corner.rounding = rounding;
+  corner.size = size;
+  corner.place = contour_place(column, bits_of(plane()));
+  if (words.feed_word != FeedWord::none) {
+    const ContourFeed before = feed_;
+    apply_feed(words);
+    corner.feed = feed_of(words);
+    feed_ = before;
+  }
+  contour_.add_corner(corner);
+}
+
+ApproachShape HeidenhainCore::approach_shape(ApproachKind kind, const MotionWords& words,
+                                             std::uint32_t column) {
+  ApproachShape shape;
+  shape.kind = kind;
+  shape.side = side_ == 0 ? 1 : side_;
+  const auto need = [&](const std::optional<double>& value, std::string_view name) {
+    if (!value || *value == 0) {
+      throw ReadFault{"approach", column, fmt::format("{} is missing or zero", name),
+                      "the approach or departure is left out"};
+    }
+    return *value;
+  };
+  switch (kind) {
+    case ApproachKind::tangent_line:
+    case ApproachKind::normal_line:
+      shape.length = std::abs(need(words.length, "its length LEN"));
+      if (kind == ApproachKind::normal_line && side_ != 0) {
+        // From the tool's edge.
+        shape.length += tool_radius_.value_or(0);
+      }
+      break;
+    case ApproachKind::arc:
+      shape.angle = std::abs(need(words.center_angle, "its angle CCA"));
+      [[fallthrough]];
+    case ApproachKind::line_and_arc:
+      shape.radius = need(words.radius, "its radius R");
+      break;
+  }
+  if (kind != ApproachKind::tangent_line && side_ == 0) {
+    report(Severity::warning, "approach-side", 0, column, [] {
+      return Text{"an approach or departure to the side without RL or RR",
+                  "the left side is taken; write RL or RR"};
+    });
+  }
+  return shape;
+}
+
+void HeidenhainCore::run_approach(ApproachKind kind, bool polar, const MotionWords& words,
+                                  std::uint32_t column) {
+  start_functions(words);
+  ContourApproach approach;
+  approach.travel = feed_;
+  approach.travel.rapid = last_rapid_;
+  apply_feed(words);
+  apply_side(words);
+  approach.shape = approach_shape(kind, words, column);
+  if (polar && !has_pole(column)) {
+    return;
+  }
+  approach.target = polar ? polar_target(words) : target_of(words);
+  approach.feed = feed_of(words);
+  if (kind == ApproachKind::line_and_arc) {
+    approach.travel = approach.feed;
+  }
+  approach.side = side_;
+  approach.tool_radius = tool_radius_;
+  approach.place = contour_place(column, words.axis_bits() | bits_of(plane()));
+  contour_.approach(approach);
+  last_rapid_ = false;
+  finish_functions(words, true);
+}
+
+void HeidenhainCore::run_departure(ApproachKind kind, bool polar, const MotionWords& words,
+                                   std::uint32_t column) {
+  start_functions(words);
+  apply_feed(words);
+  if (polar && !has_pole(column)) {
+    return;
+  }
+  ContourDeparture departure;
+  departure.shape = approach_shape(kind, words, column);
+  departure.target = polar ? polar_target(words) : target_of(words);
+  departure.feed = feed_of(words);
+  departure.place = contour_place(column, words.axis_bits() | bits_of(plane()));
+  contour_.depart(departure);
+  side_ = 0;
+  last_rapid_ = departure.feed.rapid;
+  finish_functions(words, true);
+}
+
+void HeidenhainCore::end_contour(std::uint32_t column) {
+  contour_.flush();
+  path().begin_line(shown_line(), spot(column));
+}
+
+bool HeidenhainCore::leaves_out_machine_position(const MotionWords& words) {
+  if (!words.has_m(91) && !words.has_m(92)) {
+    return false;
+  }
+  end_contour(words.first_column);
+  report(Severity::warning, "machine-position", 0, words.first_column, [&] {
+    return Text{fmt::format("M{} moves to a position of the machine", words.has_m(91) ? 91 : 92),
+                "where that is only the machine knows; the motion is left out"};
+  });
+  return true;
+}
+
+void HeidenhainCore::check_rotary(char letter, double value, bool incremental, std::uint32_t column) {
+  constexpr std::string_view letters = "ABCUVW";
+  const std::size_t i = letters.find(letter);
+  const double target = incremental ? further_axes_[i] + value : value;
+  const bool said = (reported_axes_ >> i & 1U) != 0;
+  if (target != further_axes_[i] && !said) {
+    reported_axes_ |= 1U << i;
+    report(Severity::error, "unread-axis", letter, column, [&] {
+      return Text{fmt::format("axis {} moves to {}, which is not read", letter, target),
+                  "X, Y and Z are shown as programmed; this is said once"};
+    });
+  }
+  further_axes_[i] = target;
+}
+
+}  // namespace feedscope

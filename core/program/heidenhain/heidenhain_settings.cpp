@@ -1,0 +1,235 @@
+// The part of HeidenhainCore for feeds, M functions, tools and settings.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/program/heidenhain/heidenhain_core.h"
+
+namespace feedscope {
+
+namespace {
+
+/// M functions that change what the control does with the path in a way that is not followed.
+struct UnreadFunction {
+  int number = 0;
+  Severity severity = Severity::info;
+  std::string_view subject;
+  std::string_view effect;
+};
+
+constexpr std::string_view path_as_programmed = "the path is shown as programmed";
+constexpr std::string_view feed_as_programmed = "the programmed feed is shown";
+
+constexpr auto unread_functions = std::to_array<UnreadFunction>({
+    {97, Severity::info, "small contour steps", path_as_programmed},
+    {98, Severity::info, "open contour corners", path_as_programmed},
+    {103, Severity::warning, "slower plunging", feed_as_programmed},
+    {109, Severity::info, "constant feed of the cutting edge", feed_as_programmed},
+    {110, Severity::info, "constant feed of the cutting edge inside", feed_as_programmed},
+    {112, Severity::info, "rounding between any elements", path_as_programmed},
+    {114, Severity::warning, "rotary axes with tool compensation", "X, Y and Z are shown as programmed"},
+    {124, Severity::info, "filter of short lines", path_as_programmed},
+    {128, Severity::info, "tool centre point control", "X, Y and Z of the tool tip are shown"},
+    {130, Severity::warning, "positions in the untilted system", path_as_programmed},
+    {197, Severity::info, "tangential corners", path_as_programmed},
+});
+
+}  // namespace
+
+void HeidenhainCore::report_feed_value(const MotionWords& words) {
+  report(Severity::error, "feed-value", 0, words.feed_column, [&] {
+    return Text{fmt::format("feed F{} is not above zero", words.feed),
+                feed_.value > 0 ? "the last valid feed stays in force; write a feed above zero"
+                                : "feed moves run as fast as the axes allow; write a feed above zero"};
+  });
+}
+
+void HeidenhainCore::apply_feed(const MotionWords& words) {
+  if (words.feed_word == FeedWord::none || words.feed_word == FeedWord::rapid) {
+    return;
+  }
+  const bool of_tool = words.feed_word == FeedWord::of_tool_call;
+  const double written = of_tool ? tool_feed_ : words.feed;
+  if (!(written > 0)) {
+    report_feed_value(words);
+    return;
+  }
+  if (words.feed_word == FeedWord::per_tooth) {
+    feed_ = {FeedMode::per_tooth, to_mm(written)};
+  } else if (words.feed_word == FeedWord::per_revolution || revolution_feed_) {
+    feed_ = {FeedMode::per_revolution, to_mm(written)};
+  } else {
+    feed_ = {FeedMode::per_minute, to_feed(written)};
+  }
+}
+
+void HeidenhainCore::apply_side(const MotionWords& words) {
+  switch (words.side) {
+    case SideWord::none:
+      return;
+    case SideWord::off:
+      side_ = 0;
+      return;
+    case SideWord::left:
+      side_ = 1;
+      break;
+    case SideWord::right:
+      side_ = -1;
+      break;
+  }
+  if (!tool_radius_) {
+    report(Severity::error, "tool-radius", 0, words.side_column, [&] {
+      return Text{fmt::format("{} beside a tool whose radius is not known", side_ > 0 ? "RL" : "RR"),
+                  "the programmed contour is shown, not the path of the tool's centre; write a TOOL DEF with "
+                  "R before the tool call"};
+    });
+  }
+}
+
+void HeidenhainCore::start_functions(const MotionWords& words) {
+  for (int i = 0; i < words.m_count; ++i) {
+    const int number = words.m[static_cast<std::size_t>(i)];
+    if (number == 136 || number == 137) {
+      revolution_feed_ = number == 136;
+      feed_ = {number == 136 ? FeedMode::per_revolution : FeedMode::per_minute, 0};
+    } else if (number == 120) {
+      end_contour(words.m_column);
+      PathControl control = path().path_control();
+      control.look_ahead = Switch::on;
+      path().set_path_control(control);
+    }
+    const auto unread = std::find_if(unread_functions.begin(), unread_functions.end(),
+                                     [number](const UnreadFunction& f) { return f.number == number; });
+    if (unread != unread_functions.end()) {
+      report(unread->severity, "unread-m", number, words.m_column, [&] {
+        return Text{fmt::format("M{} ({}) is not read", number, unread->subject),
+                    std::string(unread->effect)};
+      });
+    }
+  }
+}
+
+void HeidenhainCore::retract(const MotionWords& words) {
+  end_contour(words.m_column);
+  if (!std::isfinite(*words.retract)) {
+    report(Severity::warning, "machine-position", 1, words.m_column, [] {
+      return Text{"M140 MB MAX retracts to the end of the tool axis",
+                  "where that is only the machine knows; the motion is left out"};
+    });
+    return;
+  }
+  ContourElement element = element_of(words, contour_.position());
+  element.target[normal_axis(contour_.plane())] += *words.retract;
+  element.feed.rapid = words.feed_word == FeedWord::none || words.feed_word == FeedWord::rapid;
+  contour_.add(element);
+}
+
+void HeidenhainCore::finish_functions(const MotionWords& words, bool moved) {
+  bool calls = modal_cycle_ && moved;
+  bool ends = false;
+  for (int i = 0; i < words.m_count; ++i) {
+    switch (words.m[static_cast<std::size_t>(i)]) {
+      case 2:
+      case 30:
+        ends = true;
+        break;
+      case 89:
+        modal_cycle_ = true;
+        calls = true;
+        break;
+      case 99:
+        modal_cycle_ = false;
+        calls = true;
+        break;
+      default:
+        break;
+    }
+  }
+  if (words.retract) {
+    retract(words);
+  }
+  if (calls) {
+    call_cycle(words.m_column > 0 ? words.m_column : words.first_column);
+  }
+  if (ends) {
+    end_of_program();
+  }
+}
+
+void HeidenhainCore::call_tool(const ToolCall& call) {
+  contour_.flush();
+  if (call.tool) {
+    tool_ = *call.tool;
+    select_tool(tool_);
+    const auto known = tool_radii_.find(tool_);
+    tool_radius_.reset();
+    if (known != tool_radii_.end()) {
+      tool_radius_ = known->second + call.radius_excess;
+    }
+  }
+  if (call.plane) {
+    contour_.set_plane(*call.plane);
+    pole_plane_ = *call.plane;
+  }
+  if (call.speed) {
+    spindle_speed_ = *call.speed;
+    path().set_spindle_speed(spindle_speed_ / 60);
+  }
+  if (call.feed) {
+    tool_feed_ = *call.feed;
+  }
+}
+
+void HeidenhainCore::set_blank_corner(bool upper, const Vec3& corner, std::uint32_t column) {
+  if (!upper) {
+    blank_ = corner;
+  } else if (blank_ && !(corner.array() > blank_->array()).all()) {
+    report(Severity::warning, "blank-form", 0, column, [] {
+      return Text{"the upper corner of the blank does not lie above the lower one in every axis",
+                  "the control refuses such a blank; the path does not depend on it"};
+    });
+  }
+}
+
+void HeidenhainCore::apply_transformations(std::uint32_t column) {
+  end_contour(column);
+  path().set_frame(transformations_.frame());
+}
+
+void HeidenhainCore::set_tolerance(std::optional<double> tolerance,
+                                   std::optional<double> orientation_tolerance, std::uint32_t column) {
+  end_contour(column);
+  PathControl control = path().path_control();
+  control.mode = tolerance ? PathMode::continuous : PathMode::machine;
+  control.contour_tolerance = tolerance;
+  control.orientation_tolerance = orientation_tolerance;
+  path().set_path_control(control);
+}
+
+void HeidenhainCore::dwell(double seconds, std::uint32_t column) {
+  if (seconds < 0) {
+    report(Severity::error, "dwell-time", 0, column, [&] {
+      return Text{fmt::format("dwell time {} is negative", seconds), "the dwell is left out"};
+    });
+    return;
+  }
+  end_contour(column);
+  if (seconds > 0) {
+    path().dwell(seconds);
+  }
+}
+
+void HeidenhainCore::set_datum(std::string_view what, std::uint32_t column) {
+  end_contour(column);
+  if (path().has_moved()) {
+    report(Severity::warning, "work-offset", 0, column, [&] {
+      return Text{fmt::format("{} changes the datum on the way", what),
+                  "datums of the machine are taken as zero, so the parts of the path lie over each other"};
+    });
+  }
+}
+
+}  // namespace feedscope

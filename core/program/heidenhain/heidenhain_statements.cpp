@@ -1,0 +1,253 @@
+// The part of HeidenhainReader for statements that are no path blocks.
+#include <fmt/format.h>
+
+#include "core/base/units.h"
+#include "core/program/heidenhain/heidenhain_reader.h"
+#include "core/program/text/message.h"
+#include "core/program/text/read_fault.h"
+
+namespace feedscope {
+
+namespace {
+
+[[noreturn]] void throw_unread(Scanner& scanner, std::string_view where) {
+  const std::uint32_t column = scanner.column();
+  throw ReadFault{"unread-word", column,
+                  fmt::format("{} does not belong into {}", quoted(scanner.rest()), where),
+                  "the block is left out; check it"};
+}
+
+/// The plane across the tool axis.
+std::optional<Plane> take_tool_axis(Scanner& scanner) {
+  for (const auto& [letter, plane] : {std::pair{'Z', Plane::xy}, {'Y', Plane::zx}, {'X', Plane::yz}}) {
+    if (letters::to_upper(scanner.peek()) == letter &&
+        (scanner.peek_at(1) == '\0' || letters::is_blank(scanner.peek_at(1)))) {
+      scanner.take(letter);
+      return plane;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void HeidenhainReader::begin(Scanner& scanner, std::uint32_t) {
+  std::string_view rest = scanner.rest();
+  rest = rest.substr(0, rest.find_last_not_of(" \t\r") + 1);
+  const std::size_t last = rest.find_last_of(" \t");
+  set_inch(last != std::string_view::npos && letters::same(rest.substr(last + 1), "INCH"));
+}
+
+void HeidenhainReader::end(Scanner&, std::uint32_t) {
+  end_of_program();
+}
+
+void HeidenhainReader::blank_form(Scanner& scanner, std::uint32_t column) {
+  scanner.take_name("FORM");
+  const bool lower = scanner.take("0.1");
+  if (!lower && !scanner.take("0.2")) {
+    return;
+  }
+  take_tool_axis(scanner);
+  const MotionWords words = this->words(scanner);
+  set_blank_corner(!lower, Vec3(words.axes[0].value, words.axes[1].value, words.axes[2].value), column);
+}
+
+void HeidenhainReader::tool(Scanner& scanner, std::uint32_t column) {
+  if (scanner.take_name("DEF")) {
+    tool_definition(scanner);
+  } else if (scanner.take_name("CALL")) {
+    tool_call(scanner);
+  } else {
+    report_unknown(scanner.text(), column);
+  }
+}
+
+std::optional<std::string> HeidenhainReader::tool_name(Scanner& scanner) {
+  const char first = letters::to_upper(scanner.peek());
+  const bool is_text = first == '"' || (first == 'Q' && letters::to_upper(scanner.peek_at(1)) == 'S');
+  if (is_text) {
+    return label(scanner);
+  }
+  if (letters::is_digit(first) || first == 'Q') {
+    return fmt::format("{}", formulas().read_value(scanner));
+  }
+  return std::nullopt;
+}
+
+void HeidenhainReader::tool_definition(Scanner& scanner) {
+  const std::optional<std::string> name = tool_name(scanner);
+  if (!name) {
+    throw_unread(scanner, "TOOL DEF");
+  }
+  while (!scanner.at_end()) {
+    if (scanner.take('L')) {
+      formulas().read_value(scanner);
+    } else if (scanner.take('R')) {
+      define_tool(*name, to_mm(formulas().read_value(scanner)));
+    } else {
+      throw_unread(scanner, "TOOL DEF");
+    }
+  }
+}
+
+void HeidenhainReader::tool_call(Scanner& scanner) {
+  ToolCall call;
+  call.tool = tool_name(scanner);
+  call.plane = take_tool_axis(scanner);
+  while (!scanner.at_end()) {
+    if (scanner.take('S')) {
+      call.speed = formulas().read_value(scanner);
+    } else if (scanner.take('F')) {
+      call.feed = formulas().read_value(scanner);
+    } else if (scanner.take("DL") || scanner.take("DR2")) {
+      formulas().read_value(scanner);
+    } else if (scanner.take("DR")) {
+      call.radius_excess = to_mm(formulas().read_value(scanner));
+    } else {
+      throw_unread(scanner, "TOOL CALL");
+    }
+  }
+  call_tool(call);
+}
+
+void HeidenhainReader::label_statement(Scanner& scanner, std::uint32_t) {
+  if (label(scanner) == "0") {
+    end_subprogram();
+  }
+}
+
+void HeidenhainReader::call_statement(Scanner& scanner, std::uint32_t column) {
+  if (scanner.take_name("LBL")) {
+    const std::string name = label(scanner);
+    if (scanner.take("REP")) {
+      repeat_from_label(name, formulas().read_value(scanner), column);
+    } else {
+      call_label(name, column);
+    }
+  } else if (scanner.take_name("PGM")) {
+    call_program(scanner.rest(), column);
+  } else {
+    report_unread("SEL", scanner.text(), column);
+  }
+}
+
+void HeidenhainReader::stop(Scanner& scanner, std::uint32_t) {
+  run_functions(words(scanner));
+}
+
+void HeidenhainReader::declaration(Scanner& scanner, std::uint32_t) {
+  scanner.take_name("STRING");
+  assign(scanner);
+}
+
+void HeidenhainReader::function(Scanner& scanner, std::uint32_t column) {
+  constexpr int system_read = 18;
+  constexpr int angle = 13;
+  const std::optional<double> number = scanner.number();
+  if (!number || *number > 99) {
+    throw_unread(scanner, "FN");
+  }
+  FunctionCall call;
+  call.number = static_cast<int>(*number);
+  call.column = column;
+  scanner.take(':');
+  if (call.number >= 9 && call.number <= 12) {
+    jump_condition(scanner, call);
+  } else if (call.number == system_read) {
+    system_read_function(scanner, column);
+    return;
+  } else if (call.number <= 8 || call.number == angle) {
+    arithmetic(scanner, call);
+  }
+  run_function(call);
+}
+
+void HeidenhainReader::arithmetic(Scanner& scanner, FunctionCall& call) {
+  call.result = take_parameter(scanner);
+  if (!call.result || call.result->kind == QName::Kind::text || !scanner.take('=')) {
+    throw_unread(scanner, "FN");
+  }
+  constexpr std::array<std::string_view, 3> of_one{"SQRT", "SIN", "COS"};
+  if (call.number >= 5 && call.number <= 7) {
+    scanner.take_name(of_one[static_cast<std::size_t>(call.number - 5)]);
+  }
+  call.values[0] = formulas().read_value(scanner);
+  constexpr std::array<std::string_view, 5> of_two{"+", "-", "*", "DIV", "LEN"};
+  const std::string_view sign = call.number == 13                      ? "ANG"
+                                : call.number >= 1 && call.number <= 4 ? of_two[call.number - 1U]
+                                : call.number == 8                     ? of_two[4]
+                                                                       : "";
+  if (sign.empty()) {
+    return;
+  }
+  if (!scanner.take(sign) && !(call.number == 4 && scanner.take('/'))) {
+    throw_unread(scanner, "FN");
+  }
+  call.values[1] = formulas().read_value(scanner);
+}
+
+void HeidenhainReader::jump_condition(Scanner& scanner, FunctionCall& call) {
+  constexpr std::array<std::string_view, 4> relations{"EQU", "NE", "GT", "LT"};
+  scanner.take_name("IF");
+  call.values[0] = formulas().read_value(scanner);
+  if (!scanner.take_name(relations[static_cast<std::size_t>(call.number - 9)])) {
+    throw_unread(scanner, "FN");
+  }
+  call.values[1] = formulas().read_value(scanner);
+  if (!scanner.take_name("GOTO")) {
+    throw_unread(scanner, "FN");
+  }
+  scanner.take_name("LBL");
+  call.label = label(scanner);
+}
+
+void HeidenhainReader::system_read_function(Scanner& scanner, std::uint32_t column) {
+  scanner.take_name("SYSREAD");
+  const std::optional<QName> result = take_parameter(scanner);
+  if (!result || result->kind == QName::Kind::text || !scanner.take('=') || !scanner.take("ID")) {
+    throw_unread(scanner, "FN 18");
+  }
+  const double group = formulas().read_value(scanner);
+  const double number = scanner.take("NR") ? formulas().read_value(scanner) : 0;
+  const double index = scanner.take("IDX") ? formulas().read_value(scanner) : 0;
+  read_system_data(*result, group, number, index, column);
+}
+
+void HeidenhainReader::transformation(Scanner& scanner, std::uint32_t column) {
+  const std::string_view name = scanner.name();
+  const bool resets = Scanner(scanner).take_name("RESET");
+  using Kind = Transformations::Kind;
+  if (letters::same(name, "DATUM")) {
+    if (resets) {
+      transformations().reset(Kind::shift);
+    } else {
+      scanner.take_name("AXIS");
+      datum_shift(scanner, column);
+    }
+  } else if (letters::same(name, "MIRROR")) {
+    if (resets) {
+      transformations().reset(Kind::mirror);
+    } else {
+      scanner.take_name("AXIS");
+      mirror(scanner, column);
+    }
+  } else if (letters::same(name, "ROTATION")) {
+    if (resets) {
+      transformations().reset(Kind::rotation);
+    } else {
+      rotation(scanner, column);
+    }
+  } else if (letters::same(name, "SCALE")) {
+    if (resets) {
+      transformations().reset(Kind::scale);
+    } else {
+      scaling(scanner, column);
+    }
+  } else {
+    throw_unread(scanner, "TRANS");
+  }
+  apply_transformations(column);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,227 @@
+// The part of HeidenhainReader for the words of path blocks.
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "core/base/units.h"
+#include "core/program/heidenhain/heidenhain_reader.h"
+#include "core/program/text/message.h"
+#include "core/program/text/read_fault.h"
+
+namespace feedscope {
+
+namespace {
+
+[[noreturn]] void throw_unread_word(Scanner& scanner) {
+  const std::uint32_t column = scanner.column();
+  throw ReadFault{"unread-word", column, fmt::format("{} is no word of this block", quoted(scanner.rest())),
+                  "the block is left out; check it"};
+}
+
+}  // namespace
+
+MotionWords HeidenhainReader::words(Scanner& scanner) {
+  MotionWords words;
+  while (true) {
+    const char c = letters::to_upper(scanner.peek());
+    const std::uint32_t column = scanner.column();
+    switch (c) {
+      case '\0':
+        return words;
+      case 'F':
+        feed_word(scanner, column, words);
+        continue;
+      case 'R':
+        radius_word(scanner, column, words);
+        continue;
+      case 'M':
+        m_word(scanner, column, words);
+        continue;
+      case 'D':
+        if (scanner.take("DR")) {
+          words.turn = scanner.take('-') ? -1 : 1;
+          scanner.take('+');
+          words.first_column = words.first_column == 0 ? column : words.first_column;
+          continue;
+        }
+        break;
+      case 'L':
+        if (scanner.take("LEN")) {
+          words.length = to_mm(formulas().read_value(scanner));
+          continue;
+        }
+        break;
+      case 'N':
+      case 'T':
+        if (normal_word(scanner, column)) {
+          continue;
+        }
+        break;
+      default: {
+        const bool incremental = c == 'I';
+        const char letter = incremental ? letters::to_upper(scanner.peek_at(1)) : c;
+        if (axis_word(scanner, letter, incremental, column, words)) {
+          continue;
+        }
+        break;
+      }
+    }
+    throw_unread_word(scanner);
+  }
+}
+
+bool HeidenhainReader::axis_word(Scanner& scanner, char letter, bool incremental, std::uint32_t column,
+                                 MotionWords& words) {
+  const std::size_t prefix = incremental ? 1 : 0;
+  const auto take = [&](std::size_t length) { scanner.move_to(scanner.at() + prefix + length); };
+  const auto set = [&](OptionalWord& word, double value) {
+    word = {value, true, incremental};
+    words.first_column = words.first_column == 0 ? column : words.first_column;
+  };
+  switch (letter) {
+    case 'X':
+    case 'Y':
+    case 'Z':
+      take(1);
+      set(words.axes[static_cast<std::size_t>(letter - 'X')], to_mm(formulas().read_value(scanner)));
+      return true;
+    case 'P': {
+      const char which = letters::to_upper(scanner.peek_at(prefix + 1));
+      if (which == 'A') {
+        take(2);
+        set(words.polar_angle, units::from_deg(formulas().read_value(scanner)));
+      } else if (which == 'R') {
+        take(2);
+        set(words.polar_radius, to_mm(formulas().read_value(scanner)));
+      }
+      return which == 'A' || which == 'R';
+    }
+    case 'A':
+    case 'B':
+    case 'C':
+    case 'U':
+    case 'V':
+    case 'W':
+      if (scanner.take("CCA")) {
+        words.center_angle = units::from_deg(formulas().read_value(scanner));
+        return true;
+      }
+      take(1);
+      check_rotary(letter, formulas().read_value(scanner), incremental, column);
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool HeidenhainReader::normal_word(Scanner& scanner, std::uint32_t column) {
+  const char axis = letters::to_upper(scanner.peek_at(1));
+  if (axis != 'X' && axis != 'Y' && axis != 'Z') {
+    return false;
+  }
+  scanner.move_to(scanner.at() + 2);
+  formulas().read_value(scanner);
+  report(Severity::info, "unread-vector", 0, column, [] {
+    return Text{"surface normals and tool directions (LN) are not read",
+                "X, Y and Z are shown as programmed"};
+  });
+  return true;
+}
+
+void HeidenhainReader::feed_word(Scanner& scanner, std::uint32_t column, MotionWords& words) {
+  scanner.take('F');
+  words.feed_column = column;
+  if (scanner.take("MAX")) {
+    words.feed_word = FeedWord::rapid;
+  } else if (scanner.take("AUTO")) {
+    words.feed_word = FeedWord::of_tool_call;
+  } else if (scanner.take('T')) {
+    const double seconds = formulas().read_value(scanner);
+    report(Severity::error, "unread-word", 1, column, [&] {
+      return Text{fmt::format("FT{} (the time of the block) is not read", seconds),
+                  "the last feed stays in force"};
+    });
+  } else {
+    words.feed_word = scanner.take('Z')   ? FeedWord::per_tooth
+                      : scanner.take('U') ? FeedWord::per_revolution
+                                          : FeedWord::value;
+    words.feed = formulas().read_value(scanner);
+  }
+}
+
+void HeidenhainReader::radius_word(Scanner& scanner, std::uint32_t column, MotionWords& words) {
+  scanner.take('R');
+  const char next = letters::to_upper(scanner.peek_at(0));
+  const char after = scanner.peek_at(1);
+  const bool number_goes_on = letters::is_digit(after) || after == '.' || after == ',';
+  const bool sign_alone = (next == '+' || next == '-') && (after == '\0' || letters::is_blank(after));
+  if (next == 'L' || next == 'R') {
+    scanner.move_to(scanner.at() + 1);
+    words.side = next == 'L' ? SideWord::left : SideWord::right;
+    words.side_column = column;
+  } else if (sign_alone) {
+    scanner.move_to(scanner.at() + 1);
+    report(Severity::error, "unread-word", 2, column, [&] {
+      return Text{fmt::format("R{} (longer or shorter by the tool's radius) is not read", next),
+                  "the position is shown as programmed"};
+    });
+  } else if (next == '0' && !number_goes_on) {
+    scanner.move_to(scanner.at() + 1);
+    words.side = SideWord::off;
+  } else {
+    words.radius = to_mm(formulas().read_value(scanner));
+  }
+}
+
+void HeidenhainReader::m_word(Scanner& scanner, std::uint32_t column, MotionWords& words) {
+  scanner.take('M');
+  const std::optional<double> number = scanner.number();
+  if (!number || *number > 9999) {
+    throw ReadFault{"malformed-number", column, "M without a number of a function",
+                    "the block is left out; write M3"};
+  }
+  const int function = static_cast<int>(*number);
+  words.m_column = words.m_column == 0 ? column : words.m_column;
+  if (words.m_count < static_cast<int>(words.m.size())) {
+    words.m[static_cast<std::size_t>(words.m_count++)] = function;
+  }
+  // Words that belong to the function, not to the motion.
+  const auto take_values = [&](std::string_view letters_of_function) {
+    while (!scanner.at_end() &&
+           letters_of_function.find(letters::to_upper(scanner.peek())) != std::string_view::npos) {
+      scanner.take(scanner.peek());
+      if (const char next = scanner.peek(); letters::is_digit(next) || next == '+' || next == '-' ||
+                                            next == '.' || letters::to_upper(next) == 'Q') {
+        formulas().read_value(scanner);
+      }
+    }
+  };
+  switch (function) {
+    case 94:
+    case 138:
+      return take_values("ABC");
+    case 103:
+    case 128:
+      return take_values("F");
+    case 112:
+    case 124:
+      return take_values("TA");
+    case 118:
+      return take_values("XYZABC");
+    case 120:
+      if (scanner.take("LA")) {
+        formulas().read_value(scanner);
+      }
+      return;
+    case 140:
+      if (scanner.take("MB")) {
+        words.retract = scanner.take("MAX") ? std::numeric_limits<double>::infinity()
+                                            : to_mm(formulas().read_value(scanner));
+      }
+      return;
+    default:
+      return;
+  }
+}
+
+}  // namespace feedscope

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/program/path/coordinate_frame.h"
+#include "core/program/path/plane.h"
+
+namespace feedscope {
+
+/// Cycles 7, 8, 10, 11 and 26 in force. One that is programmed anew keeps its place, one that is reset loses
+/// it; each acts in the coordinates that those before it have made.
+class Transformations {
+ public:
+  enum class Kind : std::uint8_t { shift, mirror, rotation, scale };
+
+  /// Coordinate of the datum on one axis, absolute or on top of the one in force [mm].
+  void shift(int axis, double value, bool incremental);
+  void mirror(const std::array<bool, 3>& axes);
+  /// About the plane's normal [rad].
+  void rotate(Plane plane, double angle, bool incremental);
+  /// Factors about a centre [mm].
+  void scale(const Vec3& factors, const Vec3& center = Vec3::Zero());
+  void reset(Kind kind);
+
+  CoordinateFrame frame() const;
+
+ private:
+  struct Step {
+    Kind kind = Kind::shift;
+    Vec3 values = Vec3::Zero();  ///< shift, factors
+    Vec3 center = Vec3::Zero();
+    Plane plane = Plane::xy;
+    double angle = 0;
+  };
+
+  Step& step(Kind kind);
+
+  std::vector<Step> steps_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,202 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/program/heidenhain/read_heidenhain.h"
+
+namespace feedscope {
+namespace {
+
+/// One wrong or unread block and what is said of it.
+struct DiagnosticCase {
+  const char* text;
+  const char* said;
+};
+void PrintTo(const DiagnosticCase& c, std::ostream* out) {
+  *out << c.text;
+}
+class HeidenhainDiagnostic : public testing::TestWithParam<DiagnosticCase> {};
+
+TEST_P(HeidenhainDiagnostic, SaysPlaceThingAndValue) {
+  const Program program = read_heidenhain(GetParam().text);
+  std::vector<std::string> said;
+  for (const Diagnostic& d : program.diagnostics) {
+    said.push_back(
+        fmt::format("{}:{}: {}: {} [{}]", d.line, d.column, to_string(d.severity), d.message, d.code));
+    EXPECT_TRUE(!d.hint.empty() || d.severity == Severity::info);
+  }
+  EXPECT_THAT(said, testing::Contains(GetParam().said));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Path, HeidenhainDiagnostic,
+    testing::Values(
+        DiagnosticCase{"L X+1 K5 F100\n", "1:7: error: \"K5 F100\" is no word of this block [unread-word]"},
+        DiagnosticCase{"L X F100\n", "1:5: error: \"F100\" is no number or parameter [malformed-number]"},
+        DiagnosticCase{"L X+1..2 F100\n", "1:5: error: \"1..\" has no readable number [malformed-number]"},
+        DiagnosticCase{"L X+2000000000 F100\n",
+                       "1:5: error: \"2000000000\" is beyond the largest number, 1000000000 [number-range]"},
+        DiagnosticCase{"L X+1 FMAX M\n", "1:12: error: M without a number of a function [malformed-number]"},
+        DiagnosticCase{"L X+1 F0\n", "1:7: error: feed F0 is not above zero [feed-value]"},
+        DiagnosticCase{"L X+1 F AUTO\n", "1:7: error: feed F0 is not above zero [feed-value]"},
+        DiagnosticCase{"L X+1\n", "1:3: error: a feed move without a feed [feed-missing]"},
+        DiagnosticCase{"L X+1 FT5\n", "1:7: error: FT5 (the time of the block) is not read [unread-word]"},
+        DiagnosticCase{"L X+1 RL F9\n",
+                       "1:7: error: RL beside a tool whose radius is not known [tool-radius]"},
+        DiagnosticCase{"L Z-10 FMAX M91\n",
+                       "1:3: warning: M91 moves to a position of the machine [machine-position]"},
+        DiagnosticCase{"L M140 MB MAX\n",
+                       "1:3: warning: M140 MB MAX retracts to the end of the tool axis [machine-position]"},
+        DiagnosticCase{"L A+10 F9\n", "1:3: error: axis A moves to 10, which is not read [unread-axis]"},
+        DiagnosticCase{"LN X+1 NZ+1 F9\n",
+                       "1:8: info: surface normals and tool directions (LN) are not read [unread-vector]"},
+        DiagnosticCase{"L X+1 F9 M128 F500\n",
+                       "1:10: info: M128 (tool centre point control) is not read [unread-m]"},
+        DiagnosticCase{"C X+1 Y+1 DR+ F9\n",
+                       "1:3: error: no pole stands before what is measured from it [pole]"},
+        DiagnosticCase{"CC X+1 Y+0\nC X+2 F9\n", "2:3: error: the arc has no direction [arc-direction]"},
+        DiagnosticCase{
+            "L X+1 F9\nCC X+0 Y+0\nCP IPA-90 DR+\n",
+            "3:4: error: the angle of -90.000 degrees turns against the arc's direction [arc-direction]"},
+        DiagnosticCase{"CR X+1 DR+ F9\n", "1:4: error: the arc has no radius [arc-radius]"},
+        DiagnosticCase{"CR X+9 R+4 DR+ F9\n",
+                       "1:4: error: radius 4.0000 mm is too small for ends 9.0000 mm apart [arc-radius]"},
+        DiagnosticCase{"CC X+4 Y+0\nC X+9 DR+ F9\n",
+                       "2:3: error: the arc's radius is 4.0000 mm at its start but 5.0000 "
+                       "mm at its end [arc-radius]"},
+        DiagnosticCase{"CT X+9 F9\n",
+                       "1:4: error: no motion in the working plane stands before the arc that "
+                       "continues it [tangent-arc]"},
+        DiagnosticCase{"L X+9 F9\nCT X+5\n",
+                       "2:4: error: the arc would end straight behind its start [tangent-arc]"},
+        DiagnosticCase{"RND R2\n",
+                       "1:1: error: the rounding of 2.000 mm: no contour element stands in the block "
+                       "before [corner]"},
+        DiagnosticCase{
+            "L X+9 F9\nRND R2\nTOOL CALL 1 Z S1\n",
+            "2:1: error: the rounding of 2.000 mm: no contour element follows in the next block [corner]"},
+        DiagnosticCase{"L X+9 F9\nRND R2\nCHF 1\nL Y+9\n",
+                       "2:1: error: the rounding of 2.000 mm: another rounding or chamfer follows [corner]"},
+        DiagnosticCase{
+            "L X+9 F9\nRND R20\nL Y+9\n",
+            "2:1: error: the rounding of 20.000 mm: it does not fit between the elements next to it "
+            "[corner]"},
+        DiagnosticCase{"L X+9 F9\nRND R2\nL X+0\n",
+                       "2:1: error: the rounding of 2.000 mm: the path turns back at the corner [corner]"},
+        DiagnosticCase{
+            "L X+9 Z+1 F9\nRND R2\nL Y+9\n",
+            "2:1: error: the rounding of 2.000 mm: the elements next to it leave the working plane "
+            "[corner]"},
+        DiagnosticCase{"L X+9 F9\nCHF 1\nCR X+0 Y+9 R+9 DR+\n",
+                       "2:1: error: the chamfer of 1.000 mm: it stands next to an arc [corner]"},
+        DiagnosticCase{"L X+9 F9\nCHF 0\nL Y+9\n",
+                       "2:1: error: a chamfer of 0 mm is not above zero [corner]"},
+        DiagnosticCase{"L X+9 F9\nRND F9\nL Y+9\n", "2:1: error: RND without a radius R [corner]"},
+        DiagnosticCase{"APPR XT X+1 F9\n",
+                       "1:6: error: \"XT\" is no kind of approach or departure [approach]"},
+        DiagnosticCase{"APPR LT X+1 F9\n", "1:1: error: its length LEN is missing or zero [approach]"},
+        DiagnosticCase{"L X+9 F9\nAPPR LT X+1 LEN2\n",
+                       "2:1: error: no contour follows the approach [approach]"},
+        DiagnosticCase{
+            "L X+9 F9\nAPPR LT X+1 LEN2\nL Z+1\n",
+            "2:1: error: the contour behind the approach starts with no direction in the plane [approach]"},
+        DiagnosticCase{"L X+9 Y+2 F9\nAPPR LCT X+9 Y+0 R5 R0\nL X+20\n",
+                       "2:1: warning: an approach or departure to the side without RL or RR [approach-side]"},
+        DiagnosticCase{"DEP LT LEN2 F9\n",
+                       "1:1: error: no contour in the working plane stands before the departure "
+                       "[approach]"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Statements, HeidenhainDiagnostic,
+    testing::Values(
+        DiagnosticCase{"G1 X5\n",
+                       "1:1: error: \"G1 X5\" is no statement of this dialect [unknown-statement]"},
+        DiagnosticCase{"12 +5\n", "1:4: error: \"+5\" is no statement of this dialect [unknown-statement]"},
+        DiagnosticCase{"PLANE RESET STAY\nPLANE RESET STAY\n",
+                       "1:1: error: PLANE (tilted working plane) is not read [unread-statement]"},
+        DiagnosticCase{
+            "BLK FORM 0.1 Z X+0 Y+0 Z-5\nBLK FORM 0.2 X+9 Y+9 Z-5\n",
+            "2:1: warning: the upper corner of the blank does not lie above the lower one in every axis "
+            "[blank-form]"},
+        DiagnosticCase{"TOOL CALL 5 Z S100 K5\n",
+                       "1:20: error: \"K5\" does not belong into TOOL CALL [unread-word]"},
+        DiagnosticCase{"CALL LBL 5\n", "1:1: error: label 5 does not exist [label-missing]"},
+        DiagnosticCase{"CALL LBL 5 REP 3\n", "1:1: error: label 5 does not exist [label-missing]"},
+        DiagnosticCase{"FN 9: IF 1 EQU 1 GOTO LBL \"A\"\n",
+                       "1:1: error: label \"A\" does not exist [label-missing]"},
+        DiagnosticCase{"LBL 1.5\n", "1:5: error: 1.5 is no label [label]"},
+        DiagnosticCase{"LBL \"A\n", "1:5: error: the name of the label is not closed, or empty [label]"},
+        DiagnosticCase{"CALL PGM PART2.H\n",
+                       "1:1: error: the program \"PART2.H\" does not lie beside this one [subprogram]"},
+        DiagnosticCase{"Q1 = Q2\n", "1:6: warning: Q2 has no value yet [unset-parameter]"},
+        DiagnosticCase{"Q1 = 1 / 0\n", "1:8: error: \"/\" has no finite value here [expression-value]"},
+        DiagnosticCase{"Q1 = ( 1\n", "1:8: error: \")\" is missing here [expression]"},
+        DiagnosticCase{"Q1 = 1 2\n", "1:8: error: \"2\" does not belong to the formula [expression]"},
+        DiagnosticCase{"Q1 = QS2\n", "1:6: error: QS2 holds a text, not a number [expression]"},
+        DiagnosticCase{"Q2000 = 1\n", "1:1: error: parameter \"Q2000\" does not exist [parameter-number]"},
+        DiagnosticCase{"Q1 + 5\n", "1:4: error: \"Q1 + 5\" is no assignment [unread-statement]"},
+        DiagnosticCase{"QS1 = 5\n", "1:7: error: \"5\" is no text [unread-statement]"},
+        DiagnosticCase{"FN 4: Q1 = +1 DIV +0\n",
+                       "1:1: error: function 4 has no finite value for 1 and 0 [expression-value]"},
+        DiagnosticCase{"FN 1: Q1 = +1 / +0\n", "1:15: error: \"/ +0\" does not belong into FN [unread-word]"},
+        DiagnosticCase{"FN 14: ERROR = 1000\nL X+1 FMAX\n",
+                       "1:1: error: the program stops itself here with an error (FN 14) [program-error]"},
+        DiagnosticCase{"FN 16: F-PRINT TNC:\\A.A / TNC:\\B.TXT\n",
+                       "1:1: info: FN 16 is not read [unread-function]"},
+        DiagnosticCase{"FN 28: TABREAD Q1 = 3\n", "1:1: warning: FN 28 is not read [unread-function]"},
+        DiagnosticCase{
+            "FN 18: SYSREAD Q1 = ID50 NR2 IDX5\n",
+            "1:1: warning: FN 18 asks for ID50 NR2 IDX5, which only the machine knows [system-data]"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Cycles, HeidenhainDiagnostic,
+    testing::Values(
+        DiagnosticCase{"CYCL DEF 251 RECTANGULAR POCKET ~\nQ215=0 ;OPERATION\n",
+                       "1:1: error: cycle 251 (RECTANGULAR POCKET) is not read [unread-cycle]"},
+        DiagnosticCase{"CYCL DEF 4.0 POCKET MILLING\n",
+                       "1:1: error: cycle 4 (POCKET MILLING) is not read "
+                       "[unread-cycle]"},
+        DiagnosticCase{"CYCL CALL\n", "1:1: error: a cycle is called, but none is defined [cycle-call]"},
+        DiagnosticCase{"CYCL CALL PAT FMAX\n",
+                       "1:1: error: PATTERN (point pattern) is not read [unread-statement]"},
+        DiagnosticCase{"CYCL DEF 220 PATTERN Q241=3\n",
+                       "1:1: error: cycle 220 repeats a cycle, but none is defined [cycle-call]"},
+        DiagnosticCase{"CYCL DEF 240 CENTERING Q200=1\nCYCL CALL\n",
+                       "2:1: error: cycle 240 lacks Q201 [cycle-parameter]"},
+        DiagnosticCase{"CYCL DEF 200 DRILLING Q200=1 X5\n",
+                       "1:30: error: \"X5\" is no parameter [cycle-parameter]"},
+        DiagnosticCase{"CYCL DEF 200 DRILLING ~\n Q200=PREDEF ~\n Q201=-5\n",
+                       "2:2: error: the value of Q200 is not read [cycle-parameter]"},
+        DiagnosticCase{
+            "CYCL DEF 240 C Q200=1 Q201=2 Q206=9 Q203=0 Q204=1\nCYCL CALL\n",
+            "2:1: error: cycle 240 cannot run: its depth Q201 is above the surface; write it negative "
+            "[cycle-value]"},
+        DiagnosticCase{"CYCL DEF 9.1 DWELL -1\n", "1:1: error: dwell time -1 is negative [dwell-time]"},
+        DiagnosticCase{"CYCL DEF 32.1 T0\n", "1:1: error: the tolerance T0 is not above zero [tolerance]"},
+        DiagnosticCase{"CYCL DEF 11.1 SCL 0\n",
+                       "1:19: error: the scaling factor 0 is not above zero [scale-factor]"},
+        DiagnosticCase{"CYCL DEF 8.1 A\n", "1:14: error: \"A\" is not X, Y or Z [unread-word]"},
+        DiagnosticCase{"L X+1 FMAX\nCYCL DEF 7.1 #5\n",
+                       "2:1: warning: a line of the datum table changes the datum on the way [work-offset]"},
+        DiagnosticCase{"L X+1 FMAX\nCYCL DEF 247 DATUM SETTING Q339=2\n",
+                       "2:1: warning: cycle 247 changes the datum on the way [work-offset]"}));
+
+TEST(HeidenhainDiagnostics, RotaryAxesAndPlanesAreSaidOnce) {
+  const Program program =
+      read_heidenhain("L X+1 A+1 FMAX\nL A+2 FMAX\nPLANE RESET\nPLANE RESET\nL A+3 FMAX\n");
+  EXPECT_EQ(program.diagnostics.size(), 2U);
+}
+
+TEST(HeidenhainDiagnostics, ABlockWithAFaultDoesNotMove) {
+  EXPECT_EQ(path_of(read_heidenhain("L X+1 FMAX\nL X+2 Y.. FMAX\nL Z+3 FMAX\n")), "r1,0,0 r1,0,3");
+}
+
+TEST(HeidenhainDiagnostics, EndlessLoopsAndCallsEnd) {
+  const Program loop = read_heidenhain("LBL 1\nFN 9: IF 1 EQU 1 GOTO LBL 1\n", {.repeat_limit = 1000});
+  EXPECT_THAT(loop.diagnostics, testing::Contains(testing::Field(&Diagnostic::code, "run-limit")));
+  const Program calls = read_heidenhain("LBL 1\nCALL LBL 1\nLBL 0\n");
+  EXPECT_THAT(calls.diagnostics, testing::Contains(testing::Field(&Diagnostic::code, "call-depth")));
+}
+
+}  // namespace
+}  // namespace feedscope
