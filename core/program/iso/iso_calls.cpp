@@ -46,12 +46,10 @@ bool is_program_number(double value) {
 void IsoReader::run_calls(bool sound) {
   if (words_.flow != nullptr) {
     const Word& word = *words_.flow;
-    if (word.value == 97) {
-      call_blocks(word);
-    } else if (word.value == 99) {
+    if (word.value == 99) {
       return_to(word);
-    } else {
-      call_subprogram(word);
+    } else if (sound) {
+      word.value == 97 ? call_blocks(word) : call_subprogram(word);
     }
     return;
   }
@@ -273,7 +271,10 @@ void IsoReader::enter(const Subprogram& subprogram, double times,
   if (!call(subprogram.text, subprogram.line, static_cast<std::uint32_t>(times))) {
     return;
   }
-  frames_.push_back({called_from, arguments, {}});
+  Frame frame;
+  frame.called_from = called_from;
+  frame.arguments = arguments;
+  frames_.push_back(std::move(frame));
   if (arguments) {
     variables_.enter(*arguments);
   }
@@ -294,8 +295,12 @@ void IsoReader::leave_call() {
 }
 
 void IsoReader::left_call() {
-  if (frames_.back().arguments) {
+  const Frame& frame = frames_.back();
+  if (frame.arguments) {
     variables_.leave();
+  }
+  if (frame.kept && frame.kept->until_return) {
+    restore(*frame.kept);
   }
   if (modal_macro_ && modal_macro_->depth > call_depth()) {
     modal_macro_.reset();

@@ -62,7 +62,9 @@ void IsoReader::run_line(std::string_view line) {
     percent = run_statement(block);
   } else if (!skipped && !(block.words.empty() && block.faults.empty())) {
     count_block();
-    run_block(block, true);
+    if (!begins_next_program(block) && !is_grbl_command(block)) {
+      run_block(block, true);
+    }
   }
   if (percent && words_met_ && call_depth() == depth) {
     depth > 0 ? leave_call() : end_program();
@@ -73,14 +75,16 @@ void IsoReader::run_block(const Block& block, bool readable) {
   words_met_ = words_met_ || !block.words.empty();
   report_faults(block);
   gather(block);
-  if (words_.macro_call) {
-    gather_macro_call(block);
-    return;
-  }
-  apply_feed();
   const bool sound =
       readable && std::all_of(block.faults.begin(), block.faults.end(),
                               [](const Fault& fault) { return fault.kind == FaultKind::unclosed_comment; });
+  if (words_.macro_call) {
+    if (sound) {
+      gather_macro_call(block);
+    }
+    return;
+  }
+  apply_feed();
   if (sound) {
     check_rotary();
     check_unused();
@@ -131,7 +135,7 @@ void IsoReader::gather(const Block& block) {
     }
   }
   if (words_.has('T')) {
-    state_.selected_tool = words_['T'].value;
+    ask_for_tool(words_['T'].value);
   }
 }
 
@@ -241,19 +245,6 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
       words_.other_codes = true;
       state_.motion = MotionMode::unread;
       break;
-  }
-}
-
-void IsoReader::apply_m(const Word& word) {
-  constexpr double call_of_external = 198;
-  words_.other_codes = true;
-  if (word.value == 2 || word.value == 30) {
-    end_program();
-  } else if ((word.value >= 97 && word.value <= 99) ||
-             (word.value == call_of_external && !follows_linuxcnc(dialect_))) {
-    words_.flow = &word;
-  } else if (word.value == 6) {
-    state_.tool = words_.has('T') ? words_['T'].value : state_.selected_tool;
   }
 }
 

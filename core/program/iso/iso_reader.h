@@ -58,7 +58,6 @@ class IsoReader : public Reader, private VariableSource {
   void apply_g(const Block& block, const Word& word);
   void apply_modal(const GCode& code, const Word& word);
   void report_unread(const GCode& code, const Word& word);
-  void apply_m(const Word& word);
   void apply_feed();
   void check_rotary();
   void check_unused();
@@ -118,16 +117,36 @@ class IsoReader : public Reader, private VariableSource {
   void begin_loop(bool holds, const FlowIndex::Statement& statement);
   const FlowIndex& flow_index(const SourceText& text);
 
+  // M words, tools, lines that are no blocks: iso_m_codes.cpp.
+  struct KeptState;
+  void apply_m(const Word& word);
+  void keep_modal_state(const Word& word);
+  void restore(const KeptState& kept);
+  void ask_for_tool(double number);
+  /// Fanuc: a program ends where the O number of the next one stands.
+  bool begins_next_program(const Block& block);
+  bool is_grbl_command(const Block& block);
+
   // Subprograms and macros: iso_calls.cpp.
   struct Repeat {
     std::uint32_t line = 0;
     double left = 0;  ///< passes, the one that runs included
+  };
+  /// What M70 keeps, of `state` what LinuxCNC restores.
+  struct KeptState {
+    ModalState state;
+    FeedMode feed_mode = FeedMode::per_minute;
+    double feed = 0;
+    PathControl path_control;
+    bool until_return = false;  ///< M73
   };
   /// What a call holds; the first is the program's own.
   struct Frame {
     std::uint32_t called_from = 0;                  ///< line
     std::optional<IsoVariables::Locals> arguments;  ///< none: the caller's local variables go on
     std::vector<Repeat> repeats;                    ///< innermost last
+    std::optional<KeptState> kept;
+    std::uint32_t program = 0;  ///< line of the O number that it began with; 0: none
   };
   struct Subprogram {
     std::shared_ptr<const SourceText> text;  ///< nullptr: not found

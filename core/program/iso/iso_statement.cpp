@@ -21,6 +21,12 @@ std::string_view foreign_name(Scanner scan) {
   return is_name ? name : std::string_view();
 }
 
+/// "M117 Layer 3": what follows is for the operator of a printer.
+bool ends_in_text(const Block& block) {
+  return !block.words.empty() && block.words.back().letter == 'M' &&
+         (block.words.back().value == 117 || block.words.back().value == 118);
+}
+
 }  // namespace
 
 bool IsoReader::run_statement(const Block& block) {
@@ -34,6 +40,10 @@ bool IsoReader::run_statement(const Block& block) {
   }
   statement_.words = block.words;
   statement_.faults = block.faults;
+  if (ends_in_text(block)) {
+    run_block(block, true);
+    return false;
+  }
   run_items(scan);
   return scan.peek() == '%';
 }

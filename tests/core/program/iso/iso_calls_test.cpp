@@ -20,6 +20,14 @@ Way fanuc(const std::string& text) {
   return way(Dialect::fanuc, "G0\n" + text);
 }
 
+Way way_of(const Program& program) {
+  Way positions;
+  for (const MotionBlock& block : program.motions) {
+    positions.push_back(block.target.x());
+  }
+  return positions;
+}
+
 TEST(OCalls, SubprogramsAreSkippedWhereTheyStandAndRunWhereTheyAreCalled) {
   EXPECT_EQ(linuxcnc("o100 sub\nX1\no100 endsub\nX5\no100 call\nX6\no100 call\n"), (Way{5, 1, 6, 1}));
   EXPECT_EQ(linuxcnc("o<a> call\no<a> sub\nX1\no<a> endsub\nX2"), (Way{1, 2}));
@@ -99,6 +107,57 @@ TEST(MCalls, AMainProgramThatStartsOverIsShownOnce) {
             "f:2:1: info: the program starts over from N1 without end [endless-program] (one pass is shown)");
 }
 
+TEST(MCalls, AProgramEndsWhereTheNextOneBegins) {
+  EXPECT_EQ(way_of(read_as(Dialect::fanuc, "O1\nG0 X1\nM98 P3\nX2\nO2\nX7\nM30\nO3\nX3\nO4\nX8\nM99")),
+            (Way{1, 3, 2}));
+}
+
+TEST(MCalls, M97WithoutPEndsInterruptsAndCallsNothing) {
+  EXPECT_EQ(fanuc("M97\nX1"), (Way{1}));
+}
+
+TEST(MCalls, ABlockThatCannotBeReadCallsNothing) {
+  const Program program = read_as(Dialect::fanuc, "G0 X1\nG65 P1 A[\nM98 P[\nM30\nO1\nX5\nM99");
+  EXPECT_EQ(way_of(program), (Way{1}));
+}
+
+TEST(ModalState, IsKeptAndRestored) {
+  const Program program =
+      read_clean_as(Dialect::linuxcnc, "G1 G90 F600 G64 P0.1\nX1\nM70\nG20 G91 G18 F1 G61\nX1\nM72\nX2\n");
+  ASSERT_EQ(program.motions.size(), 3U);
+  EXPECT_NEAR(program.motions[1].target.x(), 26.4, 1e-12);
+  EXPECT_EQ(program.motions[2].target.x(), 2);
+  EXPECT_EQ(program.motions[2].feed, 10);
+  EXPECT_EQ(program.motions[2].path_control, program.motions[0].path_control);
+  EXPECT_NE(program.motions[1].path_control, program.motions[0].path_control);
+}
+
+TEST(ModalState, M73RestoresItAtTheReturn) {
+  EXPECT_EQ(linuxcnc("o1 sub\nM73\nG91\nX1\nX1\no1 endsub\nX5\no1 call\nX3\n"), (Way{5, 6, 7, 3}));
+}
+
+TEST(ModalState, M71ForgetsIt) {
+  EXPECT_EQ(
+      said_of(Dialect::linuxcnc, "G0 X1\nM70\nM71\nM72\n"),
+      "f:4:1: error: M72 has no modal state to restore [modal-state] (nothing changes; write M70 before it)");
+}
+
+TEST(Tools, AreListedInTheOrderOfTheirFirstUse) {
+  const Program program = read_clean_as(Dialect::fanuc, "G0 X1\nT5 M6\nT2\nM6\nT5\nM6\nT0\n#1=7\nT#1\n");
+  ASSERT_EQ(program.tools.size(), 3U);
+  EXPECT_EQ(program.tools[0].name, "5");
+  EXPECT_EQ(program.tools[1].name, "2");
+  EXPECT_EQ(program.tools[1].line, 3U);
+  EXPECT_EQ(program.tools[2].name, "7");
+}
+
+TEST(Grbl, CommandsAndMessagesAreNoBlocks) {
+  EXPECT_EQ(
+      said_of(Dialect::grbl, "$H\nG0 X1\nM117 Layer 3 of X5\n"),
+      "f:1:1: info: \"$H\" is a command to the control [control-command] (it does not change the path)");
+  EXPECT_EQ(way(Dialect::grbl, "G0 X1\nM117 X5\nX2"), (Way{1, 2}));
+}
+
 TEST(Macros, ArgumentsBecomeVariables) {
   EXPECT_EQ(
       fanuc(
@@ -146,14 +205,6 @@ class FilesBeside : public testing::Test {
     return read_program(std::make_shared<const SourceText>(SourceText::from_file(write(name, text))), nullptr,
                         {.dialect = dialect});
   }
-  static Way way_of(const Program& program) {
-    Way positions;
-    for (const MotionBlock& block : program.motions) {
-      positions.push_back(block.target.x());
-    }
-    return positions;
-  }
-
   std::filesystem::path folder_;
 };
 
