@@ -257,6 +257,7 @@ void IsoReader::return_from_o_word(Scanner& scan) {
     throw ReadFault{"flow-pair", scan.column(), "a return outside of a subprogram",
                     "it is left out; subprograms stand between sub and endsub"};
   }
+  report_rest(scan);
   leave_call();
   variables_.set("_value", value.value_or(0));
   variables_.set("_value_returned", value ? 1 : 0);

@@ -100,10 +100,22 @@ const FlowIndex& IsoReader::flow_index(const SourceText& text) {
 }
 
 bool IsoReader::run_flow(const Block& block, Scanner& scan) {
-  if (run_o_word(block, scan)) {
-    return true;
+  const bool flows = run_o_word(block, scan) || (only_number_before(block) && run_macro_statement(scan));
+  if (flows) {
+    report_rest(scan);
   }
-  return only_number_before(block) && run_macro_statement(scan);
+  return flows;
+}
+
+void IsoReader::report_rest(Scanner& scan) {
+  if (scan.at_end() || scan.peek() == '%') {
+    return;
+  }
+  report(Severity::error, "unread-statement", 1, scan.column(), [&] {
+    return Text{fmt::format("{} stands behind a statement", quoted(scan.rest())),
+                "it is left out; write it in a line of its own"};
+  });
+  leave_line(scan);
 }
 
 bool IsoReader::run_o_word(const Block& block, Scanner& scan) {
@@ -165,6 +177,7 @@ void IsoReader::run_o_word(FlowWord word, const std::string& label, std::uint32_
     case FlowWord::elseif:
     case FlowWord::else_:
       if (std::exchange(tested_branch_, 0) != line()) {
+        leave_line(scan);
         jump_to(flow_index(text()).at(statement.begin)->end + 1);
       } else if (word == FlowWord::elseif) {
         begin_branch(condition(scan), statement);
@@ -250,6 +263,10 @@ void IsoReader::leave_loop(bool for_good, const FlowIndex::Statement& loop) {
   }
 }
 
+void IsoReader::leave_line(Scanner& scan) {
+  scan.move_to(scan.text().size());
+}
+
 bool IsoReader::condition(Scanner& scan) {
   try {
     const double value = expression_.read(scan);
@@ -257,6 +274,7 @@ bool IsoReader::condition(Scanner& scan) {
   } catch (const ReadFault& fault) {
     // Taken as not fulfilled, so that a loop ends.
     report_fault(fault);
+    leave_line(scan);
     return false;
   }
 }
@@ -275,7 +293,9 @@ bool IsoReader::run_macro_statement(Scanner& scan) {
       jump_to(statement->begin);
     } else if (is_while) {
       begin_loop(condition(scan), *statement);
+      scan.take_keyword("DO");
     }
+    scan.number();
     return true;
   }
   if (scan.take_keyword("IF")) {
@@ -289,6 +309,7 @@ bool IsoReader::run_macro_statement(Scanner& scan) {
   constexpr auto printing = std::to_array<std::string_view>({"POPEN", "PCLOS", "DPRNT", "BPRNT"});
   for (const std::string_view name : printing) {
     if (scan.take_name(name)) {
+      leave_line(scan);
       report(Severity::info, "output-statement", 0, column, [&] {
         return Text{fmt::format("{} writes to a device", name), "it does not change the path"};
       });
@@ -308,6 +329,8 @@ void IsoReader::run_if(Scanner& scan) {
   }
   if (holds) {
     go ? go_to(scan) : run_items(scan);
+  } else {
+    leave_line(scan);
   }
 }
 

@@ -166,7 +166,7 @@ double IsoReader::unset(std::uint32_t number, std::uint32_t column) {
   const bool linuxcnc = follows_linuxcnc(dialect_);
   const bool of_control = linuxcnc ? number > 5000 : number >= first_of_control;
   if (of_control) {
-    report(Severity::warning, "control-variable", static_cast<int>(number), column, [&] {
+    report(Severity::warning, "control-variable", 0, column, [&] {
       return Text{fmt::format("#{} holds a value of the control that is not known", number),
                   "it is taken as zero; the path may differ from what the control does"};
     });
@@ -174,7 +174,7 @@ double IsoReader::unset(std::uint32_t number, std::uint32_t column) {
   }
   const bool kept = !variables_.is_local(number) && number > 0 && (linuxcnc || number >= first_kept);
   if (kept) {
-    report(Severity::warning, "unset-variable", static_cast<int>(number), column, [&] {
+    report(Severity::warning, "unset-variable", 0, column, [&] {
       return Text{fmt::format("#{} has not been set by the program", number),
                   "it counts as zero; on the control it keeps the last value it had"};
     });

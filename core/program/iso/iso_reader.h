@@ -109,7 +109,12 @@ class IsoReader : public Reader, private VariableSource {
   bool run_macro_statement(Scanner& scan);
   void run_if(Scanner& scan);
   void go_to(Scanner& scan);
+  /// A condition that cannot be read is reported and does not hold.
   bool condition(Scanner& scan);
+  /// Reports what stands behind a statement that has been read.
+  void report_rest(Scanner& scan);
+  /// What else stands in the line has no effect.
+  static void leave_line(Scanner& scan);
   void begin_branch(bool holds, const FlowIndex::Statement& statement);
   void begin_repeat(Scanner& scan, const FlowIndex::Statement& statement);
   void end_repeat(const FlowIndex::Statement& statement);

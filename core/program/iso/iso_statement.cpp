@@ -97,6 +97,7 @@ bool IsoReader::read_items(Scanner& scan) {
     return true;
   } catch (const ReadFault& fault) {
     report_fault(fault);
+    leave_line(scan);
     return false;
   }
 }

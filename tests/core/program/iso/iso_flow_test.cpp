@@ -142,6 +142,18 @@ INSTANTIATE_TEST_SUITE_P(
               "f:2:11: error: #<a> has not been set [unset-variable] (the block does not move; set it "
               "before, or "
               "check how the name is written)"},
+        Fault{Dialect::linuxcnc, "o5 if [1] X5\no5 endif",
+              "f:2:11: error: \"X5\" stands behind a statement [unread-statement] (it is left out; write it "
+              "in a line "
+              "of its own)"},
+        Fault{Dialect::fanuc, "WHILE [0] DO1 X5\nEND1",
+              "f:2:15: error: \"X5\" stands behind a statement [unread-statement] (it is left out; write it "
+              "in a line "
+              "of its own)"},
+        Fault{Dialect::fanuc, "GOTO 7 X5\nN7",
+              "f:2:8: error: \"X5\" stands behind a statement [unread-statement] (it is left out; write it "
+              "in a line "
+              "of its own)"},
         Fault{Dialect::fanuc, "END2",
               "f:2:1: error: \"END2\" has no DO with its number [flow-pair] (it is left out; check the "
               "labels)"},
