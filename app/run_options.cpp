@@ -76,6 +76,13 @@ void add_set_option(CLI::App& command, std::vector<std::string>& assignments) {
       ->allow_extra_args(false);
 }
 
+void note_replaced_tolerance(const Toolpath& toolpath) {
+  if (const PathControl* own = find_own_tolerance(toolpath.path_controls)) {
+    fmt::print(stderr, "feedscope: note: --tolerance replaces the program's own path control ({})\n",
+               describe(*own));
+  }
+}
+
 void note_unused_tolerance(const RunOptions& options, const Setup& setup) {
   if (!options.tolerance.empty() && !contour_tolerance(setup)) {
     fmt::print(stderr, "feedscope: note: model '{}' does not read a contour tolerance\n",

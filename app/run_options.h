@@ -42,6 +42,8 @@ void add_program_options(CLI::App& command, ProgramOptions& values);
 /// Adds --set alone.
 void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 
+/// Tells on standard error when a tolerance was asked for that replaces the program's own.
+void note_replaced_tolerance(const Toolpath& toolpath);
 /// Tells on standard error when a tolerance was asked for that the model does not read.
 void note_unused_tolerance(const RunOptions& options, const Setup& setup);
 

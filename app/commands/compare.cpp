@@ -118,6 +118,9 @@ int compare(const CompareOptions& options) {
     runs = compare_runs(program, setups, watch.stage("simulating"));
   }
   files.write(program, runs);
+  if (!tolerances.empty()) {
+    note_replaced_tolerance(*program.toolpath);
+  }
   print_diagnostics(*program.program);
   if (!files.to_standard_output()) {
     fmt::print("{}", comparison_text(program, runs, options.set));

@@ -50,6 +50,9 @@ int render(const RenderOptions& options) {
   }
   out.stream() << ui::to_png(views.at(options.view)(run, size, cameras.at(options.camera)));
   out.commit();
+  if (!options.run.tolerance.empty()) {
+    note_replaced_tolerance(*run.input.toolpath);
+  }
   print_diagnostics(*run.input.program);
   return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
 }

@@ -102,6 +102,9 @@ int simulate(const SimulateOptions& options) {
     run = simulate_run(program, setup, watch.stage("simulating"));
     results.write(run, step, watch);
   }
+  if (!options.run.tolerance.empty()) {
+    note_replaced_tolerance(*run.input.toolpath);
+  }
   print_diagnostics(*run.input.program);
   if (!results.to_standard_output()) {
     fmt::print("{}", summary_text(run));

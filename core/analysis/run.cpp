@@ -59,6 +59,7 @@ Setup make_setup(const SetupRequest& request) {
     check_setting(spec, *request.tolerance, "tolerance");
     if (setup.settings.has(spec.key)) {
       setup.settings.set(spec.key, *request.tolerance);
+      setup.settings.set("program_tolerance", "off");
     }
   }
   for (const std::string& assignment : request.assignments) {

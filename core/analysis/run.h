@@ -27,9 +27,9 @@ struct Setup {
 
 /// How people ask for a setup: on the command line, in a session.
 struct SetupRequest {
-  std::string machine;                   ///< id or file; "" for default_machine
-  std::string model;                     ///< id; "" for the machine's own
-  std::optional<double> tolerance;       ///< contour tolerance [mm]; none: the machine's
+  std::string machine;              ///< id or file; "" for default_machine
+  std::string model;                ///< id; "" for the machine's own
+  std::optional<double> tolerance;  ///< contour tolerance [mm] instead of the program's and the machine's
   std::vector<std::string> assignments;  ///< KEY=VALUE, applied last and in order
 };
 

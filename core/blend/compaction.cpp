@@ -8,8 +8,8 @@ namespace {
 
 class Compactor {
  public:
-  Compactor(const Toolpath& toolpath, double longest, double tolerance)
-      : toolpath_(toolpath), longest_(longest), tolerance_(tolerance) {}
+  Compactor(const Toolpath& toolpath, double longest, const PathRules& rules)
+      : toolpath_(toolpath), longest_(longest), rules_(rules) {}
 
   /// How many segments from `first` on become one; 1 for none.
   std::size_t count_from(std::size_t first) const {
@@ -45,13 +45,14 @@ class Compactor {
     for (std::size_t i = first; i < first + count; ++i) {
       const Segment& segment = toolpath_.segments[i];
       length += segment.length;
-      if (!is_short(i) || segment.feed != toolpath_.segments[first].feed || length > longest_ * rounding) {
+      if (!is_short(i) || !rules_.may_compact(first, i) || segment.feed != toolpath_.segments[first].feed ||
+          length > longest_ * rounding) {
         return std::nullopt;
       }
       const Vec3 way = segment.end - start;
       const double along = way.dot(direction);
       const double away = (way - along * direction).norm();
-      if (away > tolerance_ || along - before < least_cosine * segment.length) {
+      if (away > rules_.tolerance(first) || along - before < least_cosine * segment.length) {
         return std::nullopt;
       }
       largest = std::max(largest, away);
@@ -68,17 +69,18 @@ class Compactor {
 
   const Toolpath& toolpath_;
   double longest_;
-  double tolerance_;
+  const PathRules& rules_;
 };
 
 }  // namespace
 
-CompactedPath compact(const Toolpath& toolpath, double longest, double tolerance) {
-  const Compactor compactor(toolpath, longest, tolerance);
+CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules& rules) {
+  const Compactor compactor(toolpath, longest, rules);
   CompactedPath result;
   result.path.start = toolpath.start;
   result.path.arcs = toolpath.arcs;
   result.path.bounds = toolpath.bounds;
+  result.path.path_controls = toolpath.path_controls;
   for (std::size_t i = 0; i < toolpath.segments.size();) {
     const std::size_t count = compactor.count_from(i);
     Segment segment = toolpath.segments[i];

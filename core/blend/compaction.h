@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/toolpath/toolpath.h"
+#include "core/blend/path_rules.h"
 
 namespace feedscope {
 
@@ -14,11 +14,11 @@ struct CompactedPath {
   double deviation = 0;              ///< largest distance of a replaced point from its chord [mm]
 };
 
-/// Replaces consecutive cutting lines of one feed, each shorter than `longest` [mm] and all together at most
-/// that long, by one line from the first point to the last, where every point between them stays within
-/// `tolerance` [mm] of it and every block turns from it by at most 60 degrees (Msaddek 2011, section 3.3.4;
-/// how the control of the paper decides is not printed). Takes as many blocks together as it can find by
-/// doubling and halving: cost n log n at worst.
-CompactedPath compact(const Toolpath& toolpath, double longest, double tolerance);
+/// Replaces consecutive cutting lines of one feed and path control, each shorter than `longest` [mm] and all
+/// together at most that long, by one line from the first point to the last, where every point between them
+/// stays within the contour tolerance of it and every block turns from it by at most 60 degrees (Msaddek
+/// 2011, section 3.3.4; how the control of the paper decides is not printed). Takes as many blocks together
+/// as it can find by doubling and halving: cost n log n at worst.
+CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules& rules);
 
 }  // namespace feedscope

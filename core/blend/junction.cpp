@@ -16,6 +16,9 @@ JunctionKind junction_kind(const Toolpath& toolpath, std::size_t i) {
   if (before.kind == SegmentKind::dwell || after.kind == SegmentKind::dwell || before.rapid || after.rapid) {
     return JunctionKind::stop;
   }
+  if (toolpath.path_control_of(i - 1).mode == PathMode::exact_stop) {
+    return JunctionKind::stop;
+  }
   const double turn = turn_angle(toolpath.tangent_at_end(i - 1), toolpath.tangent_at_start(i));
   if (turn >= units::pi - straight_angle) {
     return JunctionKind::stop;

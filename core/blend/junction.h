@@ -20,7 +20,7 @@ enum class JunctionKind : std::uint8_t {
   pass,        ///< straight on, or tangent
   corner,      ///< of two lines
   arc_corner,  ///< that touches an arc
-  stop,        ///< a reversal, a dwell, or a rapid on one of the two sides
+  stop,        ///< a reversal, a dwell, a rapid on one of the two sides, or an exact stop asked for
 };
 
 /// How the path goes on from segment i - 1 to segment i; 0 < i < segments.size().

@@ -32,6 +32,14 @@ std::vector<SettingSpec> make_common_settings() {
       "it stops in every corner.");
   tolerance.minimum_allowed = true;
   tolerance.maximum = 10;
+  SettingSpec own;
+  own.key = "program_tolerance";
+  own.title = "Tolerance of the program";
+  own.explanation =
+      "on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance "
+      "(ADIS), "
+      "it counts; off: the contour tolerance counts everywhere. Exact stops are obeyed in any case.";
+  own.choices = {"on", "off"};
   SettingSpec period =
       number_spec("interpolation_period_s", "Interpolation period", "s", 0.002,
                   "Time between two set points of the control; a block shorter than the feed covers in one "
@@ -66,7 +74,7 @@ std::vector<SettingSpec> make_common_settings() {
       "tangential_share", "Tangential share of curvilinear jerk", "", 0.6,
       "Share of the curvilinear jerk given to the tangential direction, the rest to the central one.");
   tangential.maximum = 1;
-  return {tolerance, period, lookahead, acceleration_share, jerk_share, curvilinear, tangential};
+  return {tolerance, own, period, lookahead, acceleration_share, jerk_share, curvilinear, tangential};
 }
 
 std::string with_unit(double value, const SettingSpec& spec) {

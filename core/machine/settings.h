@@ -24,8 +24,8 @@ struct SettingSpec {
   std::vector<std::string> choices;  ///< not empty: a text setting, first choice is the fallback
 };
 
-/// Settings that every model may read: contour_tolerance_mm, interpolation_period_s, lookahead_blocks,
-/// radial_acceleration_share, radial_jerk_share, curvilinear_jerk_m_s3, tangential_share.
+/// Settings that every model may read: contour_tolerance_mm, program_tolerance, interpolation_period_s,
+/// lookahead_blocks, radial_acceleration_share, radial_jerk_share, curvilinear_jerk_m_s3, tangential_share.
 const std::vector<SettingSpec>& common_settings();
 
 using SettingValue = std::variant<double, std::string>;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "core/base/units.h"
@@ -17,6 +18,13 @@ void add_switch(std::vector<std::string>& parts, std::string_view name, Switch v
 }
 
 }  // namespace
+
+const PathControl* find_own_tolerance(std::span<const PathControl> controls) {
+  const auto own = std::find_if(controls.begin(), controls.end(), [](const PathControl& control) {
+    return control.contour_tolerance || control.blend_distance;
+  });
+  return own == controls.end() ? nullptr : &*own;
+}
 
 std::string describe(const PathControl& control) {
   std::vector<std::string> parts;

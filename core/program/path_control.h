@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace feedscope {
@@ -39,6 +40,9 @@ struct PathControl {
 
   bool operator==(const PathControl&) const = default;
 };
+
+/// The first that asks for a contour tolerance or a blend distance; nullptr if none does.
+const PathControl* find_own_tolerance(std::span<const PathControl> controls);
 
 /// "continuous, contour tolerance 0.01 mm, compaction on"; "as the machine" where nothing is said.
 std::string describe(const PathControl& control);

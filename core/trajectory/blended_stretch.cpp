@@ -10,7 +10,8 @@ namespace {
 /// A line shorter than this [mm] between two blends is left out.
 constexpr double least_line = 1e-12;
 
-CornerPlace corner_behind(const Toolpath& toolpath, std::size_t segment, const Vec3& velocity) {
+CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std::size_t segment,
+                          const Vec3& velocity) {
   const Segment& before = toolpath.segments[segment];
   const Segment& after = toolpath.segments[segment + 1];
   CornerPlace place;
@@ -18,7 +19,8 @@ CornerPlace corner_behind(const Toolpath& toolpath, std::size_t segment, const V
   place.point = before.end;
   place.in = toolpath.tangent_at_end(segment);
   place.out = toolpath.tangent_at_start(segment + 1);
-  place.longest = std::min(before.length, after.length) / 2;
+  place.longest = std::min(std::min(before.length, after.length) / 2, rules.longest_blend(segment));
+  place.tolerance = rules.corner_tolerance(segment);
   place.feed = programmed_speed(toolpath, segment, velocity);
   const SpeedBound next = programmed_speed(toolpath, segment + 1, velocity);
   place.feed.lower(next.value, next.cause);
@@ -28,7 +30,8 @@ CornerPlace corner_behind(const Toolpath& toolpath, std::size_t segment, const V
 }  // namespace
 
 void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
-                         TrajectoryBuilder& builder, Stretch& stretch, const BlendCorner& blend) {
+                         const PathRules& rules, TrajectoryBuilder& builder, Stretch& stretch,
+                         const BlendCorner& blend) {
   stretch.clear();
   stretch.reserve(2 * (range.last - range.first));
   double cut_before = 0;
@@ -39,7 +42,7 @@ void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, co
     CornerPlace place;
     CornerPiece piece;
     if (corner) {
-      place = corner_behind(toolpath, i, axes.velocity);
+      place = corner_behind(toolpath, rules, i, axes.velocity);
       piece = blend(place);
     }
     const double length = segment.length - cut_before - piece.transition;

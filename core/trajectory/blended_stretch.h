@@ -12,8 +12,9 @@ struct CornerPlace {
   Vec3 point;               ///< [mm]
   Vec3 in;                  ///< unit directions
   Vec3 out;
-  double longest = 0;  ///< half of the shorter line: what a blend may take of each [mm]
-  SpeedBound feed;     ///< the lower of the two blocks'
+  double longest = 0;    ///< what a blend may take of each line: half of the shorter one at most [mm]
+  double tolerance = 0;  ///< contour tolerance [mm]
+  SpeedBound feed;       ///< the lower of the two blocks'
 };
 
 /// The curve that a model lays there.
@@ -27,8 +28,10 @@ struct CornerPiece {
 using BlendCorner = std::function<CornerPiece(const CornerPlace& place)>;
 
 /// Lays the segments of `range` into path and stretch, with static limits (segment_limits.h), and a blend
-/// into every corner of two lines, for which `blend` is called in order.
+/// into every corner of two lines, for which `blend` is called in order. `rules`: tolerance and longest
+/// blend.
 void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
-                         TrajectoryBuilder& builder, Stretch& stretch, const BlendCorner& blend);
+                         const PathRules& rules, TrajectoryBuilder& builder, Stretch& stretch,
+                         const BlendCorner& blend);
 
 }  // namespace feedscope

@@ -41,13 +41,14 @@ void Stretch::hold_level(std::uint32_t e) {
   level.push_back(e + 1);
 }
 
-StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop_at_arc_corners,
-                          bool stop_at_line_corners) {
+StretchRange next_stretch(const Toolpath& toolpath, const PathRules& rules, std::size_t first,
+                          bool stop_at_arc_corners) {
   std::size_t last = first + 1;
   for (; last < toolpath.segments.size(); ++last) {
     const JunctionKind kind = junction_kind(toolpath, last);
+    const bool corner = kind == JunctionKind::corner || kind == JunctionKind::arc_corner;
     if (kind == JunctionKind::stop || (stop_at_arc_corners && kind == JunctionKind::arc_corner) ||
-        (stop_at_line_corners && kind == JunctionKind::corner)) {
+        (corner && rules.corner_tolerance(last - 1) == 0)) {
       break;
     }
   }
@@ -55,10 +56,10 @@ StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop
 }
 
 void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
-                   bool stop_at_line_corners, const StretchRun& run, bool stop_at_arc_corners) {
+                   const PathRules& rules, const StretchRun& run, bool stop_at_arc_corners) {
   ProgressSteps steps(progress, toolpath.segments.size());
   for (std::size_t first = 0; first < toolpath.segments.size();) {
-    const StretchRange range = next_stretch(toolpath, first, stop_at_arc_corners, stop_at_line_corners);
+    const StretchRange range = next_stretch(toolpath, rules, first, stop_at_arc_corners);
     steps.at(first);
     if (toolpath.segments[first].kind == SegmentKind::dwell) {
       const std::uint32_t element = builder.add_segment(static_cast<std::uint32_t>(first));

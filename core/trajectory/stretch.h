@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/blend/path_rules.h"
 #include "core/feed/node_plan.h"
 #include "core/trajectory/trajectory_builder.h"
 
@@ -39,17 +40,16 @@ struct StretchRange {
   std::size_t first = 0;
   std::size_t last = 0;
 };
-/// The stretch that begins at segment `first`: up to the next stop, and, where `stop_at_arc_corners`, up to
-/// the next corner that touches an arc; where `stop_at_line_corners`, of two lines. A dwell is a stretch of
-/// its own.
-StretchRange next_stretch(const Toolpath& toolpath, std::size_t first, bool stop_at_arc_corners,
-                          bool stop_at_line_corners = false);
+/// The stretch that begins at segment `first`: up to the next stop or corner without any tolerance, and,
+/// where `stop_at_arc_corners`, up to the next corner that touches an arc. A dwell is a stretch of its own.
+StretchRange next_stretch(const Toolpath& toolpath, const PathRules& rules, std::size_t first,
+                          bool stop_at_arc_corners = true);
 
 /// What a model does with a stretch of lines and arcs; `steps` counts segments.
 using StretchRun = std::function<void(const StretchRange& range, ProgressSteps& steps)>;
 /// Calls `run` for every stretch in order, cut as by next_stretch(), and lays the dwells between them.
 void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
-                   bool stop_at_line_corners, const StretchRun& run, bool stop_at_arc_corners = true);
+                   const PathRules& rules, const StretchRun& run, bool stop_at_arc_corners = true);
 
 /// Sets stretch.ceiling: the lower ceiling of the two elements at each junction; where programmed segments
 /// meet in a tangent junction without a blend, crossing_speed(); the look-ahead horizon; 0 at both ends.

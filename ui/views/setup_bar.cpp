@@ -98,6 +98,10 @@ void SetupBar::show_tolerance() {
 void SetupBar::set_tolerance(double tolerance) {
   try {
     model_.setup().set(tolerance_key, tolerance);
+    const auto program = model_.program();
+    if (program != nullptr && find_own_tolerance(program->path_controls) != nullptr) {
+      model_.setup().set("program_tolerance", std::string("off"));
+    }
   } catch (const InputError&) {
     show_tolerance();  // out of bounds: back to the value that holds
   }

@@ -6,7 +6,6 @@
 
 namespace feedscope {
 EssidSettings::EssidSettings(const Settings& settings) {
-  corner.tolerance = settings.number("contour_tolerance_mm");
   corner.alpha = settings.number("alpha");
   corner.beta = settings.number("beta");
   const std::string& name = settings.text("reading");
@@ -44,8 +43,8 @@ const ModelInfo& EssidModel::info() const {
         "ramps on the lines, per-axis limits with radial shares on the blends, look-ahead over some blocks. "
         "Arcs and tangent junctions keep the static limits of Tapie 2007, which the paper does not cover.",
         {alpha, used_tolerance_setting(), reading},
-        {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "radial_acceleration_share",
-         "radial_jerk_share"},
+        {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
+         "radial_acceleration_share", "radial_jerk_share"},
         {"reading corrected, published: at the entry of a blend the radial shares of acceleration and jerk "
          "are "
          "kept. Further on, with equal axes and shares of 0.2, the acceleration stays within 1.01 and the "
@@ -81,8 +80,9 @@ Trajectory EssidModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
   TrajectoryBuilder builder(shared, axis_limit_vector(machine, &AxisLimits::velocity));
   const EssidSettings own(settings);
   builder.set_blend_weight(own.corner.alpha);
-  EssidRunner runner(toolpath, AxisVectors(machine), own, builder);
-  run_stretches(toolpath, builder, progress, own.corner.tolerance == 0,
+  const PathRules rules(toolpath, settings);
+  EssidRunner runner(toolpath, AxisVectors(machine), own, rules, builder);
+  run_stretches(toolpath, builder, progress, rules,
                 [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
   return builder.finish();
 }

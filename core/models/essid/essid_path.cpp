@@ -13,11 +13,12 @@ constexpr double level_turn = 0.5;
 }  // namespace
 
 EssidRunner::EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,
-                         TrajectoryBuilder& builder)
+                         const PathRules& rules, TrajectoryBuilder& builder)
     : toolpath_(toolpath),
       axes_(axes),
       blend_limits_(axes, settings.radial_acceleration_share, settings.radial_jerk_share),
       settings_(settings),
+      rules_(rules),
       builder_(builder) {}
 
 void EssidRunner::run(const StretchRange& range, ProgressSteps& steps) {
@@ -29,7 +30,7 @@ void EssidRunner::run(const StretchRange& range, ProgressSteps& steps) {
 
 void EssidRunner::lay_path(const StretchRange& range) {
   blends_.clear();
-  lay_blended_stretch(toolpath_, range, axes_, builder_, stretch_,
+  lay_blended_stretch(toolpath_, range, axes_, rules_, builder_, stretch_,
                       [&](const CornerPlace& place) { return blend_corner(place); });
   blend_index_.clear();
   std::int32_t next = 0;
@@ -39,7 +40,9 @@ void EssidRunner::lay_path(const StretchRange& range) {
 }
 
 CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
-  const Corner corner = lay_corner(place.in, place.out, place.longest, settings_.corner);
+  CornerRule rule = settings_.corner;
+  rule.tolerance = place.tolerance;
+  const Corner corner = lay_corner(place.in, place.out, place.longest, rule);
   const BlendShape shape(place.in, place.out, corner.transition, settings_.corner.alpha);
   const CubicBlend curve =
       corner_blend(place.point, place.in, place.out, corner.transition, settings_.corner.alpha);

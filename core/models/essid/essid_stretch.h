@@ -16,7 +16,7 @@ namespace feedscope {
 class EssidRunner {
  public:
   EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,
-              TrajectoryBuilder& builder);
+              const PathRules& rules, TrajectoryBuilder& builder);
 
   /// Lines and arcs without a stop between them. `steps` counts segments.
   void run(const StretchRange& range, ProgressSteps& steps);
@@ -51,6 +51,7 @@ class EssidRunner {
   AxisVectors axes_;
   BlendLimits blend_limits_;
   EssidSettings settings_;
+  const PathRules& rules_;
   TrajectoryBuilder& builder_;
 
   Stretch stretch_;

@@ -22,7 +22,6 @@ struct GassaraSettings {
         lookahead(static_cast<std::uint32_t>(settings.number("lookahead_blocks"))),
         radial_acceleration_share(settings.number("radial_acceleration_share")),
         radial_jerk_share(settings.number("radial_jerk_share")) {
-    corner.tolerance = settings.number("contour_tolerance_mm");
     corner.beta = settings.number("beta");
   }
 };
@@ -68,8 +67,8 @@ const ModelInfo& GassaraModel::info() const {
       "speed, limits taken along tangent and normal instead of per axis; jerk-limited ramps on the lines, "
       "look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007.",
       {used_tolerance_setting()},
-      {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "radial_acceleration_share",
-       "radial_jerk_share"},
+      {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
+       "radial_acceleration_share", "radial_jerk_share"},
       {"On blends the radial shares of the least acceleration and jerk of the axes are kept."}};
   return info;
 }
@@ -92,15 +91,17 @@ Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   const AxisVectors axes(machine);
   TrajectoryBuilder builder(shared, axes.velocity);
   Stretch stretch;
+  const PathRules rules(toolpath, settings);
   const auto blend_corner = [&](const CornerPlace& place) {
-    const Corner corner = lay_arc_corner(place.in, place.out, place.longest, own.corner);
+    CornerRule rule = own.corner;
+    rule.tolerance = place.tolerance;
+    const Corner corner = lay_arc_corner(place.in, place.out, place.longest, rule);
     const double radius = corner.transition / std::tan(corner.turn / 2);
     return CornerPiece{ElementKind::connecting_arc, corner.transition, radius * corner.turn,
                        arc_blend_limits(place, radius, axes, own)};
   };
-  const bool exact = own.corner.tolerance == 0;
-  run_stretches(toolpath, builder, progress, exact, [&](const StretchRange& range, ProgressSteps& steps) {
-    lay_blended_stretch(toolpath, range, axes, builder, stretch, blend_corner);
+  run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& steps) {
+    lay_blended_stretch(toolpath, range, axes, rules, builder, stretch, blend_corner);
     set_junction_ceilings(stretch, builder.path(), axes.jerk, own.period, own.lookahead);
     for (std::uint32_t e = 0; e < stretch.plan.size(); ++e) {
       if (stretch.blend[e] != 0) {

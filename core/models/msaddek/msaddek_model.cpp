@@ -7,8 +7,7 @@
 namespace feedscope {
 
 MsaddekSettings::MsaddekSettings(const Settings& settings)
-    : tolerance(settings.number("contour_tolerance_mm")),
-      compaction(settings.number("compaction_mm")),
+    : compaction(settings.number("compaction_mm")),
       period(settings.number("interpolation_period_s")),
       curvature_jerk(units::from_m(settings.number("curvilinear_jerk_m_s3")) *
                      settings.number("tangential_share")),
@@ -41,8 +40,8 @@ const ModelInfo& MsaddekModel::info() const {
         "Helices, dwells, rapids and corners that touch an arc, which the paper does not cover, keep the "
         "static limits of arcs and lines or are exact stops.",
         {compaction, law},
-        {"contour_tolerance_mm", "interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3",
-         "tangential_share"},
+        {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
+         "curvilinear_jerk_m_s3", "tangential_share"},
         {"Points that compaction leaves out stay within the tolerance of the chord, which a corner may cut "
          "once more.",
          "law dynamic: where curvature jumps, the acceleration changes within one interpolation period by "
@@ -74,13 +73,14 @@ Trajectory MsaddekModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   const Toolpath& toolpath = *shared;
   const MsaddekSettings own(settings);
   const AxisVectors axes(machine);
-  const auto compacted =
-      std::make_shared<const CompactedPath>(compact(toolpath, own.compaction, own.tolerance));
+  const PathRules rules(toolpath, settings);
+  const auto compacted = std::make_shared<const CompactedPath>(compact(toolpath, own.compaction, rules));
   const bool merges = compacted->path.segments.size() < toolpath.segments.size();
   TrajectoryBuilder builder(shared, axes.velocity, merges ? compacted : nullptr);
   builder.set_compaction_error(compacted->deviation);
-  MsaddekRunner runner(toolpath, *compacted, axes, own, builder);
-  run_stretches(toolpath, builder, progress, own.tolerance == 0,
+  const PathRules chord_rules(compacted->path, settings);
+  MsaddekRunner runner(toolpath, *compacted, chord_rules, axes, own, builder);
+  run_stretches(toolpath, builder, progress, rules,
                 [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
   return builder.finish();
 }

@@ -14,9 +14,14 @@ constexpr double least_line = 1e-12;
 }  // namespace
 
 MsaddekRunner::MsaddekRunner(const Toolpath& programmed, const CompactedPath& compacted,
-                             const AxisVectors& axes, const MsaddekSettings& settings,
+                             const PathRules& rules, const AxisVectors& axes, const MsaddekSettings& settings,
                              TrajectoryBuilder& builder)
-    : programmed_(programmed), compacted_(compacted), axes_(axes), settings_(settings), builder_(builder) {}
+    : programmed_(programmed),
+      compacted_(compacted),
+      rules_(rules),
+      axes_(axes),
+      settings_(settings),
+      builder_(builder) {}
 
 void MsaddekRunner::run(const StretchRange& range, ProgressSteps& steps) {
   const auto chord_of = [&](std::size_t segment) {
@@ -25,7 +30,7 @@ void MsaddekRunner::run(const StretchRange& range, ProgressSteps& steps) {
   };
   const std::size_t last = chord_of(range.last);
   for (std::size_t chord = chord_of(range.first); chord < last;) {
-    StretchRange chords = next_stretch(compacted_.path, chord, true, settings_.tolerance == 0);
+    StretchRange chords = next_stretch(compacted_.path, rules_, chord);
     chords.last = std::min(chords.last, last);
     lay_path(chords);
     if (settings_.law == MsaddekLaw::static_feed) {
@@ -49,9 +54,11 @@ void MsaddekRunner::lay_path(const StretchRange& chords) {
     }
     ConnectingArc connection;
     if (i + 1 < chords.last && junction_kind(path, i + 1) == JunctionKind::corner) {
-      connection =
-          connecting_arc(path.segments[i].end, path.tangent_at_end(i), path.tangent_at_start(i + 1),
-                         std::min(path.segments[i].length, path.segments[i + 1].length), settings_.tolerance);
+      // No arc is longer than half of the shorter block, and none begins before the rules allow it.
+      const double shorter =
+          std::min({path.segments[i].length, path.segments[i + 1].length, 2 * rules_.longest_blend(i)});
+      connection = connecting_arc(path.segments[i].end, path.tangent_at_end(i), path.tangent_at_start(i + 1),
+                                  shorter, rules_.corner_tolerance(i));
     }
     add_line(i, cut_before, connection.transition, limits);
     if (connection.transition > 0) {

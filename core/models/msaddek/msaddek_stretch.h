@@ -12,7 +12,6 @@ enum class MsaddekLaw { dynamic_feed, static_feed };
 
 /// Settings of the model in inside units.
 struct MsaddekSettings {
-  double tolerance = 0.01;      ///< TIT [mm]
   double compaction = 0;        ///< [mm]; 0: none
   double period = 0.002;        ///< t_cy [s]
   double curvature_jerk = 0;    ///< J_tcurv = J_curv r_jct [mm/s3]
@@ -27,9 +26,9 @@ struct MsaddekSettings {
 /// Segments are those of the compacted path, blocks the programmed ones.
 class MsaddekRunner {
  public:
-  /// `programmed`: what `compacted` was made of.
-  MsaddekRunner(const Toolpath& programmed, const CompactedPath& compacted, const AxisVectors& axes,
-                const MsaddekSettings& settings, TrajectoryBuilder& builder);
+  /// `programmed`: what `compacted` was made of; `rules`: of the compacted path, TIT is their tolerance.
+  MsaddekRunner(const Toolpath& programmed, const CompactedPath& compacted, const PathRules& rules,
+                const AxisVectors& axes, const MsaddekSettings& settings, TrajectoryBuilder& builder);
 
   /// Programmed lines and arcs without a stop between them; their chords may need further stops.
   void run(const StretchRange& range, ProgressSteps& steps);
@@ -48,6 +47,7 @@ class MsaddekRunner {
 
   const Toolpath& programmed_;
   const CompactedPath& compacted_;
+  const PathRules& rules_;
   AxisVectors axes_;
   MsaddekSettings settings_;
   TrajectoryBuilder& builder_;

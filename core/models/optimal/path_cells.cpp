@@ -168,6 +168,11 @@ bool is_stop(const BlendedPath& path, std::uint32_t index) {
   if (path.in_corner(index - 1) || path.in_corner(index)) {
     return false;
   }
+  const Toolpath& toolpath = *path.programmed();
+  if (path.segment(index - 1) != path.segment(index) &&
+      toolpath.path_control_of(path.segment(index - 1)).mode == PathMode::exact_stop) {
+    return true;
+  }
   const ElementCurve before = path.curve(index - 1);
   const ElementCurve after = path.curve(index);
   const bool arc = before.kind == ElementKind::arc || after.kind == ElementKind::arc;

@@ -42,7 +42,8 @@ Trajectory TapieModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
   const auto lookahead = static_cast<std::uint32_t>(settings.number("lookahead_blocks"));
   TrajectoryBuilder builder(shared, rule.axes.velocity);
   Stretch stretch;
-  run_stretches(toolpath, builder, progress, true, [&](const StretchRange& range, ProgressSteps& steps) {
+  const PathRules rules = PathRules::exact_corners(toolpath);
+  run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& steps) {
     stretch.clear();
     for (std::size_t i = range.first; i < range.last; ++i) {
       const auto block = static_cast<std::uint32_t>(i);

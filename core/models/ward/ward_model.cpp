@@ -1,7 +1,5 @@
 #include "core/models/ward/ward_model.h"
 
-#include <limits>
-
 #include "core/base/units.h"
 #include "core/models/ward/ward_runner.h"
 #include "core/trajectory/stretch.h"
@@ -9,12 +7,10 @@
 namespace feedscope {
 
 WardSettings::WardSettings(const Settings& settings)
-    : exact(settings.number("contour_tolerance_mm") == 0),
-      tolerance(exact ? std::numeric_limits<double>::infinity() : settings.number("contour_tolerance_mm")),
-      filters(static_cast<int>(settings.number("filters"))),
+    : filters(static_cast<int>(settings.number("filters"))),
       jerk(units::from_m(settings.number("filter_jerk_m_s3"))),
       time(settings.number("filter_time_s")),
-      enforce(settings.text("enforce") == "on" && !exact) {}
+      enforce(settings.text("enforce") == "on") {}
 
 const ModelInfo& WardModel::info() const {
   static const ModelInfo info = [] {
@@ -62,7 +58,7 @@ const ModelInfo& WardModel::info() const {
         "the "
         "pulses turn; they keep the static limits of Tapie 2007, and the tolerance as corners do.",
         {filters, jerk, time, enforce},
-        {"contour_tolerance_mm"},
+        {"contour_tolerance_mm", "program_tolerance"},
         {"A filtered velocity is an average of commanded ones, which keeps the axes' velocities.",
          "Acceleration and jerk follow from the filters alone: a change of feed dF takes the jerk dF/T1^2; "
          "the axes' limits are not looked at.",
@@ -79,9 +75,9 @@ Guarantees WardModel::guarantees(const Settings& settings) const {
   promised.lines.velocity.of = KeptLimit::Of::whole;
   promised.arcs = promised.blends = promised.lines;
   promised.feed_of_run = true;
-  const WardSettings own(settings);
-  promised.contour = own.enforce ? 1 : Guarantees::unbounded;
-  promised.stops_at_line_corners = promised.stops_at_arc_corners = own.exact;
+  const bool exact = settings.number("contour_tolerance_mm") == 0;
+  promised.contour = WardSettings(settings).enforce && !exact ? 1 : Guarantees::unbounded;
+  promised.stops_at_line_corners = promised.stops_at_arc_corners = exact;
   promised.meets_tangent_ends = false;
   promised.continuity = Continuity::acceleration;
   return promised;
@@ -95,10 +91,11 @@ Trajectory WardModel::do_simulate(const std::shared_ptr<const Toolpath>& shared,
   builder.reserve(count, count + count / 4);
   {
     const WardSettings own(settings);
-    WardRunner runner(shared, axes, own, builder);
+    const PathRules rules(*shared, settings);
+    WardRunner runner(shared, axes, own, rules, builder);
     run_stretches(
-        *shared, builder, progress, own.exact,
-        [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, own.exact);
+        *shared, builder, progress, rules,
+        [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, false);
   }
   return builder.finish();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/models/ward/corner_pulse.h"
 #include "core/models/ward/short_blocks.h"
@@ -9,8 +10,8 @@
 namespace feedscope {
 
 WardRunner::WardRunner(std::shared_ptr<const Toolpath> toolpath, const AxisVectors& axes,
-                       const WardSettings& settings, TrajectoryBuilder& builder)
-    : toolpath_(std::move(toolpath)), axes_(axes), settings_(settings), builder_(builder) {
+                       const WardSettings& settings, const PathRules& rules, TrajectoryBuilder& builder)
+    : toolpath_(std::move(toolpath)), axes_(axes), settings_(settings), rules_(rules), builder_(builder) {
   if (!(settings_.jerk > 0)) {
     settings_.jerk = axes.jerk.minCoeff();
   }
@@ -50,10 +51,15 @@ void WardRunner::choose_filter_time() {
   train_.filter_time = settings_.time > 0 ? settings_.time : std::sqrt(feed / settings_.jerk);
 }
 
+double WardRunner::arc_tolerance(std::size_t block) const {
+  const double tolerance = rules_.tolerance(train_.first + block);
+  return tolerance > 0 ? tolerance : std::numeric_limits<double>::infinity();
+}
+
 void WardRunner::limit_arcs() {
   for (std::size_t i = 0; i < train_.size(); ++i) {
     if (is_arc(i)) {
-      limits_[i].lower(arc_speed(settings_.filters, train_.filter_time, train_.arc(i), settings_.tolerance),
+      limits_[i].lower(arc_speed(settings_.filters, train_.filter_time, train_.arc(i), arc_tolerance(i)),
                        {CauseKind::contour_tolerance});
     }
   }
@@ -64,7 +70,7 @@ void WardRunner::choose_corner_speeds() {
   for (std::size_t i = 1; i < train_.size(); ++i) {
     corner_speeds_[i] =
         corner_speed(settings_.filters, train_.filter_time,
-                     {limits_[i - 1].value, limits_[i].value, corner_turn(train_, i)}, settings_.tolerance);
+                     {limits_[i - 1].value, limits_[i].value, corner_turn(train_, i)}, corner_tolerance(i));
   }
   cap_by_short_blocks(train_, corner_speeds_);
 }

@@ -19,7 +19,7 @@ namespace feedscope {
 class WardRunner {
  public:
   WardRunner(std::shared_ptr<const Toolpath> toolpath, const AxisVectors& axes, const WardSettings& settings,
-             TrajectoryBuilder& builder);
+             const PathRules& rules, TrajectoryBuilder& builder);
 
   /// Lines and arcs without a stop between them. `steps` counts segments.
   void run(const StretchRange& range, ProgressSteps& steps);
@@ -62,7 +62,13 @@ class WardRunner {
   void for_points_of_arc(std::size_t block, F f) const;
   /// Distance of a point from the path near `time` [mm]: by one evaluation and its Newton step where that is
   /// precise, which it mostly is because the path lags as much as at the point before.
-  double distance_of(const Vec3& point, double time);
+  double distance_of(const Vec3& point, double time, double tolerance);
+  /// Contour tolerance at the start of a block, > 0, and inside an arc; infinite for an arc of tolerance 0,
+  /// which no filtered motion keeps [mm].
+  double corner_tolerance(std::size_t block) const {
+    return rules_.corner_tolerance(train_.first + block - 1);
+  }
+  double arc_tolerance(std::size_t block) const;
   BlockDistance distance_of_block(std::size_t block);
   void measure_distances();
   bool is_arc(std::size_t block) const { return train_.segment(block).kind == SegmentKind::arc; }
@@ -80,6 +86,7 @@ class WardRunner {
   std::shared_ptr<const Toolpath> toolpath_;
   AxisVectors axes_;
   WardSettings settings_;
+  const PathRules& rules_;
   TrajectoryBuilder& builder_;
 
   PulseTrain train_;

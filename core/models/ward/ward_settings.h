@@ -6,12 +6,10 @@ namespace feedscope {
 
 /// Settings of the model in inside units.
 struct WardSettings {
-  bool exact = false;       ///< contour tolerance 0: full stops in every corner
-  double tolerance = 0.01;  ///< contour tolerance [mm]; infinite where `exact`: nothing is left to keep
-  int filters = 3;          ///< n
-  double jerk = 0;          ///< J, for T1 = sqrt(F/J); 0: the least of the axes [mm/s3]
-  double time = 0;          ///< T1 where above 0 [s]
-  bool enforce = true;      ///< lower corners until the true contour error keeps the tolerance
+  int filters = 3;      ///< n
+  double jerk = 0;      ///< J, for T1 = sqrt(F/J); 0: the least of the axes [mm/s3]
+  double time = 0;      ///< T1 where above 0 [s]
+  bool enforce = true;  ///< lower corners until the true contour error keeps the tolerance
 
   explicit WardSettings(const Settings& settings);
 };

@@ -66,10 +66,10 @@ bool WardRunner::lower_blocks(int pass, bool every, ProgressSteps& steps) {
 }
 
 bool WardRunner::lower_corner(std::size_t block, double distance, int pass) {
-  if (distance <= settings_.tolerance * (1 + slack) || corner_speeds_[block] == 0) {
+  if (block == 0 || corner_speeds_[block] == 0 || distance <= corner_tolerance(block) * (1 + slack)) {
     return false;
   }
-  corner_speeds_[block] *= pass < last_passes ? lowering_factor(distance, settings_.tolerance, pass) : 0;
+  corner_speeds_[block] *= pass < last_passes ? lowering_factor(distance, corner_tolerance(block), pass) : 0;
   return true;
 }
 
@@ -78,10 +78,11 @@ bool WardRunner::lower_arc(std::size_t block, double distance, int pass) {
   if (corner_speeds_[block] == 0 && stops_after && pass >= last_passes) {
     return false;  // alone between two stops it keeps the tolerance by its limit
   }
-  if (distance <= settings_.tolerance * (1 + slack)) {
+  const double tolerance = arc_tolerance(block);
+  if (distance <= tolerance * (1 + slack)) {
     return false;
   }
-  const double factor = lowering_factor(distance, settings_.tolerance, pass);
+  const double factor = lowering_factor(distance, tolerance, pass);
   limits_[block] = {factor * train_.blocks[block].feed, {CauseKind::contour_tolerance}};
   slowed_[block] = 1;
   const double end_speed = pass < last_passes ? limits_[block].value : 0;
@@ -131,17 +132,18 @@ void WardRunner::for_points_of_arc(std::size_t block, F f) const {
 WardRunner::BlockDistance WardRunner::distance_of_block(std::size_t block) {
   BlockDistance distance;
   if (block > 0) {
-    distance.corner = distance_of(train_.point(block), train_.blocks[block].start + train_.half_delay());
+    distance.corner = distance_of(train_.point(block), train_.blocks[block].start + train_.half_delay(),
+                                  corner_tolerance(block));
   }
   if (is_arc(block)) {
     for_points_of_arc(block, [&](const Vec3& point, double time) {
-      distance.arc = std::max(distance.arc, distance_of(point, time));
+      distance.arc = std::max(distance.arc, distance_of(point, time, arc_tolerance(block)));
     });
   }
   return distance;
 }
 
-double WardRunner::distance_of(const Vec3& point, double time) {
+double WardRunner::distance_of(const Vec3& point, double time, double tolerance) {
   constexpr double precision = 1e-4;  // of the distance squared
   const Kinematics at = walk_.motion_at(train_, time + lag_);
   const Vec3 offset = at.position - point;
@@ -149,11 +151,14 @@ double WardRunner::distance_of(const Vec3& point, double time) {
   const double curvature = at.velocity.squaredNorm() + offset.dot(at.acceleration);
   const double step = curvature > 0 ? -slope / curvature : 0;
   const double nearest = offset.squaredNorm() + slope * step;
-  const double doubt = std::abs(at.velocity.dot(at.acceleration) * step * step * step);
+  // The third and fourth order of the distance squared; at a reversal the third vanishes with the velocity.
+  const double doubt = std::abs(at.velocity.dot(at.acceleration) * step * step * step) +
+                       at.acceleration.squaredNorm() / 4 * step * step * step * step;
   if (curvature > 0 && std::abs(lag_ + step) < train_.filter_time / 4) {
     lag_ += step;
-    const double allowed = settings_.tolerance * settings_.tolerance;
-    if (doubt <= precision * nearest && std::abs(nearest - allowed) > 2 * precision * allowed) {
+    const double allowed = tolerance * tolerance;
+    const bool decided = !std::isfinite(allowed) || std::abs(nearest - allowed) > 2 * precision * allowed;
+    if (doubt <= precision * nearest && decided) {
       return std::sqrt(nearest);
     }
   } else {

@@ -10,6 +10,13 @@
 namespace feedscope {
 namespace {
 
+CompactedPath compact_within(const Toolpath& toolpath, double longest, double tolerance) {
+  Settings settings;
+  settings.set("contour_tolerance_mm", tolerance);
+  settings.set("program_tolerance", "on");
+  return compact(toolpath, longest, PathRules(toolpath, settings));
+}
+
 /// Points every `step` [mm] on a circle of `radius` [mm].
 std::vector<Vec3> circle(double radius, double step, int count) {
   std::vector<Vec3> points;
@@ -25,7 +32,7 @@ TEST(Compaction, MergesAStraightRunIntoSegmentsOfTheGivenLength) {
   for (int i = 0; i <= 1000; ++i) {
     points.push_back({0.1 * i, 0, 0});
   }
-  const CompactedPath compacted = compact(testing::polyline(points, 50), 5, 0.007);
+  const CompactedPath compacted = compact_within(testing::polyline(points, 50), 5, 0.007);
   ASSERT_EQ(compacted.path.segments.size(), 20u);
   for (const Segment& segment : compacted.path.segments) {
     EXPECT_NEAR(segment.length, 5, 1e-9);
@@ -39,7 +46,8 @@ TEST(Compaction, GoesAsFarRoundACircleAsTheToleranceAllows) {
   const double radius = 50;
   const double tolerance = 0.004;
   const double longest_chord = std::sqrt(8 * radius * tolerance);
-  const CompactedPath compacted = compact(testing::polyline(circle(radius, 0.01, 10000), 50), 5, tolerance);
+  const CompactedPath compacted =
+      compact_within(testing::polyline(circle(radius, 0.01, 10000), 50), 5, tolerance);
   for (std::size_t i = 0; i + 1 < compacted.path.segments.size(); ++i) {
     EXPECT_NEAR(compacted.path.segments[i].length, longest_chord, 0.02);
   }
@@ -50,20 +58,20 @@ TEST(Compaction, GoesAsFarRoundACircleAsTheToleranceAllows) {
 TEST(Compaction, KeepsBlocksApartWhoseFeedDiffers) {
   Toolpath path = testing::polyline({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}, {4, 0, 0}}, 50);
   path.segments[2].feed = path.segments[3].feed = 60;
-  EXPECT_EQ(compact(path, 5, 0.01).first, (std::vector<std::uint32_t>{0, 2, 4}));
+  EXPECT_EQ(compact_within(path, 5, 0.01).first, (std::vector<std::uint32_t>{0, 2, 4}));
 }
 
 TEST(Compaction, LeavesLongBlocksRapidsArcsAndReversalsAlone) {
   Toolpath path = testing::polyline({{0, 0, 0}, {6, 0, 0}, {7, 0, 0}, {8, 0, 0}, {7.5, 0, 0}}, 50);
   path.segments[2].rapid = true;
   testing::append_arc(path, {7.5, 1, 0}, 0.1, 50);
-  EXPECT_EQ(compact(path, 5, 0.01).path.segments.size(), path.segments.size());
+  EXPECT_EQ(compact_within(path, 5, 0.01).path.segments.size(), path.segments.size());
 }
 
 TEST(Compaction, OfLengthZeroChangesNothing) {
   std::mt19937 random(5);
   const Toolpath path = testing::random_path(random, 200);
-  const CompactedPath compacted = compact(path, 0, 0.01);
+  const CompactedPath compacted = compact_within(path, 0, 0.01);
   ASSERT_EQ(compacted.path.segments.size(), path.segments.size());
   EXPECT_EQ(compacted.deviation, 0);
 }
@@ -73,7 +81,7 @@ TEST(Compaction, KeepsEveryReplacedPointWithinTheTolerance) {
   for (int i = 0; i < 100; ++i) {
     const Toolpath path = testing::random_path(random, 300);
     const double tolerance = i % 2 == 0 ? 0.05 : 0.002;
-    const CompactedPath compacted = compact(path, 3, tolerance);
+    const CompactedPath compacted = compact_within(path, 3, tolerance);
     ASSERT_LE(compacted.deviation, tolerance);
     for (std::size_t c = 0; c < compacted.path.segments.size(); ++c) {
       const Segment& chord = compacted.path.segments[c];

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "core/machine/settings.h"
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// What rules the corners of a path: the path control that the program itself asks for, and the settings of
+/// the run where it says nothing. Exact stops that the program asks for are not here: they are
+/// JunctionKind::stop for every model.
+class PathRules {
+ public:
+  /// Reads contour_tolerance_mm, and program_tolerance: whether the program's own tolerances and blend
+  /// distances count, which they do if nothing is set. `toolpath` outlives it.
+  PathRules(const Toolpath& toolpath, const Settings& settings);
+  /// Every corner is an exact stop, whatever the program says.
+  static PathRules exact_corners(const Toolpath& toolpath);
+
+  /// Contour tolerance [mm]; 0: no corner is blended.
+  double tolerance(std::size_t segment) const { return rule(segment).tolerance; }
+  /// Of the corner where `segment` ends: the smaller one of the two that meet there.
+  double corner_tolerance(std::size_t segment) const;
+  /// Distance from that corner at which its blend may begin at the earliest [mm]; infinite if nobody says.
+  double longest_blend(std::size_t segment) const;
+  /// Whether the segment may be merged with `next`.
+  bool may_compact(std::size_t segment, std::size_t next) const;
+
+ private:
+  struct Rule {
+    double tolerance = 0;
+    double longest_blend = 0;
+    bool compacts = true;
+  };
+
+  PathRules(const Toolpath& toolpath, double tolerance, bool follow_program);
+  const Rule& rule(std::size_t segment) const { return rules_[toolpath_->segments[segment].path_control]; }
+
+  const Toolpath* toolpath_;
+  std::vector<Rule> rules_;  ///< by Toolpath::path_controls
+};
+
+}  // namespace feedscope
