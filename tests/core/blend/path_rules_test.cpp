@@ -18,8 +18,11 @@ Settings settings(double tolerance, const char* program_tolerance = "on") {
   return values;
 }
 
-/// Three lines with two corners, the last two lines under `control`.
-Toolpath corners_under(const PathControl& control) {
+/// Three lines with two corners, the last two lines under a path control of which `member` is `value`.
+template <typename T>
+Toolpath corners_under(T PathControl::*member, T value) {
+  PathControl control;
+  control.*member = value;
   Toolpath path = testing::polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}}, 50);
   path.path_controls.push_back(control);
   path.segments[1].path_control = path.segments[2].path_control = 1;
@@ -27,14 +30,14 @@ Toolpath corners_under(const PathControl& control) {
 }
 
 TEST(PathRules, WithoutPathControlTheSettingCounts) {
-  const Toolpath path = corners_under({});
+  const Toolpath path = corners_under(&PathControl::look_ahead, Switch::on);
   const PathRules rules(path, settings(0.02));
   EXPECT_EQ(rules.corner_tolerance(0), 0.02);
   EXPECT_EQ(rules.longest_blend(0), std::numeric_limits<double>::infinity());
 }
 
 TEST(PathRules, TheProgramsToleranceCountsAndTheSmallerOneWhereTwoMeet) {
-  const Toolpath path = corners_under({.contour_tolerance = 0.05});
+  const Toolpath path = corners_under(&PathControl::contour_tolerance, std::optional(0.05));
   const PathRules rules(path, settings(0.02));
   EXPECT_EQ(rules.corner_tolerance(0), 0.02);
   EXPECT_EQ(rules.corner_tolerance(1), 0.05);
@@ -42,7 +45,7 @@ TEST(PathRules, TheProgramsToleranceCountsAndTheSmallerOneWhereTwoMeet) {
 }
 
 TEST(PathRules, ABlendDistanceBoundsTheBlend) {
-  const Toolpath path = corners_under({.blend_distance = 0.5});
+  const Toolpath path = corners_under(&PathControl::blend_distance, std::optional(0.5));
   const PathRules rules(path, settings(0.02));
   EXPECT_EQ(rules.longest_blend(1), 0.5);
   EXPECT_EQ(rules.corner_tolerance(1), 0.5) << "no blend strays farther than it reaches";
@@ -50,17 +53,17 @@ TEST(PathRules, ABlendDistanceBoundsTheBlend) {
 }
 
 TEST(PathRules, ExactStopsAreStopsWhateverTheTolerance) {
-  const Toolpath path = corners_under({.mode = PathMode::exact_stop});
+  const Toolpath path = corners_under(&PathControl::mode, PathMode::exact_stop);
   EXPECT_EQ(junction_kind(path, 1), JunctionKind::corner) << "the block before does not ask for it";
   EXPECT_EQ(junction_kind(path, 2), JunctionKind::stop);
 }
 
 TEST(PathRules, BlocksOfOnePathControlThatAllowsItAreCompacted) {
-  const Toolpath free = corners_under({.contour_tolerance = 0.05});
+  const Toolpath free = corners_under(&PathControl::contour_tolerance, std::optional(0.05));
   const PathRules rules(free, settings(0.02));
   EXPECT_TRUE(rules.may_compact(1, 2));
   EXPECT_FALSE(rules.may_compact(0, 1));
-  const Toolpath forbidden = corners_under({.compaction = Switch::off});
+  const Toolpath forbidden = corners_under(&PathControl::compaction, Switch::off);
   EXPECT_FALSE(PathRules(forbidden, settings(0.02)).may_compact(1, 2));
 }
 
