@@ -29,7 +29,9 @@ enum class GAction : std::uint8_t {
   other_feed,     ///< F means something else from here on
   path_control,   ///< exact stop, continuous path, look-ahead
   cancel_macro,   ///< G67
-  work_offset,    ///< a warning once it changes on the way
+  function,       ///< IsoReader::run_function(); the block moves as programmed
+  axis_function,  ///< the same; the block's coordinates belong to it, nothing else moves
+  cycle,
   cancel_cycle,   ///< G80
   report,         ///< not read; the block moves as programmed
   own_words,      ///< not read; the block's coordinates belong to it, nothing moves

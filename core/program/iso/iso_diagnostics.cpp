@@ -56,14 +56,6 @@ void IsoReader::report_faults(const Block& block) {
 }
 
 void IsoReader::report_unread(const GCode& code, const Word& word) {
-  const bool shifted = code.action == GAction::work_offset && path().has_moved() && state_.work_offset != 0 &&
-                       state_.work_offset != code.number;
-  if (shifted) {
-    report(Severity::warning, "work-offset", code.number, word.column, [&] {
-      return Text{fmt::format("{} follows {} on the way", g_name(code.number), g_name(state_.work_offset)),
-                  "work offsets are taken as zero, so the parts of the path lie over each other"};
-    });
-  }
   if (!code.subject.empty()) {
     report(code.severity, "unread-g", code.number, word.column, [&] {
       return Text{fmt::format("{} ({}) is not read", g_name(code.number), code.subject),
@@ -95,7 +87,7 @@ void IsoReader::check_rotary() {
 
 void IsoReader::check_unused() {
   const bool is_arc = state_.motion == MotionMode::arc_cw || state_.motion == MotionMode::arc_ccw;
-  if (words_.other_codes || state_.motion == MotionMode::unread) {
+  if (words_.other_codes || state_.motion == MotionMode::unread || state_.motion == MotionMode::cycle) {
     return;
   }
   if (words_.has('E')) {

@@ -21,7 +21,9 @@ void IsoReader::move() {
     return;
   }
   const bool is_arc = state_.motion == MotionMode::arc_cw || state_.motion == MotionMode::arc_ccw;
-  const bool moves = words_.has_any("XYZ") || (is_arc && words_.has_any("IJKR"));
+  const bool is_cycle = state_.motion == MotionMode::cycle;
+  const bool moves =
+      words_.has_any("XYZ") || (is_arc && words_.has_any("IJKR")) || (is_cycle && words_.has('R'));
   if (words_.own_words || !moves) {
     return;
   }
@@ -31,12 +33,13 @@ void IsoReader::move() {
     });
     state_.motion = MotionMode::rapid;
   }
-  for (int axis = 0; axis < 3; ++axis) {
-    if (words_.has(axis_letters[static_cast<std::size_t>(axis)])) {
-      path().program_axis(axis);
-    }
-  }
+  program_axes_of_block();
   path().set_column(words_.first_column("XYZIJKR"));
+  if (is_cycle) {
+    run_cycle();
+    return;
+  }
+  check_inverse_time();
   const Vec3 target = target_of_block();
   switch (state_.motion) {
     case MotionMode::rapid:
@@ -50,8 +53,26 @@ void IsoReader::move() {
       arc(target);
       break;
     case MotionMode::none:
+    case MotionMode::cycle:
     case MotionMode::unread:
       break;
+  }
+}
+
+void IsoReader::program_axes_of_block() {
+  for (int axis = 0; axis < 3; ++axis) {
+    if (words_.has(axis_letters[static_cast<std::size_t>(axis)])) {
+      path().program_axis(axis);
+    }
+  }
+}
+
+void IsoReader::check_inverse_time() {
+  const bool at_feed = state_.motion != MotionMode::rapid && state_.motion != MotionMode::unread;
+  if (path().feed_mode() == FeedMode::inverse_time && at_feed && !words_.has('F') && path().feed() > 0) {
+    report(Severity::error, "feed-missing", 1, words_.first_column("XYZIJKR"), [] {
+      return Text{"a feed move without F under G93", "the last F is taken; write F in every such block"};
+    });
   }
 }
 
@@ -142,16 +163,25 @@ void IsoReader::check_center_axis() {
   }
 }
 
-Vec3 IsoReader::target_of_block() const {
-  Vec3 target = path().position();
+Vec3 IsoReader::target_of_block() {
+  const Vec3 position = path().position();
+  if (!words_.has_any("XYZ")) {
+    return position;
+  }
+  const Vec3 target =
+      state_.incremental ? Vec3(position + programmed_axes(Vec3::Zero())) : programmed_axes(position);
+  return state_.polar.on ? polar_target(target) : target;
+}
+
+Vec3 IsoReader::programmed_axes(const Vec3& otherwise) const {
+  Vec3 values = otherwise;
   for (int axis = 0; axis < 3; ++axis) {
     const char letter = axis_letters[static_cast<std::size_t>(axis)];
     if (words_.has(letter)) {
-      const double value = state_.to_mm(words_[letter].value);
-      target[axis] = state_.incremental ? target[axis] + value : value;
+      values[axis] = state_.to_mm(words_[letter].value);
     }
   }
-  return target;
+  return values;
 }
 
 Vec3 IsoReader::center_of_block(bool absolute) const {

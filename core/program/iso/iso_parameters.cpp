@@ -19,8 +19,10 @@ double in_unit(double mm, bool inch) {
   return inch ? mm / units::from_inch(1) : mm;
 }
 
-double motion_number(MotionMode mode) {
-  switch (mode) {
+double motion_number(const ModalState& state) {
+  switch (state.motion) {
+    case MotionMode::cycle:
+      return state.cycle.code / 10.0;
     case MotionMode::none:
     case MotionMode::unread:
       return 80;
@@ -101,7 +103,7 @@ std::optional<double> IsoReader::built_in(std::uint32_t number) const {
 std::optional<double> IsoReader::fanuc_modal(std::uint32_t number) const {
   switch (number) {
     case 4001:
-      return motion_number(state_.motion);
+      return motion_number(state_);
     case 4002:
       return plane_number(state_.plane);
     case 4003:
@@ -129,7 +131,7 @@ std::optional<double> IsoReader::built_in(std::string_view name) const {
       {"_x", position_of(0)},
       {"_y", position_of(1)},
       {"_z", position_of(2)},
-      {"_motion_mode", 10 * motion_number(state_.motion)},
+      {"_motion_mode", 10 * motion_number(state_)},
       {"_plane", 10 * plane_number(state_.plane)},
       {"_metric", flag(!state_.inch)},
       {"_imperial", flag(state_.inch)},

@@ -36,6 +36,7 @@ void IsoReader::Words::clear() {
   dwell = 0;
   macro_call = false;
   flow = nullptr;
+  function_count = 0;
 }
 
 bool IsoReader::Words::has_any(std::string_view letters) const {
@@ -86,6 +87,7 @@ void IsoReader::run_block(const Block& block, bool readable) {
   }
   apply_feed();
   if (sound) {
+    run_functions();
     check_rotary();
     check_unused();
     words_.exact_stop ? move_to_exact_stop() : move();
@@ -232,12 +234,21 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
     case GAction::cancel_macro:
       modal_macro_.reset();
       break;
-    case GAction::work_offset:
-      state_.work_offset = code.number;
+    case GAction::axis_function:
+      words_.own_words = true;
+      add_function(code.number, word.column);
       break;
-    case GAction::cancel_cycle:
-      state_.motion = state_.motion == MotionMode::unread ? MotionMode::none : state_.motion;
+    case GAction::function:
+      add_function(code.number, word.column);
       break;
+    case GAction::cycle:
+      begin_cycle(code, word);
+      break;
+    case GAction::cancel_cycle: {
+      const bool is_cycle = state_.motion == MotionMode::cycle || state_.motion == MotionMode::unread;
+      state_.motion = is_cycle ? MotionMode::none : state_.motion;
+      break;
+    }
     case GAction::own_words:
       words_.own_words = true;
       break;

@@ -11,6 +11,7 @@
 
 #include "core/program/iso/flow_index.h"
 #include "core/program/iso/g_codes.h"
+#include "core/program/iso/iso_coordinates.h"
 #include "core/program/iso/iso_expression.h"
 #include "core/program/iso/iso_variables.h"
 #include "core/program/iso/modal_state.h"
@@ -38,6 +39,12 @@ class IsoReader : public Reader, private VariableSource {
     bool exact_stop = false;                           ///< G9
     bool macro_call = false;                           ///< G65, G66: the words are arguments
     const Word* flow = nullptr;                        ///< M97, M98 or M99
+    struct Function {
+      int code = 0;  ///< ten times the G number
+      std::uint32_t column = 0;
+    };
+    std::array<Function, 8> functions{};  ///< in written order
+    std::size_t function_count = 0;
 
     void clear();
     bool has(char letter) const { return (present >> (letter - 'A') & 1U) != 0; }
@@ -67,7 +74,9 @@ class IsoReader : public Reader, private VariableSource {
   void arc(const Vec3& target);
   double extra_turns();
   void check_center_axis();
-  Vec3 target_of_block() const;
+  void check_inverse_time();
+  void program_axes_of_block();
+  Vec3 target_of_block();
   Vec3 center_of_block(bool absolute) const;
 
   // Lines with variables, expressions and names: iso_statement.cpp.
@@ -187,9 +196,48 @@ class IsoReader : public Reader, private VariableSource {
   std::optional<double> tolerance(char letter, std::string_view of);
   void move_to_exact_stop();
 
+  // What G words other than those of motion do with the block's words: iso_functions.cpp.
+  void add_function(int code, std::uint32_t column);
+  void run_functions();
+  void run_function(int code, std::uint32_t column);
+  void set_frame() { path().set_frame(coordinates_.frame()); }
+  /// X Y Z of the block as they stand [mm]; `otherwise` for missing ones.
+  Vec3 programmed_axes(const Vec3& otherwise) const;
+  bool lacks(std::string_view code, char letter, int g, std::uint32_t column, std::string_view effect);
+  void select_work_offset(int code, std::uint32_t column);
+  void set_data(std::uint32_t column);
+  std::optional<int> offset_key(std::uint32_t column, bool further);
+  void set_work_offset(bool further, std::uint32_t column);
+  void preset_work_offset(std::uint32_t column);
+  void set_tool_radius(int kind, std::uint32_t column);
+  void rotate(std::uint32_t column);
+  void scale(std::uint32_t column);
+  double scale_factor(const Word& word);
+  void mirror(bool on);
+  void go_to_reference(int code, std::uint32_t column);
+  void return_from_reference();
+
+  // G40 to G42.1: iso_compensation.cpp.
+  void compensate(int code, std::uint32_t column);
+  void renew_compensation();
+  void begin_compensation(std::uint32_t column);
+  std::optional<double> compensation_radius(int code, std::uint32_t column);
+
+  // Polar coordinates: iso_polar.cpp.
+  Vec3 polar_target(Vec3 target);
+
+  // Drilling cycles: iso_cycles.cpp.
+  void begin_cycle(const GCode& code, const Word& word);
+  void run_cycle();
+  void gather_cycle();
+  bool check_cycle(std::uint32_t column);
+  double cycle_repeats();
+
   Dialect dialect_;
   Lexer lexer_;
   ModalState state_;
+  IsoCoordinates coordinates_;
+  std::map<int, double> tool_radii_;  ///< by offset number [mm]
   Words words_;
   bool words_met_ = false;  ///< from then on "%" ends the program
   IsoVariables variables_;

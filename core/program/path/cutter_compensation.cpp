@@ -261,8 +261,9 @@ void CutterCompensation::release(const Vec2& end) {
   if (motion.block.motion == Motion::arc && held_->contour.is_arc()) {
     write_arc(path, end);
   } else {
-    const bool backward =
-        !held_->is_entry && (end - in_plane(tool_)).dot(held_->contour.tangent_at_start()) < -allowed_cut;
+    const bool reported = motion.block.motion == Motion::arc;
+    const bool backward = !held_->is_entry && !reported &&
+                          (end - in_plane(tool_)).dot(held_->contour.tangent_at_start()) < -allowed_cut;
     if (backward) {
       report_swallowed();
     }

@@ -76,34 +76,23 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Codes, IsoDiagnostics,
-    testing::Values(
-        Case{"G0 X1\nG41 D1 X2",
-             "f:2:1: error: G41 (cutter radius compensation) is not read [unread-g] (the path "
-             "shown is the programmed contour)"},
-        Case{"G0 X1\nG43 H1 Z2",
-             "f:2:1: info: G43 (tool length compensation) is not read [unread-g] (the path "
-             "shown is that of the tool tip)"},
-        Case{"G0 X1\nG83 X2 Z-5 R1 Q2 F100",
-             "f:2:1: error: G83 (deep hole drilling cycle) is not read [unread-g] "
-             "(positions are left out up to the next G0 to G3)"},
-        Case{"G0 X1\nG5.2 X2 Y3 P1",
-             "f:2:1: error: G5.2 (spline) is not read [unread-g] (positions are left out "
-             "up to the next G0 to G3)"},
-        Case{"G0 X1\nG91 G28 Z0",
-             "f:2:5: warning: G28 (reference point return) is not read [unread-g] (the path "
-             "stays where it is)"},
-        Case{"G0 X1\nG92 X0",
-             "f:2:1: error: G92 (coordinate shift) is not read [unread-g] (the path is shown "
-             "without it)"},
-        Case{"G0 X1\nG68 X0 Y0 R30",
-             "f:2:1: error: G68 (coordinate rotation) is not read [unread-g] (the path is "
-             "shown without it)"},
-        Case{"G93 G1 X1 F2",
-             "f:1:1: error: G93 (inverse time feed) is not read [unread-g] (feed moves run as fast "
-             "as the axes allow)"},
-        Case{"G54 G0 X1\nG55 X1",
-             "f:2:1: warning: G55 follows G54 on the way [work-offset] (work offsets are "
-             "taken as zero, so the parts of the path lie over each other)"}));
+    testing::Values(Case{"G0 X1\nG43 H1 Z2",
+                         "f:2:1: info: G43 (tool length compensation) is not read [unread-g] (the path "
+                         "shown is that of the tool tip)"},
+                    Case{"G0 X1\nG33 X2 Z-5 K1",
+                         "f:2:1: error: G33 (thread cutting) is not read [unread-g] (positions are left out "
+                         "up to the next G0 "
+                         "to G3)"},
+                    Case{"G0 X1\nG53 Z0",
+                         "f:2:1: warning: G53 (motion in machine coordinates) is not read [unread-g] (the "
+                         "path stays where it "
+                         "is)"},
+                    Case{"G0 X1\nG5.2 X2 Y3 P1",
+                         "f:2:1: error: G5.2 (spline) is not read [unread-g] (positions are left out "
+                         "up to the next G0 to G3)"},
+                    Case{"G54 G0 X1\nG55 X1",
+                         "f:2:1: warning: G55 follows G54 on the way [work-offset] (work offsets are "
+                         "taken as zero, so the parts of the path lie over each other)"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Feeds, IsoDiagnostics,

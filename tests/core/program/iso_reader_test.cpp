@@ -184,13 +184,13 @@ TEST(IsoReader, ArcsThatCannotBeBecomeLinesSoThatThePositionGoesOn) {
 }
 
 TEST(IsoReader, UnreadMotionLeavesPositionsOutUpToTheNextMotionWord) {
-  const Program program = read_text("G0 X1\nG81 X2 Z-5 R1 F100\nX3\nG80\nG0 X4\n");
+  const Program program = read_text("G0 X1\nG33 X2 Z-5 K1\nX3\nG80\nG0 X4\n");
   ASSERT_EQ(program.motions.size(), 2U);
   EXPECT_EQ(program.motions[1].target, Vec3(4, 0, 0));
 }
 
 TEST(IsoReader, MachineMotionsLeaveThePositionAlone) {
-  const Program program = read_text("G0 X1 Z5\nG53 Z0\nG91 G28 Z0\nG90 G92 X100\nX2\n");
+  const Program program = read_text("G0 X1 Z5\nG53 Z0\nG91 G28 Z0\nG90 X2\n");
   ASSERT_EQ(program.motions.size(), 2U);
   EXPECT_EQ(end_of(program), Vec3(2, 0, 5));
 }

@@ -7,28 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/core/program/motion_text.h"
 #include "tests/core/program/path/contour_writer.h"
 
 namespace feedscope {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-std::string text_of(const MotionBlock& block) {
-  constexpr const char* names[] = {"rapid", "line", "arc", "dwell"};
-  const auto tidy = [](double v) { return std::round(v * 1e6) / 1e6 + 0.0; };
-  return fmt::format("{} {} {} {} @{}", names[static_cast<int>(block.motion)], tidy(block.target.x()),
-                     tidy(block.target.y()), tidy(block.target.z()), block.line);
-}
-
-using Lines = std::vector<std::string>;
-
-Lines text_of(const Program& program) {
-  Lines texts;
-  std::transform(program.motions.begin(), program.motions.end(), std::back_inserter(texts),
-                 [](const MotionBlock& block) { return text_of(block); });
-  return texts;
-}
 
 /// Once around the square from (0, 0) to (20, 20), counter-clockwise, in from and out to (-10, 0).
 ContourWriter& around_square(ContourWriter& writer, ToolSide side, double radius) {

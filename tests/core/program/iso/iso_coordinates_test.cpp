@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/core/program/iso/iso_text.h"
+#include "tests/core/program/motion_text.h"
+
+namespace feedscope {
+namespace {
+
+struct CoordinateCase {
+  const char* name;
+  Dialect dialect;
+  const char* text;
+  const char* last;  ///< motion
+};
+
+class ProgrammedPosition : public testing::TestWithParam<CoordinateCase> {};
+
+TEST_P(ProgrammedPosition, ShowTheLastMotionWhereItIs) {
+  EXPECT_EQ(text_of(read_clean_as(GetParam().dialect, GetParam().text)).back(), GetParam().last);
+}
+
+constexpr Dialect fanuc = Dialect::fanuc;
+constexpr Dialect linuxcnc = Dialect::linuxcnc;
+
+INSTANTIATE_TEST_SUITE_P(
+    Shifts, ProgrammedPosition,
+    testing::Values(
+        CoordinateCase{"local", fanuc, "G52 X10 Y5\nG0 X1 Y1", "rapid 11 6 0 @2"},
+        CoordinateCase{"localOff", fanuc, "G52 X10 Y5\nG52 X0 Y0\nG0 X1 Y1", "rapid 1 1 0 @3"},
+        CoordinateCase{"localOneAxis", fanuc, "G52 X10 Y5\nG52 X3\nG0 X1 Y1", "rapid 4 6 0 @3"},
+        CoordinateCase{"localInch", fanuc, "G20 G52 X1\nG21 G0 X1", "rapid 26.4 0 0 @2"},
+        CoordinateCase{"preset", linuxcnc, "G0 X10 Y5\nG92 X0\nG0 X1 Y1", "rapid 11 1 0 @3"},
+        CoordinateCase{"presetAgain", linuxcnc, "G0 X10\nG92 X0\nG92 X100\nG0 X99", "rapid 9 0 0 @4"},
+        CoordinateCase{"presetCleared", linuxcnc, "G0 X10\nG92 X0\nG92.1\nG92.3\nG0 X1", "rapid 1 0 0 @5"},
+        CoordinateCase{"presetHeld", linuxcnc, "G0 X10\nG92 X0\nG92.2\nG0 X1", "rapid 1 0 0 @4"},
+        CoordinateCase{"presetRestored", linuxcnc, "G0 X10\nG92 X0\nG92.2\nG92.3\nG0 X1", "rapid 11 0 0 @5"},
+        CoordinateCase{"presetOfTheExtruder", linuxcnc, "G0 X10\nG92 E0\nG0 X1", "rapid 1 0 0 @3"},
+        CoordinateCase{"work", fanuc, "G90 G10 L2 P2 X100 Y50\nG55 G0 X1 Y1 Z1", "rapid 101 51 1 @2"},
+        CoordinateCase{"workAdds", fanuc, "G10 L2 P1 X100\nG91 G10 L2 P1 X1\nG90 G0 X1", "rapid 102 0 0 @3"},
+        CoordinateCase{"workInForce", fanuc, "G54\nG10 L2 P0 X100\nG0 X1", "rapid 101 0 0 @3"},
+        CoordinateCase{"workBothSet", fanuc, "G10 L2 P1 X0\nG10 L2 P6 X100\nG54 G0 X1\nG59 X1",
+                       "rapid 101 0 0 @4"},
+        CoordinateCase{"workNine", linuxcnc, "G10 L2 P9 Z-100\nG59.3 G0 X1 Z1", "rapid 1 0 -99 @2"},
+        CoordinateCase{"further", fanuc, "G10 L20 P48 X100\nG54.1 P48 G0 X1", "rapid 101 0 0 @2"},
+        CoordinateCase{"workFromPosition", linuxcnc, "G0 X30\nG10 L20 P1 X10\nG0 X11", "rapid 31 0 0 @3"},
+        CoordinateCase{"otherWorkFromPosition", linuxcnc, "G10 L2 P1 X0\nG0 X30\nG10 L20 P2 X10\nG55 X11",
+                       "rapid 31 0 0 @4"},
+        CoordinateCase{"workTurned", linuxcnc, "G10 L2 P1 X100 R90\nG0 X10 Y0", "rapid 100 10 0 @2"},
+        CoordinateCase{"incrementalIsNotShifted", fanuc, "G0 X1\nG52 X10\nG91 X1", "rapid 2 0 0 @3"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+INSTANTIATE_TEST_SUITE_P(
+    Transforms, ProgrammedPosition,
+    testing::Values(
+        CoordinateCase{"rotated", fanuc, "G68 X0 Y0 R90\nG0 X10 Y0 Z1", "rapid 0 10 1 @2"},
+        CoordinateCase{"rotatedAboutACentre", fanuc, "G68 X10 Y0 R90\nG0 X20 Y0", "rapid 10 10 0 @2"},
+        CoordinateCase{"rotatedAboutTheTool", fanuc, "G0 X10\nG68 R90\nG0 X20 Y0", "rapid 10 10 0 @3"},
+        CoordinateCase{"rotatedFurther", fanuc, "G68 X0 Y0 R30\nG91 G68 X0 Y0 R60\nG90 G0 X10 Y0",
+                       "rapid 0 10 0 @3"},
+        CoordinateCase{"rotationEnds", fanuc, "G68 X0 Y0 R90\nG69\nG0 X10 Y0", "rapid 10 0 0 @3"},
+        CoordinateCase{"rotatedInZx", fanuc, "G18 G68 X0 Z0 R90\nG0 Z10 X0", "rapid 10 0 0 @2"},
+        CoordinateCase{"rotationAfterTheOffset", fanuc, "G10 L2 P1 X100\nG68 X0 Y0 R90\nG0 X10 Y0",
+                       "rapid 100 10 0 @3"},
+        CoordinateCase{"scaled", fanuc, "G51 X0 Y0 Z0 P2.\nG0 X10 Y5", "rapid 20 10 0 @2"},
+        CoordinateCase{"scaledInThousandths", fanuc, "G51 X10 Y0 Z0 P500\nG0 X20 Y10", "rapid 15 5 0 @2"},
+        CoordinateCase{"scaledAboutTheTool", fanuc, "G0 X10\nG51 P2.\nG0 X11", "rapid 12 0 0 @3"},
+        CoordinateCase{"scaledByAxis", fanuc, "G51 X0 Y0 Z0 I2. J-1. K1.\nG0 X10 Y5 Z3", "rapid 20 -5 3 @2"},
+        CoordinateCase{"scaleEnds", fanuc, "G51 X0 Y0 Z0 P2.\nG50\nG0 X10", "rapid 10 0 0 @3"},
+        CoordinateCase{"mirrored", fanuc, "G51.1 X20\nG0 X15 Y5", "rapid 25 5 0 @2"},
+        CoordinateCase{"mirrorEnds", fanuc, "G51.1 X20 Y0\nG50.1 X0\nG0 X15 Y5", "rapid 15 -5 0 @3"},
+        CoordinateCase{"allMirrorsEnd", fanuc, "G51.1 X20 Y0\nG50.1\nG0 X15 Y5", "rapid 15 5 0 @3"},
+        CoordinateCase{"mirrorBeforeRotation", fanuc, "G51.1 X0\nG68 X0 Y0 R90\nG0 X10 Y0",
+                       "rapid 0 -10 0 @3"},
+        CoordinateCase{"polar", fanuc, "G16 G0 X10 Y90 Z1", "rapid 0 10 1 @1"},
+        CoordinateCase{"polarAngle", fanuc, "G16 G0 X10 Y90\nY180", "rapid -10 0 0 @2"},
+        CoordinateCase{"polarAngleOn", fanuc, "G16 G0 X10 Y90\nG91 Y90", "rapid -10 0 0 @2"},
+        CoordinateCase{"polarAboutTheTool", fanuc, "G0 X50\nG16 G91 X10 Y90", "rapid 50 10 0 @2"},
+        CoordinateCase{"polarInYz", fanuc, "G19 G16 G0 Y10 Z90", "rapid 0 0 10 @1"},
+        CoordinateCase{"polarEnds", fanuc, "G16 G0 X10 Y90\nG15 X1 Y1", "rapid 1 1 0 @2"}),
+    [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(IsoTransforms, ArcsTurnAlongAndMirrorTheirDirection) {
+  const Program turned = read_clean_as(fanuc, "G68 X0 Y0 R90\nG0 X10 Y0\nG3 X0 Y10 I-10 F100");
+  EXPECT_EQ(text_of(turned).back(), "arc -10 0 0 @3");
+  EXPECT_LT((turned.arcs.at(0).axis - Vec3::UnitZ()).norm(), 1e-12);
+  const Program mirrored = read_clean_as(fanuc, "G51.1 X0\nG0 X10 Y0\nG3 X0 Y10 I-10 F100");
+  EXPECT_EQ(text_of(mirrored).back(), "arc 0 10 0 @3");
+  EXPECT_LT((mirrored.arcs.at(0).axis + Vec3::UnitZ()).norm(), 1e-12);
+}
+
+TEST(IsoTransforms, ReferencePointsAreReachedAsFarAsTheyAreKnown) {
+  const Program program = read_as(fanuc, "G0 X1 Z5\nG28 X10 Y10\nG91 G28 Z0\nG90 G0 X0\nG29 X3\nG30 P2 Y7");
+  EXPECT_EQ(text_of(program), (Lines{"rapid 1 0 5 @1", "rapid 10 10 5 @2", "rapid 0 10 5 @4",
+                                     "rapid 10 10 5 @5", "rapid 3 10 5 @5", "rapid 3 7 5 @6"}));
+  ASSERT_EQ(program.diagnostics.size(), 2U);
+  EXPECT_EQ(
+      format(program.diagnostics[0], "f"),
+      "f:2:1: info: G28 goes on to a reference point of the machine that is not known [reference-point] (the "
+      "path shown stays at the intermediate point)");
+}
+
+struct FaultCase {
+  const char* text;
+  const char* expected;
+};
+
+class IsoCoordinateFault : public testing::TestWithParam<FaultCase> {};
+
+TEST_P(IsoCoordinateFault, NamesWordAndWhatToDo) {
+  const Program program = read_as(fanuc, GetParam().text);
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(format(program.diagnostics[0], "f"), GetParam().expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, IsoCoordinateFault,
+    testing::Values(
+        FaultCase{
+            "G0 X1\nG10 L2 P12 X5",
+            "f:2:8: error: P12 is no number of a work offset from 0 to 9 [offset-number] (the block has no "
+            "effect on the path)"},
+        FaultCase{
+            "G54 G0 X1\nG54.1 P3 X1",
+            "f:2:1: warning: G54.1 P3 follows G54 on the way [work-offset] (work offsets are taken as zero, "
+            "so the parts of the path lie over each other)"},
+        FaultCase{
+            "G0 X1\nG10 L50\nG11",
+            "f:2:1: warning: G10 L50 (setting of data) is not read [unread-g] (the path is shown without "
+            "what it sets)"},
+        FaultCase{
+            "G0 X1\nG68 X0 Y0",
+            "f:2:1: error: G68 without R [rotation-angle] (the path is shown without it; write R with the "
+            "angle)"},
+        FaultCase{
+            "G0 X1\nG68 X0 Y0 Z0 I0 J0 K1 R30",
+            "f:2:1: error: G68 with I, J or K (rotation in space) is not read [unread-g] (the path is shown "
+            "without it)"},
+        FaultCase{
+            "G0 X1\nG51 X0 Y0",
+            "f:2:1: error: G51 without P [scale-factor] (the path is shown without it; write P with the "
+            "factor)"},
+        FaultCase{
+            "G0 X1\nG51 X0 Y0 P0",
+            "f:2:11: error: scale factor P0 is zero [scale-factor] (1 is taken; write a factor that is not "
+            "zero)"},
+        FaultCase{"G0 X1\nG53 Z0",
+                  "f:2:1: warning: G53 (motion in machine coordinates) is not read [unread-g] (the path "
+                  "stays where "
+                  "it is)"},
+        FaultCase{
+            "G93 G1 X1 F2\nX2",
+            "f:2:1: error: a feed move without F under G93 [feed-missing] (the last F is taken; write F in "
+            "every such block)"},
+        FaultCase{"G0 X1\nG15 G69 G50 G98 G92.1 G92.2 G92.3 G50.1 G16",
+                  "f:2:41: error: G16 is one G word too many in the block [too-many-g] (it is left out; "
+                  "write it in "
+                  "a block of its own)"}));
+
+TEST(IsoTransforms, FeedIsInverseTimeOrPerRevolution) {
+  EXPECT_EQ(read_clean_as(linuxcnc, "G93 G1 X10 F6").motions.at(0).feed, 1) << "10 mm in a sixth of a minute";
+  EXPECT_EQ(read_clean_as(fanuc, "G95 S1200 G1 X10 F0.5").motions.at(0).feed, 10);
+  EXPECT_EQ(read_clean_as(fanuc, "G95 S1200 G1 X10 F0.5\nG94 X20 F60").motions.at(1).feed, 1);
+}
+
+}  // namespace
+}  // namespace feedscope
