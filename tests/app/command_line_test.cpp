@@ -211,18 +211,6 @@ TEST_F(CommandLine, CancelsOnInterruptAndLeavesNoFile) {
   }
 }
 
-TEST_F(CommandLine, CheckTellsFacts) {
-  const Result result = run("check corner.nc");
-  EXPECT_EQ(result.code, 0);
-  EXPECT_THAT(result.out, AllOf(HasSubstr("2, 2 with words"), HasSubstr("2 lines, 0 arcs"),
-                                HasSubstr("0.0000 to 20.0000 mm"), HasSubstr("40.000 mm"),
-                                HasSubstr("3000 to 3000 mm/min")));
-  EXPECT_EQ(run("check wrong.nc").code, 1);
-  const json report = json::parse(run("check wrong.nc --json -").out);
-  EXPECT_EQ(report["program"]["segments"], 2);
-  EXPECT_EQ(report["diagnostics"][0]["severity"], "error");
-}
-
 TEST_F(CommandLine, ListsAndShowsMachines) {
   const Result list = run("machines");
   EXPECT_EQ(list.code, 0);

@@ -1,0 +1,76 @@
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command_line.h"
+
+namespace feedscope::test {
+namespace {
+
+using nlohmann::json;
+using testing::AllOf;
+using testing::HasSubstr;
+
+using CheckCommand = CommandLine;
+
+TEST_F(CheckCommand, TellsFacts) {
+  const Result result = run("check corner.nc");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("2; 2 blocks run"), HasSubstr("2 lines, 0 arcs"),
+                                HasSubstr("0.0000 to 20.0000 mm"), HasSubstr("40.000 mm"),
+                                HasSubstr("3000 to 3000 mm/min")));
+  EXPECT_EQ(run("check wrong.nc").code, 1);
+  const json report = json::parse(run("check wrong.nc --json -").out);
+  EXPECT_EQ(report["program"]["segments"], 2);
+  EXPECT_EQ(report["diagnostics"][0]["severity"], "error");
+}
+
+TEST_F(CheckCommand, MarksThePlaceOfADiagnostic) {
+  write("arc.nc", "G1 X10 F100\n\tG2 X20 R4\n" + std::string(200, ' ') + "G0 X1 @\n");
+  const Result result = run("check arc.nc");
+  EXPECT_THAT(result.err, HasSubstr("arc.nc:2:9: error: radius 4.0000 mm is too small"));
+  EXPECT_THAT(result.err, HasSubstr("\n   G2 X20 R4\n          ^\n")) << "a tab is shown as one blank";
+  EXPECT_THAT(result.err, HasSubstr("G0 X1 @\n" + std::string(62, ' ') + "^\n")) << "long lines are cut";
+}
+
+TEST_F(CheckCommand, TellsPathControlByLines) {
+  write("control.ngc", "G64 P0.2\nG1 X10 F3000\nY10\nG61\nX0\n");
+  EXPECT_THAT(run("check control.ngc").out,
+              AllOf(HasSubstr("LinuxCNC"), HasSubstr("lines 2 to 3: continuous, contour tolerance 0.2 mm"),
+                    HasSubstr("line 5: exact stops")));
+  const json report = json::parse(run("check control.ngc --json -").out);
+  EXPECT_EQ(report["program"]["dialect"], "linuxcnc");
+  EXPECT_EQ(report["program"]["path_control"][0]["contour_tolerance_mm"], 0.2);
+  EXPECT_EQ(report["program"]["path_control"][1]["exact_stop"], true);
+}
+
+TEST_F(CheckCommand, TakesTheDialectThatIsNamed) {
+  write("dwell.nc", "G4 P2\nG1 X1 F100\n");
+  const auto dwell = [this](const std::string& options) {
+    return json::parse(run("check dwell.nc --json - " + options).out)["program"]["dwell_s"].get<double>();
+  };
+  EXPECT_EQ(dwell("--dialect fanuc"), 0.002);
+  EXPECT_EQ(dwell("--dialect linuxcnc"), 2);
+  expect_wrong_use("check dwell.nc --dialect linuxcmc", "did you mean \"linuxcnc\"?");
+}
+
+TEST_F(CheckCommand, EndlessLoopsEndAtALimitThatCanBeRaised) {
+  write("loop.ngc", "#1=0\no1 while [#1 LT 100]\n#1=[#1+1]\nG1 X#1 F100\no1 endwhile\nM2\n");
+  EXPECT_EQ(run("check loop.ngc").code, 0);
+  const Result stopped = run("check loop.ngc --repeat-limit 30");
+  EXPECT_EQ(stopped.code, 1);
+  EXPECT_THAT(stopped.err, AllOf(HasSubstr("[run-limit]"), HasSubstr("--repeat-limit")));
+}
+
+TEST_F(CheckCommand, ToleranceReplacesTheProgramsOwnAndSaysSo) {
+  write("control.ngc", "G64 P0.2\nG1 X10 F3000\nY10\n");
+  const Result own = run("simulate control.ngc --json - --blends blends.csv");
+  EXPECT_EQ(own.err, "");
+  EXPECT_NEAR(json::parse(own.out)["max_contour_error_mm"].get<double>(), 0.16, 1e-9);
+  const Result replaced = run("simulate control.ngc --tolerance 0.05 --json -");
+  EXPECT_THAT(replaced.err, HasSubstr("note: --tolerance replaces the program's own path control"));
+  EXPECT_NEAR(json::parse(replaced.out)["max_contour_error_mm"].get<double>(), 0.04, 1e-9);
+}
+
+}  // namespace
+}  // namespace feedscope::test
