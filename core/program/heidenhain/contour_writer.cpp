@@ -188,6 +188,25 @@ void ContourWriter::approach(const ContourApproach& approach) {
   approach_ = approach;
 }
 
+bool ContourWriter::soften_approach(double radius) {
+  if (!held_ || last_.is_arc || approach_) {
+    return false;
+  }
+  held_ = false;
+  ContourApproach approach;
+  approach.shape.kind = ApproachKind::line_and_arc;
+  approach.shape.radius = radius;
+  approach.shape.side = last_.side < 0 ? -1 : 1;
+  approach.target = last_.target;
+  approach.travel = last_.feed;
+  approach.feed = last_.feed;
+  approach.side = last_.side;
+  approach.tool_radius = last_.tool_radius;
+  approach.place = last_.place;
+  approach_ = approach;
+  return true;
+}
+
 void ContourWriter::report_approach(const ContourPlace& place, std::string message, std::string hint) {
   log_.add(Severity::error, "approach", 0, place.place, [&] {
     return Text{std::move(message), std::move(hint)};

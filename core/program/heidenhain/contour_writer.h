@@ -93,6 +93,8 @@ class ContourWriter {
   /// Between the last element and the next one.
   void add_corner(const ContourCorner& corner);
   void approach(const ContourApproach& approach);
+  /// Makes an approach of the line held back, on a line and an arc; false if none is.
+  bool soften_approach(double radius);
   void depart(const ContourDeparture& departure);
   /// Writes what is held back. To be called before anything else changes the path or its frame, and at the
   /// end.

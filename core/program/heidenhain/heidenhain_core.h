@@ -32,6 +32,8 @@ class HeidenhainCore : public Reader {
   virtual std::string label_on(std::string_view line) = 0;
   /// What the called programs must be written in too.
   virtual Dialect dialect() const = 0;
+  /// Throws ReadFault "unread-word" about the rest of the statement.
+  [[noreturn]] static void throw_unread_words(Scanner& scanner, std::string_view where);
 
   /// As Reader's, also where a statement came from several lines.
   template <typename MakeText>
@@ -64,7 +66,11 @@ class HeidenhainCore : public Reader {
   void set_pole(const MotionWords& words);
   void run_corner(bool rounding, double size, const MotionWords& words, std::uint32_t column);
   void run_approach(ApproachKind kind, bool polar, const MotionWords& words, std::uint32_t column);
+  /// The line before leads onto the contour by an arc of this radius [mm].
+  void run_soft_approach(double radius, std::uint32_t column);
   void run_departure(ApproachKind kind, bool polar, const MotionWords& words, std::uint32_t column);
+  /// An M with the words that belong to it. Throws ReadFault.
+  void m_word(Scanner& scanner, std::uint32_t column, MotionWords& words);
   /// Only M functions.
   void run_functions(const MotionWords& words);
   void check_rotary(char letter, double value, bool incremental, std::uint32_t column);
@@ -82,6 +88,8 @@ class HeidenhainCore : public Reader {
     std::optional<double> feed;   ///< as written
     double radius_excess = 0;     ///< DR [mm]
   };
+  /// A tool's number or name, as a key; none if none stands here.
+  std::optional<std::string> tool_name(Scanner& scanner);
   void define_tool(const std::string& tool, double radius) { tool_radii_[tool] = radius; }
   void call_tool(const ToolCall& call);
   void set_blank_corner(bool upper, const Vec3& corner, std::uint32_t column);
@@ -118,7 +126,8 @@ class HeidenhainCore : public Reader {
     std::string label;  ///< of the jumps 9 to 12
   };
   void run_function(const FunctionCall& call);
-  void read_system_data(const QName& result, double group, double number, double index, std::uint32_t column);
+  /// FN 18 from "SYSREAD" on.
+  void read_system_data(Scanner& scanner, std::uint32_t column);
   /// FN 14 and the functions that do not touch the path.
   void note_function(int number, std::uint32_t column);
 
@@ -127,7 +136,8 @@ class HeidenhainCore : public Reader {
   /// The parameters stand as "Q200=2" from the scanner on.
   void define_cycle(int number, std::string_view title, Scanner& parameters, std::uint32_t column);
   void define_old_drilling(int number) { cycle_ = {number, CycleKind::old_drilling, {}}; }
-  OldDrilling& old_drilling() { return old_drilling_; }
+  /// The value of its line or P word number `part`, as written.
+  void set_old_drilling(int number, int part, double value);
   void define_program_cycle(std::string_view program) {
     cycle_ = {12, CycleKind::program, std::string(program)};
   }
@@ -156,6 +166,7 @@ class HeidenhainCore : public Reader {
   void run_out() override;
 
   double unset_parameter(const QName& name);
+  void read_system_data(const QName& result, double group, double number, double index, std::uint32_t column);
 
   ContourElement element_of(const MotionWords& words, const Vec3& target) const;
   void add_path(PathKind kind, const MotionWords& words);
@@ -175,6 +186,7 @@ class HeidenhainCore : public Reader {
   void retract(const MotionWords& words);
   bool leaves_out_machine_position(const MotionWords& words);
   ApproachShape approach_shape(ApproachKind kind, const MotionWords& words, std::uint32_t column);
+  void check_side(std::uint32_t column);
   void report_feed_value(const MotionWords& words);
 
   std::optional<std::uint32_t> line_of_label(const std::string& label, std::uint32_t column);

@@ -85,7 +85,8 @@ void HeidenhainReader::old_cycle_line(int number, int part, Scanner& scanner, st
       if (part == 0) {
         define_old_drilling(number);
       } else {
-        old_drilling_line(number, part, scanner);
+        skip_value_name(scanner);
+        set_old_drilling(number, part, formulas().read_value(scanner));
       }
       return;
     case spindle_orientation:
@@ -120,41 +121,6 @@ void HeidenhainReader::old_cycle_line(int number, int part, Scanner& scanner, st
         leave_out_cycle(number, title_of(scanner.rest()), column);
       }
       return;
-  }
-}
-
-void HeidenhainReader::old_drilling_line(int number, int part, Scanner& scanner) {
-  enum class Value { clearance, depth, infeed, dwell, feed, pitch, none };
-  using V = Value;
-  constexpr std::array pecking{V::clearance, V::depth, V::infeed, V::dwell, V::feed};
-  constexpr std::array tapping{V::clearance, V::depth, V::dwell, V::feed, V::none};
-  constexpr std::array rigid{V::clearance, V::depth, V::pitch, V::none, V::none};
-  const auto& values = number == 1 ? pecking : number == 2 ? tapping : rigid;
-  const Value value =
-      part <= static_cast<int>(values.size()) ? values[static_cast<std::size_t>(part - 1)] : V::none;
-  skip_value_name(scanner);
-  OldDrilling& cycle = old_drilling();
-  switch (value) {
-    case V::clearance:
-      cycle.clearance = to_mm(formulas().read_value(scanner));
-      break;
-    case V::depth:
-      cycle.depth = to_mm(formulas().read_value(scanner));
-      break;
-    case V::infeed:
-      cycle.infeed = to_mm(formulas().read_value(scanner));
-      break;
-    case V::dwell:
-      cycle.dwell = formulas().read_value(scanner);
-      break;
-    case V::feed:
-      cycle.feed = to_feed(formulas().read_value(scanner));
-      break;
-    case V::pitch:
-      cycle.pitch = to_mm(formulas().read_value(scanner));
-      break;
-    case V::none:
-      break;
   }
 }
 

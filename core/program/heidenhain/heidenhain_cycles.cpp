@@ -94,6 +94,39 @@ void HeidenhainCore::define_cycle(int number, std::string_view title, Scanner& p
   }
 }
 
+void HeidenhainCore::set_old_drilling(int number, int part, double value) {
+  enum class Value { clearance, depth, infeed, dwell, feed, pitch, none };
+  using V = Value;
+  constexpr std::array pecking{V::clearance, V::depth, V::infeed, V::dwell, V::feed};
+  constexpr std::array tapping{V::clearance, V::depth, V::dwell, V::feed, V::none};
+  constexpr std::array rigid{V::clearance, V::depth, V::pitch, V::none, V::none};
+  const auto& values = number == 1 ? pecking : number == 2 ? tapping : rigid;
+  const Value which =
+      part <= static_cast<int>(values.size()) ? values[static_cast<std::size_t>(part - 1)] : V::none;
+  switch (which) {
+    case V::clearance:
+      old_drilling_.clearance = to_mm(value);
+      break;
+    case V::depth:
+      old_drilling_.depth = to_mm(value);
+      break;
+    case V::infeed:
+      old_drilling_.infeed = to_mm(value);
+      break;
+    case V::dwell:
+      old_drilling_.dwell = value;
+      break;
+    case V::feed:
+      old_drilling_.feed = to_feed(value);
+      break;
+    case V::pitch:
+      old_drilling_.pitch = to_mm(value);
+      break;
+    case V::none:
+      break;
+  }
+}
+
 void HeidenhainCore::leave_out_cycle(int number, std::string_view title, std::uint32_t column) {
   cycle_ = {number, CycleKind::left_out, {}};
   report(Severity::error, "unread-cycle", number, column, [&] {

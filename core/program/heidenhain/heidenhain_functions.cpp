@@ -127,6 +127,37 @@ void HeidenhainCore::note_function(int number, std::uint32_t column) {
   });
 }
 
+void HeidenhainCore::throw_unread_words(Scanner& scanner, std::string_view where) {
+  const std::uint32_t column = scanner.column();
+  throw ReadFault{"unread-word", column,
+                  fmt::format("{} does not belong into {}", quoted(scanner.rest()), where),
+                  "the block is left out; check it"};
+}
+
+std::optional<std::string> HeidenhainCore::tool_name(Scanner& scanner) {
+  const char first = letters::to_upper(scanner.peek());
+  const bool is_text = first == '"' || (first == 'Q' && letters::to_upper(scanner.peek_at(1)) == 'S');
+  if (is_text) {
+    return label(scanner);
+  }
+  if (letters::is_digit(first) || first == 'Q') {
+    return fmt::format("{}", formulas_.read_value(scanner));
+  }
+  return std::nullopt;
+}
+
+void HeidenhainCore::read_system_data(Scanner& scanner, std::uint32_t column) {
+  scanner.take_name("SYSREAD");
+  const std::optional<QName> result = take_parameter(scanner);
+  if (!result || result->kind == QName::Kind::text || !scanner.take('=') || !scanner.take("ID")) {
+    throw_unread_words(scanner, "FN 18");
+  }
+  const double group = formulas_.read_value(scanner);
+  const double number = scanner.take("NR") ? formulas_.read_value(scanner) : 0;
+  const double index = scanner.take("IDX") ? formulas_.read_value(scanner) : 0;
+  read_system_data(*result, group, number, index, column);
+}
+
 void HeidenhainCore::read_system_data(const QName& result, double group, double number, double index,
                                       std::uint32_t column) {
   const auto asks = [&](int g, int n) { return group == g && number == n; };

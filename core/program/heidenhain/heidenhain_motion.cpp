@@ -265,6 +265,15 @@ void HeidenhainCore::run_corner(bool rounding, double size, const MotionWords& w
   contour_.add_corner(corner);
 }
 
+void HeidenhainCore::check_side(std::uint32_t column) {
+  if (side_ == 0) {
+    report(Severity::warning, "approach-side", 0, column, [] {
+      return Text{"an approach or departure to the side without RL or RR",
+                  "the left side is taken; write RL or RR"};
+    });
+  }
+}
+
 ApproachShape HeidenhainCore::approach_shape(ApproachKind kind, const MotionWords& words,
                                              std::uint32_t column) {
   ApproachShape shape;
@@ -293,11 +302,8 @@ ApproachShape HeidenhainCore::approach_shape(ApproachKind kind, const MotionWord
       shape.radius = need(words.radius, "its radius R");
       break;
   }
-  if (kind != ApproachKind::tangent_line && side_ == 0) {
-    report(Severity::warning, "approach-side", 0, column, [] {
-      return Text{"an approach or departure to the side without RL or RR",
-                  "the left side is taken; write RL or RR"};
-    });
+  if (kind != ApproachKind::tangent_line) {
+    check_side(column);
   }
   return shape;
 }
@@ -325,6 +331,14 @@ void HeidenhainCore::run_approach(ApproachKind kind, bool polar, const MotionWor
   contour_.approach(approach);
   last_rapid_ = false;
   finish_functions(words, true);
+}
+
+void HeidenhainCore::run_soft_approach(double radius, std::uint32_t column) {
+  if (!(radius > 0) || !contour_.soften_approach(radius)) {
+    throw ReadFault{"approach", column, "no line to the contour's first point stands in the block before",
+                    "the contour is approached straight"};
+  }
+  check_side(column);
 }
 
 void HeidenhainCore::run_departure(ApproachKind kind, bool polar, const MotionWords& words,

@@ -39,7 +39,6 @@ class HeidenhainReader : public HeidenhainCore {
   bool normal_word(Scanner& scanner, std::uint32_t column);
   void feed_word(Scanner& scanner, std::uint32_t column, MotionWords& words);
   void radius_word(Scanner& scanner, std::uint32_t column, MotionWords& words);
-  void m_word(Scanner& scanner, std::uint32_t column, MotionWords& words);
 
   void line(Scanner& scanner, std::uint32_t column);
   void pole(Scanner& scanner, std::uint32_t column);
@@ -65,7 +64,6 @@ class HeidenhainReader : public HeidenhainCore {
   void tool(Scanner& scanner, std::uint32_t column);
   void tool_definition(Scanner& scanner);
   void tool_call(Scanner& scanner);
-  std::optional<std::string> tool_name(Scanner& scanner);
   void label_statement(Scanner& scanner, std::uint32_t column);
   void call_statement(Scanner& scanner, std::uint32_t column);
   void stop(Scanner& scanner, std::uint32_t column);
@@ -73,14 +71,12 @@ class HeidenhainReader : public HeidenhainCore {
   void function(Scanner& scanner, std::uint32_t column);
   void arithmetic(Scanner& scanner, FunctionCall& call);
   void jump_condition(Scanner& scanner, FunctionCall& call);
-  void system_read_function(Scanner& scanner, std::uint32_t column);
   void transformation(Scanner& scanner, std::uint32_t column);
 
   // heidenhain_cycle_lines.cpp
   void cycle(Scanner& scanner, std::uint32_t column);
   void cycle_call(Scanner& scanner, std::uint32_t column);
   void old_cycle_line(int number, int part, Scanner& scanner, std::uint32_t column);
-  void old_drilling_line(int number, int part, Scanner& scanner);
   void transformation_cycle(int number, Scanner& scanner, std::uint32_t column);
   void datum_shift(Scanner& scanner, std::uint32_t column);
   void mirror(Scanner& scanner, std::uint32_t column);

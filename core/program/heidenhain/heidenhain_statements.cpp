@@ -10,13 +10,6 @@ namespace feedscope {
 
 namespace {
 
-[[noreturn]] void throw_unread(Scanner& scanner, std::string_view where) {
-  const std::uint32_t column = scanner.column();
-  throw ReadFault{"unread-word", column,
-                  fmt::format("{} does not belong into {}", quoted(scanner.rest()), where),
-                  "the block is left out; check it"};
-}
-
 /// The plane across the tool axis.
 std::optional<Plane> take_tool_axis(Scanner& scanner) {
   for (const auto& [letter, plane] : {std::pair{'Z', Plane::xy}, {'Y', Plane::zx}, {'X', Plane::yz}}) {
@@ -63,22 +56,10 @@ void HeidenhainReader::tool(Scanner& scanner, std::uint32_t column) {
   }
 }
 
-std::optional<std::string> HeidenhainReader::tool_name(Scanner& scanner) {
-  const char first = letters::to_upper(scanner.peek());
-  const bool is_text = first == '"' || (first == 'Q' && letters::to_upper(scanner.peek_at(1)) == 'S');
-  if (is_text) {
-    return label(scanner);
-  }
-  if (letters::is_digit(first) || first == 'Q') {
-    return fmt::format("{}", formulas().read_value(scanner));
-  }
-  return std::nullopt;
-}
-
 void HeidenhainReader::tool_definition(Scanner& scanner) {
   const std::optional<std::string> name = tool_name(scanner);
   if (!name) {
-    throw_unread(scanner, "TOOL DEF");
+    throw_unread_words(scanner, "TOOL DEF");
   }
   while (!scanner.at_end()) {
     if (scanner.take('L')) {
@@ -86,7 +67,7 @@ void HeidenhainReader::tool_definition(Scanner& scanner) {
     } else if (scanner.take('R')) {
       define_tool(*name, to_mm(formulas().read_value(scanner)));
     } else {
-      throw_unread(scanner, "TOOL DEF");
+      throw_unread_words(scanner, "TOOL DEF");
     }
   }
 }
@@ -105,7 +86,7 @@ void HeidenhainReader::tool_call(Scanner& scanner) {
     } else if (scanner.take("DR")) {
       call.radius_excess = to_mm(formulas().read_value(scanner));
     } else {
-      throw_unread(scanner, "TOOL CALL");
+      throw_unread_words(scanner, "TOOL CALL");
     }
   }
   call_tool(call);
@@ -146,7 +127,7 @@ void HeidenhainReader::function(Scanner& scanner, std::uint32_t column) {
   constexpr int angle = 13;
   const std::optional<double> number = scanner.number();
   if (!number || *number > 99) {
-    throw_unread(scanner, "FN");
+    throw_unread_words(scanner, "FN");
   }
   FunctionCall call;
   call.number = static_cast<int>(*number);
@@ -155,7 +136,7 @@ void HeidenhainReader::function(Scanner& scanner, std::uint32_t column) {
   if (call.number >= 9 && call.number <= 12) {
     jump_condition(scanner, call);
   } else if (call.number == system_read) {
-    system_read_function(scanner, column);
+    read_system_data(scanner, column);
     return;
   } else if (call.number <= 8 || call.number == angle) {
     arithmetic(scanner, call);
@@ -166,7 +147,7 @@ void HeidenhainReader::function(Scanner& scanner, std::uint32_t column) {
 void HeidenhainReader::arithmetic(Scanner& scanner, FunctionCall& call) {
   call.result = take_parameter(scanner);
   if (!call.result || call.result->kind == QName::Kind::text || !scanner.take('=')) {
-    throw_unread(scanner, "FN");
+    throw_unread_words(scanner, "FN");
   }
   constexpr std::array<std::string_view, 3> of_one{"SQRT", "SIN", "COS"};
   if (call.number >= 5 && call.number <= 7) {
@@ -182,7 +163,7 @@ void HeidenhainReader::arithmetic(Scanner& scanner, FunctionCall& call) {
     return;
   }
   if (!scanner.take(sign) && !(call.number == 4 && scanner.take('/'))) {
-    throw_unread(scanner, "FN");
+    throw_unread_words(scanner, "FN");
   }
   call.values[1] = formulas().read_value(scanner);
 }
@@ -192,26 +173,14 @@ void HeidenhainReader::jump_condition(Scanner& scanner, FunctionCall& call) {
   scanner.take_name("IF");
   call.values[0] = formulas().read_value(scanner);
   if (!scanner.take_name(relations[static_cast<std::size_t>(call.number - 9)])) {
-    throw_unread(scanner, "FN");
+    throw_unread_words(scanner, "FN");
   }
   call.values[1] = formulas().read_value(scanner);
   if (!scanner.take_name("GOTO")) {
-    throw_unread(scanner, "FN");
+    throw_unread_words(scanner, "FN");
   }
   scanner.take_name("LBL");
   call.label = label(scanner);
-}
-
-void HeidenhainReader::system_read_function(Scanner& scanner, std::uint32_t column) {
-  scanner.take_name("SYSREAD");
-  const std::optional<QName> result = take_parameter(scanner);
-  if (!result || result->kind == QName::Kind::text || !scanner.take('=') || !scanner.take("ID")) {
-    throw_unread(scanner, "FN 18");
-  }
-  const double group = formulas().read_value(scanner);
-  const double number = scanner.take("NR") ? formulas().read_value(scanner) : 0;
-  const double index = scanner.take("IDX") ? formulas().read_value(scanner) : 0;
-  read_system_data(*result, group, number, index, column);
 }
 
 void HeidenhainReader::transformation(Scanner& scanner, std::uint32_t column) {
@@ -245,7 +214,7 @@ void HeidenhainReader::transformation(Scanner& scanner, std::uint32_t column) {
       scaling(scanner, column);
     }
   } else {
-    throw_unread(scanner, "TRANS");
+    throw_unread_words(scanner, "TRANS");
   }
   apply_transformations(column);
 }

@@ -1,8 +1,6 @@
 // The part of HeidenhainReader for the words of path blocks.
 #include <fmt/format.h>
 
-#include <limits>
-
 #include "core/base/units.h"
 #include "core/program/heidenhain/heidenhain_reader.h"
 #include "core/program/text/message.h"
@@ -170,57 +168,6 @@ void HeidenhainReader::radius_word(Scanner& scanner, std::uint32_t column, Motio
     words.side = SideWord::off;
   } else {
     words.radius = to_mm(formulas().read_value(scanner));
-  }
-}
-
-void HeidenhainReader::m_word(Scanner& scanner, std::uint32_t column, MotionWords& words) {
-  scanner.take('M');
-  const std::optional<double> number = scanner.number();
-  if (!number || *number > 9999) {
-    throw ReadFault{"malformed-number", column, "M without a number of a function",
-                    "the block is left out; write M3"};
-  }
-  const int function = static_cast<int>(*number);
-  words.m_column = words.m_column == 0 ? column : words.m_column;
-  if (words.m_count < static_cast<int>(words.m.size())) {
-    words.m[static_cast<std::size_t>(words.m_count++)] = function;
-  }
-  // Words that belong to the function, not to the motion.
-  const auto take_values = [&](std::string_view letters_of_function) {
-    while (!scanner.at_end() &&
-           letters_of_function.find(letters::to_upper(scanner.peek())) != std::string_view::npos) {
-      scanner.take(scanner.peek());
-      if (const char next = scanner.peek(); letters::is_digit(next) || next == '+' || next == '-' ||
-                                            next == '.' || letters::to_upper(next) == 'Q') {
-        formulas().read_value(scanner);
-      }
-    }
-  };
-  switch (function) {
-    case 94:
-    case 138:
-      return take_values("ABC");
-    case 103:
-    case 128:
-      return take_values("F");
-    case 112:
-    case 124:
-      return take_values("TA");
-    case 118:
-      return take_values("XYZABC");
-    case 120:
-      if (scanner.take("LA")) {
-        formulas().read_value(scanner);
-      }
-      return;
-    case 140:
-      if (scanner.take("MB")) {
-        words.retract = scanner.take("MAX") ? std::numeric_limits<double>::infinity()
-                                            : to_mm(formulas().read_value(scanner));
-      }
-      return;
-    default:
-      return;
   }
 }
 

@@ -1,0 +1,31 @@
+%SPIRAL G71 *
+N10 ; Written for Feedscope: a spiral of half circles, cut twice with two tolerances, the second turned *
+N20 G30 G17 X-40 Y-40 Z-10 *
+N30 G31 G90 X+40 Y+40 Z+0 *
+N40 G99 T1 L+0 R+3 *
+N50 T1 G17 S8000 F3000 *
+N60 G00 G40 G90 Z+50 M3 *
+N70 G62 T0.02 *
+N80 L1,0 *
+N90 G73 G90 H+90 *
+N100 G62 T0.005 P01 0 P02 1 *
+N110 L1,0 *
+N120 G73 G90 H+0 *
+N130 G62 *
+N140 G00 Z+50 M2 *
+N150 ; half circles about X+1 and X-1 in turn, each 2 mm larger *
+N160 G98 L1 *
+N170 D00 Q1 P01 +4 *
+N180 G00 X-3 Y+0 *
+N190 Z+2 *
+N200 G01 Z-1 F1000 *
+N210 G98 L2 *
+N220 D02 Q2 P01 +Q1 P02 -1 *
+N230 G02 X+Q2 Y+0 I+1 J+0 F AUTO *
+N240 D02 Q3 P01 -Q2 P02 +2 *
+N250 G02 X+Q3 Y+0 I-1 J+0 *
+N260 D01 Q1 P01 +Q1 P02 +4 *
+N270 D12 P01 +Q1 P02 +30 P03 2 *
+N280 G00 Z+2 *
+N290 G98 L0 *
+N99999999 %SPIRAL G71 *
