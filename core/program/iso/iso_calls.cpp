@@ -53,7 +53,8 @@ void IsoReader::run_calls(bool sound) {
     }
     return;
   }
-  const bool moved = sound && words_.has_any("XYZ") && !words_.own_words && words_.dwell == 0;
+  const bool moved =
+      sound && (words_.has_any("XYZ") || words_.has_polar()) && !words_.own_words && words_.dwell == 0;
   if (modal_macro_ && moved && call_depth() == modal_macro_->depth) {
     call_macro(*modal_macro_);
   }

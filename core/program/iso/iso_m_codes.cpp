@@ -79,6 +79,12 @@ void IsoReader::restore(const KeptState& kept) {
   state_.inch = kept.state.inch;
   state_.incremental = kept.state.incremental;
   state_.absolute_centers = kept.state.absolute_centers;
+  state_.to_initial_level = kept.state.to_initial_level;
+  if (kept.state.work_offset != 0 && kept.state.work_offset != state_.work_offset) {
+    state_.work_offset = kept.state.work_offset;
+    coordinates_.select_work_offset(state_.work_offset);
+    set_frame();
+  }
   path().set_feed_mode(kept.feed_mode);
   if (kept.feed > 0) {
     path().set_feed(kept.feed);

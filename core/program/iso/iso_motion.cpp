@@ -22,8 +22,8 @@ void IsoReader::move() {
   }
   const bool is_arc = state_.motion == MotionMode::arc_cw || state_.motion == MotionMode::arc_ccw;
   const bool is_cycle = state_.motion == MotionMode::cycle;
-  const bool moves =
-      words_.has_any("XYZ") || (is_arc && words_.has_any("IJKR")) || (is_cycle && words_.has('R'));
+  const bool moves = words_.has_any("XYZ") || words_.has_polar() || (is_arc && words_.has_any("IJKR")) ||
+                     (is_cycle && words_.has('R'));
   if (words_.own_words || !moves) {
     return;
   }
@@ -61,7 +61,7 @@ void IsoReader::move() {
 
 void IsoReader::program_axes_of_block() {
   for (int axis = 0; axis < 3; ++axis) {
-    if (words_.has(axis_letters[static_cast<std::size_t>(axis)])) {
+    if (words_.has(axis_letters[static_cast<std::size_t>(axis)]) || (words_.has_polar() && axis < 2)) {
       path().program_axis(axis);
     }
   }
@@ -165,11 +165,14 @@ void IsoReader::check_center_axis() {
 
 Vec3 IsoReader::target_of_block() {
   const Vec3 position = path().position();
-  if (!words_.has_any("XYZ")) {
+  if (!words_.has_any("XYZ") && !words_.has_polar()) {
     return position;
   }
   const Vec3 target =
       state_.incremental ? Vec3(position + programmed_axes(Vec3::Zero())) : programmed_axes(position);
+  if (words_.has_polar()) {
+    return distance_and_angle_target(target);
+  }
   return state_.polar.on ? polar_target(target) : target;
 }
 

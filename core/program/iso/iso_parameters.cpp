@@ -63,7 +63,38 @@ double feed_mode_number(FeedMode mode) {
   return 94;
 }
 
+constexpr std::array offset_keys{540, 550, 560, 570, 580, 590, 591, 592, 593};
+
 }  // namespace
+
+std::optional<IsoReader::OffsetVariable> IsoReader::offset_variable(std::uint32_t number) const {
+  constexpr std::uint32_t first = 5221;    // G54
+  constexpr std::uint32_t further = 7001;  // G54.1 P1
+  constexpr std::uint32_t most_further = 48;
+  constexpr std::uint32_t apart = 20;
+  const bool linuxcnc = follows_linuxcnc(dialect_);
+  const std::uint32_t count = linuxcnc ? offset_keys.size() : 6;
+  const auto in_table = [&](std::uint32_t start, std::uint32_t entries) {
+    return number >= start && number < start + apart * entries && (number - start) % apart < 3;
+  };
+  if (in_table(first, count)) {
+    return OffsetVariable{offset_keys[(number - first) / apart], static_cast<int>((number - first) % apart)};
+  }
+  if (!linuxcnc && in_table(further, most_further)) {
+    const auto entry = static_cast<int>((number - further) / apart + 1);
+    return OffsetVariable{IsoCoordinates::further_work_offset(entry),
+                          static_cast<int>((number - further) % apart)};
+  }
+  return std::nullopt;
+}
+
+void IsoReader::set_offset_variable(const OffsetVariable& variable, double value) {
+  const IsoCoordinates::WorkOffset* const known = coordinates_.work_offset(variable.key);
+  IsoCoordinates::WorkOffset offset = known == nullptr ? IsoCoordinates::WorkOffset{} : *known;
+  offset.shift[variable.axis] = state_.to_mm(is_null(value) ? 0 : value);
+  coordinates_.set_work_offset(variable.key, offset);
+  set_frame();
+}
 
 double IsoReader::position_of(int axis) const {
   return in_unit(path().position()[axis], state_.inch);
@@ -84,10 +115,19 @@ double IsoReader::feed_word() const {
 }
 
 std::optional<double> IsoReader::built_in(std::uint32_t number) const {
+  if (const std::optional<OffsetVariable> variable = offset_variable(number)) {
+    const IsoCoordinates::WorkOffset* const known = coordinates_.work_offset(variable->key);
+    return known == nullptr ? std::nullopt
+                            : std::optional(in_unit(known->shift[variable->axis], state_.inch));
+  }
   const auto axis_of = [&](std::uint32_t first) { return position_of(static_cast<int>(number - first)); };
   if (follows_linuxcnc(dialect_)) {
     if (number >= 5420 && number <= 5422) {
       return axis_of(5420);
+    }
+    if (number == 5220) {
+      const auto* const key = std::find(offset_keys.begin(), offset_keys.end(), state_.work_offset);
+      return key == offset_keys.end() ? 1.0 : static_cast<double>(key - offset_keys.begin() + 1);
     }
     return number == 5400 ? std::optional(state_.tool) : std::nullopt;
   }
@@ -112,6 +152,10 @@ std::optional<double> IsoReader::fanuc_modal(std::uint32_t number) const {
       return feed_mode_number(path().feed_mode());
     case 4006:
       return state_.inch ? 20 : 21;
+    case 4014: {
+      constexpr int further = IsoCoordinates::further_work_offset(0);
+      return state_.work_offset == 0 ? 54 : state_.work_offset > further ? 54.1 : state_.work_offset / 10.0;
+    }
     case 4109:
       return feed_word();
     case 4120:

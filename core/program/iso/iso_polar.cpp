@@ -1,4 +1,7 @@
-// The part of IsoReader that reads G16: radius and angle instead of the plane's two coordinates.
+// The part of IsoReader that reads radius and angle instead of two coordinates: G16, and "@" and "^" of
+// LinuxCNC.
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/base/units.h"
@@ -26,6 +29,37 @@ Vec3 IsoReader::polar_target(Vec3 target) {
   }
   target[first] = polar.center[first] + polar.radius * std::cos(polar.angle);
   target[second] = polar.center[second] + polar.radius * std::sin(polar.angle);
+  return target;
+}
+
+Vec3 IsoReader::distance_and_angle_target(Vec3 target) {
+  const Word& first = words_.distance != nullptr ? *words_.distance : *words_.angle;
+  if (words_.has_any("XY")) {
+    report(Severity::error, "polar-words", 0, first.column, [&] {
+      return Text{fmt::format("{} stands in a block with X or Y", first.letter),
+                  "X and Y are left out; write either of them"};
+    });
+  }
+  const Vec3 position = path().position();
+  double distance = std::hypot(position.x(), position.y());
+  double angle = std::atan2(position.y(), position.x());
+  if (distance < same_point && (state_.incremental || words_.angle == nullptr)) {
+    report(Severity::error, "polar-words", 1, first.column, [&] {
+      return Text{"the tool is at X0 Y0, where it has no angle",
+                  "angle zero is taken; write both @ and ^ with G90"};
+    });
+    angle = 0;
+  }
+  if (words_.distance != nullptr) {
+    const double value = state_.to_mm(words_.distance->value);
+    distance = state_.incremental ? distance + value : value;
+  }
+  if (words_.angle != nullptr) {
+    const double value = units::from_deg(words_.angle->value);
+    angle = state_.incremental ? angle + value : value;
+  }
+  target.x() = distance * std::cos(angle);
+  target.y() = distance * std::sin(angle);
   return target;
 }
 

@@ -35,6 +35,8 @@ void IsoReader::Words::clear() {
   exact_stop = false;
   dwell = 0;
   macro_call = false;
+  distance = nullptr;
+  angle = nullptr;
   flow = nullptr;
   function_count = 0;
 }
@@ -111,6 +113,12 @@ void IsoReader::gather(const Block& block) {
         continue;
       case 'M':
         codes = true;
+        continue;
+      case '@':
+        words_.distance = &word;
+        continue;
+      case '^':
+        words_.angle = &word;
         continue;
       case 'N':
       case 'O':

@@ -38,6 +38,8 @@ class IsoReader : public Reader, private VariableSource {
     std::uint32_t dwell = 0;                           ///< column of G4; 0: none
     bool exact_stop = false;                           ///< G9
     bool macro_call = false;                           ///< G65, G66: the words are arguments
+    const Word* distance = nullptr;                    ///< "@" of LinuxCNC
+    const Word* angle = nullptr;                       ///< "^" of LinuxCNC [deg]
     const Word* flow = nullptr;                        ///< M97, M98 or M99
     struct Function {
       int code = 0;  ///< ten times the G number
@@ -49,6 +51,7 @@ class IsoReader : public Reader, private VariableSource {
     void clear();
     bool has(char letter) const { return (present >> (letter - 'A') & 1U) != 0; }
     bool has_any(std::string_view letters) const;
+    bool has_polar() const { return distance != nullptr || angle != nullptr; }
     const Word& operator[](char letter) const { return by_letter[static_cast<std::size_t>(letter - 'A')]; }
     std::uint32_t first_column(std::string_view letters) const;
   };
@@ -107,6 +110,13 @@ class IsoReader : public Reader, private VariableSource {
   std::optional<double> built_in(std::uint32_t number) const;
   std::optional<double> built_in(std::string_view name) const;
   std::optional<double> fanuc_modal(std::uint32_t number) const;
+  /// Axis of a work offset.
+  struct OffsetVariable {
+    int key = 0;
+    int axis = 0;
+  };
+  std::optional<OffsetVariable> offset_variable(std::uint32_t number) const;
+  void set_offset_variable(const OffsetVariable& variable, double value);
   double position_of(int axis) const;
   double feed_word() const;
   void raise_alarm(double number, std::uint32_t column);
@@ -225,6 +235,7 @@ class IsoReader : public Reader, private VariableSource {
 
   // Polar coordinates: iso_polar.cpp.
   Vec3 polar_target(Vec3 target);
+  Vec3 distance_and_angle_target(Vec3 target);
 
   // Drilling cycles: iso_cycles.cpp.
   void begin_cycle(const GCode& code, const Word& word);

@@ -105,7 +105,8 @@ bool IsoReader::read_items(Scanner& scan) {
 void IsoReader::read_word(Scanner& scan) {
   const std::uint32_t column = scan.column();
   const char letter = letters::to_upper(scan.peek());
-  if (!letters::is_letter(letter)) {
+  const bool polar = (letter == '@' || letter == '^') && follows_linuxcnc(dialect_);
+  if (!letters::is_letter(letter) && !polar) {
     throw ReadFault{"unknown-character", column,
                     fmt::format("{} does not start a word", quoted({&letter, 1})),
                     "the rest of the line is not read and the block does not move; remove the character"};
@@ -180,7 +181,9 @@ void IsoReader::assign(const Assignment& assignment) {
     variables_.set(assignment.name, assignment.value);
   } else if (!follows_linuxcnc(dialect_) && assignment.number == alarm) {
     raise_alarm(assignment.value, assignment.column);
-  } else if (assignment.number == 0 || built_in(assignment.number)) {
+  } else if (const auto offset = offset_variable(assignment.number); offset && !follows_linuxcnc(dialect_)) {
+    set_offset_variable(*offset, assignment.value);
+  } else if (assignment.number == 0 || offset || built_in(assignment.number)) {
     throw ReadFault{"variable", assignment.column,
                     fmt::format("#{} cannot be given a value", assignment.number),
                     "it is left out; use another variable"};

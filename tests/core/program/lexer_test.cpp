@@ -121,11 +121,12 @@ TEST(Lexer, StopsWhereNamesVariablesAndExpressionsBegin) {
   EXPECT_EQ(statement("X=5"), 1U);
   EXPECT_EQ(statement("X1=5"), 1U);
   EXPECT_EQ(statement("o<sub> call"), 1U);
+  EXPECT_EQ(statement("G1 @5 ^30"), 4U);
   EXPECT_EQ(words_of("G91 X1 Y#2 Z3"), "G91@1 X1@5") << "the words before it are read";
 }
 
 TEST(Lexer, FindsCharactersThatStartNoWord) {
-  EXPECT_EQ(fault_of("G1 @X1"), "character@4+1");
+  EXPECT_EQ(fault_of("G1 !X1"), "character@4+1");
   EXPECT_EQ(fault_of("12 L X+1"), "character@1+1");
   EXPECT_EQ(fault_of("G1 \xC3\xA4"), "character@4+1");
 }

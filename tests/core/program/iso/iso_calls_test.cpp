@@ -136,6 +136,10 @@ TEST(ModalState, M73RestoresItAtTheReturn) {
   EXPECT_EQ(linuxcnc("o1 sub\nM73\nG91\nX1\nX1\no1 endsub\nX5\no1 call\nX3\n"), (Way{5, 6, 7, 3}));
 }
 
+TEST(ModalState, HoldsTheWorkOffset) {
+  EXPECT_EQ(linuxcnc("G10 L2 P1 X10\nG10 L2 P2 X20\nG54 X0\nM70\nG55 X0\nM72\nX0"), (Way{10, 20, 10}));
+}
+
 TEST(ModalState, M71ForgetsIt) {
   EXPECT_EQ(
       said_of(Dialect::linuxcnc, "G0 X1\nM70\nM71\nM72\n"),

@@ -63,6 +63,20 @@ TEST(IsoVariables, ModalStateIsAnswered) {
   EXPECT_EQ(way(Dialect::linuxcnc, "G0 X1\n#1=#<_motion_mode>\nG1 F100 X2\nG[#1/10] X3\n"), (Way{1, 2, 3}));
 }
 
+TEST(IsoVariables, WorkOffsetsAreThoseThatTheProgramSets) {
+  EXPECT_EQ(way(Dialect::linuxcnc, "G10 L2 P2 X5 Y6\nG0 X#5241\nX[#5242+1]\nX#5220\nG55 X0\nX#5220"),
+            (Way{5, 7, 1, 5, 7}));
+  EXPECT_EQ(
+      way(Dialect::fanuc, "#5221=10\n#7002=4\nG54 G0 X1\nX#5221\nX#7002\n#5221=#5221+1\nX1\nX[#4014/54]"),
+      (Way{11, 20, 14, 12, 12}));
+  EXPECT_EQ(
+      said_of(Dialect::fanuc, "G0 X1\nX#5241"),
+      "f:2:2: warning: #5241 holds a value of the control that is not known [control-variable] (it is taken "
+      "as zero; the path may differ from what the control does)");
+  EXPECT_EQ(said_of(Dialect::linuxcnc, "G0 X1\n#5221=3"),
+            "f:2:1: error: #5221 cannot be given a value [variable] (it is left out; use another variable)");
+}
+
 TEST(IsoVariables, WhatTheControlKeepsIsSaid) {
   EXPECT_EQ(
       said_of(Dialect::linuxcnc, "G0 X1\nX#500"),
