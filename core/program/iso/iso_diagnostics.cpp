@@ -96,7 +96,7 @@ void IsoReader::check_unused() {
     });
   }
   const std::string_view unused = is_arc ? "LQ" : "IJKRPLQ";
-  if (!words_.has_any(unused)) {
+  if (!(is_arc ? words_.has_any("LQ") : words_.has_any("IJKRPLQ"))) {
     return;
   }
   for (const char letter : unused) {

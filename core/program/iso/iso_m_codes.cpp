@@ -100,7 +100,7 @@ void IsoReader::ask_for_tool(double number) {
 }
 
 bool IsoReader::begins_next_program(const Block& block) {
-  if (dialect_ != Dialect::fanuc || block.words.empty() || block.words.front().letter != 'O') {
+  if (block.words.empty() || block.words.front().letter != 'O') {
     return false;
   }
   std::uint32_t& start = frames_.back().program;
@@ -118,8 +118,8 @@ bool IsoReader::begins_next_program(const Block& block) {
 }
 
 bool IsoReader::is_grbl_command(const Block& block) {
-  const bool command = dialect_ == Dialect::grbl && block.words.empty() && !block.faults.empty() &&
-                       block.text_of(block.faults.front()) == "$";
+  const bool command =
+      block.words.empty() && !block.faults.empty() && block.text_of(block.faults.front()) == "$";
   if (command) {
     report(Severity::info, "control-command", 0, block.faults.front().column, [&] {
       return Text{fmt::format("{} is a command to the control", quoted(block.text)),

@@ -123,7 +123,7 @@ void IsoReader::arc(const Vec3& target) {
   ArcRequest request;
   request.target = target;
   request.axis = state_.motion == MotionMode::arc_ccw ? normal : Vec3(-normal);
-  request.column = words_.first_column(words_.has('R') ? "R" : "IJK");
+  request.column = words_.has('R') ? words_.first_column("R") : words_.first_column("IJK");
   request.extra_turns = extra_turns();
   if (words_.has('R')) {
     request.radius = state_.to_mm(words_['R'].value);

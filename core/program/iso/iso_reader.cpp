@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "core/base/units.h"
@@ -41,16 +42,11 @@ void IsoReader::Words::clear() {
   function_count = 0;
 }
 
-bool IsoReader::Words::has_any(std::string_view letters) const {
-  return std::any_of(letters.begin(), letters.end(), [this](char letter) { return has(letter); });
-}
-
-std::uint32_t IsoReader::Words::first_column(std::string_view letters) const {
+std::uint32_t IsoReader::Words::first_column(Letters letters) const {
   std::uint32_t column = 0;
-  for (const char letter : letters) {
-    if (has(letter) && (column == 0 || (*this)[letter].column < column)) {
-      column = (*this)[letter].column;
-    }
+  for (std::uint32_t left = present & letters.mask; left != 0; left &= left - 1) {
+    const std::uint32_t at = by_letter[static_cast<std::size_t>(std::countr_zero(left))].column;
+    column = column == 0 ? at : std::min(column, at);
   }
   return column;
 }
@@ -65,7 +61,7 @@ void IsoReader::run_line(std::string_view line) {
     percent = run_statement(block);
   } else if (!skipped && !(block.words.empty() && block.faults.empty())) {
     count_block();
-    if (!begins_next_program(block) && !is_grbl_command(block)) {
+    if (!is_no_block(block)) {
       run_block(block, true);
     }
   }
@@ -108,7 +104,7 @@ void IsoReader::gather(const Block& block) {
   for (const Word& word : block.words) {
     switch (word.letter) {
       case 'G':
-        words_.macro_call = words_.macro_call || word.value == 65 || word.value == 66;
+        words_.macro_call |= word.value == 65 || word.value == 66;
         codes = true;
         continue;
       case 'M':

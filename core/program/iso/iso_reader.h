@@ -28,6 +28,18 @@ class IsoReader : public Reader, private VariableSource {
   IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);
 
  private:
+  /// A set of word letters, known when compiled.
+  struct Letters {
+    std::uint32_t mask = 0;
+
+    consteval Letters(std::string_view letters) {
+      for (const char letter : letters) {
+        mask |= 1U << (letter - 'A');
+      }
+    }
+    consteval Letters(const char* letters) : Letters(std::string_view(letters)) {}
+  };
+
   /// The words of one block by letter, and what its G words ask for beyond modal changes.
   struct Words {
     std::array<Word, 26> by_letter;
@@ -50,10 +62,11 @@ class IsoReader : public Reader, private VariableSource {
 
     void clear();
     bool has(char letter) const { return (present >> (letter - 'A') & 1U) != 0; }
-    bool has_any(std::string_view letters) const;
+    bool has_any(Letters letters) const { return (present & letters.mask) != 0; }
     bool has_polar() const { return distance != nullptr || angle != nullptr; }
     const Word& operator[](char letter) const { return by_letter[static_cast<std::size_t>(letter - 'A')]; }
-    std::uint32_t first_column(std::string_view letters) const;
+    /// Of those that the block has; 0: none.
+    std::uint32_t first_column(Letters letters) const;
   };
 
   void run_line(std::string_view line) override;
@@ -147,6 +160,12 @@ class IsoReader : public Reader, private VariableSource {
   void keep_modal_state(const Word& word);
   void restore(const KeptState& kept);
   void ask_for_tool(double number);
+  /// A line of words that are none to the dialect; it is dealt with.
+  bool is_no_block(const Block& block) {
+    return dialect_ == Dialect::fanuc  ? begins_next_program(block)
+           : dialect_ == Dialect::grbl ? is_grbl_command(block)
+                                       : false;
+  }
   /// Fanuc: a program ends where the O number of the next one stands.
   bool begins_next_program(const Block& block);
   bool is_grbl_command(const Block& block);
