@@ -159,8 +159,8 @@ void bore(const Drilling& words, const Hole& hole, Spindle& spindle) {
   constexpr double off_the_wall = 0.2;
   spindle.cut(hole.bottom, words.feed);
   spindle.dwell(words.bottom_dwell);
-  const int retreat = static_cast<int>(words.retreat);
-  const bool retreats = retreat >= 1 && retreat <= 4;
+  const bool retreats = words.retreat >= 1 && words.retreat <= 4;
+  const int retreat = retreats ? static_cast<int>(words.retreat) : 0;
   if (retreats) {
     spindle.shift(retreat, off_the_wall);
   }
@@ -178,8 +178,9 @@ double smaller(double step, const Drilling& words) {
   return std::max(step - words.decrement, std::min(step, std::max(words.least_infeed, least_step)));
 }
 
+constexpr double most_steps = 10000;
+
 bool has_too_many_steps(const Drilling& words) {
-  constexpr double most = 10000;
   double step = whole_depth_if_none(words);
   if (words.decrement != 0) {
     step = std::min(step, std::max(words.least_infeed, least_step));
@@ -187,7 +188,7 @@ bool has_too_many_steps(const Drilling& words) {
   if (words.break_infeed > 0) {
     step = std::min(step, words.break_infeed);
   }
-  return -words.depth > most * step || words.decrement < 0;
+  return -words.depth > most_steps * step || words.decrement < 0;
 }
 
 void drill_universal(const Drilling& words, const Hole& hole, Spindle& spindle) {
@@ -309,8 +310,9 @@ DrillingFault check(int number, const Drilling& words, const DrillingPlace& plac
   if (number == 208 && !place.tool_radius) {
     return DrillingFault::tool_radius;
   }
-  const bool no_turns = number == 208 && !(words.helix_infeed > 0);
-  return no_turns || has_too_many_steps(words) ? DrillingFault::steps : DrillingFault::none;
+  const bool wrong_turns =
+      number == 208 && !(words.helix_infeed * most_steps > words.clearance - words.depth);
+  return wrong_turns || has_too_many_steps(words) ? DrillingFault::steps : DrillingFault::none;
 }
 
 void run_bore_milling(const Drilling& words, const Hole& hole, const DrillingPlace& place, Spindle& spindle) {
@@ -407,7 +409,6 @@ DrillingFault drill_old(int number, const OldDrilling& words, const DrillingPlac
   if (number == 17 && !(speed > 0)) {
     return DrillingFault::pitch;
   }
-  constexpr double most_steps = 10000;
   if (number == 1 && words.infeed != 0 && std::abs(words.depth) > most_steps * std::abs(words.infeed)) {
     return DrillingFault::steps;
   }

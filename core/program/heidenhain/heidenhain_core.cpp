@@ -34,11 +34,10 @@ void HeidenhainCore::run_line(std::string_view line) {
 }
 
 void HeidenhainCore::run_joined() {
-  if (parts_.empty()) {
-    return;
-  }
   try {
-    run_statement(joined_);
+    if (joined_.find_first_not_of(" \t") != std::string::npos) {
+      run_statement(joined_);
+    }
   } catch (const ReadFault& fault) {
     report(Severity::error, fault.code, 0, fault.column, [&] { return Text{fault.message, fault.hint}; });
   }

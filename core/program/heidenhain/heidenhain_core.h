@@ -94,6 +94,8 @@ class HeidenhainCore : public Reader {
   void call_tool(const ToolCall& call);
   void set_blank_corner(bool upper, const Vec3& corner, std::uint32_t column);
   Transformations& transformations() { return transformations_; }
+  /// A scaling factor as the control takes it. Throws ReadFault "scale-factor".
+  static double checked_factor(double factor, std::uint32_t column);
   /// What the transformations are now is in force.
   void apply_transformations(std::uint32_t column);
   void set_tolerance(std::optional<double> tolerance, std::optional<double> orientation_tolerance,

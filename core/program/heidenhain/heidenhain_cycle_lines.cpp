@@ -70,8 +70,9 @@ void HeidenhainReader::cycle_call(Scanner& scanner, std::uint32_t column) {
   }
   const bool at_place = scanner.take_name("POS");
   MotionWords words = this->words(scanner);
-  const double height = words.axes[2].given ? words.axes[2].value : 0;
-  words.axes[2].given = words.axes[2].given && !at_place;
+  OptionalWord& along = words.axes[static_cast<std::size_t>(normal_axis(plane()))];
+  const double height = along.given ? along.value : 0;
+  along.given = along.given && !at_place;
   run_path(PathKind::line, words);
   call_cycle(column, at_place ? height : 0);
 }
@@ -182,12 +183,7 @@ void HeidenhainReader::rotation(Scanner& scanner, std::uint32_t) {
 
 double HeidenhainReader::factor(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
-  const double factor = formulas().read_value(scanner);
-  if (!(factor > 0)) {
-    throw ReadFault{"scale-factor", column, fmt::format("the scaling factor {} is not above zero", factor),
-                    "the scaling is left out"};
-  }
-  return factor;
+  return checked_factor(formulas().read_value(scanner), column);
 }
 
 void HeidenhainReader::scaling(Scanner& scanner, std::uint32_t) {

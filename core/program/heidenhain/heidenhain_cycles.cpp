@@ -20,6 +20,8 @@ constexpr int circle_pattern = 220;
 constexpr int grid_pattern = 221;
 constexpr int datum_setting = 247;
 
+constexpr double largest_value = 1e9;
+
 /// F words may stand for a number: what the largest number means too.
 constexpr double rapid_feed = 99999.999;
 
@@ -185,6 +187,12 @@ std::optional<Drilling> HeidenhainCore::drilling_words(std::uint32_t column) {
       });
       return std::nullopt;
     }
+    if (!(std::abs(*value) <= largest_value)) {
+      throw ReadFault{"cycle-parameter", column,
+                      fmt::format("cycle {}: Q{} is {}, beyond the largest number, 1000000000", cycle_.number,
+                                  parameter.q, *value),
+                      "the cycle is left out"};
+    }
     words.*parameter.value = parameter.unit == CycleUnit::length ? to_mm(*value)
                              : parameter.unit == CycleUnit::feed ? to_feed(*value)
                                                                  : *value;
@@ -194,7 +202,9 @@ std::optional<Drilling> HeidenhainCore::drilling_words(std::uint32_t column) {
 
 std::vector<Vec2> HeidenhainCore::pattern_places(int number, std::uint32_t column) {
   constexpr double most = 10000;
-  const auto value = [&](int q) { return parameters_.global(q).value_or(0); };
+  const auto value = [&](int q) {
+    return std::clamp(parameters_.global(q).value_or(0), -largest_value, largest_value);
+  };
   const auto count = [&](int q) {
     if (!(value(q) >= 1 && value(q) <= most)) {
       throw ReadFault{

@@ -161,11 +161,10 @@ void HeidenhainCore::read_system_data(Scanner& scanner, std::uint32_t column) {
 void HeidenhainCore::read_system_data(const QName& result, double group, double number, double index,
                                       std::uint32_t column) {
   const auto asks = [&](int g, int n) { return group == g && number == n; };
-  const bool axis_index = index >= 1 && index <= 3;
-  const auto axis = static_cast<Eigen::Index>(index) - 1;
+  const bool axis_index = index == 1 || index == 2 || index == 3;
   // The control gives system data in mm whatever the unit of the program.
   if (asks(270, 1) && axis_index) {
-    parameters_.set(result, contour_.position()[axis]);
+    parameters_.set(result, contour_.position()[static_cast<int>(index) - 1]);
   } else if (asks(20, 3)) {
     parameters_.set(result, normal_axis(contour_.plane()));
   } else if (asks(20, 4)) {

@@ -106,12 +106,7 @@ bool HeidenhainIsoReader::run_transformation(int code, const Block& block) {
       }
       break;
     case 72:
-      if (!(words.feed > 0)) {
-        throw ReadFault{"scale-factor", block.column,
-                        fmt::format("the scaling factor {} is not above zero", words.feed),
-                        "the scaling is left out"};
-      }
-      transformations().scale(Vec3::Constant(words.feed));
+      transformations().scale(Vec3::Constant(checked_factor(words.feed, block.column)));
       break;
     case 73:
       transformations().rotate(plane(), units::from_deg(block.angle.value_or(0)), words.axes[0].incremental);

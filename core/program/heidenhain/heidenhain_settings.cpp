@@ -247,6 +247,17 @@ void HeidenhainCore::set_blank_corner(bool upper, const Vec3& corner, std::uint3
   }
 }
 
+double HeidenhainCore::checked_factor(double factor, std::uint32_t column) {
+  constexpr double least = 0.000001;
+  constexpr double most = 99.999999;
+  if (!(factor >= least && factor <= most)) {
+    throw ReadFault{"scale-factor", column,
+                    fmt::format("the scaling factor {} is not from 0.000001 to 99.999999", factor),
+                    "the scaling is left out"};
+  }
+  return factor;
+}
+
 void HeidenhainCore::apply_transformations(std::uint32_t column) {
   end_contour(column);
   path().set_frame(transformations_.frame());

@@ -20,6 +20,8 @@ using Prefix = ExpressionGrammar::Prefix;
 using Function = ExpressionGrammar::Function;
 
 constexpr int sign_rank = 4;
+/// What a word may hold; formulas may go beyond on the way.
+constexpr double largest_value = 1e9;
 
 constexpr auto infixes = std::to_array<Infix>({
     {"+", 1, [](double a, double b) { return a + b; }},
@@ -165,6 +167,12 @@ double QFormulas::read_value(Scanner& scanner) {
     return sign * *number;
   }
   if (const std::optional<double> value = variable(scanner)) {
+    if (!(std::abs(*value) <= largest_value)) {
+      throw ReadFault{
+          "number-range", column,
+          fmt::format("the parameter's value {} is beyond the largest number, 1000000000", *value),
+          "the block is left out; check what the parameter is made of"};
+    }
     return sign * *value;
   }
   throw ReadFault{"malformed-number", column,

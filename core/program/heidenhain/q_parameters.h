@@ -60,7 +60,7 @@ class QFormulas : public ExpressionReader {
   QFormulas(const QParameters& parameters, Unset unset);
 
   /// A number or a parameter with its sign: what stands behind an address letter or an operand of FN.
-  /// Throws ReadFault "malformed-number" if none stands here.
+  /// Throws ReadFault "malformed-number" if none stands here, "number-range" beyond +-1e9.
   double read_value(Scanner& scanner);
 
  private:

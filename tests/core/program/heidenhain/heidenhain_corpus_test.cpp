@@ -167,7 +167,11 @@ TEST(HeidenhainGarbage, RandomWordsAreReadWithoutHarm) {
                                                  "\"",
                                                  "END PGM",
                                                  "32.1 T0.1",
-                                                 "26.1 X2"};
+                                                 "26.1 X2",
+                                                 "Q1 = 10 ^ 200\n",
+                                                 "X+Q1",
+                                                 "Q201 = Q1\n",
+                                                 "11.1 SCL Q1"};
   constexpr std::string_view din[] = {"G0",          "G1",          "G2",           "G3",
                                       "G5",          "G6",          "G10",          "G11",
                                       "G12",         "G13",         "G16",          "G24",

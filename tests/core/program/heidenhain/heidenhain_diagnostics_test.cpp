@@ -36,6 +36,9 @@ INSTANTIATE_TEST_SUITE_P(
         DiagnosticCase{"L X+1..2 F100\n", "1:5: error: \"1..\" has no readable number [malformed-number]"},
         DiagnosticCase{"L X+2000000000 F100\n",
                        "1:5: error: \"2000000000\" is beyond the largest number, 1000000000 [number-range]"},
+        DiagnosticCase{"Q1 = 10 ^ 20\nL X+Q1 FMAX\n",
+                       "2:4: error: the parameter's value 1e+20 is beyond the largest number, 1000000000 "
+                       "[number-range]"},
         DiagnosticCase{"L X+1 FMAX M\n", "1:12: error: M without a number of a function [malformed-number]"},
         DiagnosticCase{"L X+1 F0\n", "1:7: error: feed F0 is not above zero [feed-value]"},
         DiagnosticCase{"L X+1 F AUTO\n", "1:7: error: feed F0 is not above zero [feed-value]"},
@@ -171,10 +174,29 @@ INSTANTIATE_TEST_SUITE_P(
             "CYCL DEF 240 C Q200=1 Q201=2 Q206=9 Q203=0 Q204=1\nCYCL CALL\n",
             "2:1: error: cycle 240 cannot run: its depth Q201 is above the surface; write it negative "
             "[cycle-value]"},
+        DiagnosticCase{"CYCL DEF 240 C Q200=1 Q201=-2 Q206=9 Q203=0 Q204=1\nQ201 = 0 - 10 ^ 20\nCYCL CALL\n",
+                       "3:1: error: cycle 240: Q201 is -1e+20, beyond the largest number, 1000000000 "
+                       "[cycle-parameter]"},
+        DiagnosticCase{
+            "CYCL DEF 200 D Q200=1 Q201=-200 Q206=9 Q202=0.001 Q203=0 Q204=1\nCYCL CALL\n",
+            "2:1: error: cycle 200 cannot run: it would take more than 10000 infeeds, or its infeeds are "
+            "negative; check Q202 and alike [cycle-value]"},
+        DiagnosticCase{
+            "CYCL DEF 208 B Q200=1 Q201=-2 Q206=9 Q334=1 Q203=0 Q204=1 Q335=9\nCYCL CALL\n",
+            "2:1: error: cycle 208 cannot run: the radius of the tool is not known; write a TOOL DEF "
+            "with R before the tool call [cycle-value]"},
+        DiagnosticCase{
+            "CYCL DEF 207 T Q200=1 Q201=-2 Q239=1 Q203=0 Q204=1\nCYCL CALL\n",
+            "2:1: error: cycle 207 cannot run: it has no pitch or the spindle no speed; write S in the "
+            "tool call [cycle-value]"},
+        DiagnosticCase{
+            "CYCL DEF 240 C Q200=1 Q343=1 Q201=-2 Q206=9 Q203=0 Q204=1\nCYCL CALL\n",
+            "2:1: error: cycle 240 cannot run: centring to a diameter needs the tool's point angle; write "
+            "Q343=0 and the depth [cycle-value]"},
         DiagnosticCase{"CYCL DEF 9.1 DWELL -1\n", "1:1: error: dwell time -1 is negative [dwell-time]"},
         DiagnosticCase{"CYCL DEF 32.1 T0\n", "1:1: error: the tolerance T0 is not above zero [tolerance]"},
         DiagnosticCase{"CYCL DEF 11.1 SCL 0\n",
-                       "1:19: error: the scaling factor 0 is not above zero [scale-factor]"},
+                       "1:19: error: the scaling factor 0 is not from 0.000001 to 99.999999 [scale-factor]"},
         DiagnosticCase{"CYCL DEF 8.1 A\n", "1:14: error: \"A\" is not X, Y or Z [unread-word]"},
         DiagnosticCase{"L X+1 FMAX\nCYCL DEF 7.1 #5\n",
                        "2:1: warning: a line of the datum table changes the datum on the way [work-offset]"},
