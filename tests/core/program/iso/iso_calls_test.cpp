@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -255,6 +256,10 @@ struct Fault {
   const char* text;
   const char* expected;
 };
+
+void PrintTo(const Fault& fault, std::ostream* out) {
+  *out << fault.text;
+}
 
 class CallFaults : public testing::TestWithParam<Fault> {};
 

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <ostream>
 #include <string>
 
 #include "tests/core/program/iso/iso_text.h"
@@ -87,6 +88,10 @@ struct Fault {
   const char* text;
   const char* expected;
 };
+
+void PrintTo(const Fault& fault, std::ostream* out) {
+  *out << fault.text;
+}
 
 class IsoExpressionFaults : public testing::TestWithParam<Fault> {};
 

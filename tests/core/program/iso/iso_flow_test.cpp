@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -117,6 +118,10 @@ struct Fault {
   const char* text;
   const char* expected;
 };
+
+void PrintTo(const Fault& fault, std::ostream* out) {
+  *out << fault.text;
+}
 
 class FlowFaults : public testing::TestWithParam<Fault> {};
 
