@@ -37,6 +37,7 @@ Program Reader::read() {
     }
   }
   before_finish();
+  finish();
   path_.finish();
   report_nothing_read();
   report_text_after_end();

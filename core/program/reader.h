@@ -35,6 +35,8 @@ class Reader {
   virtual void before_finish() {}
   /// A call was left, by return_from_call() or at the end of its file.
   virtual void left_call() {}
+  /// Behind the last line: what is held back is written now.
+  virtual void finish() {}
   /// 1-based column of the first word of `line`, 0 for none; to say that text behind the end is not run.
   virtual std::uint32_t first_word(std::string_view line) = 0;
 

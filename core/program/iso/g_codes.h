@@ -32,6 +32,7 @@ enum class GAction : std::uint8_t {
   function,       ///< IsoReader::run_function(); the block moves as programmed
   axis_function,  ///< the same; the block's coordinates belong to it, nothing else moves
   cycle,
+  spline,         ///< G5 to G5.3
   cancel_cycle,   ///< G80
   report,         ///< not read; the block moves as programmed
   own_words,      ///< not read; the block's coordinates belong to it, nothing moves

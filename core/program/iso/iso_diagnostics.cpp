@@ -87,7 +87,9 @@ void IsoReader::check_rotary() {
 
 void IsoReader::check_unused() {
   const bool is_arc = state_.motion == MotionMode::arc_cw || state_.motion == MotionMode::arc_ccw;
-  if (words_.other_codes || state_.motion == MotionMode::unread || state_.motion == MotionMode::cycle) {
+  const bool own_letters = state_.motion == MotionMode::unread || state_.motion == MotionMode::cycle ||
+                           state_.motion == MotionMode::spline;
+  if (words_.other_codes || own_letters) {
     return;
   }
   if (words_.has('E')) {

@@ -22,8 +22,9 @@ void IsoReader::move() {
   }
   const bool is_arc = state_.motion == MotionMode::arc_cw || state_.motion == MotionMode::arc_ccw;
   const bool is_cycle = state_.motion == MotionMode::cycle;
+  const bool is_spline = state_.motion == MotionMode::spline;
   const bool moves = words_.has_any("XYZ") || words_.has_polar() || (is_arc && words_.has_any("IJKR")) ||
-                     (is_cycle && words_.has('R'));
+                     (is_cycle && words_.has('R')) || (is_spline && words_.has('P'));
   if (words_.own_words || !moves) {
     return;
   }
@@ -35,11 +36,18 @@ void IsoReader::move() {
   }
   program_axes_of_block();
   path().set_column(words_.first_column("XYZIJKR"));
+  if (!nurbs_.points.empty() && !is_spline) {
+    finish();
+  }
   if (is_cycle) {
     run_cycle();
     return;
   }
   check_inverse_time();
+  if (is_spline) {
+    run_spline();
+    return;
+  }
   const Vec3 target = target_of_block();
   switch (state_.motion) {
     case MotionMode::rapid:
@@ -54,6 +62,7 @@ void IsoReader::move() {
       break;
     case MotionMode::none:
     case MotionMode::cycle:
+    case MotionMode::spline:
     case MotionMode::unread:
       break;
   }

@@ -23,6 +23,8 @@ double motion_number(const ModalState& state) {
   switch (state.motion) {
     case MotionMode::cycle:
       return state.cycle.code / 10.0;
+    case MotionMode::spline:
+      return state.spline.code / 10.0;
     case MotionMode::none:
     case MotionMode::unread:
       return 80;

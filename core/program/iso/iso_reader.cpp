@@ -248,6 +248,9 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
     case GAction::cycle:
       begin_cycle(code, word);
       break;
+    case GAction::spline:
+      begin_spline(code, word);
+      break;
     case GAction::cancel_cycle: {
       const bool is_cycle = state_.motion == MotionMode::cycle || state_.motion == MotionMode::unread;
       state_.motion = is_cycle ? MotionMode::none : state_.motion;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -256,6 +257,33 @@ class IsoReader : public Reader, private VariableSource {
   Vec3 polar_target(Vec3 target);
   Vec3 distance_and_angle_target(Vec3 target);
 
+  // Splines: iso_splines.cpp.
+  struct ControlPoint {
+    Vec3 at = Vec3::Zero();  ///< [mm]
+    double weight = 1;
+    std::uint32_t line = 0;  ///< shown
+    DiagnosticLog::Place place;
+  };
+  struct Nurbs {
+    std::vector<ControlPoint> points;  ///< empty outside of G5.2
+    std::size_t order = 3;
+    Vec3 end = Vec3::Zero();  ///< last point [mm]
+  };
+  void begin_spline(const GCode& code, const Word& word);
+  void run_spline();
+  void cubic_spline();
+  void quadratic_spline();
+  /// Parameter from 0 to 1, in programmed coordinates.
+  void write_curve(const std::function<Vec3(double)>& curve);
+  void report_curve(std::uint32_t column);
+  /// In the plane XY [mm].
+  Vec3 offset_words(char first, char second) const;
+  /// True, reported and a line written, if the block has neither of the two.
+  bool lacks_spline_words(char first, char second);
+  void add_control_point();
+  void end_nurbs();
+  void finish() override;
+
   // Drilling cycles: iso_cycles.cpp.
   void begin_cycle(const GCode& code, const Word& word);
   void run_cycle();
@@ -266,6 +294,7 @@ class IsoReader : public Reader, private VariableSource {
   Dialect dialect_;
   Lexer lexer_;
   ModalState state_;
+  Nurbs nurbs_;
   IsoCoordinates coordinates_;
   std::map<int, double> tool_radii_;  ///< by offset number [mm]
   Words words_;

@@ -16,7 +16,8 @@ enum class MotionMode : std::uint8_t {
   arc_cw,   ///< G2
   arc_ccw,  ///< G3
   cycle,    ///< G73 to G89
-  unread,   ///< spline, thread: positions are left out
+  spline,   ///< G5, G5.1, G5.2
+  unread,   ///< thread, Fanuc's spline: positions are left out
 };
 
 /// G15, G16: the words of the plane's axes are radius and angle.
@@ -41,6 +42,13 @@ struct CycleState {
   double dwell = 0;  ///< [s]
 };
 
+struct SplineState {
+  int code = 0;  ///< ten times the G number
+  bool has_tangent = false;
+  Vec3 tangent =
+      Vec3::Zero();  ///< from the end of the last G5 to the control point that goes on straight [mm]
+};
+
 /// G40 to G42.1.
 struct CompensationState {
   int code = 400;     ///< ten times the G number
@@ -61,6 +69,7 @@ struct ModalState {
   int work_offset = 0;            ///< key of IsoCoordinates; 0: none yet
   PolarState polar;
   CycleState cycle;
+  SplineState spline;
   CompensationState compensation;
   Vec3 intermediate_point = Vec3::Zero();  ///< of G28 and G30 [mm]
   std::array<double, 6> further_axes{};    ///< A B C U V W as written

@@ -87,9 +87,6 @@ INSTANTIATE_TEST_SUITE_P(
                          "f:2:1: warning: G53 (motion in machine coordinates) is not read [unread-g] (the "
                          "path stays where it "
                          "is)"},
-                    Case{"G0 X1\nG5.2 X2 Y3 P1",
-                         "f:2:1: error: G5.2 (spline) is not read [unread-g] (positions are left out "
-                         "up to the next G0 to G3)"},
                     Case{"G54 G0 X1\nG55 X1",
                          "f:2:1: warning: G55 follows G54 on the way [work-offset] (work offsets are "
                          "taken as zero, so the parts of the path lie over each other)"}));

@@ -41,6 +41,35 @@ TEST(IsoSamples, FanucBoresAreHelicesAtTheirPlaces) {
   EXPECT_EQ(stops, 3 * 2);
 }
 
+TEST(IsoSamples, FanucFlangeKeepsTheCutterBesideItsContours) {
+  const Program program = read_sample("fanuc_flange.nc");
+  EXPECT_EQ(program.dialect, Dialect::fanuc);
+  // Outside: 10 mm corners and a cutter of 6 mm radius; slots: half circles of 7 mm and one of 4 mm.
+  std::vector<double> radii;
+  for (std::size_t i = 1; i < program.motions.size(); ++i) {
+    const MotionBlock& block = program.motions[i];
+    if (block.motion == Motion::arc) {
+      const ArcWords& arc = program.arcs[static_cast<std::size_t>(block.arc)];
+      radii.push_back(std::round((block.target - arc.center).norm() * 1e6) / 1e6);
+    }
+  }
+  EXPECT_EQ(std::count(radii.begin(), radii.end(), 16), 4);
+  EXPECT_EQ(std::count(radii.begin(), radii.end(), 14), 1);
+  EXPECT_EQ(std::count(radii.begin(), radii.end(), 3), 8);
+  EXPECT_EQ(radii.size(), 13U);
+  const auto at_bottom = [&](double level) {
+    return std::count_if(program.motions.begin(), program.motions.end(),
+                         [&](const MotionBlock& block) { return block.target.z() == level; });
+  };
+  EXPECT_EQ(at_bottom(-15), 8) << "holes";
+  EXPECT_EQ(at_bottom(-12), 8) << "threads";
+  for (const MotionBlock& block : program.motions) {
+    if (block.target.z() == -15) {
+      EXPECT_NEAR(block.target.head<2>().norm(), 16, 1e-9);
+    }
+  }
+}
+
 TEST(IsoSamples, LinuxCncSuperellipseIsOneInEveryPass) {
   const Program program = read_sample("linuxcnc_superellipse.ngc");
   EXPECT_EQ(program.dialect, Dialect::linuxcnc);
