@@ -58,7 +58,8 @@ void HeidenhainCore::assign(Scanner& scanner) {
 }
 
 void HeidenhainCore::run_function(const FunctionCall& call) {
-  const auto [a, b] = call.values;
+  const double a = call.values[0];
+  const double b = call.values[1];
   const auto set = [&](double value) {
     if (!std::isfinite(value)) {
       throw ReadFault{"expression-value", call.column,
