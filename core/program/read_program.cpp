@@ -2,6 +2,7 @@
 #include "core/program/heidenhain/heidenhain_reader.h"
 #include "core/program/iso/iso_reader.h"
 #include "core/program/program.h"
+#include "core/program/sinumerik/sinumerik_reader.h"
 
 namespace feedscope {
 
@@ -10,6 +11,8 @@ namespace {
 Program read_as(Dialect dialect, std::shared_ptr<const SourceText> source, const ReadOptions& options,
                 Progress* progress) {
   switch (dialect) {
+    case Dialect::sinumerik:
+      return SinumerikReader(std::move(source), options, progress).read();
     case Dialect::heidenhain:
       return HeidenhainReader(std::move(source), options, progress).read();
     case Dialect::heidenhain_iso:

@@ -79,6 +79,7 @@ class PathWriter {
   /// The last valid one; 0: none yet in this mode.
   double feed() const { return feed_; }
   void set_spindle_speed(double revolutions_per_second) { spindle_speed_ = revolutions_per_second; }
+  double spindle_speed() const { return spindle_speed_; }
   void set_tooth_count(double teeth) { tooth_count_ = teeth; }
 
   /// What follows is a contour of which the tool's centre is written, see CutterCompensation; `column` for

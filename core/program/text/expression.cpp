@@ -85,7 +85,7 @@ double ExpressionReader::primary(Scanner& scanner) {
     return value;
   }
   if (const std::optional<double> value = scanner.number(grammar_.decimal_comma)) {
-    return *value;
+    return grammar_.scale.empty() ? *value : scaled(scanner, *value);
   }
   if (const std::optional<double> value = variable(scanner)) {
     return *value;
@@ -99,6 +99,22 @@ double ExpressionReader::primary(Scanner& scanner) {
                   rest.empty() ? "a value is missing at the end of the expression"
                                : fmt::format("{} is no value, variable or function", quoted(rest)),
                   "write a number, a variable or a function here"};
+}
+
+double ExpressionReader::scaled(Scanner& scanner, double number) {
+  const std::size_t before = scanner.at();
+  const std::uint32_t column = scanner.column();
+  if (scanner.take(grammar_.scale)) {
+    const bool negative = scanner.take('-');
+    if (!negative) {
+      scanner.take('+');
+    }
+    if (const std::optional<double> power = scanner.number()) {
+      return finite(number * std::pow(10, negative ? -*power : *power), grammar_.scale, column);
+    }
+  }
+  scanner.move_to(before);
+  return number;
 }
 
 std::optional<double> ExpressionReader::function(Scanner& scanner) {

@@ -35,6 +35,7 @@ struct ExpressionGrammar {
   std::span<const Function> functions;
   char open = '(';
   char close = ')';
+  std::string_view scale = {};   ///< between a number and a power of ten: "EX" in "1.5EX-3"
   bool bare_arguments = false;   ///< "SIN Q2"
   bool decimal_comma = false;    ///< "1,5"; then ";" does not divide arguments either
   bool digit_ends_name = false;  ///< an operator's name may be followed by a digit, "#1GT5"
@@ -62,6 +63,7 @@ class ExpressionReader {
  private:
   double infix(Scanner& scanner, int least_rank);
   double primary(Scanner& scanner);
+  double scaled(Scanner& scanner, double number);
   std::optional<double> function(Scanner& scanner);
   bool take_operator(Scanner& scanner, std::string_view symbol) const;
 

@@ -52,10 +52,6 @@ bool is_not_finite(std::string_view name) {
   return letters::same(name, "NAN") || letters::same(name, "INF") || letters::same(name, "INFINITY");
 }
 
-bool starts_statement(char c) {
-  return c == '#' || c == '[' || c == ']' || c == '<' || c == '>' || c == '=' || c == '"' || c == '_';
-}
-
 }  // namespace
 
 std::optional<std::size_t> CommentEnds::find(std::string_view text, std::size_t at) {
@@ -70,6 +66,11 @@ std::optional<std::size_t> CommentEnds::find(std::string_view text, std::size_t 
   nest_ = false;
   const std::size_t first_close = text.find(')', at);
   return first_close == std::string_view::npos ? std::nullopt : std::optional(first_close + 1);
+}
+
+bool Lexer::starts_statement(char c) const {
+  return c == '#' || c == '[' || c == ']' || c == '<' || c == '>' || c == '=' || c == '"' || c == '_' ||
+         (brackets_ == Brackets::statement && (c == '(' || c == ':'));
 }
 
 std::size_t Lexer::add_fault(FaultKind kind, std::size_t from, std::size_t to) {
@@ -91,8 +92,8 @@ std::size_t Lexer::read_comment(std::size_t at) {
 std::size_t Lexer::read_delete(std::size_t at) {
   const std::string_view text = block_.text;
   block_.delete_level = 1;
-  if (at + 1 < text.size() && text[at + 1] >= '1' && text[at + 1] <= '9') {
-    block_.delete_level = text[at + 1] - '0';
+  if (at + 1 < text.size() && is_digit(text[at + 1])) {
+    block_.delete_level = std::max(1, text[at + 1] - '0');
     return at + 2;
   }
   return at + 1;
@@ -123,6 +124,9 @@ std::size_t Lexer::read_word(std::size_t at) {
     return stop_at(at);
   }
   if (i == text.size() || !(is_digit(text[i]) || text[i] == '.')) {
+    if (brackets_ == Brackets::statement) {
+      return stop_at(at);
+    }
     const std::size_t first = skip_blanks(text, at + 1);
     const bool letter_alone = first == text.size() || !is_number_part(text[first]);
     return add_fault(FaultKind::malformed_number, at, letter_alone ? at + 1 : bad_number_end(text, first));
@@ -141,7 +145,9 @@ std::size_t Lexer::read_word(std::size_t at) {
   if (!(value <= number_limit)) {
     return add_fault(FaultKind::number_range, at, number_end);
   }
-  if (next < text.size() && starts_statement(text[next])) {
+  const bool scaled = brackets_ == Brackets::statement && number_end + 1 < text.size() &&
+                      to_upper(text[number_end]) == 'E' && to_upper(text[number_end + 1]) == 'X';
+  if (scaled || (next < text.size() && starts_statement(text[next]))) {
     return stop_at(at);
   }
   const bool has_point = text.substr(i, number_end - i).find('.') != std::string_view::npos;
@@ -163,7 +169,7 @@ const Block& Lexer::read(std::string_view line) {
     const char c = line[at];
     if (is_letter(c)) {
       at = read_word(at);
-    } else if (c == '(') {
+    } else if (c == '(' && brackets_ == Brackets::comment) {
       at = read_comment(at);
     } else if (c == ';') {
       break;
@@ -173,7 +179,7 @@ const Block& Lexer::read(std::string_view line) {
     } else if (c == '/' && block_.delete_level == 0 &&
                (block_.words.empty() || (block_.words.size() == 1 && block_.words[0].letter == 'N'))) {
       at = read_delete(at);
-    } else if (starts_statement(c) || c == '@' || c == '^') {
+    } else if (starts_statement(c) || c == '@' || c == '^' || brackets_ == Brackets::statement) {
       at = stop_at(at);
     } else {
       add_fault(FaultKind::character, at, at + 1);

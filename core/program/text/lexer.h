@@ -35,7 +35,7 @@ struct Block {
   std::string_view text;      ///< the line
   std::vector<Word> words;    ///< in written order
   std::vector<Fault> faults;  ///< in written order; empty for a sound line
-  int delete_level = 0;       ///< of a leading "/": 1 to 9, "/" alone is 1; 0: none
+  int delete_level = 0;       ///< of a leading "/": 1 to 9, "/" and "/0" are 1; 0: none
   std::uint32_t percent = 0;  ///< column of "%", which ends the line; 0: none
   /// Column from which on the line holds more than words with plain numbers: a name, variable, expression or
   /// assignment, together with the letter before it; 0: none. It is the dialect's to read.
@@ -56,13 +56,20 @@ class CommentEnds {
   bool nest_ = true;  ///< false once the line holds an odd "("
 };
 
+/// What a bracket is in a dialect.
+enum class Brackets : std::uint8_t {
+  comment,    ///< "(...)" is a comment and may hold another one
+  statement,  ///< it belongs to a statement, as does whatever else starts no word
+};
+
 /// Takes the lines of address-letter dialects apart, free of what the words mean.
 ///
 /// Upper and lower case are the same. Blanks may stand between words, after the letter and after the sign,
-/// or nowhere. "(...)" and ";" start comments; "(...)" may hold another one.
-/// Numbers are decimal with a point, whatever the locale.
+/// or nowhere. ";" starts a comment. Numbers are decimal with a point, whatever the locale.
 class Lexer {
  public:
+  explicit Lexer(Brackets brackets = Brackets::comment) : brackets_(brackets) {}
+
   /// The block holds until the next call; its storage is used again.
   const Block& read(std::string_view line);
 
@@ -71,10 +78,12 @@ class Lexer {
   std::size_t read_comment(std::size_t at);
   std::size_t read_delete(std::size_t at);
   std::size_t stop_at(std::size_t at);
+  bool starts_statement(char c) const;
   std::size_t add_fault(FaultKind kind, std::size_t from, std::size_t to);
 
   Block block_;
   CommentEnds comment_ends_;
+  Brackets brackets_;
 };
 
 }  // namespace feedscope

@@ -39,8 +39,8 @@ INSTANTIATE_TEST_SUITE_P(
              "f:1:7: error: the comment \"(tool 3\" is not closed [unclosed-comment] (the rest of the line "
              "is taken "
              "for the comment; add the closing bracket)"},
-        Case{"G0 X1\nN20 CYCLE832(0.01)",
-             "f:2:5: error: \"CYCLE832(0.01)\" is not a word of ISO programs [unread-statement] (the block "
+        Case{"G0 X1\nN20 POCKETS(0.01)",
+             "f:2:5: error: \"POCKETS(0.01)\" is not a word of ISO programs [unread-statement] (the block "
              "does "
              "not move; if the program is another dialect's, name it with --dialect)"},
         Case{"G0 X1\nG1 X#<depth>+5 F100",

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace feedscope::sinumerik {
+
+/// What a call passes on at one place.
+struct Argument {
+  std::optional<double> number;     ///< none: left out, or a text
+  std::optional<std::string> text;  ///< none: left out, or a number
+  std::string variable;             ///< the variable that alone makes it; else empty
+};
+
+using Arguments = std::vector<Argument>;
+
+/// The number at a place; `missing` if it is left out.
+inline double number_at(const Arguments& arguments, std::size_t place, double missing = 0) {
+  return place < arguments.size() ? arguments[place].number.value_or(missing) : missing;
+}
+inline std::optional<double> given_at(const Arguments& arguments, std::size_t place) {
+  return place < arguments.size() ? arguments[place].number : std::nullopt;
+}
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,98 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace feedscope::sinumerik {
+
+/// How a coordinate is meant.
+enum class Reading : std::uint8_t {
+  modal,        ///< as G90 or G91 say
+  absolute,     ///< AC()
+  incremental,  ///< IC()
+};
+
+/// Addresses of more than one letter that take a value.
+enum class Address : std::uint8_t {
+  cr,    ///< radius
+  ar,    ///< opening angle [deg]
+  turn,  ///< further full circles
+  i1,    ///< point on the way of CIP
+  j1,
+  k1,
+  ap,   ///< polar angle [deg]
+  rp,   ///< polar radius
+  ang,  ///< angle of a line [deg]
+  rpl,  ///< rotation in the plane [deg]
+  pw,   ///< weight of a B-spline's point
+  pl,   ///< parameter interval of a spline's or polynomial's block
+  sd,   ///< degree of a B-spline
+  fb,   ///< feed of this block
+  p,    ///< runs of a call or repeat
+};
+
+inline constexpr std::size_t address_count = static_cast<std::size_t>(Address::p) + 1;
+
+/// The words of one block, the last one of each address.
+class BlockWords {
+ public:
+  struct Value {
+    double value = 0;
+    std::uint32_t column = 0;
+    Reading reading = Reading::modal;
+  };
+
+  void clear() {
+    letters_present_ = 0;
+    addresses_present_ = 0;
+  }
+
+  bool has(char letter) const { return (letters_present_ >> index(letter) & 1U) != 0; }
+  bool has(Address address) const { return (addresses_present_ >> static_cast<unsigned>(address) & 1U) != 0; }
+  bool has_any(std::string_view letters) const {
+    for (const char letter : letters) {
+      if (has(letter)) {
+        return true;
+      }
+    }
+    return false;
+  }
+  const Value& operator[](char letter) const { return letters_[index(letter)]; }
+  const Value& operator[](Address address) const { return addresses_[static_cast<std::size_t>(address)]; }
+
+  void set(char letter, const Value& value) {
+    letters_[index(letter)] = value;
+    letters_present_ |= 1U << index(letter);
+  }
+  void set(Address address, const Value& value) {
+    addresses_[static_cast<std::size_t>(address)] = value;
+    addresses_present_ |= 1U << static_cast<unsigned>(address);
+  }
+  void remove(std::string_view letters) {
+    for (const char letter : letters) {
+      letters_present_ &= ~(1U << index(letter));
+    }
+  }
+
+  /// The first of these letters in the block; 0 if there is none.
+  std::uint32_t first_column(std::string_view letters) const {
+    std::uint32_t column = 0;
+    for (const char letter : letters) {
+      if (has(letter) && (column == 0 || (*this)[letter].column < column)) {
+        column = (*this)[letter].column;
+      }
+    }
+    return column;
+  }
+
+ private:
+  static std::size_t index(char letter) { return static_cast<std::size_t>(letter - 'A'); }
+
+  std::array<Value, 26> letters_;
+  std::array<Value, address_count> addresses_;
+  std::uint32_t letters_present_ = 0;
+  std::uint32_t addresses_present_ = 0;
+};
+
+}  // namespace feedscope::sinumerik

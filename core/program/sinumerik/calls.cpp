@@ -1,0 +1,281 @@
+// The part of SinumerikReader that defines variables and runs subprograms.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/program/sinumerik/names.h"
+#include "core/program/sinumerik/sinumerik_reader.h"
+#include "core/program/text/message.h"
+#include "core/program/text/read_fault.h"
+
+namespace feedscope {
+
+using namespace sinumerik;
+
+namespace {
+
+constexpr auto types = std::to_array<std::pair<std::string_view, Type>>({{"REAL", Type::real},
+                                                                         {"INT", Type::integer},
+                                                                         {"BOOL", Type::boolean},
+                                                                         {"CHAR", Type::integer},
+                                                                         {"STRING", Type::text},
+                                                                         {"AXIS", Type::axis}});
+
+/// The type that stands here, with the length of a text; none, and nothing taken, if none does.
+std::optional<Type> take_type(Scanner& scanner) {
+  for (const auto& [name, type] : types) {
+    if (scanner.take_name(name)) {
+      if (type == Type::text && scanner.peek() == '[') {
+        skip_brackets(scanner);
+      }
+      return type;
+    }
+  }
+  return std::nullopt;
+}
+
+/// "/_N_SPF_DIR/_N_NAME_SPF", "NAME.SPF" and "NAME" are one subprogram.
+std::string plain_name(std::string_view written) {
+  std::string name = upper_case(written.substr(written.find_last_of('/') + 1));
+  if (name.starts_with("_N_")) {
+    name.erase(0, 3);
+  }
+  for (const std::string_view ending : {"_SPF", "_MPF", ".SPF", ".MPF"}) {
+    if (name.ends_with(ending)) {
+      name.resize(name.size() - ending.size());
+    }
+  }
+  return name;
+}
+
+bool is_cycle(std::string_view name) {
+  constexpr auto beginnings = std::to_array<std::string_view>(
+      {"CYCLE", "POCKET", "SLOT", "HOLES", "LONGHOLE", "CONTPRON", "CONTDCON"});
+  return std::any_of(beginnings.begin(), beginnings.end(), [&](std::string_view beginning) {
+    return letters::same(name.substr(0, beginning.size()), beginning);
+  });
+}
+
+}  // namespace
+
+/// DEF REAL A=1, B[3], and DEF STRING[20] NAME.
+void SinumerikReader::run_def(Scanner& scanner) {
+  for (const std::string_view scope : {"NCK", "CHAN", "SYNR", "SYNW", "SYNRW", "PHU"}) {
+    scanner.take_name(scope);
+  }
+  const std::uint32_t column = scanner.column();
+  const std::optional<Type> type = take_type(scanner);
+  if (!type) {
+    throw ReadFault{"definition", column, fmt::format("{} is no type that is read", quoted(scanner.rest())),
+                    "write REAL, INT, BOOL, CHAR, STRING or AXIS; the variables are not defined"};
+  }
+  do {
+    const std::uint32_t at = scanner.column();
+    const std::string_view name = scanner.name();
+    if (name.empty()) {
+      throw ReadFault{"definition", at, "DEF without a name", "write the variable's name behind its type"};
+    }
+    Variable variable = Variable::of(*type, values_.dimensions(scanner));
+    if (scanner.take('=')) {
+      values_.initialise(scanner, variable);
+    }
+    values_.variables().define(name, std::move(variable));
+  } while (scanner.take(','));
+}
+
+void SinumerikReader::run_define(Scanner& scanner) {
+  throw ReadFault{"macro", scanner.column(), fmt::format("the macro {} is not read", quoted(scanner.name())),
+                  "words by its name are taken for subprograms; write what it stands for"};
+}
+
+void SinumerikReader::run_proc(Scanner& scanner) {
+  if (!scopes_.empty()) {
+    scopes_.back().returned.clear();
+  }
+  scanner.name();
+  if (scanner.take('(')) {
+    std::size_t position = 0;
+    while (scanner.peek() != ')' && !scanner.at_end()) {
+      bind(scanner, position++);
+      scanner.take(',');
+    }
+    require(scanner, ')');
+  }
+  while (!scanner.at_end()) {
+    const std::string_view attribute = scanner.name();
+    if (attribute.empty()) {
+      throw ReadFault{"syntax", scanner.column(),
+                      fmt::format("{} stands behind PROC", quoted(scanner.rest())),
+                      "write the parameters in brackets, then attributes such as SAVE"};
+    }
+    if (letters::same(attribute, "SAVE") && !scopes_.empty()) {
+      scopes_.back().saves = true;
+    }
+  }
+}
+
+/// One parameter: "REAL X", "VAR INT N", "REAL X=1".
+void SinumerikReader::bind(Scanner& scanner, std::size_t position) {
+  const bool by_reference = scanner.take_name("VAR");
+  const std::uint32_t column = scanner.column();
+  const std::optional<Type> type = take_type(scanner);
+  const std::string_view name = scanner.name();
+  if (!type || name.empty()) {
+    throw ReadFault{"definition", column, fmt::format("{} is no parameter", quoted(scanner.rest())),
+                    "write a type and a name"};
+  }
+  if (scanner.peek() == '[') {
+    throw ReadFault{"definition", column, fmt::format("the array parameter {} is not read", quoted(name)),
+                    "pass its elements one by one"};
+  }
+  Variable variable = Variable::of(*type);
+  bool given = scanner.take('=');
+  if (given) {
+    values_.initialise(scanner, variable);
+  }
+  if (!scopes_.empty() && position < scopes_.back().arguments.size()) {
+    const Argument& argument = scopes_.back().arguments[position];
+    given = given || argument.number || argument.text;
+    if (argument.number && !variable.is_text()) {
+      variable.set(0, *argument.number);
+    } else if (argument.text && variable.is_text()) {
+      variable.texts[0] = *argument.text;
+    }
+    if (by_reference && !argument.variable.empty()) {
+      scopes_.back().returned.emplace_back(std::string(name), argument.variable);
+    }
+  }
+  if (!given && scopes_.empty()) {
+    report(Severity::warning, "unset-parameter", -1, column, [&] {
+      return Text{fmt::format("the program waits for a value of {}", quoted(name)),
+                  "taken as 0; call it from a program that gives the value"};
+    });
+  }
+  values_.variables().define(name, std::move(variable));
+}
+
+void SinumerikReader::run_extern(Scanner& scanner) {
+  scanner.name();
+  if (scanner.peek() == '(') {
+    skip_brackets(scanner);
+  }
+}
+
+void SinumerikReader::run_ret(Scanner& scanner) {
+  if (scanner.peek() == '(') {
+    skip_brackets(scanner);
+  }
+  ends_ = true;
+}
+
+void SinumerikReader::run_call(Scanner& scanner) {
+  const std::uint32_t column = scanner.column();
+  if (!values_.text_follows(scanner)) {
+    call_ = read_call(scanner);
+    return;
+  }
+  call_ = SubprogramCall{
+      .name = values_.read_text(scanner), .column = column, .arguments = {}, .bracketed = false};
+}
+
+/// With a name: it is called behind every motion from now on; alone: no longer.
+void SinumerikReader::run_mcall(Scanner& scanner) {
+  modal_call_.reset();
+  if (!scanner.at_end()) {
+    modal_call_ = ModalCall{.call = read_call(scanner), .depth = call_depth()};
+  }
+}
+
+SinumerikReader::SubprogramCall SinumerikReader::read_call(Scanner& scanner) {
+  SubprogramCall call;
+  call.column = scanner.column();
+  call.name = std::string(scanner.name());
+  if (call.name.empty()) {
+    throw ReadFault{"syntax", call.column, fmt::format("{} is no subprogram", quoted(scanner.rest())),
+                    "write the subprogram's name"};
+  }
+  call.bracketed = scanner.peek() == '(';
+  if (call.bracketed) {
+    call.arguments = read_arguments(scanner);
+  }
+  return call;
+}
+
+Arguments SinumerikReader::read_arguments(Scanner& scanner) {
+  Arguments arguments;
+  require(scanner, '(');
+  if (scanner.take(')')) {
+    return arguments;
+  }
+  do {
+    Argument& argument = arguments.emplace_back();
+    if (scanner.peek() == ',' || scanner.peek() == ')') {
+      continue;
+    }
+    Scanner alone = scanner;
+    const std::string_view name = alone.name();
+    const bool only_name = !name.empty() && (alone.peek() == ',' || alone.peek() == ')');
+    const bool known = only_name && values_.variables().find(name) != nullptr;
+    if (known) {
+      argument.variable = upper_case(name);
+    }
+    if (values_.text_follows(scanner)) {
+      argument.text = values_.read_text(scanner);
+    } else if (only_name && name.size() == 1) {
+      argument.text = upper_case(name);
+      scanner = alone;
+    } else {
+      argument.number = values_.read(scanner);
+    }
+  } while (scanner.take(','));
+  require(scanner, ')');
+  return arguments;
+}
+
+void SinumerikReader::run_subprogram(const SubprogramCall& call, std::uint32_t times) {
+  finish_spline();
+  const std::string name = plain_name(call.name);
+  for (const auto& text : {text_in_force(), main_text()}) {
+    const ProgramIndex::Section* const section = index_of(*text).section(name);
+    if (section != nullptr && !(section->main && call_depth() == 0 && text == text_in_force() &&
+                                section == &index().section_of(line()))) {
+      enter(call, text, section->first, times);
+      return;
+    }
+  }
+  const std::vector<std::string> files{name + ".SPF", name + ".MPF", "_N_" + name + "_SPF",
+                                       "_N_" + name + "_MPF", name};
+  if (auto text = subprogram_files().find(files)) {
+    enter(call, std::move(text), 1, times);
+    return;
+  }
+  const bool cycle = is_cycle(name);
+  report(Severity::error, cycle ? "unread-cycle" : "subprogram-missing", kind_of(name), call.column, [&] {
+    return cycle ? Text{fmt::format("the cycle {} is not read", name), "its motion is left out"}
+                 : Text{fmt::format("there is no subprogram {} beside the program",
+                                    feedscope::quoted(call.name)),
+                        "its motion is left out; put it beside the program or into the same file"};
+  });
+}
+
+bool SinumerikReader::enter(const SubprogramCall& call, std::shared_ptr<const SourceText> text,
+                            std::uint32_t line, std::uint32_t times) {
+  Scope scope;
+  scope.name = call.name;
+  scope.arguments = call.arguments;
+  scope.modal = modal_;
+  scope.frames = frames_;
+  scope.path_words = path_words_;
+  if (!Reader::call(std::move(text), line, times)) {
+    return false;
+  }
+  scope.ends_caller = ends_;
+  ends_ = false;
+  scopes_.push_back(std::move(scope));
+  values_.variables().enter();
+  return true;
+}
+
+}  // namespace feedscope

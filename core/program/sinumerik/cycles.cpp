@@ -1,0 +1,177 @@
+// The part of SinumerikReader that runs the control's own cycles.
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/program/sinumerik/names.h"
+#include "core/program/sinumerik/sinumerik_reader.h"
+#include "core/program/text/message.h"
+
+namespace feedscope {
+
+using namespace sinumerik;
+
+namespace {
+
+/// 81 of "CYCLE81"; -1 for other names.
+int cycle_number(std::string_view name) {
+  constexpr std::string_view beginning = "CYCLE";
+  int number = -1;
+  if (letters::same(name.substr(0, beginning.size()), beginning)) {
+    const std::string_view digits = name.substr(beginning.size());
+    const auto [stop, status] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    number = status == std::errc() && stop == digits.data() + digits.size() ? number : -1;
+  }
+  return number;
+}
+
+}  // namespace
+
+bool SinumerikReader::run_cycle(const SubprogramCall& call) {
+  const int number = cycle_number(call.name);
+  if (number == 832) {
+    high_speed_settings(call);
+  } else if (number == 800) {
+    swivel(call);
+  } else if (letters::same(call.name, "HOLES1") || letters::same(call.name, "HOLES2")) {
+    hole_pattern(call.arguments, call.name.back() == '2', call.column);
+  } else if (const auto cycle = DrillingCycle::make(number, call.arguments)) {
+    finish_spline();
+    drill(*cycle);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+void SinumerikReader::drill(const DrillingCycle& cycle) {
+  const int axis = normal_axis(modal_.plane);
+  const double feed = path().feed();
+  const FeedMode mode = path().feed_mode();
+  const double speed = path().spindle_speed();
+  last_arc_.reset();
+  for (const DrillingStep& step : cycle.steps()) {
+    if (step.kind == DrillingStep::Kind::dwell) {
+      const double seconds = step.value > 0 ? step.value : speed > 0 ? -step.value / speed : 0;
+      if (seconds > 0) {
+        path().dwell(seconds);
+      }
+      continue;
+    }
+    Vec3 target = path().position();
+    target[axis] = to_mm(step.height);
+    path().program_axis(axis);
+    start_ = path().position();
+    use_path_control(step.kind == DrillingStep::Kind::rapid);
+    switch (step.kind) {
+      case DrillingStep::Kind::rapid:
+        path().rapid(target);
+        continue;
+      case DrillingStep::Kind::feed:
+        path().set_feed(feed * step.value);
+        break;
+      case DrillingStep::Kind::own_feed:
+        path().set_feed(feed_of(step.value));
+        break;
+      case DrillingStep::Kind::thread:
+        path().set_feed_mode(FeedMode::per_revolution);
+        path().set_feed(to_mm(step.value));
+        path().set_spindle_speed(step.speed > 0 ? step.speed : speed);
+        break;
+      case DrillingStep::Kind::dwell:
+        break;
+    }
+    path().line(target);
+    path().set_spindle_speed(speed);
+    path().set_feed_mode(mode);
+    path().set_feed(feed);
+  }
+}
+
+/// HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM) and HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): the modal cycle on a
+/// row or on a circle.
+void SinumerikReader::hole_pattern(const Arguments& arguments, bool circle, std::uint32_t column) {
+  constexpr double most_holes = 10'000;
+  const double count = number_at(arguments, 5);
+  if (!(count >= 1 && count <= most_holes)) {
+    report(Severity::error, "hole-count", 0, column, [&] {
+      return Text{fmt::format("a pattern of {} holes is not within 1 to {}", count, most_holes),
+                  "the holes are left out"};
+    });
+    return;
+  }
+  finish_spline();
+  const Vec3 start = path().position();
+  for (int i = 0; i < static_cast<int>(count); ++i) {
+    Vec3 at = start;
+    const double step = circle && number_at(arguments, 4) == 0 ? 360 / count : number_at(arguments, 4);
+    const double angle = units::from_deg(number_at(arguments, circle ? 3 : 2) + (circle ? i * step : 0));
+    const double radius = circle ? number_at(arguments, 2) : number_at(arguments, 3) + i * step;
+    at[first_axis(modal_.plane)] = to_mm(number_at(arguments, 0) + radius * std::cos(angle));
+    at[second_axis(modal_.plane)] = to_mm(number_at(arguments, 1) + radius * std::sin(angle));
+    at[normal_axis(modal_.plane)] = path().position()[normal_axis(modal_.plane)];
+    path().program_axis(first_axis(modal_.plane));
+    path().program_axis(second_axis(modal_.plane));
+    use_path_control(true);
+    path().rapid(at);
+    if (modal_call_) {
+      run_cycle(modal_call_->call);
+    }
+  }
+  last_arc_.reset();
+}
+
+void SinumerikReader::high_speed_settings(const SubprogramCall& call) {
+  const double tolerance = number_at(call.arguments, 0);
+  const double code = number_at(call.arguments, 1);
+  constexpr double most = 1e8;
+  if (!(tolerance >= 0 && code >= 0 && code < most)) {
+    report(Severity::error, "path-value", 0, call.column, [&] {
+      return Text{fmt::format("CYCLE832 with tolerance {} and code {}", tolerance, code),
+                  "it is left out; neither may be negative"};
+    });
+    return;
+  }
+  const int digits = static_cast<int>(code);
+  std::optional<double> orientation;
+  if (digits / 10 % 10 == 1) {
+    orientation = units::from_deg(number_at(call.arguments, 2));
+  }
+  path_words_.set_cycle(to_mm(tolerance), digits, orientation);
+  applied_ = Applied::none;
+}
+
+/// CYCLE800(FR, TC, ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, ...): the plane is shifted by X0, turned about
+/// one axis after the other and shifted by X1.
+void SinumerikReader::swivel(const SubprogramCall& call) {
+  finish_spline();
+  const Arguments& values = call.arguments;
+  const auto vector = [&](std::size_t place) -> Vec3 {
+    return {number_at(values, place), number_at(values, place + 1), number_at(values, place + 2)};
+  };
+  constexpr double usual_mode = 57;  // about X, then Y, then Z
+  const int mode = static_cast<int>(number_at(values, 3, usual_mode));
+  const Vec3 angles = vector(7);
+  CoordinateFrame frame = CoordinateFrame::shift(vector(4) * to_mm(1));
+  if (!angles.isZero() && (mode < 0 || mode >= 64)) {
+    report(Severity::error, "swivel", 0, call.column, [&] {
+      return Text{fmt::format("CYCLE800 with mode {} is not read", mode),
+                  "the plane is shown unturned; angles about one axis after the other are read"};
+    });
+    return;
+  }
+  for (int i = 0; i < 3; ++i) {
+    const int axis = mode >> (2 * i) & 3;
+    if (axis > 0) {
+      frame = frame * CoordinateFrame::rotation(Vec3::Unit(axis - 1), units::from_deg(angles[i]));
+    }
+  }
+  frame = frame * CoordinateFrame::shift(vector(10) * to_mm(1));
+  const bool additive = static_cast<int>(number_at(values, 2)) % 10 == 1;
+  frames_.set_swivel(additive ? frames_.swivel() * frame : frame);
+  set_frame();
+}
+
+}  // namespace feedscope

@@ -1,0 +1,37 @@
+#pragma once
+
+#include "core/base/geometry.h"
+#include "core/program/path/coordinate_frame.h"
+
+namespace feedscope::sinumerik {
+
+/// The frames that a program sets: the swivelled plane of CYCLE800 and, inside it, what TRANS, ROT, SCALE,
+/// MIRROR and their additive forms build. Work offsets are zero.
+class Frames {
+ public:
+  /// All of them, one after the other.
+  CoordinateFrame frame() const;
+
+  /// TRANS, ROT, SCALE, MIRROR: in place of what was programmed before.
+  void replace(const CoordinateFrame& by);
+  /// ATRANS, AROT, ASCALE, AMIRROR: inside what was programmed before.
+  void add(const CoordinateFrame& more) { chain_ = chain_ * more; }
+  void replace_shift(const Vec3& by);
+  /// G58, G59: coordinates of the coarse or the fine shift anew.
+  void set_coarse(int axis, double value) { coarse_[axis] = value; }
+  void set_fine(int axis, double value) { fine_[axis] = value; }
+  /// CYCLE800.
+  void set_swivel(const CoordinateFrame& by) { swivel_ = by; }
+  const CoordinateFrame& swivel() const { return swivel_; }
+
+ private:
+  CoordinateFrame swivel_;
+  Vec3 coarse_ = Vec3::Zero();
+  Vec3 fine_ = Vec3::Zero();
+  CoordinateFrame chain_;
+};
+
+/// About Z, then the turned Y, then the turned X, angles in rad: how ROT takes several angles.
+CoordinateFrame turned_about(const Vec3& angles);
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "core/program/text/expression.h"
+
+namespace feedscope::sinumerik {
+
+/// Operators and functions of the control's expressions. Comparisons bind least, below AND and OR. Angles
+/// are in degrees.
+const ExpressionGrammar& grammar();
+
+}  // namespace feedscope::sinumerik

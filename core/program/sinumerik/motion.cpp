@@ -1,0 +1,372 @@
+// The part of SinumerikReader that moves: lines, dwells, splines, polynomials.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/program/path/curve_lines.h"
+#include "core/program/sinumerik/names.h"
+#include "core/program/sinumerik/sinumerik_reader.h"
+#include "core/program/text/message.h"
+
+namespace feedscope {
+
+using namespace sinumerik;
+
+namespace {
+
+bool is_arc_action(Action action) {
+  return action == Action::arc_cw || action == Action::arc_ccw || action == Action::arc_through ||
+         action == Action::arc_tangent;
+}
+
+}  // namespace
+
+bool SinumerikReader::has_motion_words() const {
+  const bool arc = modal_.motion != nullptr && is_arc_action(modal_.motion->action);
+  return words_.has_any("XYZ") || words_.has(Address::ap) || words_.has(Address::rp) ||
+         words_.has(Address::ang) ||
+         (arc && (words_.has_any("IJK") || words_.has(Address::ar) || words_.has(Address::cr)));
+}
+
+void SinumerikReader::move() {
+  constexpr std::string_view other_axes = "ABCUVW";
+  if (words_.has_any(other_axes)) {
+    for (const char letter : other_axes) {
+      if (words_.has(letter) && !machine_axes_) {
+        report_axis(std::string_view(&letter, 1), words_[letter].column, words_[letter].value);
+      }
+    }
+  }
+  const bool leaves_spline = spline_.begun() && modal_.motion->action != Action::spline;
+  if (leaves_spline) {
+    finish_spline();
+  }
+  if (!has_motion_words()) {
+    check_unused(false);
+    return;
+  }
+  if (machine_axes_) {
+    finish_spline();
+    report_machine_axes();
+    return;
+  }
+  if (modal_.motion == nullptr) {
+    report(Severity::warning, "motion-mode", 0, words_.first_column("XYZ"), [] {
+      return Text{"position words before any of G0, G1, G2, G3", "taken as G1; write the G word"};
+    });
+    modal_.motion = find_g(1);
+  }
+  const Action action = modal_.motion->action;
+  if (action == Action::unread_motion) {
+    return;
+  }
+  check_unused(is_arc_action(action));
+  for (int axis = 0; axis < 3; ++axis) {
+    if (words_.has(axis_names[static_cast<std::size_t>(axis)])) {
+      path().program_axis(axis);
+    }
+  }
+  path().set_column(words_.first_column("XYZIJK"));
+  use_path_control(action == Action::rapid);
+  const double feed = path().feed();
+  if (words_.has(Address::fb)) {
+    path().set_feed(feed_of(words_[Address::fb].value));
+  }
+  const Vec3 target = target_of_block();
+  const Vec3 start = path().position();
+  switch (action) {
+    case Action::rapid:
+    case Action::line:
+      straight(target, action == Action::rapid);
+      break;
+    case Action::thread:
+      thread(target);
+      break;
+    case Action::spline:
+      collect_spline(target);
+      break;
+    case Action::polynomial:
+      polynomial(target);
+      break;
+    case Action::arc_through:
+      arc_through(target);
+      break;
+    case Action::arc_tangent:
+      tangent_arc(target);
+      break;
+    default:
+      arc(target);
+  }
+  if (words_.has(Address::fb)) {
+    path().set_feed(feed);
+  }
+  start_ = start;
+  moved_ = true;
+}
+
+void SinumerikReader::check_unused(bool arc) {
+  if (arc || !words_.has_any("IJK")) {
+    return;
+  }
+  const Action action = modal_.motion == nullptr ? Action::line : modal_.motion->action;
+  if (action == Action::thread || action == Action::unread_motion) {
+    return;
+  }
+  for (const char letter : {'I', 'J', 'K'}) {
+    if (words_.has(letter)) {
+      report(Severity::warning, "unused-word", letter, words_[letter].column, [&] {
+        return Text{fmt::format("{}{} has no meaning in this block", letter, words_[letter].value),
+                    "it is left out; is a G2 or G3 missing?"};
+      });
+    }
+  }
+}
+
+void SinumerikReader::report_machine_axes() {
+  const std::uint32_t column = own_block_ != nullptr ? own_column_ : words_.first_column("XYZ");
+  report(Severity::warning, "machine-position", 0, column, [] {
+    return Text{"the block moves to a machine position, which only the machine knows",
+                "the motion is left out; what follows begins where the tool was before"};
+  });
+}
+
+void SinumerikReader::dwell() {
+  double seconds = 0;
+  const char letter = words_.has('F') ? 'F' : 'S';
+  if (!words_.has_any("FS")) {
+    report(Severity::error, "dwell-time", 1, own_column_, [] {
+      return Text{"G4 without a time", "the dwell is left out; write F with seconds or S with revolutions"};
+    });
+    return;
+  }
+  const BlockWords::Value& word = words_[letter];
+  seconds = word.value;
+  if (letter == 'S') {
+    const double speed = path().spindle_speed();
+    if (speed <= 0) {
+      report(Severity::error, "dwell-time", 2, word.column, [&] {
+        return Text{fmt::format("a dwell of {} revolutions without a spindle speed", word.value),
+                    "the dwell is left out; write S in a block before it"};
+      });
+      return;
+    }
+    seconds /= speed;
+  }
+  if (seconds < 0) {
+    report(Severity::error, "dwell-time", 0, word.column, [&] {
+      return Text{fmt::format("dwell time {}{} is negative", letter, word.value), "the dwell is left out"};
+    });
+  } else if (seconds > 0) {
+    use_path_control(false);
+    path().dwell(seconds);
+  }
+}
+
+void SinumerikReader::use_path_control(bool rapid) {
+  const Applied wanted = exact_stop_ ? Applied::none : rapid ? Applied::rapid : Applied::feed;
+  if (wanted == Applied::none || applied_ != wanted) {
+    path().set_path_control(path_words_.control(rapid, exact_stop_));
+    applied_ = wanted;
+  }
+}
+
+void SinumerikReader::straight(const Vec3& target, bool rapid) {
+  last_arc_.reset();
+  if (rapid) {
+    path().rapid(target);
+  } else {
+    path().line(target);
+  }
+}
+
+/// A thread's feed is its lead times the spindle speed.
+void SinumerikReader::thread(const Vec3& target) {
+  double lead = 0;
+  for (const char letter : {'I', 'J', 'K'}) {
+    lead = words_.has(letter) ? std::max(lead, std::abs(to_mm(words_[letter].value))) : lead;
+  }
+  report(Severity::info, "thread", 0, words_.first_column("XYZ"), [&] {
+    return Text{fmt::format("{} (thread) is read as a line", modal_.motion->name),
+                "its feed is lead times spindle speed; how the spindle runs up is not shown"};
+  });
+  const FeedMode mode = path().feed_mode();
+  const double feed = path().feed();
+  path().set_feed_mode(FeedMode::per_revolution);
+  path().set_feed(lead);
+  straight(target, false);
+  path().set_feed_mode(mode);
+  path().set_feed(feed);
+}
+
+Vec3 SinumerikReader::target_of_block() {
+  Vec3 target = path().position();
+  if (spline_.begun()) {
+    target = spline_.last().at;
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const char letter = axis_names[static_cast<std::size_t>(axis)];
+    if (!words_.has(letter)) {
+      continue;
+    }
+    const BlockWords::Value& word = words_[letter];
+    const bool incremental =
+        word.reading == Reading::incremental || (word.reading == Reading::modal && modal_.incremental);
+    const double value = to_mm(word.value);
+    target[axis] = incremental ? target[axis] + value : value;
+  }
+  if (words_.has(Address::ap) || words_.has(Address::rp)) {
+    target = polar_target(target);
+  }
+  if (words_.has(Address::ang)) {
+    angle_target(target);
+  }
+  return target;
+}
+
+/// AP and RP about the pole; the axis across the plane as in the other words.
+Vec3 SinumerikReader::polar_target(const Vec3& straight_target) {
+  const int first = first_axis(modal_.plane);
+  const int second = second_axis(modal_.plane);
+  const Vec3 from = path().position() - modal_.pole;
+  double angle = std::atan2(from[second], from[first]);
+  double radius = std::hypot(from[first], from[second]);
+  if (words_.has(Address::ap)) {
+    const BlockWords::Value& word = words_[Address::ap];
+    const bool incremental =
+        word.reading == Reading::incremental || (word.reading == Reading::modal && modal_.incremental);
+    angle = (incremental ? angle : 0) + units::from_deg(word.value);
+  }
+  if (words_.has(Address::rp)) {
+    const BlockWords::Value& word = words_[Address::rp];
+    radius = (word.reading == Reading::incremental ? radius : 0) + to_mm(word.value);
+  }
+  Vec3 target = straight_target;
+  target[first] = modal_.pole[first] + radius * std::cos(angle);
+  target[second] = modal_.pole[second] + radius * std::sin(angle);
+  return target;
+}
+
+/// ANG: a line at an angle to the plane's first axis, one of its coordinates given.
+void SinumerikReader::angle_target(Vec3& target) {
+  const int first = first_axis(modal_.plane);
+  const int second = second_axis(modal_.plane);
+  const bool has_first = words_.has(axis_names[static_cast<std::size_t>(first)]);
+  const bool has_second = words_.has(axis_names[static_cast<std::size_t>(second)]);
+  const double angle = units::from_deg(words_[Address::ang].value);
+  const double along = std::cos(angle);
+  const double across = std::sin(angle);
+  constexpr double parallel = 1e-9;
+  const double divisor = has_first ? along : across;
+  if (has_first == has_second || std::abs(divisor) < parallel) {
+    report(Severity::error, "line-angle", 0, words_[Address::ang].column, [&] {
+      return Text{fmt::format("ANG={} with {} is not read", words_[Address::ang].value,
+                              has_first == has_second ? "none or both coordinates of the plane"
+                                                      : "this coordinate, which it never reaches,"),
+                  "the line ends at the coordinates that are given; write its end"};
+    });
+    return;
+  }
+  const Vec3 start = path().position();
+  if (has_first) {
+    target[second] = start[second] + (target[first] - start[first]) * across / along;
+  } else {
+    target[first] = start[first] + (target[second] - start[second]) * along / across;
+  }
+}
+
+void SinumerikReader::collect_spline(const Vec3& target) {
+  SplinePath::Point point{.at = target,
+                          .weight = words_.has(Address::pw) ? words_[Address::pw].value : 1,
+                          .interval = {},
+                          .feed = path().feed(),
+                          .line = shown_line(),
+                          .place = place(words_.first_column("XYZ"))};
+  if (words_.has(Address::pl) && words_[Address::pl].value >= 0) {
+    point.interval = words_[Address::pl].value;
+  }
+  if (!(point.weight > 0)) {
+    report(Severity::error, "spline-weight", 0, words_[Address::pw].column, [&] {
+      return Text{fmt::format("PW={} is no weight above zero", point.weight), "1 is taken"};
+    });
+    point.weight = 1;
+  }
+  if (words_.has(Address::sd)) {
+    spline_.set_degree(static_cast<int>(std::clamp(words_[Address::sd].value, 1.0, 3.0)));
+  }
+  const std::string_view kind = modal_.motion->name;
+  if (spline_.begun() && spline_.kind() != kind) {
+    finish_spline();
+  }
+  if (!spline_.begun()) {
+    SplinePath::Point start = point;
+    start.at = path().position();
+    start.weight = 1;
+    spline_.begin(kind, start, last_direction());
+  }
+  const bool new_place = (target - spline_.last().at).norm() > same_point;
+  if (new_place || kind == "BSPLINE") {
+    spline_.add(point);
+  }
+}
+
+void SinumerikReader::finish_spline() {
+  if (!spline_.begun()) {
+    return;
+  }
+  const SplinePath curve = spline_;
+  const double feed = path().feed();
+  report_curve(curve.last().place);
+  Vec3 direction = Vec3::Zero();
+  if (modal_.motion->action == Action::line || modal_.motion->action == Action::rapid) {
+    direction = target_of_block() - curve.last().at;
+  }
+  spline_.clear();
+  const std::uint32_t* line = nullptr;
+  curve.lines(direction.norm() > same_point ? Vec3(direction.normalized()) : Vec3(Vec3::Zero()),
+              [&](const Vec3& at, const SplinePath::Point& point) {
+                if (line != &point.line) {
+                  line = &point.line;
+                  path().begin_line(point.line, point.place);
+                  path().program_axes();
+                  path().set_feed(point.feed);
+                }
+                start_ = path().position();
+                path().line(at);
+              });
+  last_arc_.reset();
+  path().begin_line(shown_line(), place(0));
+  path().set_feed(feed);
+}
+
+void SinumerikReader::report_curve(const DiagnosticLog::Place& at) {
+  log().add(Severity::info, "curve-as-lines", 0, at, [] {
+    return Text{"a curve is read as lines within 0.001 mm of it", ""};
+  });
+}
+
+void SinumerikReader::polynomial(const Vec3& target) {
+  last_arc_.reset();
+  const double interval = words_.has(Address::pl) ? words_[Address::pl].value : 1;
+  if (!has_polynomials_ || !(interval > 0)) {
+    path().line(target);
+    return;
+  }
+  report_curve(place(words_.first_column("XYZ")));
+  const Vec3 start = path().position();
+  const auto curve = [&](double parameter) -> Vec3 {
+    Vec3 at = start + (target - start) * parameter / interval;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (polynomials_[axis]) {
+        PolynomialWord word = *polynomials_[axis];
+        word.end = target[static_cast<int>(axis)];
+        at[static_cast<int>(axis)] = word.at(parameter, start[static_cast<int>(axis)], interval);
+      }
+    }
+    return at;
+  };
+  lines_of_curve(curve, 0, interval, [&](const Vec3& at) { path().line(at); });
+}
+
+}  // namespace feedscope

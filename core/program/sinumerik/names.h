@@ -1,0 +1,17 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+namespace feedscope::sinumerik {
+
+/// Names are the same in upper and lower case.
+std::string upper_case(std::string_view name);
+
+/// For DiagnosticLog: different names are different kinds.
+inline int kind_of(std::string_view name) {
+  return static_cast<int>(std::hash<std::string>{}(upper_case(name)) & 0x7fffffffU);
+}
+
+}  // namespace feedscope::sinumerik

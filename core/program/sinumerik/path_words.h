@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/program/path_control.h"
+
+namespace feedscope::sinumerik {
+
+/// The path control that is in force, kept in the control's own terms and turned into a PathControl for every
+/// motion: what a tolerance or distance means depends on the G word that rules it.
+class PathWords {
+ public:
+  /// G60, G64, G641 to G645, COMPON, COMPOF, SOFT, BRISK, DRIVE, FFWON, FFWOF and their kin.
+  void apply(std::string_view name);
+  /// CTOL [mm]; negative: the machine's again.
+  void set_tolerance(double value);
+  /// OTOL [rad]; negative: the machine's again.
+  void set_orientation_tolerance(double value);
+  /// ADIS [mm], of feed motions, and ADISPOS, of rapids.
+  void set_distance(double value) { distance_ = value; }
+  void set_rapid_distance(double value) { rapid_distance_ = value; }
+
+  /// CYCLE832: tolerance [mm], code and orientation tolerance [rad]. A code of more than three digits is that
+  /// of older controls, whose digits choose G64x, FFWON or FFWOF with SOFT or BRISK, and the compressor too.
+  void set_cycle(double tolerance, int code, std::optional<double> orientation);
+
+  /// Of one motion; `stop`: with G9.
+  PathControl control(bool rapid, bool stop) const;
+
+ private:
+  enum class Blend { none, distance, tolerance, dynamics };
+
+  void set_older_cycle(int code);
+
+  PathControl control_;
+  Blend blend_ = Blend::none;
+  std::optional<double> tolerance_;
+  std::optional<double> distance_;
+  std::optional<double> rapid_distance_;
+};
+
+}  // namespace feedscope::sinumerik

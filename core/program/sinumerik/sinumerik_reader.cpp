@@ -1,0 +1,235 @@
+#include "core/program/sinumerik/sinumerik_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/program/text/message.h"
+#include "core/program/text/read_fault.h"
+
+namespace feedscope {
+
+using namespace sinumerik;
+
+SinumerikReader::SinumerikReader(std::shared_ptr<const SourceText> source, const ReadOptions& options,
+                                 Progress* progress)
+    : Reader(std::move(source), options, progress),
+      values_(path(), [this](std::string_view code, int detail, std::uint32_t column, const Text& text) {
+        report(Severity::warning, code, detail, column, [&] { return text; });
+      }) {}
+
+void SinumerikReader::run_line(std::string_view line) {
+  if (repeat_is_over(this->line())) {
+    return;
+  }
+  if (line.starts_with('%')) {
+    run_head(line);
+    return;
+  }
+  const Block& block = lexer_.read(line);
+  const bool skipped = options().skip_deleted_blocks && block.delete_level > 0;
+  if (!skipped && !(block.words.empty() && block.faults.empty() && block.statement == 0)) {
+    (scopes_.empty() ? words_met_ : scopes_.back().words_met) = true;
+    run_block(block);
+  }
+  if (this->line() == text().line_count()) {
+    repeat_is_over(this->line() + 1);
+  }
+}
+
+void SinumerikReader::run_head(std::string_view line) {
+  const bool words_met = scopes_.empty() ? words_met_ : scopes_.back().words_met;
+  const ProgramIndex::Section* const main = call_depth() == 0 ? index().main_section() : nullptr;
+  if (words_met) {
+    end_or_return();
+  } else if (main != nullptr && main->first > this->line() && !line.ends_with("_MPF")) {
+    jump_to(main->first);
+  }
+}
+
+void SinumerikReader::run_out() {
+  return_from_call();
+}
+
+void SinumerikReader::left_call() {
+  finish_spline();
+  Scope scope = std::move(scopes_.back());
+  scopes_.pop_back();
+  std::vector<std::pair<std::string, Variable>> returned;
+  for (const auto& [own, outer] : scope.returned) {
+    if (const Variable* const value = values_.variables().find(own)) {
+      returned.emplace_back(outer, *value);
+    }
+  }
+  values_.variables().leave();
+  for (auto& [outer, value] : returned) {
+    if (Variable* const target = values_.variables().find(outer)) {
+      target->numbers = std::move(value.numbers);
+      target->texts = std::move(value.texts);
+    }
+  }
+  std::erase_if(repeats_, [&](const Repeat& repeat) { return repeat.depth > call_depth(); });
+  if (modal_call_ && modal_call_->depth > call_depth()) {
+    modal_call_.reset();
+  }
+  if (scope.saves) {
+    modal_ = scope.modal;
+    frames_ = scope.frames;
+    path_words_ = scope.path_words;
+    applied_ = Applied::none;
+    set_frame();
+  }
+  if (scope.ends_caller) {
+    end_or_return();
+  }
+}
+
+std::uint32_t SinumerikReader::first_word(std::string_view line) {
+  if (line.starts_with('%')) {
+    return 0;
+  }
+  const Block& block = lexer_.read(line);
+  return block.words.empty() ? block.statement : block.words.front().column;
+}
+
+void SinumerikReader::run_block(const Block& block) {
+  count_block();
+  words_.clear();
+  groups_.fill(nullptr);
+  own_block_ = nullptr;
+  machine_axes_ = false;
+  exact_stop_ = false;
+  ends_ = false;
+  moved_ = false;
+  call_.reset();
+  bool sound = report_faults(block);
+  gather(block);
+  if (has_polynomials_) {
+    polynomials_.fill(std::nullopt);
+    has_polynomials_ = false;
+  }
+  if (block.statement > 0) {
+    try {
+      Scanner scanner(without_comment(block.text), block.statement - 1);
+      run_statements(scanner);
+    } catch (const ReadFault& fault) {
+      sound = false;
+      report(Severity::error, fault.code, 0, fault.column, [&] { return Text{fault.message, fault.hint}; });
+    }
+  }
+  execute_block(sound);
+}
+
+bool SinumerikReader::report_faults(const Block& block) {
+  for (const Fault& fault : block.faults) {
+    const std::string_view written = block.text_of(fault);
+    const bool range = fault.kind == FaultKind::number_range;
+    report(Severity::error, range ? "number-range" : "malformed-number", 0, fault.column, [&] {
+      return Text{range ? fmt::format("{} is beyond the largest number, 1000000000", quoted(written))
+                        : fmt::format("{} has no readable number", quoted(written)),
+                  "the block does not move; correct the number"};
+    });
+  }
+  return block.faults.empty();
+}
+
+void SinumerikReader::gather(const Block& block) {
+  for (const Word& word : block.words) {
+    switch (word.letter) {
+      case 'N':
+        break;
+      case 'G':
+        apply_g(word.value, word.column, block.text_of(word));
+        break;
+      case 'M':
+        apply_m(word.value);
+        break;
+      case 'P':
+        words_.set(Address::p, {.value = word.value, .column = word.column, .reading = Reading::modal});
+        break;
+      default:
+        set_letter(word.letter, {.value = word.value, .column = word.column, .reading = Reading::modal},
+                   block.text_of(word));
+    }
+  }
+}
+
+void SinumerikReader::set_letter(char letter, const BlockWords::Value& value, std::string_view written) {
+  if (letter == 'L') {
+    // L1 and L01 are different subprograms.
+    call_ = SubprogramCall{.name = "L" + std::string(written.substr(written.find_first_of("0123456789"))),
+                           .column = value.column,
+                           .arguments = {},
+                           .bracketed = false};
+    return;
+  }
+  if (words_.has(letter)) {
+    report(Severity::error, "duplicate-word", letter, value.column, [&] {
+      return Text{fmt::format("{} stands twice in the block", letter),
+                  fmt::format("{} counts; remove the other", quoted(written))};
+    });
+  }
+  words_.set(letter, value);
+}
+
+void SinumerikReader::apply_m(double number) {
+  ends_ = ends_ || number == 2 || number == 17 || number == 30;
+}
+
+void SinumerikReader::apply_g(double number, std::uint32_t column, std::string_view written) {
+  const int g = number >= 0 && number < 1000 && number == std::floor(number) ? static_cast<int>(number) : -1;
+  const Function* const function = find_g(g);
+  if (function == nullptr) {
+    report(Severity::error, "unknown-g", g, column, [&] {
+      return Text{fmt::format("{} is not a known G word", quoted(written)),
+                  "it is left out; the path may differ from what the control does"};
+    });
+    return;
+  }
+  if (function->action == Action::work_offset) {
+    change_work_offset(g, column);
+  }
+  apply(*function, column);
+}
+
+void SinumerikReader::execute_block(bool sound) {
+  apply_feed();
+  if (sound) {
+    if (own_block_ != nullptr) {
+      finish_spline();
+      apply_frame();
+    } else {
+      move();
+    }
+    if (moved_ && modal_call_ && modal_call_->depth == call_depth()) {
+      if (!run_cycle(modal_call_->call)) {
+        run_subprogram(modal_call_->call, 1);
+      }
+    }
+  }
+  finish_block();
+}
+
+void SinumerikReader::finish_block() {
+  if (call_) {
+    const auto times = static_cast<std::uint32_t>(
+        words_.has(Address::p) ? std::clamp(words_[Address::p].value, 1.0, 9999.0) : 1.0);
+    if (!run_cycle(*call_)) {
+      run_subprogram(*call_, times);
+    }
+  }
+  if (ends_) {
+    end_or_return();
+  }
+}
+
+void SinumerikReader::end_or_return() {
+  finish_spline();
+  if (!return_from_call()) {
+    end_program();
+  }
+}
+
+}  // namespace feedscope

@@ -1,0 +1,233 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/program/path/plane.h"
+#include "core/program/reader.h"
+#include "core/program/sinumerik/arguments.h"
+#include "core/program/sinumerik/block_words.h"
+#include "core/program/sinumerik/drilling_cycle.h"
+#include "core/program/sinumerik/frames.h"
+#include "core/program/sinumerik/functions.h"
+#include "core/program/sinumerik/path_words.h"
+#include "core/program/sinumerik/program_index.h"
+#include "core/program/sinumerik/spline_path.h"
+#include "core/program/sinumerik/values.h"
+#include "core/program/text/lexer.h"
+
+namespace feedscope {
+
+/// Reads programs of the Sinumerik 840D and its relatives; README.md beside it gives the words.
+class SinumerikReader : public Reader {
+ public:
+  SinumerikReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);
+
+ private:
+  /// What stays in force from block to block.
+  struct Modal {
+    const sinumerik::Function* motion = nullptr;  ///< nullptr: none yet
+    Plane plane = Plane::xy;
+    bool inch = false;
+    bool inch_feed = false;
+    bool incremental = false;
+    int work_offset = 0;  ///< G number; 0: none yet
+    Vec3 pole = Vec3::Zero();
+    double polar_angle = 0;  ///< [deg]
+    double polar_radius = 0;
+  };
+  /// A subprogram that runs.
+  struct Scope {
+    std::string name;
+    sinumerik::Arguments arguments;
+    std::vector<std::pair<std::string, std::string>> returned;  ///< own variable, caller's: VAR parameters
+    bool words_met = false;
+    bool ends_caller = false;  ///< the block of the call holds M17 or M30 too
+    bool saves = false;        ///< PROC ... SAVE
+    Modal modal;               ///< of the caller
+    sinumerik::Frames frames;
+    sinumerik::PathWords path_words;
+  };
+  /// REPEAT, REPEATB.
+  struct Repeat {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;     ///< last line that runs
+    std::uint32_t resume = 0;  ///< line behind the statement
+    std::uint32_t left = 0;    ///< runs, this one included
+    std::size_t depth = 0;
+  };
+  struct SubprogramCall {
+    std::string name;
+    std::uint32_t column = 0;
+    sinumerik::Arguments arguments;
+    bool bracketed = false;
+  };
+  /// MCALL: a cycle or subprogram behind every motion.
+  struct ModalCall {
+    SubprogramCall call;
+    std::size_t depth = 0;
+  };
+
+  // Lines and plain words: sinumerik_reader.cpp
+  void run_line(std::string_view line) override;
+  void run_out() override;
+  void left_call() override;
+  void before_finish() override { finish_spline(); }
+  std::uint32_t first_word(std::string_view line) override;
+  void run_head(std::string_view line);
+  void run_block(const Block& block);
+  bool report_faults(const Block& block);
+  void gather(const Block& block);
+  void set_letter(char letter, const sinumerik::BlockWords::Value& value, std::string_view written);
+  void apply_m(double number);
+  void apply_g(double number, std::uint32_t column, std::string_view written);
+  void execute_block(bool sound);
+  void finish_block();
+  void end_or_return();
+
+  // What functions and F do: modal_words.cpp
+  void apply(const sinumerik::Function& function, std::uint32_t column);
+  void apply_action(const sinumerik::Function& function);
+  void check_group(const sinumerik::Function& function, std::uint32_t column);
+  void change_work_offset(int number, std::uint32_t column);
+  void apply_feed();
+  double feed_of(double value) const;
+  void set_frame();
+  void apply_frame();
+  Vec3 frame_values(double missing) const;
+  Vec3 frame_angles() const;
+  void apply_pole();
+  double to_mm(double value) const;
+
+  // Statements: statements.cpp, assignments.cpp
+  void run_statements(Scanner& scanner);
+  void run_item(Scanner& scanner);
+  void run_word(Scanner& scanner);
+  void run_extended(Scanner& scanner, std::string_view name, std::uint32_t column);
+  void run_letter(Scanner& scanner);
+  void run_name(Scanner& scanner);
+  bool run_assignment(Scanner& scanner, std::string_view name);
+  bool run_address(Scanner& scanner, std::string_view name, std::uint32_t column);
+  bool run_path_value(Scanner& scanner, std::string_view name, std::uint32_t column);
+  void run_function(Scanner& scanner, const sinumerik::Function& function, std::uint32_t column);
+  void run_polynomial(Scanner& scanner);
+  void skip_value(Scanner& scanner);
+  sinumerik::BlockWords::Value coordinate(Scanner& scanner, std::uint32_t column);
+  void report_axis(std::string_view name, std::uint32_t column, double value);
+
+  // Flow: flow.cpp
+  using Run = void (SinumerikReader::*)(Scanner&);
+  static Run find_statement(std::string_view name);
+  const sinumerik::ProgramIndex& index_of(const SourceText& text);
+  const sinumerik::ProgramIndex& index() { return index_of(text()); }
+  sinumerik::ProgramIndex::Structure structure(Scanner& scanner, std::string_view word);
+  void run_if(Scanner& scanner);
+  void run_else(Scanner& scanner);
+  void run_endif(Scanner& scanner);
+  void run_for(Scanner& scanner);
+  void run_endfor(Scanner& scanner);
+  void run_while(Scanner& scanner);
+  void run_loop(Scanner& scanner);
+  void run_end_of_loop(Scanner& scanner);
+  void run_until(Scanner& scanner);
+  void run_repeat(Scanner& scanner);
+  void run_repeatb(Scanner& scanner);
+  void run_case(Scanner& scanner);
+  void run_goto(Scanner& scanner);
+  void run_gotof(Scanner& scanner);
+  void run_gotob(Scanner& scanner);
+  void run_gotoc(Scanner& scanner);
+  void run_gotos(Scanner& scanner);
+  std::string label(Scanner& scanner);
+  void jump(Scanner& scanner, bool forward, bool backward, bool must);
+  bool jump_if(Scanner& scanner, bool condition);
+  std::uint32_t label_line(const std::string& label, std::uint32_t column);
+  void add_repeat(std::uint32_t begin, std::uint32_t end, Scanner& scanner);
+  std::uint32_t repeat_count(Scanner& scanner);
+  bool repeat_is_over(std::uint32_t next);
+  void run_synchronized(Scanner& scanner);
+
+  // Subprograms and definitions: calls.cpp
+  void run_def(Scanner& scanner);
+  void run_proc(Scanner& scanner);
+  void bind(Scanner& scanner, std::size_t position);
+  void run_extern(Scanner& scanner);
+  void run_define(Scanner& scanner);
+  void run_ret(Scanner& scanner);
+  void run_call(Scanner& scanner);
+  void run_mcall(Scanner& scanner);
+  SubprogramCall read_call(Scanner& scanner);
+  sinumerik::Arguments read_arguments(Scanner& scanner);
+  void run_subprogram(const SubprogramCall& call, std::uint32_t times);
+  bool run_cycle(const SubprogramCall& call);
+  bool enter(const SubprogramCall& call, std::shared_ptr<const SourceText> text, std::uint32_t line,
+             std::uint32_t times);
+
+  // Motion: motion.cpp, arcs.cpp
+  void move();
+  bool has_motion_words() const;
+  void report_machine_axes();
+  void dwell();
+  void straight(const Vec3& target, bool rapid);
+  void thread(const Vec3& target);
+  void collect_spline(const Vec3& target);
+  void finish_spline();
+  void report_curve(const DiagnosticLog::Place& at);
+  void polynomial(const Vec3& target);
+  Vec3 target_of_block();
+  Vec3 polar_target(const Vec3& straight_target);
+  void angle_target(Vec3& target);
+  void use_path_control(bool rapid);
+  void check_unused(bool arc);
+  void arc(const Vec3& target);
+  void plain_arc(const Vec3& target, ArcRequest& request);
+  void angle_arc(const Vec3& target, ArcRequest& request);
+  void arc_through(const Vec3& target);
+  void tangent_arc(const Vec3& target);
+  Vec3 center_of_block() const;
+  Vec3 last_direction() const;
+
+  // Cycles: cycles.cpp
+  void drill(const sinumerik::DrillingCycle& cycle);
+  void hole_pattern(const sinumerik::Arguments& arguments, bool circle, std::uint32_t column);
+  void high_speed_settings(const SubprogramCall& call);
+  void swivel(const SubprogramCall& call);
+
+  Lexer lexer_{Brackets::statement};
+  Modal modal_;
+  sinumerik::BlockWords words_;
+  std::array<const sinumerik::Function*, sinumerik::group_count> groups_{};
+  const sinumerik::Function* own_block_ = nullptr;  ///< takes the block's coordinates
+  std::uint32_t own_column_ = 0;
+  bool machine_axes_ = false;  ///< G53, G153, SUPA
+  bool exact_stop_ = false;    ///< G9
+  bool ends_ = false;          ///< M2, M17, M30, RET
+  bool moved_ = false;         ///< the block did
+  std::optional<SubprogramCall> call_;
+  sinumerik::Values values_;
+  sinumerik::Frames frames_;
+  sinumerik::PathWords path_words_;
+  sinumerik::SplinePath spline_;
+  std::array<std::optional<sinumerik::PolynomialWord>, 3> polynomials_;
+  bool has_polynomials_ = false;
+  std::vector<Scope> scopes_;
+  std::vector<Repeat> repeats_;
+  std::optional<ModalCall> modal_call_;
+  std::map<const SourceText*, std::unique_ptr<sinumerik::ProgramIndex>> indices_;
+  std::set<std::string> other_axes_;                                  ///< said not to be read
+  bool oriented_ = false;                                             ///< TRAORI
+  bool words_met_ = false;                                            ///< in the program itself
+  enum class Applied { none, feed, rapid } applied_ = Applied::none;  ///< path control in force
+  Vec3 start_ = Vec3::Zero();  ///< of the last motion, and that motion, for CT
+  std::optional<ArcRequest> last_arc_;
+  bool last_by_radius_ = false;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/program/text/diagnostic_log.h"
+
+namespace feedscope::sinumerik {
+
+/// PO[X]=(end, a2, a3, ...): the coordinate over the block's parameter p, from 0 to PL, is
+/// start + a1 p + a2 p^2 + ..., where a1 leads to the end.
+struct PolynomialWord {
+  double end = 0;
+  std::array<double, 4> coefficients{};  ///< a2 to a5
+
+  /// `start` [mm], `interval` is PL (> 0).
+  double at(double parameter, double start, double interval) const;
+};
+
+/// How a spline leaves its first point or reaches its last one.
+enum class SplineEnd {
+  automatic,  ///< BAUTO, EAUTO: as its next points say
+  natural,    ///< BNAT, ENAT: straight
+  tangent,    ///< BTAN, ETAN: along the neighbouring motion
+};
+
+/// The points of an ASPLINE, BSPLINE or CSPLINE, which follow each other over many blocks, and the curve
+/// that they make. ASPLINE (Akima) and CSPLINE (cubic, continuous curvature) go through their points, whose
+/// parameter is the length of the chords; a BSPLINE approaches its inner points, by weights.
+class SplinePath {
+ public:
+  struct Point {
+    Vec3 at = Vec3::Zero();
+    double weight = 1;               ///< PW
+    std::optional<double> interval;  ///< PL; of the knot that the point adds
+    double feed = 0;                 ///< in force at the point
+    std::uint32_t line = 0;          ///< shown
+    DiagnosticLog::Place place;
+  };
+
+  bool empty() const { return points_.size() < 2; }
+  bool begun() const { return !points_.empty(); }
+  std::string_view kind() const { return kind_; }
+  /// `direction`: of the motion before, for BTAN; zero for none.
+  void begin(std::string_view kind, const Point& start, const Vec3& direction);
+  void add(const Point& point) { points_.push_back(point); }
+  const Point& last() const { return points_.back(); }
+  void clear() { points_.clear(); }
+
+  void set_degree(int degree) { degree_ = degree; }
+  /// BAUTO to ETAN.
+  void set_end(std::string_view name);
+
+  /// `line_to` gets the ends of lines within `curve_chord_error` of the curve, and the point whose block
+  /// they belong to. `direction`: of the motion behind, for ETAN; zero for none.
+  void lines(const Vec3& direction, const std::function<void(const Vec3&, const Point&)>& line_to) const;
+
+ private:
+  void b_spline(const std::function<void(const Vec3&, const Point&)>& line_to) const;
+  void hermite(const std::vector<Vec3>& slopes, const std::vector<double>& steps,
+               const std::function<void(const Vec3&, const Point&)>& line_to) const;
+  std::vector<Vec3> akima_slopes(const std::vector<double>& steps, const Vec3& direction) const;
+  std::vector<Vec3> cubic_slopes(const std::vector<double>& steps, const Vec3& direction) const;
+  std::vector<Vec3> differences(const std::vector<double>& steps) const;
+
+  std::string_view kind_;
+  std::vector<Point> points_;
+  Vec3 direction_ = Vec3::Zero();
+  SplineEnd begin_ = SplineEnd::automatic;
+  SplineEnd end_ = SplineEnd::automatic;
+  int degree_ = 3;
+};
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,56 @@
+#include "core/program/sinumerik/variables.h"
+
+#include <cmath>
+
+#include "core/program/sinumerik/names.h"
+
+namespace feedscope::sinumerik {
+
+Variable Variable::of(Type type, const std::array<std::size_t, 3>& size) {
+  Variable variable;
+  variable.type = type;
+  variable.size = size;
+  if (variable.is_text()) {
+    variable.texts.resize(variable.count());
+  } else {
+    variable.numbers.resize(variable.count());
+  }
+  return variable;
+}
+
+void Variable::set(std::size_t index, double value) {
+  switch (type) {
+    case Type::integer:
+      value = std::floor(value + 0.5);
+      break;
+    case Type::boolean:
+      value = value != 0 ? 1 : 0;
+      break;
+    case Type::real:
+    case Type::text:
+    case Type::axis:
+      break;
+  }
+  numbers.at(index) = value;
+}
+
+std::optional<double> Variables::r(int number) const {
+  const auto found = r_.find(number);
+  return found == r_.end() ? std::nullopt : std::optional(found->second);
+}
+
+Variable* Variables::find(std::string_view name) {
+  const std::string upper = upper_case(name);
+  for (auto* const level : {&levels_.back(), &levels_.front()}) {
+    if (const auto found = level->find(upper); found != level->end()) {
+      return &found->second;
+    }
+  }
+  return nullptr;
+}
+
+Variable& Variables::define(std::string_view name, Variable variable) {
+  return levels_.back().insert_or_assign(upper_case(name), std::move(variable)).first->second;
+}
+
+}  // namespace feedscope::sinumerik

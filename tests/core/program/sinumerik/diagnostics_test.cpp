@@ -1,0 +1,205 @@
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/core/program/sinumerik/read_sinumerik.h"
+
+namespace feedscope {
+namespace {
+
+struct Case {
+  const char* text;
+  const char* expected;  ///< as printed, its place first; the only diagnostic of `text`
+};
+
+void PrintTo(const Case& c, std::ostream* out) {
+  *out << c.text;
+}
+
+class SinumerikDiagnostics : public testing::TestWithParam<Case> {};
+
+TEST_P(SinumerikDiagnostics, NamesPlaceThingValueAndWhatToDo) {
+  const Program program = read_sinumerik(GetParam().text);
+  ASSERT_EQ(program.diagnostics.size(), 1U) << GetParam().text;
+  EXPECT_EQ(format(program.diagnostics[0], "f"), GetParam().expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, SinumerikDiagnostics,
+    testing::Values(
+        Case{"G0 X1\nG0 Y1..2",
+             "f:2:4: error: \"Y1..2\" has no readable number [malformed-number] (the block does not move; "
+             "correct the number)"},
+        Case{"G0 X1\nG0 X2000000000",
+             "f:2:4: error: \"X2000000000\" is beyond the largest number, 1000000000 [number-range] (the "
+             "block does not move; correct the number)"},
+        Case{"G0 X1 Y2 X3",
+             "f:1:10: error: X stands twice in the block [duplicate-word] (\"X3\" counts; remove the other)"},
+        Case{"G0 X1 G1 F100",
+             "f:1:7: error: G0 and G1 exclude each other in one block [conflicting-g] (G1 counts; remove the "
+             "other)"},
+        Case{"G0 X1 G77",
+             "f:1:7: error: \"G77\" is not a known G word [unknown-g] (it is left out; the path may differ "
+             "from what the control does)"},
+        Case{"G0 X1\nX2 K4",
+             "f:2:4: warning: K4 has no meaning in this block [unused-word] (it is left out; is a G2 or G3 "
+             "missing?)"},
+        Case{"X1 F100",
+             "f:1:1: warning: position words before any of G0, G1, G2, G3 [motion-mode] (taken as G1; write "
+             "the G word)"},
+        Case{"G0 X1 B90\nX2 B45",
+             "f:1:7: error: axis B is not read; here it moves to 90 [unread-axis] (X, Y and Z are shown as "
+             "programmed; said once)"},
+        Case{"G0 X1\nX2 ?",
+             "f:2:4: error: \"?\" starts no word or statement [syntax] (the rest of the line is not read and "
+             "the block does not move; correct it)"},
+        Case{
+            "G0 X1\nSPEED=5",
+            "f:2:1: error: \"SPEED\" is no variable, address or axis that is known [unknown-name] (its value "
+            "is left out; define a variable by DEF before it is used)"},
+        Case{"G0 X1\nSUPA Z0",
+             "f:2:6: warning: the block moves to a machine position, which only the machine knows "
+             "[machine-position] (the motion is left out; what follows begins where the tool was before)"},
+        Case{"G54 G0 X1\nG505 X1",
+             "f:2:1: warning: G505 follows G54 on the way [work-offset] (work offsets are taken as zero, so "
+             "the parts of the path lie over each other)"},
+        Case{"G1 X1",
+             "f:1:4: error: a feed move without a feed [feed-missing] (it runs as fast as the axes "
+             "allow; write F before it)"},
+        Case{
+            "G1 X1 F100\nX2 F0",
+            "f:2:4: error: feed F0 is not above zero [feed-value] (the last valid feed stays in force; write "
+            "a feed above zero)"},
+        Case{"G0 X1\nG4",
+             "f:2:1: error: G4 without a time [dwell-time] (the dwell is left out; write F with seconds or S "
+             "with revolutions)"},
+        Case{"G0 X1\nG4 F-1",
+             "f:2:4: error: dwell time F-1 is negative [dwell-time] (the dwell is left out)"},
+        Case{"G0 X1\nG4 S5",
+             "f:2:4: error: a dwell of 5 revolutions without a spindle speed [dwell-time] (the dwell is left "
+             "out; write S in a block before it)"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Functions, SinumerikDiagnostics,
+    testing::Values(
+        Case{"G0 X1\nDIAMON",
+             "f:2:1: error: DIAMON (diameters for X) is not read [unread-function] (X, Y and Z are shown as "
+             "programmed)"},
+        Case{
+            "G0 X1\nTRAORI",
+            "f:2:1: info: TRAORI (tool orientation) is not read [unread-function] (the path shown is that of "
+            "the tool tip)"},
+        Case{
+            "G0 X1\nG33 Z-5 K1 S100",
+            "f:2:5: info: G33 (thread) is read as a line [thread] (its feed is lead times spindle speed; how "
+            "the spindle runs up is not shown)"},
+        Case{"G0 X1\nWHEN $A_IN[1] DO M8",
+             "f:2:6: info: an action beside the program is not read [synchronized-action] (the path stays as "
+             "it is)"},
+        Case{"G0 X1\n$P_UIFR[1,X,TR]=5",
+             "f:2:1: error: \"$P_UIFR\" is set by the program, which is not read [system-variable] (the path "
+             "is shown without it)"},
+        Case{"G0 X=$AA_IM[X]",
+             "f:1:6: warning: \"$AA_IM\" is known to the machine only [system-variable] (taken as 0)"},
+        Case{"G0 X=R5",
+             "f:1:6: warning: R5 is read before the program sets it [unset-parameter] (taken as 0; the "
+             "control has a value of its own)"},
+        Case{"G0 X1\nG641 ADIS=-1",
+             "f:2:6: error: ADIS=-1 is negative [path-value] (write a distance of zero or more; the block "
+             "does not move)"},
+        Case{"G0 X1\nSCALE X0",
+             "f:2:1: error: a scale factor is zero [scale-factor] (it is left out; write a factor other than "
+             "zero)"},
+        Case{"G0 X1\nCYCLE800(0,\"\",0,192,0,0,0,10)",
+             "f:2:1: error: CYCLE800 with mode 192 is not read [swivel] (the plane is shown unturned; angles "
+             "about one axis after the other are read)"},
+        Case{"G0 X1\nPOCKET3(5,0,2,-5)",
+             "f:2:1: error: the cycle POCKET3 is not read [unread-cycle] (its motion is left out)"},
+        Case{"G0 X1\nHOLES2(0,0,10,0,0,0)",
+             "f:2:1: error: a pattern of 0 holes is not within 1 to 10000 [hole-count] (the holes are left "
+             "out)"},
+        Case{"G0 X1\nSHAPE_1(5)",
+             "f:2:1: error: there is no subprogram \"SHAPE_1\" beside the program [subprogram-missing] (its "
+             "motion is left out; put it beside the program or into the same file)"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Arcs, SinumerikDiagnostics,
+    testing::Values(
+        Case{
+            "G0 X0\nG2 X20 F100",
+            "f:2:4: error: the arc has neither a centre (I, J, K) nor a radius (CR) [arc-center] (a straight "
+            "line to the end is taken instead)"},
+        Case{"G0 X0\nG2 X20 CR=4 F100",
+             "f:2:8: error: radius 4.0000 mm is too small for ends 20.0000 mm apart [arc-radius] (the radius "
+             "must be at least half the distance; a straight line to the end is taken instead)"},
+        Case{"G0 X0\nG2 X20 I10 TURN=-1 F100",
+             "f:2:12: error: TURN=-1 is not a number of turns from 0 to 999 [arc-turns] (no turn more is "
+             "taken)"},
+        Case{
+            "G0 X0\nG2 X20 AR=400 F100",
+            "f:2:8: error: opening angle AR=400 is not between 0 and 360 [arc-angle] (a straight line to the "
+            "end is taken instead)"},
+        Case{"G0 X0\nCIP X20 I1=10 F100",
+             "f:2:9: error: start, intermediate point (I1, J1, K1) and end of CIP lie on one line "
+             "[arc-middle] (a straight line to the end is taken instead)"},
+        Case{"CT X20 F100",
+             "f:1:4: error: CT without a motion in its plane before it [arc-tangent] (a straight line to the "
+             "end is taken instead)"},
+        Case{"G1 X5 ANG=90 F100",
+             "f:1:7: error: ANG=90 with this coordinate, which it never reaches, is not read [line-angle] "
+             "(the line ends at the coordinates that are given; write its end)"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Statements, SinumerikDiagnostics,
+    testing::Values(
+        Case{"G0 X1\nX=5*",
+             "f:2:5: error: a value is missing at the end of the expression [expression] (write a number, a "
+             "variable or a function here)"},
+        Case{"G0 X1\nX=1/0",
+             "f:2:4: error: \"/\" has no finite value here [expression-value] (check the values that go into "
+             "it)"},
+        Case{"G0 X1\nIF 1==1",
+             "f:2:8: error: IF has no counterpart [control-structure] (the line is left out; check IF, ELSE, "
+             "ENDIF and the beginnings and ends of loops)"},
+        Case{"G0 X1\nGOTOF DONE",
+             "f:2:7: error: there is no label \"DONE\" further on [unknown-label] (the jump is left out; "
+             "check "
+             "the label and the direction of the jump)"},
+        Case{"G0 X1\nDEF FRAME SHAPE",
+             "f:2:5: error: \"FRAME SHAPE\" is no type that is read [definition] (write REAL, INT, BOOL, "
+             "CHAR, STRING or AXIS; the variables are not defined)"},
+        Case{"DEF REAL VALS[2]\nG0 X1\nVALS[2]=5",
+             "f:3:6: error: \"VALS\" has no element 2, its indices go up to 1 [array-index] (correct the "
+             "index "
+             "or the size in DEF)"},
+        Case{"G0 X1\nDEF INT VALS[0]",
+             "f:2:14: error: an array of 0 elements is not within 1 to 100000 [array-size] (correct the "
+             "size)"},
+        Case{"G0 X1\nDEFINE HOME AS SUPA Z0",
+             "f:2:8: error: the macro \"HOME\" is not read [macro] (words by its name are taken for "
+             "subprograms; write what it stands for)"},
+        Case{"G0 X1\nPOLY PO[X]=(1,2,3,4,5,6) F100",
+             "f:2:23: error: a polynomial has more than five coefficients [polynomial] (the block does not "
+             "move; write a polynomial of degree 5 or less)"}));
+
+TEST(SinumerikDiagnostics, CurvesAreSaidOnceAndTheirWeightsWhereTheyAreWrong) {
+  const Program program =
+      read_sinumerik("G0 X1\nBSPLINE X5 PW=0 F100\nG0 X7\nASPLINE X8 Y1\nX9 Y2\nCSPLINE X10\nX11 Y7");
+  ASSERT_GE(program.diagnostics.size(), 2U);
+  EXPECT_EQ(format(program.diagnostics[0], "f"),
+            "f:2:9: info: a curve is read as lines within 0.001 mm of it [curve-as-lines]");
+  EXPECT_EQ(format(program.diagnostics[1], "f"),
+            "f:2:12: error: PW=0 is no weight above zero [spline-weight] (1 is taken)");
+}
+
+TEST(SinumerikDiagnostics, RotaryAxesUnderOrientationAreSaidOnceEach) {
+  const Program program = read_sinumerik("TRAORI\nG1 X1 A10 C5 F100\nX2 A20 C6\nX3 A30 C0");
+  ASSERT_EQ(program.diagnostics.size(), 3U);
+  EXPECT_EQ(format(program.diagnostics[1], "f"),
+            "f:2:7: info: axis A is not read; here it moves to 10 [unread-axis] (X, Y and Z are those of the "
+            "tool tip and shown as programmed)");
+  EXPECT_FALSE(has_errors(program.diagnostics));
+}
+
+}  // namespace
+}  // namespace feedscope

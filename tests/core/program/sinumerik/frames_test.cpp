@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+
+#include "tests/core/program/sinumerik/read_sinumerik.h"
+
+namespace feedscope {
+namespace {
+
+struct FrameCase {
+  const char* text;
+  Vec3 end;
+};
+
+class SinumerikFrames : public testing::TestWithParam<FrameCase> {};
+
+TEST_P(SinumerikFrames, ProgrammedPointLiesInTheFrame) {
+  expect_near(end_of(GetParam().text), GetParam().end);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Words, SinumerikFrames,
+    testing::Values(
+        FrameCase{"TRANS X10 Y5\nG0 X1 Y1", {11, 6, 0}},
+        FrameCase{"TRANS X10\nATRANS X5 Z1\nG0 X1 Z0", {16, 0, 1}},
+        FrameCase{"TRANS X10\nTRANS Y2\nG0 X1 Y0", {1, 2, 0}},
+        FrameCase{"TRANS X10\nTRANS\nG0 X1", {1, 0, 0}}, FrameCase{"ROT Z90\nG0 X1", {0, 1, 0}},
+        FrameCase{"ROT RPL=90\nG0 X1", {0, 1, 0}}, FrameCase{"G18 ROT RPL=90\nG0 Z1 X0", {1, 0, 0}},
+        FrameCase{"TRANS X10\nAROT Z90\nG0 X1 Y0", {10, 1, 0}},
+        // About Z first, then about the turned Y, then about the turned X.
+        FrameCase{"ROT X90 Y90\nG0 Y1", {1, 0, 0}}, FrameCase{"SCALE X2 Y3\nG0 X1 Y1 Z1", {2, 3, 1}},
+        FrameCase{"TRANS X10\nASCALE X2\nG0 X1", {12, 0, 0}}, FrameCase{"MIRROR X0\nG0 X1 Y1", {-1, 1, 0}},
+        FrameCase{"TRANS X10\nAMIRROR X0\nG0 X1 Y1", {9, 1, 0}},
+        FrameCase{"TRANS X10 Y10\nG58 X5\nG59 X1\nG0 X0 Y0", {6, 10, 0}},
+        FrameCase{"G70 TRANS X1\nG0 X0", {25.4, 0, 0}},
+        FrameCase{"CYCLE800(0,\"T\",0,57,0,0,10,0,90,0,0,0,0,-1)\nG0 Z1 X0", {1, 0, 10}},
+        FrameCase{"CYCLE800(0,\"T\",0,57,0,0,0,90,0,0,0,0,0)\nCYCLE800()\nG0 Z1", {0, 0, 1}}));
+
+TEST(SinumerikFrames, ArcsTurnAndMirrorWithTheFrame) {
+  const Program program = read_clean("AMIRROR X0\nG2 X10 Y10 I10 J0 F100");
+  ASSERT_EQ(program.arcs.size(), 1U);
+  expect_near(program.arcs[0].center, {-10, 0, 0});
+  expect_near(program.arcs[0].axis, Vec3::UnitZ());
+}
+
+TEST(SinumerikFrames, TheToolStaysWhereItIsWhenTheFrameChanges) {
+  expect_near(end_of("G0 X10\nTRANS X4\nG91 X1"), {11, 0, 0});
+}
+
+}  // namespace
+}  // namespace feedscope

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "tests/core/program/read_text.h"
+
+namespace feedscope {
+
+inline Program read_sinumerik(const std::string& text) {
+  return read_text(text, ReadOptions{.dialect = Dialect::sinumerik});
+}
+
+/// Reads a program that has nothing to be said about it.
+inline Program read_clean(const std::string& text) {
+  Program program = read_sinumerik(text);
+  for (const Diagnostic& diagnostic : program.diagnostics) {
+    ADD_FAILURE() << format(diagnostic, "program") << "\n" << text;
+  }
+  return program;
+}
+
+/// The end of the program's last motion.
+inline Vec3 end_of(const std::string& text) {
+  const Program program = read_clean(text);
+  return program.motions.empty() ? Vec3(Vec3::Constant(-1)) : program.motions.back().target;
+}
+
+/// X of every motion's end, for programs that count.
+inline std::vector<double> xs_of(const std::string& text) {
+  std::vector<double> xs;
+  for (const MotionBlock& block : read_clean(text).motions) {
+    xs.push_back(block.target.x());
+  }
+  return xs;
+}
+
+inline void expect_near(const Vec3& actual, const Vec3& expected, double tolerance = 1e-9) {
+  EXPECT_LT((actual - expected).norm(), tolerance)
+      << actual.transpose() << " instead of " << expected.transpose();
+}
+
+}  // namespace feedscope
