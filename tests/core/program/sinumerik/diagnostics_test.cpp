@@ -153,13 +153,13 @@ INSTANTIATE_TEST_SUITE_P(
     Statements, SinumerikDiagnostics,
     testing::Values(
         Case{"G0 X1\nX=5*",
-             "f:2:5: error: a value is missing at the end of the expression [expression] (write a number, a "
+             "f:2:4: error: a value is missing at the end of the expression [expression] (write a number, a "
              "variable or a function here)"},
         Case{"G0 X1\nX=1/0",
              "f:2:4: error: \"/\" has no finite value here [expression-value] (check the values that go into "
              "it)"},
         Case{"G0 X1\nIF 1==1",
-             "f:2:8: error: IF has no counterpart [control-structure] (the line is left out; check IF, ELSE, "
+             "f:2:7: error: IF has no counterpart [control-structure] (the line is left out; check IF, ELSE, "
              "ENDIF and the beginnings and ends of loops)"},
         Case{"G0 X1\nGOTOF DONE",
              "f:2:7: error: there is no label \"DONE\" further on [unknown-label] (the jump is left out; "
