@@ -227,7 +227,7 @@ Arguments SinumerikReader::read_arguments(Scanner& scanner) {
       argument.text = upper_case(name);
       scanner = alone;
     } else {
-      argument.number = values_.read(scanner);
+      argument.number = values_.read_bounded(scanner);
     }
   } while (scanner.take(','));
   require(scanner, ')');

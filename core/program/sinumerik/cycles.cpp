@@ -93,7 +93,7 @@ void SinumerikReader::drill(const DrillingCycle& cycle) {
 /// HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM) and HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): the modal cycle on a
 /// row or on a circle.
 void SinumerikReader::hole_pattern(const Arguments& arguments, bool circle, std::uint32_t column) {
-  constexpr double most_holes = 10'000;
+  constexpr double most_holes = 1000;
   const double count = number_at(arguments, 5);
   if (!(count >= 1 && count <= most_holes)) {
     report(Severity::error, "hole-count", 0, column, [&] {
@@ -116,8 +116,14 @@ void SinumerikReader::hole_pattern(const Arguments& arguments, bool circle, std:
     path().program_axis(second_axis(modal_.plane));
     use_path_control(true);
     path().rapid(at);
-    if (modal_call_) {
+    if (modal_call_ && cycle_number(modal_call_->call.name) > 0) {
       run_cycle(modal_call_->call);
+    } else if (modal_call_) {
+      report(Severity::error, "unread-cycle", 0, column, [&] {
+        return Text{
+            fmt::format("the subprogram {} at a pattern of holes is not read", modal_call_->call.name),
+            "its motion is left out; call it behind single positions"};
+      });
     }
   }
   last_arc_.reset();

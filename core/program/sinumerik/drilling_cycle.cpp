@@ -9,7 +9,7 @@ namespace feedscope::sinumerik {
 
 namespace {
 
-constexpr std::size_t most_strokes = 10'000;
+constexpr std::size_t most_strokes = 1000;
 
 /// Lead of metric coarse threads by their size, ISO 261 [mm].
 constexpr auto metric_leads = std::to_array<std::pair<double, double>>(

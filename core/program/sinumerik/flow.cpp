@@ -103,11 +103,12 @@ void SinumerikReader::run_if(Scanner& scanner) {
 bool SinumerikReader::jump_if(Scanner& scanner, bool condition) {
   Scanner behind = scanner;
   const std::string_view word = behind.name();
-  if (word.size() < 4 || !letters::same(word.substr(0, 4), "GOTO")) {
+  const Run run = find_statement(word);
+  if (run == nullptr || !letters::same(word.substr(0, 4), "GOTO")) {
     return false;
   }
   if (condition) {
-    (this->*find_statement(word))(behind);
+    (this->*run)(behind);
     skip_rest(behind);
   } else if (!letters::same(word, "GOTOS")) {
     label(behind);
@@ -141,14 +142,20 @@ void SinumerikReader::run_endfor(Scanner& scanner) {
   const ProgramIndex::Structure all = structure(scanner, "ENDFOR");
   Scanner begin = first_statement(without_comment(text().line(all.begin)));
   begin.name();
-  const LoopCounter counter = values_.read_counter(begin);
-  require(begin, '=');
-  values_.read(begin);
-  begin.take_name("TO");
-  const double next = values_.get(counter) + 1;
-  values_.set(counter, next);
-  if (next <= values_.read(begin)) {
-    jump_to(all.begin + 1);
+  try {
+    const LoopCounter counter = values_.read_counter(begin);
+    require(begin, '=');
+    values_.read(begin);
+    begin.take_name("TO");
+    const double next = values_.get(counter) + 1;
+    values_.set(counter, next);
+    if (next <= values_.read(begin)) {
+      jump_to(all.begin + 1);
+    }
+  } catch (ReadFault& fault) {
+    // What is wrong stands in the line of FOR.
+    fault.column = scanner.column();
+    throw;
   }
 }
 

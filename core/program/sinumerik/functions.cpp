@@ -109,9 +109,11 @@ constexpr auto functions = std::to_array<Function>({
     {"EAUTO", Group::none, spline_end},
     {"ENAT", Group::none, spline_end},
     {"ETAN", Group::none, spline_end},
-    {"G40", Group::compensation, accept},
-    {"G41", Group::compensation, report, error, "cutter radius compensation", contour_shown},
-    {"G42", Group::compensation, report, error, "cutter radius compensation", contour_shown},
+    {"G40", Group::compensation, compensation_off},
+    {"G41", Group::compensation, compensation_left},
+    {"G42", Group::compensation, compensation_right},
+    {"G450", Group::corner, corner_arc},
+    {"G451", Group::corner, corner_lines},
     {"G147", Group::none, report, error, "soft approach", path_as_programmed},
     {"G148", Group::none, report, error, "soft retraction", path_as_programmed},
     {"G247", Group::none, report, error, "soft approach", path_as_programmed},
@@ -175,12 +177,11 @@ constexpr auto accepted = std::to_array<std::string_view>(
      "DISR",     "DISCL",       "FAD",       "PM",       "PR",        "GETSELT",  "GETEXET",    "TLIFT",
      "TANGOF",   "TRAILOF",     "TCI",       "FTOCON",   "FTOCOF",    "SETPIECE", "DELT",       "NEWCONF",
      "FXS",      "FXST",        "FXSW",      "DRFOF",    "CORROF",    "STAT",     "TU",         "PUNCHACC",
-     "SPOF",     "CP",          "G40",       "LFOF",     "LFON",      "POLFMASK", "LFTXT",      "LFWP",
-     "LFPOS",    "G450",        "G451",      "G460",     "G461",      "G462",     "G62",        "G621",
-     "G601",     "G602",        "G603",      "G140",     "G141",      "G142",     "G143",       "G340",
-     "G341",     "G290",        "ISOCALL",   "EXECTAB",  "STOPREOF",  "SYNFCT",   "CANCEL",     "RELEASE",
-     "GET",      "GETD",        "SOFTENDSA", "SONC",     "SPN",       "PON",      "PONC",       "PDELAYON",
-     "PDELAYOF"});
+     "SPOF",     "CP",          "LFOF",      "LFON",     "POLFMASK",  "LFTXT",    "LFWP",       "LFPOS",
+     "G460",     "G461",        "G462",      "G62",      "G621",      "G601",     "G602",       "G603",
+     "G140",     "G141",        "G142",      "G143",     "G340",      "G341",     "G290",       "ISOCALL",
+     "EXECTAB",  "STOPREOF",    "SYNFCT",    "CANCEL",   "RELEASE",   "GET",      "GETD",       "SOFTENDSA",
+     "SONC",     "SPN",         "PON",       "PONC",     "PDELAYON",  "PDELAYOF"});
 
 using Table = std::unordered_map<std::string_view, Function>;
 

@@ -37,7 +37,12 @@ enum class Action : std::uint8_t {
   feed_per_minute,
   feed_inverse_time,
   feed_per_revolution,
-  work_offset,   ///< a warning once it changes on the way
+  work_offset,  ///< a warning once it changes on the way
+  compensation_left,
+  compensation_right,
+  compensation_off,
+  corner_arc,    ///< G450
+  corner_lines,  ///< G451
   machine_axes,  ///< SUPA, G53, G153, G74, G75: positions that cannot be known
   shift,         ///< TRANS
   shift_more,    ///< ATRANS
@@ -71,6 +76,7 @@ enum class Group : std::uint8_t {
   acceleration,
   feed_forward,
   compensation,
+  corner,
   own_block,  ///< frames, dwell, pole: the coordinates belong to it
 };
 

@@ -24,6 +24,9 @@ void SinumerikReader::apply(const Function& function, std::uint32_t column) {
     });
   }
   apply_action(function);
+  if (function.group == Group::compensation) {
+    compensation_column_ = column;
+  }
   if (function.group == Group::own_block) {
     own_block_ = &function;
     own_column_ = column;
@@ -94,6 +97,10 @@ void SinumerikReader::apply_action(const Function& function) {
     case Action::feed_per_revolution:
       path().set_feed_mode(FeedMode::per_revolution);
       break;
+    case Action::corner_arc:
+    case Action::corner_lines:
+      modal_.corner_lines = function.action == Action::corner_lines;
+      break;
     case Action::machine_axes:
       machine_axes_ = true;
       break;
@@ -155,7 +162,19 @@ void SinumerikReader::apply_feed() {
 }
 
 void SinumerikReader::set_frame() {
-  path().set_frame(frames_.frame());
+  constexpr double most = 1e12;
+  const CoordinateFrame frame = frames_.frame();
+  const auto within = [](const Vec3& point) { return point.allFinite() && point.norm() < most; };
+  if (within(frame.to_shown(Vec3::Ones())) && within(frame.to_programmed(Vec3::Ones()))) {
+    path().set_frame(frame);
+    return;
+  }
+  report(Severity::error, "frame-range", 0, own_column_, [] {
+    return Text{"the frames together shift or scale beyond all measure",
+                "all of them are taken back; check the additive ones in loops"};
+  });
+  frames_ = {};
+  path().set_frame({});
 }
 
 Vec3 SinumerikReader::frame_values(double missing) const {

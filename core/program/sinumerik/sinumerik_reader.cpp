@@ -196,6 +196,9 @@ void SinumerikReader::apply_g(double number, std::uint32_t column, std::string_v
 
 void SinumerikReader::execute_block(bool sound) {
   apply_feed();
+  if (own_block_ == nullptr) {
+    apply_compensation();
+  }
   if (sound) {
     if (own_block_ != nullptr) {
       finish_spline();
@@ -204,8 +207,10 @@ void SinumerikReader::execute_block(bool sound) {
       move();
     }
     if (moved_ && modal_call_ && modal_call_->depth == call_depth()) {
-      if (!run_cycle(modal_call_->call)) {
-        run_subprogram(modal_call_->call, 1);
+      SubprogramCall call = modal_call_->call;
+      call.column = words_.first_column("XYZ");
+      if (!run_cycle(call)) {
+        run_subprogram(call, 1);
       }
     }
   }

@@ -40,8 +40,10 @@ class SinumerikReader : public Reader {
     bool incremental = false;
     int work_offset = 0;  ///< G number; 0: none yet
     Vec3 pole = Vec3::Zero();
-    double polar_angle = 0;  ///< [deg]
-    double polar_radius = 0;
+    double tool = 0;                                    ///< T; 0: none, or one with a name
+    double edge = 1;                                    ///< D
+    const sinumerik::Function* compensation = nullptr;  ///< G41, G42
+    bool corner_lines = false;                          ///< G451
   };
   /// A subprogram that runs.
   struct Scope {
@@ -106,6 +108,11 @@ class SinumerikReader : public Reader {
   void apply_pole();
   double to_mm(double value) const;
 
+  // Cutter radius: compensation.cpp
+  void set_tool_radius(Scanner& scanner);
+  void apply_compensation();
+  void report_tool_radius();
+
   // Statements: statements.cpp, assignments.cpp
   void run_statements(Scanner& scanner);
   void run_item(Scanner& scanner);
@@ -113,6 +120,7 @@ class SinumerikReader : public Reader {
   void run_extended(Scanner& scanner, std::string_view name, std::uint32_t column);
   void run_letter(Scanner& scanner);
   void run_name(Scanner& scanner);
+  void run_system_variable(Scanner& scanner);
   bool run_assignment(Scanner& scanner, std::string_view name);
   bool run_address(Scanner& scanner, std::string_view name, std::uint32_t column);
   bool run_path_value(Scanner& scanner, std::string_view name, std::uint32_t column);
@@ -206,10 +214,12 @@ class SinumerikReader : public Reader {
   std::array<const sinumerik::Function*, sinumerik::group_count> groups_{};
   const sinumerik::Function* own_block_ = nullptr;  ///< takes the block's coordinates
   std::uint32_t own_column_ = 0;
-  bool machine_axes_ = false;  ///< G53, G153, SUPA
-  bool exact_stop_ = false;    ///< G9
-  bool ends_ = false;          ///< M2, M17, M30, RET
-  bool moved_ = false;         ///< the block did
+  std::uint32_t compensation_column_ = 0;
+  std::map<std::pair<double, double>, double> tool_radii_;  ///< by T and D, as the program sets them [mm]
+  bool machine_axes_ = false;                               ///< G53, G153, SUPA
+  bool exact_stop_ = false;                                 ///< G9
+  bool ends_ = false;                                       ///< M2, M17, M30, RET
+  bool moved_ = false;                                      ///< the block did
   std::optional<SubprogramCall> call_;
   sinumerik::Values values_;
   sinumerik::Frames frames_;

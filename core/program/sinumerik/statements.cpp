@@ -57,17 +57,7 @@ void SinumerikReader::run_statements(Scanner& scanner) {
 void SinumerikReader::run_item(Scanner& scanner) {
   const char next = scanner.peek();
   if (next == '$') {
-    Scanner name = scanner;
-    name.take('$');
-    const std::uint32_t column = scanner.column();
-    const std::string written = "$" + std::string(name.name());
-    const bool frame = upper_case(written).find("FR") != std::string::npos;
-    report(frame ? Severity::error : Severity::info, "system-variable", kind_of(written), column, [&] {
-      return Text{fmt::format("{} is set by the program, which is not read", feedscope::quoted(written)),
-                  frame ? "the path is shown without it" : "the path stays as it is"};
-    });
-    scanner = name;
-    skip_value(scanner);
+    run_system_variable(scanner);
     return;
   }
   if (!letters::is_letter(next) && next != '_') {
@@ -81,6 +71,22 @@ void SinumerikReader::run_item(Scanner& scanner) {
   } else {
     run_letter(scanner);
   }
+}
+
+void SinumerikReader::run_system_variable(Scanner& scanner) {
+  const std::uint32_t column = scanner.column();
+  scanner.take('$');
+  const std::string name = upper_case(scanner.name());
+  if (name == "TC_DP6") {
+    set_tool_radius(scanner);
+    return;
+  }
+  const bool frame = name.find("FR") != std::string::npos;
+  report(frame ? Severity::error : Severity::info, "system-variable", kind_of(name), column, [&] {
+    return Text{fmt::format("{} is set by the program, which is not read", feedscope::quoted("$" + name)),
+                frame ? "the path is shown without it" : "the path stays as it is"};
+  });
+  skip_value(scanner);
 }
 
 /// "X10", "G641", or an address with a number, "I1=".
@@ -162,8 +168,9 @@ void SinumerikReader::run_letter(Scanner& scanner) {
   }
   const BlockWords::Value value =
       assigned ? coordinate(scanner, column)
-               : BlockWords::Value{
-                     .value = values_.read_operand(scanner), .column = column, .reading = Reading::modal};
+               : BlockWords::Value{.value = values_.bounded(values_.read_operand(scanner), column),
+                                   .column = column,
+                                   .reading = Reading::modal};
   const std::string_view written = scanner.text().substr(from, scanner.at() - from);
   if (letter == 'G') {
     apply_g(value.value, column, written);
@@ -186,12 +193,12 @@ BlockWords::Value SinumerikReader::coordinate(Scanner& scanner, std::uint32_t co
   for (const auto& [name, reading] : readings) {
     if (scanner.take_name(name)) {
       require(scanner, '(');
-      const double value = values_.read(scanner);
+      const double value = values_.read_bounded(scanner);
       require(scanner, ')');
       return {.value = value, .column = column, .reading = reading};
     }
   }
-  return {.value = values_.read(scanner), .column = column, .reading = Reading::modal};
+  return {.value = values_.read_bounded(scanner), .column = column, .reading = Reading::modal};
 }
 
 void SinumerikReader::run_name(Scanner& scanner) {
@@ -310,7 +317,7 @@ void SinumerikReader::run_polynomial(Scanner& scanner) {
       throw ReadFault{"polynomial", scanner.column(), "a polynomial has more than five coefficients",
                       "the block does not move; write a polynomial of degree 5 or less"};
     }
-    word.coefficients[i] = to_mm(values_.read(scanner));
+    word.coefficients[i] = to_mm(values_.read_bounded(scanner));
   }
   if (list) {
     require(scanner, ')');

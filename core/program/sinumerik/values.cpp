@@ -33,6 +33,14 @@ constexpr auto constants = std::to_array<std::pair<std::string_view, double>>({{
                                                                                {"_PRECISION", 4},
                                                                                {"_ORI_PRECISION", 14}});
 
+struct Level {
+  int& depth;
+  explicit Level(int& d) : depth(++d) {}
+  ~Level() { --depth; }
+  Level(const Level&) = delete;
+  Level& operator=(const Level&) = delete;
+};
+
 [[noreturn]] void throw_index(std::string_view name, std::uint32_t column, double index, std::size_t size) {
   throw ReadFault{"array-index", column,
                   fmt::format("{} has no element {}, its indices go up to {}", quoted(name), index, size - 1),
@@ -227,6 +235,21 @@ std::optional<double> Values::text_comparison(Scanner& scanner) {
   return (first == read_text(scanner)) == equal ? 1 : 0;
 }
 
+double Values::read_bounded(Scanner& scanner) {
+  const std::uint32_t column = scanner.column();
+  return bounded(read(scanner), column);
+}
+
+double Values::bounded(double value, std::uint32_t column) {
+  constexpr double most = 1e9;
+  if (!(std::abs(value) <= most)) {
+    throw ReadFault{"number-range", column,
+                    fmt::format("the value {} is beyond the largest number, 1000000000", value),
+                    "the block does not move; correct the expression"};
+  }
+  return value;
+}
+
 std::string Values::read_text(Scanner& scanner) {
   std::string text = text_operand(scanner);
   while (scanner.take("<<")) {
@@ -238,6 +261,11 @@ std::string Values::read_text(Scanner& scanner) {
 std::string Values::text_operand(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   if (scanner.take('(')) {
+    constexpr int deepest = 100;
+    if (text_depth_ >= deepest) {
+      throw ReadFault{"expression", column, "the text is nested more than 100 deep", "leave out brackets"};
+    }
+    const Level level(text_depth_);
     std::string text = read_text(scanner);
     require(scanner, ')');
     return text;

@@ -29,6 +29,10 @@ class Values : public ExpressionReader {
 
   Variables& variables() { return variables_; }
 
+  /// The value of the longest expression from here on, as read() gives it; of a size that a word may have.
+  /// Throws ReadFault "number-range" beyond +-1e9.
+  double read_bounded(Scanner& scanner);
+  static double bounded(double value, std::uint32_t column);
   /// Texts and values joined by "<<". Throws ReadFault.
   std::string read_text(Scanner& scanner);
   /// A text, or a variable that holds one, stands here.
@@ -68,6 +72,7 @@ class Values : public ExpressionReader {
   void set_one(Scanner& scanner, Variable& variable, std::size_t index);
 
   const PathWriter& path_;
+  int text_depth_ = 0;
   Warn warn_;
   Variables variables_;
 };

@@ -58,7 +58,7 @@ INSTANTIATE_TEST_SUITE_P(
                                .reason = "one hole by CYCLE81"},
                     CorpusCase{.file = "MaestroFusion360__contur_2d_sin840d.mpf",
                                .errors = true,
-                               .reason = "G41 and G42"},
+                               .reason = "G41 and G42 with a tool whose radius the program does not give"},
                     CorpusCase{.file = "MaestroFusion360__macro_drilling.mpf",
                                .extra_rapids = 38,
                                .extra_lines = 10,

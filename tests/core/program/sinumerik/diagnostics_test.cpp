@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"G0 X1\nPOCKET3(5,0,2,-5)",
              "f:2:1: error: the cycle POCKET3 is not read [unread-cycle] (its motion is left out)"},
         Case{"G0 X1\nHOLES2(0,0,10,0,0,0)",
-             "f:2:1: error: a pattern of 0 holes is not within 1 to 10000 [hole-count] (the holes are left "
+             "f:2:1: error: a pattern of 0 holes is not within 1 to 1000 [hole-count] (the holes are left "
              "out)"},
         Case{"G0 X1\nSHAPE_1(5)",
              "f:2:1: error: there is no subprogram \"SHAPE_1\" beside the program [subprogram-missing] (its "

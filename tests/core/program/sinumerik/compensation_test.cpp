@@ -1,0 +1,42 @@
+#include <gtest/gtest.h>
+
+#include "tests/core/program/sinumerik/read_sinumerik.h"
+
+namespace feedscope {
+namespace {
+
+TEST(SinumerikCompensation, ToolRunsBesideASquareByTheRadiusThatTheProgramSets) {
+  const Program program =
+      read_clean("$TC_DP6[3,1]=2\nT3 D1 F100\nG0 X-10 Y0\nG1 G41 X0 Y0\nY20\nX20\nY0\nX0\nG40 X0 Y-10");
+  Bounds bounds;
+  for (const MotionBlock& block : program.motions) {
+    if (block.line >= 5 && block.line <= 8) {
+      bounds.add(block.target);
+    }
+  }
+  EXPECT_NEAR(bounds.min.x(), -2, 1e-9);
+  EXPECT_NEAR(bounds.max.x(), 22, 1e-9);
+  EXPECT_NEAR(bounds.max.y(), 22, 1e-9);
+  expect_near(program.motions.back().target, {0, -10, 0});
+}
+
+TEST(SinumerikCompensation, CornersAreArcsOrLines) {
+  const std::string path = "$TC_DP6[3,1]=2\nT3 D1 F100\nG0 X-10 Y0\nG1 G41 X0 Y0\nY20\nX20\nG40 X30";
+  EXPECT_EQ(read_clean(path).arcs.size(), 1U);
+  EXPECT_EQ(read_clean("G451\n" + path).arcs.size(), 0U);
+  EXPECT_EQ(read_clean("G451\nG450\n" + path).arcs.size(), 1U);
+}
+
+TEST(SinumerikCompensation, EdgeZeroAndToolsWithoutRadiusShowTheContour) {
+  const Program none = read_clean("$TC_DP6[3,1]=2\nT3 F100\nG1 G42 D0 X10\nY10\nG40 X0");
+  expect_near(none.motions[1].target, {10, 10, 0});
+  const Program unknown = read_sinumerik("T3 D2 F100\nG1 G42 X10\nY10\nG40 X0");
+  expect_near(unknown.motions[1].target, {10, 10, 0});
+  ASSERT_EQ(unknown.diagnostics.size(), 1U);
+  EXPECT_EQ(format(unknown.diagnostics[0], "f"),
+            "f:2:4: error: G42: the radius of T3 D2 is not known [tool-radius] (the path shown is the "
+            "programmed contour; write $TC_DP6[3,2]= with the radius before it)");
+}
+
+}  // namespace
+}  // namespace feedscope
