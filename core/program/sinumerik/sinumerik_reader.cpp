@@ -65,7 +65,8 @@ void SinumerikReader::left_call() {
   }
   values_.variables().leave();
   for (auto& [outer, value] : returned) {
-    if (Variable* const target = values_.variables().find(outer)) {
+    Variable* const target = values_.variables().find(outer);
+    if (target != nullptr && target->is_text() == value.is_text() && target->count() == value.count()) {
       target->numbers = std::move(value.numbers);
       target->texts = std::move(value.texts);
     }

@@ -107,7 +107,7 @@ std::optional<double> Values::named(Scanner& scanner) {
   if (name.empty()) {
     return std::nullopt;
   }
-  if (const Variable* const found = variables_.find(name)) {
+  if (const Variable* const found = variables_.find(name); found != nullptr && !found->is_text()) {
     return found->numbers.at(element(scanner, *found, name));
   }
   if (letters::same(name, "BOUND")) {
