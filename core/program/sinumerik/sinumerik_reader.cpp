@@ -16,8 +16,10 @@ using namespace sinumerik;
 SinumerikReader::SinumerikReader(std::shared_ptr<const SourceText> source, const ReadOptions& options,
                                  Progress* progress)
     : Reader(std::move(source), options, progress),
-      values_(path(), [this](std::string_view code, int detail, std::uint32_t column, const Text& text) {
-        report(Severity::warning, code, detail, column, [&] { return text; });
+      values_(path(), [this](std::string_view code, int detail, std::uint32_t column, const Text& said) {
+        // ENDFOR reads the line of FOR, whose columns are not its own.
+        const bool own = column <= text().line(line()).size();
+        report(Severity::warning, code, detail, own ? column : 0, [&] { return said; });
       }) {}
 
 void SinumerikReader::run_line(std::string_view line) {
