@@ -35,11 +35,13 @@ auto fails_with(const std::string& message) {
 }
 
 TEST(CommonSettings, HaveTitleExplanationAndAFallbackInBounds) {
-  EXPECT_EQ(common_settings().size(), 7U);
+  EXPECT_EQ(common_settings().size(), 8U);
   for (const SettingSpec& spec : common_settings()) {
     EXPECT_FALSE(spec.title.empty()) << spec.key;
     EXPECT_FALSE(spec.explanation.empty()) << spec.key;
-    EXPECT_NO_THROW(check_setting(spec, spec.fallback, "")) << spec.key;
+    const SettingValue fallback =
+        spec.choices.empty() ? SettingValue(spec.fallback) : SettingValue(spec.choices.front());
+    EXPECT_NO_THROW(check_setting(spec, fallback, "")) << spec.key;
   }
 }
 
