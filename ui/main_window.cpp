@@ -150,7 +150,7 @@ void MainWindow::make_view_menu() {
 void MainWindow::ask_for_program() {
   const QString file = QFileDialog::getOpenFileName(
       this, tr("Open NC program"), {},
-      tr("NC programs (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.cnc *.iso *.txt);;All files (*)"));
+      tr("NC programs (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)"));
   if (!file.isEmpty()) {
     model_.open(to_path(file));
   }
