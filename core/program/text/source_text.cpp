@@ -92,9 +92,18 @@ std::size_t clear_noise(const std::string& name, std::string& text) {
 
 /// Whether every byte beyond ASCII belongs to a UTF-8 sequence of two to four bytes.
 bool is_utf8(std::string_view text) {
+  constexpr std::uint64_t beyond_ascii = 0x8080808080808080;
   std::size_t left = 0;
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    std::uint64_t eight = beyond_ascii;
+    if (left == 0 && i + sizeof eight <= text.size()) {
+      std::memcpy(&eight, text.data() + i, sizeof eight);
+    }
+    if ((eight & beyond_ascii) == 0) {
+      i += sizeof eight - 1;
+      continue;
+    }
+    const auto byte = static_cast<unsigned char>(text[i]);
     const bool continues = byte >= 0x80 && byte < 0xC0;
     if (continues != (left > 0)) {
       return false;
