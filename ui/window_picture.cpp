@@ -14,7 +14,7 @@
 #include "core/base/error.h"
 #include "ui/charts/comparison_chart.h"
 #include "ui/main_window.h"
-#include "ui/views/theme.h"
+#include "ui/theme/theme.h"
 
 namespace feedscope::ui {
 

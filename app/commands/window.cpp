@@ -10,7 +10,7 @@
 #include "app/exit_codes.h"
 #include "core/base/error.h"
 #include "ui/main_window.h"
-#include "ui/views/theme.h"
+#include "ui/theme/theme.h"
 
 namespace feedscope {
 namespace {

@@ -6,13 +6,12 @@
 #include <QTextBlock>
 #include <algorithm>
 
+#include "ui/theme/theme.h"
+
 namespace feedscope::ui {
 
 namespace {
 
-const QColor current_line_color(0xff, 0xec, 0xb0);
-const QColor number_area_color(0xf1, 0xf3, 0xf5);
-const QColor number_color(0x80, 0x86, 0x8d);
 constexpr int number_margin = 6;
 
 class NumberArea : public QWidget {
@@ -88,7 +87,7 @@ void ProgramView::mark_current() {
   const QTextBlock block = document()->findBlockByNumber(static_cast<int>(current_) - 1);
   if (block.isValid()) {
     QTextEdit::ExtraSelection mark;
-    mark.format.setBackground(current_line_color);
+    mark.format.setBackground(theme_colours(palette()).current_line);
     mark.format.setProperty(QTextFormat::FullWidthSelection, true);
     mark.cursor = QTextCursor(block);
     marks.append(mark);
@@ -104,7 +103,8 @@ int ProgramView::number_area_width() const {
 
 void ProgramView::paint_number_area(QPaintEvent* event) {
   QPainter painter(number_area_);
-  painter.fillRect(event->rect(), number_area_color);
+  const ThemeColours& colours = theme_colours(palette());
+  painter.fillRect(event->rect(), colours.gutter);
   painter.setFont(font());
   QTextBlock block = firstVisibleBlock();
   double top = blockBoundingGeometry(block).translated(contentOffset()).top();
@@ -113,9 +113,9 @@ void ProgramView::paint_number_area(QPaintEvent* event) {
     const bool current = block.blockNumber() + 1 == static_cast<int>(current_);
     const QRectF row(0, top, number_area_->width(), height);
     if (current) {
-      painter.fillRect(row, current_line_color);
+      painter.fillRect(row, colours.current_line);
     }
-    painter.setPen(current ? palette().color(QPalette::Text) : number_color);
+    painter.setPen(current ? palette().color(QPalette::Text) : colours.muted);
     painter.drawText(row.adjusted(0, 0, -number_margin, 0), Qt::AlignRight | Qt::AlignVCenter,
                      QString::number(block.blockNumber() + 1));
     top += height;

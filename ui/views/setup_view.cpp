@@ -6,6 +6,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "ui/theme/theme.h"
 #include "ui/views/setting_delegate.h"
 
 namespace feedscope::ui {
@@ -13,7 +14,6 @@ namespace feedscope::ui {
 namespace {
 
 constexpr int row_height = 22;
-const char* const refusal_style = "color: #b00020;";
 
 QTableView* make_table(QAbstractItemModel* model, const QString& name, QWidget* parent) {
   auto* table = new QTableView(parent);
@@ -125,7 +125,7 @@ void SetupView::explain(const QModelIndex& index) {
 }
 
 void SetupView::refuse(QTableView* table, const QModelIndex& index, const QString& message) {
-  help_->setStyleSheet(refusal_style);
+  help_->setStyleSheet(QStringLiteral("color: %1;").arg(theme_colours(palette()).error.name()));
   help_->setText(message);
   table->setCurrentIndex(index);
 }

@@ -1,0 +1,100 @@
+#include "ui/theme/theme.h"
+
+#include <QApplication>
+#include <QFont>
+#include <QStyleFactory>
+
+namespace feedscope::ui {
+
+namespace {
+
+struct Roles {
+  QColor window, base, alternate, text, placeholder, button, highlight, tool_tip, disabled, link;
+};
+
+const Roles light_roles{QColor(0xf4, 0xf5, 0xf7), Qt::white,
+                        QColor(0xf7, 0xf8, 0xfa), QColor(0x22, 0x26, 0x2a),
+                        QColor(0x77, 0x7d, 0x84), QColor(0xec, 0xee, 0xf1),
+                        QColor(0x2f, 0x6f, 0xb0), QColor(0xff, 0xff, 0xf2),
+                        QColor(0x9a, 0xa0, 0xa6), QColor(0x1f, 0x5f, 0xa8)};
+const Roles dark_roles{QColor(0x26, 0x29, 0x2d), QColor(0x1b, 0x1d, 0x20), QColor(0x22, 0x25, 0x28),
+                       QColor(0xe3, 0xe6, 0xe9), QColor(0x94, 0x9a, 0xa1), QColor(0x33, 0x37, 0x3c),
+                       QColor(0x3b, 0x7f, 0xc4), QColor(0x3a, 0x3d, 0x33), QColor(0x75, 0x7b, 0x82),
+                       QColor(0x7f, 0xb8, 0xf0)};
+
+const ThemeColours light_colours{
+    .plot = Qt::white,
+    .grid = QColor(0xe3, 0xe6, 0xea),
+    .frame = QColor(0x8a, 0x90, 0x98),
+    .text = QColor(0x33, 0x38, 0x3e),
+    .muted = QColor(0x80, 0x86, 0x8d),
+    .gutter = QColor(0xf1, 0xf3, 0xf5),
+    .current_line = QColor(0xff, 0xec, 0xb0),
+    .path = QColor(0x1a, 0x1a, 0x1a),
+    .programmed = QColor(0xe6, 0x9f, 0x00),
+    .shared = QColor(0x66, 0x66, 0x66),
+    .axes = {QColor(0xd5, 0x5e, 0x00), QColor(0x00, 0x9e, 0x73), QColor(0x00, 0x72, 0xb2)},
+    .cursor = QColor(0xcc, 0x00, 0x7a),
+    .second_cursor = QColor(0x6a, 0x3d, 0x9a),
+    .error = QColor(0xb0, 0x00, 0x20),
+    .warning = QColor(0x9a, 0x63, 0x00),
+    .info = QColor(0x1f, 0x5f, 0xa8)};
+const ThemeColours dark_colours{
+    .plot = QColor(0x1b, 0x1d, 0x20),
+    .grid = QColor(0x33, 0x37, 0x3c),
+    .frame = QColor(0x7c, 0x83, 0x8b),
+    .text = QColor(0xd5, 0xd9, 0xdd),
+    .muted = QColor(0x83, 0x8a, 0x92),
+    .gutter = QColor(0x22, 0x25, 0x28),
+    .current_line = QColor(0x4a, 0x42, 0x20),
+    .path = QColor(0xf0, 0xf0, 0xf0),
+    .programmed = QColor(0xf0, 0xb4, 0x2e),
+    .shared = QColor(0xa0, 0xa0, 0xa0),
+    .axes = {QColor(0xff, 0x8a, 0x3d), QColor(0x2f, 0xc9, 0x9b), QColor(0x56, 0xb4, 0xe9)},
+    .cursor = QColor(0xff, 0x5f, 0xb8),
+    .second_cursor = QColor(0xc0, 0x9b, 0xf0),
+    .error = QColor(0xff, 0x7b, 0x7b),
+    .warning = QColor(0xf2, 0xc0, 0x5c),
+    .info = QColor(0x7f, 0xb8, 0xf0)};
+
+QPalette make_palette(const Roles& roles) {
+  QPalette palette;
+  palette.setColor(QPalette::Window, roles.window);
+  palette.setColor(QPalette::WindowText, roles.text);
+  palette.setColor(QPalette::Base, roles.base);
+  palette.setColor(QPalette::AlternateBase, roles.alternate);
+  palette.setColor(QPalette::Text, roles.text);
+  palette.setColor(QPalette::PlaceholderText, roles.placeholder);
+  palette.setColor(QPalette::Button, roles.button);
+  palette.setColor(QPalette::ButtonText, roles.text);
+  palette.setColor(QPalette::Highlight, roles.highlight);
+  palette.setColor(QPalette::HighlightedText, Qt::white);
+  palette.setColor(QPalette::Link, roles.link);
+  palette.setColor(QPalette::ToolTipBase, roles.tool_tip);
+  palette.setColor(QPalette::ToolTipText, roles.text);
+  for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
+    palette.setColor(QPalette::Disabled, role, roles.disabled);
+  }
+  return palette;
+}
+
+}  // namespace
+
+void apply_theme(ThemeKind kind) {
+  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setPalette(make_palette(kind == ThemeKind::dark ? dark_roles : light_roles));
+  QFont font = QApplication::font();
+  font.setPixelSize(12);
+  QApplication::setFont(font);
+}
+
+ThemeKind theme_of(const QPalette& palette) {
+  constexpr int middle = 128;
+  return palette.color(QPalette::Window).lightness() < middle ? ThemeKind::dark : ThemeKind::light;
+}
+
+const ThemeColours& theme_colours(const QPalette& palette) {
+  return theme_of(palette) == ThemeKind::dark ? dark_colours : light_colours;
+}
+
+}  // namespace feedscope::ui
