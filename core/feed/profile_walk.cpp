@@ -15,6 +15,7 @@ void ProfileWalk::skip_empty() {
     start_ = at_;
     tau_ = 0;
     ++phase_;
+    at_.a = start_.a = phase_ == SpeedProfile::held ? 0 : at_.a;
   }
 }
 

@@ -84,8 +84,9 @@ double SpeedProfile::duration() const {
 
 double SpeedProfile::length() const {
   Motion1d motion{0, v0, a0};
-  for (const Phase& phase : phases) {
-    motion = advance(motion, phase.jerk, phase.duration);
+  for (std::size_t i = 0; i < phases.size(); ++i) {
+    motion.a = i == held ? 0 : motion.a;
+    motion = advance(motion, phases[i].jerk, phases[i].duration);
   }
   return motion.s;
 }

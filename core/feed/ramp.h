@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 namespace feedscope {
 
@@ -46,6 +47,10 @@ std::array<Phase, 3> speed_change(double v, double a, double target, const RampL
 
 /// Time law over one stretch of path: (v0, a0) -> peak -> (v1, 0), at most seven phases.
 struct SpeedProfile {
+  /// The phase at the peak, without acceleration: what rounding leaves of it would count with the square of
+  /// its duration.
+  static constexpr std::size_t held = 3;
+
   std::array<Phase, 7> phases;
   double v0 = 0;    ///< [mm/s]
   double a0 = 0;    ///< [mm/s2]

@@ -67,10 +67,12 @@ void PartWalk::find_part() {
   part_.j = at.j;
   part_.duration = phases_.end(phase_) - tau_;
   if (part_.element < last_element_) {
-    const double reached = time_to_reach(at, path.length(part_.element), part_.duration);
-    const double beyond = part_.duration - reached;
-    constexpr double rounding = 1e-15;  // of the clock; what is no longer than that is no part of its own
-    if (beyond > 4 * rounding * (1 + part_.time)) {
+    // What is no longer than the rounding of the clock, or of path lengths, is no part of its own.
+    constexpr double rounding = 4e-15;
+    const double length = path.length(part_.element);
+    const double reached = time_to_reach(at, length, part_.duration);
+    if (part_.duration - reached > rounding * (1 + part_.time) &&
+        advance(at, part_.duration).q - length > rounding * (1 + path.s(part_.element))) {
       part_.duration = reached;
     }
   }

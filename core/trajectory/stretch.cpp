@@ -71,6 +71,16 @@ void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progres
   }
 }
 
+namespace {
+
+/// Curvature vector of a line or an arc at `s` from its start [1/mm]. By the planned length, not the one that
+/// the path keeps, which is rounded by what lies before it: a stretch is planned the same wherever it stands.
+Vec3 bend(const ElementCurve& curve, double s) {
+  return curve.is_arc() ? curve.arc.at(s).d2 : Vec3(Vec3::Zero());
+}
+
+}  // namespace
+
 void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3& axis_jerk,
                            double interpolation_period, std::uint32_t lookahead_blocks) {
   const std::size_t count = stretch.plan.size();
@@ -85,7 +95,7 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
                       path.kind(before) == ElementKind::connecting_arc ||
                       path.kind(after) == ElementKind::connecting_arc;
     if (arcs && stretch.blend[j - 1] == 0 && stretch.blend[j] == 0) {
-      const Vec3 step = path.curve(after).at(0).d2 - path.curve(before).at(path.length(before)).d2;
+      const Vec3 step = bend(path.curve(after), 0) - bend(path.curve(before), stretch.plan[j - 1].length);
       const SpeedBound crossing = crossing_speed(step, axis_jerk, interpolation_period);
       ceiling.lower(crossing.value, crossing.cause);
     }
@@ -155,6 +165,7 @@ class ProfileLayer {
   /// Constant speed; the elements tell why it is not higher.
   void add_cruise(double duration) {
     constexpr std::size_t most_elements = 256;  // of one piece, so that none takes long to look into
+    at_.a = 0;
     while (duration > 0) {
       const Cause cause = stretch_.plan[element_].limits.speed.cause;
       double end = start_ + stretch_.plan[element_].length;

@@ -27,8 +27,6 @@ struct OpenFinding {
   const char* check;
 };
 constexpr OpenFinding open_findings[] = {
-    // Profiles are fitted to their length within 1e-6 of it: some 1e-8 of the time, in one of 2000 programs.
-    {"gassara", "split"},
     // A program begun elsewhere has other roundings of path lengths: on them hang the cells of jerk=on in a
     // few programs in a thousand, and the time of blocks of 1e-6 mm.
     {"optimal", "split"},

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "core/feed/profile_walk.h"
 
@@ -96,6 +97,24 @@ TEST(Profile, CoversItsLengthAndEndsAsAskedFromAnyFeasibleStart) {
     ASSERT_LE(walk.largest_speed(), std::max(150.0, v0 + a0 * a0 / (2 * limits.jerk)) * (1 + 1e-9));
   }
   EXPECT_GT(feasible, 10000);
+}
+
+TEST(Profile, HoldsItsPeakWithoutTheRoundingOfTheRampThatLedThere) {
+  // 300 s at the peak: 1e-13 mm/s2 left of the ramp would be 5e-9 mm.
+  constexpr double length = 4721;
+  const SpeedProfile profile = plan_profile(0.27133, 99.882, 0, length, 15.25, {820, 44180.05});
+  ASSERT_TRUE(profile.feasible);
+  const auto covered = [](Motion1d motion, std::span<const Phase> phases) {
+    for (const Phase& phase : phases) {
+      motion = advance(motion, phase.jerk, phase.duration);
+    }
+    return motion.s;
+  };
+  const std::span phases(profile.phases);
+  const double up = covered({0, profile.v0, profile.a0}, phases.first(3));
+  const double held = profile.peak * profile.phases[3].duration;
+  const double down = covered({0, profile.peak, 0}, phases.last(3));
+  EXPECT_NEAR(up + held + down, length, 1e-11);
 }
 
 TEST(ProfileWalk, StopsAtThePathLengthAskedFor) {

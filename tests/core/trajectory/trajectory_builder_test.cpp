@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "tests/support/parts.h"
 #include "tests/support/paths.h"
 
@@ -55,6 +57,25 @@ TEST(TrajectoryBuilder, ARampIsItsThreeStretchesOfConstantJerkOnEveryElement) {
     end = part.time + part.duration;
   }
   EXPECT_DOUBLE_EQ(end, run.duration());
+}
+
+TEST(TrajectoryBuilder, APieceThatEndsWithItsElementHasNoPartOnTheNextWhateverTheirLengthsAreRoundedTo) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> length(0.005, 0.05);
+  std::vector<Vec3> points{{0, 0, 0}, {1179.87, 0, 0}};
+  for (int i = 0; i < 200; ++i) {
+    points.push_back(points.back() + Vec3(0, length(random), 0));
+  }
+  const auto path = std::make_shared<const Toolpath>(testing::polyline(points, 10));
+  TrajectoryBuilder builder = builder_of(path);
+  constexpr double speed = 0.7;
+  constexpr double begun = 1e-17;  // what rounding leaves of the piece before, of its element [mm]
+  for (std::uint32_t e = 0; e < path->segments.size(); ++e) {
+    builder.add_piece({0, begun, speed, 0, 0, e, {CauseKind::programmed_feed}},
+                      path->segments[e].length / speed);
+  }
+  const std::vector<Part> parts = testing::parts_of(builder.finish());
+  EXPECT_EQ(parts.size(), path->segments.size());
 }
 
 TEST(TrajectoryBuilder, SlowingThatDoesNotSayWhatForTakesTheCauseBehindItOrTheStop) {
