@@ -16,7 +16,7 @@ using namespace feedscope;
 /// The first byte, where it is one of the first control characters, forces a dialect.
 ReadOptions options_of(std::string& text) {
   ReadOptions options;
-  options.repeat_limit = 3000;
+  options.repeat_limit = 300;
   options.call_depth = 10;
   const std::size_t first = text.empty() ? 0 : static_cast<unsigned char>(text[0]);
   if (first >= 1 && first <= all_dialects().size()) {
