@@ -7,37 +7,18 @@
 #include <numeric>
 #include <random>
 
-#include "core/trajectory/trajectory_builder.h"
+#include "tests/core/analysis/hand_made_run.h"
 
 namespace feedscope {
 namespace {
 
 const Vec3 rapid_speed(500, 250, 100);
 
-Segment line_to(const Vec3& end, double length, double feed) {
-  Segment segment;
-  segment.end = end;
-  segment.length = length;
-  segment.feed = feed;
-  return segment;
-}
+using testing::line_to;
+using testing::Passage;
 
-/// A piece and its time [s].
-struct Passage {
-  Piece piece;
-  double duration;
-};
-
-/// `toolpath` as it is, passed as `runs` say.
 Trajectory trajectory_of(const Toolpath& toolpath, const std::vector<Passage>& runs) {
-  TrajectoryBuilder builder(std::make_shared<const Toolpath>(toolpath), rapid_speed);
-  for (std::uint32_t i = 0; i < toolpath.segments.size(); ++i) {
-    builder.add_segment(i);
-  }
-  for (const Passage& run : runs) {
-    builder.add_piece(run.piece, run.duration);
-  }
-  return builder.finish();
+  return testing::trajectory_of(toolpath, runs, rapid_speed);
 }
 
 Toolpath one_line(const Vec3& end) {

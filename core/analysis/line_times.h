@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// What one source line, or several together, cost in a run.
+struct LineTime {
+  double time = 0;         ///< [s]; in loops and calls of all passes together
+  double length = 0;       ///< executed on them [mm]
+  double dwell = 0;        ///< part of `time` that the program waits [s]
+  std::uint64_t runs = 0;  ///< how often the run came to the line from another one, or from the start
+
+  /// While it moves [mm/s]; 0 for lines that do not move.
+  double mean_feed() const { return time > dwell ? length / (time - dwell) : 0; }
+};
+
+/// Time of a run by source line: 32 bytes a line, read in constant time however many lines are asked for.
+///
+/// A corner that the control rounds counts for the line that ends there. The times of all lines add up to the
+/// cycle time.
+class LineTimes {
+ public:
+  LineTimes() = default;
+  /// Linear in the pieces of `trajectory`. Throws Cancelled.
+  explicit LineTimes(const Trajectory& trajectory, Progress* progress = nullptr);
+
+  /// The last line that takes time or is run; 0 for an empty run.
+  std::uint32_t line_count() const {
+    return static_cast<std::uint32_t>(ends_.empty() ? 0 : ends_.size() - 1);
+  }
+  /// Cycle time [s].
+  double total() const { return ends_.empty() ? 0 : ends_.back().time; }
+  /// Time of the slowest line [s].
+  double largest() const { return largest_; }
+  /// Of one line, 1-based; zero for one that does not run.
+  LineTime of(std::uint32_t line) const { return of(line, line); }
+  /// Of the lines from `first` to `last`, both included.
+  LineTime of(std::uint32_t first, std::uint32_t last) const;
+
+ private:
+  std::vector<LineTime> ends_;  ///< [n]: of the lines 1 to n together
+  double largest_ = 0;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,258 @@
+#include "core/analysis/slow_places.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "core/trajectory/part_walk.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double least_depth = 0.1;      // of the programmed feed
+constexpr double as_programmed = 0.999;  // of the programmed feed; what is faster is not slow
+constexpr double least_loss = 1e-6;      // [s]
+constexpr double filtered_per_filter_time = 4;
+
+/// Achieved feed at one instant.
+struct Level {
+  double time = 0;        ///< [s]
+  double length = 0;      ///< executed path length [mm]
+  double speed = 0;       ///< [mm/s]
+  double programmed = 1;  ///< [mm/s]
+  std::uint32_t line = 0;
+
+  double share() const { return speed / programmed; }
+};
+
+/// What is known of a stretch while it grows.
+class Account {
+ public:
+  void add_level(const Level& level) {
+    if (level.share() < least_) {
+      least_ = level.share();
+      place_.slowest = level.time;
+      place_.feed = level.speed;
+      place_.programmed_feed = level.programmed;
+      place_.line = level.line;
+    }
+  }
+
+  void add_loss(const Level& a, const Level& b, double loss, Cause cause) {
+    place_.loss += loss;
+    add_cause(cause, loss);
+    if (loss > (1 - as_programmed) * (b.time - a.time)) {
+      extend(a.time, b.time, a.line, b.line);
+    }
+  }
+
+  /// `later` follows this one.
+  void append(const Account& later) {
+    place_.loss += later.place_.loss;
+    for (const auto& [cause, loss] : later.causes_) {
+      add_cause(cause, loss);
+    }
+    if (later.least_ < least_) {
+      least_ = later.least_;
+      place_.slowest = later.place_.slowest;
+      place_.feed = later.place_.feed;
+      place_.programmed_feed = later.place_.programmed_feed;
+      place_.line = later.place_.line;
+    }
+    if (later.is_slow_) {
+      extend(later.place_.from, later.place_.to, later.place_.first_line, later.place_.last_line);
+    }
+  }
+
+  void clear() {
+    place_ = {};
+    causes_.clear();
+    least_ = std::numeric_limits<double>::infinity();
+    is_slow_ = false;
+  }
+
+  bool counts() const { return is_slow_ && place_.loss > least_loss; }
+  double loss() const { return place_.loss; }
+  SlowPlace place() const {
+    SlowPlace place = place_;
+    const auto by_loss = [](const auto& a, const auto& b) { return a.second < b.second; };
+    place.cause = std::max_element(causes_.begin(), causes_.end(), by_loss)->first;
+    return place;
+  }
+
+ private:
+  void add_cause(Cause cause, double loss) {
+    const auto found =
+        std::find_if(causes_.begin(), causes_.end(), [&](const auto& entry) { return entry.first == cause; });
+    if (found != causes_.end()) {
+      found->second += loss;
+    } else {
+      causes_.emplace_back(cause, loss);
+    }
+  }
+
+  void extend(double from, double to, std::uint32_t line, std::uint32_t other_line) {
+    const auto [low, high] = std::minmax(line, other_line);
+    place_.from = is_slow_ ? place_.from : from;
+    place_.to = to;
+    place_.first_line = is_slow_ ? std::min(place_.first_line, low) : low;
+    place_.last_line = std::max(place_.last_line, high);
+    is_slow_ = true;
+  }
+
+  SlowPlace place_;
+  std::vector<std::pair<Cause, double>> causes_;  ///< loss of each [s]
+  double least_ = std::numeric_limits<double>::infinity();
+  bool is_slow_ = false;
+};
+
+/// Cuts the course of the feed at its peaks as it comes in.
+///
+///   share   __             __      a peak is one, and the places are cut there, once the feed has fallen
+///             \    /\_    /        by least_depth below it; until then what follows the peak so far is kept
+///              \__/   \__/         apart in after_peak_
+///            place 1|place 2
+class PlaceFinder {
+ public:
+  explicit PlaceFinder(std::size_t most) : most_(std::max<std::size_t>(most, 1)) {}
+
+  void add_level(const Level& level) {
+    const double share = level.share();
+    if (!rising_) {
+      lowest_ = std::min(lowest_, share);
+      if (share > lowest_ + least_depth) {
+        rising_ = true;
+        peak_ = share;
+      }
+    } else if (share >= peak_) {
+      peak_ = share;
+      open_.append(after_peak_);
+      after_peak_.clear();
+    } else if (share < peak_ - least_depth) {
+      close();
+      std::swap(open_, after_peak_);
+      after_peak_.clear();
+      rising_ = false;
+      lowest_ = share;
+    }
+    account().add_level(level);
+  }
+
+  void add_step(const Level& from, const Level& to, Cause cause) {
+    const double loss = (to.time - from.time) - (to.length - from.length) / from.programmed;
+    account().add_loss(from, to, loss, cause);
+  }
+
+  SlowPlaces finish() {
+    open_.append(after_peak_);
+    close();
+    keep_worst();
+    std::ranges::sort(found_.places, {}, &SlowPlace::from);
+    found_.places.shrink_to_fit();
+    return std::move(found_);
+  }
+
+ private:
+  Account& account() { return rising_ ? after_peak_ : open_; }
+
+  void close() {
+    found_.loss += open_.loss();
+    if (open_.counts()) {
+      ++found_.count;
+      found_.places.push_back(open_.place());
+      if (found_.places.size() >= 2 * most_) {
+        keep_worst();
+      }
+    }
+    open_.clear();
+  }
+
+  void keep_worst() {
+    std::vector<SlowPlace>& places = found_.places;
+    if (places.size() > most_) {
+      const auto end = places.begin() + static_cast<std::ptrdiff_t>(most_);
+      std::ranges::nth_element(places, end, std::ranges::greater(), &SlowPlace::loss);
+      places.erase(end, places.end());
+    }
+  }
+
+  std::size_t most_;
+  SlowPlaces found_;
+  Account open_;
+  Account after_peak_;
+  bool rising_ = false;  ///< the feed has risen far enough from lowest_; looking for a peak
+  double lowest_ = std::numeric_limits<double>::infinity();
+  double peak_ = 0;
+};
+
+/// Instants of a part at which its feed may be extreme, its ends among them.
+class PartLevels {
+ public:
+  explicit PartLevels(const Trajectory& trajectory) : trajectory_(trajectory) {}
+
+  const std::vector<Level>& of(PartWalk& walk) {
+    const Part& part = walk.part();
+    levels_.clear();
+    if (part.law == Law::path_length) {
+      add_polynomial(part);
+    } else {
+      const int spans =
+          part.law == Law::filtered ? trajectory_.filtered_spans(part, filtered_per_filter_time) : 2;
+      PartMotion motion = walk.motion();
+      for (int i = 0; i <= spans; ++i) {
+        const State state = motion.state(part.duration * i / spans);
+        levels_.push_back({state.time, state.path_length, state.speed, state.programmed_feed, state.line});
+      }
+    }
+    return levels_;
+  }
+
+ private:
+  void add_polynomial(const Part& part) {
+    const double start = trajectory_.path().s(part.element);
+    const double programmed = trajectory_.feed_of(part.element);
+    const std::uint32_t line = trajectory_.line_of(part.element);
+    const auto add = [&](double tau) {
+      const LawPoint at = advance({part.q, part.v, part.a, part.j}, tau);
+      levels_.push_back({part.time + tau, start + at.q, at.v, programmed, line});
+    };
+    add(0);
+    const double extreme = part.j != 0 ? -part.a / part.j : -1;
+    if (extreme > 0 && extreme < part.duration) {
+      add(extreme);
+    }
+    add(part.duration);
+  }
+
+  const Trajectory& trajectory_;
+  std::vector<Level> levels_;
+};
+
+Cause cause_of(const Trajectory& trajectory, const Part& part) {
+  return part.cause.kind == CauseKind::ramp_down ? trajectory.slower_place(part.piece) : part.cause;
+}
+
+}  // namespace
+
+SlowPlaces find_slow_places(const Trajectory& trajectory, std::size_t most, Progress* progress) {
+  PlaceFinder finder(most);
+  PartLevels part_levels(trajectory);
+  ProgressSteps steps(progress, trajectory.pieces().size());
+  for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
+    steps.at(walk.part().piece);
+    if (trajectory.path().kind(walk.part().element) == ElementKind::dwell) {
+      continue;
+    }
+    const std::vector<Level>& levels = part_levels.of(walk);
+    const Cause cause = cause_of(trajectory, walk.part());
+    finder.add_level(levels.front());
+    for (std::size_t i = 1; i < levels.size(); ++i) {
+      finder.add_step(levels[i - 1], levels[i], cause);
+      finder.add_level(levels[i]);
+    }
+  }
+  return finder.finish();
+}
+
+}  // namespace feedscope

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// A stretch of a run around one dip of the feed below what is programmed.
+struct SlowPlace {
+  double from = 0;               ///< it gets slower than programmed [s]
+  double to = 0;                 ///< it is as fast as programmed again, or the next place begins [s]
+  double slowest = 0;            ///< instant of the least share of the programmed feed [s]
+  double loss = 0;               ///< time beyond that of the same path at the programmed feed [s]
+  double feed = 0;               ///< achieved at `slowest` [mm/s]
+  double programmed_feed = 0;    ///< there [mm/s]; for a rapid the axes' speed along it
+  std::uint32_t line = 0;        ///< at `slowest`
+  std::uint32_t first_line = 0;  ///< least source line of the stretch
+  std::uint32_t last_line = 0;   ///< largest
+  /// That most of `loss` is due to; slowing down counts for what sets the speed of the slower place ahead.
+  Cause cause;
+};
+
+/// Where a run loses time against its programmed feed.
+struct SlowPlaces {
+  std::vector<SlowPlace> places;  ///< in order of time
+  std::size_t count = 0;          ///< also of those that are left out
+  double loss = 0;  ///< of all [s]: cycle time less dwells less the path at its programmed feeds
+};
+
+/// Cuts a run at the highest feeds between its dips, as shares of the programmed feed; a dip is one if it is
+/// at least a tenth of the programmed feed deep on both sides. Start and end of a run are dips.
+///
+/// Linear in the pieces; of more than `most` places those that lose most are kept. Blends and filtered motion
+/// are looked at in a few instants of each piece. Throws Cancelled.
+SlowPlaces find_slow_places(const Trajectory& trajectory, std::size_t most = 10'000,
+                            Progress* progress = nullptr);
+
+}  // namespace feedscope
