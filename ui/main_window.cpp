@@ -166,7 +166,7 @@ void MainWindow::ask_for_machine() {
 
 void MainWindow::show_program() {
   const auto program = model_.program();
-  program_->set_text(program == nullptr ? QString() : QString::fromStdString(program->source->utf8_text()));
+  program_->set_program(program);
   diagnostics_->set_diagnostics(program == nullptr ? std::vector<Diagnostic>() : program->diagnostics);
   const QString name = QString::fromStdU16String(model_.file().filename().u16string());
   setWindowTitle(name.isEmpty() ? tr("Feedscope") : tr("%1 – Feedscope").arg(name));
@@ -180,6 +180,7 @@ void MainWindow::show_run() {
   charts_->set_limits(model_.setup().setup().machine.axes);
   charts_->set_run(any ? shown->run.trajectory : nullptr, any ? shown->envelope : nullptr, any);
   playback_->set_duration(any ? shown->run.trajectory->duration() : 0);
+  program_->set_times(any ? shown->line_times : nullptr);
   show_cursor();
 }
 

@@ -7,7 +7,7 @@
 #include "ui/models/run_model.h"
 #include "ui/views/diagnostics_view.h"
 #include "ui/views/playback_bar.h"
-#include "ui/views/program_view.h"
+#include "ui/views/program/program_view.h"
 #include "ui/views/scene_view.h"
 #include "ui/views/setup_view.h"
 

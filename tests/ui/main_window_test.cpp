@@ -9,7 +9,6 @@
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QTextBlock>
 #include <QToolButton>
 #include <QWheelEvent>
 #include <cmath>
@@ -121,8 +120,7 @@ TEST_F(MainWindowTest, ClickBesideThePathLeavesTheCursor) {
 
 TEST_F(MainWindowTest, ClickOnALineMovesChartsAnd3dMarker) {
   ProgramView& program = window.program();
-  const QTextBlock block = program.document()->findBlockByNumber(3);
-  const QRect line = program.cursorRect(QTextCursor(block));
+  const QRect line = program.place_rect({4, 0});
   const QPoint place = point_in_scene(trajectory().state(trajectory().time_of_line(4)).position);
   const QImage before = picture_around(place);
   QTest::mouseClick(program.viewport(), Qt::LeftButton, {}, line.center() + QPoint(10, 0));
@@ -206,7 +204,7 @@ TEST_F(MainWindowTest, PlayMovesTheCursorThroughTheRun) {
 
 TEST_F(MainWindowTest, AnotherProgramReplacesTextAndRun) {
   open("G21 G90 F1000\nG1 X5\n");
-  EXPECT_EQ(window.program().blockCount(), 3);
+  EXPECT_EQ(window.program().text().line_count(), 2U);
   EXPECT_NEAR(trajectory().path_length(), 5, 1e-9);
   EXPECT_EQ(model.cursor().state().time, 0);
 }
@@ -222,7 +220,7 @@ TEST_F(MainWindowTest, AnUnreadableFileIsToldAndTheWindowIsEmpty) {
   wait_until_idle();
   ASSERT_EQ(window.diagnostics().topLevelItemCount(), 1);
   EXPECT_THAT(window.diagnostics().topLevelItem(0)->text(1).toStdString(), testing::HasSubstr("part.nc"));
-  EXPECT_TRUE(window.program().document()->isEmpty());
+  EXPECT_EQ(window.program().text().line_count(), 0U);
   EXPECT_FALSE(window.charts().chart(0).cursor().has_value());
 }
 

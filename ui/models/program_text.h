@@ -1,0 +1,62 @@
+#pragma once
+
+#include <QString>
+#include <compare>
+#include <cstdint>
+#include <memory>
+
+#include "core/program/program.h"
+#include "ui/models/line_cells.h"
+
+namespace feedscope::ui {
+
+/// A place between two characters of a program.
+struct TextPlace {
+  std::uint32_t line = 1;  ///< 1-based
+  std::uint32_t byte = 0;  ///< in the line, from 0 to its size
+
+  auto operator<=>(const TextPlace&) const = default;
+};
+
+struct TextRange {
+  TextPlace begin;
+  TextPlace end;
+
+  bool empty() const { return begin == end; }
+  bool operator==(const TextRange&) const = default;
+};
+
+/// What a view of a program's text asks for. Reads the program's own text, without a copy; nothing costs more
+/// than the lines it touches.
+class ProgramText {
+ public:
+  ProgramText() = default;
+  explicit ProgramText(std::shared_ptr<const Program> program) : program_(std::move(program)) {}
+
+  const Program* program() const { return program_.get(); }
+  std::uint32_t line_count() const { return program_ == nullptr ? 0 : program_->source->line_count(); }
+  std::string_view line(std::uint32_t number) const;
+  LineCells cells(std::uint32_t number) const { return {line(number), encoding()}; }
+  /// Bytes of the longest line; looks at all lines.
+  std::size_t longest_line() const;
+
+  /// The nearest place that there is.
+  TextPlace clamped(TextPlace place) const;
+  TextPlace end() const;
+  TextPlace before(TextPlace place) const;  ///< one character back, over the line's end too
+  TextPlace after(TextPlace place) const;
+  TextPlace word_before(TextPlace place) const;  ///< start of the word before
+  TextPlace word_after(TextPlace place) const;
+  /// The word, number or sign around a place.
+  TextRange word_at(TextPlace place) const;
+  /// The text of a range, lines separated by LF.
+  QString text(TextRange range) const;
+
+ private:
+  Encoding encoding() const { return program_ == nullptr ? Encoding::utf8 : program_->source->encoding(); }
+  QString decoded(std::string_view part) const;
+
+  std::shared_ptr<const Program> program_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,58 @@
+#include "ui/views/program/line_time_text.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("LineTimes", text);
+}
+
+}  // namespace
+
+double heat_of(double time, double largest) {
+  return time > 0 && largest > 0 ? std::min(std::cbrt(time / largest), 1.0) : 0;
+}
+
+QString time_text(double seconds) {
+  const QLocale locale;
+  constexpr double shortest_in_seconds = 0.1;
+  if (seconds >= shortest_in_seconds) {
+    return tr("%1 s").arg(locale.toString(seconds, 'f', 3));
+  }
+  constexpr double milli = 1e3;
+  return tr("%1 ms").arg(locale.toString(seconds * milli, 'f', seconds * milli < 1 ? 3 : 2));
+}
+
+QString line_time_text(const LineTimes& times, std::uint32_t first, std::uint32_t last) {
+  const LineTime cost = times.of(first, last);
+  if (cost.runs == 0) {
+    return {};
+  }
+  const QLocale locale;
+  constexpr double percent = 100;
+  QStringList text;
+  text.append(first == last ? tr("Line %1").arg(locale.toString(first))
+                            : tr("Lines %1 to %2").arg(locale.toString(first), locale.toString(last)));
+  text.append(tr("%1, %2 % of the cycle time")
+                  .arg(time_text(cost.time), locale.toString(percent * cost.time / times.total(), 'f', 2)));
+  if (first == last && cost.runs > 1) {
+    text.append(tr("run %1 times, %2 each on average")
+                    .arg(locale.toString(static_cast<qulonglong>(cost.runs)),
+                         time_text(cost.time / static_cast<double>(cost.runs))));
+  }
+  if (cost.mean_feed() > 0) {
+    text.append(tr("mean feed %1 mm/min").arg(locale.toString(units::to_mm_min(cost.mean_feed()), 'f', 0)));
+  }
+  return text.join('\n');
+}
+
+}  // namespace feedscope::ui

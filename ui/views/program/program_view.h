@@ -1,0 +1,137 @@
+#pragma once
+
+#include <QAbstractScrollArea>
+#include <QBasicTimer>
+#include <cstdint>
+#include <memory>
+
+#include "core/analysis/line_times.h"
+#include "ui/models/diagnostic_marks.h"
+#include "ui/models/program_text.h"
+#include "ui/models/syntax.h"
+#include "ui/views/program/caret_keys.h"
+#include "ui/views/program/line_painter.h"
+
+namespace feedscope::ui {
+
+class OverviewStrip;
+class ProgramMargin;
+
+/// A program's text, read only, with line numbers, the time of each line as a strip of heat, colours by
+/// dialect and diagnostics underlined. Draws the visible lines straight from the program, however long it is.
+///
+/// The *current* line is the one at which the run's cursor is; the *caret* is the place of the keyboard.
+class ProgramView : public QAbstractScrollArea {
+  Q_OBJECT
+
+ public:
+  static constexpr int least_font_size = 6;  ///< [pixels]
+  static constexpr int default_font_size = 12;
+  static constexpr int largest_font_size = 48;
+
+  explicit ProgramView(QWidget* parent = nullptr);
+
+  /// Null: no program. Goes to its start.
+  void set_program(std::shared_ptr<const Program> program);
+  /// Times of a run of the program; null: none.
+  void set_times(std::shared_ptr<const LineTimes> times);
+  /// Makes a 1-based line the current one and brings it into sight; 0: none. Says nothing by line_chosen().
+  void show_line(std::uint32_t line);
+  std::uint32_t current_line() const { return current_; }
+
+  /// Puts the caret somewhere as the user does: brings it into sight and says line_chosen().
+  void go_to(TextPlace place);
+  /// The same with the caret at the end of a selection.
+  void select(TextRange range);
+
+  const ProgramText& text() const { return text_; }
+  const std::shared_ptr<const LineTimes>& times() const { return times_; }
+  const DiagnosticMarks& marks() const { return marks_; }
+  TextPlace caret() const { return caret_; }
+  TextRange selection() const;
+  QString selected_text() const { return text_.text(selection()); }
+
+  int font_size() const;  ///< [pixels]
+  void set_font_size(int pixels);
+
+  std::uint32_t first_visible_line() const;
+  std::uint32_t last_visible_line() const;  ///< also if only a part of it is in sight; 0: no program
+  int line_height() const { return painter_.line_height(); }
+  /// Upper edge of a line in the viewport.
+  int top_of(std::uint32_t line) const;
+  /// The line at a height of the viewport, at most the last one; 0: no program.
+  std::uint32_t line_at(int y) const;
+  /// Where a character stands in the viewport.
+  QRect place_rect(TextPlace place) const;
+
+ public slots:
+  void copy() const;
+  void select_all();
+  void zoom(int steps);
+
+ signals:
+  /// The user went to a line, by mouse or keyboard.
+  void line_chosen(std::uint32_t line);
+  void caret_moved();
+  void font_size_changed(int pixels);
+
+ protected:
+  bool event(QEvent* event) override;
+  bool viewportEvent(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void timerEvent(QTimerEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void scrollContentsBy(int dx, int dy) override;
+
+ private:
+  void look_anew();
+  void place_strips();
+  void set_ranges();
+  int lines_in_sight() const;
+  void refresh();
+  void ensure_visible(TextPlace place);
+  void bring_line_into_sight(std::uint32_t line);
+  void move_caret(TextPlace place, bool keep_anchor);
+  void choose(std::uint32_t line);
+  TextPlace place_at(const QPoint& point) const;
+  double left_edge() const;
+  TextPlace moved(CaretStep step) const;
+  TextPlace vertically_moved(std::int64_t lines) const;
+  void drag_to(const QPoint& point);
+
+  void paint_line(QPainter& painter, std::uint32_t line);
+  void paint_ground(QPainter& painter, std::uint32_t line, const LineCells& cells) const;
+  void paint_marks(QPainter& painter, std::uint32_t line, const LineCells& cells,
+                   const std::vector<Token>& tokens) const;
+  void paint_caret(QPainter& painter) const;
+  QString tip_at(const QPoint& point) const;
+
+  ProgramText text_;
+  DiagnosticMarks marks_;
+  std::shared_ptr<const LineTimes> times_;
+  Syntax syntax_;
+  LinePainter painter_;
+  ProgramMargin* margin_;
+  OverviewStrip* overview_;
+  std::uint32_t current_ = 0;
+  TextPlace caret_;
+  TextPlace anchor_;
+  std::uint32_t wanted_cell_ = 0;  ///< that the caret keeps to while it goes up and down
+  std::uint32_t cells_ = 0;        ///< of the longest line, as far as known
+  bool choosing_ = false;          ///< line_chosen() is being said: show_line() answers it
+  QBasicTimer drag_timer_;
+  QPoint drag_point_;
+  int wheel_rest_ = 0;
+};
+
+}  // namespace feedscope::ui
