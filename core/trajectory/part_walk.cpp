@@ -125,6 +125,25 @@ Kinematics PartMotion::kinematics(double tau) const {
 }
 
 State PartMotion::state(double tau) const {
+  State state = state_without_length(tau);
+  state.path_length = length_at(tau);
+  return state;
+}
+
+/// Executed path length from the start of the trajectory.
+double PartMotion::length_at(double tau) const {
+  const double start = trajectory_.path().s(part_.element);
+  if (part_.law == Law::filtered) {
+    const double passed = part_.time - trajectory_.pieces()[part_.piece].time + tau;
+    FilterWalk own;
+    return start + trajectory_.filtered_q(part_.piece, passed, filters_ != nullptr ? *filters_ : own);
+  }
+  const double q = law_at(part_, tau).q;
+  return start + (part_.law == Law::parameter ? curve_.blend.length_to(std::clamp(q, 0.0, 1.0))
+                                              : std::clamp(q, 0.0, curve_.length));
+}
+
+State PartMotion::state_without_length(double tau) const {
   State state;
   state.time = part_.time + tau;
   state.line = trajectory_.line_of(part_.element);
@@ -138,10 +157,6 @@ State PartMotion::state(double tau) const {
 
   const LawPoint law = law_at(part_, tau);
   const CurvePoint at = curve_point(law.q);
-  const bool by_parameter = part_.law == Law::parameter;
-  state.path_length = trajectory_.path().s(part_.element) +
-                      (by_parameter ? curve_.blend.length_to(std::clamp(law.q, 0.0, 1.0))
-                                    : std::clamp(law.q, 0.0, curve_.length));
   const Kinematics motion = kinematics_of(at, law);
   state.position = motion.position;
   state.velocity = motion.velocity;
@@ -150,7 +165,7 @@ State PartMotion::state(double tau) const {
   state.speed = law.v;
   state.tangential_acceleration = law.a;
   state.tangential_jerk = law.j;
-  if (by_parameter) {
+  if (part_.law == Law::parameter) {
     const double sigma = at.d1.norm();
     const double dsigma = at.d1.dot(at.d2) / sigma;
     const double ddsigma = (at.d2.squaredNorm() + at.d1.dot(at.d3) - dsigma * dsigma) / sigma;
@@ -173,10 +188,6 @@ State PartMotion::filtered_state(State state, double tau) const {
   state.velocity = at.velocity;
   state.acceleration = at.acceleration;
   state.jerk = at.jerk;
-  const double passed = part_.time - trajectory_.pieces()[part_.piece].time + tau;
-  FilterWalk own;
-  state.path_length = trajectory_.path().s(part_.element) +
-                      trajectory_.filtered_q(part_.piece, passed, filters_ != nullptr ? *filters_ : own);
   state.speed = at.velocity.norm();
   if (state.speed > 0) {
     const double along = at.acceleration.dot(at.velocity) / state.speed;

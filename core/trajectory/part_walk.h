@@ -12,12 +12,15 @@ class PartMotion {
   PartMotion(const Trajectory& trajectory, const Part& part, FilterWalk* filters = nullptr);
   /// `tau` from the start of the part [s].
   State state(double tau) const;
+  /// The same with a path length of 0, which spares the quadrature that it costs on curves.
+  State state_without_length(double tau) const;
   /// Without the path length that costs a quadrature on curves.
   Kinematics kinematics(double tau) const;
   const ElementCurve& curve() const { return curve_; }
 
  private:
   CurvePoint curve_point(double q) const;
+  double length_at(double tau) const;
   State filtered_state(State state, double tau) const;
   Kinematics filtered_kinematics(double tau) const;
 

@@ -4,11 +4,20 @@
 #include <optional>
 #include <vector>
 
-#include "ui/charts/kinematic_chart.h"
+#include "ui/charts/chart_spec.h"
 
 namespace feedscope::ui {
 
-/// The line above a chart: quantity with unit, and each curve with its value at the cursor.
+/// Another run in a legend.
+struct LegendEntry {
+  QString name;
+  QColor color;
+  bool dashed = false;
+  std::optional<double> value;  ///< where the cursor is, in the chart's unit
+};
+
+/// The line above a chart: quantity with unit, and each curve with its value at the cursor; other runs in a
+/// second line if there are any. A click on a curve asks to show or hide it, with Ctrl to show it alone.
 class ChartHeader : public QWidget {
   Q_OBJECT
 
@@ -16,14 +25,39 @@ class ChartHeader : public QWidget {
   explicit ChartHeader(ChartSpec spec, QWidget* parent = nullptr);
 
   void set_state(const std::optional<State>& state);
+  void show_curve(std::size_t curve, bool shown);
+  void set_runs(std::vector<LegendEntry> runs);
+  const std::vector<LegendEntry>& runs() const { return runs_; }
+  /// Where a curve stands, value included.
+  QRect item(std::size_t curve) const;
+  void draw(QPainter& painter) const;
+
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {200, sizeHint().height()}; }
 
+ signals:
+  void curve_clicked(std::size_t curve);
+  void curve_alone_clicked(std::size_t curve);
+
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseMoveEvent(QMouseEvent* event) override;
 
  private:
+  int row_height() const;
+  int value_width() const;
+  QString unit_text() const;
+  QString number(double value) const;
+  std::optional<std::size_t> curve_at(const QPoint& place) const;
+  void draw_title(QPainter& painter) const;
+  void draw_curve(QPainter& painter, std::size_t curve) const;
+  void draw_runs(QPainter& painter) const;
+
   ChartSpec spec_;
+  std::vector<bool> shown_;
+  std::vector<LegendEntry> runs_;
   std::optional<State> state_;
 };
 

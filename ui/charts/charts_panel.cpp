@@ -5,60 +5,13 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/base/units.h"
-
 namespace feedscope::ui {
-
-namespace {
-
-// Okabe and Ito's palette: told apart with every kind of colour vision.
-const QColor path_color(0x1a, 0x1a, 0x1a);
-const QColor programmed_color(0xe6, 0x9f, 0x00);
-const QColor shared_limit_color(0x66, 0x66, 0x66);
-constexpr std::array<QRgb, 3> axis_rgb{0xd55e00, 0x009e73, 0x0072b2};
-
-constexpr double path_width = 1.8;
-constexpr double axis_width = 1.1;
-
-/// `first` and the two channels after it are those of X, Y and Z.
-void add_axes(ChartSpec& spec, Channel first) {
-  for (std::size_t i = 0; i < axis_names.size(); ++i) {
-    spec.curves.push_back({static_cast<Channel>(static_cast<std::size_t>(first) + i),
-                           QString(QChar(axis_names[i])), QColor(axis_rgb[i]), axis_width});
-  }
-}
-
-std::array<ChartSpec, 3> chart_specs() {
-  const QString tangential = ChartsPanel::tr("tangential");
-  ChartSpec feed{
-      ChartsPanel::tr("Feed"),
-      ChartsPanel::tr("mm/min"),
-      {{Channel::feed, ChartsPanel::tr("achieved"), path_color, path_width},
-       {Channel::programmed_feed, ChartsPanel::tr("programmed"), programmed_color, path_width, true}},
-      units::to_mm_min,
-      0};
-  add_axes(feed, Channel::velocity_x);
-  ChartSpec acceleration{ChartsPanel::tr("Acceleration"),
-                         ChartsPanel::tr("m/s²"),
-                         {{Channel::tangential_acceleration, tangential, path_color, path_width}},
-                         units::to_m,
-                         2};
-  add_axes(acceleration, Channel::acceleration_x);
-  ChartSpec jerk{ChartsPanel::tr("Jerk"),
-                 ChartsPanel::tr("m/s³"),
-                 {{Channel::tangential_jerk, tangential, path_color, path_width, true}},
-                 units::to_m,
-                 1};
-  add_axes(jerk, Channel::jerk_x);
-  return {feed, acceleration, jerk};
-}
-
-}  // namespace
 
 ChartsPanel::ChartsPanel(Cursor& cursor, QWidget* parent)
     : QWidget(parent),
       cursor_(cursor),
       range_(this),
+      causes_(new CauseStrip(this)),
       abscissa_(new QComboBox(this)),
       show_all_(new QToolButton(this)) {
   abscissa_->addItems({tr("over time"), tr("over path length")});
@@ -66,28 +19,24 @@ ChartsPanel::ChartsPanel(Cursor& cursor, QWidget* parent)
   connect(abscissa_, &QComboBox::currentIndexChanged, this, &ChartsPanel::choose_abscissa);
   show_all_->setText(tr("Show all"));
   show_all_->setToolTip(tr("Show the whole run (double click in a chart)"));
-  connect(show_all_, &QToolButton::clicked, &range_, &ViewRange::fit);
+  connect(show_all_, &QToolButton::clicked, this, &ChartsPanel::fit);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  const std::array<ChartSpec, 3> specs = chart_specs();
+  const std::array<ChartSpec, chart_count> specs = kinematic_chart_specs();
   for (std::size_t i = 0; i < specs.size(); ++i) {
-    headers_[i] = new ChartHeader(specs[i], this);
     const bool last = i + 1 == specs.size();
+    layout->addLayout(add_header(i, specs[i]));
     charts_[i] = new KinematicChart(specs[i], range_, last, this);
-    auto* head = new QHBoxLayout;
-    head->setContentsMargins(0, 0, 8, 0);
-    head->addWidget(headers_[i]);
-    if (i == 0) {
-      head->addWidget(abscissa_);
-      head->addWidget(show_all_);
-    }
-    layout->addLayout(head);
     layout->addWidget(charts_[i], last ? 4 : 3);
+    if (i == 0) {
+      layout->addWidget(causes_);
+    }
     connect(charts_[i], &KinematicChart::position_clicked, this,
             [this](double position) { cursor_.set_time(range_.time_at(position)); });
     connect(charts_[i], &KinematicChart::plot_resized, &refresh_, qOverload<>(&QTimer::start));
+    connect(charts_[i], &KinematicChart::fit_requested, this, &ChartsPanel::fit);
   }
   charts_.back()->set_abscissa_title(tr("Time [s]"));
 
@@ -96,6 +45,46 @@ ChartsPanel::ChartsPanel(Cursor& cursor, QWidget* parent)
   connect(&refresh_, &QTimer::timeout, this, &ChartsPanel::refresh);
   connect(&range_, &ViewRange::changed, &refresh_, qOverload<>(&QTimer::start));
   connect(&cursor_, &Cursor::changed, this, &ChartsPanel::show_cursor);
+}
+
+QLayout* ChartsPanel::add_header(std::size_t i, const ChartSpec& spec) {
+  headers_[i] = new ChartHeader(spec, this);
+  connect(headers_[i], &ChartHeader::curve_clicked, this,
+          [this, i](std::size_t curve) { show_curve(i, curve, !charts_[i]->curve_shown(curve)); });
+  connect(headers_[i], &ChartHeader::curve_alone_clicked, this,
+          [this, i](std::size_t curve) { show_alone(i, curve); });
+  auto* head = new QHBoxLayout;
+  head->setContentsMargins(0, 0, 8, 0);
+  head->addWidget(headers_[i]);
+  if (i == 0) {
+    head->addWidget(abscissa_);
+    head->addWidget(show_all_);
+  }
+  return head;
+}
+
+void ChartsPanel::show_curve(std::size_t chart, std::size_t curve, bool shown) {
+  charts_[chart]->show_curve(curve, shown);
+  headers_[chart]->show_curve(curve, shown);
+}
+
+/// The second time all.
+void ChartsPanel::show_alone(std::size_t chart, std::size_t curve) {
+  const std::size_t count = charts_[chart]->spec().curves.size();
+  bool alone = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    alone = alone && (i == curve) == charts_[chart]->curve_shown(i);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    show_curve(chart, i, alone || i == curve);
+  }
+}
+
+void ChartsPanel::fit() {
+  for (KinematicChart* chart : charts_) {
+    chart->choose_values({});
+  }
+  range_.fit();
 }
 
 void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
@@ -114,9 +103,9 @@ void ChartsPanel::set_limits(const std::array<AxisLimits, 3>& limits) {
       const QString axis(QChar(axis_names[i]));
       if (!lines.empty() && lines.back().value == value) {
         lines.back().label += ' ' + axis;
-        lines.back().color = shared_limit_color;
+        lines.back().axis.reset();
       } else {
-        lines.push_back({value, axis, QColor(axis_rgb[i])});
+        lines.push_back({value, axis, i});
       }
     }
     for (LimitLine& line : lines) {
@@ -136,7 +125,12 @@ void ChartsPanel::refresh() {
   refresh_.stop();
   std::vector<Band> bands;
   if (envelope_ != nullptr) {
-    bands = envelope_->columns(range_.column_times(charts_.front()->column_count()));
+    const std::vector<double> times = range_.column_times(charts_.front()->column_count());
+    bands = envelope_->columns(times);
+    causes_->set_causes(envelope_->causes().dominating(times),
+                        envelope_->causes().between(times.front(), times.back()));
+  } else {
+    causes_->set_causes({}, {});
   }
   for (KinematicChart* chart : charts_) {
     chart->show_bands(bands);
@@ -147,7 +141,7 @@ void ChartsPanel::refresh() {
 void ChartsPanel::show_cursor() {
   const bool shown = envelope_ != nullptr && cursor_.valid();
   for (std::size_t i = 0; i < charts_.size(); ++i) {
-    charts_[i]->set_cursor(shown ? std::optional(range_.position_of(cursor_.state())) : std::nullopt);
+    charts_[i]->set_cursors(shown ? std::optional(range_.position_of(cursor_.state())) : std::nullopt, {});
     headers_[i]->set_state(shown ? std::optional(cursor_.state()) : std::nullopt);
   }
 }

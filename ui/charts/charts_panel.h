@@ -6,16 +6,18 @@
 #include <memory>
 
 #include "core/machine/machine.h"
+#include "ui/charts/cause_strip.h"
 #include "ui/charts/chart_header.h"
 #include "ui/charts/kinematic_chart.h"
 #include "ui/models/cursor.h"
 
 class QComboBox;
+class QLayout;
 class QToolButton;
 
 namespace feedscope::ui {
 
-/// Feed, acceleration and jerk of a run, one above the other, along one abscissa.
+/// Feed with what limits it, acceleration and jerk of a run, one above the other, along one abscissa.
 class ChartsPanel : public QWidget {
   Q_OBJECT
 
@@ -32,18 +34,25 @@ class ChartsPanel : public QWidget {
   ViewRange& range() { return range_; }
   /// 0 feed, 1 acceleration, 2 jerk.
   KinematicChart& chart(std::size_t i) { return *charts_[i]; }
+  ChartHeader& header(std::size_t i) { return *headers_[i]; }
+  CauseStrip& causes() { return *causes_; }
+  void show_curve(std::size_t chart, std::size_t curve, bool shown);
   /// Brings the curves up to date now, not with the next turn of the event loop.
   void refresh();
 
  private:
+  QLayout* add_header(std::size_t i, const ChartSpec& spec);
+  void show_alone(std::size_t chart, std::size_t curve);
   void show_cursor();
+  void fit();
   void choose_abscissa(int index);
 
   Cursor& cursor_;
   ViewRange range_;
   std::shared_ptr<const Envelope> envelope_;
-  std::array<ChartHeader*, 3> headers_{};
-  std::array<KinematicChart*, 3> charts_{};
+  CauseStrip* causes_;
+  std::array<ChartHeader*, chart_count> headers_{};
+  std::array<KinematicChart*, chart_count> charts_{};
   QComboBox* abscissa_;
   QToolButton* show_all_;
   QTimer refresh_;

@@ -65,7 +65,7 @@ void Band::add(const State& state) {
 }
 
 Envelope::Envelope(std::shared_ptr<const Trajectory> trajectory, Progress* progress)
-    : trajectory_(std::move(trajectory)) {
+    : trajectory_(std::move(trajectory)), causes_(trajectory_) {
   const std::size_t pieces = trajectory_->pieces().size();
   std::vector<Band> groups((pieces + pieces_a_group - 1) / pieces_a_group);
   std::size_t reported = 0;
@@ -159,18 +159,18 @@ void Envelope::add_piece(Band& band, std::size_t piece, double from, double to) 
 }
 
 void Envelope::add_part(Band& band, const Part& part, const PartMotion& motion, double duration) const {
-  band.add(motion.state(0));
+  band.add(motion.state_without_length(0));
   if (!(duration > 0)) {
     return;
   }
-  band.add(motion.state(duration));
+  band.add(motion.state_without_length(duration));
   const double speed_turns = part.j == 0 ? 0 : -part.a / part.j;
   if (speed_turns > 0 && speed_turns < duration) {
-    band.add(motion.state(speed_turns));
+    band.add(motion.state_without_length(speed_turns));
   }
   const int inner = inner_samples(part, motion.curve(), duration);
   for (int k = 1; k <= inner; ++k) {
-    band.add(motion.state(duration * k / (inner + 1)));
+    band.add(motion.state_without_length(duration * k / (inner + 1)));
   }
 }
 

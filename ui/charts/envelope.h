@@ -9,6 +9,7 @@
 
 #include "core/base/progress.h"
 #include "core/trajectory/part_walk.h"
+#include "ui/charts/cause_times.h"
 
 namespace feedscope::ui {
 
@@ -77,6 +78,7 @@ class Envelope {
   std::vector<Band> columns(std::span<const double> times) const;
   /// The band of the whole trajectory; empty for an empty trajectory.
   Band overall() const;
+  const CauseTimes& causes() const { return causes_; }
 
  private:
   Band column(double from, double to) const;
@@ -88,6 +90,7 @@ class Envelope {
   int inner_samples(const Part& part, const ElementCurve& curve, double duration) const;
 
   std::shared_ptr<const Trajectory> trajectory_;
+  CauseTimes causes_;
   std::vector<std::vector<Band>> levels_;  ///< [0]: one band a group of pieces; each next level merges a few
 };
 

@@ -1,9 +1,6 @@
 #include "ui/charts/kinematic_chart.h"
 
-#include <QApplication>
 #include <QGraphicsLayout>
-#include <QLineSeries>
-#include <QMouseEvent>
 #include <QPainter>
 #include <QValueAxis>
 #include <algorithm>
@@ -11,25 +8,22 @@
 #include <functional>
 #include <numeric>
 
-#include "ui/charts/chart_colors.h"
+#include "ui/charts/curve_columns.h"
+#include "ui/charts/plot_margins.h"
 #include "ui/scene/ticks.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-constexpr int left_margin = 64;  // the same in all charts, so that their plots stand in line
-constexpr int right_margin = 14;
 constexpr int top_margin = 6;
 constexpr int bottom_margin = 8;
 constexpr int labelled_bottom_margin = 36;
-// A limit, or what may be cut, widens the chart up to this multiple of the other curves' largest value: more
-// than the square root of 3 that along a line in space the path has over its axes.
-constexpr double in_sight = 1.75;
-constexpr double headroom = 0.06;
 constexpr double tick_distance = 18;  // [px]
-constexpr double zoom_a_notch = 0.8;
-const QColor cursor_color(0xcc, 0x00, 0x7a);
+constexpr double overlay_width = 1.4;
+constexpr double long_number = 1e6;   // would not fit beside the plot
+constexpr double finest_zoom = 1e-6;  // of the largest value; beyond, the numbers beside the plot are all one
+constexpr double widest_values = 1e12;
 
 QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   auto* axis = new QValueAxis(chart);
@@ -37,10 +31,6 @@ QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   font.setPixelSize(11);
   axis->setLabelsFont(font);
   axis->setTitleFont(font);
-  axis->setLabelsColor(text_color);
-  axis->setTitleBrush(text_color);
-  axis->setGridLineColor(grid_color);
-  axis->setLinePenColor(axis_color);
   axis->setTickType(QValueAxis::TicksDynamic);
   axis->setTickAnchor(0);
   axis->setTruncateLabels(false);
@@ -48,25 +38,37 @@ QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   return axis;
 }
 
-float magnitude(const Extent& extent) {
-  return extent.empty() ? 0.0F : std::max(extent.max, -extent.min);
+void set_range(QValueAxis* axis, const Interval& range, int most_ticks) {
+  const double step = round_up_125(range.width() / most_ticks);
+  if (std::max(std::abs(range.lower), std::abs(range.upper)) >= long_number) {
+    axis->setLabelFormat(QStringLiteral("%.4g"));
+  } else {
+    const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
+    axis->setLabelFormat(QStringLiteral("%.%1f").arg(decimals));
+  }
+  axis->setTickInterval(step);
+  axis->setRange(range.lower, range.upper);
 }
 
-void set_range(QValueAxis* axis, double lower, double upper, int most_ticks) {
-  const double step = round_up_125((upper - lower) / most_ticks);
-  const int decimals = std::max(0, static_cast<int>(std::ceil(-std::log10(step) - 1e-9)));
-  axis->setTickInterval(step);
-  axis->setLabelFormat(QStringLiteral("%.%1f").arg(decimals));
-  axis->setRange(lower, upper);
+float magnitude(const std::vector<Extent>& columns) {
+  float largest = 0;
+  for (const Extent& extent : columns) {
+    largest = extent.empty() ? largest : std::max({largest, extent.max, -extent.min});
+  }
+  return largest;
 }
 
 }  // namespace
 
 KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, bool labelled, QWidget* parent)
-    : QChartView(parent), spec_(std::move(spec)), range_(range), labelled_(labelled) {
+    : QChartView(parent),
+      spec_(std::move(spec)),
+      range_(range),
+      labelled_(labelled),
+      columns_(spec_.curves.size()),
+      shown_(spec_.curves.size(), true) {
   chart()->legend()->hide();
   chart()->setBackgroundRoundness(0);
-  chart()->setBackgroundBrush(Qt::white);
   chart()->setMargins({});
   chart()->setLocalizeNumbers(true);
   chart()->setAnimationOptions(QChart::NoAnimation);
@@ -74,26 +76,36 @@ KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, bool labelled, 
   abscissa_ = make_axis(chart(), Qt::AlignBottom);
   abscissa_->setLabelsVisible(labelled);
   ordinate_ = make_axis(chart(), Qt::AlignLeft);
-  for (std::size_t i = 0; i < spec_.curves.size(); ++i) {
-    auto* series = new QLineSeries(chart());
-    chart()->addSeries(series);
-    series->attachAxis(abscissa_);
-    series->attachAxis(ordinate_);
-    layers_.push_back(series);
-  }
+  apply_colours();
   setRenderHint(QPainter::Antialiasing);
   setFrameShape(QFrame::NoFrame);
   setMinimumHeight(labelled ? 90 : 60);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
-  setToolTip(tr("Click: cursor. Wheel: zoom. Drag: pan. Double click: show all."));
+  setFocusPolicy(Qt::StrongFocus);
+  setToolTip(
+      tr("Click: cursor. Shift+click: second cursor, differences. Wheel: zoom. Drag: pan.\n"
+         "Right drag or Ctrl+drag: zoom to a box. Ctrl+wheel: zoom the values. Double click: show all."));
   connect(scene(), &QGraphicsScene::changed, this, [this] {
     picture_ = {};
     viewport()->update();
   });
 }
 
+void KinematicChart::apply_colours() {
+  const ThemeColours& colours = theme_colours(palette());
+  chart()->setBackgroundBrush(colours.plot);
+  for (QValueAxis* axis : {abscissa_, ordinate_}) {
+    axis->setLabelsColor(colours.text);
+    axis->setTitleBrush(colours.text);
+    axis->setGridLineColor(colours.grid);
+    axis->setLinePenColor(colours.frame);
+  }
+  picture_ = {};
+}
+
 int KinematicChart::column_count() const {
-  return std::max(1, viewport()->width() - left_margin - right_margin);
+  const int width = std::max(1, viewport()->width() - plot_left_margin - plot_right_margin);
+  return static_cast<int>(std::lround(width * devicePixelRatioF()));
 }
 
 void KinematicChart::set_limits(std::vector<LimitLine> limits) {
@@ -104,85 +116,72 @@ void KinematicChart::set_abscissa_title(const QString& title) {
   abscissa_->setTitleText(title);
 }
 
-void KinematicChart::show_bands(std::span<const Band> bands) {
-  const double column = (range_.upper() - range_.lower()) / static_cast<double>(bands.size());
-  std::vector<Extent> extents(spec_.curves.size());
-  std::vector<QList<QPointF>> points(spec_.curves.size());
-  for (std::size_t k = 0; k < spec_.curves.size(); ++k) {
-    points[k].reserve(2 * static_cast<qsizetype>(bands.size()));
+void KinematicChart::show_curve(std::size_t curve, bool shown) {
+  shown_[curve] = shown;
+  fit();
+}
+
+void KinematicChart::show_bands(std::span<const Band> bands, std::vector<OverlayCurve> overlays) {
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    columns_[k].resize(bands.size());
     for (std::size_t i = 0; i < bands.size(); ++i) {
-      const Extent& extent = bands[i][spec_.curves[k].channel];
-      if (extent.empty()) {
-        continue;
-      }
-      extents[k].add(extent);
-      const double x = range_.lower() + (static_cast<double>(i) + 0.5) * column;
-      double first = spec_.convert(double{extent.min});
-      double second = spec_.convert(double{extent.max});
-      const double before = points[k].isEmpty() ? first : points[k].back().y();
-      if (std::abs(before - second) < std::abs(before - first)) {
-        std::swap(first, second);
-      }
-      points[k].append({x, first});
-      if (first != second) {
-        points[k].append({x, second});
-      }
+      columns_[k][i] = bands[i][spec_.curves[k].channel];
     }
   }
-  stack_curves(extents, points);
-  fit_values(extents);
-  const int most_ticks = std::max(2, column_count() / 80);
-  set_range(abscissa_, range_.lower(), range_.upper(), most_ticks);
+  overlays_ = std::move(overlays);
+  fit();
+}
+
+void KinematicChart::choose_values(const std::optional<Interval>& values) {
+  const bool usable =
+      !values.has_value() ||
+      (values->width() > finest_zoom * std::max(std::abs(values->lower), std::abs(values->upper)) &&
+       values->width() < widest_values);
+  if (usable && values != chosen_values_) {
+    chosen_values_ = values;
+    fit();
+    emit values_chosen();
+  }
+}
+
+CurveReach KinematicChart::reach_of(const std::vector<Extent>& columns, bool may_be_cut) const {
+  Extent whole;
+  for (const Extent& extent : columns) {
+    whole.add(extent);
+  }
+  if (!whole.empty()) {
+    whole = {static_cast<float>(spec_.convert(double{whole.min})),
+             static_cast<float>(spec_.convert(double{whole.max}))};
+  }
+  return {whole, may_be_cut};
+}
+
+/// Brings the axes in line with what is shown.
+void KinematicChart::fit() {
+  std::vector<CurveReach> curves;
+  for (std::size_t k = 0; k < columns_.size(); ++k) {
+    if (shown_[k]) {
+      curves.push_back(reach_of(columns_[k], spec_.curves[k].may_be_cut));
+    }
+  }
+  for (const OverlayCurve& overlay : overlays_) {
+    curves.push_back(reach_of(overlay.columns, false));
+  }
+  std::vector<double> limits;
+  for (const LimitLine& limit : limits_) {
+    limits.push_back(limit.value);
+  }
+  values_ = chosen_values_.value_or(fit_values(curves, limits));
+  const QRectF plot = chart()->plotArea();
+  set_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / tick_distance)));
+  set_range(abscissa_, {range_.lower(), range_.upper()}, std::max(2, static_cast<int>(plot.width() / 80)));
   picture_ = {};
   viewport()->update();
 }
 
-void KinematicChart::stack_curves(const std::vector<Extent>& extents,
-                                  const std::vector<QList<QPointF>>& points) {
-  std::vector<std::size_t> order(extents.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return magnitude(extents[k]); });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const CurveSpec& curve = spec_.curves[order[i]];
-    QPen pen(curve.color, curve.width);
-    pen.setJoinStyle(Qt::BevelJoin);
-    layers_[i]->setPen(pen);
-    layers_[i]->replace(points[order[i]]);
-  }
-}
-
-void KinematicChart::fit_values(const std::vector<Extent>& extents) {
-  double lower = 0;
-  double upper = 0;
-  for (std::size_t k = 0; k < extents.size(); ++k) {
-    if (!spec_.curves[k].may_be_cut && !extents[k].empty()) {
-      lower = std::min(lower, spec_.convert(double{extents[k].min}));
-      upper = std::max(upper, spec_.convert(double{extents[k].max}));
-    }
-  }
-  const double sight = in_sight * std::max(upper, -lower);
-  for (std::size_t k = 0; k < extents.size(); ++k) {
-    if (spec_.curves[k].may_be_cut && !extents[k].empty()) {
-      lower = std::min(lower, std::max(-sight, spec_.convert(double{extents[k].min})));
-      upper = std::max(upper, std::min(sight, spec_.convert(double{extents[k].max})));
-    }
-  }
-  for (const LimitLine& limit : limits_) {
-    if (limit.value <= sight) {
-      upper = upper > 0 ? std::max(upper, limit.value) : upper;
-      lower = lower < 0 ? std::min(lower, -limit.value) : lower;
-    }
-  }
-  if (!(upper > lower)) {
-    upper = 1;
-  }
-  const double room = headroom * (upper - lower);
-  const int most_ticks = std::max(3, static_cast<int>(chart()->plotArea().height() / tick_distance));
-  set_range(ordinate_, lower < 0 ? lower - room : 0, upper > 0 ? upper + room : 0, most_ticks);
-}
-
-void KinematicChart::set_cursor(std::optional<double> position) {
-  cursor_ = position;
+void KinematicChart::set_cursors(std::optional<double> first, std::optional<double> second) {
+  cursor_ = first;
+  second_cursor_ = second;
   viewport()->update();
 }
 
@@ -196,98 +195,143 @@ double KinematicChart::position_at(double pixel) const {
   return range_.lower() + (pixel - plot.left()) / plot.width() * (range_.upper() - range_.lower());
 }
 
+double KinematicChart::height_of(double value) const {
+  const QRectF plot = chart()->plotArea();
+  return plot.bottom() - (value - values_.lower) / values_.width() * plot.height();
+}
+
+double KinematicChart::value_at(double height) const {
+  const QRectF plot = chart()->plotArea();
+  return values_.lower + (plot.bottom() - height) / plot.height() * values_.width();
+}
+
 void KinematicChart::paintEvent(QPaintEvent*) {
   if (picture_.isNull()) {
     picture_ = QPixmap(viewport()->size() * devicePixelRatioF());
     picture_.setDevicePixelRatio(devicePixelRatioF());
-    picture_.fill(Qt::white);
     QPainter painter(&picture_);
-    painter.setRenderHint(QPainter::Antialiasing);
-    render(&painter, QRectF(viewport()->rect()), viewport()->rect());
-    draw_limits(painter);
+    draw_picture(painter);
   }
   QPainter painter(viewport());
   painter.drawPixmap(0, 0, picture_);
-  draw_cursor(painter);
+  draw_cursors(painter);
+  if (drag_ == Drag::box) {
+    QColor fill = palette().color(QPalette::Highlight);
+    painter.setPen(fill);
+    fill.setAlpha(50);
+    painter.setBrush(fill);
+    painter.drawRect(box());
+  }
+}
+
+void KinematicChart::draw(QPainter& painter) {
+  draw_picture(painter);
+  draw_cursors(painter);
+}
+
+void KinematicChart::draw_picture(QPainter& painter) {
+  const QRect whole = viewport()->rect();
+  painter.fillRect(whole, theme_colours(palette()).plot);
+  painter.setRenderHint(QPainter::Antialiasing);
+  render(&painter, QRectF(whole), whole);
+  painter.save();
+  painter.setClipRect(chart()->plotArea());
+  draw_curves(painter);
+  draw_limits(painter);
+  painter.restore();
+}
+
+/// The largest curve first, so that none hides another.
+void KinematicChart::draw_curves(QPainter& painter) const {
+  for (const OverlayCurve& overlay : overlays_) {
+    draw_extents(painter, overlay.columns, overlay.color, overlay_width, overlay.dashed);
+  }
+  std::vector<float> size(columns_.size());
+  std::ranges::transform(columns_, size.begin(), magnitude);
+  std::vector<std::size_t> order(columns_.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return size[k]; });
+  const ThemeColours& colours = theme_colours(palette());
+  for (const std::size_t k : order) {
+    if (shown_[k]) {
+      const CurveSpec& curve = spec_.curves[k];
+      draw_extents(painter, columns_[k], curve_colour(curve.role, colours), curve.width, false);
+    }
+  }
+}
+
+void KinematicChart::draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color,
+                                  double width, bool dashed) const {
+  const QRectF plot = chart()->plotArea();
+  const double beyond = plot.height();  // far values would overflow the rasterizer
+  const auto to_pixel = [&](float value) {
+    return std::clamp(height_of(spec_.convert(double{value})), plot.top() - beyond, plot.bottom() + beyond);
+  };
+  std::vector<ColumnSpan> spans(extents.size());
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    if (!extents[i].empty()) {
+      spans[i] = {to_pixel(extents[i].max), to_pixel(extents[i].min)};
+    }
+  }
+  draw_columns(painter, plot, spans, {color, width, dashed});
 }
 
 void KinematicChart::draw_limits(QPainter& painter) const {
   const QRectF plot = chart()->plotArea();
-  painter.setClipRect(plot);
-  QFont font = painter.font();
-  font.setPixelSize(10);
-  painter.setFont(font);
-  const QFontMetricsF metrics(font);
+  const ThemeColours& colours = theme_colours(palette());
+  QFont small = font();
+  small.setPixelSize(10);
+  painter.setFont(small);
+  const QFontMetricsF metrics(small);
+  QColor behind = colours.plot;
+  behind.setAlpha(230);
   double label_right = plot.right() - 4;
   for (const LimitLine& limit : limits_) {
-    const double top = chart()->mapToPosition({range_.lower(), limit.value}).y();
-    painter.setPen(QPen(limit.color, 1, Qt::DashLine));
+    const double top = height_of(limit.value);
+    const double bottom = height_of(-limit.value);
+    painter.setPen(QPen(limit.axis ? colours.axes[*limit.axis] : colours.shared, 1, Qt::DashLine));
     painter.drawLine(QPointF(plot.left(), top), QPointF(plot.right(), top));
-    const double bottom = chart()->mapToPosition({range_.lower(), -limit.value}).y();
     painter.drawLine(QPointF(plot.left(), bottom), QPointF(plot.right(), bottom));
-    if (top > plot.top()) {
+    if (top > plot.top() && top < plot.bottom()) {
       const double width = metrics.horizontalAdvance(limit.label);
-      const QRectF box(label_right - width, top + 1, width, metrics.height());
-      painter.fillRect(box.adjusted(-2, 1, 2, -1), QColor(255, 255, 255, 230));
-      painter.drawText(box, Qt::AlignCenter, limit.label);
+      const QRectF label(label_right - width, top + 1, width, metrics.height());
+      painter.fillRect(label.adjusted(-2, 1, 2, -1), behind);
+      painter.drawText(label, Qt::AlignCenter, limit.label);
       label_right -= width + 12;
     }
   }
 }
 
-void KinematicChart::draw_cursor(QPainter& painter) const {
+void KinematicChart::draw_cursors(QPainter& painter) const {
   const QRectF plot = chart()->plotArea();
-  if (cursor_.has_value() && *cursor_ >= range_.lower() && *cursor_ <= range_.upper()) {
-    painter.setPen(QPen(cursor_color, 1));
-    const double x = std::round(pixel_of(*cursor_));
-    painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+  const ThemeColours& colours = theme_colours(palette());
+  if (cursor_.has_value() && second_cursor_.has_value()) {
+    const double from = std::max(plot.left(), pixel_of(std::min(*cursor_, *second_cursor_)));
+    const double to = std::min(plot.right(), pixel_of(std::max(*cursor_, *second_cursor_)));
+    QColor between = colours.second_cursor;
+    between.setAlpha(32);
+    if (to > from) {
+      painter.fillRect(QRectF(from, plot.top(), to - from, plot.height()), between);
+    }
   }
+  const auto line = [&](const std::optional<double>& position, const QColor& color) {
+    if (position.has_value() && *position >= range_.lower() && *position <= range_.upper()) {
+      painter.setPen(QPen(color, 1));
+      const double x = std::round(pixel_of(*position));
+      painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+    }
+  };
+  line(second_cursor_, colours.second_cursor);
+  line(cursor_, colours.cursor);
 }
 
 void KinematicChart::resizeEvent(QResizeEvent* event) {
   QChartView::resizeEvent(event);
   const int bottom = labelled_ ? labelled_bottom_margin : bottom_margin;
-  chart()->setPlotArea(QRectF(viewport()->rect()).adjusted(left_margin, top_margin, -right_margin, -bottom));
+  chart()->setPlotArea(
+      QRectF(viewport()->rect()).adjusted(plot_left_margin, top_margin, -plot_right_margin, -bottom));
   picture_ = {};
   emit plot_resized();
-}
-
-void KinematicChart::wheelEvent(QWheelEvent* event) {
-  const double notches = event->angleDelta().y() / 120.0;
-  range_.zoom(std::pow(zoom_a_notch, notches), position_at(event->position().x()));
-  event->accept();
-}
-
-void KinematicChart::mousePressEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton) {
-    pressed_at_ = event->position();
-    dragged_from_ = event->position();
-    dragging_ = false;
-  }
-}
-
-void KinematicChart::mouseMoveEvent(QMouseEvent* event) {
-  if (!event->buttons().testFlag(Qt::LeftButton)) {
-    return;
-  }
-  if ((event->position() - pressed_at_).manhattanLength() >= QApplication::startDragDistance()) {
-    dragging_ = true;
-  }
-  if (dragging_) {
-    range_.pan(position_at(dragged_from_.x()) - position_at(event->position().x()));
-    dragged_from_ = event->position();
-  }
-}
-
-void KinematicChart::mouseReleaseEvent(QMouseEvent* event) {
-  if (event->button() == Qt::LeftButton && !dragging_) {
-    emit position_clicked(position_at(event->position().x()));
-  }
-}
-
-void KinematicChart::mouseDoubleClickEvent(QMouseEvent*) {
-  dragging_ = true;  // the release that follows is no click
-  range_.fit();
 }
 
 }  // namespace feedscope::ui

@@ -7,41 +7,33 @@
 #include <span>
 #include <vector>
 
-#include "ui/charts/envelope.h"
+#include "ui/charts/chart_spec.h"
+#include "ui/charts/value_fit.h"
 #include "ui/charts/view_range.h"
 
-class QLineSeries;
 class QValueAxis;
 
 namespace feedscope::ui {
-
-struct CurveSpec {
-  Channel channel;
-  QString name;
-  QColor color;
-  double width = 1;         ///< [px]
-  bool may_be_cut = false;  ///< the chart need not grow far beyond the other curves to show it in full
-};
 
 /// A permitted largest magnitude, drawn dashed on the sides of zero that the chart shows.
 struct LimitLine {
   double value = 0;  ///< in the chart's unit
   QString label;
+  std::optional<std::size_t> axis;  ///< 0 X, 1 Y, 2 Z; none: several share it
+};
+
+/// A curve of another run.
+struct OverlayCurve {
+  std::vector<Extent> columns;  ///< core units, over the range that is shown
   QColor color;
+  bool dashed = false;
 };
 
-struct ChartSpec {
-  QString title;
-  QString unit;
-  std::vector<CurveSpec> curves;        ///< as the header lists them
-  double (*convert)(double) = nullptr;  ///< from the core's unit to `unit`
-  int decimals = 0;                     ///< of values shown as numbers
-};
-
-/// One chart of a run: curves as bands of pixel columns, axis limits and the cursor.
+/// One chart of a run: curves as bands of pixel columns, axis limits and cursors.
 ///
-/// The wheel zooms at the pointer, dragging pans, a double click shows all; a click asks for the cursor. The
-/// shown range is shared with the other charts.
+/// The wheel zooms at the pointer (Ctrl: the values), Shift and wheel or dragging pans, Ctrl and dragging or
+/// dragging with the right button zooms to the box drawn, a double click shows all; a click asks for the
+/// cursor, a Shift click for the second one. The shown range is shared with the other charts.
 class KinematicChart : public QChartView {
   Q_OBJECT
 
@@ -50,24 +42,47 @@ class KinematicChart : public QChartView {
   KinematicChart(ChartSpec spec, ViewRange& range, bool labelled, QWidget* parent = nullptr);
 
   const ChartSpec& spec() const { return spec_; }
-  /// Pixel columns of the plot.
+  /// Pixel columns of the plot, as the screen has them.
   int column_count() const;
   void set_limits(std::vector<LimitLine> limits);
-  /// Draws equally wide columns from the lower to the upper end of the range.
-  void show_bands(std::span<const Band> bands);
-  /// Position of the cursor along the abscissa.
-  void set_cursor(std::optional<double> position);
+  void show_curve(std::size_t curve, bool shown);
+  bool curve_shown(std::size_t curve) const { return shown_[curve]; }
+  /// Draws equally wide columns from the lower to the upper end of the range, and other runs behind.
+  void show_bands(std::span<const Band> bands, std::vector<OverlayCurve> overlays = {});
+  /// Positions of the cursors along the abscissa.
+  void set_cursors(std::optional<double> first, std::optional<double> second);
   const std::optional<double>& cursor() const { return cursor_; }
+  const std::optional<double>& second_cursor() const { return second_cursor_; }
   void set_abscissa_title(const QString& title);
+
+  /// The ordinate that is shown, in the chart's unit.
+  const Interval& values() const { return values_; }
+  /// The ordinate that the user chose; none: it follows the curves.
+  const std::optional<Interval>& chosen_values() const { return chosen_values_; }
+  /// An interval too narrow or too wide for numbers beside it is left alone.
+  void choose_values(const std::optional<Interval>& values);
 
   /// Place of a position in the viewport [px].
   double pixel_of(double position) const;
+  double position_at(double pixel) const;
+  double height_of(double value) const;
+  double value_at(double height) const;
+
+  /// Everything but what the mouse is about to do.
+  void draw(QPainter& painter);
 
  signals:
   void position_clicked(double position);
+  void second_position_clicked(double position);
+  void menu_requested(const QPoint& global);
   void plot_resized();
+  /// The user chose or gave back the ordinate.
+  void values_chosen();
+  /// Show all of the run, and all values.
+  void fit_requested();
 
  protected:
+  bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
@@ -75,27 +90,42 @@ class KinematicChart : public QChartView {
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  double position_at(double pixel) const;
-  /// Gives the largest curve the lowest layer, so that none hides another.
-  void stack_curves(const std::vector<Extent>& extents, const std::vector<QList<QPointF>>& points);
-  void fit_values(const std::vector<Extent>& extents);
+  enum class Drag { none, undecided, pan, box, second_cursor };
+
+  void apply_colours();
+  void fit();
+  CurveReach reach_of(const std::vector<Extent>& columns, bool may_be_cut) const;
+  void begin_drag(const QMouseEvent& event);
+  /// The part of the plot that the box drawn will show.
+  QRectF box() const;
+  void zoom_to(const QRectF& box);
+  void draw_picture(QPainter& painter);
+  void draw_curves(QPainter& painter) const;
+  void draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color, double width,
+                    bool dashed) const;
   void draw_limits(QPainter& painter) const;
-  void draw_cursor(QPainter& painter) const;
+  void draw_cursors(QPainter& painter) const;
 
   ChartSpec spec_;
   ViewRange& range_;
   bool labelled_;
   QValueAxis* abscissa_;
   QValueAxis* ordinate_;
-  std::vector<QLineSeries*> layers_;  ///< from the lowest up
+  std::vector<std::vector<Extent>> columns_;  ///< a curve each, core units
+  std::vector<bool> shown_;                   ///< a curve each
+  std::vector<OverlayCurve> overlays_;
   std::vector<LimitLine> limits_;
+  Interval values_{0, 1};
+  std::optional<Interval> chosen_values_;
   std::optional<double> cursor_;
-  QPixmap picture_;  ///< the chart without the cursor; null when it must be drawn again
+  std::optional<double> second_cursor_;
+  QPixmap picture_;  ///< the chart without cursors; null when it must be drawn again
   QPointF pressed_at_;
-  QPointF dragged_from_;
-  bool dragging_ = false;
+  QPointF dragged_to_;
+  Drag drag_ = Drag::none;
 };
 
 }  // namespace feedscope::ui

@@ -34,6 +34,8 @@ class ViewRange : public QObject {
   /// Shrinks (factor < 1) or widens the range; `pivot` keeps its place on the screen.
   void zoom(double factor, double pivot);
   void pan(double distance);
+  /// Shows from one position to another, moved and cut to what there is.
+  void show(double lower, double upper);
 
   double position_of(const State& state) const;
   double time_at(double position) const;  ///< [s]
@@ -44,8 +46,6 @@ class ViewRange : public QObject {
   void changed();
 
  private:
-  void show(double lower, double upper);
-
   std::shared_ptr<const Trajectory> trajectory_;
   Abscissa abscissa_ = Abscissa::time;
   double lower_ = 0;

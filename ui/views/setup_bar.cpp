@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "core/base/error.h"
+
 namespace feedscope::ui {
 
 namespace {
@@ -29,7 +31,7 @@ void fix_width(QComboBox* box, int characters) {
 
 }  // namespace
 
-SetupBar::SetupBar(Workbench& model, QWidget* parent)
+SetupBar::SetupBar(RunModel& model, QWidget* parent)
     : QToolBar(tr("Setup"), parent),
       model_(model),
       machine_(new QComboBox(this)),
@@ -90,11 +92,17 @@ void SetupBar::show_tolerance() {
   const bool read = model_.setup().file().settings.has(tolerance_key);
   tolerance_->setEnabled(read);
   tolerance_->setSpecialValueText(read ? QString() : QStringLiteral("–"));  // stands for the 0 set below
-  tolerance_->setValue(read ? std::get<double>(model_.setup().state().value(tolerance_key)) : 0);
+  tolerance_->setValue(read ? std::get<double>(model_.setup().value(tolerance_key)) : 0);
 }
 
 void SetupBar::set_tolerance(double tolerance) {
-  if (!model_.set_tolerance(tolerance)) {
+  try {
+    model_.setup().set(tolerance_key, tolerance);
+    const auto program = model_.program();
+    if (program != nullptr && find_own_tolerance(program->path_controls) != nullptr) {
+      model_.setup().set("program_tolerance", std::string("off"));
+    }
+  } catch (const InputError&) {
     show_tolerance();  // out of bounds: back to the value that holds
   }
 }

@@ -19,9 +19,9 @@ class JerkChart : public testing::Test {
   JerkChart()
       : chart_({"Jerk",
                 "mm/s3",
-                {{Channel::tangential_jerk, "tangential", Qt::black, 1, true},
-                 {Channel::jerk_x, "X", Qt::red},
-                 {Channel::jerk_y, "Y", Qt::green}},
+                {{Channel::tangential_jerk, "jt", "tangential", CurveRole::path, 1, true},
+                 {Channel::jerk_x, "jx", "X", CurveRole::x},
+                 {Channel::jerk_y, "jy", "Y", CurveRole::y}},
                 as_it_is},
                range_, true) {
     chart_.resize(600, 300);
@@ -71,7 +71,7 @@ TEST_F(JerkChart, GrowsWithTheAxesInFull) {
 }
 
 TEST_F(JerkChart, ShowsALimitThatIsNotFarAway) {
-  chart().set_limits({{6, "limit of X", Qt::red}});
+  chart().set_limits({{6, "limit of X", 0}});
   show({0, 200}, {-1, 4}, {0, 0});
   EXPECT_GE(highest(), 6);
   EXPECT_LE(lowest(), -6);

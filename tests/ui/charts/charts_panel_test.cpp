@@ -1,0 +1,175 @@
+#include "ui/charts/charts_panel.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "tests/ui/run_fixture.h"
+#include "ui/theme/theme.h"
+
+namespace feedscope::ui {
+namespace {
+
+class ChartsPanelTest : public testing::Test {
+ protected:
+  ChartsPanelTest() : panel(cursor) {
+    panel.resize(940, 390);
+    panel.show();
+    cursor.set_trajectory(run.trajectory);
+    panel.set_limits(run.setup.machine.axes);
+    panel.set_run(run.trajectory, envelope, false);
+    QApplication::processEvents();
+    panel.refresh();
+  }
+
+  QRectF plot(std::size_t chart) { return panel.chart(chart).chart()->plotArea(); }
+  QPoint place(std::size_t chart, double x, double y) {
+    const QRectF area = plot(chart);
+    return QPointF(area.left() + x * area.width(), area.top() + y * area.height()).toPoint();
+  }
+  void drag(std::size_t chart, QPoint from, QPoint to, Qt::MouseButton button,
+            Qt::KeyboardModifiers modifiers = {}) {
+    QWidget* view = panel.chart(chart).viewport();
+    QTest::mousePress(view, button, modifiers, from);
+    for (const QPoint& at : {(from + to) / 2, to}) {
+      QMouseEvent move(QEvent::MouseMove, QPointF(at), view->mapToGlobal(QPointF(at)), Qt::NoButton, button,
+                       modifiers);
+      QApplication::sendEvent(view, &move);
+    }
+    QTest::mouseRelease(view, button, modifiers, to);
+    panel.refresh();
+  }
+  void wheel(std::size_t chart, QPoint at, Qt::KeyboardModifiers modifiers) {
+    QWidget* view = panel.chart(chart).viewport();
+    QWheelEvent event(QPointF(at), view->mapToGlobal(QPointF(at)), {}, {0, 120}, Qt::NoButton, modifiers,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(view, &event);
+    panel.refresh();
+  }
+
+  feedscope::Run run = test::simulate_text(test::small_program);
+  std::shared_ptr<const Envelope> envelope = std::make_shared<const Envelope>(run.trajectory);
+  Cursor cursor;
+  ChartsPanel panel;
+};
+
+constexpr std::size_t feed_chart = 0;
+constexpr std::size_t achieved = 0;
+constexpr std::size_t programmed = 1;
+
+TEST_F(ChartsPanelTest, AClickInTheLegendHidesAndShowsACurve) {
+  const QPoint item = panel.header(feed_chart).item(programmed).center();
+  QTest::mouseClick(&panel.header(feed_chart), Qt::LeftButton, {}, item);
+  EXPECT_FALSE(panel.chart(feed_chart).curve_shown(programmed));
+  EXPECT_TRUE(panel.chart(feed_chart).curve_shown(achieved));
+  QTest::mouseClick(&panel.header(feed_chart), Qt::LeftButton, {}, item);
+  EXPECT_TRUE(panel.chart(feed_chart).curve_shown(programmed));
+}
+
+TEST_F(ChartsPanelTest, CtrlClickShowsACurveAloneAndThenAll) {
+  const QPoint item = panel.header(feed_chart).item(programmed).center();
+  QTest::mouseClick(&panel.header(feed_chart), Qt::LeftButton, Qt::ControlModifier, item);
+  EXPECT_TRUE(panel.chart(feed_chart).curve_shown(programmed));
+  EXPECT_FALSE(panel.chart(feed_chart).curve_shown(achieved));
+  QTest::mouseClick(&panel.header(feed_chart), Qt::LeftButton, Qt::ControlModifier, item);
+  EXPECT_TRUE(panel.chart(feed_chart).curve_shown(achieved));
+}
+
+TEST_F(ChartsPanelTest, TheOrdinateFitsWhatIsShown) {
+  constexpr std::size_t z = 4;
+  QTest::mouseClick(&panel.header(feed_chart), Qt::LeftButton, Qt::ControlModifier,
+                    panel.header(feed_chart).item(z).center());
+  EXPECT_LT(panel.chart(feed_chart).values().upper, 100);  // Z does not move
+  panel.show_curve(feed_chart, achieved, true);
+  EXPECT_GT(panel.chart(feed_chart).values().upper, 2900);
+}
+
+TEST_F(ChartsPanelTest, CtrlAndWheelZoomTheValuesAtThePointer) {
+  KinematicChart& chart = panel.chart(1);
+  const Interval before = chart.values();
+  const double lower = panel.range().lower();
+  const QPoint at = place(1, 0.4, 0.25);
+  const double pivot = chart.value_at(at.y());
+  wheel(1, at, Qt::ControlModifier);
+  EXPECT_NEAR(chart.values().width(), 0.8 * before.width(), 1e-9);
+  EXPECT_NEAR(chart.value_at(at.y()), pivot, 1e-9);
+  EXPECT_EQ(panel.range().lower(), lower);
+  QTest::mouseDClick(chart.viewport(), Qt::LeftButton, {}, QPoint(5, at.y()));
+  EXPECT_EQ(chart.values(), before);
+}
+
+TEST_F(ChartsPanelTest, ShiftAndWheelPan) {
+  panel.range().zoom(0.5, 0.5 * panel.range().length());
+  const double lower = panel.range().lower();
+  const double width = panel.range().upper() - lower;
+  wheel(0, place(0, 0.5, 0.5), Qt::ShiftModifier);
+  EXPECT_NEAR(panel.range().lower(), lower - 0.1 * width, 1e-9);
+  EXPECT_NEAR(panel.range().upper() - panel.range().lower(), width, 1e-9);
+}
+
+TEST_F(ChartsPanelTest, AFlatBoxZoomsAlongTheAbscissaOnly) {
+  const double length = panel.range().length();
+  const Interval values = panel.chart(0).values();
+  drag(0, place(0, 0.25, 0.5), place(0, 0.75, 0.5), Qt::RightButton);
+  EXPECT_NEAR(panel.range().lower(), 0.25 * length, 0.005 * length);
+  EXPECT_NEAR(panel.range().upper(), 0.75 * length, 0.005 * length);
+  EXPECT_FALSE(panel.chart(0).chosen_values().has_value());
+  EXPECT_NEAR(panel.chart(0).values().upper, values.upper, 0.2 * values.upper);
+}
+
+TEST_F(ChartsPanelTest, ATallBoxZoomsTheValuesToo) {
+  KinematicChart& chart = panel.chart(0);
+  const QPoint from = place(0, 0.2, 0.1);
+  const QPoint to = place(0, 0.6, 0.8);
+  const double upper = chart.value_at(from.y());
+  const double lower = chart.value_at(to.y());
+  const double left = chart.position_at(from.x());
+  drag(0, from, to, Qt::LeftButton, Qt::ControlModifier);
+  EXPECT_NEAR(chart.values().upper, upper, 1e-6);
+  EXPECT_NEAR(chart.values().lower, lower, 1e-6);
+  EXPECT_NEAR(panel.range().lower(), left, 1e-9);
+  QTest::mouseDClick(chart.viewport(), Qt::LeftButton, {}, to);
+  EXPECT_FALSE(chart.chosen_values().has_value());
+  EXPECT_EQ(panel.range().lower(), 0);
+}
+
+TEST_F(ChartsPanelTest, DraggingPans) {
+  panel.range().zoom(0.5, 0.5 * panel.range().length());
+  const double grabbed = panel.chart(0).position_at(place(0, 0.5, 0.5).x());
+  const QPoint to = place(0, 0.4, 0.5);
+  drag(0, place(0, 0.5, 0.5), to, Qt::LeftButton);
+  EXPECT_NEAR(panel.chart(0).position_at(to.x()), grabbed, 1e-9);
+}
+
+TEST_F(ChartsPanelTest, TheCausesCoverTheVisibleRange) {
+  EXPECT_FALSE(panel.causes().legend_item(CauseKind::axis_jerk).isEmpty());
+  const QRect bar = panel.causes().strip();
+  EXPECT_EQ(bar.left(), static_cast<int>(plot(0).left()));
+  EXPECT_EQ(bar.width(), static_cast<int>(plot(0).width()));
+}
+
+TEST_F(ChartsPanelTest, FollowsTheTheme) {
+  const auto background = [this] {
+    QPixmap picture(panel.chart(0).size());
+    static_cast<QWidget&>(panel.chart(0)).render(&picture);
+    return picture.toImage().pixelColor(2, 2);
+  };
+  apply_theme(ThemeKind::dark);
+  QApplication::processEvents();
+  EXPECT_LT(background().lightness(), 60);
+  apply_theme(ThemeKind::light);
+  QApplication::processEvents();
+  EXPECT_GT(background().lightness(), 200);
+}
+
+TEST_F(ChartsPanelTest, WithoutARunNothingIsShown) {
+  panel.set_run(nullptr, nullptr, false);
+  panel.refresh();
+  EXPECT_TRUE(panel.causes().legend_item(CauseKind::axis_jerk).isEmpty());
+  EXPECT_EQ(panel.chart(0).cursor(), std::nullopt);
+}
+
+}  // namespace
+}  // namespace feedscope::ui

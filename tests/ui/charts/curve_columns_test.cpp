@@ -1,0 +1,104 @@
+#include "ui/charts/curve_columns.h"
+
+#include <gtest/gtest.h>
+
+#include <QImage>
+#include <QPainter>
+#include <cmath>
+#include <random>
+#include <vector>
+
+namespace feedscope::ui {
+namespace {
+
+constexpr int width = 200;
+constexpr int height = 100;
+
+QImage drawn(const std::vector<ColumnSpan>& columns, CurvePen pen = {Qt::black, 1.8}) {
+  QImage image(width, height, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  draw_columns(painter, QRectF(0, 0, width, height), columns, pen);
+  return image;
+}
+
+/// How much of a pixel is covered, 0 to 1.
+double ink(const QImage& image, int x, int y) {
+  return 1 - image.pixelColor(x, y).lightnessF();
+}
+
+double ink_of_column(const QImage& image, int x) {
+  double sum = 0;
+  for (int y = 0; y < height; ++y) {
+    sum += ink(image, x, y);
+  }
+  return sum;
+}
+
+TEST(CurveColumns, ALevelLineIsAsThickAsItsPen) {
+  const QImage image = drawn(std::vector<ColumnSpan>(width, {50, 50}));
+  for (int x = 0; x < width; ++x) {
+    EXPECT_NEAR(ink_of_column(image, x), 1.8, 0.05) << x;
+  }
+}
+
+TEST(CurveColumns, ASlantedLineIsAsThickAsALevelOne) {
+  std::vector<ColumnSpan> columns;
+  for (int x = 0; x < width; ++x) {
+    columns.push_back({90 - 0.4 * (x + 1), 90 - 0.4 * x});
+  }
+  const QImage image = drawn(columns);
+  for (int x = 5; x < width - 5; ++x) {
+    EXPECT_NEAR(ink_of_column(image, x), 1.8 * std::hypot(1, 0.4), 0.15) << x;
+  }
+}
+
+TEST(CurveColumns, CoverEveryPixelTheyHold) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> anywhere(5, 95);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<ColumnSpan> columns;
+    for (int x = 0; x < width; ++x) {
+      const auto [top, bottom] = std::minmax({anywhere(random), anywhere(random)});
+      columns.push_back(round % 2 == 0 || x % 40 < 20 ? ColumnSpan{top, bottom} : ColumnSpan{50, 50});
+    }
+    const QImage image = drawn(columns);
+    for (int x = 0; x < width; ++x) {
+      const ColumnSpan& span = columns[static_cast<std::size_t>(x)];
+      double covered = 0;
+      for (int y = static_cast<int>(std::ceil(span.top)); y < static_cast<int>(span.bottom); ++y) {
+        covered += ink(image, x, y);
+      }
+      const double held = std::max(0.0, std::floor(span.bottom) - std::ceil(span.top));
+      EXPECT_GE(covered, 0.3 * held - 0.5) << round << ' ' << x;
+    }
+  }
+}
+
+TEST(CurveColumns, JumpsAreJoined) {
+  std::vector<ColumnSpan> columns(width, {80, 80});
+  std::fill(columns.begin() + 100, columns.end(), ColumnSpan{20, 20});
+  const QImage image = drawn(columns);
+  for (int y = 22; y < 78; ++y) {
+    EXPECT_GT(ink(image, 99, y) + ink(image, 100, y), 0.4) << y;
+  }
+}
+
+TEST(CurveColumns, EmptyColumnsAndDashesStayWhite) {
+  std::vector<ColumnSpan> columns(width, {50, 50});
+  columns[30] = {};
+  const QImage image = drawn(columns);
+  EXPECT_EQ(ink_of_column(image, 30), 0);
+  EXPECT_GT(ink_of_column(image, 29), 1);
+  const QImage dashed = drawn(std::vector<ColumnSpan>(width, {50, 50}), {Qt::black, 1.8, true});
+  int blank = 0;
+  for (int x = 0; x < width; ++x) {
+    blank += ink_of_column(dashed, x) == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(blank, width * 4 / 10);
+  EXPECT_EQ(drawn({}).pixelColor(10, 50), QColor(Qt::white));
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,43 @@
+#include "ui/charts/value_fit.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+namespace feedscope::ui {
+namespace {
+
+TEST(ValueFit, HoldsAllCurvesAndZero) {
+  const Interval fit = fit_values(std::array{CurveReach{{2, 5}}, CurveReach{{-1, 3}}}, {});
+  EXPECT_LT(fit.lower, -1);
+  EXPECT_GT(fit.upper, 5);
+  EXPECT_LT(fit.upper, 6);
+  EXPECT_EQ(fit_values(std::array{CurveReach{{2, 5}}}, {}).lower, 0);
+}
+
+TEST(ValueFit, GrowsForACurveThatMayBeCutOnlySoFar) {
+  const std::array curves{CurveReach{{-4, 4}}, CurveReach{{-300, 300}, true}};
+  EXPECT_LT(fit_values(curves, {}).upper, 8);
+  const std::array close{CurveReach{{-4, 4}}, CurveReach{{-6, 6}, true}};
+  EXPECT_GE(fit_values(close, {}).upper, 6);
+}
+
+TEST(ValueFit, ShowsInFullWhatMayBeCutIfItIsAlone) {
+  EXPECT_GE(fit_values(std::array{CurveReach{{-300, 300}, true}, CurveReach{}}, {}).upper, 300);
+}
+
+TEST(ValueFit, ShowsALimitThatIsNear) {
+  const std::array limits{6.0, 60.0};
+  const Interval fit = fit_values(std::array{CurveReach{{0, 5}}}, limits);
+  EXPECT_GE(fit.upper, 6);
+  EXPECT_LT(fit.upper, 60);
+  EXPECT_EQ(fit.lower, 0);
+}
+
+TEST(ValueFit, OfNothingHasAWidth) {
+  EXPECT_GT(fit_values({}, {}).width(), 0);
+  EXPECT_GT(fit_values(std::array{CurveReach{{0, 0}}}, {}).width(), 0);
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,257 @@
+#include "ui/charts/cause_strip.h"
+
+#include <QCoreApplication>
+#include <QFontMetrics>
+#include <QHelpEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "ui/charts/plot_margins.h"
+#include "ui/scene/cause_colour.h"
+#include "ui/theme/theme.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr int strip_height = 10;
+constexpr int swatch = 9;
+constexpr int gap = 4;
+constexpr int item_gap = 14;
+constexpr double least_named_share = 0.0005;  // of the visible time; below, 0.0 % would stand there
+
+QColor colour_of(CauseKind kind) {
+  const Rgb rgb = cause_colour(kind);
+  return QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
+}
+
+QString percent(double share) {
+  const double value = 100 * share;
+  return CauseStrip::tr("%1 %").arg(QLocale().toString(value, 'f', value < 9.95 ? 1 : 0));
+}
+
+}  // namespace
+
+QString cause_kind_name(CauseKind kind) {
+  return QCoreApplication::translate("Cause", cause_kind_title(kind).c_str());
+}
+
+QString cause_name(Cause cause) {
+  return QCoreApplication::translate("Cause", cause_title(cause).c_str());
+}
+
+CauseStrip::CauseStrip(QWidget* parent) : QWidget(parent) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  QFont small = font();
+  small.setPixelSize(11);
+  setFont(small);
+  setMouseTracking(true);
+}
+
+QSize CauseStrip::sizeHint() const {
+  return {700, QFontMetrics(font()).height() + 4 + strip_height};
+}
+
+QRect CauseStrip::strip() const {
+  return {plot_left_margin, height() - strip_height, width() - plot_left_margin - plot_right_margin,
+          strip_height};
+}
+
+void CauseStrip::set_causes(std::vector<std::optional<CauseKind>> columns, std::vector<double> times) {
+  columns_ = std::move(columns);
+  times_ = std::move(times);
+  whole_ = std::accumulate(times_.begin(), times_.end(), 0.0);
+  shares_.clear();
+  for (std::size_t i = 0; i < times_.size(); ++i) {
+    const CauseKind kind = all_causes()[i].kind;
+    if (shares_.empty() || shares_.back().kind != kind) {
+      shares_.push_back({kind, 0, {}, {}});
+    }
+    shares_.back().time += times_[i];
+  }
+  std::erase_if(shares_, [&](const Share& share) { return share.time <= least_named_share * whole_; });
+  std::ranges::stable_sort(shares_, std::greater(), &Share::time);
+  for (Share& share : shares_) {
+    share.text = tr("%1 %2").arg(cause_kind_name(share.kind), percent(share.time / whole_));
+  }
+  lay_out();
+  update();
+}
+
+void CauseStrip::lay_out() {
+  const QFontMetrics metrics(font());
+  QFont bold = font();
+  bold.setBold(true);
+  const int more = metrics.horizontalAdvance(tr("+ %1").arg(99));
+  const int row = height() - strip_height;
+  int x = 8 + QFontMetrics(bold).horizontalAdvance(tr("Limited by")) + item_gap;
+  listed_ = 0;
+  for (Share& share : shares_) {
+    const int end = x + swatch + gap + metrics.horizontalAdvance(share.text);
+    const bool last = listed_ + 1 == shares_.size();
+    if (end + (last ? 0 : item_gap + more) > width() - plot_right_margin) {
+      break;
+    }
+    share.place = QRect(x, 0, end - x, row);
+    x = end + item_gap;
+    ++listed_;
+  }
+}
+
+QRect CauseStrip::legend_item(CauseKind kind) const {
+  for (std::size_t i = 0; i < listed_; ++i) {
+    if (shares_[i].kind == kind) {
+      return shares_[i].place;
+    }
+  }
+  return {};
+}
+
+const CauseStrip::Share* CauseStrip::item_at(const QPoint& place) const {
+  for (std::size_t i = 0; i < listed_; ++i) {
+    if (shares_[i].place.contains(place)) {
+      return &shares_[i];
+    }
+  }
+  return nullptr;
+}
+
+std::optional<CauseKind> CauseStrip::kind_at(const QPoint& place) const {
+  if (const Share* item = item_at(place)) {
+    return item->kind;
+  }
+  const QRect bar = strip();
+  if (!bar.contains(place) || columns_.empty()) {
+    return {};
+  }
+  const auto column = static_cast<std::size_t>(place.x() - bar.left()) * columns_.size() /
+                      static_cast<std::size_t>(bar.width());
+  return columns_[column];
+}
+
+QString CauseStrip::tip_of(CauseKind kind) const {
+  double time = 0;
+  QStringList axes;
+  for (std::size_t i = 0; i < times_.size(); ++i) {
+    const Cause cause = all_causes()[i];
+    if (cause.kind == kind && times_[i] > 0) {
+      time += times_[i];
+      if (cause.axis >= 0) {
+        axes += tr("%1: %2").arg(cause_name(cause), percent(times_[i] / whole_));
+      }
+    }
+  }
+  const QString whole = tr("%1: %2 of the visible time, %3 s")
+                            .arg(cause_kind_name(kind), percent(whole_ > 0 ? time / whole_ : 0),
+                                 QLocale().toString(time, 'f', 3));
+  return axes.isEmpty() ? whole : whole + '\n' + axes.join('\n');
+}
+
+QString CauseStrip::tip_at(const QPoint& place) const {
+  if (const auto kind = kind_at(place)) {
+    return tip_of(*kind);
+  }
+  if (place.y() < strip().top()) {
+    QStringList lines;
+    for (const Share& share : shares_) {
+      lines += share.text;
+    }
+    return lines.join('\n');
+  }
+  return {};
+}
+
+bool CauseStrip::event(QEvent* event) {
+  if (event->type() == QEvent::ToolTip) {
+    const auto* help = static_cast<QHelpEvent*>(event);
+    QToolTip::showText(help->globalPos(), tip_at(help->pos()), this);
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+void CauseStrip::mousePressEvent(QMouseEvent* event) {
+  const Share* item = item_at(event->position().toPoint());
+  if (event->button() == Qt::LeftButton) {
+    const bool alone = item != nullptr && highlighted_ != item->kind;
+    highlighted_ = alone ? std::optional(item->kind) : std::nullopt;
+    update();
+  }
+}
+
+void CauseStrip::mouseMoveEvent(QMouseEvent* event) {
+  setCursor(item_at(event->position().toPoint()) != nullptr ? Qt::PointingHandCursor : Qt::ArrowCursor);
+}
+
+void CauseStrip::resizeEvent(QResizeEvent*) {
+  lay_out();
+}
+
+void CauseStrip::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  draw(painter);
+}
+
+void CauseStrip::draw(QPainter& painter) const {
+  draw_legend(painter);
+  draw_strip(painter);
+}
+
+void CauseStrip::draw_legend(QPainter& painter) const {
+  const int row = height() - strip_height;
+  const QColor text = palette().color(QPalette::WindowText);
+  const QColor faint = palette().color(QPalette::Disabled, QPalette::WindowText);
+  QFont bold = font();
+  bold.setBold(true);
+  painter.setFont(bold);
+  painter.setPen(text);
+  painter.drawText(QRect(8, 0, width(), row), Qt::AlignLeft | Qt::AlignVCenter, tr("Limited by"));
+  painter.setFont(font());
+  int end = 0;
+  for (std::size_t i = 0; i < listed_; ++i) {
+    const Share& share = shares_[i];
+    const bool shown = !highlighted_.has_value() || highlighted_ == share.kind;
+    const QRect box(share.place.left(), (row - swatch) / 2, swatch, swatch);
+    painter.fillRect(box, shown ? colour_of(share.kind) : faint);
+    painter.setPen(theme_colours(palette()).frame);
+    painter.drawRect(box.adjusted(0, 0, -1, -1));
+    painter.setPen(shown ? text : faint);
+    painter.drawText(share.place.adjusted(swatch + gap, 0, 4, 0), Qt::AlignLeft | Qt::AlignVCenter,
+                     share.text);
+    end = share.place.right() + item_gap;
+  }
+  if (listed_ < shares_.size()) {
+    painter.setPen(faint);
+    painter.drawText(QRect(end, 0, width() - end, row), Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("+ %1").arg(shares_.size() - listed_));
+  }
+}
+
+void CauseStrip::draw_strip(QPainter& painter) const {
+  const QRect bar = strip();
+  const ThemeColours& colours = theme_colours(palette());
+  painter.fillRect(QRect(0, bar.top(), width(), bar.height()), colours.plot);
+  const double column = static_cast<double>(bar.width()) / static_cast<double>(columns_.size());
+  for (std::size_t i = 0; i < columns_.size();) {
+    std::size_t end = i + 1;
+    while (end < columns_.size() && columns_[end] == columns_[i]) {
+      ++end;
+    }
+    if (columns_[i].has_value() && (!highlighted_.has_value() || highlighted_ == columns_[i])) {
+      const double left = bar.left() + static_cast<double>(i) * column;
+      painter.fillRect(QRectF(left, bar.top() + 1, static_cast<double>(end - i) * column, bar.height() - 2),
+                       colour_of(*columns_[i]));
+    }
+    i = end;
+  }
+  painter.setPen(colours.frame);
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(bar.adjusted(0, 0, -1, -1));
+}
+
+}  // namespace feedscope::ui

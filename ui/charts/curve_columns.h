@@ -1,0 +1,31 @@
+#pragma once
+
+#include <QColor>
+#include <QRectF>
+#include <span>
+
+class QPainter;
+
+namespace feedscope::ui {
+
+/// What a curve covers in one pixel column [px, downwards]; empty where top > bottom.
+struct ColumnSpan {
+  double top = 1;
+  double bottom = 0;
+
+  bool empty() const { return !(top <= bottom); }
+  double height() const { return bottom - top; }
+};
+
+struct CurvePen {
+  QColor color;
+  double width = 1;     ///< [px]
+  bool dashed = false;  ///< 6 columns drawn, 4 left out
+};
+
+/// Draws a curve over equally wide columns of `plot`. Where it swings to and fro within the columns they are
+/// filled one by one, elsewhere they make one smooth band: linear in the columns, whatever the curve does.
+void draw_columns(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
+                  const CurvePen& pen);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,45 @@
+#include "ui/charts/value_fit.h"
+
+#include <algorithm>
+
+namespace feedscope::ui {
+
+namespace {
+
+// More than the square root of 3 that along a line in space the path has over its axes.
+constexpr double in_sight = 1.75;
+constexpr double headroom = 0.06;
+
+}  // namespace
+
+Interval fit_values(std::span<const CurveReach> curves, std::span<const double> limits) {
+  Interval fit;
+  const bool all_may_be_cut =
+      std::ranges::none_of(curves, [](const CurveReach& c) { return !c.may_be_cut && !c.values.empty(); });
+  for (const CurveReach& curve : curves) {
+    if ((all_may_be_cut || !curve.may_be_cut) && !curve.values.empty()) {
+      fit.lower = std::min(fit.lower, double{curve.values.min});
+      fit.upper = std::max(fit.upper, double{curve.values.max});
+    }
+  }
+  const double sight = in_sight * std::max(fit.upper, -fit.lower);
+  for (const CurveReach& curve : curves) {
+    if (curve.may_be_cut && !curve.values.empty()) {
+      fit.lower = std::min(fit.lower, std::max(-sight, double{curve.values.min}));
+      fit.upper = std::max(fit.upper, std::min(sight, double{curve.values.max}));
+    }
+  }
+  for (const double limit : limits) {
+    if (limit <= sight) {
+      fit.upper = fit.upper > 0 ? std::max(fit.upper, limit) : fit.upper;
+      fit.lower = fit.lower < 0 ? std::min(fit.lower, -limit) : fit.lower;
+    }
+  }
+  if (!(fit.upper > fit.lower)) {
+    fit.upper = 1;
+  }
+  const double room = headroom * fit.width();
+  return {fit.lower < 0 ? fit.lower - room : 0, fit.upper > 0 ? fit.upper + room : 0};
+}
+
+}  // namespace feedscope::ui
