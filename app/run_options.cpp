@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace feedscope {
@@ -80,6 +81,24 @@ void note_replaced_tolerance(const Toolpath& toolpath) {
   if (const PathControl* own = find_own_tolerance(toolpath.path_controls)) {
     fmt::print(stderr, "feedscope: note: --tolerance replaces the program's own path control ({})\n",
                describe(*own));
+  }
+}
+
+void note_acceleration_mode(const Toolpath& toolpath, const Setup& setup) {
+  const Guarantees promised = setup.model->guarantees(setup.settings);
+  const auto asks_for = [&](AccelerationMode mode) {
+    return promised.continuity != Continuity::position &&
+           std::any_of(toolpath.path_controls.begin(), toolpath.path_controls.end(),
+                       [mode](const PathControl& control) { return control.acceleration == mode; });
+  };
+  if (asks_for(AccelerationMode::brisk) && !promised.follows_brisk) {
+    fmt::print(stderr, "feedscope: note: model '{}' does not follow BRISK of the program\n",
+               setup.model->info().id);
+  }
+  if (asks_for(AccelerationMode::drive)) {
+    fmt::print(stderr,
+               "feedscope: note: DRIVE of the program is run as SOFT: the speed above which it lowers the "
+               "acceleration is in the control's machine data\n");
   }
 }
 

@@ -4,10 +4,13 @@
 #include <filesystem>
 
 #include "ui/charts/charts_panel.h"
-#include "ui/models/run_model.h"
+#include "ui/models/workbench.h"
+#include "ui/theme/theme.h"
+#include "ui/views/command_palette.h"
 #include "ui/views/diagnostics_view.h"
 #include "ui/views/playback_bar.h"
 #include "ui/views/program/program_view.h"
+#include "ui/views/runs_view.h"
 #include "ui/views/scene_view.h"
 #include "ui/views/setup_view.h"
 
@@ -20,7 +23,7 @@ class MainWindow : public QMainWindow {
 
  public:
   /// `model` outlives this.
-  MainWindow(RunModel& model, RenderBackend backend, QWidget* parent = nullptr);
+  MainWindow(Workbench& model, RenderBackend backend, QWidget* parent = nullptr);
 
   ProgramView& program() { return *program_; }
   SceneView& scene() { return *scene_; }
@@ -28,6 +31,10 @@ class MainWindow : public QMainWindow {
   SetupView& setup() { return *setup_; }
   PlaybackBar& playback() { return *playback_; }
   DiagnosticsView& diagnostics() { return *diagnostics_; }
+  RunsView& runs() { return *runs_; }
+  CommandPalette& palette() { return *palette_; }
+  /// Every command of the menus, in their order.
+  QList<ListedAction> commands() const;
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
@@ -35,25 +42,36 @@ class MainWindow : public QMainWindow {
 
  private:
   void make_docks();
-  void make_actions();
+  void make_menus();
+  void make_file_menu();
   void make_view_menu();
+  void make_help_menu();
+  QAction* add_action(QMenu* menu, const QString& text, const QKeySequence& key, const QString& tip);
+  void list_recent_files(QMenu* menu);
+  void set_theme(ThemeKind kind);
   void ask_for_program();
   void ask_for_machine();
   void show_program();
   void show_run();
   void show_cursor();
   void show_failure(const QString& message);
+  void loop_what_is_shown(bool on);
   QDockWidget* add_dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
 
-  RunModel& model_;
+  Workbench& model_;
   ProgramView* program_;
   SceneView* scene_;
   ChartsPanel* charts_;
   SetupView* setup_;
   PlaybackBar* playback_;
   DiagnosticsView* diagnostics_;
+  RunsView* runs_;
+  CommandPalette* palette_;
+  KeyList* key_list_;
   QDockWidget* charts_dock_ = nullptr;
   QDockWidget* diagnostics_dock_ = nullptr;
+  QDockWidget* runs_dock_ = nullptr;
+  QByteArray first_layout_;
 };
 
 }  // namespace feedscope::ui

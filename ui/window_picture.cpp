@@ -100,7 +100,7 @@ QString comparison_details(const LoadedProgram& program, const std::vector<std::
 
 Picture draw_window(const Run& run, PictureSize size, StandardView view) {
   const OffscreenApplication application;
-  RunModel model(shipped_machines(), run.setup);
+  Workbench model(shipped_machines(), run.setup);
   model.show(run);
   MainWindow window(model, RenderBackend::software);
   window.setAttribute(Qt::WA_DontShowOnScreen);

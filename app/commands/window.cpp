@@ -10,6 +10,7 @@
 #include "app/exit_codes.h"
 #include "core/base/error.h"
 #include "ui/main_window.h"
+#include "ui/models/recent_files.h"
 #include "ui/theme/theme.h"
 
 namespace feedscope {
@@ -45,10 +46,15 @@ int show_window(const std::string& file) {
   QApplication::setApplicationName("Feedscope");
   QApplication::setOrganizationName("Feedscope");
   QApplication::setDesktopFileName("feedscope");
-  ui::apply_theme();
+  ui::apply_theme(QSettings().value("dark", false).toBool() ? ui::ThemeKind::dark : ui::ThemeKind::light);
 
-  ui::RunModel model(shipped_machines(), make_setup({}));
+  ui::Workbench model(shipped_machines(), make_setup({}));
   ui::MainWindow window(model, ui::default_backend());
+  QObject::connect(&model, &ui::Workbench::program_changed, [&model] {
+    if (model.program() != nullptr) {
+      ui::RecentFiles::add(QString::fromStdU16String(model.file().u16string()));
+    }
+  });
   QSettings settings;
   window.restoreGeometry(settings.value("geometry").toByteArray());
   window.restoreState(settings.value("layout").toByteArray());

@@ -23,6 +23,7 @@ struct Setup {
   Machine machine;
   const ControlModel* model = nullptr;  ///< one of all_models()
   Settings settings;                    ///< as complete_settings, then what was asked for
+  bool operator==(const Setup&) const = default;
 };
 
 /// How people ask for a setup: on the command line, in a session.

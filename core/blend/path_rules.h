@@ -24,6 +24,11 @@ class PathRules {
   double corner_tolerance(std::size_t segment) const;
   /// Distance from that corner at which its blend may begin at the earliest [mm]; infinite if nobody says.
   double longest_blend(std::size_t segment) const;
+  /// Whether the acceleration along the path may jump on the segment: BRISK, whatever program_tolerance says.
+  /// SOFT, and DRIVE whose falling acceleration is in the machine data of the control, may not.
+  bool acceleration_jumps(std::size_t segment) const { return rule(segment).acceleration_jumps; }
+  /// On any segment at all.
+  bool has_acceleration_jumps() const;
   /// Whether the segment may be merged with `next`.
   bool may_compact(std::size_t segment, std::size_t next) const;
 
@@ -32,6 +37,7 @@ class PathRules {
     double tolerance = 0;
     double longest_blend = 0;
     bool compacts = true;
+    bool acceleration_jumps = false;
   };
 
   PathRules(const Toolpath& toolpath, double tolerance, bool follow_program);

@@ -97,6 +97,14 @@ MotionLimits arc_limits(const Arc& arc, const SpeedBound& programmed, const Axis
   return limits;
 }
 
+MotionLimits with_acceleration_jumps(MotionLimits limits, double interpolation_period) {
+  const double jump = limits.acceleration.value / interpolation_period;
+  if (jump > limits.jerk.value) {
+    limits.jerk = {jump, -1};
+  }
+  return limits;
+}
+
 SpeedBound crossing_speed(const Vec3& step, const Vec3& jerk, double interpolation_period) {
   const AxisBound bound = axis_share(jerk, step);
   return {std::sqrt(bound.value * interpolation_period), by_axis(CauseKind::curvature_crossing, bound)};

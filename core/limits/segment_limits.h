@@ -53,6 +53,11 @@ MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisV
 /// The same for an arc that need not stand in the program, run at `programmed` at most.
 MotionLimits arc_limits(const Arc& arc, const SpeedBound& programmed, const AxisVectors& axes);
 
+/// `limits` where the acceleration along the path may jump, as BRISK of a program asks for: no axis' jerk
+/// limits ramps there (the bound names none). An interpolated acceleration changes from one period to the
+/// next, so that the jump takes one `interpolation_period` [s]; where the axes' jerk is as fast, it stays.
+MotionLimits with_acceleration_jumps(MotionLimits limits, double interpolation_period);
+
 /// Ceiling [mm/s] where the curvature vector jumps by `step` [1/mm] in a tangent junction: the axes must take
 /// up v^2 step_j within one interpolation period, v^2 |step_j| <= J_j t_cy. For equal axis jerks this is
 /// sqrt(J t_cy / |k1 - k2|) of Tapie 2007 (MODELS section 3), signed curvatures included.

@@ -135,6 +135,12 @@ std::vector<std::string> sentences(const Guarantees& g) {
     text.push_back(place_sentence("On corner blends", g.blends));
   }
   text.push_back(continuity_sentence(g.continuity));
+  if (g.continuity != Continuity::position) {
+    text.emplace_back(g.follows_brisk
+                          ? "Where the program asks for BRISK, no jerk along the path is bounded: its "
+                            "acceleration changes within one interpolation period."
+                          : "BRISK of the program is not followed.");
+  }
   text.push_back(stop_sentence(g));
   return text;
 }

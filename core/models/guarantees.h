@@ -54,6 +54,10 @@ struct Guarantees {
   /// The end of every block that goes on tangentially is met exactly.
   bool meets_tangent_ends = true;
 
+  /// Where the program asks for BRISK, jerk along the path is not bounded: the acceleration changes within
+  /// one interpolation period. false: ramps are as without it.
+  bool follows_brisk = false;
+
   Continuity continuity = Continuity::speed;
   bool stops_at_line_corners = false;  ///< of two lines
   bool stops_at_arc_corners = false;   ///< that touch an arc

@@ -71,6 +71,20 @@ void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progres
   }
 }
 
+void follow_acceleration_mode(Stretch& stretch, const BlendedPath& path, const PathRules& rules,
+                              double interpolation_period) {
+  if (!rules.has_acceleration_jumps()) {
+    return;
+  }
+  for (std::size_t e = 0; e < stretch.plan.size(); ++e) {
+    const std::size_t last = stretch.block[e] + (path.in_corner(stretch.element[e]) ? 1U : 0U);
+    if (rules.acceleration_jumps(stretch.block[e]) && rules.acceleration_jumps(last)) {
+      MotionLimits& limits = stretch.plan[e].limits;
+      limits = with_acceleration_jumps(limits, interpolation_period);
+    }
+  }
+}
+
 namespace {
 
 /// Curvature vector of a line or an arc at `s` from its start [1/mm]. By the planned length, not the one that
@@ -208,6 +222,15 @@ class ProfileLayer {
   double start_ = 0;  ///< of the element, likewise
 };
 
+Cause acceleration_cause(const SpanLimits& span) {
+  return {CauseKind::axis_acceleration, span.acceleration.axis};
+}
+
+/// What limits the rise of the acceleration: where it may jump, nothing but the acceleration itself.
+Cause jerk_cause(const SpanLimits& span) {
+  return span.jerk.axis < 0 ? acceleration_cause(span) : Cause{CauseKind::axis_jerk, span.jerk.axis};
+}
+
 /// Whether three phases raise or lower the speed from no acceleration to none, the same both ways.
 bool is_ramp(std::span<const Phase, 3> phases, double acceleration) {
   constexpr double rounding = 1e-12;
@@ -220,8 +243,8 @@ bool is_ramp(std::span<const Phase, 3> phases, double acceleration) {
 
 double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const SpeedProfile& profile,
                    const SpanLimits& span, std::size_t first, std::size_t last, Cause slower_place) {
-  const Cause by_jerk{CauseKind::axis_jerk, span.jerk.axis};
-  const Cause by_acceleration{CauseKind::axis_acceleration, span.acceleration.axis};
+  const Cause by_jerk = jerk_cause(span);
+  const Cause by_acceleration = acceleration_cause(span);
   ProfileLayer layer(builder, stretch, first, last, {0, profile.v0, profile.a0});
   const auto add = [&](std::span<const Phase, 3> phases, double acceleration, bool slows) {
     const Cause outer = slows ? Cause{CauseKind::ramp_down} : by_jerk;
@@ -262,7 +285,7 @@ void add_planned_motion(TrajectoryBuilder& builder, const Stretch& stretch,
       continue;
     }
     const SpanLimits span = span_limits(stretch.plan, first, last);
-    gained = {CauseKind::axis_jerk, span.jerk.axis};
+    gained = jerk_cause(span);
     speed = add_profile(builder, stretch, profile_to(nodes[n + 1].speed, span, speed, 0), span, first, last,
                         nodes[n + 1].cause);
   }

@@ -51,6 +51,11 @@ using StretchRun = std::function<void(const StretchRange& range, ProgressSteps& 
 void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
                    const PathRules& rules, const StretchRun& run, bool stop_at_arc_corners = true);
 
+/// Ramps of the stretch as the program's BRISK asks for them (with_acceleration_jumps() of segment_limits.h),
+/// on corner pieces where both segments do. Before set_junction_ceilings().
+void follow_acceleration_mode(Stretch& stretch, const BlendedPath& path, const PathRules& rules,
+                              double interpolation_period);
+
 /// Sets stretch.ceiling: the lower ceiling of the two elements at each junction; where programmed segments
 /// meet in a tangent junction without a blend, crossing_speed(); the look-ahead horizon; 0 at both ends.
 void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3& axis_jerk,

@@ -65,18 +65,35 @@ const KeptLimits& limits_at(const Guarantees& promised, Place place) {
 
 }  // namespace
 
+namespace {
+
+/// Whether the program lets the acceleration along the path jump on a part.
+bool acceleration_jumps(const Motion& motion, const Part& part) {
+  const auto brisk = [&](std::size_t segment) {
+    return motion.toolpath().path_control_of(segment).acceleration == AccelerationMode::brisk;
+  };
+  return brisk(part.segment) && (part.place != Place::blend || brisk(part.segment + 1));
+}
+
+}  // namespace
+
 Result check_limits(const Motion& motion, const Guarantees& promised, const Machine& machine) {
   for (const Part& part : motion.parts()) {
     if (part.place == Place::dwell) {
       continue;
     }
     const KeptLimits& kept = limits_at(promised, part.place);
+    const bool jumps = promised.follows_brisk && acceleration_jumps(motion, part);
     const auto jerk =
         part.place == Place::blend && kept.of_blend_jerk ? &AxisLimits::blend_jerk : &AxisLimits::jerk;
     for (const double share : {0.0, 0.21, 0.5, 0.79, 1.0}) {
       const State s = motion.at(part, share);
       const AxisLoad a = acceleration_load(s);
-      const AxisLoad j = jerk_load(s);
+      AxisLoad j = jerk_load(s);
+      if (jumps) {
+        j.along = Vec3::Zero();
+        j.whole = j.across;
+      }
       for (const Result& broken :
            {broken_limit(motion, part, "velocity", kept.velocity, s.velocity.cwiseAbs(), machine,
                          &AxisLimits::velocity),

@@ -75,6 +75,20 @@ void add_stops(std::vector<HandCase>& cases) {
   add("ShortThereAndBack", repeated("G1 X0.001 F60000", "G91 X-0.0005", 5));
 }
 
+/// Programs of a Sinumerik whose acceleration may jump, on all or on some of its blocks.
+void add_brisk(std::vector<HandCase>& cases) {
+  Lines curve{"BRISK G642", "G1 F10000"};
+  for (int i = 1; i <= 60; ++i) {
+    curve.push_back(fmt::format("X{:.5f} Y{:.5f}", 20 * std::sin(i * 0.05), 20 - 20 * std::cos(i * 0.05)));
+  }
+  cases.push_back({"BriskLine", {"BRISK", "G1 X10 F3000"}});
+  cases.push_back({"BriskCurve", curve});
+  cases.push_back({"BriskArcs", {"BRISK", "G1 X20 F4000", "G3 X30 Y10 J10", "G1 Y30", "G2 X40 Y40 I10"}});
+  cases.push_back({"BriskAndSoft",
+                   {"BRISK G642", "G1 X20 F6000", "Y20", "SOFT", "X0", "Y0.5", "BRISK", "X0.1 Y0.2", "X30"}});
+  cases.push_back({"Drive", {"DRIVE G642", "G1 X20 F6000", "Y20"}});
+}
+
 void add_runs(std::vector<HandCase>& cases) {
   Lines collinear{"G1 F3000"};
   Lines curve{"G1 F10000"};
@@ -103,6 +117,7 @@ std::vector<HandCase> hand_cases() {
   add_sizes(cases);
   add_arcs(cases);
   add_stops(cases);
+  add_brisk(cases);
   return cases;
 }
 

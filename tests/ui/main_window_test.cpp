@@ -80,7 +80,7 @@ class MainWindowTest : public testing::Test {
     QCoreApplication::processEvents();  // the delegate commits with the next turn of the event loop
   }
 
-  RunModel model{shipped_machines(), make_setup({})};
+  Workbench model{shipped_machines(), make_setup({})};
   MainWindow window{model, RenderBackend::software};
 
  private:
@@ -250,7 +250,7 @@ TEST_F(MainWindowTest, EverythingStandsWithinTheDefaultWindow) {
 }
 
 TEST(MainWindow, ClosingWhileBusyIsClean) {
-  RunModel model{shipped_machines(), make_setup({})};
+  Workbench model{shipped_machines(), make_setup({})};
   MainWindow window{model, RenderBackend::software};
   window.show();
   model.open(FEEDSCOPE_SOURCE_DIR "/resources/programs/freeform_finish.nc");

@@ -26,6 +26,9 @@ class Cursor : public QObject {
   /// 1-based source line; one that does not move stands for the next one that does.
   void set_line(std::uint32_t line);
 
+  /// To the start of the next (1) or this or the previous (-1) block.
+  void step_block(int direction);
+
   /// False while there is nothing to point at.
   bool valid() const { return trajectory_ != nullptr && !trajectory_->pieces().empty(); }
   const State& state() const { return state_; }
@@ -35,6 +38,7 @@ class Cursor : public QObject {
   void changed();
 
  private:
+  void move_into_block(double time);
   void move_to(const State& state);
 
   std::shared_ptr<const Trajectory> trajectory_;

@@ -23,12 +23,18 @@ void Playback::set_duration(double duration) {
   }
 }
 
+void Playback::set_loop(const std::optional<Loop>& loop) {
+  loop_ = loop && loop->to > loop->from ? loop : std::nullopt;
+}
+
 void Playback::play() {
   if (playing() || duration_ <= 0) {
     return;
   }
-  if (cursor_.state().time >= duration_) {
-    cursor_.set_time(0);
+  const double start = loop_ ? loop_->from : 0;
+  const double end = loop_ ? std::min(loop_->to, duration_) : duration_;
+  if (cursor_.state().time >= end || cursor_.state().time < start) {
+    cursor_.set_time(start);
   }
   clock_.start();
   timer_.start();
@@ -45,6 +51,10 @@ void Playback::pause() {
 void Playback::advance(double elapsed) {
   clock_.start();
   const double time = cursor_.state().time + elapsed * speed_;
+  if (loop_ && time >= std::min(loop_->to, duration_)) {
+    cursor_.set_time(loop_->from);
+    return;
+  }
   cursor_.set_time(std::min(time, duration_));
   if (time >= duration_) {
     pause();

@@ -3,6 +3,7 @@
 #include <QElapsedTimer>
 #include <QObject>
 #include <QTimer>
+#include <optional>
 
 #include "ui/models/cursor.h"
 
@@ -13,7 +14,12 @@ class Playback : public QObject {
   Q_OBJECT
 
  public:
-  static constexpr double slowest = 0.1;
+  /// A stretch of the run [s].
+  struct Loop {
+    double from, to;
+  };
+
+  static constexpr double slowest = 0.01;
   static constexpr double fastest = 100;
 
   /// `cursor` outlives this.
@@ -25,10 +31,12 @@ class Playback : public QObject {
   void set_speed(double speed);
   /// Cycle time of the run that is played [s]; 0 stops.
   void set_duration(double duration);
+  /// Plays a stretch over and over; none: to the end of the run, once.
+  void set_loop(const std::optional<Loop>& loop);
   /// At the end of the run it begins again at the start.
   void play();
   void pause();
-  /// Moves the cursor on by `elapsed` of the clock [s]; stops at the end of the run.
+  /// Moves the cursor on by `elapsed` of the clock [s]; stops at the end of the run, or goes round.
   void advance(double elapsed);
 
  signals:
@@ -40,6 +48,7 @@ class Playback : public QObject {
   QElapsedTimer clock_;
   double speed_ = 1;
   double duration_ = 0;
+  std::optional<Loop> loop_;
 };
 
 }  // namespace feedscope::ui

@@ -1,119 +1,48 @@
 #include "ui/models/setup_edit.h"
 
-#include <QUndoCommand>
-#include <algorithm>
-
-#include "core/base/error.h"
-
 namespace feedscope::ui {
 
-namespace {
-
-bool is_axis_key(const std::string& key) {
-  return key.size() > 2 && key[1] == '.';
+SetupEdit::SetupEdit(RunList& runs, QObject* parent) : QObject(parent), runs_(runs) {
+  connect(&runs_, &RunList::setup_changed, this, &SetupEdit::follow);
+  connect(&runs_, &RunList::current_changed, this, &SetupEdit::keys_changed);
 }
 
-SettingValue value_in(const Setup& setup, const std::string& key) {
-  if (is_axis_key(key)) {
-    return axis_limit(setup.machine, key[0], key.substr(2));
+void SetupEdit::follow(std::size_t row, const SetupState& before) {
+  if (row != runs_.current()) {
+    return;
   }
-  return setup.settings.values().at(key);
+  if (before.file() == file()) {
+    emit values_changed();
+  } else {
+    emit keys_changed();
+  }
 }
-
-}  // namespace
-
-class SetupEdit::Edit : public QUndoCommand {
- public:
-  Edit(SetupEdit& setup, std::string key, SettingValue value)
-      : setup_(setup), key_(std::move(key)), before_(setup.value(key_)), after_(std::move(value)) {
-    setText(QString::fromStdString(key_));
-  }
-  void undo() override { setup_.put(key_, before_); }
-  void redo() override { setup_.put(key_, after_); }
-
- private:
-  SetupEdit& setup_;
-  std::string key_;
-  SettingValue before_;
-  SettingValue after_;
-};
-
-SetupEdit::SetupEdit(Setup file, QObject* parent) : QObject(parent), file_(std::move(file)) {}
 
 void SetupEdit::set_file(Setup file) {
-  file_ = std::move(file);
-  edits_.clear();
-  history_.clear();
-  emit keys_changed();
+  const QString name = QString::fromStdString(file.machine.name);
+  put(SetupState(std::move(file)), tr("machine %1").arg(name));
 }
 
 void SetupEdit::set_model(const ControlModel& model) {
-  file_.model = &model;
-  file_.settings = complete_settings(model, file_.machine);
-  std::erase_if(edits_, [this](const auto& edit) {
-    return !is_axis_key(edit.first) && !file_.settings.has(edit.first);
-  });
-  history_.clear();
-  emit keys_changed();
-}
-
-Setup SetupEdit::setup() const {
-  Setup setup = file_;
-  for (const auto& [key, value] : edits_) {
-    if (is_axis_key(key)) {
-      set_axis_limit(setup.machine, key[0], key.substr(2), std::get<double>(value));
-    } else {
-      setup.settings.set(key, value);
-    }
-  }
-  return setup;
-}
-
-SettingSpec SetupEdit::spec(const std::string& key) const {
-  const bool axis = is_axis_key(key);
-  const std::string name = axis ? key.substr(2) : key;
-  const std::vector<SettingSpec> specs = axis ? axis_limit_specs() : settings_of(*file_.model);
-  const auto found = std::ranges::find(specs, name, &SettingSpec::key);
-  if (found == specs.end()) {
-    throw InputError("unknown key '" + key + "'");
-  }
-  SettingSpec spec = *found;
-  spec.key = key;
-  return spec;
-}
-
-SettingValue SetupEdit::value(const std::string& key) const {
-  const auto edit = edits_.find(key);
-  return edit == edits_.end() ? file_value(key) : edit->second;
-}
-
-SettingValue SetupEdit::file_value(const std::string& key) const {
-  return value_in(file_, key);
-}
-
-Provenance SetupEdit::provenance(const std::string& key) const {
-  const auto found = file_.machine.provenance.find(key);
-  return found == file_.machine.provenance.end() ? Provenance{} : found->second;
+  SetupState changed = state();
+  changed.set_model(model);
+  put(changed, tr("model %1").arg(QString::fromStdString(model.info().id)));
 }
 
 void SetupEdit::set(const std::string& key, const SettingValue& value) {
-  check_setting(spec(key), value, file_.machine.name);
-  if (value != this->value(key)) {
-    history_.push(new Edit(*this, key, value));
-  }
+  SetupState changed = state();
+  changed.set(key, value);
+  put(changed, QString::fromStdString(key));
 }
 
-void SetupEdit::put(const std::string& key, const SettingValue& value) {
-  if (value == file_value(key)) {
-    edits_.erase(key);
-  } else {
-    edits_[key] = value;
-  }
-  emit values_changed();
+void SetupEdit::reset() {
+  SetupState changed = state();
+  changed.reset();
+  put(changed, tr("back to the machine file"));
 }
 
-std::string axis_key(char axis, const std::string& limit) {
-  return std::string(1, axis) + '.' + limit;
+void SetupEdit::put(const SetupState& state, const QString& text) {
+  runs_.set_setup(runs_.current(), state, text);
 }
 
 }  // namespace feedscope::ui

@@ -65,18 +65,18 @@ QVariant SetupTable::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
-      return value_text(edit_.value(*key));
+      return value_text(edit_.state().value(*key));
     case Qt::TextAlignmentRole:
       return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::FontRole: {
       QFont font;
-      font.setBold(edit_.edited(*key));
-      font.setItalic(edit_.provenance(*key).assumed);
+      font.setBold(edit_.state().edited(*key));
+      font.setItalic(edit_.state().provenance(*key).assumed);
       return font;
     }
     case choices_role: {
       QStringList choices;
-      for (const std::string& choice : edit_.spec(*key).choices) {
+      for (const std::string& choice : edit_.state().spec(*key).choices) {
         choices.append(QString::fromStdString(choice));
       }
       return choices;
@@ -91,11 +91,11 @@ bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int ro
     return false;
   }
   const std::string key = *key_at(index);
-  if (value.toString() == value_text(edit_.value(key))) {
+  if (value.toString() == value_text(edit_.state().value(key))) {
     return true;  // not to replace a number by its rounded text
   }
   try {
-    edit_.set(key, parse_setting(edit_.spec(key), value.toString().trimmed().toStdString()));
+    edit_.set(key, parse_setting(edit_.state().spec(key), value.toString().trimmed().toStdString()));
     return true;
   } catch (const InputError& error) {
     emit refused(index, QString::fromUtf8(error.what()));
@@ -109,8 +109,8 @@ Qt::ItemFlags SetupTable::flags(const QModelIndex& index) const {
 }
 
 QString SetupTable::explanation(const std::string& key) const {
-  const SettingSpec spec = edit_.spec(key);
-  const Provenance provenance = edit_.provenance(key);
+  const SettingSpec spec = edit_.state().spec(key);
+  const Provenance provenance = edit_.state().provenance(key);
   QStringList lines;
   lines.append(QStringLiteral("<b>%1</b>%2")
                    .arg(QString::fromStdString(spec.title).toHtmlEscaped(),
@@ -119,8 +119,8 @@ QString SetupTable::explanation(const std::string& key) const {
   if (spec.choices.empty()) {
     lines.append(tr("Range: %1").arg(range_text(spec)));
   }
-  if (edit_.edited(key)) {
-    lines.append(tr("Changed; the file says %1.").arg(value_text(edit_.file_value(key))));
+  if (edit_.state().edited(key)) {
+    lines.append(tr("Changed; the file says %1.").arg(value_text(edit_.state().file_value(key))));
   }
   const QString source = QString::fromStdString(provenance.source).toHtmlEscaped();
   if (source.isEmpty()) {

@@ -8,25 +8,23 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr std::size_t slow_places_kept = 10'000;
+constexpr double share_of_law = 0.8;  // of the simulation; the rest prepares its pictures
 
 }  // namespace
 
-std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress) {
-  auto shown = std::make_shared<ShownRun>();
-  shown->run = std::move(run);
-  shown->envelope = std::make_shared<const Envelope>(shown->run.trajectory, progress);
-  shown->samples = std::make_shared<const SampledPath>(sample_executed(*shown->run.trajectory));
-  shown->line_times = std::make_shared<const LineTimes>(*shown->run.trajectory, progress);
-  shown->slow_places = std::make_shared<const SlowPlaces>(
-      find_slow_places(*shown->run.trajectory, slow_places_kept, progress));
-  return shown;
+void SimulationJob::Stages::cancel() {
+  reading.cancel();
+  simulation.cancel();
 }
 
 SimulationJob::SimulationJob(QObject* parent) : QObject(parent) {
   connect(&watcher_, &QFutureWatcher<Outcome>::finished, this, &SimulationJob::deliver);
   poll_.setInterval(std::chrono::milliseconds(50));
-  connect(&poll_, &QTimer::timeout, this, [this] { emit progressed(progress_->fraction()); });
+  connect(&poll_, &QTimer::timeout, this, [this] {
+    const bool simulating = stages_->simulating;
+    emit progressed(simulating ? JobStage::simulating : JobStage::reading,
+                    (simulating ? stages_->simulation : stages_->reading).fraction());
+  });
 }
 
 SimulationJob::~SimulationJob() {
@@ -36,7 +34,7 @@ SimulationJob::~SimulationJob() {
 
 void SimulationJob::start(JobRequest request) {
   if (running_) {
-    progress_->cancel();
+    stages_->cancel();
     next_ = std::move(request);
   } else {
     launch(std::move(request));
@@ -46,34 +44,36 @@ void SimulationJob::start(JobRequest request) {
 
 void SimulationJob::cancel() {
   next_.reset();
-  if (progress_ != nullptr) {
-    progress_->cancel();
+  if (stages_ != nullptr) {
+    stages_->cancel();
   }
 }
 
 void SimulationJob::launch(JobRequest request) {
   running_ = true;
-  progress_ = std::make_shared<Progress>();
+  stages_ = std::make_shared<Stages>();
   poll_.start();
   watcher_.setFuture(QtConcurrent::run(
-      [this, request = std::move(request), progress = progress_] { return work(request, progress); }));
+      [this, request = std::move(request), stages = stages_] { return work(request, stages); }));
 }
 
-SimulationJob::Outcome SimulationJob::work(const JobRequest& request,
-                                           const std::shared_ptr<Progress>& progress) {
+SimulationJob::Outcome SimulationJob::work(const JobRequest& request, const std::shared_ptr<Stages>& stages) {
   try {
     LoadedProgram input;
     if (const auto* file = std::get_if<std::filesystem::path>(&request.input)) {
-      input = load_program(*file, progress.get());
-      QMetaObject::invokeMethod(this, [this, input, progress] {
-        if (!progress->cancelled()) {
-          emit program_read(input);
+      input = load_program(*file, &stages->reading);
+      QMetaObject::invokeMethod(this, [this, program = make_shown(input), stages] {
+        if (!stages->reading.cancelled()) {
+          emit program_read(program);
         }
       });
     } else {
       input = std::get<LoadedProgram>(request.input);
     }
-    return make_shown(simulate_run(input, request.setup, progress.get()), progress.get());
+    stages->simulating = true;
+    Progress law(stages->simulation, share_of_law);
+    Progress pictures(stages->simulation, 1 - share_of_law);
+    return make_shown(simulate_run(input, request.setup, &law), &pictures);
   } catch (const Cancelled&) {
     return {};
   } catch (const std::bad_alloc&) {
@@ -90,7 +90,7 @@ void SimulationJob::deliver() {
     return;
   }
   running_ = false;
-  const bool wanted = !progress_->cancelled();
+  const bool wanted = !stages_->reading.cancelled();
   const Outcome outcome = watcher_.result();
   emit busy_changed(false);
   if (!wanted) {

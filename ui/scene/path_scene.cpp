@@ -58,8 +58,8 @@ class PathScene::Impl {
 
   void on_change(std::function<void()> callback) { changed_ = std::move(callback); }
 
-  void set_programmed(std::shared_ptr<const Toolpath> toolpath) {
-    programmed_ = toolpath ? std::make_shared<const SampledPath>(sample_programmed(*toolpath)) : nullptr;
+  void set_programmed(std::shared_ptr<const SampledPath> samples) {
+    programmed_ = std::move(samples);
     rebuild();
   }
 
@@ -200,7 +200,11 @@ void PathScene::on_change(std::function<void()> callback) {
   impl_->on_change(std::move(callback));
 }
 void PathScene::set_programmed(std::shared_ptr<const Toolpath> toolpath) {
-  impl_->set_programmed(std::move(toolpath));
+  impl_->set_programmed(toolpath ? std::make_shared<const SampledPath>(sample_programmed(*toolpath))
+                                 : nullptr);
+}
+void PathScene::set_programmed(std::shared_ptr<const SampledPath> samples) {
+  impl_->set_programmed(std::move(samples));
 }
 void PathScene::set_executed(std::shared_ptr<const Trajectory> trajectory) {
   auto samples = trajectory ? std::make_shared<const SampledPath>(sample_executed(*trajectory)) : nullptr;

@@ -41,6 +41,8 @@ class PathScene {
 
   /// Null takes the path away. The camera is fitted again until the user has turned or moved it.
   void set_programmed(std::shared_ptr<const Toolpath> toolpath);
+  /// As above, with `samples` = sample_programmed(*toolpath) made off this thread.
+  void set_programmed(std::shared_ptr<const SampledPath> samples);
   void set_executed(std::shared_ptr<const Trajectory> trajectory);
   /// As above, with `samples` = sample_executed(*trajectory) made off this thread.
   void set_executed(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const SampledPath> samples);

@@ -1,5 +1,6 @@
 #include "ui/views/playback_bar.h"
 
+#include <QAction>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,22 +11,14 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "ui/models/texts.h"
+
 namespace feedscope::ui {
 
 namespace {
 
 constexpr int slider_steps = 10000;
-
-/// "12.345 s", from a minute on "3:05.2".
-QString clock_text(double seconds) {
-  if (seconds < 60) {
-    return PlaybackBar::tr("%1 s").arg(QLocale().toString(seconds, 'f', 3));
-  }
-  const int minutes = static_cast<int>(seconds / 60);
-  const double rest = std::floor((seconds - 60 * minutes) * 10) / 10;
-  const QString padding = rest < 10 ? QStringLiteral("0") : QString();
-  return QStringLiteral("%1:%2%3").arg(minutes).arg(padding, QLocale().toString(rest, 'f', 1));
-}
+constexpr double speed_step = 2;
 
 }  // namespace
 
@@ -37,16 +30,13 @@ PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
       slider_(new QSlider(Qt::Horizontal, this)),
       time_(new QLabel(this)),
       speed_(new QDoubleSpinBox(this)) {
-  play_->setIcon(style()->standardIcon(QStyle::SP_MediaPlay));
-  play_->setToolTip(tr("Play or pause (Space)"));
-  play_->setAccessibleName(tr("Play or pause"));
   slider_->setRange(0, slider_steps);
   slider_->setToolTip(tr("Time within the cycle"));
   slider_->setAccessibleName(tr("Time within the cycle"));
   time_->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0000:00.0 / 0000:00.0")));
   time_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   speed_->setRange(Playback::slowest, Playback::fastest);
-  speed_->setDecimals(1);
+  speed_->setDecimals(2);
   speed_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   speed_->setPrefix(QStringLiteral("× "));
   speed_->setValue(playback_.speed());
@@ -54,20 +44,69 @@ PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
 
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 2, 6, 2);
-  layout->addWidget(play_);
+  make_actions();
+  for (QAction* action : actions_) {
+    if (!action->icon().isNull()) {
+      auto* button = action == actions_.first() ? play_ : new QToolButton(this);
+      button->setDefaultAction(action);
+      button->setAutoRaise(true);
+      layout->addWidget(button);
+    }
+  }
   layout->addWidget(slider_, 1);
   layout->addWidget(time_);
   layout->addWidget(speed_);
 
-  connect(play_, &QToolButton::clicked, this, &PlaybackBar::toggle);
   connect(speed_, &QDoubleSpinBox::valueChanged, &playback_, &Playback::set_speed);
   connect(slider_, &QSlider::valueChanged, this,
           [this](int value) { cursor_.set_time(duration_ * value / slider_steps); });
   connect(&cursor_, &Cursor::changed, this, &PlaybackBar::show_cursor);
   connect(&playback_, &Playback::playing_changed, this, [this](bool playing) {
-    play_->setIcon(style()->standardIcon(playing ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+    actions_.first()->setIcon(style()->standardIcon(playing ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
   });
   set_duration(0);
+}
+
+void PlaybackBar::make_actions() {
+  const auto add = [this](const QString& text, const QString& tip, const QKeySequence& key, auto call) {
+    auto* action = new QAction(text, this);
+    action->setToolTip(tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+    action->setShortcut(key);
+    connect(action, &QAction::triggered, this, call);
+    actions_.append(action);
+    return action;
+  };
+  const auto icon = [this](QStyle::StandardPixmap which) { return style()->standardIcon(which); };
+  add(tr("&Play or pause"), tr("Play or pause"), Qt::Key_Space, [this] {
+    toggle();
+  })->setIcon(icon(QStyle::SP_MediaPlay));
+  add(tr("Block b&ack"), tr("To the start of this or the previous block"), QKeySequence(tr("Ctrl+Left")),
+      [this] { cursor_.step_block(-1); })
+      ->setIcon(icon(QStyle::SP_MediaSkipBackward));
+  add(tr("Block &on"), tr("To the start of the next block"), QKeySequence(tr("Ctrl+Right")), [this] {
+    cursor_.step_block(1);
+  })->setIcon(icon(QStyle::SP_MediaSkipForward));
+  add(tr("Sample &back"), tr("One interpolation period back"), QKeySequence(Qt::Key_Comma),
+      [this] { step_sample(-1); });
+  add(tr("Sample o&n"), tr("One interpolation period on"), QKeySequence(Qt::Key_Period),
+      [this] { step_sample(1); });
+  add(tr("&Faster"), tr("Play twice as fast"), QKeySequence(tr("Ctrl+Up")),
+      [this] { change_speed(speed_step); });
+  add(tr("&Slower"), tr("Play half as fast"), QKeySequence(tr("Ctrl+Down")),
+      [this] { change_speed(1 / speed_step); });
+  QAction* loop =
+      add(tr("&Loop"), tr("Play what the charts show over and over"), QKeySequence(tr("Ctrl+L")), [] {});
+  loop->setCheckable(true);
+  loop->setIcon(icon(QStyle::SP_BrowserReload));
+  connect(loop, &QAction::toggled, this, &PlaybackBar::loop_wanted);
+}
+
+void PlaybackBar::step_sample(int direction) {
+  cursor_.set_time(cursor_.state().time + direction * sample_time_);
+}
+
+void PlaybackBar::change_speed(double factor) {
+  speed_->setValue(speed_->value() * factor);
 }
 
 void PlaybackBar::set_duration(double duration) {

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QList>
 #include <QWidget>
 
 #include "ui/models/playback.h"
 
+class QAction;
 class QDoubleSpinBox;
 class QLabel;
 class QSlider;
@@ -11,7 +13,7 @@ class QToolButton;
 
 namespace feedscope::ui {
 
-/// Plays a run: play or pause, a slider over the cycle time, time, speed.
+/// Plays a run: play or pause, steps by block and sample, a slider over the cycle time, time, speed.
 class PlaybackBar : public QWidget {
   Q_OBJECT
 
@@ -22,9 +24,20 @@ class PlaybackBar : public QWidget {
   /// Cycle time of the run that is shown [s]; 0: none.
   void set_duration(double duration);
   void toggle();
+  /// Time between two samples of the control, for stepping [s].
+  void set_sample_time(double time) { sample_time_ = time; }
+  /// Play, steps, speed, loop; for menus.
+  QList<QAction*> panel_actions() const { return actions_; }
   QToolButton* play_button() { return play_; }
 
+ signals:
+  /// The stretch that is shown is to be played over and over, or no longer.
+  void loop_wanted(bool on);
+
  private:
+  void make_actions();
+  void step_sample(int direction);
+  void change_speed(double factor);
   void show_cursor();
 
   Cursor& cursor_;
@@ -33,7 +46,9 @@ class PlaybackBar : public QWidget {
   QSlider* slider_;
   QLabel* time_;
   QDoubleSpinBox* speed_;
+  QList<QAction*> actions_;
   double duration_ = 0;
+  double sample_time_ = 0.001;
 };
 
 }  // namespace feedscope::ui

@@ -6,8 +6,6 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "core/base/error.h"
-
 namespace feedscope::ui {
 
 namespace {
@@ -31,7 +29,7 @@ void fix_width(QComboBox* box, int characters) {
 
 }  // namespace
 
-SetupBar::SetupBar(RunModel& model, QWidget* parent)
+SetupBar::SetupBar(Workbench& model, QWidget* parent)
     : QToolBar(tr("Setup"), parent),
       model_(model),
       machine_(new QComboBox(this)),
@@ -92,17 +90,11 @@ void SetupBar::show_tolerance() {
   const bool read = model_.setup().file().settings.has(tolerance_key);
   tolerance_->setEnabled(read);
   tolerance_->setSpecialValueText(read ? QString() : QStringLiteral("–"));  // stands for the 0 set below
-  tolerance_->setValue(read ? std::get<double>(model_.setup().value(tolerance_key)) : 0);
+  tolerance_->setValue(read ? std::get<double>(model_.setup().state().value(tolerance_key)) : 0);
 }
 
 void SetupBar::set_tolerance(double tolerance) {
-  try {
-    model_.setup().set(tolerance_key, tolerance);
-    const auto program = model_.program();
-    if (program != nullptr && find_own_tolerance(program->path_controls) != nullptr) {
-      model_.setup().set("program_tolerance", std::string("off"));
-    }
-  } catch (const InputError&) {
+  if (!model_.set_tolerance(tolerance)) {
     show_tolerance();  // out of bounds: back to the value that holds
   }
 }

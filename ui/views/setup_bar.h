@@ -2,7 +2,7 @@
 
 #include <QToolBar>
 
-#include "ui/models/run_model.h"
+#include "ui/models/workbench.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -15,14 +15,14 @@ class SetupBar : public QToolBar {
 
  public:
   /// `model` outlives this.
-  explicit SetupBar(RunModel& model, QWidget* parent = nullptr);
+  explicit SetupBar(Workbench& model, QWidget* parent = nullptr);
 
  private:
   void show_setup();
   void show_tolerance();
   void set_tolerance(double tolerance);
 
-  RunModel& model_;
+  Workbench& model_;
   QComboBox* machine_;
   QComboBox* control_model_;
   QDoubleSpinBox* tolerance_;

@@ -19,9 +19,10 @@ constexpr int progress_width = 140;
 
 }  // namespace
 
-StatusPanel::StatusPanel(RunModel& model, QWidget* parent)
+StatusPanel::StatusPanel(Workbench& model, QWidget* parent)
     : QWidget(parent),
       model_(model),
+      activity_(new QLabel(this)),
       progress_(new QProgressBar(this)),
       cancel_(new QToolButton(this)),
       diagnostics_(new QToolButton(this)),
@@ -37,17 +38,20 @@ StatusPanel::StatusPanel(RunModel& model, QWidget* parent)
 
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 6, 0);
+  layout->addWidget(activity_);
   layout->addWidget(progress_);
   layout->addWidget(cancel_);
   layout->addWidget(diagnostics_);
   layout->addWidget(cursor_);
 
-  connect(cancel_, &QToolButton::clicked, &model_, &RunModel::cancel);
+  connect(cancel_, &QToolButton::clicked, &model_, &Workbench::cancel);
   connect(diagnostics_, &QToolButton::clicked, this, &StatusPanel::diagnostics_clicked);
-  connect(&model_, &RunModel::busy_changed, this, &StatusPanel::show_busy);
-  connect(&model_, &RunModel::progressed, this,
-          [this](double fraction) { progress_->setValue(static_cast<int>(fraction * progress_steps)); });
-  connect(&model_, &RunModel::program_changed, this, &StatusPanel::count_diagnostics);
+  connect(&model_, &Workbench::busy_changed, this, &StatusPanel::show_busy);
+  connect(&model_, &Workbench::progressed, this, [this](const QString& activity, double fraction) {
+    activity_->setText(activity);
+    progress_->setValue(static_cast<int>(fraction * progress_steps));
+  });
+  connect(&model_, &Workbench::program_changed, this, &StatusPanel::count_diagnostics);
   connect(&model_.cursor(), &Cursor::changed, this, &StatusPanel::show_cursor);
   show_busy(model_.busy());
   count_diagnostics();
@@ -56,6 +60,8 @@ StatusPanel::StatusPanel(RunModel& model, QWidget* parent)
 
 void StatusPanel::show_busy(bool busy) {
   progress_->setValue(0);
+  activity_->clear();
+  activity_->setVisible(busy);
   progress_->setVisible(busy);
   cancel_->setVisible(busy);
 }

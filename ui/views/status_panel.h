@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "ui/models/run_model.h"
+#include "ui/models/workbench.h"
 
 class QLabel;
 class QProgressBar;
@@ -16,7 +16,7 @@ class StatusPanel : public QWidget {
 
  public:
   /// `model` outlives this.
-  explicit StatusPanel(RunModel& model, QWidget* parent = nullptr);
+  explicit StatusPanel(Workbench& model, QWidget* parent = nullptr);
 
  signals:
   void diagnostics_clicked();
@@ -27,7 +27,8 @@ class StatusPanel : public QWidget {
   void count_diagnostics();
   static QString cause_text(const State& state);
 
-  RunModel& model_;
+  Workbench& model_;
+  QLabel* activity_;
   QProgressBar* progress_;
   QToolButton* cancel_;
   QToolButton* diagnostics_;

@@ -69,6 +69,7 @@ Guarantees EssidModel::guarantees(const Settings& settings) const {
     promised.blends = all_kept();
     promised.blends.of_blend_jerk = true;
   }
+  promised.follows_brisk = true;
   promised.stops_at_arc_corners = true;
   promise_tolerance(promised, settings, 1);
   return promised;

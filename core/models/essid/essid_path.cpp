@@ -23,6 +23,7 @@ EssidRunner::EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, cons
 
 void EssidRunner::run(const StretchRange& range, ProgressSteps& steps) {
   lay_path(range);
+  follow_acceleration_mode(stretch_, builder_.path(), rules_, settings_.period);
   set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
   hold_level_blends();
   move(plan_nodes(stretch_.plan, stretch_.ceiling, stretch_.level), steps);

@@ -79,6 +79,7 @@ Guarantees GassaraModel::guarantees(const Settings& settings) const {
   promised.lines = promised.blends = all_kept();
   promised.blends.of_blend_jerk = true;
   promised.arcs = static_arc_limits();
+  promised.follows_brisk = true;
   promised.stops_at_arc_corners = true;
   promise_tolerance(promised, settings, 1);
   return promised;
@@ -102,6 +103,7 @@ Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   };
   run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& steps) {
     lay_blended_stretch(toolpath, range, axes, rules, builder, stretch, blend_corner);
+    follow_acceleration_mode(stretch, builder.path(), rules, own.period);
     set_junction_ceilings(stretch, builder.path(), axes.jerk, own.period, own.lookahead);
     for (std::uint32_t e = 0; e < stretch.plan.size(); ++e) {
       if (stretch.blend[e] != 0) {

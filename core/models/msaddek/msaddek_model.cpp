@@ -63,6 +63,7 @@ Guarantees MsaddekModel::guarantees(const Settings& settings) const {
     promised.continuity = Continuity::position;
     promised.stops_at_reversals = promised.stops_at_rapids = promised.stops_at_line_corners = false;
   } else {
+    promised.follows_brisk = true;
     promised.stops_at_arc_corners = true;
   }
   return promised;

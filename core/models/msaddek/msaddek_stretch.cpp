@@ -136,6 +136,7 @@ void MsaddekRunner::move_static(ProgressSteps& steps) {
 }
 
 void MsaddekRunner::move_dynamic(ProgressSteps& steps) {
+  follow_acceleration_mode(stretch_, builder_.path(), rules_, settings_.period);
   set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
   add_planned_motion(builder_, stretch_, plan_nodes(stretch_.plan, stretch_.ceiling), steps);
 }

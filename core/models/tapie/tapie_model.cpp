@@ -27,6 +27,7 @@ Guarantees TapieModel::guarantees(const Settings&) const {
   Guarantees promised;
   promised.covered = Covered::arcs;
   promised.lines = all_kept();
+  promised.follows_brisk = true;
   promised.arcs.velocity = promised.lines.velocity;
   promised.stops_at_line_corners = promised.stops_at_arc_corners = true;
   return promised;
@@ -49,6 +50,7 @@ Trajectory TapieModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
       const auto block = static_cast<std::uint32_t>(i);
       stretch.add({toolpath.segments[i].length, rule.limits(toolpath, i)}, builder.add_segment(block), block);
     }
+    follow_acceleration_mode(stretch, builder.path(), rules, rule.period);
     set_junction_ceilings(stretch, builder.path(), rule.axes.jerk, rule.period, lookahead);
     add_planned_motion(builder, stretch, plan_nodes(stretch.plan, stretch.ceiling), steps);
   });

@@ -97,6 +97,45 @@ TEST_F(CursorTest, PlaybackFollowsTheClockTimesSpeedAndStopsAtTheEnd) {
   EXPECT_EQ(cursor.state().time, 0);
 }
 
+TEST_F(CursorTest, StepsGoThroughAllBlocksAndBack) {
+  std::vector<std::uint32_t> lines{cursor.state().line};
+  for (int i = 0; i < 3; ++i) {
+    cursor.step_block(1);
+    lines.push_back(cursor.state().line);
+  }
+  EXPECT_EQ(lines, (std::vector<std::uint32_t>{2, 3, 4, 5}));
+  cursor.step_block(1);
+  EXPECT_DOUBLE_EQ(cursor.state().time, trajectory->duration());
+  for (const std::uint32_t line : {5, 4, 3, 2}) {
+    cursor.step_block(-1);
+    EXPECT_EQ(cursor.state().line, line);
+  }
+  cursor.step_block(-1);
+  EXPECT_EQ(cursor.state().time, 0);
+}
+
+TEST_F(CursorTest, AStepBackWithinABlockGoesToItsStart) {
+  cursor.set_line(4);
+  const double start = cursor.state().time;
+  cursor.set_time(start + 0.05);
+  ASSERT_EQ(cursor.state().line, 4U);
+  cursor.step_block(-1);
+  EXPECT_NEAR(cursor.state().time, start, 1e-8);
+}
+
+TEST_F(CursorTest, PlaybackGoesRoundALoop) {
+  Playback playback(cursor);
+  playback.set_duration(trajectory->duration());
+  playback.set_loop(Playback::Loop{0.2, 0.5});
+  playback.play();
+  EXPECT_DOUBLE_EQ(cursor.state().time, 0.2);
+  playback.advance(0.2);
+  EXPECT_DOUBLE_EQ(cursor.state().time, 0.4);
+  playback.advance(0.2);
+  EXPECT_DOUBLE_EQ(cursor.state().time, 0.2);
+  EXPECT_TRUE(playback.playing());
+}
+
 TEST_F(CursorTest, PlaybackSpeedIsClamped) {
   Playback playback(cursor);
   playback.set_speed(0);

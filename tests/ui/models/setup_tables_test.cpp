@@ -39,7 +39,8 @@ class SetupTablesTest : public testing::Test {
     return settings.index(settings.row_of("contour_tolerance_mm"), SettingsTable::value);
   }
 
-  SetupEdit edit{spinner()};
+  RunList runs{spinner()};
+  SetupEdit edit{runs};
   AxisTable axes{edit};
   SettingsTable settings{edit};
 };
@@ -126,8 +127,8 @@ TEST_F(SetupTablesTest, AnotherModelKeepsTheEditsThatItReads) {
   edit.set("X.jerk", 20.0);
   edit.set("reading", std::string("strict"));
   edit.set_model(find_model("cam"));
-  EXPECT_TRUE(edit.edited("X.jerk"));
-  EXPECT_FALSE(edit.edited("reading"));
+  EXPECT_TRUE(edit.state().edited("X.jerk"));
+  EXPECT_FALSE(edit.state().edited("reading"));
   EXPECT_EQ(settings.row_of("reading"), -1);
 }
 

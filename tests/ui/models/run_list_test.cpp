@@ -1,0 +1,136 @@
+#include "ui/models/run_list.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+
+#include "core/base/error.h"
+#include "tests/ui/run_fixture.h"
+
+namespace feedscope::ui {
+namespace {
+
+using testing::ElementsAre;
+
+class RunListTest : public testing::Test {
+ protected:
+  std::vector<int> ids() const {
+    std::vector<int> list;
+    for (const RunItem& item : runs.items()) {
+      list.push_back(item.id);
+    }
+    return list;
+  }
+  /// What simulating a row would give.
+  void simulate(std::size_t row) {
+    const LoadedProgram input =
+        load_program(std::make_shared<const SourceText>("test.nc", test::small_program));
+    runs.set_result(runs.items()[row].id, make_shown(simulate_run(input, runs.items()[row].setup.setup())));
+  }
+  SetupState changed(const std::string& key, const SettingValue& value) const {
+    SetupState setup = runs.current_item().setup;
+    setup.set(key, value);
+    return setup;
+  }
+
+  RunList runs{make_setup({})};
+};
+
+TEST_F(RunListTest, ADuplicateStandsBelowIsCurrentAndHasAColourOfItsOwn) {
+  runs.duplicate(0);
+  ASSERT_EQ(runs.items().size(), 2U);
+  EXPECT_EQ(runs.current(), 1U);
+  EXPECT_EQ(runs.items()[1].setup, runs.items()[0].setup);
+  EXPECT_NE(runs.items()[1].colour, runs.items()[0].colour);
+}
+
+TEST_F(RunListTest, ADuplicateHasTheResultAtOnceUntilItsSetupChanges) {
+  simulate(0);
+  runs.duplicate(0);
+  EXPECT_TRUE(runs.up_to_date(1));
+  runs.set_setup(1, changed("X.jerk", 3.0), "X.jerk");
+  EXPECT_FALSE(runs.up_to_date(1));
+  EXPECT_TRUE(runs.up_to_date(0));
+  EXPECT_NE(runs.result(1), nullptr);  // the old one is shown until the new one is there
+}
+
+TEST_F(RunListTest, EveryChangeCanBeUndoneAndRedone) {
+  runs.duplicate(0);
+  runs.duplicate(1);
+  const std::vector<int> three = ids();
+  runs.move(2, 0);
+  EXPECT_THAT(ids(), ElementsAre(three[2], three[0], three[1]));
+  EXPECT_EQ(runs.current(), 0U);  // the current run moves along
+  runs.remove(1);
+  runs.rename(0, "fine");
+  runs.set_visible(0, false);
+  runs.set_setup(0, changed("X.jerk", 3.0), "X.jerk");
+  const std::vector<RunItem> last = runs.items();
+  while (runs.history().canUndo()) {
+    runs.history().undo();
+  }
+  EXPECT_THAT(ids(), ElementsAre(three[0]));
+  EXPECT_TRUE(runs.items()[0].visible);
+  while (runs.history().canRedo()) {
+    runs.history().redo();
+  }
+  EXPECT_EQ(runs.items(), last);
+}
+
+TEST_F(RunListTest, UndoOfAnEditGoesToTheRunThatWasEdited) {
+  runs.set_setup(0, changed("X.jerk", 3.0), "X.jerk");
+  runs.duplicate(0);
+  runs.history().undo();
+  runs.history().undo();
+  EXPECT_EQ(runs.current(), 0U);
+  EXPECT_FALSE(runs.items()[0].setup.edited("X.jerk"));
+}
+
+TEST_F(RunListTest, TheLastRunStays) {
+  runs.remove(0);
+  EXPECT_EQ(runs.items().size(), 1U);
+  EXPECT_FALSE(runs.history().canUndo());
+}
+
+TEST_F(RunListTest, AChangeThatChangesNothingIsNoStepOfTheHistory) {
+  runs.set_setup(0, runs.items()[0].setup, "nothing");
+  runs.set_visible(0, true);
+  runs.move(0, 5);
+  EXPECT_EQ(runs.history().count(), 0);
+}
+
+TEST_F(RunListTest, SaysWhatChangedAndNothingElse) {
+  runs.duplicate(0);
+  const QSignalSpy list(&runs, &RunList::list_changed);
+  const QSignalSpy items(&runs, &RunList::item_changed);
+  const QSignalSpy setups(&runs, &RunList::setup_changed);
+  runs.rename(0, "coarse");
+  EXPECT_EQ(items.count(), 1);
+  EXPECT_EQ(setups.count(), 0);
+  runs.set_setup(1, changed("X.jerk", 3.0), "X.jerk");
+  EXPECT_EQ(items.count(), 2);
+  EXPECT_EQ(setups.count(), 1);
+  EXPECT_EQ(list.count(), 0);
+}
+
+TEST_F(RunListTest, AResultOfARunThatIsGoneIsDropped) {
+  runs.duplicate(0);
+  const int gone = runs.items()[1].id;
+  runs.remove(1);
+  runs.set_result(gone, std::make_shared<const ShownRun>());
+  EXPECT_EQ(runs.result(0), nullptr);
+}
+
+TEST_F(RunListTest, ATitleSaysModelToleranceAndWhatIsChanged) {
+  EXPECT_EQ(run_title(runs.items()[0]).toStdString(), "essid, 0.1 mm");
+  SetupState setup = changed("X.jerk", 3.0);
+  setup.set("contour_tolerance_mm", 0.05);
+  runs.set_setup(0, setup, "two");
+  EXPECT_EQ(run_title(runs.items()[0]).toStdString(), "essid, 0.05 mm, X.jerk 3");
+  runs.rename(0, "mine");
+  EXPECT_EQ(run_title(runs.items()[0]).toStdString(), "mine");
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,222 @@
+#include "ui/models/workbench.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <fstream>
+
+#include "tests/ui/run_fixture.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr int patience = 120000;  // [ms]
+
+class WorkbenchTest : public testing::Test {
+ protected:
+  std::filesystem::path write(const std::string& name, const std::string& text) {
+    const std::filesystem::path file = std::filesystem::path(folder_.path().toStdString()) / name;
+    std::ofstream(file) << text;
+    return file;
+  }
+
+  static std::string long_program() {
+    std::string text = "G21 G90 G94 F3000\n";
+    for (int i = 0; i < 3000; ++i) {
+      text += "G1 X" + std::to_string(i % 2) + " Y" + std::to_string(0.5 * i) + "\n";
+    }
+    return text;
+  }
+
+  static void wait_until_idle(Workbench& model) {
+    QSignalSpy spy(&model, &Workbench::busy_changed);
+    while (model.busy() && spy.wait(patience)) {
+    }
+    ASSERT_FALSE(model.busy());
+  }
+
+  Workbench model{shipped_machines(), make_setup({})};
+
+ private:
+  QTemporaryDir folder_;
+};
+
+TEST_F(WorkbenchTest, ReadsAndSimulatesAProgram) {
+  QSignalSpy read(&model, &Workbench::program_changed);
+  model.open(write("part.nc", test::small_program));
+  EXPECT_TRUE(model.busy());
+  wait_until_idle(model);
+  ASSERT_NE(model.shown(), nullptr);
+  EXPECT_EQ(model.program()->source->line_count(), 6U);
+  EXPECT_EQ(read.count(), 2);  // none, then the new one
+  EXPECT_GT(model.shown()->run.trajectory->duration(), 1);
+  EXPECT_TRUE(model.cursor().valid());
+}
+
+TEST_F(WorkbenchTest, AnEditSimulatesAnewAndUndoBringsTheTimeBack) {
+  model.open(write("part.nc", test::small_program));
+  wait_until_idle(model);
+  const double before = model.shown()->run.trajectory->duration();
+  model.setup().set("X.jerk", 1.0);
+  wait_until_idle(model);
+  EXPECT_GT(model.shown()->run.trajectory->duration(), before);
+  model.setup().history().undo();
+  wait_until_idle(model);
+  EXPECT_EQ(model.shown()->run.trajectory->duration(), before);
+}
+
+TEST_F(WorkbenchTest, TheLatestEditWins) {
+  model.open(write("long.nc", long_program()));
+  wait_until_idle(model);
+  QSignalSpy runs(&model, &Workbench::run_changed);
+  for (const double jerk : {11.0, 12.0, 13.0, 14.0}) {
+    model.setup().set("X.jerk", jerk);
+  }
+  wait_until_idle(model);
+  EXPECT_EQ(runs.count(), 1);
+  EXPECT_DOUBLE_EQ(axis_limit(model.shown()->run.setup.machine, 'X', "jerk"), 14);
+}
+
+TEST_F(WorkbenchTest, AnEditWhileReadingStillShowsTheProgram) {
+  model.open(write("long.nc", long_program()));
+  model.setup().set("X.jerk", 12.0);
+  wait_until_idle(model);
+  ASSERT_NE(model.shown(), nullptr);
+  EXPECT_DOUBLE_EQ(axis_limit(model.shown()->run.setup.machine, 'X', "jerk"), 12);
+  ASSERT_NE(model.program(), nullptr);
+}
+
+TEST_F(WorkbenchTest, CancelKeepsTheRunThatIsShown) {
+  model.open(write("long.nc", long_program()));
+  wait_until_idle(model);
+  const auto shown = model.shown();
+  model.setup().set("X.jerk", 12.0);
+  model.cancel();
+  wait_until_idle(model);
+  EXPECT_EQ(model.shown(), shown);
+}
+
+TEST_F(WorkbenchTest, AMissingFileIsAMessage) {
+  QSignalSpy failed(&model, &Workbench::failed);
+  model.open("no/such/file.nc");
+  wait_until_idle(model);
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_THAT(failed.first().first().toString().toStdString(), testing::HasSubstr("file.nc"));
+  EXPECT_EQ(model.shown(), nullptr);
+}
+
+TEST_F(WorkbenchTest, AnUnknownMachineIsAMessageAndTheOldOneStays) {
+  QSignalSpy failed(&model, &Workbench::failed);
+  model.choose_machine("spinner-mvc");
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_EQ(model.setup().file().machine.id, default_machine);
+}
+
+TEST_F(WorkbenchTest, AnEmptyProgramShowsAnEmptyRun) {
+  model.open(write("empty.nc", ""));
+  wait_until_idle(model);
+  ASSERT_NE(model.shown(), nullptr);
+  EXPECT_FALSE(model.cursor().valid());
+}
+
+TEST_F(WorkbenchTest, EveryRunIsSimulatedTheCurrentOneFirst) {
+  model.open(write("long.nc", long_program()));
+  wait_until_idle(model);
+  model.runs().duplicate(0);
+  model.runs().duplicate(1);
+  QSignalSpy results(&model.runs(), &RunList::result_changed);
+  for (const std::size_t row : {0, 1, 2}) {
+    SetupState setup = model.runs().items()[row].setup;
+    setup.set("X.jerk", 3.0 + static_cast<double>(row));
+    model.runs().set_setup(row, setup, "X.jerk");
+  }
+  wait_until_idle(model);
+  ASSERT_EQ(results.count(), 3);
+  EXPECT_EQ(results.first().first().value<std::size_t>(), model.runs().current());
+  for (std::size_t row = 0; row < 3; ++row) {
+    EXPECT_TRUE(model.runs().up_to_date(row));
+  }
+}
+
+TEST_F(WorkbenchTest, AnotherCurrentRunIsShownAtTheSamePlace) {
+  model.open(write("part.nc", test::small_program));
+  wait_until_idle(model);
+  model.runs().duplicate(0);
+  model.setup().set("X.jerk", 1.0);
+  wait_until_idle(model);
+  model.cursor().set_line(4);
+  model.cursor().set_time(model.cursor().state().time + 0.05);
+  const double slower = model.shown()->run.trajectory->duration();
+  model.runs().select(0);
+  EXPECT_LT(model.shown()->run.trajectory->duration(), slower);
+  EXPECT_EQ(model.cursor().state().line, 4U);
+}
+
+TEST_F(WorkbenchTest, ACancelledRunWaitsForTheNextChange) {
+  model.open(write("long.nc", long_program()));
+  wait_until_idle(model);
+  model.setup().set("X.jerk", 12.0);
+  model.cancel();
+  wait_until_idle(model);
+  EXPECT_FALSE(model.runs().up_to_date(0));
+  model.setup().set("X.jerk", 13.0);
+  wait_until_idle(model);
+  EXPECT_TRUE(model.runs().up_to_date(0));
+}
+
+TEST_F(WorkbenchTest, AFileThatChangesIsReadAgainAndTheCursorStaysAtItsLine) {
+  const auto file = write("part.nc", test::small_program);
+  model.open(file);
+  wait_until_idle(model);
+  model.cursor().set_line(4);
+  QSignalSpy noticed(&model, &Workbench::noticed);
+  write("part.nc", "G21 G90 G94 F3000\nG1 X20\nG1 X50 Y5\nG1 X90\n");
+  ASSERT_TRUE(noticed.wait(patience));
+  wait_until_idle(model);
+  EXPECT_EQ(model.program()->source->line_count(), 4U);
+  EXPECT_EQ(model.cursor().state().line, 4U);
+}
+
+TEST_F(WorkbenchTest, AToleranceReplacesTheProgramsOwn) {
+  model.open(write("part.nc", "G64 P0.2\n" + test::small_program));
+  wait_until_idle(model);
+  ASSERT_TRUE(model.set_tolerance(0.01));
+  EXPECT_EQ(std::get<std::string>(model.setup().state().value("program_tolerance")), "off");
+  EXPECT_FALSE(model.set_tolerance(-1));
+  model.setup().history().undo();
+  EXPECT_EQ(std::get<std::string>(model.setup().state().value("program_tolerance")), "on");
+}
+
+TEST_F(WorkbenchTest, ProgressSaysWhatIsDone) {
+  QSignalSpy progress(&model, &Workbench::progressed);
+  std::string text = "G21 G90 G94 F3000\n";
+  for (int i = 0; i < 60'000; ++i) {
+    text += "G1 X" + std::to_string(i % 2) + " Y" + std::to_string(0.5 * i) + "\n";
+  }
+  model.open(write("longer.nc", text));
+  wait_until_idle(model);
+  ASSERT_GT(progress.count(), 0);
+  EXPECT_THAT(progress.last().first().toString().toStdString(), testing::HasSubstr("blocks"));
+}
+
+TEST_F(WorkbenchTest, ClosingWhileBusyIsClean) {
+  const auto file = write("long.nc", long_program());
+  for (int i = 0; i < 5; ++i) {
+    Workbench closing{shipped_machines(), make_setup({})};
+    closing.open(file);
+    closing.setup().set("X.jerk", 12.0);
+  }
+}
+
+TEST_F(WorkbenchTest, OffersEveryMachineByName) {
+  const auto choices = model.machine_choices();
+  EXPECT_GE(choices.size(), 5U);
+  for (const MachineChoice& choice : choices) {
+    EXPECT_NE(choice.name, choice.id);
+  }
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,200 @@
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStyle>
+
+#include "ui/main_window.h"
+#include "ui/models/recent_files.h"
+#include "ui/views/setup_bar.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+std::filesystem::path to_path(const QString& file) {
+  return std::filesystem::path(file.toStdU16String());
+}
+
+void collect(const QMenu& menu, const QString& place, QList<ListedAction>& list) {
+  for (QAction* action : menu.actions()) {
+    if (action->menu() != nullptr) {
+      collect(*action->menu(), QStringLiteral("%1 › %2").arg(place, plain_text(action->text())), list);
+    } else if (!action->isSeparator() && !action->text().isEmpty()) {
+      list.append({place, action});
+    }
+  }
+}
+
+}  // namespace
+
+QList<ListedAction> MainWindow::commands() const {
+  QList<ListedAction> list;
+  for (const QAction* menu : menuBar()->actions()) {
+    collect(*menu->menu(), plain_text(menu->text()), list);
+  }
+  return list;
+}
+
+QAction* MainWindow::add_action(QMenu* menu, const QString& text, const QKeySequence& key,
+                                const QString& tip) {
+  QAction* action = menu->addAction(text);
+  action->setShortcut(key);
+  action->setToolTip(key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  return action;
+}
+
+void MainWindow::make_menus() {
+  auto* bar = new SetupBar(model_, this);
+  addToolBar(bar);
+  make_file_menu();
+
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  QUndoStack& history = model_.setup().history();
+  QAction* undo = history.createUndoAction(this, tr("Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  undo->setIcon(style()->standardIcon(QStyle::SP_ArrowBack));
+  QAction* redo = history.createRedoAction(this, tr("Redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  redo->setIcon(style()->standardIcon(QStyle::SP_ArrowForward));
+  edit->addActions({undo, redo});
+
+  QMenu* runs = menuBar()->addMenu(tr("&Runs"));
+  runs->addActions(runs_->panel_actions());
+  runs->addSeparator();
+  connect(add_action(runs, tr("&Cancel simulation"), Qt::Key_Escape, tr("Stop reading or simulating")),
+          &QAction::triggered, &model_, &Workbench::cancel);
+
+  QMenu* playback = menuBar()->addMenu(tr("&Playback"));
+  playback->addActions(playback_->panel_actions());
+  connect(add_action(playback, tr("To the s&tart"), QKeySequence::MoveToStartOfDocument,
+                     tr("To the start of the run")),
+          &QAction::triggered, this, [this] { model_.cursor().set_time(0); });
+  connect(
+      add_action(playback, tr("To the &end"), QKeySequence::MoveToEndOfDocument, tr("To the end of the run")),
+      &QAction::triggered, this, [this] {
+        const auto shown = model_.shown();
+        model_.cursor().set_time(shown == nullptr ? 0 : shown->run.trajectory->duration());
+      });
+
+  make_view_menu();
+  make_help_menu();
+
+  QAction* first = bar->actions().isEmpty() ? nullptr : bar->actions().first();
+  const QList<QAction*> file = menuBar()->actions().first()->menu()->actions();
+  bar->insertActions(first, {file[0], file[2], undo, redo});
+  bar->insertSeparator(first);
+}
+
+void MainWindow::make_file_menu() {
+  QMenu* file = menuBar()->addMenu(tr("&File"));
+  QAction* open = add_action(file, tr("&Open program …"), QKeySequence::Open, tr("Open an NC program"));
+  open->setIcon(style()->standardIcon(QStyle::SP_DialogOpenButton));
+  connect(open, &QAction::triggered, this, &MainWindow::ask_for_program);
+  QMenu* recent = file->addMenu(tr("Open &recent"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { list_recent_files(recent); });
+  list_recent_files(recent);
+  QAction* reload =
+      add_action(file, tr("&Reload program"), QKeySequence::Refresh, tr("Read the program again"));
+  reload->setIcon(style()->standardIcon(QStyle::SP_BrowserReload));
+  connect(reload, &QAction::triggered, &model_, &Workbench::reload);
+  QAction* follow = add_action(file, tr("Reload when the file &changes"), {},
+                               tr("Read the program again whenever its file is written"));
+  follow->setCheckable(true);
+  follow->setChecked(QSettings().value("reload_on_change", true).toBool());
+  model_.set_reload_on_change(follow->isChecked());
+  connect(follow, &QAction::toggled, this, [this](bool on) {
+    model_.set_reload_on_change(on);
+    QSettings().setValue("reload_on_change", on);
+  });
+  file->addSeparator();
+  connect(add_action(file, tr("Open &machine file …"), QKeySequence(tr("Ctrl+M")),
+                     tr("Use a machine of your own")),
+          &QAction::triggered, this, &MainWindow::ask_for_machine);
+  file->addSeparator();
+  connect(add_action(file, tr("&Quit"), QKeySequence::Quit, tr("Leave Feedscope")), &QAction::triggered, this,
+          &QWidget::close);
+}
+
+void MainWindow::list_recent_files(QMenu* menu) {
+  menu->clear();
+  for (const QString& file : RecentFiles::list()) {
+    QAction* action = menu->addAction(QFileInfo(file).fileName());
+    action->setToolTip(file);
+    action->setStatusTip(file);
+    connect(action, &QAction::triggered, this, [this, file] { model_.open(to_path(file)); });
+  }
+  if (menu->isEmpty()) {
+    menu->addAction(tr("No program has been opened yet"))->setEnabled(false);
+    return;
+  }
+  menu->addSeparator();
+  connect(menu->addAction(tr("Forget these files")), &QAction::triggered, this, &RecentFiles::clear);
+}
+
+void MainWindow::make_view_menu() {
+  QMenu* view = menuBar()->addMenu(tr("&View"));
+  const auto add = [&](const QString& text, const QKeySequence& key, StandardView standard) {
+    connect(add_action(view, text, key, tr("Look from there")), &QAction::triggered, this,
+            [this, standard] { scene_->scene().set_standard_view(standard); });
+  };
+  add(tr("&Isometric"), QKeySequence(tr("Ctrl+1")), StandardView::iso);
+  add(tr("&Top"), QKeySequence(tr("Ctrl+2")), StandardView::top);
+  add(tr("&Front"), QKeySequence(tr("Ctrl+3")), StandardView::front);
+  add(tr("&Right"), QKeySequence(tr("Ctrl+4")), StandardView::right);
+  connect(add_action(view, tr("Fit &path"), QKeySequence(tr("Ctrl+0")), tr("The whole path in the 3D view")),
+          &QAction::triggered, this, [this] { scene_->scene().fit(); });
+  connect(add_action(view, tr("Fit &charts"), QKeySequence(tr("Ctrl+Shift+0")),
+                     tr("The whole run in the charts")),
+          &QAction::triggered, &charts_->range(), &ViewRange::fit);
+  view->addSeparator();
+  QMenu* docks = view->addMenu(tr("&Panels"));
+  for (const QDockWidget* dock : findChildren<QDockWidget*>()) {
+    docks->addAction(dock->toggleViewAction());
+  }
+  docks->addSeparator();
+  connect(docks->addAction(tr("&Default layout")), &QAction::triggered, this,
+          [this] { restoreState(first_layout_); });
+  QAction* dark =
+      add_action(view, tr("&Dark"), QKeySequence(tr("Ctrl+Shift+D")), tr("Light or dark colours"));
+  dark->setCheckable(true);
+  dark->setChecked(theme_of(QApplication::palette()) == ThemeKind::dark);
+  connect(dark, &QAction::toggled, this,
+          [this](bool on) { set_theme(on ? ThemeKind::dark : ThemeKind::light); });
+}
+
+void MainWindow::make_help_menu() {
+  QMenu* help = menuBar()->addMenu(tr("&Help"));
+  connect(
+      add_action(help, tr("&Find a command …"), QKeySequence(tr("Ctrl+K")), tr("Type what you want to do")),
+      &QAction::triggered, this, [this] { palette_->ask(commands()); });
+  connect(add_action(help, tr("&Keys and mouse"), QKeySequence::HelpContents,
+                     tr("All keys, and what the mouse does")),
+          &QAction::triggered, this, [this] { key_list_->show_keys(commands()); });
+}
+
+void MainWindow::set_theme(ThemeKind kind) {
+  apply_theme(kind);
+  QSettings().setValue("dark", kind == ThemeKind::dark);
+}
+
+void MainWindow::ask_for_program() {
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Open NC program"), QString::fromStdU16String(model_.file().parent_path().u16string()),
+      tr("NC programs (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)"));
+  if (!file.isEmpty()) {
+    model_.open(to_path(file));
+  }
+}
+
+void MainWindow::ask_for_machine() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open machine file"), {}, tr("Machine files (*.toml)"));
+  if (!file.isEmpty()) {
+    model_.choose_machine(file);
+  }
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,215 @@
+#include "ui/models/run_list.h"
+
+#include <QLocale>
+#include <QUndoCommand>
+#include <algorithm>
+
+namespace feedscope::ui {
+
+namespace {
+
+// Okabe and Ito's palette without black and yellow, then darker tones of the same hues.
+constexpr std::array<QRgb, 8> run_colours{0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
+                                          0xffe69f00, 0xff56b4e9, 0xff8c510a, 0xff5e4fa2};
+
+const std::string tolerance_key = "contour_tolerance_mm";
+
+QString value_text(const SettingValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? QLocale().toString(*number, 'g', 6)
+                           : QString::fromStdString(std::get<std::string>(value));
+}
+
+}  // namespace
+
+QString run_title(const RunItem& item) {
+  if (!item.name.isEmpty()) {
+    return item.name;
+  }
+  const SetupState& setup = item.setup;
+  QStringList parts{QString::fromStdString(setup.file().model->info().id)};
+  if (setup.file().settings.has(tolerance_key)) {
+    parts.append(RunList::tr("%1 mm").arg(value_text(setup.value(tolerance_key))));
+  }
+  for (const auto& [key, value] : setup.edits()) {
+    if (key != tolerance_key) {
+      parts.append(QStringLiteral("%1 %2").arg(QString::fromStdString(key), value_text(value)));
+    }
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+class RunList::Change : public QUndoCommand {
+ public:
+  Change(RunList& runs, Snapshot after, const QString& text)
+      : QUndoCommand(text), runs_(runs), before_{runs.items_, runs.current_}, after_(std::move(after)) {}
+  void undo() override { runs_.apply(before_); }
+  void redo() override { runs_.apply(after_); }
+
+ private:
+  RunList& runs_;
+  Snapshot before_;
+  Snapshot after_;
+};
+
+RunList::RunList(Setup first, QObject* parent) : QObject(parent) {
+  items_.push_back({next_id_++, {}, free_colour(), true, SetupState(std::move(first))});
+}
+
+std::size_t RunList::row_of(int id) const {
+  return static_cast<std::size_t>(std::ranges::find(items_, id, &RunItem::id) - items_.begin());
+}
+
+void RunList::select(std::size_t row) {
+  if (row < items_.size() && row != current_) {
+    current_ = row;
+    emit current_changed();
+  }
+}
+
+void RunList::duplicate(std::size_t row) {
+  duplicate_as(row, items_[row].setup);
+}
+
+void RunList::duplicate_as(std::size_t row, const SetupState& setup) {
+  Snapshot after{items_, row + 1};
+  RunItem copy{next_id_++, {}, free_colour(), true, setup};
+  if (const auto found = results_.find(items_[row].id); found != results_.end()) {
+    results_[copy.id] = found->second;
+  }
+  after.items.insert(after.items.begin() + static_cast<std::ptrdiff_t>(row) + 1, std::move(copy));
+  push(std::move(after), tr("duplicate run"));
+}
+
+void RunList::remove(std::size_t row) {
+  if (items_.size() < 2) {
+    return;
+  }
+  Snapshot after{items_, current_};
+  after.items.erase(after.items.begin() + static_cast<std::ptrdiff_t>(row));
+  if (after.current > row || after.current == after.items.size()) {
+    --after.current;
+  }
+  push(std::move(after), tr("remove run"));
+}
+
+void RunList::move(std::size_t row, std::size_t to) {
+  to = std::min(to, items_.size() - 1);
+  if (row == to) {
+    return;
+  }
+  Snapshot after{items_, current_};
+  const auto from = after.items.begin() + static_cast<std::ptrdiff_t>(row);
+  const auto target = after.items.begin() + static_cast<std::ptrdiff_t>(to);
+  if (row < to) {
+    std::rotate(from, from + 1, target + 1);
+  } else {
+    std::rotate(target, from, from + 1);
+  }
+  const int id = current_item().id;
+  after.current =
+      static_cast<std::size_t>(std::ranges::find(after.items, id, &RunItem::id) - after.items.begin());
+  push(std::move(after), tr("move run"));
+}
+
+void RunList::rename(std::size_t row, const QString& name) {
+  Snapshot after{items_, current_};
+  after.items[row].name = name.trimmed();
+  push(std::move(after), tr("name of run"));
+}
+
+void RunList::set_colour(std::size_t row, const QColor& colour) {
+  Snapshot after{items_, current_};
+  after.items[row].colour = colour;
+  push(std::move(after), tr("colour of run"));
+}
+
+void RunList::set_visible(std::size_t row, bool visible) {
+  Snapshot after{items_, current_};
+  after.items[row].visible = visible;
+  push(std::move(after), visible ? tr("show run") : tr("hide run"));
+}
+
+void RunList::set_setup(std::size_t row, const SetupState& setup, const QString& text) {
+  Snapshot after{items_, current_};
+  after.items[row].setup = setup;
+  push(std::move(after), text);
+}
+
+void RunList::replace(std::vector<RunItem> items, std::size_t current) {
+  history_.clear();
+  results_.clear();
+  for (RunItem& item : items) {
+    item.id = next_id_++;
+  }
+  items_ = std::move(items);
+  current_ = std::min(current, items_.size() - 1);
+  emit list_changed();
+  emit current_changed();
+}
+
+void RunList::push(Snapshot after, const QString& text) {
+  if (after.items != items_ || after.current != current_) {
+    history_.push(new Change(*this, std::move(after), text));
+  }
+}
+
+void RunList::apply(const Snapshot& snapshot) {
+  const Snapshot before{items_, current_};
+  const int selected = current_item().id;
+  items_ = snapshot.items;
+  current_ = snapshot.current;
+  std::erase_if(results_, [this](const auto& result) { return row_of(result.first) == items_.size(); });
+
+  const bool same_rows = std::ranges::equal(before.items, items_, {}, &RunItem::id, &RunItem::id);
+  if (!same_rows) {
+    emit list_changed();
+  }
+  if (current_item().id != selected) {
+    emit current_changed();
+  }
+  for (std::size_t row = 0; row < before.items.size(); ++row) {
+    const RunItem& was = before.items[row];
+    const std::size_t now = row_of(was.id);
+    if (now < items_.size() && !(items_[now] == was)) {
+      emit item_changed(now);
+      if (!(items_[now].setup == was.setup)) {
+        emit setup_changed(now, was.setup);
+      }
+    }
+  }
+}
+
+QColor RunList::free_colour() const {
+  const auto used = [this](const QColor& colour) {
+    return std::ranges::count(items_, colour, &RunItem::colour);
+  };
+  return QColor(*std::ranges::min_element(run_colours, {}, [&](QRgb rgb) { return used(QColor(rgb)); }));
+}
+
+std::shared_ptr<const ShownRun> RunList::result(std::size_t row) const {
+  const auto found = results_.find(items_[row].id);
+  return found == results_.end() ? nullptr : found->second;
+}
+
+bool RunList::up_to_date(std::size_t row) const {
+  const auto shown = result(row);
+  return shown != nullptr && shown->run.setup == items_[row].setup.setup();
+}
+
+void RunList::set_result(int id, std::shared_ptr<const ShownRun> result) {
+  const std::size_t row = row_of(id);
+  if (row < items_.size()) {
+    results_[id] = std::move(result);
+    emit result_changed(row);
+  }
+}
+
+void RunList::clear_results() {
+  results_.clear();
+  for (std::size_t row = 0; row < items_.size(); ++row) {
+    emit result_changed(row);
+  }
+}
+
+}  // namespace feedscope::ui

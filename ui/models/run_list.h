@@ -1,0 +1,98 @@
+#pragma once
+
+#include <QColor>
+#include <QObject>
+#include <QString>
+#include <QUndoStack>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "ui/models/setup_state.h"
+#include "ui/models/shown_run.h"
+
+namespace feedscope::ui {
+
+/// One of several runs of the program.
+struct RunItem {
+  int id = 0;    ///< never used again for another run
+  QString name;  ///< given by the user; empty: run_title() says what it runs on
+  QColor colour;
+  bool visible = true;  ///< drawn beside the current run
+  SetupState setup;
+
+  bool operator==(const RunItem&) const = default;
+};
+
+/// The name of a run, or else model, tolerance and what is changed: "essid, 0.05 mm, X.jerk 20".
+QString run_title(const RunItem& item);
+
+/// The runs of one program and which of them is the current one: the one that is edited, played and shown in
+/// full. There is always at least one. What changes a run can be undone; results are not part of that and are
+/// dropped with their run.
+class RunList : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit RunList(Setup first, QObject* parent = nullptr);
+
+  const std::vector<RunItem>& items() const { return items_; }
+  std::size_t current() const { return current_; }
+  const RunItem& current_item() const { return items_[current_]; }
+  /// Row of a run; size of the list if it is gone.
+  std::size_t row_of(int id) const;
+  void select(std::size_t row);
+
+  /// A copy below, which becomes the current run.
+  void duplicate(std::size_t row);
+  /// As duplicate(), with another setup.
+  void duplicate_as(std::size_t row, const SetupState& setup);
+  /// The last run stays.
+  void remove(std::size_t row);
+  void move(std::size_t row, std::size_t to);
+  void rename(std::size_t row, const QString& name);
+  void set_colour(std::size_t row, const QColor& colour);
+  void set_visible(std::size_t row, bool visible);
+  /// `text` names the change in the history. Nothing happens if nothing changes.
+  void set_setup(std::size_t row, const SetupState& setup, const QString& text);
+  /// Another set of runs altogether; the history goes.
+  void replace(std::vector<RunItem> items, std::size_t current);
+  QUndoStack& history() { return history_; }
+
+  /// The last result of a run, if any; it may be of an earlier setup.
+  std::shared_ptr<const ShownRun> result(std::size_t row) const;
+  /// The result is of the setup that the run has now.
+  bool up_to_date(std::size_t row) const;
+  /// For a run that is gone: nothing.
+  void set_result(int id, std::shared_ptr<const ShownRun> result);
+  /// Another program: no result holds.
+  void clear_results();
+
+ signals:
+  /// Runs have come, gone or moved.
+  void list_changed();
+  /// Name, colour or visibility of a run.
+  void item_changed(std::size_t row);
+  void setup_changed(std::size_t row, const feedscope::ui::SetupState& before);
+  void current_changed();
+  void result_changed(std::size_t row);
+
+ private:
+  struct Snapshot {
+    std::vector<RunItem> items;
+    std::size_t current = 0;
+  };
+  class Change;
+
+  void push(Snapshot after, const QString& text);
+  void apply(const Snapshot& snapshot);
+  QColor free_colour() const;
+
+  std::vector<RunItem> items_;
+  std::size_t current_ = 0;
+  int next_id_ = 1;
+  std::map<int, std::shared_ptr<const ShownRun>> results_;
+  QUndoStack history_;
+};
+
+}  // namespace feedscope::ui

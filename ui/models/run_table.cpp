@@ -1,0 +1,213 @@
+#include "ui/models/run_table.h"
+
+#include <QFont>
+#include <QLocale>
+#include <algorithm>
+
+#include "core/base/units.h"
+#include "ui/models/texts.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr double rounding = 1e-9;  // a run that is at the bound keeps it [mm]
+
+QString number(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+}  // namespace
+
+RunTable::RunTable(RunList& runs, QObject* parent) : QAbstractTableModel(parent), runs_(runs) {
+  connect(&runs_, &RunList::list_changed, this, [this] {
+    beginResetModel();
+    endResetModel();
+  });
+  connect(&runs_, &RunList::item_changed, this, &RunTable::changed);
+  connect(&runs_, &RunList::result_changed, this, &RunTable::all_changed);  // the best one may be another
+  connect(&runs_, &RunList::current_changed, this, &RunTable::all_changed);
+}
+
+void RunTable::set_error_bound(std::optional<double> bound) {
+  bound_ = bound;
+  all_changed();
+}
+
+void RunTable::changed(std::size_t row) {
+  const int at = static_cast<int>(row);
+  emit dataChanged(index(at, 0), index(at, columns - 1));
+}
+
+void RunTable::all_changed() {
+  emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+}
+
+const Summary* RunTable::summary(std::size_t row) const {
+  return runs_.up_to_date(row) ? &runs_.result(row)->run.summary : nullptr;
+}
+
+bool RunTable::keeps_bound(const Summary& summary) const {
+  return !bound_ || summary.max_contour_error <= *bound_ + rounding;
+}
+
+std::optional<std::size_t> RunTable::best() const {
+  std::optional<std::size_t> found;
+  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
+    const Summary* figures = summary(row);
+    if (figures != nullptr && keeps_bound(*figures) &&
+        (!found || figures->cycle_time < summary(*found)->cycle_time)) {
+      found = row;
+    }
+  }
+  return found;
+}
+
+int RunTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(runs_.items().size());
+}
+
+int RunTable::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : columns;
+}
+
+QString RunTable::figure(std::size_t row, int column) const {
+  const Summary* figures = summary(row);
+  if (figures == nullptr) {
+    return QStringLiteral("…");
+  }
+  switch (column) {
+    case cycle_time:
+      return best() == row && runs_.items().size() > 1
+                 ? QStringLiteral("★ %1").arg(clock_text(figures->cycle_time))
+                 : clock_text(figures->cycle_time);
+    case difference: {
+      const auto fastest = best();
+      if (!fastest || *fastest == row || !(summary(*fastest)->cycle_time > 0)) {
+        return {};
+      }
+      const double percent = 100 * (figures->cycle_time / summary(*fastest)->cycle_time - 1);
+      return QStringLiteral("%1%2").arg(percent < 0 ? "" : "+", number(percent, 1));
+    }
+    case mean_feed:
+      return number(units::to_mm_min(figures->mean_feed), 0);
+    default:
+      return number(1000 * figures->max_contour_error, 1);
+  }
+}
+
+QString RunTable::text(std::size_t row, int column) const {
+  const RunItem& item = runs_.items()[row];
+  const Setup& file = item.setup.file();
+  switch (column) {
+    case name:
+      return run_title(item);
+    case machine:
+      return QString::fromStdString(file.machine.name);
+    case model:
+      return QString::fromStdString(file.model->info().id);
+    case tolerance: {
+      const auto value = contour_tolerance(item.setup.setup());
+      return value ? QLocale().toString(*value, 'g', 6) : QStringLiteral("–");
+    }
+    default:
+      return figure(row, column);
+  }
+}
+
+QString RunTable::explanation(std::size_t row) const {
+  const RunItem& item = runs_.items()[row];
+  QStringList lines{QStringLiteral("<b>%1</b>").arg(run_title(item).toHtmlEscaped()),
+                    QString::fromStdString(item.setup.file().machine.name).toHtmlEscaped(),
+                    QString::fromStdString(item.setup.file().model->info().title).toHtmlEscaped()};
+  const Summary* figures = summary(row);
+  if (figures != nullptr && !keeps_bound(*figures)) {
+    lines.append(tr("Its contour error of %1 µm is above the bound of %2 µm.")
+                     .arg(number(1000 * figures->max_contour_error, 1), number(1000 * *bound_, 1)));
+  } else if (figures != nullptr && best() == row && runs_.items().size() > 1) {
+    lines.append(tr("★ The fastest of these runs."));
+  }
+  return QStringLiteral("<p>%1</p>").arg(lines.join(QStringLiteral("<br>")));
+}
+
+QVariant RunTable::data(const QModelIndex& index, int role) const {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid)) {
+    return {};
+  }
+  const auto row = static_cast<std::size_t>(index.row());
+  const RunItem& item = runs_.items()[row];
+  switch (role) {
+    case Qt::DisplayRole:
+      return text(row, index.column());
+    case Qt::EditRole:
+      return index.column() == name ? QVariant(run_title(item)) : QVariant();
+    case Qt::CheckStateRole:
+      return index.column() == name ? QVariant(item.visible ? Qt::Checked : Qt::Unchecked) : QVariant();
+    case Qt::DecorationRole:
+      return index.column() == name ? QVariant(item.colour) : QVariant();
+    case Qt::TextAlignmentRole:
+      return index.column() >= tolerance ? QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter)
+                                         : QVariant();
+    case Qt::ToolTipRole:
+      return explanation(row);
+    case Qt::FontRole: {
+      QFont font;
+      font.setBold(row == runs_.current());
+      const Summary* figures = summary(row);
+      font.setStrikeOut(index.column() == contour_error && figures != nullptr && !keeps_bound(*figures));
+      return font;
+    }
+    default:
+      return {};
+  }
+}
+
+bool RunTable::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!checkIndex(index, CheckIndexOption::IndexIsValid) || index.column() != name) {
+    return false;
+  }
+  const auto row = static_cast<std::size_t>(index.row());
+  if (role == Qt::CheckStateRole) {
+    runs_.set_visible(row, value.value<Qt::CheckState>() == Qt::Checked);
+    return true;
+  }
+  if (role == Qt::EditRole) {
+    if (value.toString() != run_title(runs_.items()[row])) {
+      runs_.rename(row, value.toString());
+    }
+    return true;
+  }
+  return false;
+}
+
+Qt::ItemFlags RunTable::flags(const QModelIndex& index) const {
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  return index.isValid() && index.column() == name ? flags | Qt::ItemIsEditable | Qt::ItemIsUserCheckable
+                                                   : flags;
+}
+
+QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || section < 0 || section >= columns) {
+    return {};
+  }
+  static const std::array titles{QT_TR_NOOP("Run"),           QT_TR_NOOP("Machine"),
+                                 QT_TR_NOOP("Model"),         QT_TR_NOOP("Tolerance [mm]"),
+                                 QT_TR_NOOP("Cycle time"),    QT_TR_NOOP("Slower [%]"),
+                                 QT_TR_NOOP("Feed [mm/min]"), QT_TR_NOOP("Error [µm]")};
+  static const std::array tips{
+      QT_TR_NOOP("Name of the run; the box shows its path and feed beside those of the current run"),
+      QT_TR_NOOP("Machine whose axis limits hold"),
+      QT_TR_NOOP("Control model"),
+      QT_TR_NOOP("Contour tolerance [mm]"),
+      QT_TR_NOOP("Cycle time [s, or min:s]; the star marks the fastest run that keeps the error bound"),
+      QT_TR_NOOP("Cycle time above that of the fastest run [%]"),
+      QT_TR_NOOP("Mean feed: executed path over cycle time without dwells [mm/min]"),
+      QT_TR_NOOP("Largest distance of a programmed corner from the executed path [µm]")};
+  const auto i = static_cast<std::size_t>(section);
+  if (role == Qt::DisplayRole) {
+    return tr(titles[i]);
+  }
+  return role == Qt::ToolTipRole ? QVariant(tr(tips[i])) : QVariant();
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+
+#include "ui/models/run_list.h"
+
+namespace feedscope::ui {
+
+/// The runs as a table of results: a row a run, the current one bold. The check box shows or hides a run
+/// beside the current one; name and colour can be edited.
+///
+/// With a bound on the contour error, runs that keep it compete: the fastest of them is marked.
+class RunTable : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { name, machine, model, tolerance, cycle_time, difference, mean_feed, contour_error, columns };
+
+  /// `runs` outlives this.
+  explicit RunTable(RunList& runs, QObject* parent = nullptr);
+
+  /// Largest contour error that counts [mm]; none: every run counts.
+  void set_error_bound(std::optional<double> bound);
+  /// Row of the fastest run that keeps the bound; none while no result is there, or if none keeps it.
+  std::optional<std::size_t> best() const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  bool setData(const QModelIndex& index, const QVariant& value, int role = Qt::EditRole) override;
+  Qt::ItemFlags flags(const QModelIndex& index) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  QString text(std::size_t row, int column) const;
+  QString figure(std::size_t row, int column) const;
+  QString explanation(std::size_t row) const;
+  const Summary* summary(std::size_t row) const;
+  bool keeps_bound(const Summary& summary) const;
+  void changed(std::size_t row);
+  void all_changed();
+
+  RunList& runs_;
+  std::optional<double> bound_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,80 @@
+#include "ui/models/setup_state.h"
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+bool is_axis_key(const std::string& key) {
+  return key.size() > 2 && key[1] == '.';
+}
+
+}  // namespace
+
+Setup SetupState::setup() const {
+  Setup setup = file_;
+  for (const auto& [key, value] : edits_) {
+    if (is_axis_key(key)) {
+      set_axis_limit(setup.machine, key[0], key.substr(2), std::get<double>(value));
+    } else {
+      setup.settings.set(key, value);
+    }
+  }
+  return setup;
+}
+
+SettingSpec SetupState::spec(const std::string& key) const {
+  const bool axis = is_axis_key(key);
+  const std::string name = axis ? key.substr(2) : key;
+  const std::vector<SettingSpec> specs = axis ? axis_limit_specs() : settings_of(*file_.model);
+  const auto found = std::ranges::find(specs, name, &SettingSpec::key);
+  if (found == specs.end()) {
+    throw InputError("unknown key '" + key + "'");
+  }
+  SettingSpec spec = *found;
+  spec.key = key;
+  return spec;
+}
+
+SettingValue SetupState::value(const std::string& key) const {
+  const auto edit = edits_.find(key);
+  return edit == edits_.end() ? file_value(key) : edit->second;
+}
+
+SettingValue SetupState::file_value(const std::string& key) const {
+  if (is_axis_key(key)) {
+    return axis_limit(file_.machine, key[0], key.substr(2));
+  }
+  return file_.settings.values().at(key);
+}
+
+Provenance SetupState::provenance(const std::string& key) const {
+  const auto found = file_.machine.provenance.find(key);
+  return found == file_.machine.provenance.end() ? Provenance{} : found->second;
+}
+
+void SetupState::set(const std::string& key, const SettingValue& value) {
+  check_setting(spec(key), value, file_.machine.name);
+  if (value == file_value(key)) {
+    edits_.erase(key);
+  } else {
+    edits_[key] = value;
+  }
+}
+
+void SetupState::set_model(const ControlModel& model) {
+  file_.model = &model;
+  file_.settings = complete_settings(model, file_.machine);
+  std::erase_if(edits_, [this](const auto& edit) {
+    return !is_axis_key(edit.first) && !file_.settings.has(edit.first);
+  });
+}
+
+std::string axis_key(char axis, const std::string& limit) {
+  return std::string(1, axis) + '.' + limit;
+}
+
+}  // namespace feedscope::ui

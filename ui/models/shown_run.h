@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+
+#include "core/analysis/line_times.h"
+#include "core/analysis/run.h"
+#include "core/analysis/slow_places.h"
+#include "core/base/progress.h"
+#include "ui/charts/envelope.h"
+#include "ui/scene/sampled_path.h"
+
+namespace feedscope::ui {
+
+/// A run with what its pictures need, made off the GUI thread.
+struct ShownRun {
+  Run run;
+  std::shared_ptr<const Envelope> envelope;     ///< for the charts
+  std::shared_ptr<const SampledPath> samples;   ///< for the 3D view
+  std::shared_ptr<const LineTimes> line_times;  ///< for the program's text
+  std::shared_ptr<const SlowPlaces> slow_places;
+};
+
+/// Throws Cancelled if `progress` is cancelled.
+std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress = nullptr);
+
+/// A program with what its picture needs before the first run is there.
+struct ShownProgram {
+  LoadedProgram input;
+  std::shared_ptr<const SampledPath> samples;  ///< of the programmed path
+};
+
+ShownProgram make_shown(LoadedProgram input);
+
+}  // namespace feedscope::ui

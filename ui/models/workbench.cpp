@@ -1,0 +1,231 @@
+#include "ui/models/workbench.h"
+
+#include <QDateTime>
+#include <QFileInfo>
+#include <QLocale>
+#include <chrono>
+#include <utility>
+
+#include "core/base/error.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+QString to_qstring(const std::filesystem::path& path) {
+  return QString::fromStdU16String(path.u16string());
+}
+
+}  // namespace
+
+Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
+    : QObject(parent),
+      machines_(std::move(machines)),
+      runs_(std::move(setup)),
+      setup_(runs_),
+      playback_(cursor_) {
+  connect(&runs_, &RunList::setup_changed, this, [this](std::size_t row) {
+    given_up_.erase(runs_.items()[row].id);
+    schedule();
+  });
+  connect(&runs_, &RunList::list_changed, this, &Workbench::schedule);
+  connect(&runs_, &RunList::current_changed, this, [this] {
+    show_current();
+    schedule();
+  });
+  connect(&job_, &SimulationJob::busy_changed, this, &Workbench::busy_changed);
+  connect(&job_, &SimulationJob::progressed, this, &Workbench::report);
+  connect(&job_, &SimulationJob::failed, this, &Workbench::take_failure);
+  connect(&job_, &SimulationJob::finished, this, &Workbench::take_result);
+  connect(&job_, &SimulationJob::program_read, this, &Workbench::take_program);
+
+  changed_.setSingleShot(true);
+  changed_.setInterval(std::chrono::milliseconds(400));
+  connect(&changed_, &QTimer::timeout, this, [this] {
+    if (reload_on_change_ && QFileInfo::exists(to_qstring(file_))) {
+      emit noticed(tr("%1 has changed and is read again.").arg(to_qstring(file_.filename())));
+      reload();
+    }
+  });
+  connect(&watcher_, &QFileSystemWatcher::fileChanged, &changed_, qOverload<>(&QTimer::start));
+}
+
+void Workbench::show(const Run& run) {
+  job_.cancel();
+  working_on_ = 0;
+  file_ = run.input.program->source->name();
+  program_ = {};
+  runs_.replace({{0, {}, runs_.current_item().colour, true, SetupState(run.setup)}}, 0);
+  program_ = make_shown(run.input);
+  emit program_changed();
+  runs_.set_result(runs_.current_item().id, make_shown(run));
+  show_current();
+}
+
+void Workbench::open(const std::filesystem::path& file) {
+  file_ = file;
+  program_ = {};
+  given_up_.clear();
+  runs_.clear_results();
+  show_current();
+  emit program_changed();
+  read_file();
+}
+
+void Workbench::read_file() {
+  working_on_ = runs_.current_item().id;
+  working_setup_ = setup_.setup();
+  job_.start({file_, working_setup_});
+}
+
+void Workbench::reload() {
+  if (!file_.empty()) {
+    stay_at_ = cursor_.valid() ? cursor_.state().line : 0;
+    open(std::filesystem::path(file_));
+  }
+}
+
+void Workbench::set_reload_on_change(bool on) {
+  reload_on_change_ = on;
+}
+
+void Workbench::cancel() {
+  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
+    if (!runs_.up_to_date(row)) {
+      given_up_.insert(runs_.items()[row].id);
+    }
+  }
+  job_.cancel();
+}
+
+void Workbench::choose_machine(const QString& id_or_file) {
+  try {
+    Setup setup;
+    setup.machine = machines_.load(id_or_file.toStdString());
+    setup.model = &find_model(setup.machine.model);
+    setup.settings = complete_settings(*setup.model, setup.machine);
+    setup_.set_file(std::move(setup));
+  } catch (const InputError& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
+}
+
+void Workbench::choose_model(const QString& id) {
+  setup_.set_model(find_model(id.toStdString()));
+}
+
+bool Workbench::set_tolerance(double tolerance) {
+  try {
+    SetupState changed = setup_.state();
+    changed.set("contour_tolerance_mm", tolerance);
+    if (program() != nullptr && find_own_tolerance(program()->path_controls) != nullptr) {
+      changed.set("program_tolerance", std::string("off"));
+    }
+    runs_.set_setup(runs_.current(), changed, tr("contour tolerance"));
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+std::vector<MachineChoice> Workbench::machine_choices() const {
+  std::vector<MachineChoice> choices;
+  for (const std::string& id : machines_.ids()) {
+    MachineChoice choice{QString::fromStdString(id), QString::fromStdString(id)};
+    try {
+      choice.name = QString::fromStdString(machines_.load(id).name);
+    } catch (const InputError&) {
+      // choosing it says what is wrong with the file
+    }
+    choices.push_back(choice);
+  }
+  return choices;
+}
+
+void Workbench::schedule() {
+  if (program_.input.program == nullptr) {
+    if (job_.busy()) {  // still reading
+      read_file();
+    }
+    return;
+  }
+  std::size_t row = runs_.current();
+  for (std::size_t next = 0; !wanted(row) && next < runs_.items().size(); ++next) {
+    row = next;
+  }
+  if (wanted(row) && !under_way(row)) {
+    working_on_ = runs_.items()[row].id;
+    working_setup_ = runs_.items()[row].setup.setup();
+    job_.start({program_.input, working_setup_});
+  }
+}
+
+bool Workbench::wanted(std::size_t row) const {
+  return !runs_.up_to_date(row) && !given_up_.contains(runs_.items()[row].id);
+}
+
+bool Workbench::under_way(std::size_t row) const {
+  const RunItem& item = runs_.items()[row];
+  return job_.busy() && working_on_ == item.id && working_setup_ == item.setup.setup();
+}
+
+void Workbench::take_program(const ShownProgram& program) {
+  program_ = program;
+  watch();
+  emit program_changed();
+}
+
+void Workbench::take_result(const std::shared_ptr<const ShownRun>& result) {
+  runs_.set_result(working_on_, result);
+  if (runs_.current_item().id == working_on_) {
+    show_current();
+  }
+  schedule();
+}
+
+void Workbench::take_failure(const QString& message) {
+  given_up_.insert(working_on_);
+  emit failed(message);
+  schedule();
+}
+
+void Workbench::show_current() {
+  const auto result = shown();
+  const std::shared_ptr<const Trajectory> trajectory = result == nullptr ? nullptr : result->run.trajectory;
+  cursor_.set_trajectory(trajectory);
+  playback_.set_duration(trajectory == nullptr ? 0 : trajectory->duration());
+  if (trajectory != nullptr && stay_at_ > 0) {
+    cursor_.set_line(std::exchange(stay_at_, 0));
+  }
+  emit run_changed();
+}
+
+/// Editors replace a file as often as they write it anew; a path that was gone must be watched again.
+void Workbench::watch() {
+  const QString file = to_qstring(file_);
+  if (!watcher_.files().isEmpty() && !watcher_.files().contains(file)) {
+    watcher_.removePaths(watcher_.files());
+  }
+  if (QFileInfo(file).isFile()) {
+    watcher_.addPath(file);
+  }
+}
+
+void Workbench::report(JobStage stage, double fraction) {
+  const QLocale locale;
+  if (stage == JobStage::reading) {
+    emit progressed(tr("Reading %1 %").arg(locale.toString(100 * fraction, 'f', 0)), fraction);
+    return;
+  }
+  const auto blocks = program_.input.toolpath == nullptr ? 0 : program_.input.toolpath->segments.size();
+  const auto done = static_cast<qulonglong>(fraction * static_cast<double>(blocks));
+  const std::size_t row = runs_.row_of(working_on_);
+  const QString run = row < runs_.items().size() && runs_.items().size() > 1
+                          ? tr(" (run %1 of %2)").arg(row + 1).arg(runs_.items().size())
+                          : QString();
+  emit progressed(tr("Simulating %1 of %2 blocks%3")
+                      .arg(locale.toString(done), locale.toString(static_cast<qulonglong>(blocks)), run),
+                  fraction);
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <QFileSystemWatcher>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <vector>
+
+#include "ui/models/cursor.h"
+#include "ui/models/playback.h"
+#include "ui/models/run_list.h"
+#include "ui/models/setup_edit.h"
+#include "ui/models/simulation_job.h"
+
+namespace feedscope::ui {
+
+/// A machine as people choose it.
+struct MachineChoice {
+  QString id;
+  QString name;
+};
+
+/// What the window works on: one program, its runs, and the place that all views point at. Whatever is not up
+/// to date is simulated anew, the current run first.
+class Workbench : public QObject {
+  Q_OBJECT
+
+ public:
+  Workbench(MachineLibrary machines, Setup setup, QObject* parent = nullptr);
+
+  /// Shows a run that is done, with its program and setup, as the only one.
+  void show(const Run& run);
+  /// Reads a program and simulates every run of it.
+  void open(const std::filesystem::path& file);
+  /// Reads the program again; the cursor stays at its line.
+  void reload();
+  void set_reload_on_change(bool on);
+  void cancel();
+  /// Id or file; its own model is chosen with it. An unusable file is reported by failed().
+  void choose_machine(const QString& id_or_file);
+  void choose_model(const QString& id);
+  /// Contour tolerance of the current run [mm], instead of the program's own too. False if its model reads
+  /// none, or the value is out of bounds.
+  bool set_tolerance(double tolerance);
+
+  /// The shipped machines; one whose file is faulty goes by its id.
+  std::vector<MachineChoice> machine_choices() const;
+  RunList& runs() { return runs_; }
+  SetupEdit& setup() { return setup_; }
+  Cursor& cursor() { return cursor_; }
+  Playback& playback() { return playback_; }
+  const std::filesystem::path& file() const { return file_; }
+  /// Null until a program has been read.
+  std::shared_ptr<const Program> program() const { return program_.input.program; }
+  const ShownProgram& shown_program() const { return program_; }
+  /// Of the current run; null until its first simulation is done.
+  std::shared_ptr<const ShownRun> shown() const { return runs_.result(runs_.current()); }
+  bool busy() const { return job_.busy(); }
+
+ signals:
+  /// Another program, or none; its runs follow.
+  void program_changed();
+  /// Another current run, or another result of it.
+  void run_changed();
+  void busy_changed(bool busy);
+  /// What is being done, for the user, and how much of it [0, 1].
+  void progressed(const QString& activity, double fraction);
+  void failed(const QString& message);
+  /// Something worth a line in the status bar.
+  void noticed(const QString& message);
+
+ private:
+  void read_file();
+  void schedule();
+  bool wanted(std::size_t row) const;
+  bool under_way(std::size_t row) const;
+  void take_program(const ShownProgram& program);
+  void take_result(const std::shared_ptr<const ShownRun>& result);
+  void take_failure(const QString& message);
+  void show_current();
+  void watch();
+  void report(JobStage stage, double fraction);
+
+  MachineLibrary machines_;
+  RunList runs_;
+  SetupEdit setup_;
+  Cursor cursor_;
+  Playback playback_;
+  SimulationJob job_;
+  QFileSystemWatcher watcher_;
+  QTimer changed_;  ///< a file that is being written changes more than once
+  bool reload_on_change_ = true;
+  std::filesystem::path file_;
+  ShownProgram program_;
+  int working_on_ = 0;         ///< id of the run under way
+  Setup working_setup_;        ///< as it was when that began
+  std::set<int> given_up_;     ///< cancelled or failed, until their setup changes
+  std::uint32_t stay_at_ = 0;  ///< line of the cursor before the program was read again
+};
+
+}  // namespace feedscope::ui

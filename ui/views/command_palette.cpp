@@ -1,0 +1,155 @@
+#include "ui/views/command_palette.h"
+
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QRegularExpression>
+#include <QSortFilterProxyModel>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr int palette_width = 560;
+constexpr int palette_height = 360;
+constexpr QSize key_list_size(640, 640);
+constexpr int row_height = 22;
+
+QTableView* make_list(QAbstractItemModel* model, QWidget* parent) {
+  auto* list = new QTableView(parent);
+  list->setModel(model);
+  list->setSelectionBehavior(QAbstractItemView::SelectRows);
+  list->setSelectionMode(QAbstractItemView::SingleSelection);
+  list->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  list->setShowGrid(false);
+  list->setFrameShape(QFrame::NoFrame);
+  list->verticalHeader()->hide();
+  list->verticalHeader()->setDefaultSectionSize(row_height);
+  list->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list->horizontalHeader()->setSectionResizeMode(ActionTable::name, QHeaderView::Stretch);
+  return list;
+}
+
+/// Rows that hold every word, in any order, in menu or name.
+QRegularExpression all_words(const QString& words) {
+  QString pattern;
+  for (const QString& word : words.split(' ', Qt::SkipEmptyParts)) {
+    pattern += QStringLiteral("(?=.*%1)").arg(QRegularExpression::escape(word));
+  }
+  return QRegularExpression(pattern, QRegularExpression::CaseInsensitiveOption);
+}
+
+/// Filters by menu and name together.
+class Found : public QSortFilterProxyModel {
+ public:
+  using QSortFilterProxyModel::QSortFilterProxyModel;
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
+    const auto text = [&](int column) { return sourceModel()->index(row, column, parent).data().toString(); };
+    return filterRegularExpression()
+        .match(text(ActionTable::place) + ' ' + text(ActionTable::name))
+        .hasMatch();
+  }
+};
+
+}  // namespace
+
+CommandPalette::CommandPalette(QWidget* window)
+    : QFrame(window, Qt::Popup),
+      actions_(new ActionTable(this)),
+      found_(new Found(this)),
+      input_(new QLineEdit(this)),
+      list_(nullptr) {
+  found_->setSourceModel(actions_);
+  list_ = make_list(found_, this);
+  list_->horizontalHeader()->hide();
+  list_->setFocusPolicy(Qt::NoFocus);
+  setFrameShape(QFrame::StyledPanel);
+  input_->setPlaceholderText(tr("Find a command"));
+  input_->setAccessibleName(tr("Find a command"));
+  input_->installEventFilter(this);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(input_);
+  layout->addWidget(list_);
+  connect(input_, &QLineEdit::textChanged, this, &CommandPalette::filter);
+  connect(list_, &QTableView::clicked, this, &CommandPalette::run);
+}
+
+void CommandPalette::ask(QList<ListedAction> actions) {
+  actions.removeIf([](const ListedAction& listed) { return !listed.action->isEnabled(); });
+  actions_->set_actions(std::move(actions));
+  input_->clear();
+  filter({});
+  const QRect around = parentWidget()->rect();
+  const int width = std::min(palette_width, around.width());
+  resize(width, std::min(palette_height, around.height()));
+  move(parentWidget()->mapToGlobal(QPoint((around.width() - width) / 2, around.height() / 8)));
+  show();
+  input_->setFocus();
+}
+
+void CommandPalette::filter(const QString& words) {
+  found_->setFilterRegularExpression(all_words(words));
+  list_->selectRow(0);
+}
+
+void CommandPalette::run() {
+  QAction* action = actions_->action(found_->mapToSource(list_->currentIndex()));
+  hide();
+  if (action != nullptr) {
+    action->trigger();
+  }
+}
+
+bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const int row = list_->currentIndex().row();
+    switch (key) {
+      case Qt::Key_Up:
+        list_->selectRow(std::max(0, row - 1));
+        return true;
+      case Qt::Key_Down:
+        list_->selectRow(std::min(found_->rowCount() - 1, row + 1));
+        return true;
+      case Qt::Key_Return:
+      case Qt::Key_Enter:
+        run();
+        return true;
+      default:
+        break;
+    }
+  }
+  return QFrame::eventFilter(watched, event);
+}
+
+KeyList::KeyList(QWidget* window)
+    : QWidget(window, Qt::Tool), actions_(new ActionTable(this)), list_(make_list(actions_, this)) {
+  setWindowTitle(tr("Keys and mouse"));
+  auto* mouse = new QLabel(
+      tr("<b>3D view:</b> left drag turns, Shift or middle drag moves, wheel or right drag zooms, a click "
+         "points."
+         "<br><b>Charts:</b> wheel zooms at the pointer, drag pans, a click points, a double click shows all."
+         "<br><b>Program:</b> a click on a line points at it."),
+      this);
+  mouse->setWordWrap(true);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(list_);
+  layout->addWidget(mouse);
+  resize(key_list_size);
+}
+
+void KeyList::show_keys(QList<ListedAction> actions) {
+  actions.removeIf([](const ListedAction& listed) { return listed.action->shortcuts().isEmpty(); });
+  actions_->set_actions(std::move(actions));
+  show();
+  raise();
+}
+
+}  // namespace feedscope::ui

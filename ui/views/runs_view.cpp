@@ -1,0 +1,222 @@
+#include "ui/views/runs_view.h"
+
+#include <QAction>
+#include <QCheckBox>
+#include <QColorDialog>
+#include <QDoubleSpinBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLocale>
+#include <QRegularExpression>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "core/base/error.h"
+#include "ui/models/texts.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr int row_height = 22;
+constexpr double usual_bound = 10;      // [um]
+constexpr double largest_bound = 1000;  // [um]
+const std::string tolerance_key = "contour_tolerance_mm";
+
+/// "0.01 0.02; 0,05" by point or comma; what is no number is left out.
+QList<double> numbers_of(const QString& text) {
+  QList<double> numbers;
+  static const QRegularExpression separators(QStringLiteral("[\\s;]+"));
+  for (QString word : text.split(separators, Qt::SkipEmptyParts)) {
+    bool is_number = false;
+    const double number = word.replace(',', '.').toDouble(&is_number);
+    if (is_number) {
+      numbers.append(number);
+    }
+  }
+  return numbers;
+}
+
+}  // namespace
+
+RunsView::RunsView(RunList& runs, QWidget* parent)
+    : QWidget(parent),
+      runs_(runs),
+      model_(new RunTable(runs, this)),
+      table_(new QTableView(this)),
+      bounded_(new QCheckBox(tr("Error at &most"), this)),
+      bound_(new QDoubleSpinBox(this)),
+      verdict_(new QLabel(this)) {
+  table_->setModel(model_);
+  table_->setAccessibleName(tr("Runs and their results"));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
+  table_->setAlternatingRowColors(true);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(row_height);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setSectionResizeMode(RunTable::name, QHeaderView::Stretch);
+  table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  bound_->setRange(0, largest_bound);
+  bound_->setDecimals(1);
+  bound_->setValue(usual_bound);
+  bound_->setSuffix(tr(" µm"));
+  bound_->setEnabled(false);
+  bounded_->setToolTip(tr("Only runs whose contour error keeps this bound [µm] compete for the fastest"));
+  bound_->setToolTip(bounded_->toolTip());
+  verdict_->setWordWrap(true);
+
+  make_actions();
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(4, 2, 4, 2);
+  for (QAction* action : actions_) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    bar->addWidget(button);
+    table_->addAction(action);
+  }
+  bar->addSpacing(8);
+  bar->addWidget(bounded_);
+  bar->addWidget(bound_);
+  bar->addWidget(verdict_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(bar);
+  layout->addWidget(table_);
+
+  const auto set_bound = [this] {
+    bound_->setEnabled(bounded_->isChecked());
+    model_->set_error_bound(bounded_->isChecked() ? std::optional(bound_->value() / 1000) : std::nullopt);
+  };
+  connect(bounded_, &QCheckBox::toggled, this, set_bound);
+  connect(bound_, &QDoubleSpinBox::valueChanged, this, set_bound);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& index) {
+            if (index.isValid()) {
+              runs_.select(static_cast<std::size_t>(index.row()));
+            }
+          });
+  connect(&runs_, &RunList::current_changed, this, &RunsView::follow_current);
+  connect(&runs_, &RunList::list_changed, this, &RunsView::follow_current);
+  connect(model_, &RunTable::dataChanged, this, &RunsView::show_verdict);
+  connect(model_, &RunTable::modelReset, this, &RunsView::show_verdict);
+  follow_current();
+}
+
+void RunsView::make_actions() {
+  add_action(tr("&Duplicate"), tr("A copy of the current run, to be changed"), QKeySequence(tr("Ctrl+D")),
+             &RunsView::duplicate);
+  add_action(tr("&Tolerances …"), tr("Copies of the current run with other contour tolerances"),
+             QKeySequence(tr("Ctrl+T")), &RunsView::add_variants);
+  add_action(tr("&Remove"), tr("Take the current run away"), QKeySequence(tr("Ctrl+Delete")),
+             &RunsView::remove);
+  add_action(tr("&Up"), tr("Move the current run up"), QKeySequence(tr("Alt+Up")), &RunsView::move_up);
+  add_action(tr("Dow&n"), tr("Move the current run down"), QKeySequence(tr("Alt+Down")),
+             &RunsView::move_down);
+  auto* colour = new QAction(tr("&Colour …"), this);
+  colour->setToolTip(tr("Colour of the current run in charts and 3D view"));
+  connect(colour, &QAction::triggered, this, [this] { choose_colour(runs_.current()); });
+  table_->addAction(colour);
+}
+
+void RunsView::add_action(const QString& text, const QString& tip, const QKeySequence& key,
+                          void (RunsView::*call)()) {
+  auto* action = new QAction(text, this);
+  action->setToolTip(tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this, call);
+  actions_.append(action);
+}
+
+void RunsView::duplicate() {
+  runs_.duplicate(runs_.current());
+}
+
+void RunsView::add_variants() {
+  if (!runs_.current_item().setup.file().settings.has(tolerance_key)) {
+    verdict_->setText(tr("The model of this run reads no contour tolerance."));
+    return;
+  }
+  bool accepted = false;
+  const QString text = QInputDialog::getText(
+      this, tr("Runs with other tolerances"), tr("Contour tolerances [mm], with spaces between them:"),
+      QLineEdit::Normal,
+      QLocale().toString(0.01) + ' ' + QLocale().toString(0.02) + ' ' + QLocale().toString(0.05), &accepted);
+  if (!accepted) {
+    return;
+  }
+  try {
+    std::vector<SetupState> setups;
+    for (const double tolerance : numbers_of(text)) {
+      setups.push_back(runs_.current_item().setup);
+      setups.back().set(tolerance_key, tolerance);
+      setups.back().set("program_tolerance", std::string("off"));
+    }
+    runs_.history().beginMacro(tr("runs with other tolerances"));
+    for (const SetupState& setup : setups) {
+      runs_.duplicate_as(runs_.current(), setup);
+    }
+    runs_.history().endMacro();
+  } catch (const InputError& error) {
+    verdict_->setText(QString::fromUtf8(error.what()));
+  }
+}
+
+void RunsView::remove() {
+  runs_.remove(runs_.current());
+}
+
+void RunsView::move_up() {
+  if (runs_.current() > 0) {
+    runs_.move(runs_.current(), runs_.current() - 1);
+  }
+}
+
+void RunsView::move_down() {
+  runs_.move(runs_.current(), runs_.current() + 1);
+}
+
+void RunsView::choose_colour(std::size_t row) {
+  const QColor colour = QColorDialog::getColor(runs_.items()[row].colour, this, tr("Colour of the run"));
+  if (colour.isValid()) {
+    runs_.set_colour(row, colour);
+  }
+}
+
+void RunsView::follow_current() {
+  const QModelIndex index = model_->index(static_cast<int>(runs_.current()), RunTable::name);
+  if (table_->currentIndex().row() != index.row()) {
+    table_->setCurrentIndex(index);
+  }
+  show_verdict();
+}
+
+QString RunsView::verdict() const {
+  const std::size_t count = runs_.items().size();
+  if (count < 2) {
+    return tr("Duplicate the run and change a value to compare.");
+  }
+  const auto best = model_->best();
+  if (!best) {
+    std::size_t done = 0;
+    for (std::size_t row = 0; row < count; ++row) {
+      done += runs_.up_to_date(row) ? 1 : 0;
+    }
+    return done < count ? tr("%1 of %2 runs are simulated.").arg(done).arg(count)
+                        : tr("No run keeps this bound.");
+  }
+  return tr("Fastest: %1 with %2.")
+      .arg(run_title(runs_.items()[*best]), clock_text(runs_.result(*best)->run.summary.cycle_time));
+}
+
+void RunsView::show_verdict() {
+  verdict_->setText(verdict());
+}
+
+}  // namespace feedscope::ui
