@@ -3,13 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/program/path/b_spline.h"
 #include "core/program/path/curve_lines.h"
 
 namespace feedscope::sinumerik {
 
 namespace {
-
-using Homogeneous = Eigen::Vector4d;
 
 /// Clamped knots: the curve begins at the first point and ends at the last one. Between them lie the
 /// intervals of the points from number `degree` on.
@@ -20,25 +19,6 @@ std::vector<double> knots_of(const std::vector<SplinePath::Point>& points, std::
   }
   knots.insert(knots.end(), degree, knots.back());
   return knots;
-}
-
-/// De Boor's algorithm in the knot interval that begins with knot number `span`.
-Vec3 b_spline_point(const std::vector<SplinePath::Point>& points, const std::vector<double>& knots,
-                    std::size_t degree, std::size_t span, double parameter) {
-  std::array<Homogeneous, 4> d;
-  for (std::size_t j = 0; j <= degree; ++j) {
-    const SplinePath::Point& point = points[span - degree + j];
-    d[j] << point.weight * point.at, point.weight;
-  }
-  for (std::size_t r = 1; r <= degree; ++r) {
-    for (std::size_t j = degree; j >= r; --j) {
-      const std::size_t i = span - degree + j;
-      const double width = knots[i + degree - r + 1] - knots[i];
-      const double share = width > 0 ? (parameter - knots[i]) / width : 0;
-      d[j] = (1 - share) * d[j - 1] + share * d[j];
-    }
-  }
-  return d[degree].head<3>() / d[degree][3];
 }
 
 Vec3 akima_slope(const Vec3& m1, const Vec3& m2, const Vec3& m3, const Vec3& m4) {
@@ -104,10 +84,14 @@ void SplinePath::lines(const Vec3& direction,
 void SplinePath::b_spline(const std::function<void(const Vec3&, const Point&)>& line_to) const {
   const std::size_t degree = std::min<std::size_t>(static_cast<std::size_t>(degree_), points_.size() - 1);
   const std::vector<double> knots = knots_of(points_, degree);
+  std::vector<Eigen::Vector4d> weighted_points;
+  for (const Point& point : points_) {
+    weighted_points.push_back(weighted(point.at, point.weight));
+  }
   for (std::size_t span = degree; span < points_.size(); ++span) {
     if (knots[span + 1] > knots[span]) {
-      lines_of_curve([&](double u) { return b_spline_point(points_, knots, degree, span, u); }, knots[span],
-                     knots[span + 1], [&](const Vec3& point) { line_to(point, points_[span]); });
+      lines_of_curve([&](double u) { return b_spline_point(weighted_points, knots, degree, span, u); },
+                     knots[span], knots[span + 1], [&](const Vec3& point) { line_to(point, points_[span]); });
     }
   }
 }

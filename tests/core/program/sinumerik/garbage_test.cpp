@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/program/program.h"
+#include "tests/core/program/mutated_text.h"
 #include "tests/core/program/read_text.h"
 #include "tests/support/program_checks.h"
 
@@ -137,7 +138,13 @@ TEST(SinumerikGarbage, RandomWordsAreReadWithoutHarm) {
                                          "G91",
                                          "G18",
                                          "G642",
-                                         "$P_EP[X]"};
+                                         "$P_EP[X]",
+                                         "RND=",
+                                         "RNDM=1",
+                                         "CHF=",
+                                         "CHR=2",
+                                         "FRC=",
+                                         "DIAMON"};
   std::mt19937 random(1);
   for (int round = 0; round < 30000; ++round) {
     std::string text;
@@ -156,7 +163,8 @@ TEST(SinumerikGarbage, MutatedProgramsAreReadWithoutHarm) {
   const std::string sample =
       "%_N_MAIN_MPF\n;$PATH=/_N_WKS_DIR\nDEF REAL LEN=5, VALS[3]=(1,2,3)\nDEF INT II\nG17 G90 G710 F500 "
       "S100\n"
-      "TRANS X10\nAROT Z=30*R1\nG0 X1.5 Y-2 Z5\nG1 Z-1\nG2 X3 CR=4\nG3 X=IC(2) Y0 I1 J=AC(2)\nCIP X5 Y5 I1=3 "
+      "TRANS X10\nAROT Z=30*R1\nG0 X1.5 Y-2 Z5\nG1 Z-1\nX9 RND=1\nY3 CHF=.5 RNDM=.2\nG2 X3 CR=4\nG3 X=IC(2) "
+      "Y0 I1 J=AC(2)\nCIP X5 Y5 I1=3 "
       "J1=1\n"
       "FOR II=1 TO 3\nX=LEN*II Y=VALS[II-1]\nIF II==2 GOTOF NEXT\nG3 X10 AR=100\nNEXT:\nENDFOR\nR1=R1+1\n"
       "SUB1(LEN,\"A\") P2\nBSPLINE X1 Y1 PW=2\nX5 Y3\nX7 Y1\nCSPLINE X8 Y2\nX9 Y9\nPOLY PO[X]=(5,1,2) PL=2\n"
@@ -165,25 +173,7 @@ TEST(SinumerikGarbage, MutatedProgramsAreReadWithoutHarm) {
       "X1\nM17\n";
   std::mt19937 random(3);
   for (int round = 0; round < 15000; ++round) {
-    std::string text = sample;
-    for (std::size_t edits = 1 + random() % 6; edits > 0 && !text.empty(); --edits) {
-      const std::size_t at = random() % text.size();
-      switch (random() % 4) {
-        case 0:
-          text[at] = static_cast<char>(' ' + random() % 95);
-          break;
-        case 1:
-          text.erase(at, 1 + random() % 8);
-          break;
-        case 2:
-          text.insert(at, text.substr(random() % text.size(), 1 + random() % 12));
-          break;
-        default:
-          text.resize(at + (text.size() - at) / 2);
-          break;
-      }
-    }
-    expect_sane(text);
+    expect_sane(mutated(sample, random));
     if (HasFatalFailure()) {
       FAIL() << "round " << round;
     }

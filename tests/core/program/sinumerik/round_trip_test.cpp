@@ -7,21 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "tests/core/program/random_path.h"
 #include "tests/core/program/sinumerik/read_sinumerik.h"
 
 namespace feedscope {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-
-struct Move {
-  Motion motion = Motion::line;
-  Vec3 target;
-  Vec3 center;   ///< arcs
-  int axis = 2;  ///< arcs: normal of the plane
-  bool ccw = true;
-  double sweep = 0;
-};
 
 /// How arcs are written.
 enum class ArcStyle { offset, position, radius, angle_and_end, angle_and_center, through };
@@ -33,35 +25,6 @@ struct Style {
   bool assigned = false;  ///< "X=R1+..." instead of "X1"
   ArcStyle arc = ArcStyle::offset;
 };
-
-std::vector<Move> random_path(std::mt19937& random) {
-  std::uniform_real_distribution<double> number(-100, 100);
-  std::uniform_real_distribution<double> angle(0.1, 2 * pi - 0.1);
-  std::vector<Move> path;
-  Vec3 position = Vec3::Zero();
-  for (int i = 0; i < 25; ++i) {
-    Move move;
-    const int kind = static_cast<int>(random() % 3);
-    if (kind < 2) {
-      move.motion = kind == 0 ? Motion::rapid : Motion::line;
-      move.target = {number(random), number(random), number(random)};
-    } else {
-      move.motion = Motion::arc;
-      move.axis = static_cast<int>(random() % 3);
-      move.ccw = random() % 2 == 0;
-      move.sweep = angle(random);
-      const Vec3 normal = Vec3::Unit(move.axis);
-      Vec3 offset(number(random), number(random), number(random));
-      offset[move.axis] = 0;
-      move.center = position + offset;
-      const double turn = move.ccw ? move.sweep : -move.sweep;
-      move.target = move.center - std::cos(turn) * offset - std::sin(turn) * normal.cross(offset);
-    }
-    path.push_back(move);
-    position = move.target;
-  }
-  return path;
-}
 
 class Writer {
  public:
@@ -125,32 +88,10 @@ class Writer {
   Vec3 position_ = Vec3::Zero();
 };
 
-void expect_same(const std::vector<Move>& path, const Program& program) {
-  ASSERT_EQ(program.motions.size(), path.size());
-  for (std::size_t i = 0; i < path.size(); ++i) {
-    const MotionBlock& block = program.motions[i];
-    ASSERT_EQ(block.motion, path[i].motion);
-    ASSERT_LT((block.target - path[i].target).norm(), 1e-5);
-    ASSERT_EQ(block.line, i + 2);
-    if (block.motion == Motion::rapid) {
-      continue;
-    }
-    ASSERT_NEAR(block.feed, 10, 1e-9);
-    if (block.motion == Motion::arc) {
-      const ArcWords& arc = program.arcs.at(static_cast<std::size_t>(block.arc));
-      // Nearly half and nearly full turns magnify the rounding of the text.
-      ASSERT_LT((arc.center - path[i].center).norm(), 1e-2);
-      const Vec3 axis = (path[i].ccw ? 1 : -1) * Vec3(Vec3::Unit(path[i].axis));
-      ASSERT_LT((arc.axis - axis).norm(), 1e-6);
-      ASSERT_EQ(arc.turns, 0);
-    }
-  }
-}
-
 TEST(SinumerikRoundTrip, RandomPathsReadBackTheSameInEveryStyle) {
   std::mt19937 random(2026);
   for (int round = 0; round < 60; ++round) {
-    const std::vector<Move> path = random_path(random);
+    const std::vector<Move> path = random_path(random, false);
     for (int i = 0; i < 8 * arc_styles; ++i) {
       const Style style{.incremental = (i & 1) != 0,
                         .inch = (i & 2) != 0,
@@ -162,7 +103,7 @@ TEST(SinumerikRoundTrip, RandomPathsReadBackTheSameInEveryStyle) {
       }
       const Program program = read_sinumerik(writer.text());
       EXPECT_TRUE(program.diagnostics.empty()) << format(program.diagnostics.front(), "text");
-      expect_same(path, program);
+      expect_same(path, program, 2);
       if (HasFatalFailure() || HasNonfatalFailure()) {
         FAIL() << "round " << round << ", style " << i << "\n" << writer.text();
       }
