@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "core/program/heidenhain/heidenhain_iso_reader.h"
 #include "core/program/heidenhain/heidenhain_reader.h"
 #include "core/program/iso/iso_reader.h"
@@ -7,6 +9,39 @@
 namespace feedscope {
 
 namespace {
+
+constexpr std::string_view not_fitting = "arc-radius";
+
+void say_centers_are_positions(Program& program, const std::vector<Diagnostic>& as_offsets) {
+  const auto first = std::find_if(as_offsets.begin(), as_offsets.end(), [](const Diagnostic& diagnostic) {
+    return diagnostic.code == not_fitting && diagnostic.file.empty();
+  });
+  const std::uint32_t line = first == as_offsets.end() ? 0 : first->line;
+  const std::uint32_t column = first == as_offsets.end() ? 0 : first->column;
+  const auto behind = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
+                                   [line](const Diagnostic& diagnostic) { return diagnostic.line > line; });
+  program.diagnostics.insert(
+      behind, {Severity::warning, line, column, "arc-centers",
+               "I J K are taken as positions: as offsets from the start most arcs do not fit, as positions "
+               "all of them do",
+               "write G90.1 if that is right, G91.1 if not"});
+}
+
+Program read_iso(const std::shared_ptr<const SourceText>& source, const ReadOptions& options,
+                 Progress* progress) {
+  IsoReader reader(source, options, progress);
+  Program program = reader.read();
+  if (!reader.doubts_centers()) {
+    return program;
+  }
+  IsoReader again(source, options, progress, true);
+  Program other = again.read();
+  if (!again.centers_fit()) {
+    return program;
+  }
+  say_centers_are_positions(other, program.diagnostics);
+  return other;
+}
 
 Program read_as(Dialect dialect, std::shared_ptr<const SourceText> source, const ReadOptions& options,
                 Progress* progress) {
@@ -18,7 +53,7 @@ Program read_as(Dialect dialect, std::shared_ptr<const SourceText> source, const
     case Dialect::heidenhain_iso:
       return HeidenhainIsoReader(std::move(source), options, progress).read();
     default:
-      return IsoReader(std::move(source), options, progress).read();
+      return read_iso(source, options, progress);
   }
 }
 

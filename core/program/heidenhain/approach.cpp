@@ -1,6 +1,6 @@
 #include "core/program/heidenhain/approach.h"
 
-#include "core/program/heidenhain/plane_points.h"
+#include "core/program/path/plane_points.h"
 
 namespace feedscope {
 

@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/program/heidenhain/corner_rounding.h"
-#include "core/program/heidenhain/plane_points.h"
+#include "core/program/path/plane_points.h"
 
 namespace feedscope {
 
@@ -38,7 +37,7 @@ void ContourWriter::add(const ContourElement& element) {
   if (approach_) {
     resolve_approach(element);
   } else if (corner_) {
-    resolve_corner(element);
+    hand_corner_on();
   }
   write_held();
   last_ = element;
@@ -136,50 +135,19 @@ void ContourWriter::report_corner(std::string message, std::string hint) {
   });
 }
 
-void ContourWriter::resolve_corner(const ContourElement& next) {
-  const int normal = normal_axis(plane_);
-  const Vec3 start = path_.position();
-  const auto first = curve_of(start, last_);
-  const auto second = curve_of(last_.target, next);
-  const bool level = std::abs(last_.target[normal] - start[normal]) <= same_point &&
-                     std::abs(next.target[normal] - last_.target[normal]) <= same_point;
-  if (!first || !second || !level) {
-    report_corner("the elements next to it leave the working plane", "the corner stays sharp");
-    corner_.reset();
-    return;
+/// The path cuts it off once it knows the element behind it.
+void ContourWriter::hand_corner_on() {
+  CornerCut cut;
+  cut.kind = corner_->rounding ? CornerCut::Kind::rounding : CornerCut::Kind::chamfer;
+  cut.size = corner_->size;
+  cut.line = corner_->place.line;
+  cut.place = corner_->place.place;
+  if (corner_->feed) {
+    path_.set_feed_mode(corner_->feed->mode);
+    path_.set_feed(corner_->feed->value);
+    cut.feed = corner_->feed->rapid ? 0 : path_.feed_rate();
   }
-  const CornerPiece piece = corner_->rounding ? round_corner(*first, *second, corner_->size)
-                                              : chamfer_corner(*first, *second, corner_->size);
-  switch (piece.fault) {
-    case CornerFault::none: {
-      ContourElement cut = last_;
-      cut.target = from_plane(piece.to, plane_, last_.target);
-      cut.is_arc = corner_->rounding;
-      cut.center = from_plane(piece.center, plane_, last_.target);
-      cut.plane = plane_;
-      cut.turn = piece.turn;
-      cut.extra_turns = 0;
-      cut.radius = 0;
-      cut.feed = corner_->feed.value_or(last_.feed);
-      cut.place = corner_->place;
-      last_.target = from_plane(piece.from, plane_, last_.target);
-      write_held();
-      write(cut);
-      break;
-    }
-    case CornerFault::smooth:
-      break;
-    case CornerFault::reversal:
-      report_corner("the path turns back at the corner", "the corner stays sharp");
-      break;
-    case CornerFault::too_large:
-      report_corner("it does not fit between the elements next to it",
-                    "the corner stays sharp; make it smaller");
-      break;
-    case CornerFault::not_lines:
-      report_corner("it stands next to an arc", "the corner stays sharp; a chamfer is for two lines");
-      break;
-  }
+  path_.cut_next_corner(cut, plane_);
   corner_.reset();
 }
 

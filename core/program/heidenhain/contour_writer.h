@@ -67,14 +67,8 @@ struct ContourDeparture {
 };
 
 /// Takes contours as the blocks of a program give them and writes their path. The last element is held back,
-/// for the block behind it may round its end, and an approach is, for the contour's first element says where
-/// it comes from.
-///
-///     held element      corner (RND, CHF)      next element
-///     ----------------------.  . . .  +
-///                              `.     |        the corner is cut off from both
-///                                `.   |
-///                                  .  |
+/// for the block behind it may say that its end is rounded or that it is an approach, and an approach is, for
+/// the contour's first element says where it comes from.
 class ContourWriter {
  public:
   /// Both outlive it.
@@ -105,7 +99,7 @@ class ContourWriter {
   void write_held();
   void compensate(const ContourElement& element);
   void resolve_approach(const ContourElement& first);
-  void resolve_corner(const ContourElement& next);
+  void hand_corner_on();
   void report_corner(std::string message, std::string hint);
   void report_approach(const ContourPlace& place, std::string message, std::string hint);
   /// Motion in the plane, then along the tool axis.

@@ -1,7 +1,7 @@
 #include "core/program/heidenhain/hole_patterns.h"
 
 #include "core/base/units.h"
-#include "core/program/heidenhain/plane_points.h"
+#include "core/program/path/plane_points.h"
 
 namespace feedscope {
 

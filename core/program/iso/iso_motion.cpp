@@ -26,6 +26,7 @@ void IsoReader::move() {
   const bool moves = words_.has_any("XYZ") || words_.has_polar() || (is_arc && words_.has_any("IJKR")) ||
                      (is_cycle && words_.has('R')) || (is_spline && words_.has('P'));
   if (words_.own_words || !moves) {
+    cut_corner(false);
     return;
   }
   if (state_.motion == MotionMode::none) {
@@ -39,6 +40,7 @@ void IsoReader::move() {
   if (!nurbs_.points.empty() && !is_spline) {
     finish();
   }
+  cut_corner(is_arc || state_.motion == MotionMode::line);
   if (is_cycle) {
     run_cycle();
     return;
@@ -83,6 +85,28 @@ void IsoReader::check_inverse_time() {
       return Text{"a feed move without F under G93", "the last F is taken; write F in every such block"};
     });
   }
+}
+
+/// ",R" and ",C": at the end of the motion that follows.
+void IsoReader::cut_corner(bool at_line_or_arc) {
+  if (words_.corner == nullptr) {
+    return;
+  }
+  const Word& word = *words_.corner;
+  if (!at_line_or_arc || !(word.value > 0)) {
+    report(Severity::error, "corner", at_line_or_arc ? 2 : 3, word.column, [&] {
+      return Text{at_line_or_arc ? fmt::format("a rounding or chamfer of {} is not above zero", word.value)
+                                 : fmt::format(",{} in a block that is no line or arc", word.letter),
+                  "the corner stays sharp; write it in the G1, G2 or G3 block that ends at the corner"};
+    });
+    return;
+  }
+  CornerCut cut;
+  cut.kind = word.letter == 'R' ? CornerCut::Kind::rounding : CornerCut::Kind::chamfer;
+  cut.size = state_.to_mm(word.value);
+  cut.at_feed_only = true;
+  cut.place = place(word.column);
+  path().cut_next_corner(cut, state_.plane);
 }
 
 void IsoReader::dwell() {

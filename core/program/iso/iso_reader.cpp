@@ -22,11 +22,22 @@ int g_number(double value) {
 
 }  // namespace
 
-IsoReader::IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress)
+IsoReader::IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress,
+                     bool absolute_centers)
     : Reader(std::move(source), options, progress),
       dialect_(options.dialect.value_or(Dialect::iso)),
       variables_(dialect_),
-      expression_(dialect_, *this) {}
+      expression_(dialect_, *this) {
+  state_.absolute_centers = absolute_centers;
+}
+
+bool IsoReader::doubts_centers() const {
+  // A single wrong centre may fit as a position by chance.
+  constexpr std::uint64_t fewest = 3;
+  const PathWriter::CenterCount& centers = path().centers();
+  const bool has_parameter = !follows_linuxcnc(dialect_);
+  return has_parameter && !centers_named_ && centers.misfits >= fewest && 2 * centers.misfits > centers.arcs;
+}
 
 void IsoReader::Words::clear() {
   present = 0;
@@ -38,6 +49,7 @@ void IsoReader::Words::clear() {
   macro_call = false;
   distance = nullptr;
   angle = nullptr;
+  corner = nullptr;
   flow = nullptr;
   function_count = 0;
 }
@@ -102,6 +114,10 @@ void IsoReader::gather(const Block& block) {
   words_.clear();
   bool codes = false;
   for (const Word& word : block.words) {
+    if (word.comma) {
+      words_.corner = &word;
+      continue;
+    }
     switch (word.letter) {
       case 'G':
         words_.macro_call |= word.value == 65 || word.value == 66;
@@ -221,10 +237,9 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
       state_.incremental = true;
       break;
     case GAction::absolute_centers:
-      state_.absolute_centers = true;
-      break;
     case GAction::incremental_centers:
-      state_.absolute_centers = false;
+      state_.absolute_centers = code.action == GAction::absolute_centers;
+      centers_named_ = true;
       break;
     case GAction::feed_per_minute:
       path().set_feed_mode(FeedMode::per_minute);

@@ -25,8 +25,15 @@ namespace feedscope {
 /// Reads what ISO controls share, and Fanuc, LinuxCNC and grbl. README.md beside program.h gives the words.
 class IsoReader : public Reader, private VariableSource {
  public:
-  /// `options.dialect` says which of them; none: Dialect::iso.
-  IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);
+  /// `options.dialect` says which of them; none: Dialect::iso. `absolute_centers`: I J K are positions until
+  /// the program says otherwise (G91.1), a parameter of some controls.
+  IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress,
+            bool absolute_centers = false);
+
+  /// After read(): most arcs by a centre do not fit, and the program does not say how its I J K are meant.
+  bool doubts_centers() const;
+  /// After read(): every arc by a centre fits.
+  bool centers_fit() const { return path().centers().misfits == 0; }
 
  private:
   /// A set of word letters, known when compiled.
@@ -53,6 +60,7 @@ class IsoReader : public Reader, private VariableSource {
     bool macro_call = false;                           ///< G65, G66: the words are arguments
     const Word* distance = nullptr;                    ///< "@" of LinuxCNC
     const Word* angle = nullptr;                       ///< "^" of LinuxCNC [deg]
+    const Word* corner = nullptr;                      ///< ",R" or ",C" of Fanuc
     const Word* flow = nullptr;                        ///< M97, M98 or M99
     struct Function {
       int code = 0;  ///< ten times the G number
@@ -92,6 +100,7 @@ class IsoReader : public Reader, private VariableSource {
   double extra_turns();
   void check_center_axis();
   void check_inverse_time();
+  void cut_corner(bool at_line_or_arc);
   void program_axes_of_block();
   Vec3 target_of_block();
   Vec3 center_of_block(bool absolute) const;
@@ -298,7 +307,8 @@ class IsoReader : public Reader, private VariableSource {
   IsoCoordinates coordinates_;
   std::map<int, double> tool_radii_;  ///< by offset number [mm]
   Words words_;
-  bool words_met_ = false;  ///< from then on "%" ends the program
+  bool words_met_ = false;      ///< from then on "%" ends the program
+  bool centers_named_ = false;  ///< G90.1 or G91.1
   IsoVariables variables_;
   IsoExpression expression_;
   std::string statement_text_;

@@ -104,6 +104,12 @@ bool IsoReader::read_items(Scanner& scan) {
 
 void IsoReader::read_word(Scanner& scan) {
   const std::uint32_t column = scan.column();
+  const bool comma =
+      !follows_linuxcnc(dialect_) && scan.peek() == ',' &&
+      std::string_view("RC").find(letters::to_upper(scan.peek_at(1))) != std::string_view::npos;
+  if (comma) {
+    scan.take(',');
+  }
   const char letter = letters::to_upper(scan.peek());
   const bool polar = (letter == '@' || letter == '^') && follows_linuxcnc(dialect_);
   if (!letters::is_letter(letter) && !polar) {
@@ -123,6 +129,7 @@ void IsoReader::read_word(Scanner& scan) {
                                                                                   : 1e-3);
   Word word;
   word.letter = letter;
+  word.comma = comma;
   word.column = column;
   word.value = read_value(scan, word.has_point);
   word.length = static_cast<std::uint32_t>(scan.at() + 1 - column);

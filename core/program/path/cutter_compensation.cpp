@@ -23,10 +23,6 @@ constexpr double join_gap_at_point = 1e-2;
 constexpr double allowed_cut = 2e-3;
 constexpr double reversal_sine = 1e-9;
 
-double cross(const Vec2& a, const Vec2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 bool is_point(const PlaneElement& path) {
   return path.is_arc() && path.radius <= allowed_cut;
 }
@@ -38,30 +34,19 @@ PathMotion as_line(PathMotion motion) {
 
 bool same_normal(const Compensation& a, const Compensation& b) {
   constexpr double same = 1e-9;
-  return (a.normal - b.normal).norm() <= same;
+  return (a.plane.normal - b.plane.normal).norm() <= same;
 }
 
 }  // namespace
-
-Vec2 CutterCompensation::in_plane(const Vec3& point) const {
-  const Vec3& x = compensation_.first_axis;
-  return {x.dot(point), compensation_.normal.cross(x).dot(point)};
-}
 
 /// The block programs an axis that lies in the plane, were it only where the contour is already.
 bool CutterCompensation::names_plane(const PathMotion& motion) const {
   constexpr double across = 0.9;
   bool named = false;
   for (std::size_t i = 0; i < motion.axes.size(); ++i) {
-    named = named || (motion.axes[i] && std::abs(compensation_.normal[static_cast<int>(i)]) < across);
+    named = named || (motion.axes[i] && std::abs(compensation_.plane.normal[static_cast<int>(i)]) < across);
   }
   return named;
-}
-
-Vec3 CutterCompensation::in_space(const Vec2& point, const Vec3& height_of) const {
-  const Vec3& x = compensation_.first_axis;
-  const Vec3& normal = compensation_.normal;
-  return point.x() * x + point.y() * normal.cross(x) + normal.dot(height_of) * normal;
 }
 
 PlaneElement CutterCompensation::path_beside(const PlaneElement& contour) const {
@@ -139,17 +124,12 @@ void CutterCompensation::take_in_plane(const PathMotion& motion) {
 }
 
 PlaneElement CutterCompensation::element_of(const PathMotion& motion, const Vec2& start) {
-  const Vec2 end = in_plane(motion.block.target);
-  if (motion.block.motion != Motion::arc) {
-    return PlaneElement::line(start, end);
+  const PlaneElement element = compensation_.plane.element_of(motion, start);
+  if (!element.is_arc() || path_beside(element).radius >= -allowed_cut) {
+    return element;
   }
-  const int turn = compensation_.normal.dot(motion.arc.axis) > 0 ? 1 : -1;
-  const PlaneElement arc = PlaneElement::arc(start, end, in_plane(motion.arc.center), turn, motion.arc.turns);
-  if (path_beside(arc).radius >= -allowed_cut) {
-    return arc;
-  }
-  report_radius(motion, arc.radius);
-  return PlaneElement::line(start, end);
+  report_radius(motion, element.radius);
+  return PlaneElement::line(start, element.end);
 }
 
 void CutterCompensation::enter(const PathMotion& motion, const PlaneElement& contour) {
@@ -223,7 +203,7 @@ void CutterCompensation::go_around(const PlaneElement& next, const PathMotion& m
   }
   release(path_beside(held_->contour).end);
   linking.block.motion = Motion::arc;
-  linking.arc = {in_space(next.start, tool_), (left_ > 0 ? -1 : 1) * compensation_.normal, 0};
+  linking.arc = {in_space(next.start, tool_), (left_ > 0 ? -1 : 1) * compensation_.plane.normal, 0};
   write(linking, in_space(path_beside(next).start, tool_));
 }
 

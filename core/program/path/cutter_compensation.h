@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/program/path/contour_plane.h"
+#include "core/program/path/path_motion.h"
 #include "core/program/path/plane_element.h"
 #include "core/program/program.h"
 #include "core/program/text/diagnostic_log.h"
@@ -25,16 +27,7 @@ struct Compensation {
   ToolSide side = ToolSide::left;
   double radius = 0;  ///< of the tool [mm]; negative: the other side
   OutsideCorner corner = OutsideCorner::arc;
-  Vec3 normal = Vec3::UnitZ();      ///< unit, of the plane; left is left seen against it
-  Vec3 first_axis = Vec3::UnitX();  ///< unit, in the plane
-};
-
-/// A motion to be written, in shown coordinates.
-struct PathMotion {
-  MotionBlock block;  ///< its `arc` is not used
-  ArcWords arc;       ///< arcs only
-  DiagnosticLog::Place place;
-  std::array<bool, 3> axes{};  ///< that the block programs
+  ContourPlane plane;  ///< left is left seen against its normal
 };
 
 /// Turns a contour into the path of the tool's centre beside it.
@@ -75,9 +68,11 @@ class CutterCompensation {
     bool is_entry = false;
   };
 
-  Vec2 in_plane(const Vec3& point) const;
+  Vec2 in_plane(const Vec3& point) const { return compensation_.plane.in_plane(point); }
   bool names_plane(const PathMotion& motion) const;
-  Vec3 in_space(const Vec2& point, const Vec3& height_of) const;
+  Vec3 in_space(const Vec2& point, const Vec3& height_of) const {
+    return compensation_.plane.in_space(point, height_of);
+  }
   PlaneElement element_of(const PathMotion& motion, const Vec2& start);
   PlaneElement path_beside(const PlaneElement& contour) const;
 

@@ -40,7 +40,7 @@ ArcShape shape_of(const Vec3& start, const ArcSolution::Piece& piece) {
 }  // namespace
 
 PathWriter::PathWriter(Program& program, DiagnosticLog& log)
-    : program_(program), log_(log), compensation_(log) {
+    : program_(program), log_(log), corners_(log), compensation_(log) {
   program_.path_controls.emplace_back();
 }
 
@@ -51,6 +51,7 @@ void PathWriter::begin_line(std::uint32_t shown, const DiagnosticLog::Place& pla
 }
 
 void PathWriter::finish() {
+  end_corners();
   compensation_.finish();
   write_ready();
 }
@@ -59,6 +60,7 @@ void PathWriter::set_frame(const CoordinateFrame& frame) {
   frame_ = frame;
   programmed_ = frame_.is_identity() ? shown_ : frame_.to_programmed(shown_);
   if (compensation_.is_on()) {
+    end_corners();
     compensation_.switch_on(compensation_in_frame(), shown_, place_);
     write_ready();
   }
@@ -66,37 +68,86 @@ void PathWriter::set_frame(const CoordinateFrame& frame) {
 
 void PathWriter::set_compensation(ToolSide side, double radius, OutsideCorner corner, Plane plane,
                                   std::uint32_t column) {
-  compensation_words_ = {side, radius, corner, normal_of(plane), Vec3::Unit(first_axis(plane))};
+  end_corners();
+  compensation_words_ = {side, radius, corner, {normal_of(plane), Vec3::Unit(first_axis(plane))}};
   compensation_.switch_on(compensation_in_frame(), shown_, {place_.line, column, place_.file});
   write_ready();
 }
 
 void PathWriter::end_compensation() {
+  end_corners();
   compensation_.switch_off();
   write_ready();
 }
 
 Compensation PathWriter::compensation_in_frame() const {
   Compensation turned = compensation_words_;
-  if (!frame_.is_shift()) {
-    turned.first_axis = frame_.turned(turned.first_axis).normalized();
-    turned.normal = frame_.turned(turned.normal).normalized();
-    turned.normal *= frame_.mirrors() ? -1 : 1;
-  }
+  turned.plane = plane_in_frame(turned.plane);
   return turned;
+}
+
+ContourPlane PathWriter::plane_in_frame(const ContourPlane& plane) const {
+  if (frame_.is_shift()) {
+    return plane;
+  }
+  return {(frame_.mirrors() ? -1 : 1) * frame_.turned(plane.normal).normalized(),
+          frame_.turned(plane.first_axis).normalized()};
+}
+
+void PathWriter::cut_next_corner(CornerCut cut, Plane plane) {
+  const double scale = frame_.is_shift() ? 1 : frame_.scale_across(normal_of(plane));
+  if (scale == 0) {
+    log_.add(Severity::error, "corner", 1, cut.place, [] {
+      return Text{"a rounding or chamfer of a contour that is scaled unevenly is not read",
+                  "the corner stays sharp"};
+    });
+    return;
+  }
+  cut.size *= scale;
+  corners_.cut_next(cut, plane_in_frame({normal_of(plane), Vec3::Unit(first_axis(plane))}));
+  pass_corners_on();
+}
+
+void PathWriter::end_motion() {
+  if (!corners_.is_idle()) {
+    corners_.end_motion();
+  }
+}
+
+void PathWriter::end_corners() {
+  if (!corners_.is_idle()) {
+    corners_.finish();
+    pass_corners_on();
+  }
+}
+
+void PathWriter::pass_corners_on() {
+  for (const PathMotion& motion : corners_.ready()) {
+    compensate(motion);
+  }
+  corners_.ready().clear();
 }
 
 void PathWriter::rapid(const Vec3& target) {
   append(Motion::rapid, target, 0);
+  end_motion();
 }
 
-void PathWriter::line(const Vec3& target) {
+void PathWriter::chord(const Vec3& target) {
   append(Motion::line, target, feed_over((target - programmed_).norm()));
 }
 
+void PathWriter::line(const Vec3& target) {
+  chord(target);
+  end_motion();
+}
+
 void PathWriter::arc_by_center(const ArcRequest& request) {
-  arc(request,
-      solve_center_arc(programmed_, request.target, request.center, request.axis, request.extra_turns));
+  const ArcSolution solution =
+      solve_center_arc(programmed_, request.target, request.center, request.axis, request.extra_turns);
+  ++centers_.arcs;
+  centers_.misfits += solution.fault == ArcFault::none ? 0 : 1;
+  arc(request, solution);
 }
 
 void PathWriter::arc_by_radius(const ArcRequest& request) {
@@ -124,6 +175,7 @@ void PathWriter::arc(const ArcRequest& request, const ArcSolution& solution) {
     }
     append(Motion::arc, piece.target, feed, shown);
   }
+  end_motion();
 }
 
 void PathWriter::straight_arc(const ArcRequest& request, const ArcSolution::Piece& piece) {
@@ -143,7 +195,7 @@ void PathWriter::straight_arc(const ArcRequest& request, const ArcSolution::Piec
   for (double i = 1; i <= count; ++i) {
     const double angle = shape.sweep * i / count;
     const Vec3 on_circle = start - shape.from + std::cos(angle) * shape.from + std::sin(angle) * side;
-    line(i < count ? Vec3(on_circle + rise * i / count * piece.words.axis) : piece.target);
+    chord(i < count ? Vec3(on_circle + rise * i / count * piece.words.axis) : piece.target);
   }
 }
 
@@ -154,11 +206,7 @@ void PathWriter::dwell(double seconds) {
   block.line = line_;
   block.motion = Motion::dwell;
   block.path_control = path_control_index();
-  if (compensation_.is_off()) {
-    write(block, {}, {});
-  } else {
-    pass_on({block, {}, place_, {}});
-  }
+  pass_on({block, {}, place_, {}}, shown_);
 }
 
 void PathWriter::set_feed_mode(FeedMode mode) {
@@ -168,21 +216,21 @@ void PathWriter::set_feed_mode(FeedMode mode) {
   }
 }
 
-double PathWriter::feed_over(double length) {
-  double feed = feed_;
+double PathWriter::feed_rate() const {
   switch (feed_mode_) {
     case FeedMode::per_minute:
-      break;
     case FeedMode::inverse_time:
-      feed *= length;
       break;
     case FeedMode::per_revolution:
-      feed *= spindle_speed_;
-      break;
+      return feed_ * spindle_speed_;
     case FeedMode::per_tooth:
-      feed *= tooth_count_ * spindle_speed_;
-      break;
+      return feed_ * tooth_count_ * spindle_speed_;
   }
+  return feed_;
+}
+
+double PathWriter::feed_over(double length) {
+  const double feed = feed_rate() * (feed_mode_ == FeedMode::inverse_time ? length : 1);
   if (feed == 0 && length > 0) {
     report_missing_feed();
   }
@@ -203,6 +251,7 @@ void PathWriter::report_missing_feed() {
 }
 
 void PathWriter::append(Motion motion, const Vec3& target, double feed, const ArcWords& arc) {
+  const Vec3 from = shown_;
   programmed_ = target;
   shown_ = frame_.is_identity() ? target : frame_.to_shown(target);
   MotionBlock block;
@@ -211,16 +260,29 @@ void PathWriter::append(Motion motion, const Vec3& target, double feed, const Ar
   block.line = line_;
   block.motion = motion;
   block.path_control = path_control_index();
-  if (compensation_.is_off()) {
+  if (compensation_.is_off() && corners_.is_idle()) {
     write(block, arc, axis_programmed_);
   } else {
-    pass_on({block, arc, place_, axis_programmed_});
+    pass_on({block, arc, place_, axis_programmed_}, from);
   }
 }
 
-void PathWriter::pass_on(const PathMotion& motion) {
-  compensation_.take(motion);
-  write_ready();
+void PathWriter::pass_on(const PathMotion& motion, const Vec3& from) {
+  if (corners_.is_idle()) {
+    compensate(motion);
+  } else {
+    corners_.take(motion, from);
+    pass_corners_on();
+  }
+}
+
+void PathWriter::compensate(const PathMotion& motion) {
+  if (compensation_.is_off()) {
+    write(motion.block, motion.arc, motion.axes);
+  } else {
+    compensation_.take(motion);
+    write_ready();
+  }
 }
 
 void PathWriter::write(MotionBlock block, const ArcWords& arc, const std::array<bool, 3>& axes) {

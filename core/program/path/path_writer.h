@@ -6,6 +6,7 @@
 
 #include "core/base/geometry.h"
 #include "core/program/path/arc_solver.h"
+#include "core/program/path/contour_corners.h"
 #include "core/program/path/coordinate_frame.h"
 #include "core/program/path/cutter_compensation.h"
 #include "core/program/path/plane.h"
@@ -72,12 +73,21 @@ class PathWriter {
   void arc_by_radius(const ArcRequest& arc);
   void dwell(double seconds);
 
+  /// The arcs by a centre so far, and those of them that the centre does not fit.
+  struct CenterCount {
+    std::uint64_t arcs = 0;
+    std::uint64_t misfits = 0;
+  };
+  const CenterCount& centers() const { return centers_; }
+
   void set_feed_mode(FeedMode mode);
   FeedMode feed_mode() const { return feed_mode_; }
   /// > 0; mm/s, 1/s, mm a revolution or a tooth as the mode says.
   void set_feed(double feed) { feed_ = feed; }
   /// The last valid one; 0: none yet in this mode.
   double feed() const { return feed_; }
+  /// What it comes to for motions [mm/s]; meaningless under G93.
+  double feed_rate() const;
   void set_spindle_speed(double revolutions_per_second) { spindle_speed_ = revolutions_per_second; }
   double spindle_speed() const { return spindle_speed_; }
   void set_tooth_count(double teeth) { tooth_count_ = teeth; }
@@ -89,6 +99,10 @@ class PathWriter {
   void end_compensation();
   bool is_compensated() const { return compensation_.is_on(); }
 
+  /// The motion that follows, a line or an arc, ends in a corner that is cut off, see ContourCorners;
+  /// `cut.size` in programmed coordinates. Positions stay those of the contour.
+  void cut_next_corner(CornerCut cut, Plane plane);
+
   const PathControl& path_control() const { return path_control_; }
   void set_path_control(const PathControl& control) { path_control_ = control; }
 
@@ -96,14 +110,20 @@ class PathWriter {
   void arc(const ArcRequest& request, const ArcSolution& solution);
   void report_arc_fault(const ArcRequest& request, const ArcSolution& solution);
   void straight_arc(const ArcRequest& request, const ArcSolution::Piece& piece);
+  void chord(const Vec3& target);
   double feed_over(double length);
   void report_missing_feed();
   void append(Motion motion, const Vec3& target, double feed, const ArcWords& arc = {});
-  void pass_on(const PathMotion& motion);
+  void pass_on(const PathMotion& motion, const Vec3& from);
+  void compensate(const PathMotion& motion);
+  void end_motion();
+  void end_corners();
+  void pass_corners_on();
   void write(MotionBlock block, const ArcWords& arc, const std::array<bool, 3>& axes);
   void write_ready();
   void extend_bounds(const MotionBlock& block, const std::array<bool, 3>& axes);
   Compensation compensation_in_frame() const;
+  ContourPlane plane_in_frame(const ContourPlane& plane) const;
   std::uint16_t path_control_index();
 
   Program& program_;
@@ -114,6 +134,7 @@ class PathWriter {
   Vec3 programmed_ = Vec3::Zero();
   Vec3 shown_ = Vec3::Zero();
   Vec3 written_ = Vec3::Zero();  ///< end of the last motion in the program
+  CenterCount centers_;
   std::array<bool, 3> axis_programmed_{};
   std::array<bool, 3> axis_known_{};
   FeedMode feed_mode_ = FeedMode::per_minute;
@@ -123,6 +144,7 @@ class PathWriter {
   bool feed_missed_ = false;
   PathControl path_control_;
   std::uint16_t control_index_ = 0;  ///< of the last motion
+  ContourCorners corners_;
   CutterCompensation compensation_;
   Compensation compensation_words_;  ///< its axes in programmed coordinates
 };

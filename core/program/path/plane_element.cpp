@@ -10,10 +10,6 @@ namespace feedscope {
 
 namespace {
 
-double cross(const Vec2& a, const Vec2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
 /// From `a` to `b`, counter-clockwise, in (-pi, pi].
 double angle_between(const Vec2& a, const Vec2& b) {
   return std::atan2(cross(a, b), a.dot(b));

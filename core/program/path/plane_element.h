@@ -12,6 +12,10 @@ inline Vec2 left_of(const Vec2& v) {
   return {-v.y(), v.x()};
 }
 
+inline double cross(const Vec2& a, const Vec2& b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
+
 /// A line or arc in a plane: an element of a contour, or of a path beside it.
 struct PlaneElement {
   Vec2 start;                  ///< [mm]

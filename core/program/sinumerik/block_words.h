@@ -21,15 +21,21 @@ enum class Address : std::uint8_t {
   i1,    ///< point on the way of CIP
   j1,
   k1,
-  ap,   ///< polar angle [deg]
-  rp,   ///< polar radius
-  ang,  ///< angle of a line [deg]
-  rpl,  ///< rotation in the plane [deg]
-  pw,   ///< weight of a B-spline's point
-  pl,   ///< parameter interval of a spline's or polynomial's block
-  sd,   ///< degree of a B-spline
-  fb,   ///< feed of this block
-  p,    ///< runs of a call or repeat
+  ap,    ///< polar angle [deg]
+  rp,    ///< polar radius
+  ang,   ///< angle of a line [deg]
+  rpl,   ///< rotation in the plane [deg]
+  pw,    ///< weight of a B-spline's point
+  pl,    ///< parameter interval of a spline's or polynomial's block
+  sd,    ///< degree of a B-spline
+  fb,    ///< feed of this block
+  rnd,   ///< radius at the corner at the end
+  rndm,  ///< the same for every corner
+  chf,   ///< length of a chamfer at the corner
+  chr,   ///< what a chamfer takes off both sides
+  frc,   ///< feed of the rounding or chamfer
+  frcm,  ///< the same for every one
+  p,     ///< runs of a call or repeat
 };
 
 inline constexpr std::size_t address_count = static_cast<std::size_t>(Address::p) + 1;

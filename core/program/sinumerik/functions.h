@@ -41,11 +41,14 @@ enum class Action : std::uint8_t {
   compensation_left,
   compensation_right,
   compensation_off,
-  corner_arc,    ///< G450
-  corner_lines,  ///< G451
-  machine_axes,  ///< SUPA, G53, G153, G74, G75: positions that cannot be known
-  shift,         ///< TRANS
-  shift_more,    ///< ATRANS
+  corner_arc,             ///< G450
+  corner_lines,           ///< G451
+  diameters,              ///< DIAMON: X is one
+  diameters_if_absolute,  ///< DIAM90
+  radii,                  ///< DIAMOF
+  machine_axes,           ///< SUPA, G53, G153, G74, G75: positions that cannot be known
+  shift,                  ///< TRANS
+  shift_more,             ///< ATRANS
   turn,
   turn_more,
   scale,
@@ -77,6 +80,7 @@ enum class Group : std::uint8_t {
   feed_forward,
   compensation,
   corner,
+  diameter,
   own_block,  ///< frames, dwell, pole: the coordinates belong to it
 };
 

@@ -101,6 +101,11 @@ void SinumerikReader::apply_action(const Function& function) {
     case Action::corner_lines:
       modal_.corner_lines = function.action == Action::corner_lines;
       break;
+    case Action::diameters:
+    case Action::diameters_if_absolute:
+    case Action::radii:
+      modal_.diameters = function.action;
+      break;
     case Action::machine_axes:
       machine_axes_ = true;
       break;

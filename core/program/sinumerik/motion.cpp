@@ -45,6 +45,7 @@ void SinumerikReader::move() {
   }
   if (!has_motion_words()) {
     check_unused(false);
+    cut_corner(false);
     return;
   }
   if (machine_axes_) {
@@ -74,6 +75,7 @@ void SinumerikReader::move() {
   if (words_.has(Address::fb)) {
     path().set_feed(feed_of(words_[Address::fb].value));
   }
+  cut_corner(action == Action::rapid || action == Action::line || is_arc_action(action));
   const Vec3 target = target_of_block();
   const Vec3 start = path().position();
   switch (action) {
@@ -213,7 +215,9 @@ Vec3 SinumerikReader::target_of_block() {
     const BlockWords::Value& word = words_[letter];
     const bool incremental =
         word.reading == Reading::incremental || (word.reading == Reading::modal && modal_.incremental);
-    const double value = to_mm(word.value);
+    const bool diameter = axis == 0 && (modal_.diameters == Action::diameters ||
+                                        (modal_.diameters == Action::diameters_if_absolute && !incremental));
+    const double value = to_mm(diameter ? word.value / 2 : word.value);
     target[axis] = incremental ? target[axis] + value : value;
   }
   if (words_.has(Address::ap) || words_.has(Address::rp)) {

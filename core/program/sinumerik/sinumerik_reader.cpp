@@ -199,6 +199,7 @@ void SinumerikReader::apply_g(double number, std::uint32_t column, std::string_v
 
 void SinumerikReader::execute_block(bool sound) {
   apply_feed();
+  apply_modal_corners();
   if (own_block_ == nullptr) {
     apply_compensation();
   }

@@ -40,10 +40,13 @@ class SinumerikReader : public Reader {
     bool incremental = false;
     int work_offset = 0;  ///< G number; 0: none yet
     Vec3 pole = Vec3::Zero();
-    double tool = 0;                                    ///< T; 0: none, or one with a name
-    double edge = 1;                                    ///< D
-    const sinumerik::Function* compensation = nullptr;  ///< G41, G42
-    bool corner_lines = false;                          ///< G451
+    double tool = 0;                                         ///< T; 0: none, or one with a name
+    double edge = 1;                                         ///< D
+    const sinumerik::Function* compensation = nullptr;       ///< G41, G42
+    bool corner_lines = false;                               ///< G451
+    double rounding = 0;                                     ///< RNDM [mm]; 0: none
+    double corner_feed = 0;                                  ///< FRCM as written; 0: none
+    sinumerik::Action diameters = sinumerik::Action::radii;  ///< of X
   };
   /// A subprogram that runs.
   struct Scope {
@@ -112,6 +115,10 @@ class SinumerikReader : public Reader {
   void set_tool_radius(Scanner& scanner);
   void apply_compensation();
   void report_tool_radius();
+
+  // Roundings and chamfers: corners.cpp
+  void apply_modal_corners();
+  void cut_corner(bool at_line_or_arc);
 
   // Statements: statements.cpp, assignments.cpp
   void run_statements(Scanner& scanner);

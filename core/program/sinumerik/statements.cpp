@@ -17,20 +17,12 @@ using namespace sinumerik;
 
 namespace {
 
-constexpr auto addresses = std::to_array<std::pair<std::string_view, Address>>({{"CR", Address::cr},
-                                                                                {"AR", Address::ar},
-                                                                                {"TURN", Address::turn},
-                                                                                {"I1", Address::i1},
-                                                                                {"J1", Address::j1},
-                                                                                {"K1", Address::k1},
-                                                                                {"AP", Address::ap},
-                                                                                {"RP", Address::rp},
-                                                                                {"ANG", Address::ang},
-                                                                                {"RPL", Address::rpl},
-                                                                                {"PW", Address::pw},
-                                                                                {"PL", Address::pl},
-                                                                                {"SD", Address::sd},
-                                                                                {"FB", Address::fb}});
+constexpr auto addresses = std::to_array<std::pair<std::string_view, Address>>(
+    {{"CR", Address::cr},   {"AR", Address::ar},   {"TURN", Address::turn}, {"I1", Address::i1},
+     {"J1", Address::j1},   {"K1", Address::k1},   {"AP", Address::ap},     {"RP", Address::rp},
+     {"ANG", Address::ang}, {"RPL", Address::rpl}, {"PW", Address::pw},     {"PL", Address::pl},
+     {"SD", Address::sd},   {"FB", Address::fb},   {"RND", Address::rnd},   {"RNDM", Address::rndm},
+     {"CHF", Address::chf}, {"CHR", Address::chr}, {"FRC", Address::frc},   {"FRCM", Address::frcm}});
 
 bool starts_number(char c) {
   return letters::is_digit(c) || c == '.' || c == '+' || c == '-';

@@ -179,7 +179,7 @@ const Block& Lexer::read(std::string_view line) {
     } else if (c == '/' && block_.delete_level == 0 &&
                (block_.words.empty() || (block_.words.size() == 1 && block_.words[0].letter == 'N'))) {
       at = read_delete(at);
-    } else if (starts_statement(c) || c == '@' || c == '^' || brackets_ == Brackets::statement) {
+    } else if (starts_statement(c) || c == '@' || c == '^' || c == ',' || brackets_ == Brackets::statement) {
       at = stop_at(at);
     } else {
       add_fault(FaultKind::character, at, at + 1);

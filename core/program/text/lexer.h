@@ -14,6 +14,7 @@ struct Word {
   std::uint32_t column = 0;  ///< 1-based byte column of the letter
   std::uint32_t length = 0;  ///< bytes from the letter to the number's end
   double value = 0;
+  bool comma = false;  ///< a comma stands before the letter, ",R2"
 };
 
 /// What the lexer could not read.

@@ -203,6 +203,23 @@ TEST(IsoReader, WithoutAFeedMovesRunAtFeedZeroUntilOneComes) {
   EXPECT_EQ(program.motions[3].feed, 1);
 }
 
+// A circle about X10 Y10 in quarters, its centre written as a position.
+TEST(IsoReader, CentresThatFitAsPositionsOnlyAreTakenSo) {
+  const std::string quarters = "G0 X20 Y10\nG3 X10 Y20 I10 J10 F100\nX0 Y10 I10 J10\nX10 Y0 I10 J10\n";
+  const Program program = read_text(quarters);
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(program.diagnostics[0].code, "arc-centers");
+  EXPECT_EQ(program.diagnostics[0].line, 2U);
+  ASSERT_EQ(program.arcs.size(), 3U);
+  EXPECT_EQ(program.arcs[1].center, Vec3(10, 10, 0));
+  const std::string two_quarters = quarters.substr(0, quarters.find("X10 Y0"));
+  EXPECT_TRUE(has_errors(read_text(two_quarters).diagnostics)) << "too few to judge by";
+  EXPECT_TRUE(has_errors(read_text("G91.1\n" + quarters).diagnostics)) << "the program says otherwise";
+  EXPECT_TRUE(has_errors(read_text(quarters + "G0 X50 Y50\nG3 X60 Y60 J10\n").diagnostics))
+      << "one fits as an offset only";
+  EXPECT_TRUE(has_errors(read_text(quarters, {.dialect = Dialect::linuxcnc}).diagnostics));
+}
+
 TEST(IsoReader, StopsWhenCancelled) {
   std::string text;
   for (int i = 0; i < 20000; ++i) {

@@ -82,8 +82,8 @@ INSTANTIATE_TEST_SUITE_P(
 INSTANTIATE_TEST_SUITE_P(
     Functions, SinumerikDiagnostics,
     testing::Values(
-        Case{"G0 X1\nDIAMON",
-             "f:2:1: error: DIAMON (diameters for X) is not read [unread-function] (X, Y and Z are shown as "
+        Case{"G0 X1\nTRAANG",
+             "f:2:1: error: TRAANG (inclined axis) is not read [unread-function] (X, Y and Z are shown as "
              "programmed)"},
         Case{
             "G0 X1\nTRAORI",

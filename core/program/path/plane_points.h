@@ -8,9 +8,6 @@
 
 namespace feedscope {
 
-inline double cross(const Vec2& a, const Vec2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
 /// Turned by `angle` [rad], counter-clockwise.
 inline Vec2 turned(const Vec2& v, double angle) {
   return std::cos(angle) * v + std::sin(angle) * left_of(v);

@@ -1,4 +1,4 @@
-#include "core/program/heidenhain/corner_rounding.h"
+#include "core/program/path/corner_rounding.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 
 #include "core/base/units.h"
 #include "core/program/heidenhain/approach.h"
-#include "core/program/heidenhain/plane_points.h"
+#include "core/program/path/plane_points.h"
 
 namespace feedscope {
 namespace {

@@ -1,74 +1,19 @@
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <random>
 
 #include "tests/core/program/heidenhain/read_heidenhain.h"
+#include "tests/support/program_checks.h"
 
 namespace feedscope {
 namespace {
 
-const std::filesystem::path corpus =
-    std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / ".." / "shared" / "corpus" / "heidenhain";
 const std::filesystem::path samples = std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "resources" / "programs";
 
 Program read_file(const std::filesystem::path& file) {
   return read_program(std::make_shared<const SourceText>(SourceText::from_file(file)));
 }
-
-std::ptrdiff_t count(const Program& program, Motion motion) {
-  return std::count_if(program.motions.begin(), program.motions.end(),
-                       [motion](const MotionBlock& block) { return block.motion == motion; });
-}
-
-/// A published program, and how it differs from the scan of words in FACTS.json.
-struct CorpusCase {
-  const char* file;
-  std::ptrdiff_t rapids;
-  std::ptrdiff_t lines;
-  std::ptrdiff_t arcs;
-  std::ptrdiff_t dwells;
-  std::size_t left_out;  ///< machine positions
-  const char* reason;
-};
-void PrintTo(const CorpusCase& c, std::ostream* out) {
-  *out << c.file;
-}
-class HeidenhainCorpus : public testing::TestWithParam<CorpusCase> {};
-
-TEST_P(HeidenhainCorpus, MotionsAgreeWithTheScanOrTheDifferenceIsKnown) {
-  if (!std::filesystem::exists(corpus)) {
-    GTEST_SKIP() << "no collection of real programs at " << corpus;
-  }
-  const CorpusCase& expected = GetParam();
-  const Program program = read_file(corpus / expected.file);
-  EXPECT_EQ(program.dialect, Dialect::heidenhain);
-  EXPECT_EQ(count(program, Motion::rapid), expected.rapids) << expected.reason;
-  EXPECT_EQ(count(program, Motion::line), expected.lines) << expected.reason;
-  EXPECT_EQ(count(program, Motion::arc), expected.arcs) << expected.reason;
-  EXPECT_EQ(count(program, Motion::dwell), expected.dwells) << expected.reason;
-  std::size_t left_out = 0;
-  for (const Diagnostic& diagnostic : program.diagnostics) {
-    left_out += diagnostic.code == "machine-position" ? 1 : 0;
-    EXPECT_TRUE(diagnostic.code == "machine-position" || diagnostic.code == "arc-center")
-        << format(diagnostic, expected.file);
-  }
-  EXPECT_EQ(left_out, expected.left_out);
-}
-
-INSTANTIATE_TEST_SUITE_P(
-    Programs, HeidenhainCorpus,
-    testing::Values(
-        CorpusCase{"aamorim1913__CIRSTUD.h", 4, 6, 0, 0, 2,
-                   "two rapids to M91; its circle starts where the operator has put the tool, in X0 here, "
-                   "the centre"},
-        CorpusCase{"aamorim1913__Top-light-cover_11.h", 277, 531, 708, 4, 3,
-                   "the scan: 199 rapids and 491 lines; M91 left out, 4 holes of cycle 1 added"},
-        CorpusCase{"aamorim1913__basemach_11.h", 506, 1395, 369, 11, 7,
-                   "the scan: 402 rapids and 1342 lines; M91 left out, 16 holes of cycle 1 added"},
-        CorpusCase{"aamorim1913__boss_12.h", 334, 4964, 455, 4, 3,
-                   "the scan: 337 rapids, 4968 lines with those that only switch; M91 left out"}));
 
 TEST(HeidenhainSamples, AreReadClean) {
   const Program plate = read_file(samples / "heidenhain_plate.h");
@@ -87,23 +32,7 @@ TEST(HeidenhainSamples, AreReadClean) {
 
 /// Whatever the text, what comes out can be worked with.
 void expect_sane(const std::string& text, Dialect dialect) {
-  const Program program = read_heidenhain(text, {.dialect = dialect, .repeat_limit = 2000});
-  for (const MotionBlock& block : program.motions) {
-    ASSERT_TRUE(block.target.allFinite() && std::isfinite(block.feed) && std::isfinite(block.dwell)) << text;
-    ASSERT_TRUE(block.feed >= 0 && block.dwell >= 0) << text;
-    ASSERT_TRUE(block.line >= 1 && block.line <= program.source->line_count()) << text;
-  }
-  for (const ArcWords& arc : program.arcs) {
-    ASSERT_TRUE(arc.center.allFinite() && std::isfinite(arc.turns)) << text;
-  }
-  for (const Diagnostic& diagnostic : program.diagnostics) {
-    ASSERT_LE(diagnostic.line, program.source->line_count()) << text;
-    if (diagnostic.line > 0) {
-      ASSERT_LE(diagnostic.column, program.source->line(diagnostic.line).size() + 1)
-          << format(diagnostic, "text") << "\n"
-          << text;
-    }
-  }
+  ASSERT_EQ(insane_part(read_heidenhain(text, {.dialect = dialect, .repeat_limit = 2000})), "") << text;
 }
 
 TEST(HeidenhainGarbage, RandomWordsAreReadWithoutHarm) {

@@ -1,9 +1,9 @@
-#include "core/program/heidenhain/corner_rounding.h"
+#include "core/program/path/corner_rounding.h"
 
 #include <limits>
 #include <numbers>
 
-#include "core/program/heidenhain/plane_points.h"
+#include "core/program/path/plane_points.h"
 
 namespace feedscope {
 

@@ -1,0 +1,83 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/program/path/contour_plane.h"
+#include "core/program/path/corner_rounding.h"
+#include "core/program/path/path_motion.h"
+#include "core/program/text/diagnostic_log.h"
+
+namespace feedscope {
+
+/// What takes the place of the corner at the end of a motion.
+struct CornerCut {
+  enum class Kind : std::uint8_t {
+    rounding,
+    chamfer,            ///< `size` off both sides
+    chamfer_by_length,  ///< `size` long
+  };
+  Kind kind = Kind::rounding;
+  double size = 0;                                   ///< > 0 [mm]
+  std::optional<double> feed = std::nullopt;         ///< [mm/s]; none: that of a motion beside it
+  bool feed_of_next = false;                         ///< of the motion behind it, else of that before it
+  bool shrinks = false;                              ///< what does not fit is made smaller until it does
+  bool at_feed_only = false;                         ///< none where a rapid stands next to it
+  bool modal = false;                                ///< of all corners: nothing is said where there is none
+  std::optional<std::uint32_t> line = std::nullopt;  ///< shown; none: that of the motion before it
+  DiagnosticLog::Place place;
+};
+
+/// Cuts corners off a contour: roundings and chamfers between lines and arcs in a plane.
+///
+///     motion before         corner             motion behind
+///     ----------------------.  . . .  +
+///                              `.     |        it is cut off from both
+///                                `.   |
+///                                  .  |
+///
+/// The motion before is held back until the one behind it is known. Where a corner cannot be cut it stays
+/// sharp and "corner" says why.
+class ContourCorners {
+ public:
+  explicit ContourCorners(DiagnosticLog& log) : log_(log) {}
+
+  /// Motions need not be taken through it.
+  bool is_idle() const { return !next_ && !held_; }
+  /// The motion taken next, in one piece or several up to end_motion(), ends in this corner.
+  void cut_next(const CornerCut& cut, const ContourPlane& plane);
+  void end_motion();
+
+  /// `from`: where it starts.
+  void take(PathMotion motion, Vec3 from);
+  /// What follows is no part of the contour.
+  void finish();
+  /// Motions in their order; the caller takes them out.
+  std::vector<PathMotion>& ready() { return ready_; }
+
+ private:
+  struct Held {
+    PathMotion motion;
+    Vec3 from;
+  };
+
+  void resolve(PathMotion& next, Vec3& from);
+  bool in_plane(const PathMotion& motion, const Vec3& from) const;
+  CornerPiece piece_of(const PlaneElement& first, const PlaneElement& second, double size) const;
+  CornerPiece largest_piece(const PlaneElement& first, const PlaneElement& second);
+  void write(const CornerPiece& piece, const PlaneElement& first, const PathMotion& next);
+  void report(std::string message, std::string hint, Severity severity = Severity::error) const;
+  void report(CornerFault fault) const;
+
+  DiagnosticLog& log_;
+  std::optional<CornerCut> next_;
+  std::optional<CornerCut> corner_;  ///< at the end of the held motion
+  ContourPlane plane_;
+  std::optional<Held> held_;
+  std::vector<PathMotion> ready_;
+};
+
+}  // namespace feedscope

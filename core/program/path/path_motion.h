@@ -1,0 +1,18 @@
+#pragma once
+
+#include <array>
+
+#include "core/program/program.h"
+#include "core/program/text/diagnostic_log.h"
+
+namespace feedscope {
+
+/// A motion to be written, in shown coordinates.
+struct PathMotion {
+  MotionBlock block;  ///< its `arc` is not used
+  ArcWords arc;       ///< arcs only
+  DiagnosticLog::Place place;
+  std::array<bool, 3> axes{};  ///< that the block programs
+};
+
+}  // namespace feedscope
