@@ -79,8 +79,7 @@ void ContourCorners::resolve(PathMotion& next, Vec3& from) {
   const bool beside_rapid = held_->motion.block.motion == Motion::rapid || next.block.motion == Motion::rapid;
   if (!in_plane(held_->motion, held_->from) || !in_plane(next, from)) {
     if (!corner_->modal) {
-      report("the motions next to it are not both lines or arcs in the working plane",
-             "the corner stays sharp");
+      report("the elements next to it leave the working plane", "the corner stays sharp");
     }
   } else if (corner_->at_feed_only && beside_rapid) {
     if (!corner_->modal) {
@@ -154,7 +153,7 @@ CornerPiece ContourCorners::largest_piece(const PlaneElement& first, const Plane
     }
   }
   if (largest.fault == CornerFault::none) {
-    report(fmt::format("it does not fit between the motions next to it; {:.3f} mm are taken", fits),
+    report(fmt::format("it does not fit between the elements next to it; {:.3f} mm are taken", fits),
            "the control makes it smaller too, by a rule of its own", Severity::warning);
   }
   return largest;
@@ -171,7 +170,7 @@ void ContourCorners::report(CornerFault fault) const {
       }
       break;
     case CornerFault::too_large:
-      report("it does not fit between the motions next to it", "the corner stays sharp; make it smaller");
+      report("it does not fit between the elements next to it", "the corner stays sharp; make it smaller");
       break;
     case CornerFault::not_lines:
       report("it stands next to an arc", "the corner stays sharp; a chamfer is read between two lines");
