@@ -58,6 +58,15 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
   connect(scene_, &SceneView::picked, &model_.cursor(), &Cursor::set_time);
   connect(program_, &ProgramView::line_chosen, &model_.cursor(), &Cursor::set_line);
   connect(diagnostics_, &DiagnosticsView::line_chosen, program_, &ProgramView::show_line);
+  connect(charts_, &ChartsPanel::failed, this, &MainWindow::show_failure);
+  connect(charts_, &ChartsPanel::exported, this,
+          [this](const QString& message) { statusBar()->showMessage(message); });
+  for (const auto signal : {&RunList::list_changed, &RunList::current_changed}) {
+    connect(&model_.runs(), signal, this, &MainWindow::show_other_runs);
+  }
+  for (const auto signal : {&RunList::item_changed, &RunList::result_changed}) {
+    connect(&model_.runs(), signal, this, &MainWindow::show_other_runs);
+  }
   show_program();
   show_run();
 }
@@ -113,9 +122,24 @@ void MainWindow::show_run() {
   program_->set_times(any ? shown->line_times : nullptr);
   const Settings& settings = model_.setup().file().settings;
   if (settings.has("interpolation_period_s")) {
-    playback_->set_sample_time(std::get<double>(model_.setup().state().value("interpolation_period_s")));
+    const double period = std::get<double>(model_.setup().state().value("interpolation_period_s"));
+    playback_->set_sample_time(period);
+    charts_->set_sample_time(period);
   }
   show_cursor();
+}
+
+void MainWindow::show_other_runs() {
+  const RunList& runs = model_.runs();
+  std::vector<RunOverlay> others;
+  for (std::size_t row = 0; row < runs.items().size(); ++row) {
+    const auto result = runs.result(row);
+    const RunItem& item = runs.items()[row];
+    if (row != runs.current() && item.visible && result != nullptr) {
+      others.push_back({result->run.trajectory, result->envelope, item.colour, run_title(item)});
+    }
+  }
+  charts_->set_overlays(std::move(others));
 }
 
 void MainWindow::loop_what_is_shown(bool on) {

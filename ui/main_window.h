@@ -54,6 +54,7 @@ class MainWindow : public QMainWindow {
   void show_program();
   void show_run();
   void show_cursor();
+  void show_other_runs();
   void show_failure(const QString& message);
   void loop_what_is_shown(bool on);
   QDockWidget* add_dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);

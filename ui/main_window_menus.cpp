@@ -67,6 +67,8 @@ void MainWindow::make_menus() {
   connect(add_action(runs, tr("&Cancel simulation"), Qt::Key_Escape, tr("Stop reading or simulating")),
           &QAction::triggered, &model_, &Workbench::cancel);
 
+  menuBar()->addMenu(tr("&Charts"))->addActions(charts_->panel_actions());
+
   QMenu* playback = menuBar()->addMenu(tr("&Playback"));
   playback->addActions(playback_->panel_actions());
   connect(add_action(playback, tr("To the s&tart"), QKeySequence::MoveToStartOfDocument,

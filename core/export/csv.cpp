@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -76,6 +77,51 @@ void write_row(TextSink& sink, const State& state, std::string_view cause) {
   sink.end_row();
 }
 
+/// Rows of samples at instants that never fall.
+class SampleRows {
+ public:
+  /// `from`: the first instant [s].
+  SampleRows(std::ostream& out, const Trajectory& trajectory, double from, std::size_t rows,
+             Progress* progress)
+      : sink_(out),
+        trajectory_(trajectory),
+        walk_(trajectory, trajectory.pieces().empty() ? 0 : trajectory.piece_at(from)),
+        causes_(cause_keys()),
+        rows_(rows),
+        progress_(progress) {
+    sink_.text(
+        "time_s,path_mm,line,x_mm,y_mm,z_mm,feed_mm_min,programmed_feed_mm_min,vx_mm_min,vy_mm_min,vz_mm_min,"
+        "ax_m_s2,ay_m_s2,az_m_s2,jx_m_s3,jy_m_s3,jz_m_s3,at_m_s2,jt_m_s3,cause");
+    sink_.end_row();
+  }
+  SampleRows(const SampleRows&) = delete;
+  SampleRows& operator=(const SampleRows&) = delete;
+
+  void add(double time) {
+    while (!walk_.done() && walk_.part().time + walk_.part().duration <= time) {
+      walk_.next();
+    }
+    add(walk_.done() ? trajectory_.state(time) : walk_.motion().state(time - walk_.part().time));
+  }
+  void add(const State& state) {
+    write_row(sink_, state, causes_[cause_index(state.cause)]);
+    if (progress_ != nullptr && row_ % rows_per_report == 0) {
+      progress_->report(static_cast<double>(row_) / static_cast<double>(rows_));
+    }
+    ++row_;
+  }
+  void end() { sink_.flush(); }
+
+ private:
+  TextSink sink_;
+  const Trajectory& trajectory_;
+  PartWalk walk_;
+  std::vector<std::string> causes_;
+  std::size_t rows_;
+  std::size_t row_ = 0;
+  Progress* progress_;
+};
+
 }  // namespace
 
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress) {
@@ -85,31 +131,25 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
         "a step of {} s gives more than a billion rows for a cycle time of {:.6g} s; use a larger step", step,
         duration));
   }
-  const std::vector<std::string> causes = cause_keys();
-  TextSink sink(out);
-  sink.text(
-      "time_s,path_mm,line,x_mm,y_mm,z_mm,feed_mm_min,programmed_feed_mm_min,vx_mm_min,vy_mm_min,vz_mm_min,"
-      "ax_m_s2,ay_m_s2,az_m_s2,jx_m_s3,jy_m_s3,jz_m_s3,at_m_s2,jt_m_s3,cause");
-  sink.end_row();
-  PartWalk walk(trajectory);
   // A step that the end cuts to nothing but rounding is no row of its own.
-  const auto rows = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-12)));
-  for (std::size_t row = 0; row < rows; ++row) {
-    const double time = static_cast<double>(row) * step;
-    while (!walk.done() && walk.part().time + walk.part().duration <= time) {
-      walk.next();
-    }
-    const State state = walk.done() ? trajectory.state(time) : walk.motion().state(time - walk.part().time);
-    write_row(sink, state, causes[cause_index(state.cause)]);
-    if (progress != nullptr && row % rows_per_report == 0) {
-      progress->report(static_cast<double>(row) / static_cast<double>(rows));
-    }
+  const auto count = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-12)));
+  SampleRows rows(out, trajectory, 0, count, progress);
+  for (std::size_t row = 0; row < count; ++row) {
+    rows.add(static_cast<double>(row) * step);
   }
   if (!trajectory.pieces().empty()) {
-    const State state = trajectory.state(duration);
-    write_row(sink, state, causes[cause_index(state.cause)]);
+    rows.add(trajectory.state(duration));
   }
-  sink.flush();
+  rows.end();
+}
+
+void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
+               Progress* progress) {
+  SampleRows rows(out, trajectory, times.empty() ? 0 : times.front(), times.size(), progress);
+  for (const double time : trajectory.pieces().empty() ? std::span<const double>() : times) {
+    rows.add(std::clamp(time, 0.0, trajectory.duration()));
+  }
+  rows.end();
 }
 
 void write_blends(std::ostream& out, const Trajectory& trajectory) {

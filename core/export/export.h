@@ -15,6 +15,9 @@ namespace feedscope {
 
 /// Samples as CSV, columns of DESIGN section 4; one row each `step` [s] and one for the very end.
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress = nullptr);
+/// The same with a row at each of `times` [s], ascending, clamped to the run.
+void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
+               Progress* progress = nullptr);
 /// Corner blends as CSV, columns of DESIGN section 4.
 void write_blends(std::ostream& out, const Trajectory& trajectory);
 

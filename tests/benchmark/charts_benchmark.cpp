@@ -50,7 +50,7 @@ void pan_frame(State& state) {
   panel.range().zoom(static_cast<double>(state.range(4)) / 100, panel.range().upper() / 2);
   QApplication::processEvents();
   QPixmap screen(panel.size());
-  double way = 0.003 * (panel.range().upper() - panel.range().lower());
+  double way = panel.chart(0).position_at(3) - panel.chart(0).position_at(0);  // [px], as the mouse drags
   int steps = 0;
   for (auto _ : state) {
     if (++steps % 50 == 0) {

@@ -2,49 +2,77 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QJsonArray>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLocale>
+#include <QMenu>
+#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <chrono>
+
+#include "core/base/units.h"
+#include "ui/charts/measurement.h"
 
 namespace feedscope::ui {
+
+namespace {
+
+constexpr auto rest_after = std::chrono::milliseconds(500);
+
+}  // namespace
 
 ChartsPanel::ChartsPanel(Cursor& cursor, QWidget* parent)
     : QWidget(parent),
       cursor_(cursor),
       range_(this),
       causes_(new CauseStrip(this)),
+      readout_(new QLabel(this)),
       abscissa_(new QComboBox(this)),
-      show_all_(new QToolButton(this)) {
+      show_all_(new QToolButton(this)),
+      more_(new QToolButton(this)),
+      menu_(new QMenu(this)) {
   abscissa_->addItems({tr("over time"), tr("over path length")});
   abscissa_->setToolTip(tr("What runs along the charts"));
-  connect(abscissa_, &QComboBox::currentIndexChanged, this, &ChartsPanel::choose_abscissa);
-  show_all_->setText(tr("Show all"));
-  show_all_->setToolTip(tr("Show the whole run (double click in a chart)"));
-  connect(show_all_, &QToolButton::clicked, this, &ChartsPanel::fit);
+  connect(abscissa_, &QComboBox::currentIndexChanged, this,
+          [this](int index) { choose_abscissa(index == 0 ? Abscissa::time : Abscissa::path_length); });
+  readout_->setContentsMargins(8, 2, 8, 2);
+  readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  readout_->hide();
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  layout->addWidget(readout_);
   const std::array<ChartSpec, chart_count> specs = kinematic_chart_specs();
   for (std::size_t i = 0; i < specs.size(); ++i) {
     const bool last = i + 1 == specs.size();
     layout->addLayout(add_header(i, specs[i]));
     charts_[i] = new KinematicChart(specs[i], range_, last, this);
+    connect_chart(*charts_[i]);
     layout->addWidget(charts_[i], last ? 4 : 3);
     if (i == 0) {
       layout->addWidget(causes_);
     }
-    connect(charts_[i], &KinematicChart::position_clicked, this,
-            [this](double position) { cursor_.set_time(range_.time_at(position)); });
-    connect(charts_[i], &KinematicChart::plot_resized, &refresh_, qOverload<>(&QTimer::start));
-    connect(charts_[i], &KinematicChart::fit_requested, this, &ChartsPanel::fit);
   }
   charts_.back()->set_abscissa_title(tr("Time [s]"));
+  make_actions();
 
   refresh_.setSingleShot(true);
   refresh_.setInterval(0);
   connect(&refresh_, &QTimer::timeout, this, &ChartsPanel::refresh);
+  rest_.setSingleShot(true);
+  rest_.setInterval(rest_after);
+  connect(&rest_, &QTimer::timeout, this, &ChartsPanel::rest);
   connect(&range_, &ViewRange::changed, &refresh_, qOverload<>(&QTimer::start));
+  connect(&range_, &ViewRange::changed, this, &ChartsPanel::begin_rest);
   connect(&cursor_, &Cursor::changed, this, &ChartsPanel::show_cursor);
+}
+
+ChartsPanel::~ChartsPanel() {
+  export_.waitForFinished();
 }
 
 QLayout* ChartsPanel::add_header(std::size_t i, const ChartSpec& spec) {
@@ -57,40 +85,60 @@ QLayout* ChartsPanel::add_header(std::size_t i, const ChartSpec& spec) {
   head->setContentsMargins(0, 0, 8, 0);
   head->addWidget(headers_[i]);
   if (i == 0) {
-    head->addWidget(abscissa_);
-    head->addWidget(show_all_);
+    for (QWidget* control :
+         {static_cast<QWidget*>(abscissa_), static_cast<QWidget*>(show_all_), static_cast<QWidget*>(more_)}) {
+      head->addWidget(control, 0, Qt::AlignTop);
+    }
   }
   return head;
 }
 
-void ChartsPanel::show_curve(std::size_t chart, std::size_t curve, bool shown) {
-  charts_[chart]->show_curve(curve, shown);
-  headers_[chart]->show_curve(curve, shown);
-}
-
-/// The second time all.
-void ChartsPanel::show_alone(std::size_t chart, std::size_t curve) {
-  const std::size_t count = charts_[chart]->spec().curves.size();
-  bool alone = true;
-  for (std::size_t i = 0; i < count; ++i) {
-    alone = alone && (i == curve) == charts_[chart]->curve_shown(i);
-  }
-  for (std::size_t i = 0; i < count; ++i) {
-    show_curve(chart, i, alone || i == curve);
-  }
-}
-
-void ChartsPanel::fit() {
-  for (KinematicChart* chart : charts_) {
-    chart->choose_values({});
-  }
-  range_.fit();
+void ChartsPanel::connect_chart(KinematicChart& chart) {
+  connect(&chart, &KinematicChart::position_clicked, this,
+          [this](double position) { cursor_.set_time(range_.time_at(position)); });
+  connect(&chart, &KinematicChart::second_position_clicked, this,
+          [this](double position) { set_second_cursor(range_.time_at(position)); });
+  connect(&chart, &KinematicChart::plot_resized, &refresh_, qOverload<>(&QTimer::start));
+  connect(&chart, &KinematicChart::values_chosen, this, &ChartsPanel::begin_rest);
+  connect(&chart, &KinematicChart::fit_requested, this, &ChartsPanel::fit);
+  connect(&chart, &KinematicChart::menu_requested, this, &ChartsPanel::show_menu);
+  chart.installEventFilter(this);
 }
 
 void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
                           std::shared_ptr<const Envelope> envelope, bool keep_range) {
+  if (second_.has_value() && trajectory != nullptr && trajectory_ != nullptr && keep_range) {
+    second_ = trajectory->state_at_path(trajectory_->state(*second_).path_length).time;
+  } else {
+    second_.reset();
+  }
+  trajectory_ = trajectory;
   envelope_ = std::move(envelope);
+  columns_.clear();
+  for (ColumnCache& columns : overlay_columns_) {
+    columns.clear();
+  }
+  if (!keep_range) {
+    for (KinematicChart* chart : charts_) {
+      chart->choose_values({});
+    }
+  }
   range_.set_trajectory(std::move(trajectory), keep_range);
+  if (!keep_range) {
+    history_.start(view());
+  }
+  rest();
+}
+
+void ChartsPanel::set_overlays(std::vector<RunOverlay> overlays) {
+  overlays_ = std::move(overlays);
+  overlay_columns_.assign(overlays_.size(), {});
+  refresh_.start();
+}
+
+void ChartsPanel::set_overlay_curve(std::size_t chart, std::optional<std::size_t> curve) {
+  overlay_curve_[chart] = curve;
+  refresh_.start();
 }
 
 void ChartsPanel::set_limits(const std::array<AxisLimits, 3>& limits) {
@@ -119,36 +167,298 @@ void ChartsPanel::set_limits(const std::array<AxisLimits, 3>& limits) {
 void ChartsPanel::hide_controls() {
   abscissa_->hide();
   show_all_->hide();
+  more_->hide();
+}
+
+void ChartsPanel::show_curve(std::size_t chart, std::size_t curve, bool shown) {
+  charts_[chart]->show_curve(curve, shown);
+  headers_[chart]->show_curve(curve, shown);
+  curve_actions_[chart][curve]->setChecked(shown);
+}
+
+/// The second time all.
+void ChartsPanel::show_alone(std::size_t chart, std::size_t curve) {
+  const std::size_t count = charts_[chart]->spec().curves.size();
+  bool alone = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    alone = alone && (i == curve) == charts_[chart]->curve_shown(i);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    show_curve(chart, i, alone || i == curve);
+  }
+}
+
+void ChartsPanel::set_second_cursor(std::optional<double> time) {
+  const bool shown = time.has_value() && trajectory_ != nullptr && cursor_.valid();
+  second_ = shown ? std::optional(std::clamp(*time, 0.0, trajectory_->duration())) : std::nullopt;
+  show_cursor();
+}
+
+QString ChartsPanel::measurement_text() const {
+  if (!second_.has_value() || trajectory_ == nullptr || !cursor_.valid()) {
+    return {};
+  }
+  const Measurement between = measure(cursor_.state(), trajectory_->state(*second_));
+  const QLocale locale;
+  return tr("A → B:   Δt %1 s   ·   Δs %2 mm   ·   mean feed %3 mm/min   ·   Δfeed %4 mm/min")
+      .arg(locale.toString(between.time, 'f', 4), locale.toString(between.path_length, 'f', 3),
+           locale.toString(units::to_mm_min(between.mean_feed), 'f', 0),
+           locale.toString(units::to_mm_min(between.feed), 'f', 0));
 }
 
 void ChartsPanel::refresh() {
   refresh_.stop();
-  std::vector<Band> bands;
+  refresh_columns();
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    charts_[i]->show_bands(columns_.bands(), overlay_curves(i));
+  }
   if (envelope_ != nullptr) {
-    const std::vector<double> times = range_.column_times(charts_.front()->column_count());
-    bands = envelope_->columns(times);
+    const std::vector<double>& times = columns_.times();
     causes_->set_causes(envelope_->causes().dominating(times),
                         envelope_->causes().between(times.front(), times.back()));
   } else {
     causes_->set_causes({}, {});
   }
-  for (KinematicChart* chart : charts_) {
-    chart->show_bands(bands);
-  }
   show_cursor();
+}
+
+void ChartsPanel::refresh_columns() {
+  if (envelope_ == nullptr) {
+    columns_.clear();
+    return;
+  }
+  const int count = charts_.front()->column_count();
+  const Interval shown{range_.lower(), range_.upper()};
+  columns_.update(*envelope_, shown, count, [this](double position) { return range_.time_at(position); });
+  for (std::size_t i = 0; i < overlays_.size(); ++i) {
+    overlay_columns_[i].update(*overlays_[i].envelope, shown, count,
+                               [&](double position) { return overlay_time(overlays_[i], position); });
+  }
+}
+
+double ChartsPanel::overlay_time(const RunOverlay& overlay, double position) const {
+  if (range_.abscissa() == Abscissa::time) {
+    return position;
+  }
+  const Trajectory& other = *overlay.trajectory;
+  return other.state_at_path(same_place(trajectory_->path(), position, other.path())).time;
+}
+
+std::vector<OverlayCurve> ChartsPanel::overlay_curves(std::size_t chart) const {
+  std::vector<OverlayCurve> curves;
+  if (!overlay_curve_[chart].has_value() || envelope_ == nullptr) {
+    return curves;
+  }
+  const Channel channel = charts_[chart]->spec().curves[*overlay_curve_[chart]].channel;
+  for (std::size_t i = 0; i < overlays_.size(); ++i) {
+    OverlayCurve curve{{}, overlays_[i].color, overlays_[i].dashed};
+    for (const Band& band : overlay_columns_[i].bands()) {
+      curve.columns.push_back(band[channel]);
+    }
+    curves.push_back(std::move(curve));
+  }
+  return curves;
 }
 
 void ChartsPanel::show_cursor() {
   const bool shown = envelope_ != nullptr && cursor_.valid();
+  const auto second = shown && second_.has_value()
+                          ? std::optional(range_.position_of(trajectory_->state(*second_)))
+                          : std::nullopt;
   for (std::size_t i = 0; i < charts_.size(); ++i) {
-    charts_[i]->set_cursors(shown ? std::optional(range_.position_of(cursor_.state())) : std::nullopt, {});
+    charts_[i]->set_cursors(shown ? std::optional(range_.position_of(cursor_.state())) : std::nullopt,
+                            second);
     headers_[i]->set_state(shown ? std::optional(cursor_.state()) : std::nullopt);
+  }
+  show_other_runs();
+  const QString text = measurement_text();
+  readout_->setText(text);
+  readout_->setVisible(!text.isEmpty());
+  remove_second_->setEnabled(second_.has_value());
+}
+
+/// Names of the other runs, and their values where the cursor is.
+void ChartsPanel::show_other_runs() {
+  const bool valued = envelope_ != nullptr && cursor_.valid();
+  for (std::size_t i = 0; i < headers_.size(); ++i) {
+    std::vector<LegendEntry> entries;
+    for (const RunOverlay& overlay : overlays_) {
+      if (!overlay_curve_[i].has_value()) {
+        break;
+      }
+      LegendEntry entry{overlay.name, overlay.color, overlay.dashed, {}};
+      if (valued) {
+        const ChartSpec& spec = charts_[i]->spec();
+        const double time = overlay_time(overlay, range_.position_of(cursor_.state()));
+        entry.value = spec.convert(
+            channel_value(overlay.trajectory->state(time), spec.curves[*overlay_curve_[i]].channel));
+      }
+      entries.push_back(std::move(entry));
+    }
+    headers_[i]->set_runs(std::move(entries));
   }
 }
 
-void ChartsPanel::choose_abscissa(int index) {
-  range_.set_abscissa(index == 0 ? Abscissa::time : Abscissa::path_length);
-  charts_.back()->set_abscissa_title(index == 0 ? tr("Time [s]") : tr("Path length [mm]"));
+void ChartsPanel::move_cursor(int pixels) {
+  if (cursor_.valid()) {
+    const double pixel = (range_.upper() - range_.lower()) / charts_.front()->chart()->plotArea().width();
+    cursor_.set_time(range_.time_at(range_.position_of(cursor_.state()) + pixels * pixel));
+  }
+}
+
+void ChartsPanel::zoom_to_cursors() {
+  if (second_.has_value() && cursor_.valid()) {
+    const double a = range_.position_of(cursor_.state());
+    const double b = range_.position_of(trajectory_->state(*second_));
+    range_.show(std::min(a, b), std::max(a, b));
+  }
+}
+
+void ChartsPanel::fit() {
+  for (KinematicChart* chart : charts_) {
+    chart->choose_values({});
+  }
+  range_.fit();
+}
+
+void ChartsPanel::choose_abscissa(Abscissa abscissa) {
+  columns_.clear();
+  for (ColumnCache& columns : overlay_columns_) {
+    columns.clear();
+  }
+  range_.set_abscissa(abscissa);
+  const bool time = abscissa == Abscissa::time;
+  abscissa_->setCurrentIndex(time ? 0 : 1);
+  charts_.back()->set_abscissa_title(time ? tr("Time [s]") : tr("Path length [mm]"));
+}
+
+ChartView ChartsPanel::view() const {
+  ChartView view{{range_.time_at(range_.lower()), range_.time_at(range_.upper())}};
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    view.values[i] = charts_[i]->chosen_values();
+  }
+  return view;
+}
+
+void ChartsPanel::show_view(const ChartView& view) {
+  if (trajectory_ != nullptr) {
+    range_.show(range_.position_of(trajectory_->state(view.time.lower)),
+                range_.position_of(trajectory_->state(view.time.upper)));
+  }
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    charts_[i]->choose_values(view.values[i]);
+  }
+  rest_.stop();
+  back_->setEnabled(history_.can_go_back());
+  forward_->setEnabled(history_.can_go_forward());
+}
+
+/// The view is being changed; it counts once it stays for a while.
+void ChartsPanel::begin_rest() {
+  rest_.start();
+  back_->setEnabled(history_.can_go_back() || view() != history_.current());
+}
+
+void ChartsPanel::rest() {
+  rest_.stop();
+  history_.rest(view());
+  back_->setEnabled(history_.can_go_back());
+  forward_->setEnabled(history_.can_go_forward());
+}
+
+bool ChartsPanel::eventFilter(QObject* watched, QEvent* event) {
+  const bool key = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+  if (key && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape && second_.has_value()) {
+    if (event->type() == QEvent::KeyPress) {
+      set_second_cursor({});
+    }
+    event->accept();  // the window has another use for Esc while there is no second cursor
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+void ChartsPanel::draw(QPainter& painter) {
+  painter.fillRect(rect(), palette().color(QPalette::Window));
+  const auto at = [&](const QWidget& widget, auto paint) {
+    if (widget.isVisibleTo(this)) {
+      painter.save();
+      painter.translate(widget.pos());
+      painter.setClipRect(widget.rect());
+      paint();
+      painter.restore();
+    }
+  };
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    at(*headers_[i], [&] { headers_[i]->draw(painter); });
+    at(*charts_[i], [&] { charts_[i]->draw(painter); });
+  }
+  at(*causes_, [&] { causes_->draw(painter); });
+  at(*readout_, [&] {
+    painter.setFont(readout_->font());
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(readout_->contentsRect(), Qt::AlignVCenter, readout_->text());
+  });
+}
+
+QJsonObject ChartsPanel::state() const {
+  QJsonArray hidden;
+  QJsonArray others;
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    const std::vector<CurveSpec>& curves = charts_[i]->spec().curves;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      if (!charts_[i]->curve_shown(k)) {
+        hidden.append(curves[k].key);
+      }
+      if (overlay_curve_[i] == k) {
+        others.append(curves[k].key);
+      }
+    }
+  }
+  const ChartView shown = view();
+  QJsonObject state{{"abscissa", range_.abscissa() == Abscissa::time ? "time" : "path_length"},
+                    {"from_s", shown.time.lower},
+                    {"to_s", shown.time.upper},
+                    {"hidden", hidden},
+                    {"other_runs", others},
+                    {"causes", causes_->isVisibleTo(this)}};
+  if (second_.has_value()) {
+    state["second_cursor_s"] = *second_;
+  }
+  return state;
+}
+
+void ChartsPanel::restore(const QJsonObject& state) {
+  if (state["abscissa"].isString()) {
+    choose_abscissa(state["abscissa"] == "path_length" ? Abscissa::path_length : Abscissa::time);
+  }
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    const std::vector<CurveSpec>& curves = charts_[i]->spec().curves;
+    std::optional<std::size_t> other;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      if (state["hidden"].isArray()) {
+        show_curve(i, k, !state["hidden"].toArray().contains(curves[k].key));
+      }
+      if (state["other_runs"].toArray().contains(curves[k].key)) {
+        other = k;
+      }
+    }
+    if (state["other_runs"].isArray()) {
+      set_overlay_curve(i, other);
+    }
+  }
+  if (state["causes"].isBool()) {
+    show_causes_->setChecked(state["causes"].toBool());
+  }
+  if (state["to_s"].isDouble() && state["from_s"].toDouble() < state["to_s"].toDouble()) {
+    ChartView shown = view();
+    shown.time = {state["from_s"].toDouble(), state["to_s"].toDouble()};
+    show_view(shown);
+    rest();
+  }
+  if (state["second_cursor_s"].isDouble()) {
+    set_second_cursor(state["second_cursor_s"].toDouble());
+  }
 }
 
 }  // namespace feedscope::ui

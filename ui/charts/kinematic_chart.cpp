@@ -19,7 +19,7 @@ namespace {
 constexpr int top_margin = 6;
 constexpr int bottom_margin = 8;
 constexpr int labelled_bottom_margin = 36;
-constexpr double tick_distance = 18;  // [px]
+constexpr double tick_distance = 14;  // [px]
 constexpr double overlay_width = 1.4;
 constexpr double long_number = 1e6;   // would not fit beside the plot
 constexpr double finest_zoom = 1e-6;  // of the largest value; beyond, the numbers beside the plot are all one
@@ -30,7 +30,6 @@ QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   QFont font = chart->font();
   font.setPixelSize(11);
   axis->setLabelsFont(font);
-  axis->setTitleFont(font);
   axis->setTickType(QValueAxis::TicksDynamic);
   axis->setTickAnchor(0);
   axis->setTruncateLabels(false);
@@ -38,8 +37,17 @@ QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   return axis;
 }
 
+/// A round step with `most` ticks at most, but two ticks at least.
+double tick_step(const Interval& range, int most) {
+  double step = round_up_125(range.width() / most);
+  while (std::floor(range.upper / step) - std::ceil(range.lower / step) < 1) {
+    step = round_up_125(step * 0.3);
+  }
+  return step;
+}
+
 void set_range(QValueAxis* axis, const Interval& range, int most_ticks) {
-  const double step = round_up_125(range.width() / most_ticks);
+  const double step = tick_step(range, most_ticks);
   if (std::max(std::abs(range.lower), std::abs(range.upper)) >= long_number) {
     axis->setLabelFormat(QStringLiteral("%.4g"));
   } else {
@@ -96,7 +104,6 @@ void KinematicChart::apply_colours() {
   chart()->setBackgroundBrush(colours.plot);
   for (QValueAxis* axis : {abscissa_, ordinate_}) {
     axis->setLabelsColor(colours.text);
-    axis->setTitleBrush(colours.text);
     axis->setGridLineColor(colours.grid);
     axis->setLinePenColor(colours.frame);
   }
@@ -113,7 +120,9 @@ void KinematicChart::set_limits(std::vector<LimitLine> limits) {
 }
 
 void KinematicChart::set_abscissa_title(const QString& title) {
-  abscissa_->setTitleText(title);
+  abscissa_title_ = title;
+  picture_ = {};
+  viewport()->update();
 }
 
 void KinematicChart::show_curve(std::size_t curve, bool shown) {
@@ -239,6 +248,10 @@ void KinematicChart::draw_picture(QPainter& painter) {
   draw_curves(painter);
   draw_limits(painter);
   painter.restore();
+  painter.setFont(abscissa_->labelsFont());
+  painter.setPen(theme_colours(palette()).text);
+  painter.drawText(whole.adjusted(plot_left_margin, 0, -plot_right_margin, -2),
+                   Qt::AlignHCenter | Qt::AlignBottom, abscissa_title_);
 }
 
 /// The largest curve first, so that none hides another.

@@ -114,6 +114,7 @@ class KinematicChart : public QChartView {
   bool labelled_;
   QValueAxis* abscissa_;
   QValueAxis* ordinate_;
+  QString abscissa_title_;
   std::vector<std::vector<Extent>> columns_;  ///< a curve each, core units
   std::vector<bool> shown_;                   ///< a curve each
   std::vector<OverlayCurve> overlays_;

@@ -2,58 +2,16 @@
 
 #include <gtest/gtest.h>
 
-#include <QApplication>
-#include <QTest>
-#include <QWheelEvent>
+#include <QGraphicsTextItem>
+#include <QTextDocument>
 
-#include "tests/ui/run_fixture.h"
+#include "tests/ui/charts/charts_panel_fixture.h"
 #include "ui/theme/theme.h"
 
 namespace feedscope::ui {
 namespace {
 
-class ChartsPanelTest : public testing::Test {
- protected:
-  ChartsPanelTest() : panel(cursor) {
-    panel.resize(940, 390);
-    panel.show();
-    cursor.set_trajectory(run.trajectory);
-    panel.set_limits(run.setup.machine.axes);
-    panel.set_run(run.trajectory, envelope, false);
-    QApplication::processEvents();
-    panel.refresh();
-  }
-
-  QRectF plot(std::size_t chart) { return panel.chart(chart).chart()->plotArea(); }
-  QPoint place(std::size_t chart, double x, double y) {
-    const QRectF area = plot(chart);
-    return QPointF(area.left() + x * area.width(), area.top() + y * area.height()).toPoint();
-  }
-  void drag(std::size_t chart, QPoint from, QPoint to, Qt::MouseButton button,
-            Qt::KeyboardModifiers modifiers = {}) {
-    QWidget* view = panel.chart(chart).viewport();
-    QTest::mousePress(view, button, modifiers, from);
-    for (const QPoint& at : {(from + to) / 2, to}) {
-      QMouseEvent move(QEvent::MouseMove, QPointF(at), view->mapToGlobal(QPointF(at)), Qt::NoButton, button,
-                       modifiers);
-      QApplication::sendEvent(view, &move);
-    }
-    QTest::mouseRelease(view, button, modifiers, to);
-    panel.refresh();
-  }
-  void wheel(std::size_t chart, QPoint at, Qt::KeyboardModifiers modifiers) {
-    QWidget* view = panel.chart(chart).viewport();
-    QWheelEvent event(QPointF(at), view->mapToGlobal(QPointF(at)), {}, {0, 120}, Qt::NoButton, modifiers,
-                      Qt::NoScrollPhase, false);
-    QApplication::sendEvent(view, &event);
-    panel.refresh();
-  }
-
-  feedscope::Run run = test::simulate_text(test::small_program);
-  std::shared_ptr<const Envelope> envelope = std::make_shared<const Envelope>(run.trajectory);
-  Cursor cursor;
-  ChartsPanel panel;
-};
+using test::ChartsPanelTest;
 
 constexpr std::size_t feed_chart = 0;
 constexpr std::size_t achieved = 0;
@@ -162,6 +120,32 @@ TEST_F(ChartsPanelTest, FollowsTheTheme) {
   apply_theme(ThemeKind::light);
   QApplication::processEvents();
   EXPECT_GT(background().lightness(), 200);
+}
+
+TEST_F(ChartsPanelTest, NumbersAndTitlesHaveRoomAtTheSizeOfTheDockAndAtTheLeast) {
+  for (const QSize& size : {QSize(934, 360), QSize(500, panel.minimumSizeHint().height())}) {
+    panel.resize(size);
+    QApplication::processEvents();
+    panel.refresh();
+    QApplication::processEvents();
+    for (std::size_t i = 0; i < chart_count; ++i) {
+      KinematicChart& chart = panel.chart(i);
+      const QRectF room = chart.viewport()->rect();
+      int texts = 0;
+      for (const QGraphicsItem* item : chart.scene()->items()) {
+        const auto* text = qgraphicsitem_cast<const QGraphicsTextItem*>(item);
+        if (text == nullptr || !text->isVisible() || text->toPlainText().isEmpty()) {
+          continue;
+        }
+        ++texts;
+        const QString words = text->toPlainText();
+        const double margin = text->document()->documentMargin();
+        const QRectF box = text->sceneBoundingRect().adjusted(margin, margin, -margin, -margin);
+        EXPECT_TRUE(room.contains(box)) << size.width() << ' ' << i << ' ' << words.toStdString();
+      }
+      EXPECT_GE(texts, 2) << i;
+    }
+  }
 }
 
 TEST_F(ChartsPanelTest, WithoutARunNothingIsShown) {

@@ -1,0 +1,134 @@
+#include "ui/charts/chart_export.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QDir>
+#include <QImage>
+#include <QPainter>
+#include <QSaveFile>
+#include <QSvgGenerator>
+#include <cmath>
+#include <ostream>
+#include <streambuf>
+
+#include "core/base/error.h"
+#include "core/export/export.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr double most_samples = 2e7;  // some 5 GB
+
+QString tr(const char* text) {
+  return QCoreApplication::translate("ChartExport", text);
+}
+
+[[noreturn]] void fail(const QSaveFile& file) {
+  throw InputError(tr("cannot write %1: %2")
+                       .arg(QDir::toNativeSeparators(file.fileName()), file.errorString())
+                       .toStdString());
+}
+
+class AtomicFile {
+ public:
+  explicit AtomicFile(const QString& name) : file_(name) {
+    if (!file_.open(QIODevice::WriteOnly)) {
+      fail(file_);
+    }
+  }
+  void write(const char* data, qint64 size) {
+    if (file_.write(data, size) != size) {
+      fail(file_);
+    }
+  }
+  void commit() {
+    if (!file_.commit()) {
+      fail(file_);
+    }
+  }
+
+ private:
+  QSaveFile file_;
+};
+
+/// Lets a std::ostream write to a file.
+class FileBuffer : public std::streambuf {
+ public:
+  explicit FileBuffer(AtomicFile& file) : file_(file) {}
+
+ protected:
+  int_type overflow(int_type character) override {
+    const char byte = traits_type::to_char_type(character);
+    file_.write(&byte, 1);
+    return character;
+  }
+  std::streamsize xsputn(const char* data, std::streamsize size) override {
+    file_.write(data, size);
+    return size;
+  }
+
+ private:
+  AtomicFile& file_;
+};
+
+}  // namespace
+
+void save_csv(const QString& file, const Trajectory& trajectory, std::span<const double> times) {
+  AtomicFile target(file);
+  FileBuffer buffer(target);
+  std::ostream out(&buffer);
+  out.exceptions(std::ios::badbit);
+  write_csv(out, trajectory, times);
+  target.commit();
+}
+
+std::vector<double> sample_times(const Interval& range, double step) {
+  const double count = std::ceil(range.width() / step * (1 - 1e-12));
+  if (!(count <= most_samples)) {
+    throw InputError(tr("a row each %1 s would be more than 20 million rows; show a shorter range, or export "
+                        "a row each pixel")
+                         .arg(step)
+                         .toStdString());
+  }
+  std::vector<double> times;
+  times.reserve(static_cast<std::size_t>(count) + 1);
+  for (double i = 0; i < count; ++i) {
+    times.push_back(range.lower + i * step);
+  }
+  times.push_back(range.upper);
+  return times;
+}
+
+void save_png(const QString& file, QSize size, double scale, const DrawPicture& draw) {
+  QImage image((QSizeF(size) * scale).toSize(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(scale);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  draw(painter);
+  painter.end();
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  image.save(&buffer, "PNG");
+  AtomicFile target(file);
+  target.write(buffer.data().constData(), buffer.size());
+  target.commit();
+}
+
+void save_svg(const QString& file, QSize size, const QString& title, const DrawPicture& draw) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QSvgGenerator generator;
+  generator.setOutputDevice(&buffer);
+  generator.setSize(size);
+  generator.setViewBox(QRect(QPoint(0, 0), size));
+  generator.setTitle(title);
+  QPainter painter(&generator);
+  draw(painter);
+  painter.end();
+  AtomicFile target(file);
+  target.write(buffer.data().constData(), buffer.size());
+  target.commit();
+}
+
+}  // namespace feedscope::ui

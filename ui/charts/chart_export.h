@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QSize>
+#include <QString>
+#include <functional>
+#include <span>
+
+#include "core/trajectory/trajectory.h"
+#include "ui/charts/value_fit.h"
+
+class QPainter;
+
+namespace feedscope::ui {
+
+// What the charts show, as files. Each is written as a whole or not at all; all throw InputError with the
+// file and the reason where it cannot be written.
+
+/// One row a time [s], ascending, with the columns of `simulate --csv`.
+void save_csv(const QString& file, const Trajectory& trajectory, std::span<const double> times);
+/// Times from one instant to another, `step` apart, and the other instant itself [s]. Throws InputError if
+/// they are more than 20 million.
+std::vector<double> sample_times(const Interval& range, double step);
+
+using DrawPicture = std::function<void(QPainter&)>;
+/// `size` in logical pixels, `scale` pixels of the file to each.
+void save_png(const QString& file, QSize size, double scale, const DrawPicture& draw);
+void save_svg(const QString& file, QSize size, const QString& title, const DrawPicture& draw);
+
+}  // namespace feedscope::ui

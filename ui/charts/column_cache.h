@@ -1,0 +1,36 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "ui/charts/envelope.h"
+#include "ui/charts/value_fit.h"
+
+namespace feedscope::ui {
+
+/// The pixel columns of one run in the charts. What stays in sight when the range moves by whole columns is
+/// not asked for again, so that panning costs only what comes into sight.
+class ColumnCache {
+ public:
+  /// Time at a position along the abscissa [s], never falling.
+  using TimeAt = std::function<double(double)>;
+
+  /// Brings `count` columns over `range` up to date.
+  void update(const Envelope& envelope, const Interval& range, int count, const TimeAt& time_at);
+  /// Another run or abscissa.
+  void clear();
+
+  const std::vector<Band>& bands() const { return bands_; }
+  /// Of the columns' borders, one more than columns [s].
+  const std::vector<double>& times() const { return times_; }
+
+ private:
+  int shift_to(const Interval& range, int count) const;
+
+  double start_ = 0;  ///< position of the first border
+  double width_ = 0;  ///< of a column
+  std::vector<double> times_;
+  std::vector<Band> bands_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope::ui {
+
+/// What lies between two instants of a run, the second less the first.
+struct Measurement {
+  double time = 0;         ///< [s]
+  double path_length = 0;  ///< executed [mm]
+  double mean_feed = 0;    ///< path length over time [mm/s]; 0 if no time lies between
+  double feed = 0;         ///< difference of the achieved feeds [mm/s]
+};
+
+Measurement measure(const State& first, const State& second);
+
+}  // namespace feedscope::ui

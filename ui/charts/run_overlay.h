@@ -1,0 +1,25 @@
+#pragma once
+
+#include <QColor>
+#include <QString>
+#include <memory>
+
+#include "ui/charts/envelope.h"
+
+namespace feedscope::ui {
+
+/// Another run of the same program, drawn beside the one that the charts show.
+struct RunOverlay {
+  std::shared_ptr<const Trajectory> trajectory;
+  std::shared_ptr<const Envelope> envelope;
+  QColor color;
+  QString name;
+  bool dashed = false;
+};
+
+/// Path length on `to` of the place that lies at path length `s` on `from`: in the same programmed segment,
+/// at the same share of what each run executes of it [mm]. Corner blends shorten every run's path by
+/// something else, so equal path lengths are other places. A segment that `to` left out gives its beginning.
+double same_place(const BlendedPath& from, double s, const BlendedPath& to);
+
+}  // namespace feedscope::ui
