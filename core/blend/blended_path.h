@@ -70,6 +70,8 @@ class BlendedPath {
   const std::shared_ptr<const Toolpath>& programmed() const { return programmed_; }
   /// What the elements run on: the compacted path where there is one.
   const Toolpath& base() const { return compacted_ ? compacted_->path : *programmed_; }
+  /// The segment of base() that programmed segment `block` became, or became a part of.
+  std::size_t base_segment(std::uint32_t block) const;
 
   /// Corners in order of their elements.
   std::size_t corner_count() const { return corners_.size(); }
@@ -99,7 +101,6 @@ class BlendedPath {
     Vec3 point, in, out;
   };
 
-  std::size_t base_segment(std::uint32_t block) const;
   double line_offset(std::size_t i) const;
   CornerPlan plan_of(std::size_t corner) const;
 

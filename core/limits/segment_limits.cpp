@@ -19,20 +19,6 @@ double largest_component(double offset, double p, double q, double sweep) {
   return largest;
 }
 
-/// Per axis the largest part of the unit tangent, and of the unit normal, along an arc.
-struct ArcExtremes {
-  Vec3 tangent;
-  Vec3 normal;
-  explicit ArcExtremes(const Arc& arc) {
-    const double along = arc.radius / arc.length_per_radian();
-    const Vec3 rise = arc.rise / arc.length_per_radian();
-    for (int j = 0; j < 3; ++j) {
-      tangent[j] = largest_component(rise[j], along * arc.y[j], -along * arc.x[j], arc.sweep);
-      normal[j] = largest_component(0, arc.x[j], arc.y[j], arc.sweep);
-    }
-  }
-};
-
 Cause by_axis(CauseKind kind, AxisBound bound) {
   return {kind, bound.axis};
 }
@@ -46,6 +32,15 @@ Vec3 direction_of(const Toolpath& toolpath, std::size_t i) {
 }
 
 }  // namespace
+
+ArcExtremes::ArcExtremes(const Arc& arc) {
+  const double along = arc.radius / arc.length_per_radian();
+  const Vec3 rise = arc.rise / arc.length_per_radian();
+  for (int j = 0; j < 3; ++j) {
+    tangent[j] = largest_component(rise[j], along * arc.y[j], -along * arc.x[j], arc.sweep);
+    normal[j] = largest_component(0, arc.x[j], arc.y[j], arc.sweep);
+  }
+}
 
 AxisVectors::AxisVectors(const Machine& machine)
     : velocity(axis_limit_vector(machine, &AxisLimits::velocity)),

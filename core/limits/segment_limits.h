@@ -36,6 +36,13 @@ struct AxisVectors {
   explicit AxisVectors(const Machine& machine);
 };
 
+/// Per axis the largest part of the unit tangent, and of the unit normal, anywhere on an arc or helix.
+struct ArcExtremes {
+  Vec3 tangent;
+  Vec3 normal;
+  explicit ArcExtremes(const Arc& arc);
+};
+
 /// Highest speed at which no axis exceeds its `velocity` anywhere on segment `i`, a line or an arc [mm/s].
 AxisBound axis_speed(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);
 

@@ -1,0 +1,322 @@
+#include "core/analysis/explanation/element_limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "core/blend/path_rules.h"
+#include "core/models/tapie/set_point.h"
+
+namespace feedscope {
+namespace {
+
+std::size_t axis_of(Cause cause) {
+  return static_cast<std::size_t>(cause.axis);
+}
+
+/// As ramps read it: the least of what elements [.., last) allow.
+struct LeastRamp {
+  double acceleration = std::numeric_limits<double>::infinity();
+  double jerk = std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+ElementLimits::ElementLimits(const Run& run)
+    : run_(run),
+      path_(run.trajectory->path()),
+      model_(run.setup.model->info().id),
+      axes_(run.setup.machine) {}
+
+double ElementLimits::setting(std::string_view key) const {
+  return run_.setup.settings.number(key);
+}
+
+std::size_t ElementLimits::block(std::uint32_t element) const {
+  return path_.base_segment(path_.segment(element));
+}
+
+const Arc* ElementLimits::programmed_arc(std::uint32_t element) const {
+  const Toolpath& path = *path_.programmed();
+  const std::int32_t arc = path.segments[path_.segment(element)].arc;
+  const ElementKind kind = path_.kind(element);
+  const bool runs_on_it = kind == ElementKind::arc || kind == ElementKind::filtered;
+  return arc >= 0 && runs_on_it ? &path.arcs[static_cast<std::size_t>(arc)] : nullptr;
+}
+
+bool ElementLimits::accelerates_by_jumps(std::uint32_t element) const {
+  const PathRules rules = PathRules::exact_corners(path_.base());
+  const std::size_t first = block(element);
+  return rules.acceleration_jumps(first) &&
+         (!path_.in_corner(element) || rules.acceleration_jumps(first + 1));
+}
+
+Formula ElementLimits::least_share(FormulaId id, Symbol limit, const Vec3& limits, const Vec3& parts) const {
+  const AxisBound bound = axis_share(limits, parts);
+  if (bound.axis < 0) {
+    return {};
+  }
+  return {id,
+          {{limit, bound.axis, limits[bound.axis]},
+           {Symbol::tangent_part, bound.axis, std::abs(parts[bound.axis])}}};
+}
+
+Formula ElementLimits::blend_rest(FormulaId id, Symbol share, Symbol limit, std::uint32_t element) const {
+  const bool is_jerk = limit == Symbol::blend_jerk;
+  const Vec3& limits = is_jerk ? axes_.blend_jerk : axes_.acceleration;
+  const double radial = setting(is_jerk ? "radial_jerk_share" : "radial_acceleration_share");
+  Vec3 parts;
+  if (path_.kind(element) == ElementKind::blend) {
+    parts = blend_shape(element).largest_tangent();
+  } else {
+    const Arc arc = path_.curve(element).arc;
+    const ArcExtremes extremes(arc);
+    constexpr double moves = 1e-9;
+    for (int j = 0; j < 3; ++j) {
+      parts[j] = extremes.tangent[j] > moves ? 1 : 0;
+    }
+  }
+  const AxisBound bound = axis_share(limits, parts);
+  return {id,
+          {{share, -1, radial},
+           {limit, bound.axis, limits[bound.axis]},
+           {Symbol::tangent_part, bound.axis, parts[bound.axis]}}};
+}
+
+Formula ElementLimits::path_acceleration(std::uint32_t element) const {
+  constexpr auto id = FormulaId::path_acceleration;
+  if (path_.in_corner(element) && model_ != "msaddek") {
+    return blend_rest(FormulaId::shared_acceleration, Symbol::acceleration_share, Symbol::axis_acceleration,
+                      element);
+  }
+  const ElementCurve curve = path_.curve(element);
+  const Vec3 parts = curve.is_arc() ? ArcExtremes(curve.arc).tangent : curve.direction;
+  return least_share(id, Symbol::axis_acceleration, axes_.acceleration, parts);
+}
+
+Formula ElementLimits::path_jerk(std::uint32_t element) const {
+  Formula steady;
+  if (path_.in_corner(element) && model_ != "msaddek") {
+    steady = blend_rest(FormulaId::shared_jerk, Symbol::jerk_share, Symbol::blend_jerk, element);
+  } else {
+    const ElementCurve curve = path_.curve(element);
+    const Vec3 parts = curve.is_arc() ? ArcExtremes(curve.arc).tangent : curve.direction;
+    steady = least_share(FormulaId::path_jerk, Symbol::axis_jerk, axes_.jerk, parts);
+  }
+  if (!accelerates_by_jumps(element)) {
+    return steady;
+  }
+  const Formula acceleration = path_acceleration(element);
+  const Formula jump{FormulaId::acceleration_jump,
+                     {{Symbol::path_acceleration, -1, acceleration.value()},
+                      {Symbol::period, -1, setting("interpolation_period_s")}}};
+  return jump.value() > steady.value() ? jump : steady;
+}
+
+BlendShape ElementLimits::blend_shape(std::uint32_t element) const {
+  const CubicBlend blend = path_.curve(element).blend;
+  const Vec3 in = blend.corner - blend.start;
+  return {in.normalized(), (blend.end - blend.corner).normalized(), in.norm(), blend.alpha};
+}
+
+Formula ElementLimits::arc_velocity(Cause cause, const Arc& arc) const {
+  const std::size_t j = axis_of(cause);
+  double part = ArcExtremes(arc).tangent[cause.axis];
+  if (model_ == "tapie") {
+    const SteadyPlace place = steady_place(
+        arc, axes_, units::from_m(setting("curvilinear_jerk_m_s3")) * setting("tangential_share"));
+    part = std::max(part, std::abs(arc.at(place.angle * arc.length_per_radian()).d1[cause.axis]));
+  }
+  return {FormulaId::axis_velocity,
+          {{Symbol::axis_velocity, cause.axis, axes_.velocity[static_cast<Eigen::Index>(j)]},
+           {Symbol::tangent_part, cause.axis, part}}};
+}
+
+Formula ElementLimits::arc_speed(Cause cause, const Arc& arc) const {
+  const double k = arc.curvature();
+  const Quantity radius{Symbol::radius, -1, 1 / k};
+  if (cause.kind == CauseKind::curvilinear_jerk) {
+    return {FormulaId::curvilinear_jerk,
+            {{Symbol::curvilinear_jerk, -1, units::from_m(setting("curvilinear_jerk_m_s3"))},
+             {Symbol::tangential_share, -1, setting("tangential_share")},
+             radius}};
+  }
+  if (cause.axis < 0) {
+    return {};
+  }
+  Vec3 tangent;
+  Vec3 normal;
+  if (model_ == "tapie") {
+    const SteadyPlace place = steady_place(
+        arc, axes_, units::from_m(setting("curvilinear_jerk_m_s3")) * setting("tangential_share"));
+    const CurvePoint at = arc.at(place.angle * arc.length_per_radian());
+    tangent = at.d3 / (k * k);
+    normal = at.d2 / k;
+  } else {
+    const ArcExtremes extremes(arc);
+    tangent = extremes.tangent;
+    normal = extremes.normal;
+  }
+  switch (cause.kind) {
+    case CauseKind::axis_velocity:
+    case CauseKind::rapid:
+      return arc_velocity(cause, arc);
+    case CauseKind::radial_acceleration:
+      return {FormulaId::radial_acceleration,
+              {{Symbol::axis_acceleration, cause.axis, axes_.acceleration[cause.axis]},
+               radius,
+               {Symbol::normal_part, cause.axis, std::abs(normal[cause.axis])}}};
+    case CauseKind::radial_jerk:
+      return {FormulaId::radial_jerk,
+              {{Symbol::axis_jerk, cause.axis, axes_.jerk[cause.axis]},
+               radius,
+               {Symbol::tangent_part, cause.axis, std::abs(tangent[cause.axis])}}};
+    default:
+      return {};
+  }
+}
+
+/// On a circle arc that is passed at constant speed, limits of tangent and normal (MODELS section 6).
+Formula ElementLimits::connecting_arc_speed(Cause cause, double radius) const {
+  const Quantity r{Symbol::radius, -1, radius};
+  switch (cause.kind) {
+    case CauseKind::blend_velocity:
+      return {FormulaId::axis_velocity,
+              {{Symbol::axis_velocity, cause.axis, axes_.velocity[cause.axis]},
+               {Symbol::tangent_part, cause.axis, 1}}};
+    case CauseKind::blend_radial_acceleration:
+      return {FormulaId::shared_radial_acceleration,
+              {{Symbol::acceleration_share, -1, setting("radial_acceleration_share")},
+               {Symbol::axis_acceleration, cause.axis, axes_.acceleration[cause.axis]},
+               r,
+               {Symbol::normal_part, cause.axis, 1}}};
+    case CauseKind::blend_radial_jerk:
+      return {FormulaId::arc_blend_radial_jerk,
+              {{Symbol::jerk_share, -1, setting("radial_jerk_share")},
+               {Symbol::blend_jerk, cause.axis, axes_.blend_jerk[cause.axis]},
+               r}};
+    default:
+      return {};
+  }
+}
+
+Formula ElementLimits::speed(Cause cause, std::uint32_t element) const {
+  const ElementKind kind = path_.kind(element);
+  const Toolpath& programmed = *path_.programmed();
+  const std::size_t segment = path_.segment(element);
+  if (kind == ElementKind::dwell) {
+    return {};
+  }
+  if (cause.kind == CauseKind::programmed_feed) {
+    double feed = programmed.segments[segment].feed;
+    if (path_.in_corner(element)) {
+      feed = std::min(feed, programmed.segments[segment + 1].feed);
+    }
+    return {FormulaId::programmed_feed, {{Symbol::feed, -1, feed}}};
+  }
+  const ElementCurve curve = path_.curve(element);
+  if (cause.kind == CauseKind::interpolation_period) {
+    const Segment& whole = path_.base().segments[block(element)];
+    const double length = path_.in_corner(element) ? curve.length : whole.length;
+    return {FormulaId::interpolation_period,
+            {{Symbol::block_length, -1, length}, {Symbol::period, -1, setting("interpolation_period_s")}}};
+  }
+  if (kind == ElementKind::connecting_arc) {
+    const bool own = cause.kind == CauseKind::blend_velocity ||
+                     cause.kind == CauseKind::blend_radial_acceleration ||
+                     cause.kind == CauseKind::blend_radial_jerk;
+    return own && cause.axis >= 0 ? connecting_arc_speed(cause, 1 / curve.arc.curvature())
+                                  : arc_speed(cause, curve.arc);
+  }
+  if (const Arc* arc = programmed_arc(element)) {
+    return arc_speed(cause, *arc);
+  }
+  const bool axis_speed = cause.kind == CauseKind::axis_velocity || cause.kind == CauseKind::rapid;
+  if (!axis_speed || cause.axis < 0 || kind == ElementKind::blend) {
+    return {};
+  }
+  const double part = std::abs(curve.direction[cause.axis]);
+  if (!(part > 0)) {
+    return {};
+  }
+  return {FormulaId::axis_velocity,
+          {{Symbol::axis_velocity, cause.axis, axes_.velocity[cause.axis]},
+           {Symbol::tangent_part, cause.axis, part}}};
+}
+
+Formula ElementLimits::blend_speed(Cause cause, const BlendShape& shape, double u, bool steady) const {
+  const std::int8_t j = cause.axis;
+  if (j < 0) {
+    return {};
+  }
+  const BlendShape::Point p = shape.at(u);
+  const Quantity tangent{Symbol::tangent_part, j, std::abs(p.tangent[j])};
+  const Quantity normal{Symbol::normal_part, j, std::abs(p.normal[j])};
+  const Quantity acceleration{Symbol::axis_acceleration, j, axes_.acceleration[j]};
+  const Quantity jerk{Symbol::blend_jerk, j, axes_.blend_jerk[j]};
+  const Quantity acceleration_share{Symbol::acceleration_share, -1, setting("radial_acceleration_share")};
+  const Quantity jerk_share{Symbol::jerk_share, -1, setting("radial_jerk_share")};
+  const double slope = steady ? p.dsigma / (p.sigma * p.sigma) : 0;
+  const double bend = (steady ? p.ddsigma / std::pow(p.sigma, 3) : 0) - p.k * p.k;
+  switch (cause.kind) {
+    case CauseKind::blend_velocity:
+      return {FormulaId::axis_velocity, {{Symbol::axis_velocity, j, axes_.velocity[j]}, tangent}};
+    case CauseKind::blend_tangential_acceleration:
+      return {FormulaId::steady_acceleration,
+              {acceleration_share, acceleration, {Symbol::speed_slope, -1, std::abs(slope)}, tangent}};
+    case CauseKind::blend_tangential_jerk:
+      return {FormulaId::steady_jerk, {jerk_share, jerk, {Symbol::speed_bend, -1, std::abs(bend)}, tangent}};
+    case CauseKind::blend_radial_acceleration:
+      return {FormulaId::shared_radial_acceleration,
+              {acceleration_share, acceleration, {Symbol::radius, -1, 1 / p.k}, normal}};
+    case CauseKind::blend_radial_jerk:
+      return {FormulaId::shared_radial_jerk,
+              {jerk_share, jerk, {Symbol::curvature_slope, -1, std::abs(p.dk_ds + 3 * slope * p.k)}, normal}};
+    default:
+      return {};
+  }
+}
+
+Formula ElementLimits::crossing(std::uint32_t element) const {
+  if (element == 0 || element >= path_.size()) {
+    return {};
+  }
+  const ElementCurve before = path_.curve(element - 1);
+  const ElementCurve after = path_.curve(element);
+  const auto bend = [](const ElementCurve& curve, double s) {
+    return curve.is_arc() ? curve.arc.at(s).d2 : Vec3(Vec3::Zero());
+  };
+  const Vec3 step = bend(after, 0) - bend(before, before.length);
+  const AxisBound bound = axis_share(axes_.jerk, step);
+  if (bound.axis < 0) {
+    return {};
+  }
+  return {FormulaId::curvature_crossing,
+          {{Symbol::axis_jerk, bound.axis, axes_.jerk[bound.axis]},
+           {Symbol::period, -1, setting("interpolation_period_s")},
+           {Symbol::curvature_step, bound.axis, std::abs(step[bound.axis])}}};
+}
+
+Formula ElementLimits::horizon(std::uint32_t element) const {
+  const auto blocks = static_cast<std::size_t>(setting("lookahead_blocks"));
+  const std::size_t first = block(element);
+  LeastRamp least;
+  double length = 0;
+  for (std::uint32_t e = element; e < path_.size() && block(e) - first < blocks; ++e) {
+    if (path_.kind(e) == ElementKind::dwell) {
+      break;
+    }
+    least.acceleration = std::min(least.acceleration, path_acceleration(e).value());
+    least.jerk = std::min(least.jerk, path_jerk(e).value());
+    length += path_.length(e);
+  }
+  const Quantity acceleration{Symbol::path_acceleration, -1, least.acceleration};
+  const Quantity jerk{Symbol::path_jerk, -1, least.jerk};
+  const Quantity ahead{Symbol::length_ahead, -1, length};
+  const Formula by_jerk{FormulaId::horizon_jerk, {jerk, ahead}};
+  return by_jerk.value() <= least.acceleration * least.acceleration / least.jerk
+             ? by_jerk
+             : Formula{FormulaId::horizon_acceleration, {acceleration, jerk, ahead}};
+}
+
+}  // namespace feedscope

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace feedscope {
+
+/// What a number measures; inside units: mm, s, rad.
+enum class Dimension : std::uint8_t {
+  number,
+  length,
+  inverse_length,
+  inverse_area,
+  time,
+  speed,
+  acceleration,
+  jerk,
+  angle,
+};
+
+/// The quantities that stand in formulas; of one axis where `Quantity::axis` says which.
+enum class Symbol : std::uint8_t {
+  feed,                 ///< F, programmed
+  axis_velocity,        ///< V_X
+  axis_acceleration,    ///< A_X
+  axis_jerk,            ///< J_X
+  blend_jerk,           ///< Jtb_X
+  tangent_part,         ///< |t_X|, of the unit tangent
+  normal_part,          ///< |n_X|, of the unit normal
+  radius,               ///< R, of curvature
+  curvature_slope,      ///< |k'|, change of the curvature along the path
+  acceleration_share,   ///< R_A, radial
+  jerk_share,           ///< R_J, radial
+  speed_slope,          ///< |s'|, at constant du/dt: change of the speed along the path, v'/v^2
+  speed_bend,           ///< |s'' - k^2|, at constant du/dt: jerk along the path by v^3
+  curvilinear_jerk,     ///< J_curv
+  tangential_share,     ///< r_jct
+  curvature_step,       ///< |dk_X|, of the curvature vector
+  period,               ///< t_cy, interpolation period
+  block_length,         ///< L, of a block or an arc
+  path_acceleration,    ///< A, along the path
+  path_jerk,            ///< J, along the path
+  length_ahead,         ///< L_N, of the blocks that the control knows
+  blocks_ahead,         ///< N, blocks that the control knows
+  speed_before,         ///< V_0, where a ramp begins
+  speed_after,          ///< V_1, where it ends
+  filters,              ///< n, moving averages
+  filter_time,          ///< T_1, of each filter
+  leg_before,           ///< l_1, from the corner, what the filters leave on the way in
+  leg_after,            ///< l_2, on the way out
+  turn,                 ///< phi, direction change
+  filter_angle,         ///< x, V T_1 / (2 R)
+  acceleration_along,   ///< a_tX, part of the acceleration of an axis along the path
+  acceleration_across,  ///< a_nX, across it
+  jerk_along,           ///< j_tX, the same of a jerk
+  jerk_across,          ///< j_nX
+};
+
+struct Quantity {
+  Symbol symbol = Symbol::feed;
+  std::int8_t axis = -1;  ///< 0 X, 1 Y, 2 Z; -1 none
+  double value = 0;       ///< inside units
+};
+
+Dimension dimension_of(Symbol symbol);
+/// "J_X", "R", "|t_Y|".
+std::string symbol_text(const Quantity& quantity);
+
+/// Which formula tells how fast at most. What a result of a dimension is: speed, acceleration or jerk along
+/// the path; length or time of what the text of the formula names.
+enum class FormulaId : std::uint8_t {
+  none,
+  programmed_feed,
+  axis_velocity,
+  path_acceleration,
+  path_jerk,
+  acceleration_jump,
+  shared_acceleration,
+  shared_jerk,
+  radial_acceleration,
+  radial_jerk,
+  shared_radial_acceleration,
+  shared_radial_jerk,
+  arc_blend_radial_jerk,
+  jerk_across,
+  steady_acceleration,
+  steady_jerk,
+  curvilinear_jerk,
+  curvature_crossing,
+  interpolation_period,
+  horizon_jerk,
+  horizon_acceleration,
+  braking_jerk,
+  braking_acceleration,
+  filter_delay,
+  corner_error,
+  arc_error,
+  whole_acceleration,
+  whole_jerk,
+};
+
+/// A formula with the numbers of one place, in the order in which its text names them.
+struct Formula {
+  FormulaId id = FormulaId::none;
+  std::vector<Quantity> numbers;
+
+  bool empty() const { return id == FormulaId::none; }
+  Dimension dimension() const;  ///< of the result
+  double value() const;         ///< of the right side, inside units; 0 for none
+  std::string left() const;     ///< "V"
+  /// The right side: "(J_X R^2 / |t_X|)^(1/3)".
+  std::string text() const;
+  /// The right side with `write` of every number instead of its symbol: "(5 m/s3 (2.5 mm)^2 / 0.8)^(1/3)".
+  std::string with_numbers(const std::function<std::string(const Quantity&)>& write) const;
+  /// The number of that symbol; null if it has none.
+  const Quantity* find(Symbol symbol) const;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,313 @@
+#include "core/analysis/explanation/reason_finder.h"
+
+#include <cmath>
+
+namespace feedscope {
+namespace {
+
+// Elements that are searched to both sides for the one that limits a ramp, or a speed.
+constexpr std::uint32_t farthest_of_ramp = 500;
+constexpr std::uint32_t farthest_of_speed = 3;
+
+bool same(double a, double b) {
+  constexpr double rounding = 1e-5;
+  return std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+}
+
+/// Calls `look` for `middle`, its neighbours, theirs and so on below `size`, until it says so.
+template <typename Look>
+void look_around(std::uint32_t middle, std::uint32_t farthest, std::size_t size, const Look& look) {
+  if (look(middle)) {
+    return;
+  }
+  for (std::uint32_t d = 1; d <= farthest; ++d) {
+    const bool found = (middle >= d && look(middle - d)) || (middle + d < size && look(middle + d));
+    if (found || (middle < d && middle + d >= size)) {
+      return;
+    }
+  }
+}
+
+bool is_blend_row(CauseKind kind) {
+  return kind >= CauseKind::blend_velocity && kind <= CauseKind::blend_tangential_jerk;
+}
+
+/// How far `formula` is from giving `reached`, as a share.
+double mismatch(const Formula& formula, double reached) {
+  return formula.empty() || !(reached > 0) ? std::numeric_limits<double>::infinity()
+                                           : std::abs(formula.value() / reached - 1);
+}
+
+}  // namespace
+
+bool Reason::sets_it() const {
+  return !formula.empty() && same(formula.value(), reached);
+}
+
+ReasonFinder::ReasonFinder(const Run& run)
+    : run_(*run.trajectory), settings_(run.setup.settings), limits_(run) {}
+
+Reason ReasonFinder::made(Cause cause, Formula formula, double reached, std::uint32_t element) const {
+  std::string source = source_of(formula.id, limits_.model());
+  return {cause, std::move(formula), reached, run_.line_of(element), std::move(source)};
+}
+
+Reason ReasonFinder::find(const State& state, Cause cause) const {
+  const bool on_ramp_up = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk;
+  if (cause.kind == CauseKind::exact_stop || cause.kind == CauseKind::dwell) {
+    return made(cause, {}, 0, state.element);
+  }
+  if (run_.path().kind(state.element) == ElementKind::filtered) {
+    return filtered(state, cause);
+  }
+  if (on_ramp_up) {
+    return limits_.model() == "optimal" ? whole_axis(state, cause) : on_ramp(state, cause);
+  }
+  switch (cause.kind) {
+    case CauseKind::ramp_down:
+      return braking(state);
+    case CauseKind::curvature_crossing:
+    case CauseKind::lookahead_horizon:
+      return at_junction(state, cause);
+    default:
+      return is_sampled(state) && is_blend_row(cause.kind) ? sampled_on_blend(state, cause)
+                                                           : of_speed(state, cause);
+  }
+}
+
+bool ReasonFinder::is_sampled(const State& state) const {
+  const Piece& piece = run_.pieces()[run_.piece_at(state.time)];
+  return piece.law == Law::parameter && (piece.a != 0 || piece.j != 0);
+}
+
+Reason ReasonFinder::find_at_start(const State& state, Cause cause) const {
+  const bool junction =
+      cause.kind == CauseKind::curvature_crossing || cause.kind == CauseKind::lookahead_horizon;
+  const bool stop = cause.kind == CauseKind::exact_stop || cause.kind == CauseKind::dwell;
+  const bool axis = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk;
+  const bool filtered = run_.path().kind(state.element) == ElementKind::filtered;
+  return junction || stop || axis || filtered ? find(state, cause) : of_speed(state, cause);
+}
+
+/// The ramp has the limits of the element that allows least; the axis tells which one that is.
+Reason ReasonFinder::on_ramp(const State& state, Cause cause) const {
+  const bool by_jerk = cause.kind == CauseKind::axis_jerk;
+  const double reached = std::abs(by_jerk ? state.tangential_jerk : state.tangential_acceleration);
+  const auto formula_of = [&](std::uint32_t element) {
+    return by_jerk ? limits_.path_jerk(element) : limits_.path_acceleration(element);
+  };
+  const BlendedPath& path = run_.path();
+  if (path.kind(state.element) == ElementKind::dwell) {
+    return made(cause, {}, reached, state.element);
+  }
+  std::uint32_t found = state.element;
+  look_around(state.element, farthest_of_ramp, path.size(), [&](std::uint32_t element) {
+    const bool fits = path.kind(element) != ElementKind::dwell && same(formula_of(element).value(), reached);
+    found = fits ? element : found;
+    return fits || reached == 0;
+  });
+  return made(cause, formula_of(found), reached, found);
+}
+
+/// Length of the ramp that brakes, from the acceleration and jerk that it has.
+Reason ReasonFinder::braking(const State& state) const {
+  const Cause cause{CauseKind::ramp_down};
+  const std::size_t index = run_.piece_at(state.time);
+  const Piece& piece = run_.pieces()[index];
+  if (piece.law != Law::ramp) {
+    return made(cause, {}, 0, state.element);
+  }
+  const PiecePhases phases(piece, run_.piece_end(index) - piece.time);
+  const LawPoint end = phases.at(run_.piece_end(index) - piece.time);
+  const Quantity before{Symbol::speed_before, -1, piece.v};
+  const Quantity after{Symbol::speed_after, -1, std::max(end.v, 0.0)};
+  const Quantity jerk{Symbol::path_jerk, -1, std::abs(piece.j)};
+  const Quantity acceleration{Symbol::path_acceleration, -1, std::abs(piece.a)};
+  const bool holds = phases.end(1) - phases.begin(1) > 1e-9 * phases.end(0);
+  Formula formula = holds ? Formula{FormulaId::braking_acceleration, {before, after, acceleration, jerk}}
+                          : Formula{FormulaId::braking_jerk, {before, after, jerk}};
+  return made(cause, std::move(formula), end.q - piece.q, state.element);
+}
+
+Reason ReasonFinder::at_junction(const State& state, Cause cause) const {
+  const bool crossing = cause.kind == CauseKind::curvature_crossing;
+  constexpr std::uint32_t near = 2;  // the instant lies on the junction, or within rounding of it
+  Formula best;
+  std::uint32_t found = state.element;
+  const std::uint32_t first = state.element > near ? state.element - near : 1;
+  for (std::uint32_t junction = first; junction <= state.element + near; ++junction) {
+    if (junction >= run_.path().size() || run_.path().kind(junction) == ElementKind::dwell) {
+      continue;
+    }
+    Formula formula = crossing ? limits_.crossing(junction) : limits_.horizon(junction);
+    if (best.empty() || mismatch(formula, state.speed) < mismatch(best, state.speed)) {
+      best = std::move(formula);
+      found = junction;
+    }
+  }
+  return made(cause, std::move(best), state.speed, found);
+}
+
+Reason ReasonFinder::of_speed(const State& state, Cause cause) const {
+  const BlendedPath& path = run_.path();
+  const bool blend_row = is_blend_row(cause.kind);
+  Reason best = made(cause, {}, state.speed, state.element);
+  look_around(state.element, farthest_of_speed, path.size(), [&](std::uint32_t element) {
+    Reason reason = blend_row && path.kind(element) == ElementKind::blend
+                        ? on_blend(state, cause, element)
+                        : made(cause, limits_.speed(cause, element), state.speed, element);
+    if (best.formula.empty() || reason.sets_it()) {
+      best = std::move(reason);
+    }
+    return best.sets_it();
+  });
+  return best;
+}
+
+/// A blend passed at constant speed or at constant du/dt has the speed that some place of it allows: the
+/// entry, as eq 26 of Essid 2019 has it, or where its rows are used most.
+Reason ReasonFinder::on_blend(const State& state, Cause cause, std::uint32_t element) const {
+  constexpr int intervals = 200;
+  const BlendShape shape = limits_.blend_shape(element);
+  const Piece& piece = run_.pieces()[run_.piece_at(state.time)];
+  const double entry_sigma = shape.at(0).sigma;
+  const bool here = piece.law == Law::parameter && piece.element == element;
+  const double entry_speed = here ? piece.v * entry_sigma : state.speed;
+
+  Reason best = made(cause, limits_.blend_speed(cause, shape, 0, false), entry_speed, element);
+  for (const bool steady : {false, true}) {
+    double most = 0;
+    double place = 0;
+    for (int i = 0; i <= intervals; ++i) {
+      const double u = static_cast<double>(i) / intervals;
+      const double speed = entry_speed * (steady ? shape.at(u).sigma / entry_sigma : 1);
+      const double allowed = limits_.blend_speed(cause, shape, u, steady).value();
+      if (speed > most * allowed) {
+        most = speed / allowed;
+        place = u;
+      }
+    }
+    Formula formula = limits_.blend_speed(cause, shape, place, steady);
+    const double speed = entry_speed * (steady ? shape.at(place).sigma / entry_sigma : 1);
+    if (mismatch(formula, speed) < mismatch(best.formula, best.reached)) {
+      best = made(cause, std::move(formula), speed, element);
+    }
+  }
+  return best;
+}
+
+/// Within the law of Essid 2019 on a blend: the row that limits the jerk of the sample under way.
+Reason ReasonFinder::sampled_on_blend(const State& state, Cause cause) const {
+  if (cause.axis < 0) {
+    return made(cause, {}, state.speed, state.element);
+  }
+  const std::size_t index = run_.piece_at(state.time);
+  const Piece& piece = run_.pieces()[index];
+  const double u = advance({piece.q, piece.v, piece.a, piece.j}, state.time - piece.time).q;
+  const BlendShape::Point p = limits_.blend_shape(state.element).at(u);
+  const double v = state.speed;
+  const double a = state.tangential_acceleration;
+  const std::int8_t j = cause.axis;
+  const Quantity tangent{Symbol::tangent_part, j, std::abs(p.tangent[j])};
+  const Quantity normal{Symbol::normal_part, j, std::abs(p.normal[j])};
+  const Quantity acceleration_share{Symbol::acceleration_share, -1,
+                                    limits_.setting("radial_acceleration_share")};
+  const Quantity jerk_share{Symbol::jerk_share, -1, limits_.setting("radial_jerk_share")};
+  const Quantity acceleration{Symbol::axis_acceleration, j, limits_.axes().acceleration[j]};
+  const Quantity jerk{Symbol::blend_jerk, j, limits_.axes().blend_jerk[j]};
+  switch (cause.kind) {
+    case CauseKind::blend_tangential_acceleration:
+      return made(cause, {FormulaId::shared_acceleration, {acceleration_share, acceleration, tangent}},
+                  std::abs(a), state.element);
+    case CauseKind::blend_tangential_jerk:
+      return made(cause, {FormulaId::shared_jerk, {jerk_share, jerk, tangent}},
+                  std::abs(state.tangential_jerk - v * v * v * p.k * p.k), state.element);
+    case CauseKind::blend_radial_jerk:
+      return made(cause, {FormulaId::jerk_across, {jerk_share, jerk, normal}},
+                  std::abs(3 * v * a * p.k + v * v * v * p.dk_ds), state.element);
+    default:
+      return made(cause, limits_.blend_speed(cause, limits_.blend_shape(state.element), u, false), v,
+                  state.element);
+  }
+}
+
+/// Along and across the path together, as the time-optimal law counts them.
+Reason ReasonFinder::whole_axis(const State& state, Cause cause) const {
+  const bool by_jerk = cause.kind == CauseKind::axis_jerk;
+  const bool blend = run_.path().in_corner(state.element);
+  const Vec3& limit = !by_jerk ? limits_.axes().acceleration
+                      : blend  ? limits_.axes().blend_jerk
+                               : limits_.axes().jerk;
+  const Vec3& whole = by_jerk ? state.jerk : state.acceleration;
+  std::int8_t j = cause.axis;
+  for (std::int8_t axis = 0; cause.axis < 0 && axis < 3; ++axis) {
+    j = j < 0 || std::abs(whole[axis]) * limit[j] > std::abs(whole[j]) * limit[axis] ? axis : j;
+  }
+  const Vec3 tangent = state.speed > 0 ? Vec3(state.velocity / state.speed) : Vec3(Vec3::Zero());
+  const double along = tangent[j] * (by_jerk ? state.tangential_jerk : state.tangential_acceleration);
+  const Quantity part_along{by_jerk ? Symbol::jerk_along : Symbol::acceleration_along, j, along};
+  const Quantity part_across{by_jerk ? Symbol::jerk_across : Symbol::acceleration_across, j,
+                             whole[j] - along};
+  return made(cause,
+              {by_jerk ? FormulaId::whole_jerk : FormulaId::whole_acceleration, {part_along, part_across}},
+              limit[j], state.element);
+}
+
+std::string source_of(FormulaId id, const std::string& model) {
+  const bool msaddek = model == "msaddek";
+  switch (id) {
+    case FormulaId::none:
+      return {};
+    case FormulaId::programmed_feed:
+      return "program";
+    case FormulaId::axis_velocity:
+      return "Tapie 2007, eq 7";
+    case FormulaId::path_acceleration:
+      return "Essid 2019, eq 24";
+    case FormulaId::path_jerk:
+      return "Tapie 2007, eq 9 and section 5.2.3";
+    case FormulaId::braking_jerk:
+      return "Tapie 2007, eq 16";
+    case FormulaId::braking_acceleration:
+      return "Tapie 2007, eq 16, with the acceleration limit";
+    case FormulaId::acceleration_jump:
+      return "BRISK of the program";
+    case FormulaId::shared_acceleration:
+      return "Essid 2019, eq 14 and 24";
+    case FormulaId::shared_jerk:
+    case FormulaId::jerk_across:
+      return "Essid 2019, eq 15 and 24";
+    case FormulaId::radial_acceleration:
+      return msaddek ? "Msaddek 2011, eq 11" : "Tapie 2007, eq 2 and 8";
+    case FormulaId::radial_jerk:
+      return msaddek ? "Msaddek 2011, eq 15" : "Tapie 2007, eq 4 and 9";
+    case FormulaId::shared_radial_acceleration:
+    case FormulaId::shared_radial_jerk:
+    case FormulaId::steady_acceleration:
+    case FormulaId::steady_jerk:
+      return model == "gassara" ? "Gassara 2013, in Essid 2019, section 4.3" : "Essid 2019, eq 24 and 26";
+    case FormulaId::arc_blend_radial_jerk:
+      return "Gassara 2013, in Essid 2019, section 4.3";
+    case FormulaId::curvilinear_jerk:
+      return msaddek ? "Msaddek 2011, eq 17" : "Tapie 2007, eq 10 and 11";
+    case FormulaId::curvature_crossing:
+      return msaddek ? "Msaddek 2011, eq 3" : "Tapie 2007, eq 13";
+    case FormulaId::interpolation_period:
+      return msaddek ? "Msaddek 2011, eq 5 and 7" : "Tapie 2007, eq 6";
+    case FormulaId::horizon_jerk:
+    case FormulaId::horizon_acceleration:
+      return "Msaddek 2011, section 2.2.3";
+    case FormulaId::filter_delay:
+      return "Ward 2021, eq 8";
+    case FormulaId::corner_error:
+      return "Ward 2021, eq 25 to 30";
+    case FormulaId::arc_error:
+      return "Ward 2021, eq 1, on a circle";
+    case FormulaId::whole_acceleration:
+    case FormulaId::whole_jerk:
+      return "Pham and Pham 2018";
+  }
+  return {};
+}
+
+}  // namespace feedscope

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "core/analysis/explanation/element_limits.h"
+#include "core/analysis/explanation/explanation.h"
+
+namespace feedscope {
+
+/// Finds the formula behind a cause at one instant of a run.
+class ReasonFinder {
+ public:
+  /// `run` outlives this.
+  explicit ReasonFinder(const Run& run);
+
+  /// Why the tool is not faster at `state`.
+  Reason find(const State& state, Cause cause) const;
+  /// Why the tool must be as slow as at `state`, where the place begins that `cause` limits.
+  Reason find_at_start(const State& state, Cause cause) const;
+
+ private:
+  /// On a blend that is run by the sampled law of Essid 2019.
+  bool is_sampled(const State& state) const;
+  Reason on_ramp(const State& state, Cause cause) const;
+  Reason braking(const State& state) const;
+  Reason at_junction(const State& state, Cause cause) const;
+  Reason of_speed(const State& state, Cause cause) const;
+  Reason on_blend(const State& state, Cause cause, std::uint32_t element) const;
+  Reason sampled_on_blend(const State& state, Cause cause) const;
+  Reason whole_axis(const State& state, Cause cause) const;
+  Reason filtered(const State& state, Cause cause) const;
+  Formula filtered_corner(const FilteredMotion& motion, std::size_t block, double time) const;
+
+  Reason made(Cause cause, Formula formula, double reached, std::uint32_t element) const;
+
+  const Trajectory& run_;
+  const Settings& settings_;
+  ElementLimits limits_;
+};
+
+/// Paper and equation of a formula as `model` uses it.
+std::string source_of(FormulaId id, const std::string& model);
+
+}  // namespace feedscope
