@@ -166,6 +166,23 @@ std::string filled(std::string_view pattern, const Write& write) {
   return text;
 }
 
+/// `pattern` with a sign between factors, which numbers need as symbols do not.
+std::string with_factor_signs(std::string_view pattern) {
+  const auto ends_factor = [](char c) { return c == '}' || c == ')' || (c >= '0' && c <= '9'); };
+  const auto begins_factor = [](char c) { return c == '{' || c == '(' || c == 's'; };
+  std::string text;
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    const bool between = pattern[i] == ' ' && i > 0 && i + 1 < pattern.size() &&
+                         ends_factor(pattern[i - 1]) && begins_factor(pattern[i + 1]);
+    if (between) {
+      text += " \u00b7 ";
+    } else {
+      text += pattern[i];
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 Dimension dimension_of(Symbol symbol) {
@@ -204,7 +221,14 @@ std::string Formula::text() const {
 }
 
 std::string Formula::with_numbers(const std::function<std::string(const Quantity&)>& write) const {
-  return filled(text_of(id).right, [&](std::size_t i) { return write(numbers.at(i)); });
+  std::string text = with_factor_signs(text_of(id).right);
+  for (std::size_t i = 0; i < numbers.size(); ++i) {  // what is raised to a power is raised with its unit
+    const std::string raised = fmt::format("{{{}}}^", i);
+    for (auto at = text.find(raised); at != std::string::npos; at = text.find(raised, at + raised.size())) {
+      text.replace(at, raised.size(), fmt::format("({{{}}})^", i));
+    }
+  }
+  return filled(text, [&](std::size_t i) { return write(numbers.at(i)); });
 }
 
 const Quantity* Formula::find(Symbol symbol) const {

@@ -113,7 +113,8 @@ struct Formula {
   std::string left() const;     ///< "V"
   /// The right side: "(J_X R^2 / |t_X|)^(1/3)".
   std::string text() const;
-  /// The right side with `write` of every number instead of its symbol: "(5 m/s3 (2.5 mm)^2 / 0.8)^(1/3)".
+  /// The right side with `write` of every number instead of its symbol, in UTF-8:
+  /// "(5 m/s3 · (2.5 mm)^2 / 0.8)^(1/3)".
   std::string with_numbers(const std::function<std::string(const Quantity&)>& write) const;
   /// The number of that symbol; null if it has none.
   const Quantity* find(Symbol symbol) const;

@@ -238,9 +238,9 @@ TEST(Formula, PutsNumbersInThePlaceOfSymbols) {
       {{Symbol::axis_jerk, 0, 5000}, {Symbol::radius, -1, 2.5}, {Symbol::tangent_part, 0, 0.8}}};
   EXPECT_EQ(formula.text(), "(J_X R^2 / |t_X|)^(1/3)");
   EXPECT_EQ(formula.with_numbers([](const Quantity& number) {
-    return number.symbol == Symbol::radius ? std::string("(2.5 mm)") : std::string("n");
+    return number.symbol == Symbol::radius ? std::string("2.5 mm") : std::string("n");
   }),
-            "(n (2.5 mm)^2 / n)^(1/3)");
+            "(n \u00b7 (2.5 mm)^2 / n)^(1/3)");
   EXPECT_NEAR(formula.value(), std::cbrt(5000 * 6.25 / 0.8), 1e-12);
 }
 

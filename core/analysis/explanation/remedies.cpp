@@ -1,0 +1,269 @@
+#include "core/analysis/explanation/remedies.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace feedscope {
+namespace {
+
+constexpr double more = 1.5;       // of limits and shares
+constexpr double more_feed = 1.2;  // of the programmed feed
+
+/// Collects changes that have an effect, each once.
+class Candidates {
+ public:
+  explicit Candidates(const Setup& setup) : setup_(setup), specs_(settings_of(*setup.model)) {}
+
+  void axis(int axis, const std::string& limit, double factor = more) {
+    add(axis_changes(axis, limit, factor));
+  }
+
+  void all_axes(const std::string& limit) {
+    Remedy remedy;
+    for (int axis = 0; axis < 3; ++axis) {
+      const Remedy one = axis_changes(axis, limit, more);
+      remedy.changes.insert(remedy.changes.end(), one.changes.begin(), one.changes.end());
+    }
+    add(std::move(remedy));
+  }
+
+  /// A number of the settings times `factor`, within its bounds; `besides` is set with it.
+  void setting(const std::string& key, double factor,
+               std::vector<std::pair<std::string, SettingValue>> besides = {}) {
+    if (has(key)) {
+      set(key, setup_.settings.number(key) * factor, std::move(besides));
+    }
+  }
+
+  void set(const std::string& key, SettingValue value,
+           std::vector<std::pair<std::string, SettingValue>> besides = {}) {
+    const auto spec = std::ranges::find(specs_, key, &SettingSpec::key);
+    if (spec == specs_.end()) {
+      return;
+    }
+    if (double* number = std::get_if<double>(&value)) {
+      const double step = spec->whole ? std::round(*number) : *number;
+      *number = std::clamp(step, spec->minimum, spec->maximum);
+    }
+    if (value == setup_.settings.values().at(key)) {
+      return;
+    }
+    Remedy remedy{{{key, std::move(value)}}};
+    for (auto& other : besides) {
+      if (has(other.first)) {
+        remedy.changes.push_back(std::move(other));
+      }
+    }
+    add(std::move(remedy));
+  }
+
+  void feed(double factor) {
+    Remedy remedy;
+    remedy.feed_factor = factor;
+    add(std::move(remedy));
+  }
+
+  bool has(const std::string& key) const { return setup_.settings.has(key); }
+  std::vector<Remedy> take() { return std::move(found_); }
+
+ private:
+  Remedy axis_changes(int axis, const std::string& limit, double factor) const {
+    const char name = axis_names[static_cast<std::size_t>(axis)];
+    const double value = axis_limit(setup_.machine, name, limit);
+    return {{{fmt::format("{}.{}", name, limit), value * factor}}};
+  }
+
+  void add(Remedy remedy) {
+    if (std::ranges::find(found_, remedy) == found_.end()) {
+      found_.push_back(std::move(remedy));
+    }
+  }
+
+  const Setup& setup_;
+  std::vector<SettingSpec> specs_;
+  std::vector<Remedy> found_;
+};
+
+void larger_tolerance(Candidates& candidates) {
+  candidates.setting("contour_tolerance_mm", 2, {{"program_tolerance", std::string("off")}});
+}
+
+/// What smoothing filters take their jerk from.
+void faster_filters(Candidates& candidates, const Setup& setup) {
+  if (!candidates.has("filter_jerk_m_s3")) {
+    return;
+  }
+  if (setup.settings.number("filter_time_s") > 0) {
+    candidates.setting("filter_time_s", 1 / std::sqrt(more));
+    return;
+  }
+  double jerk = setup.settings.number("filter_jerk_m_s3");
+  for (std::size_t axis = 0; axis < 3 && !(setup.settings.number("filter_jerk_m_s3") > 0); ++axis) {
+    const double own = axis_limit(setup.machine, axis_names[axis], "jerk");
+    jerk = jerk > 0 ? std::min(jerk, own) : own;
+  }
+  candidates.set("filter_jerk_m_s3", jerk * more);
+}
+
+void add_for_blend(Candidates& candidates, Cause cause) {
+  larger_tolerance(candidates);
+  switch (cause.kind) {
+    case CauseKind::blend_velocity:
+      candidates.axis(cause.axis, "velocity");
+      break;
+    case CauseKind::blend_radial_acceleration:
+      candidates.setting("radial_acceleration_share", more);
+      candidates.axis(cause.axis, "acceleration");
+      break;
+    case CauseKind::blend_radial_jerk:
+      candidates.setting("radial_jerk_share", more);
+      candidates.axis(cause.axis, "blend_jerk");
+      break;
+    case CauseKind::blend_tangential_acceleration:
+      candidates.setting("radial_acceleration_share", 1 / more);
+      candidates.axis(cause.axis, "acceleration");
+      break;
+    default:
+      candidates.setting("radial_jerk_share", 1 / more);
+      candidates.axis(cause.axis, "blend_jerk");
+  }
+}
+
+void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
+  if (cause.kind >= CauseKind::blend_velocity && cause.kind <= CauseKind::blend_tangential_jerk &&
+      cause.axis >= 0) {
+    add_for_blend(candidates, cause);
+    return;
+  }
+  switch (cause.kind) {
+    case CauseKind::programmed_feed:
+      candidates.feed(more_feed);
+      break;
+    case CauseKind::curvilinear_jerk:
+      candidates.setting("curvilinear_jerk_m_s3", more);
+      candidates.setting("tangential_share", more);
+      break;
+    case CauseKind::interpolation_period:
+      candidates.setting("interpolation_period_s", 0.5);
+      if (candidates.has("compaction_mm")) {
+        constexpr double usual_length = 5;  // Msaddek 2011, table 1 [mm]
+        candidates.set("compaction_mm", std::max(usual_length, 2 * setup.settings.number("compaction_mm")));
+      }
+      break;
+    case CauseKind::curvature_crossing:
+      candidates.setting("interpolation_period_s", 2);
+      break;
+    case CauseKind::contour_tolerance:
+      larger_tolerance(candidates);
+      faster_filters(candidates, setup);
+      break;
+    case CauseKind::lookahead_horizon:
+      candidates.setting("lookahead_blocks", 2);
+      break;
+    case CauseKind::exact_stop:
+      larger_tolerance(candidates);
+      break;
+    default:
+      break;
+  }
+  if (cause.axis < 0) {
+    return;
+  }
+  switch (cause.kind) {
+    case CauseKind::axis_velocity:
+    case CauseKind::rapid:
+      candidates.axis(cause.axis, "velocity");
+      break;
+    case CauseKind::axis_acceleration:
+    case CauseKind::radial_acceleration:
+      candidates.axis(cause.axis, "acceleration");
+      break;
+    case CauseKind::axis_jerk:
+    case CauseKind::radial_jerk:
+    case CauseKind::curvature_crossing:
+      candidates.axis(cause.axis, "jerk");
+      break;
+    default:
+      break;
+  }
+}
+
+}  // namespace
+
+std::vector<Remedy> remedies(const Setup& setup, const Explanation& why) {
+  Candidates candidates(setup);
+  add_for(candidates, why.ahead ? why.ahead->reason.cause : why.reason.cause, setup);
+  faster_filters(candidates, setup);
+  candidates.all_axes("jerk");
+  candidates.all_axes("acceleration");
+  larger_tolerance(candidates);
+  candidates.setting("lookahead_blocks", 2);
+  candidates.setting("interpolation_period_s", 0.5);
+  candidates.feed(more_feed);
+  return candidates.take();
+}
+
+Setup with_remedy(Setup setup, const Remedy& remedy) {
+  for (const auto& [key, value] : remedy.changes) {
+    const std::string text = std::holds_alternative<double>(value)
+                                 ? fmt::format("{}", std::get<double>(value))
+                                 : std::get<std::string>(value);
+    apply_setting(key + '=' + text, *setup.model, setup.machine, setup.settings);
+  }
+  return setup;
+}
+
+LoadedProgram with_feed(const LoadedProgram& program, double factor) {
+  LoadedProgram changed = program;
+  auto toolpath = std::make_shared<Toolpath>(*program.toolpath);
+  for (Segment& segment : toolpath->segments) {
+    segment.feed *= factor;
+  }
+  changed.toolpath = std::move(toolpath);
+  return changed;
+}
+
+Trajectory try_remedy(const LoadedProgram& program, const Setup& setup, const Remedy& remedy,
+                      Progress* progress) {
+  const Setup changed = with_remedy(setup, remedy);
+  const LoadedProgram input = remedy.feed_factor == 1 ? program : with_feed(program, remedy.feed_factor);
+  return changed.model->simulate(input.toolpath, changed.machine, changed.settings, progress);
+}
+
+SegmentRange segments_between(const Trajectory& trajectory, double from, double to) {
+  const BlendedPath& path = trajectory.path();
+  if (path.empty()) {
+    return {};
+  }
+  return {path.segment(trajectory.state(from).element), path.segment(trajectory.state(to).element)};
+}
+
+double passage_time(const Trajectory& trajectory, const SegmentRange& segments) {
+  const BlendedPath& path = trajectory.path();
+  const auto& pieces = trajectory.pieces();
+  /// Time at which the first element of `segment` or a later one begins.
+  const auto begin = [&](std::uint32_t segment) {
+    std::uint32_t low = 0;
+    auto high = static_cast<std::uint32_t>(path.size());
+    while (low < high) {
+      const std::uint32_t middle = low + (high - low) / 2;
+      if (path.segment(middle) < segment) {
+        low = middle + 1;
+      } else {
+        high = middle;
+      }
+    }
+    if (low >= path.size()) {
+      return trajectory.duration();
+    }
+    const auto own = std::ranges::lower_bound(pieces, low, {}, &Piece::element);
+    const bool begins_with_it = own != pieces.end() && own->element == low && own->q <= 0;
+    return begins_with_it ? own->time : trajectory.state_at_path(path.s(low)).time;
+  };
+  return pieces.empty() ? 0 : begin(segments.last + 1) - begin(segments.first);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/analysis/explanation/explanation.h"
+
+namespace feedscope {
+
+/// A change that may make a run faster: values of a setup, or the programmed feed.
+struct Remedy {
+  /// Keys and values as for --set, in the unit of the key: "X.jerk", "contour_tolerance_mm".
+  std::vector<std::pair<std::string, SettingValue>> changes;
+  double feed_factor = 1;  ///< of every programmed feed; such a change is made in the program, not in a setup
+
+  bool operator==(const Remedy&) const = default;
+};
+
+/// What is worth trying where `why` holds: first what its formula names, then limits of all axes, contour
+/// tolerance, look-ahead, interpolation period and feed. Only what the model of `setup` reads and its bounds
+/// allow; each once.
+std::vector<Remedy> remedies(const Setup& setup, const Explanation& why);
+
+/// `setup` with the changes. Throws InputError as apply_setting.
+Setup with_remedy(Setup setup, const Remedy& remedy);
+/// The same program with all its feeds times `factor`; rapids stay.
+LoadedProgram with_feed(const LoadedProgram& program, double factor);
+
+/// The motion with the change. Throws what ControlModel::simulate throws.
+Trajectory try_remedy(const LoadedProgram& program, const Setup& setup, const Remedy& remedy,
+                      Progress* progress = nullptr);
+
+/// Blocks of the programmed path, as indices of its segments, both included.
+struct SegmentRange {
+  std::uint32_t first = 0;
+  std::uint32_t last = 0;
+};
+/// The blocks under way from one instant to another [s].
+SegmentRange segments_between(const Trajectory& trajectory, double from, double to);
+/// Time that a run of the same program takes for them, the corners at their ends included [s].
+double passage_time(const Trajectory& trajectory, const SegmentRange& segments);
+
+}  // namespace feedscope

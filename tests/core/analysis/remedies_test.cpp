@@ -1,0 +1,119 @@
+#include "core/analysis/explanation/remedies.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope {
+namespace {
+
+using SimulatedRun = feedscope::Run;  // in tests Run is a member of testing::Test
+
+LoadedProgram text(const std::string& program) {
+  return load_program(std::make_shared<const SourceText>("test.nc", program));
+}
+
+SimulatedRun run_of(const std::string& program, const std::string& model,
+                    const std::vector<std::string>& assignments = {}) {
+  SetupRequest request;
+  request.model = model;
+  request.assignments = assignments;
+  return simulate_run(text(program), make_setup(request));
+}
+
+const std::string one_line = "G1 G90 F3000 X20\nM30\n";
+const std::string corner = "G1 G90 F3000 X20\nY20\nX40\nM30\n";
+
+Explanation caused_by(Cause cause) {
+  Explanation why;
+  why.reason.cause = cause;
+  return why;
+}
+
+bool has(const std::vector<Remedy>& list, const Remedy& remedy) {
+  return std::ranges::find(list, remedy) != list.end();
+}
+
+TEST(Remedies, BeginWithWhatTheCauseNames) {
+  const auto setup = make_setup({});
+  const double jerk = axis_limit(setup.machine, 'Y', "jerk");
+  const auto by_jerk = remedies(setup, caused_by({CauseKind::axis_jerk, 1}));
+  EXPECT_EQ(by_jerk.front(), (Remedy{{{"Y.jerk", 1.5 * jerk}}}));
+  EXPECT_EQ(remedies(setup, caused_by({CauseKind::programmed_feed})).front().feed_factor, 1.2);
+}
+
+TEST(Remedies, SetOnlyWhatTheModelReadsWithinItsBounds) {
+  for (const ControlModel* model : all_models()) {
+    SetupRequest request;
+    request.model = model->info().id;
+    const auto setup = make_setup(request);
+    for (const Cause cause : all_causes()) {
+      const auto list = remedies(setup, caused_by(cause));
+      EXPECT_FALSE(list.empty());
+      for (const Remedy& remedy : list) {
+        EXPECT_NO_THROW({
+          const auto changed = with_remedy(setup, remedy);
+          EXPECT_EQ(changed == setup, remedy.feed_factor != 1);
+        });
+        EXPECT_EQ(std::ranges::count(list, remedy), 1);
+      }
+    }
+  }
+}
+
+TEST(Remedies, ASlowerPlaceAheadNamesWhatIsToBeChanged) {
+  Explanation why = caused_by({CauseKind::ramp_down});
+  why.ahead.emplace();
+  why.ahead->reason.cause = {CauseKind::blend_radial_jerk, 0};
+  const auto setup = make_setup({});
+  const double share = setup.settings.number("radial_jerk_share");
+  EXPECT_TRUE(has(remedies(setup, why), {{{"radial_jerk_share", 1.5 * share}}}));
+}
+
+TEST(Remedies, JerkOfALineThatIsTooShortForMoreGainsTheCubeRoot) {
+  // 20 mm in two ramps of jerk J each up and down take 4 (20 / (2 J))^(1/3).
+  const std::vector<std::string> loose{"X.acceleration=100", "X.velocity=600"};
+  const SimulatedRun run = run_of("G1 G90 F600000 X20\nM30\n", "tapie", loose);
+  const double jerk = axis_limit(run.setup.machine, 'X', "jerk");
+  const Trajectory faster = try_remedy(run.input, run.setup, {{{"X.jerk", 1.5 * jerk}}});
+  EXPECT_NEAR(faster.duration() / run.trajectory->duration(), std::cbrt(1 / 1.5), 1e-6);
+}
+
+TEST(Remedies, MoreFeedShortensWhatTheFeedLimits) {
+  const SimulatedRun run = run_of(one_line, "cam");
+  Remedy remedy;
+  remedy.feed_factor = 1.2;
+  EXPECT_NEAR(try_remedy(run.input, run.setup, remedy).duration(), run.trajectory->duration() / 1.2, 1e-9);
+}
+
+TEST(Remedies, CancelledTrialsStop) {
+  const SimulatedRun run = run_of(corner, "essid");
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(try_remedy(run.input, run.setup, {}, &progress), Cancelled);
+}
+
+TEST(PassageTime, OfAllBlocksIsTheCycleTime) {
+  for (const ControlModel* model : all_models()) {
+    const SimulatedRun run = run_of(corner, model->info().id);
+    const auto last = static_cast<std::uint32_t>(run.input.toolpath->segments.size() - 1);
+    EXPECT_NEAR(passage_time(*run.trajectory, {0, last}), run.trajectory->duration(), 1e-9);
+    double sum = 0;
+    for (std::uint32_t i = 0; i <= last; ++i) {
+      sum += passage_time(*run.trajectory, {i, i});
+    }
+    EXPECT_NEAR(sum, run.trajectory->duration(), 1e-9);
+  }
+}
+
+TEST(PassageTime, BlocksUnderWayAreThoseOfTheirInstants) {
+  const SimulatedRun run = run_of(corner, "cam");
+  const double t = run.trajectory->duration() / 3;
+  const SegmentRange middle = segments_between(*run.trajectory, 1.1 * t, 1.9 * t);
+  EXPECT_EQ(middle.first, 1U);
+  EXPECT_EQ(middle.last, 1U);
+}
+
+}  // namespace
+}  // namespace feedscope
