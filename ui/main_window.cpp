@@ -26,12 +26,13 @@ std::filesystem::path to_path(const QString& file) {
 MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
     : QMainWindow(parent),
       model_(model),
-      program_(new ProgramView(this)),
+      program_(new ProgramPanel(this)),
       scene_(new SceneView(backend, this)),
       charts_(new ChartsPanel(model.cursor(), this)),
       setup_(new SetupView(model.setup(), this)),
       playback_(new PlaybackBar(model.cursor(), model.playback(), this)),
       diagnostics_(new DiagnosticsView(this)),
+      slow_places_(new SlowPlacesView(this)),
       runs_(new RunsView(model.runs(), this)),
       palette_(new CommandPalette(this)),
       key_list_(new KeyList(this)) {
@@ -56,8 +57,11 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
   connect(&model_.cursor(), &Cursor::changed, this, &MainWindow::show_cursor);
   connect(playback_, &PlaybackBar::loop_wanted, this, &MainWindow::loop_what_is_shown);
   connect(scene_, &SceneView::picked, &model_.cursor(), &Cursor::set_time);
-  connect(program_, &ProgramView::line_chosen, &model_.cursor(), &Cursor::set_line);
-  connect(diagnostics_, &DiagnosticsView::line_chosen, program_, &ProgramView::show_line);
+  connect(&program(), &ProgramView::line_chosen, &model_.cursor(), &Cursor::set_line);
+  connect(&program(), &ProgramView::caret_moved, this,
+          [this] { diagnostics_->set_place(program().caret()); });
+  connect(diagnostics_, &DiagnosticsView::place_chosen, program_, &ProgramPanel::go_to);
+  connect(slow_places_, &SlowPlacesView::place_chosen, this, &MainWindow::show_slow_place);
   connect(charts_, &ChartsPanel::failed, this, &MainWindow::show_failure);
   connect(charts_, &ChartsPanel::exported, this,
           [this](const QString& message) { statusBar()->showMessage(message); });
@@ -88,6 +92,8 @@ void MainWindow::make_docks() {
   diagnostics_dock_ = add_dock("messages", tr("Messages"), diagnostics_, Qt::BottomDockWidgetArea);
   runs_dock_ = add_dock("runs", tr("Runs"), runs_, Qt::BottomDockWidgetArea);
   tabifyDockWidget(charts_dock_, runs_dock_);
+  QDockWidget* slow = add_dock("slow-places", tr("Slow places"), slow_places_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(charts_dock_, slow);
   tabifyDockWidget(charts_dock_, diagnostics_dock_);
   charts_dock_->raise();
   resizeDocks({program, setup}, {program_width, setup_width}, Qt::Horizontal);
@@ -106,7 +112,7 @@ QDockWidget* MainWindow::add_dock(const QString& name, const QString& title, QWi
 void MainWindow::show_program() {
   const auto program = model_.program();
   program_->set_program(program);
-  diagnostics_->set_diagnostics(program == nullptr ? std::vector<Diagnostic>() : program->diagnostics);
+  diagnostics_->set_program(program);
   scene_->scene().set_programmed(model_.shown_program().samples);
   const QString name = QString::fromStdU16String(model_.file().filename().u16string());
   setWindowTitle(name.isEmpty() ? tr("Feedscope") : tr("%1 – Feedscope").arg(name));
@@ -119,7 +125,8 @@ void MainWindow::show_run() {
   charts_->set_limits(model_.setup().setup().machine.axes);
   charts_->set_run(any ? shown->run.trajectory : nullptr, any ? shown->envelope : nullptr, any);
   playback_->set_duration(any ? shown->run.trajectory->duration() : 0);
-  program_->set_times(any ? shown->line_times : nullptr);
+  slow_places_->set_places(any ? shown->slow_places : nullptr);
+  program().set_times(any ? shown->line_times : nullptr);
   const Settings& settings = model_.setup().file().settings;
   if (settings.has("interpolation_period_s")) {
     const double period = std::get<double>(model_.setup().state().value("interpolation_period_s"));
@@ -152,7 +159,17 @@ void MainWindow::loop_what_is_shown(bool on) {
 void MainWindow::show_cursor() {
   const Cursor& cursor = model_.cursor();
   scene_->scene().set_cursor(cursor.valid() ? std::optional(cursor.state().position) : std::nullopt);
-  program_->show_line(cursor.valid() ? cursor.state().line : 0);
+  program().show_line(cursor.valid() ? cursor.state().line : 0);
+  slow_places_->set_time(cursor.valid() ? cursor.state().time : 0);
+}
+
+void MainWindow::show_slow_place(double slowest, double from, double to) {
+  model_.cursor().set_time(slowest);
+  ViewRange& range = charts_->range();
+  const Trajectory& trajectory = *model_.shown()->run.trajectory;
+  const double around = to - from;  // as much before and behind
+  range.show(range.position_of(trajectory.state(from - around)),
+             range.position_of(trajectory.state(to + around)));
 }
 
 void MainWindow::show_failure(const QString& message) {

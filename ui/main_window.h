@@ -9,10 +9,11 @@
 #include "ui/views/command_palette.h"
 #include "ui/views/diagnostics_view.h"
 #include "ui/views/playback_bar.h"
-#include "ui/views/program/program_view.h"
+#include "ui/views/program/program_panel.h"
 #include "ui/views/runs_view.h"
 #include "ui/views/scene_view.h"
 #include "ui/views/setup_view.h"
+#include "ui/views/slow_places_view.h"
 
 namespace feedscope::ui {
 
@@ -25,12 +26,14 @@ class MainWindow : public QMainWindow {
   /// `model` outlives this.
   MainWindow(Workbench& model, RenderBackend backend, QWidget* parent = nullptr);
 
-  ProgramView& program() { return *program_; }
+  ProgramView& program() { return program_->view(); }
+  ProgramPanel& program_panel() { return *program_; }
   SceneView& scene() { return *scene_; }
   ChartsPanel& charts() { return *charts_; }
   SetupView& setup() { return *setup_; }
   PlaybackBar& playback() { return *playback_; }
   DiagnosticsView& diagnostics() { return *diagnostics_; }
+  SlowPlacesView& slow_places() { return *slow_places_; }
   RunsView& runs() { return *runs_; }
   CommandPalette& palette() { return *palette_; }
   /// Every command of the menus, in their order.
@@ -54,18 +57,20 @@ class MainWindow : public QMainWindow {
   void show_program();
   void show_run();
   void show_cursor();
+  void show_slow_place(double slowest, double from, double to);
   void show_other_runs();
   void show_failure(const QString& message);
   void loop_what_is_shown(bool on);
   QDockWidget* add_dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
 
   Workbench& model_;
-  ProgramView* program_;
+  ProgramPanel* program_;
   SceneView* scene_;
   ChartsPanel* charts_;
   SetupView* setup_;
   PlaybackBar* playback_;
   DiagnosticsView* diagnostics_;
+  SlowPlacesView* slow_places_;
   RunsView* runs_;
   CommandPalette* palette_;
   KeyList* key_list_;

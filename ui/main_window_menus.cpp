@@ -60,6 +60,8 @@ void MainWindow::make_menus() {
   redo->setShortcut(QKeySequence::Redo);
   redo->setIcon(style()->standardIcon(QStyle::SP_ArrowForward));
   edit->addActions({undo, redo});
+  edit->addSeparator();
+  edit->addActions(program_->panel_actions());
 
   QMenu* runs = menuBar()->addMenu(tr("&Runs"));
   runs->addActions(runs_->panel_actions());
@@ -80,6 +82,10 @@ void MainWindow::make_menus() {
         const auto shown = model_.shown();
         model_.cursor().set_time(shown == nullptr ? 0 : shown->run.trajectory->duration());
       });
+
+  QMenu* go = menuBar()->addMenu(tr("&Go"));
+  go->addActions(slow_places_->panel_actions());
+  go->addActions(diagnostics_->panel_actions());
 
   make_view_menu();
   make_help_menu();

@@ -211,15 +211,42 @@ TEST_F(MainWindowTest, AnotherProgramReplacesTextAndRun) {
 
 TEST_F(MainWindowTest, ProblemsOfAProgramAreListedWithTheirLine) {
   open("G21 G90 F1000\nG1 X5\nG1 Xabc\n");
-  ASSERT_GE(window.diagnostics().topLevelItemCount(), 1);
-  EXPECT_THAT(window.diagnostics().topLevelItem(0)->text(0).toStdString(), testing::StartsWith("3"));
+  const DiagnosticsModel& list = window.diagnostics().model();
+  ASSERT_GE(list.rowCount(), 1);
+  EXPECT_THAT(list.index(0, DiagnosticsModel::place).data().toString().toStdString(),
+              testing::StartsWith("3"));
+}
+
+TEST_F(MainWindowTest, NextSlowPlaceMovesTheCursorAndZoomsTheCharts) {
+  const SlowPlaces& places = *model.shown()->slow_places;
+  ASSERT_GE(places.places.size(), 2U);
+  model.cursor().set_time(places.places[0].slowest);
+  window.activateWindow();
+  QTest::keyClick(&window, Qt::Key_F7);
+  const SlowPlace& next = places.places[1];
+  EXPECT_NEAR(model.cursor().state().time, next.slowest, 1e-9);
+  EXPECT_EQ(window.program().current_line(), model.cursor().state().line);
+  const ViewRange& range = window.charts().range();
+  EXPECT_LE(range.lower(), next.from);
+  EXPECT_GE(range.upper(), next.to);
+  EXPECT_LT(range.upper() - range.lower(), duration());
+}
+
+TEST_F(MainWindowTest, NextMessageGoesToItsPlace) {
+  open("G21 G90 F1000\nG1 X5\nG1 Xabc\nX7\n");
+  window.activateWindow();
+  QTest::keyClick(&window, Qt::Key_F8);
+  EXPECT_EQ(window.program().caret().line, 3U);
+  EXPECT_EQ(model.cursor().state().line, 4U) << "line 3 does not move";
 }
 
 TEST_F(MainWindowTest, AnUnreadableFileIsToldAndTheWindowIsEmpty) {
   model.open("no/such/part.nc");
   wait_until_idle();
-  ASSERT_EQ(window.diagnostics().topLevelItemCount(), 1);
-  EXPECT_THAT(window.diagnostics().topLevelItem(0)->text(1).toStdString(), testing::HasSubstr("part.nc"));
+  const DiagnosticsModel& list = window.diagnostics().model();
+  ASSERT_EQ(list.rowCount(), 1);
+  EXPECT_THAT(list.index(0, DiagnosticsModel::message).data().toString().toStdString(),
+              testing::HasSubstr("part.nc"));
   EXPECT_EQ(window.program().text().line_count(), 0U);
   EXPECT_FALSE(window.charts().chart(0).cursor().has_value());
 }

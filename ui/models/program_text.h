@@ -36,6 +36,7 @@ class ProgramText {
   const Program* program() const { return program_.get(); }
   std::uint32_t line_count() const { return program_ == nullptr ? 0 : program_->source->line_count(); }
   std::string_view line(std::uint32_t number) const;
+  QString line_text(std::uint32_t number) const { return decoded(line(number)); }
   LineCells cells(std::uint32_t number) const { return {line(number), encoding()}; }
   /// Bytes of the longest line; looks at all lines.
   std::size_t longest_line() const;

@@ -82,22 +82,19 @@ const std::vector<Token>& Syntax::tokens_of(std::string_view line) {
   line_ = line;
   tokens_.clear();
   comment_ends_ = {};
-  std::size_t at = 0;
-  if (family() == Family::heidenhain) {
-    const std::size_t start = skip_blanks(0);
-    at = start;
-    while (is_digit(peek(at))) {
-      ++at;
-    }
-    add(start, at, TokenKind::label);
-    if (peek(skip_blanks(at)) == '*') {  // a structure line, "12 * - ROUGHING"
-      return add(at, line_.size(), TokenKind::comment), tokens_;
-    }
-  }
+  std::size_t at = family() == Family::heidenhain ? read_heidenhain_start() : 0;
   while (at < line_.size()) {
     at = read(at);
   }
   return tokens_;
+}
+
+/// A block number, and the whole of a structure line, "12 * - ROUGHING".
+std::size_t Syntax::read_heidenhain_start() {
+  const std::size_t start = skip_blanks(0);
+  const std::size_t end = add(start, digits_end(start), TokenKind::label);
+  const std::size_t next = skip_blanks(end);
+  return peek(next) == '*' ? add(next, line_.size(), TokenKind::comment) : end;
 }
 
 Syntax::Family Syntax::family() const {
@@ -137,7 +134,7 @@ bool Syntax::at_start(std::size_t at) const {
 
 std::size_t Syntax::read(std::size_t at) {
   const char c = line_[at];
-  if (is_letter(c) || c == '_') {
+  if (is_letter(c) || (c == '_' && family() != Family::iso)) {
     return read_letter(at);
   }
   if (is_number_part(c)) {
@@ -185,10 +182,14 @@ std::size_t Syntax::read_number_sign(std::size_t at) {
   if (peek(end) == '<') {
     end = std::min(line_.find('>', end), line_.size() - 1) + 1;
   }
-  while (is_digit(peek(end))) {
-    ++end;
+  return add(at, digits_end(end), TokenKind::variable);
+}
+
+std::size_t Syntax::digits_end(std::size_t at) const {
+  while (is_digit(peek(at))) {
+    ++at;
   }
-  return add(at, end, TokenKind::variable);
+  return at;
 }
 
 /// One past a number that stands at `at`, its sign included.
@@ -230,7 +231,7 @@ std::size_t Syntax::read_iso_name(std::size_t at) {
   }
   const std::string_view name = line_.substr(at, end - at);
   if (dialect_ == Dialect::heidenhain_iso && to_upper(name[0]) == 'Q') {
-    return add(at, value_end(end), TokenKind::variable);
+    return add(at, digits_end(end), TokenKind::variable);
   }
   if (to_upper(line_[at]) == 'O' && name.size() == 1 && peek(skip_blanks(end)) == '<') {
     return add(at, std::min(line_.find('>', end), line_.size() - 1) + 1, TokenKind::label);
@@ -247,7 +248,7 @@ std::size_t Syntax::read_sinumerik_name(std::size_t at) {
   std::size_t end = at + 1;
   const bool is_address = is_letter(line_[at]) && !is_letter(peek(end)) && peek(end) != '_';
   if (is_address && to_upper(line_[at]) == 'R' && is_digit(peek(end))) {
-    return add(at, value_end(end), TokenKind::variable);
+    return add(at, digits_end(end), TokenKind::variable);
   }
   if (is_address) {
     return read_word(at, 1);

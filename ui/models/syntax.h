@@ -57,10 +57,12 @@ class Syntax {
   std::size_t read_letter(std::size_t at);
   std::size_t read_iso_name(std::size_t at);
   std::size_t read_sinumerik_name(std::size_t at);
+  std::size_t read_heidenhain_start();
   std::size_t read_heidenhain_name(std::size_t at);
   std::size_t read_word(std::size_t at, std::size_t letters);
   std::size_t read_comment(std::size_t at);
   std::size_t read_number_sign(std::size_t at);
+  std::size_t digits_end(std::size_t at) const;
   std::size_t value_end(std::size_t at) const;
   std::size_t add(std::size_t from, std::size_t to, TokenKind kind);
   std::size_t skip_blanks(std::size_t at) const;

@@ -26,6 +26,7 @@ const ProgramColours light_colours{.comment = QColor(0x5b, 0x75, 0x5b),
                                    .literal = QColor(0x55, 0x66, 0x00),
                                    .caret_line = QColor(0xb4, 0xba, 0xc2),
                                    .found = QColor(0xff, 0xd8, 0x6b),
+                                   .found_mark = QColor(0x8a, 0x6d, 0x00),
                                    .slow = QColor(0xb8, 0x32, 0x00)};
 const ProgramColours dark_colours{.comment = QColor(0x8a, 0xa3, 0x8a),
                                   .label = QColor(0x8d, 0x94, 0x9b),
@@ -44,6 +45,7 @@ const ProgramColours dark_colours{.comment = QColor(0x8a, 0xa3, 0x8a),
                                   .literal = QColor(0xc3, 0xcf, 0x7a),
                                   .caret_line = QColor(0x4c, 0x52, 0x59),
                                   .found = QColor(0x6b, 0x55, 0x10),
+                                  .found_mark = QColor(0xff, 0xd3, 0x4d),
                                   .slow = QColor(0xff, 0xb0, 0x5c)};
 
 }  // namespace

@@ -25,6 +25,7 @@ struct ProgramColours {
   QColor literal;
   QColor caret_line;  ///< frame of the line that the keyboard is in
   QColor found;       ///< behind what a search found
+  QColor found_mark;  ///< of the same in the strip over the whole program
   QColor slow;        ///< of the slowest line in a strip of times
 };
 

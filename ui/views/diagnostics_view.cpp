@@ -1,14 +1,17 @@
 #include "ui/views/diagnostics_view.h"
 
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QStyle>
+#include <QStyledItemDelegate>
+#include <QTreeView>
+#include <QVBoxLayout>
 
 namespace feedscope::ui {
 
 namespace {
-
-constexpr std::size_t most_entries = 1000;
-enum Column { place, message, hint };
 
 QStyle::StandardPixmap icon_of(Severity severity) {
   switch (severity) {
@@ -22,56 +25,92 @@ QStyle::StandardPixmap icon_of(Severity severity) {
   return QStyle::SP_MessageBoxInformation;
 }
 
+/// Icons of severities, which the model, free of widgets, has none of.
+class SeverityDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+
+ protected:
+  void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override {
+    QStyledItemDelegate::initStyleOption(option, index);
+    const auto severity = static_cast<Severity>(index.data(DiagnosticsModel::severity_role).toInt());
+    option->icon = option->widget->style()->standardIcon(icon_of(severity));
+    option->features |= QStyleOptionViewItem::HasDecoration;
+    const int side = option->widget->style()->pixelMetric(QStyle::PM_SmallIconSize);
+    option->decorationSize = {side, side};
+  }
+};
+
 }  // namespace
 
-DiagnosticsView::DiagnosticsView(QWidget* parent) : QTreeWidget(parent) {
-  setHeaderLabels({tr("Line"), tr("Message"), tr("What to do")});
-  setRootIsDecorated(false);
-  setUniformRowHeights(true);
-  setFrameShape(QFrame::NoFrame);
-  header()->setSectionResizeMode(place, QHeaderView::ResizeToContents);
-  header()->setSectionResizeMode(message, QHeaderView::Stretch);
-  header()->setSectionResizeMode(hint, QHeaderView::Stretch);
-  header()->setStretchLastSection(false);
-  connect(this, &QTreeWidget::itemClicked, this, [this](QTreeWidgetItem* item) {
-    const uint line = item->data(place, Qt::UserRole).toUInt();
-    if (line > 0) {
-      emit line_chosen(line);
-    }
-  });
+DiagnosticsView::DiagnosticsView(QWidget* parent)
+    : QWidget(parent),
+      model_(new DiagnosticsModel(this)),
+      shown_(new DiagnosticsFilter(this)),
+      list_(new QTreeView(this)),
+      filter_(new QComboBox(this)) {
+  shown_->setSourceModel(model_);
+  filter_->addItem(tr("Everything"), static_cast<int>(Severity::info));
+  filter_->addItem(tr("Warnings and errors"), static_cast<int>(Severity::warning));
+  filter_->addItem(tr("Errors"), static_cast<int>(Severity::error));
+  filter_->setToolTip(tr("Which messages are listed, and gone to by F8"));
+  filter_->setAccessibleName(tr("Severity"));
+  connect(filter_, &QComboBox::currentIndexChanged, this,
+          [this] { shown_->set_least(static_cast<Severity>(filter_->currentData().toInt())); });
+
+  list_->setModel(shown_);
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setAccessibleName(tr("Messages"));
+  list_->setItemDelegateForColumn(DiagnosticsModel::place, new SeverityDelegate(list_));
+  list_->header()->setSectionResizeMode(DiagnosticsModel::place, QHeaderView::ResizeToContents);
+  list_->header()->setSectionResizeMode(DiagnosticsModel::message, QHeaderView::Stretch);
+  list_->header()->setSectionResizeMode(DiagnosticsModel::hint, QHeaderView::Stretch);
+  list_->header()->setStretchLastSection(false);
+  connect(list_, &QTreeView::clicked, this, &DiagnosticsView::choose);
+  connect(list_, &QTreeView::activated, this, &DiagnosticsView::choose);
+
+  add_action(tr("Next message"), tr("Go to the next message of the program (F8)"), QKeySequence(Qt::Key_F8),
+             true);
+  add_action(tr("Previous message"), tr("Go to the message before (Shift+F8)"),
+             QKeySequence(Qt::SHIFT | Qt::Key_F8), false);
+
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(4, 4, 4, 4);
+  bar->addWidget(filter_);
+  bar->addStretch();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(bar);
+  layout->addWidget(list_, 1);
 }
 
-void DiagnosticsView::set_diagnostics(const std::vector<Diagnostic>& diagnostics) {
-  clear();
-  const std::size_t listed = std::min(diagnostics.size(), most_entries);
-  for (std::size_t i = 0; i < listed; ++i) {
-    add(diagnostics[i]);
-  }
-  if (listed < diagnostics.size()) {
-    add_message(Severity::info, tr("and %1 more").arg(diagnostics.size() - listed));
+void DiagnosticsView::add_action(const QString& text, const QString& tip, const QKeySequence& key,
+                                 bool forward) {
+  auto* action = new QAction(text, this);
+  action->setToolTip(tip);
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this, [this, forward] { step(forward); });
+  addAction(action);
+  actions_.append(action);
+}
+
+void DiagnosticsView::step(bool forward) {
+  const int row = shown_->next_row(list_->currentIndex().row(), place_, forward);
+  if (row >= 0) {
+    const QModelIndex index = shown_->index(row, DiagnosticsModel::place);
+    list_->setCurrentIndex(index);
+    choose(index);
   }
 }
 
-void DiagnosticsView::add_message(Severity severity, const QString& message) {
-  Diagnostic diagnostic;
-  diagnostic.severity = severity;
-  diagnostic.message = message.toStdString();
-  add(diagnostic);
-}
-
-void DiagnosticsView::add(const Diagnostic& diagnostic) {
-  auto* item = new QTreeWidgetItem(this);
-  item->setIcon(place, style()->standardIcon(icon_of(diagnostic.severity)));
-  if (diagnostic.line > 0) {
-    item->setText(place, diagnostic.column > 0
-                             ? QStringLiteral("%1:%2").arg(diagnostic.line).arg(diagnostic.column)
-                             : QString::number(diagnostic.line));
+void DiagnosticsView::choose(const QModelIndex& index) {
+  const uint line = index.data(DiagnosticsModel::line_role).toUInt();
+  if (line > 0) {
+    emit place_chosen(line, index.data(DiagnosticsModel::byte_role).toUInt());
   }
-  item->setData(place, Qt::UserRole, diagnostic.line);
-  item->setText(message, QString::fromStdString(diagnostic.message));
-  item->setToolTip(message, QString::fromStdString(diagnostic.message));
-  item->setText(hint, QString::fromStdString(diagnostic.hint));
-  item->setToolTip(hint, QString::fromStdString(diagnostic.hint));
 }
 
 }  // namespace feedscope::ui

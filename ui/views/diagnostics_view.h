@@ -1,28 +1,49 @@
 #pragma once
 
-#include <QTreeWidget>
+#include <QWidget>
 #include <cstdint>
 
-#include "core/program/program.h"
+#include "ui/models/diagnostics_model.h"
+
+class QAction;
+class QComboBox;
+class QTreeView;
 
 namespace feedscope::ui {
 
-/// What the reader found wrong or worth knowing in a program, and messages of the application.
-class DiagnosticsView : public QTreeWidget {
+/// The diagnostics of a program and messages of the application, filtered by severity. Choosing one goes to
+/// its place.
+class DiagnosticsView : public QWidget {
   Q_OBJECT
 
  public:
   explicit DiagnosticsView(QWidget* parent = nullptr);
 
-  /// Replaces all entries; at most the first 1 000 are listed, the last entry says how many more there are.
-  void set_diagnostics(const std::vector<Diagnostic>& diagnostics);
-  void add_message(Severity severity, const QString& message);
+  void set_program(std::shared_ptr<const Program> program) { model_->set_program(std::move(program)); }
+  void add_message(Severity severity, const QString& message) { model_->add_message(severity, message); }
+  /// From where the next and the previous one are looked for.
+  void set_place(TextPlace place) { place_ = place; }
+
+  const DiagnosticsModel& model() const { return *model_; }
+  QTreeView& list() { return *list_; }
+  QComboBox& filter() { return *filter_; }
+  QList<QAction*> panel_actions() const { return actions_; }
 
  signals:
-  void line_chosen(std::uint32_t line);
+  /// `column` is a 1-based byte; 0: the line as a whole.
+  void place_chosen(std::uint32_t line, std::uint32_t column);
 
  private:
-  void add(const Diagnostic& diagnostic);
+  void add_action(const QString& text, const QString& tip, const QKeySequence& key, bool forward);
+  void step(bool forward);
+  void choose(const QModelIndex& index);
+
+  DiagnosticsModel* model_;
+  DiagnosticsFilter* shown_;
+  QTreeView* list_;
+  QComboBox* filter_;
+  QList<QAction*> actions_;
+  TextPlace place_;
 };
 
 }  // namespace feedscope::ui

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "ui/models/texts.h"
 
 namespace feedscope::ui {
 
@@ -23,13 +24,12 @@ double heat_of(double time, double largest) {
 }
 
 QString time_text(double seconds) {
-  const QLocale locale;
   constexpr double shortest_in_seconds = 0.1;
   if (seconds >= shortest_in_seconds) {
-    return tr("%1 s").arg(locale.toString(seconds, 'f', 3));
+    return clock_text(seconds);
   }
   constexpr double milli = 1e3;
-  return tr("%1 ms").arg(locale.toString(seconds * milli, 'f', seconds * milli < 1 ? 3 : 2));
+  return tr("%1 ms").arg(QLocale().toString(seconds * milli, 'f', seconds * milli < 1 ? 3 : 2));
 }
 
 QString line_time_text(const LineTimes& times, std::uint32_t first, std::uint32_t last) {

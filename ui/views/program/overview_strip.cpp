@@ -32,23 +32,23 @@ QSize OverviewStrip::sizeHint() const {
 }
 
 /// A short program keeps the height of its lines.
-double OverviewStrip::used_height() const {
-  return std::min<double>(height(), static_cast<double>(view_.text().line_count()) * view_.line_height());
+std::int64_t OverviewStrip::used_height() const {
+  return std::min<std::int64_t>(height(), std::int64_t{view_.text().line_count()} * view_.line_height());
 }
 
 double OverviewStrip::top_of(std::uint32_t line) const {
-  return (line - 1) * used_height() / std::max(1U, view_.text().line_count());
+  return (line - 1.0) * static_cast<double>(used_height()) / std::max(1U, view_.text().line_count());
 }
 
 OverviewStrip::Lines OverviewStrip::lines_of(int y) const {
-  const std::uint32_t count = view_.text().line_count();
-  if (count == 0 || y < 0 || y >= used_height()) {
+  const std::int64_t count = view_.text().line_count();
+  const std::int64_t rows = used_height();
+  if (count == 0 || y < 0 || y >= rows) {
     return {};
   }
-  const double lines_a_row = count / used_height();
-  const auto line = [&](double row) { return static_cast<std::uint32_t>(row * lines_a_row); };
-  const std::uint32_t first = std::min(line(y) + 1, count);
-  return {first, std::clamp(line(y + 1), first, count)};
+  const std::int64_t first = y * count / rows + 1;
+  const std::int64_t last = std::max(first, (y + 1) * count / rows);
+  return {static_cast<std::uint32_t>(first), static_cast<std::uint32_t>(last)};
 }
 
 void OverviewStrip::paintEvent(QPaintEvent*) {
@@ -100,6 +100,15 @@ void OverviewStrip::paint_times(QPainter& painter) const {
 }
 
 void OverviewStrip::paint_marks(QPainter& painter) const {
+  const TextSearch* search = view_.search();
+  if (search != nullptr && search->found() != nullptr) {
+    for (int y = 0; y < height(); ++y) {
+      const Lines lines = lines_of(y);
+      if (lines.first > 0 && search->found()->any(lines.first, lines.last)) {
+        painter.fillRect(QRect(0, y, mark_width, 1), program_colours(view_.palette()).found_mark);
+      }
+    }
+  }
   for (const Severity severity : {Severity::info, Severity::warning, Severity::error}) {
     for (const Diagnostic* diagnostic : view_.marks().all()) {
       if (diagnostic->severity == severity) {
@@ -129,7 +138,7 @@ bool OverviewStrip::event(QEvent* event) {
 void OverviewStrip::press(const QPointF& point) {
   const std::uint32_t count = view_.text().line_count();
   if (count > 0) {
-    const double share = std::clamp(point.y() / used_height(), 0.0, 1.0);
+    const double share = std::clamp(point.y() / static_cast<double>(used_height()), 0.0, 1.0);
     emit line_pressed(std::clamp(static_cast<std::uint32_t>(share * count) + 1, 1U, count));
   }
 }

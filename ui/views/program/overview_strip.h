@@ -36,7 +36,7 @@ class OverviewStrip : public QWidget {
   void wheelEvent(QWheelEvent* event) override;
 
  private:
-  double used_height() const;
+  std::int64_t used_height() const;
   double top_of(std::uint32_t line) const;
   void paint_times(QPainter& painter) const;
   void paint_marks(QPainter& painter) const;

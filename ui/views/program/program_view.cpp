@@ -83,6 +83,7 @@ void ProgramView::show_line(std::uint32_t line) {
     if (selection().empty()) {
       caret_ = anchor_ = text_.clamped({line, 0});
       wanted_cell_ = 0;
+      emit caret_moved();
     }
     bring_line_into_sight(line);
   }
@@ -95,10 +96,22 @@ void ProgramView::go_to(TextPlace place) {
 }
 
 void ProgramView::select(TextRange range) {
+  reveal(range);
+  choose(caret_.line);
+}
+
+void ProgramView::reveal(TextRange range) {
   anchor_ = text_.clamped(range.begin);
   move_caret(range.end, true);
   ensure_visible(anchor_);
-  choose(caret_.line);
+}
+
+void ProgramView::set_search(const TextSearch* search) {
+  search_ = search;
+  if (search_ != nullptr) {
+    connect(search_, &TextSearch::changed, this, &ProgramView::refresh);
+  }
+  refresh();
 }
 
 TextRange ProgramView::selection() const {
@@ -311,6 +324,12 @@ void ProgramView::paint_ground(QPainter& painter, std::uint32_t line, const Line
   } else if (line == caret_.line && current_ > 0) {
     painter.setPen(program_colours(palette()).caret_line);
     painter.drawRect(row.adjusted(0, 0, -1, -1));
+  }
+  if (search_ != nullptr && search_->found() != nullptr && search_->found()->any(line, line)) {
+    for (const TextRange& hit : search_->hits_in(line)) {
+      painter_.fill(painter, left_edge(), row.top(), cells.cell_of(hit.begin.byte),
+                    cells.cell_of(hit.end.byte), program_colours(palette()).found);
+    }
   }
   const TextRange selected = selection();
   if (!selected.empty() && line >= selected.begin.line && line <= selected.end.line) {

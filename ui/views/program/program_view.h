@@ -9,6 +9,7 @@
 #include "ui/models/diagnostic_marks.h"
 #include "ui/models/program_text.h"
 #include "ui/models/syntax.h"
+#include "ui/models/text_search.h"
 #include "ui/views/program/caret_keys.h"
 #include "ui/views/program/line_painter.h"
 
@@ -43,6 +44,11 @@ class ProgramView : public QAbstractScrollArea {
   void go_to(TextPlace place);
   /// The same with the caret at the end of a selection.
   void select(TextRange range);
+  /// The same without saying line_chosen().
+  void reveal(TextRange range);
+  /// Whose hits are marked; null: none. Outlives this.
+  void set_search(const TextSearch* search);
+  const TextSearch* search() const { return search_; }
 
   const ProgramText& text() const { return text_; }
   const std::shared_ptr<const LineTimes>& times() const { return times_; }
@@ -119,6 +125,7 @@ class ProgramView : public QAbstractScrollArea {
   ProgramText text_;
   DiagnosticMarks marks_;
   std::shared_ptr<const LineTimes> times_;
+  const TextSearch* search_ = nullptr;
   Syntax syntax_;
   LinePainter painter_;
   ProgramMargin* margin_;

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <QSortFilterProxyModel>
+#include <memory>
+#include <vector>
+
+#include "core/program/program.h"
+#include "ui/models/program_text.h"
+
+namespace feedscope::ui {
+
+/// What the reader found in a program, by lines, then messages of the application. Those of subprograms in
+/// files of their own follow those of the program.
+class DiagnosticsModel : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { place, message, hint, columns };
+  enum Role {
+    severity_role = Qt::UserRole,  ///< int of a Severity
+    line_role,                     ///< uint, in the program's own text; 0: none
+    byte_role,                     ///< uint, 1-based column; 0: the line as a whole
+  };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// Replaces all entries; null: none.
+  void set_program(std::shared_ptr<const Program> program);
+  void add_message(Severity severity, const QString& text);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  const Diagnostic& at(int row) const;
+  static QString place_text(const Diagnostic& diagnostic);
+
+  std::shared_ptr<const Program> program_;
+  std::vector<std::uint32_t> order_;  ///< of the program's diagnostics
+  std::vector<Diagnostic> messages_;
+};
+
+/// Leaves out what is less severe than is asked for.
+class DiagnosticsFilter : public QSortFilterProxyModel {
+  Q_OBJECT
+
+ public:
+  using QSortFilterProxyModel::QSortFilterProxyModel;
+
+  void set_least(Severity severity);
+  /// The row after (or before) a place in the program that has a line, around the ends; -1 if no row has one.
+  /// From a row on the place's own line, the row beside that one.
+  int next_row(int row, TextPlace place, bool forward) const;
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+
+ private:
+  TextPlace place_of(int row) const;
+
+  Severity least_ = Severity::info;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+#include <optional>
+
+#include "ui/models/text_search.h"
+
+class QLabel;
+class QLineEdit;
+class QToolButton;
+
+namespace feedscope::ui {
+
+class ProgramView;
+
+/// Searches the text of a ProgramView: while the user types the first hit behind the caret is shown; stepping
+/// to a hit goes there with the run's cursor. Wraps at both ends.
+class FindBar : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `view` outlives this.
+  explicit FindBar(ProgramView& view, QWidget* parent = nullptr);
+
+  /// Shows itself with the selected text, ready to be typed over.
+  void open();
+  void step(bool forward);
+
+  TextSearch& search() { return search_; }
+  QLineEdit& input() { return *input_; }
+  QToolButton& match_case() { return *match_case_; }
+  QToolButton& whole_word() { return *whole_word_; }
+  QToolButton& regular_expression() { return *regular_expression_; }
+  /// "3 of 120", or what is wrong with the query.
+  QString status() const;
+
+ public slots:
+  void close_bar();
+
+ protected:
+  bool event(QEvent* event) override;
+  bool eventFilter(QObject* object, QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  QToolButton* add_button(const QString& text, const QString& tip, bool checkable);
+  void look_for_input();
+  void show_result();
+  void say_status();
+
+  ProgramView& view_;
+  TextSearch search_;
+  QLineEdit* input_;
+  QToolButton* match_case_;
+  QToolButton* whole_word_;
+  QToolButton* regular_expression_;
+  QToolButton* next_;
+  QToolButton* previous_;
+  QLabel* status_;
+  QTimer typing_;
+  TextPlace start_;                 ///< of the search while the user types
+  bool reveal_ = false;             ///< the first hit is to be shown once it is known
+  std::optional<bool> step_later_;  ///< a step, forward or not, that waits for the result
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QList>
+#include <QWidget>
+#include <memory>
+
+#include "ui/views/program/program_view.h"
+
+class QAction;
+
+namespace feedscope::ui {
+
+class FindBar;
+class GoToBar;
+
+/// A program's text with the bars that search it and go to a line, and the commands of both.
+class ProgramPanel : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ProgramPanel(QWidget* parent = nullptr);
+
+  /// Null: no program.
+  void set_program(std::shared_ptr<const Program> program);
+  ProgramView& view() { return *view_; }
+  FindBar& find_bar() { return *find_bar_; }
+  GoToBar& go_to_bar() { return *go_to_bar_; }
+  QList<QAction*> panel_actions() const { return actions_; }
+
+  /// Goes to the place of a diagnostic; `column` is a 1-based byte, 0: the line as a whole.
+  void go_to(std::uint32_t line, std::uint32_t column);
+
+ private:
+  template <typename Slot>
+  QAction* add_action(const QString& text, const QString& tip, const QKeySequence& key, Slot slot);
+  void add_actions();
+
+  ProgramView* view_;
+  FindBar* find_bar_;
+  GoToBar* go_to_bar_;
+  QList<QAction*> actions_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,111 @@
+#include "ui/views/slow_places_view.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QTreeView>
+#include <QVBoxLayout>
+#include <limits>
+#include <utility>
+
+namespace feedscope::ui {
+
+SlowPlacesView::SlowPlacesView(QWidget* parent)
+    : QWidget(parent),
+      model_(new SlowPlacesModel(this)),
+      list_(new QTreeView(this)),
+      most_(new QComboBox(this)),
+      sum_(new QLabel(this)) {
+  for (const int count : {10, 100, 1000}) {
+    most_->addItem(tr("The worst %1").arg(QLocale().toString(count)), count);
+  }
+  most_->addItem(tr("All that are kept"), std::numeric_limits<int>::max());
+  most_->setCurrentIndex(most_->findData(static_cast<int>(SlowPlacesModel::default_most)));
+  most_->setToolTip(tr("How many places are listed, and gone to by F7"));
+  most_->setAccessibleName(tr("Number of places"));
+  connect(most_, &QComboBox::currentIndexChanged, this, [this] {
+    model_->set_most(static_cast<std::size_t>(most_->currentData().toInt()));
+    say_sum();
+  });
+  sum_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+
+  list_->setModel(model_);
+  list_->setRootIsDecorated(false);
+  list_->setUniformRowHeights(true);
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setAccessibleName(tr("Slow places"));
+  list_->header()->setStretchLastSection(true);
+  connect(list_, &QTreeView::clicked, this, &SlowPlacesView::choose);
+  connect(list_, &QTreeView::activated, this, &SlowPlacesView::choose);
+
+  add_action(tr("Next slow place"), tr("Go on to the next listed place that loses time (F7)"),
+             QKeySequence(Qt::Key_F7), true);
+  add_action(tr("Previous slow place"), tr("Go back to the listed place before (Shift+F7)"),
+             QKeySequence(Qt::SHIFT | Qt::Key_F7), false);
+
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(4, 4, 4, 4);
+  bar->addWidget(most_);
+  bar->addWidget(sum_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addLayout(bar);
+  layout->addWidget(list_, 1);
+}
+
+void SlowPlacesView::add_action(const QString& text, const QString& tip, const QKeySequence& key,
+                                bool forward) {
+  auto* action = new QAction(text, this);
+  action->setToolTip(tip);
+  action->setShortcut(key);
+  connect(action, &QAction::triggered, this, [this, forward] { step(forward); });
+  addAction(action);
+  actions_.append(action);
+}
+
+void SlowPlacesView::set_places(std::shared_ptr<const SlowPlaces> places) {
+  model_->set_places(std::move(places));
+  for (int column = 0; column < SlowPlacesModel::cause; ++column) {
+    list_->resizeColumnToContents(column);
+  }
+  say_sum();
+}
+
+QString SlowPlacesView::summary() const {
+  return sum_->text();
+}
+
+void SlowPlacesView::say_sum() {
+  const SlowPlaces* places = model_->places();
+  if (places == nullptr) {
+    sum_->clear();
+    return;
+  }
+  const QLocale locale;
+  sum_->setText(tr("%1 s of %2 s lost against the programmed feed, in %3 places")
+                    .arg(locale.toString(model_->listed_loss(), 'f', 3),
+                         locale.toString(places->loss, 'f', 3),
+                         locale.toString(static_cast<qulonglong>(places->count))));
+  sum_->setToolTip(sum_->text());
+}
+
+void SlowPlacesView::step(bool forward) {
+  const int row = model_->next_row(time_, forward);
+  if (row >= 0) {
+    const QModelIndex index = model_->index(row, 0);
+    list_->setCurrentIndex(index);
+    choose(index);
+  }
+}
+
+void SlowPlacesView::choose(const QModelIndex& index) {
+  const SlowPlace& place = model_->place(index.row());
+  time_ = place.slowest;
+  emit place_chosen(place.slowest, place.from, place.to);
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/models/slow_places_model.h"
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QTreeView;
+
+namespace feedscope::ui {
+
+/// Where a run loses time against its programmed feed, the worst first. Choosing a place, or stepping to the
+/// next one in the order of the program, goes there.
+class SlowPlacesView : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit SlowPlacesView(QWidget* parent = nullptr);
+
+  /// Null: none.
+  void set_places(std::shared_ptr<const SlowPlaces> places);
+  /// Where the run's cursor is [s]: from there the next and the previous one are looked for.
+  void set_time(double time) { time_ = time; }
+
+  SlowPlacesModel& model() { return *model_; }
+  QTreeView& list() { return *list_; }
+  QComboBox& most() { return *most_; }
+  QString summary() const;
+  QList<QAction*> panel_actions() const { return actions_; }
+
+ signals:
+  /// `slowest` lies between `from` and `to` [s].
+  void place_chosen(double slowest, double from, double to);
+
+ private:
+  void add_action(const QString& text, const QString& tip, const QKeySequence& key, bool forward);
+  void step(bool forward);
+  void choose(const QModelIndex& index);
+  void say_sum();
+
+  SlowPlacesModel* model_;
+  QTreeView* list_;
+  QComboBox* most_;
+  QLabel* sum_;
+  QList<QAction*> actions_;
+  double time_ = 0;
+};
+
+}  // namespace feedscope::ui
