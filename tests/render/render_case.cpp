@@ -1,7 +1,7 @@
 // Draws one case without a display and compares it with its baseline.
 //   render_case FOLDER MODEL PICTURE WxH RESULTS
-// FOLDER holds program.nc and baseline_PICTURE.png (a camera, charts, comparison or window); RESULTS is where
-// the pictures of a failure are left.
+// FOLDER holds program.nc and baseline_PICTURE.png (a camera, charts, dark_charts, comparison or window);
+// RESULTS is where the pictures of a failure are left.
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -10,6 +10,7 @@
 #include <map>
 #include <string>
 
+#include "tests/render/charts_picture.h"
 #include "tests/render/picture_difference.h"
 #include "tests/ui/comparison_fixture.h"
 #include "tests/ui/run_fixture.h"
@@ -36,6 +37,7 @@ const std::map<std::string, Draw> pictures{{"iso", scene_from(ui::StandardView::
                                            {"front", scene_from(ui::StandardView::front)},
                                            {"right", scene_from(ui::StandardView::right)},
                                            {"charts", ui::draw_charts},
+                                           {"dark_charts", draw_dark_charts},
                                            {"comparison", draw_comparison},
                                            {"window", [](const Run& run, ui::PictureSize size) {
                                               return ui::draw_window(run, size, ui::StandardView::iso);

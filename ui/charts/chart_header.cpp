@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <cmath>
 
 #include "ui/charts/plot_margins.h"
 
@@ -67,7 +68,8 @@ QString ChartHeader::unit_text() const {
 }
 
 QString ChartHeader::number(double value) const {
-  return QLocale().toString(value, 'f', spec_.decimals);
+  const bool none = std::abs(value) < std::pow(10, -spec_.decimals) / 2;  // no minus before zero
+  return QLocale().toString(none ? 0 : value, 'f', spec_.decimals);
 }
 
 QSize ChartHeader::sizeHint() const {

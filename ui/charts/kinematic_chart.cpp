@@ -327,15 +327,21 @@ void KinematicChart::draw_cursors(QPainter& painter) const {
       painter.fillRect(QRectF(from, plot.top(), to - from, plot.height()), between);
     }
   }
-  const auto line = [&](const std::optional<double>& position, const QColor& color) {
+  const auto line = [&](const std::optional<double>& position, const QColor& color, const char* name) {
     if (position.has_value() && *position >= range_.lower() && *position <= range_.upper()) {
       painter.setPen(QPen(color, 1));
       const double x = std::round(pixel_of(*position));
       painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+      if (second_cursor_.has_value()) {
+        painter.drawText(QRectF(x + 3, plot.top(), 12, 12), Qt::AlignLeft | Qt::AlignVCenter, name);
+      }
     }
   };
-  line(second_cursor_, colours.second_cursor);
-  line(cursor_, colours.cursor);
+  QFont small = font();
+  small.setPixelSize(10);
+  painter.setFont(small);
+  line(second_cursor_, colours.second_cursor, "B");
+  line(cursor_, colours.cursor, "A");
 }
 
 void KinematicChart::resizeEvent(QResizeEvent* event) {
