@@ -158,7 +158,7 @@ void MainWindow::loop_what_is_shown(bool on) {
 
 void MainWindow::show_cursor() {
   const Cursor& cursor = model_.cursor();
-  scene_->scene().set_cursor(cursor.valid() ? std::optional(cursor.state().position) : std::nullopt);
+  cursor.valid() ? scene_->scene().set_cursor(cursor.state()) : scene_->scene().set_cursor(std::nullopt);
   program().show_line(cursor.valid() ? cursor.state().line : 0);
   slow_places_->set_time(cursor.valid() ? cursor.state().time : 0);
 }

@@ -15,6 +15,7 @@
 #include "tests/ui/comparison_fixture.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/scene/picture.h"
+#include "ui/views/scene_texts.h"
 #include "ui/window_picture.h"
 
 namespace feedscope::test {
@@ -28,20 +29,76 @@ Draw scene_from(ui::StandardView view) {
   return [view](const Run& run, ui::PictureSize size) { return ui::draw_run(run, size, view); };
 }
 
+/// The scene from above after `change`.
+Draw scene_with(const std::function<void(ui::PathScene&, const Run&)>& change,
+                ui::StandardView view = ui::StandardView::top) {
+  return [change, view](const Run& run, ui::PictureSize size) {
+    ui::PathScene scene;
+    scene.set_programmed(run.input.toolpath);
+    scene.set_executed(run.trajectory);
+    scene.set_standard_view(view);
+    change(scene, run);
+    return ui::draw_picture(scene, size);
+  };
+}
+
+Draw coloured_by(ui::Colouring colouring) {
+  return scene_with([colouring](ui::PathScene& scene, const Run&) { scene.set_colouring(colouring); });
+}
+
+void add_measurement(ui::PathScene& scene, const Run& run) {
+  const State from = run.trajectory->state(0.2 * run.trajectory->duration());
+  const State to = run.trajectory->state(0.7 * run.trajectory->duration());
+  scene.set_dimension(ui::SceneDimension{from.position, to.position, ui::measurement_lines(from, to)});
+}
+
+void make_dark(ui::PathScene& scene, const Run& run) {
+  scene.set_background(ui::Background::dark);
+  scene.set_colouring(ui::Colouring::cause);
+  scene.set_cursor(run.trajectory->state(0.4 * run.trajectory->duration()));
+}
+
+void add_overlays(ui::PathScene& scene, const Run& run) {
+  const Run other = simulate_text(std::string(run.input.program->source->utf8_text()), "msaddek");
+  scene.set_colouring(ui::Colouring::run);
+  scene.set_overlays({{std::make_shared<const ui::SampledPath>(ui::sample_executed(*other.trajectory)),
+                       {0.84, 0.37, 0.0},
+                       "Msaddek 2011"}});
+  scene.set_exaggeration(20);
+  scene.set_highlight(std::array{0.3 * run.trajectory->duration(), 0.5 * run.trajectory->duration()});
+}
+
+void look_from_near(ui::PathScene& scene, const Run& run) {
+  scene.set_perspective(true);
+  scene.set_tool({ui::ToolKind::bull, 8, 2});
+  scene.set_cursor(run.trajectory->state(0.6 * run.trajectory->duration()));
+}
+
 ui::Picture draw_comparison(const Run& run, ui::PictureSize size) {
   return ui::draw_comparison(run.input, usual_compared_runs(), {"alpha=2", "X.jerk=5"}, size);
 }
 
-const std::map<std::string, Draw> pictures{{"iso", scene_from(ui::StandardView::iso)},
-                                           {"top", scene_from(ui::StandardView::top)},
-                                           {"front", scene_from(ui::StandardView::front)},
-                                           {"right", scene_from(ui::StandardView::right)},
-                                           {"charts", ui::draw_charts},
-                                           {"dark_charts", draw_dark_charts},
-                                           {"comparison", draw_comparison},
-                                           {"window", [](const Run& run, ui::PictureSize size) {
-                                              return ui::draw_window(run, size, ui::StandardView::iso);
-                                            }}};
+const std::map<std::string, Draw> pictures{
+    {"ratio", coloured_by(ui::Colouring::feed_ratio)},
+    {"acceleration", coloured_by(ui::Colouring::acceleration)},
+    {"tangential", coloured_by(ui::Colouring::tangential_acceleration)},
+    {"jerk", coloured_by(ui::Colouring::jerk)},
+    {"error", coloured_by(ui::Colouring::contour_error)},
+    {"cause", coloured_by(ui::Colouring::cause)},
+    {"exaggerated", scene_with([](ui::PathScene& scene, const Run&) { scene.set_exaggeration(50); })},
+    {"overlays", scene_with(add_overlays)},
+    {"measured", scene_with(add_measurement)},
+    {"dark", scene_with(make_dark)},
+    {"perspective", scene_with(look_from_near, ui::StandardView::iso)},
+    {"iso", scene_from(ui::StandardView::iso)},
+    {"top", scene_from(ui::StandardView::top)},
+    {"front", scene_from(ui::StandardView::front)},
+    {"right", scene_from(ui::StandardView::right)},
+    {"charts", ui::draw_charts},
+    {"dark_charts", draw_dark_charts},
+    {"comparison", draw_comparison},
+    {"window",
+     [](const Run& run, ui::PictureSize size) { return ui::draw_window(run, size, ui::StandardView::iso); }}};
 
 std::string contents(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);

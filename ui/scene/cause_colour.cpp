@@ -12,52 +12,61 @@ constexpr Rgb from_hex(std::uint32_t rgb) {
           static_cast<double>(rgb & 0xff) / 255};
 }
 
-}  // namespace
+struct Pair {
+  std::uint32_t light, dark;
+};
 
-Rgb cause_colour(CauseKind kind) {
+Pair colours_of(CauseKind kind) {
   switch (kind) {
     case CauseKind::programmed_feed:
-      return from_hex(0xc3cad2);
+      return {0xc3cad2, 0xcbd0d7};
     case CauseKind::rapid:
-      return palette::rapid;
+      return {0xb875a3, 0xd190c1};
     case CauseKind::axis_velocity:
-      return from_hex(0x56b4e9);
+      return {0x56b4e9, 0x6ec9ff};
     case CauseKind::axis_acceleration:
-      return from_hex(0x0072b2);
+      return {0x0072b2, 0x519de1};
     case CauseKind::axis_jerk:
-      return from_hex(0xd55e00);
+      return {0xd55e00, 0xff8022};
     case CauseKind::radial_acceleration:
-      return from_hex(0x283aa6);
+      return {0x283aa6, 0x6b61c7};
     case CauseKind::radial_jerk:
-      return from_hex(0x902b02);
+      return {0x902b02, 0xf6946f};
     case CauseKind::blend_velocity:
-      return from_hex(0x9285fe);
+      return {0x9285fe, 0x8f87ff};
     case CauseKind::blend_radial_acceleration:
-      return from_hex(0x400072);
+      return {0x400072, 0x6d37c6};
     case CauseKind::blend_radial_jerk:
-      return from_hex(0xff8297);
+      return {0xff8297, 0xe64f70};
     case CauseKind::blend_tangential_acceleration:
-      return from_hex(0x93df74);
+      return {0x93df74, 0xa9f583};
     case CauseKind::blend_tangential_jerk:
-      return from_hex(0x570f00);
+      return {0x570f00, 0x904331};
     case CauseKind::curvilinear_jerk:
-      return from_hex(0x7ba655);
+      return {0x7ba655, 0xdaffb4};
     case CauseKind::curvature_crossing:
-      return from_hex(0x4a0352);
+      return {0x4a0352, 0x8d4993};
     case CauseKind::interpolation_period:
-      return from_hex(0x5b7339);
+      return {0x5b7339, 0x798d43};
     case CauseKind::contour_tolerance:
-      return from_hex(0x009e73);
+      return {0x009e73, 0x008c65};
     case CauseKind::lookahead_horizon:
-      return from_hex(0x145536);
+      return {0x145536, 0x98ffd1};
     case CauseKind::ramp_down:
-      return from_hex(0xf0b429);
+      return {0xf0b429, 0xa86e01};
     case CauseKind::exact_stop:
-      return from_hex(0x22262a);
+      return {0x22262a, 0xa99e9d};
     case CauseKind::dwell:
-      return from_hex(0x644a65);
+      return {0x644a65, 0x8a6d8b};
   }
-  return palette::text;
+  return {};
+}
+
+}  // namespace
+
+Rgb cause_colour(CauseKind kind, Background background) {
+  const Pair colours = colours_of(kind);
+  return from_hex(background == Background::dark ? colours.dark : colours.light);
 }
 
 std::string cause_kind_title(CauseKind kind) {

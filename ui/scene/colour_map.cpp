@@ -10,9 +10,16 @@ struct Lab {
   double lightness, a, b;
 };
 
-/// Evenly spaced, all inside sRGB; straight between them.
-constexpr std::array<Lab, 5> control_points{Lab{20, 36, -50}, Lab{35, 4, -40}, Lab{50, -26, -12},
-                                            Lab{65, -36, 30}, Lab{80, 4, 74}};
+// All inside sRGB, and straight between them too; lightness evenly spaced.
+using ControlPoints = std::array<Lab, 5>;
+constexpr ControlPoints on_light{Lab{20, 36, -50}, Lab{35, 4, -40}, Lab{50, -26, -12}, Lab{65, -36, 30},
+                                 Lab{80, 4, 74}};
+constexpr ControlPoints on_dark{Lab{38, 36, -58}, Lab{51, 0, -44}, Lab{64, -26, -14}, Lab{77, -36, 34},
+                                Lab{90, -6, 64}};
+constexpr ControlPoints diverging_on_light{Lab{28, 14, -46}, Lab{52, -6, -30}, Lab{76, 0, 0}, Lab{52, 34, 40},
+                                           Lab{28, 38, 36}};
+constexpr ControlPoints diverging_on_dark{Lab{76, -14, -34}, Lab{60, -8, -24}, Lab{44, 0, 0}, Lab{60, 24, 34},
+                                          Lab{76, 20, 56}};
 
 /// CIE 15: Lab to XYZ under D65.
 double inverse_lightness(double t) {
@@ -36,15 +43,25 @@ Rgb to_rgb(const Lab& lab) {
           encode(0.0556434 * x - 0.2040259 * y + 1.0572252 * z)};
 }
 
+/// Colour at `value` in [0, 1] of the straight lines through `points`.
+Rgb colour_along(const ControlPoints& points, double value) {
+  const double position = std::clamp(value, 0.0, 1.0) * (points.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(position), points.size() - 2);
+  const double u = position - static_cast<double>(i);
+  const Lab& p = points[i];
+  const Lab& q = points[i + 1];
+  return to_rgb({std::lerp(p.lightness, q.lightness, u), std::lerp(p.a, q.a, u), std::lerp(p.b, q.b, u)});
+}
+
 }  // namespace
 
-Rgb map_colour(double value) {
-  const double position = std::clamp(value, 0.0, 1.0) * (control_points.size() - 1);
-  const std::size_t i = std::min(static_cast<std::size_t>(position), control_points.size() - 2);
-  const double u = position - static_cast<double>(i);
-  const Lab& p = control_points[i];
-  const Lab& q = control_points[i + 1];
-  return to_rgb({std::lerp(p.lightness, q.lightness, u), std::lerp(p.a, q.a, u), std::lerp(p.b, q.b, u)});
+Rgb map_colour(double value, Background background) {
+  return colour_along(background == Background::dark ? on_dark : on_light, value);
+}
+
+Rgb diverging_colour(double value, Background background) {
+  return colour_along(background == Background::dark ? diverging_on_dark : diverging_on_light,
+                      (value + 1) / 2);
 }
 
 }  // namespace feedscope::ui

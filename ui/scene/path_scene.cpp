@@ -8,126 +8,104 @@
 #include <vtkWeakPointer.h>
 
 #include <algorithm>
-#include <array>
+#include <cmath>
 
-#include "ui/scene/annotations.h"
-#include "ui/scene/axes_box.h"
-#include "ui/scene/path_layers.h"
-#include "ui/scene/pick.h"
-#include "ui/scene/sampled_path.h"
-#include "ui/scene/scene_camera.h"
-#include "ui/scene/tool_marker.h"
+#include "core/base/units.h"
+#include "ui/scene/draw/annotations.h"
+#include "ui/scene/draw/axes_box.h"
+#include "ui/scene/draw/axes_cube.h"
+#include "ui/scene/draw/pointers.h"
+#include "ui/scene/path/pick.h"
 
 namespace feedscope::ui {
 
-/// Two layers of one window: behind, the frame's grid and labels; in front, the path with legend and panel.
+namespace {
+
+constexpr double largest_exaggeration = 1000;
+constexpr double cube_half = 24;    // [pixels]
+constexpr double cube_height = 98;  // of its centre, above the lower edge
+constexpr int layer_count = 3;
+
+void call_before(vtkRenderer& renderer, void* data, void (*call)(vtkObject*, unsigned long, void*, void*)) {
+  const vtkNew<vtkCallbackCommand> before;
+  before->SetClientData(data);
+  before->SetCallback(call);
+  renderer.AddObserver(vtkCommand::StartEvent, before);
+}
+
+}  // namespace
+
+/// Three layers of one window: behind, the frame's grid and labels; then the path; in front the tool, and on
+/// top legend, panel and pointers.
 class PathScene::Impl {
  public:
   Impl()
-      : under_(*behind_),
-        over_(*front_),
-        layers_(*front_),
-        tool_(*front_),
-        camera_(*front_->GetActiveCamera()) {
-    behind_->SetBackground(palette::background[0], palette::background[1], palette::background[2]);
-    behind_->SetLayer(0);
-    behind_->InteractiveOff();
-    front_->SetLayer(1);
-    const vtkNew<vtkCallbackCommand> before;
-    before->SetClientData(this);
-    before->SetCallback(
-        [](vtkObject*, unsigned long, void* self, void*) { static_cast<Impl*>(self)->prepare(); });
-    behind_->AddObserver(vtkCommand::StartEvent, before);
-    camera_.look(StandardView::iso);
-  }
-
-  void attach(vtkRenderWindow& window) {
-    window_ = &window;
-    window.SetNumberOfLayers(2);
-    window.AddRenderer(behind_);
-    window.AddRenderer(front_);
-  }
-
-  void detach() {
-    if (window_ != nullptr) {
-      window_->RemoveRenderer(front_);
-      window_->RemoveRenderer(behind_);
+      : under(*behind),
+        over(*front),
+        layers(*middle),
+        tool_drawn(*front),
+        camera(*middle->GetActiveCamera()) {
+    int layer = 0;
+    for (vtkRenderer* renderer : renderers()) {
+      renderer->SetLayer(layer++);
+      renderer->InteractiveOff();
     }
-    window_ = nullptr;
+    front->SetActiveCamera(middle->GetActiveCamera());
+    call_before(*behind, this,
+                [](vtkObject*, unsigned long, void* self, void*) { static_cast<Impl*>(self)->prepare(); });
+    call_before(*front, this, [](vtkObject*, unsigned long, void* self, void*) {
+      auto& scene = *static_cast<Impl*>(self);
+      const double reach = scene.tool_drawn.reach(scene.projection(), scene.frame, scene.scale);
+      scene.camera.set_clipping(reach, reach);
+    });
+    camera.look(StandardView::iso);
+    apply_colours();
   }
 
-  void on_change(std::function<void()> callback) { changed_ = std::move(callback); }
-
-  void set_programmed(std::shared_ptr<const SampledPath> samples) {
-    programmed_ = std::move(samples);
-    rebuild();
+  std::array<vtkRenderer*, layer_count> renderers() { return {behind, middle, front}; }
+  const SceneColours& colours() const { return *look.colours; }
+  const std::shared_ptr<const SampledPath>& executed() const { return executed_samples; }
+  int width() const { return window != nullptr ? std::max(1, window->GetSize()[0]) : 1; }
+  int height() const { return window != nullptr ? std::max(1, window->GetSize()[1]) : 1; }
+  Vec2 display(const Pixel& pixel) const { return {pixel[0], height() - pixel[1]}; }
+  Projection projection() const { return camera.projection(width(), height()); }
+  Annotations annotations() const {
+    return {layers.entries(), layers.key(), look.run, look.exaggeration, look.colours, &texts};
   }
-
-  void set_executed(std::shared_ptr<const Trajectory> trajectory,
-                    std::shared_ptr<const SampledPath> samples) {
-    trajectory_ = std::move(trajectory);
-    executed_ = std::move(samples);
-    rebuild();
+  ScreenLayout layout() const { return screen_layout(width(), height(), scale, annotations()); }
+  ScreenRectangle room() const {
+    const ScreenLayout screen = layout();
+    return {screen.low(), screen.high()};
   }
-
-  void set_cursor(const std::optional<Vec3>& tip) {
-    cursor_ = tip;
-    changed();
+  PickablePath pickable() const {
+    const DrawnPath* path = layers.executed();
+    return path != nullptr ? PickablePath{&path->samples(), &path->positions(), &path->boxes()}
+                           : PickablePath{};
   }
-
-  void set_standard_view(StandardView view) {
-    camera_.look(view);
-    fit();
-  }
-
-  void fit() {
-    fit_now();
-    changed();
-  }
-
-  void set_scale(double scale) {
-    scale_ = scale;
-    changed();
-  }
-
-  std::optional<double> pick_time(const Pixel& pixel, double radius) const {
-    if (!executed_ || !trajectory_) {
-      return std::nullopt;
-    }
-    const Vec2 display(pixel[0], height() - pixel[1]);
-    return nearest_time(*executed_, *trajectory_, {projection(), frame_}, display, radius * scale_);
-  }
-
-  Pixel pixel_of(const Vec3& point) const {
-    const Vec2 display = projection().to_display(frame_.to_scene(point));
-    return {display.x(), height() - display.y()};
-  }
-
- private:
-  int width() const { return window_ != nullptr ? std::max(1, window_->GetSize()[0]) : 1; }
-  int height() const { return window_ != nullptr ? std::max(1, window_->GetSize()[1]) : 1; }
-  Projection projection() const { return camera_.projection(width(), height()); }
-  ScreenLayout layout() const {
-    return screen_layout(width(), height(), scale_, layers_.entries(), layers_.top_feed() > 0);
+  AxesCube cube() const {
+    const double left = width() - layout().panel_width;
+    return {projection(), {(left + width()) / 2, cube_height * scale}, cube_half * scale};
   }
 
   void changed() const {
-    if (changed_) {
-      changed_();
+    if (callback) {
+      callback();
     }
   }
 
   void rebuild() {
-    const bool fitted = camera_.fitted();
+    const bool fitted = camera.fitted();
+    const CameraState state = camera.state(frame);
     Bounds content;
-    for (const auto& path : {programmed_, executed_}) {
+    for (const auto& path : {programmed, executed_samples}) {
       if (path && !path->bounds.empty()) {
         content.add(path->bounds.min);
         content.add(path->bounds.max);
       }
     }
-    frame_ = frame_around(content);
-    layers_.show(programmed_, executed_, frame_);
+    frame = frame_around(content);
+    layers.show(programmed, executed_samples, overlays, frame);
+    camera.set_state(state, frame);
     if (fitted) {
       fit_now();
     }
@@ -135,102 +113,371 @@ class PathScene::Impl {
   }
 
   void fit_now() {
-    const ScreenLayout screen = layout();
-    camera_.fit(width(), height(), frame_.box, {screen.low(), screen.high()}, [this](const Projection& view) {
-      const AxesLayout axes = lay_out_axes(frame_, view, scale_);
+    camera.fit(width(), height(), frame.box, room(), [this](const Projection& view) {
+      const AxesLayout axes = lay_out_axes(frame, view, scale);
       return ScreenRectangle{axes.low, axes.high};
     });
-    fitted_size_ = {width(), height()};
-    fitted_scale_ = scale_;
+    fitted_in = fitted_window();
+  }
+
+  /// What a fit depends on but for the path.
+  std::array<double, 5> fitted_window() const {
+    const ScreenLayout screen = layout();
+    return {screen.width, screen.height, scale, screen.panel_width, screen.legend_height};
+  }
+
+  void apply_look() {
+    layers.set_look(look);
+    changed();
+  }
+
+  void apply_colours() {
+    const Rgb& background = colours().background;
+    behind->SetBackground(background[0], background[1], background[2]);
+    tool_drawn.set_colour(colours().tool);
+    apply_look();
   }
 
   /// Before each frame: follows the window's size and draws what depends on the camera.
   void prepare() {
-    if (camera_.fitted() && (fitted_size_ != std::array{width(), height()} || fitted_scale_ != scale_)) {
+    layers.place(frame, projection(), scale, moving);  // says what the legend needs
+    if (camera.fitted() && fitted_in != fitted_window()) {
       fit_now();
     }
     const Projection view = projection();
-    const std::optional<Vec3> tip = cursor_ ? std::optional(frame_.to_scene(*cursor_)) : std::nullopt;
-    layers_.place(frame_, view, scale_);
-    tool_.place(tip, view, scale_);
-    camera_.set_clipping(ToolMarker::reach(view, scale_));
+    const std::optional<Vec3> tip = cursor ? std::optional(frame.to_scene(*cursor)) : std::nullopt;
+    layers.place(frame, view, scale, moving);
+    tool_drawn.place(tip, view, frame, scale);
+    constexpr double lifted = 40;  // pixels at most, of the path's layers
+    camera.set_clipping(lifted * scale / view.scale);
 
-    under_.begin();
-    draw(lay_out_axes(frame_, view, scale_), scale_, under_);
-    under_.end();
-    over_.begin();
-    const auto& path = executed_ ? executed_ : programmed_;
+    under.begin();
+    draw(lay_out_axes(frame, view, scale), scale, grid, colours(), texts, under);
+    under.end();
+    over.begin();
+    const auto& path = executed_samples ? executed_samples : programmed;
     if (path && path->size() > 0) {
-      draw_start_marker(over_, view.to_display(frame_.to_scene(path->origin)), scale_);
+      draw_start_marker(over, view.to_display(frame.to_scene(path->origin)), scale, colours());
     }
-    draw_annotations(over_, layout(), layers_.entries(), view, view.scale / frame_.unit, layers_.top_feed());
-    over_.end();
+    draw_pointers(view);
+    draw_annotations(over, layout(), annotations(), view, view.scale / frame.unit);
+    cube().draw(over, scale, colours(), texts);
+    over.end();
   }
 
-  vtkNew<vtkRenderer> behind_;
-  vtkNew<vtkRenderer> front_;
-  Canvas under_;
-  Canvas over_;
-  PathLayers layers_;
-  ToolMarker tool_;
-  SceneCamera camera_;
-  vtkWeakPointer<vtkRenderWindow> window_;
-  std::function<void()> changed_;
+  void draw_pointers(const Projection& view) {
+    const auto place_of = [&](const Vec3& point) { return view.to_display(frame.to_scene(point)); };
+    if (dimension) {
+      draw_dimension(over, place_of(dimension->from),
+                     dimension->to ? std::optional(place_of(*dimension->to)) : std::nullopt, dimension->lines,
+                     room(), scale, colours());
+    }
+    if (hover) {
+      draw_ring(over, place_of(*hover), scale, colours());
+    }
+    if (rubber_band) {
+      draw_rubber_band(over, display((*rubber_band)[0]), display((*rubber_band)[1]), scale, colours());
+    }
+  }
 
-  std::shared_ptr<const SampledPath> programmed_;
-  std::shared_ptr<const SampledPath> executed_;
-  std::shared_ptr<const Trajectory> trajectory_;
-  std::optional<Vec3> cursor_;
-  SceneFrame frame_ = frame_around({});
-  double scale_ = 1;
-  std::array<int, 2> fitted_size_{};
-  double fitted_scale_ = 0;
+  vtkNew<vtkRenderer> behind;
+  vtkNew<vtkRenderer> middle;
+  vtkNew<vtkRenderer> front;
+  Canvas under;
+  Canvas over;
+  PathLayers layers;
+  Tool tool_drawn;
+  SceneCamera camera;
+  vtkWeakPointer<vtkRenderWindow> window;
+  std::function<void()> callback;
+
+  std::shared_ptr<const SampledPath> programmed;
+  std::shared_ptr<const SampledPath> executed_samples;
+  std::shared_ptr<const Trajectory> trajectory;
+  std::vector<OverlayRun> overlays;
+  std::optional<Vec3> cursor;       ///< as drawn
+  std::optional<double> cursor_at;  ///< its time, where it is on the path
+  std::optional<Vec3> hover;
+  std::optional<SceneDimension> dimension;
+  std::optional<std::array<Pixel, 2>> rubber_band;
+  PathLook look;
+  SceneTexts texts;
+  SceneFrame frame = frame_around({});
+  bool grid = true;
+  bool moving = false;
+  double scale = 1;
+  std::array<double, 5> fitted_in{};
 };
 
 PathScene::PathScene() : impl_(std::make_unique<Impl>()) {}
 PathScene::~PathScene() = default;
 
 void PathScene::attach(vtkRenderWindow& window) {
-  impl_->attach(window);
+  impl_->window = &window;
+  window.SetNumberOfLayers(layer_count);
+  for (vtkRenderer* renderer : impl_->renderers()) {
+    window.AddRenderer(renderer);
+  }
 }
+
 void PathScene::detach() {
-  impl_->detach();
+  if (impl_->window != nullptr) {
+    for (vtkRenderer* renderer : impl_->renderers()) {
+      impl_->window->RemoveRenderer(renderer);
+    }
+  }
+  impl_->window = nullptr;
 }
+
 void PathScene::on_change(std::function<void()> callback) {
-  impl_->on_change(std::move(callback));
+  impl_->callback = std::move(callback);
 }
+
 void PathScene::set_programmed(std::shared_ptr<const Toolpath> toolpath) {
-  impl_->set_programmed(toolpath ? std::make_shared<const SampledPath>(sample_programmed(*toolpath))
-                                 : nullptr);
+  set_programmed(toolpath ? std::make_shared<const SampledPath>(sample_programmed(*toolpath)) : nullptr);
 }
+
 void PathScene::set_programmed(std::shared_ptr<const SampledPath> samples) {
-  impl_->set_programmed(std::move(samples));
+  impl_->programmed = std::move(samples);
+  impl_->rebuild();
 }
+
 void PathScene::set_executed(std::shared_ptr<const Trajectory> trajectory) {
   auto samples = trajectory ? std::make_shared<const SampledPath>(sample_executed(*trajectory)) : nullptr;
-  impl_->set_executed(std::move(trajectory), std::move(samples));
+  set_executed(std::move(trajectory), std::move(samples));
 }
+
 void PathScene::set_executed(std::shared_ptr<const Trajectory> trajectory,
                              std::shared_ptr<const SampledPath> samples) {
-  impl_->set_executed(std::move(trajectory), std::move(samples));
+  impl_->trajectory = std::move(trajectory);
+  impl_->executed_samples = std::move(samples);
+  impl_->rebuild();
 }
+
+void PathScene::set_overlays(std::vector<OverlayRun> overlays) {
+  impl_->overlays = std::move(overlays);
+  impl_->rebuild();
+}
+
 void PathScene::set_cursor(const std::optional<Vec3>& tip) {
-  impl_->set_cursor(tip);
+  impl_->cursor = tip;
+  impl_->cursor_at.reset();
+  impl_->changed();
 }
-void PathScene::set_standard_view(StandardView view) {
-  impl_->set_standard_view(view);
+
+void PathScene::set_cursor(const State& state) {
+  impl_->cursor = drawn_at(state.time);
+  impl_->cursor_at = state.time;
+  impl_->changed();
 }
-void PathScene::fit() {
-  impl_->fit();
+
+void PathScene::set_colouring(Colouring colouring) {
+  impl_->look.colouring = colouring;
+  impl_->apply_look();
 }
+Colouring PathScene::colouring() const {
+  return impl_->look.colouring;
+}
+
+void PathScene::set_run_colour(const Rgb& colour) {
+  impl_->look.run = colour;
+  impl_->apply_look();
+}
+
+void PathScene::set_exaggeration(double factor) {
+  impl_->look.exaggeration = std::clamp(factor, 1.0, largest_exaggeration);
+  impl_->apply_look();
+  if (impl_->cursor_at) {
+    impl_->cursor = drawn_at(*impl_->cursor_at);
+  }
+}
+double PathScene::exaggeration() const {
+  return impl_->look.exaggeration;
+}
+
+void PathScene::set_tool(const ToolShape& shape) {
+  impl_->tool_drawn.set_shape(shape);
+  impl_->changed();
+}
+const ToolShape& PathScene::tool() const {
+  return impl_->tool_drawn.shape();
+}
+
+void PathScene::set_grid(bool shown) {
+  impl_->grid = shown;
+  impl_->changed();
+}
+bool PathScene::grid() const {
+  return impl_->grid;
+}
+
+void PathScene::set_background(Background background) {
+  impl_->look.colours = &scene_colours(background);
+  impl_->apply_colours();
+}
+
+void PathScene::set_texts(SceneTexts texts) {
+  impl_->texts = std::move(texts);
+  impl_->apply_look();
+}
+
 void PathScene::set_scale(double scale) {
-  impl_->set_scale(scale);
+  impl_->scale = scale;
+  impl_->changed();
 }
+
+void PathScene::set_standard_view(StandardView view) {
+  impl_->camera.look(view);
+  fit();
+}
+
+void PathScene::fit() {
+  impl_->fit_now();
+  impl_->changed();
+}
+
+void PathScene::set_perspective(bool perspective) {
+  const bool fitted = impl_->camera.fitted();
+  impl_->camera.set_perspective(perspective);
+  if (fitted) {
+    impl_->fit_now();
+  }
+  impl_->changed();
+}
+bool PathScene::perspective() const {
+  return impl_->camera.perspective();
+}
+
+CameraState PathScene::camera() const {
+  return impl_->camera.state(impl_->frame);
+}
+
+void PathScene::set_camera(const CameraState& state) {
+  impl_->camera.set_state(state, impl_->frame);
+  if (state.fitted) {
+    impl_->fit_now();
+  }
+  impl_->changed();
+}
+
+void PathScene::orbit(const Pixel& shift, const std::optional<Vec3>& pivot) {
+  const double turn = units::pi / 400 / impl_->scale;  // [rad] a pixel
+  const Vec3 about = pivot ? impl_->frame.to_scene(*pivot) : impl_->projection().focal;
+  impl_->camera.orbit(-turn * shift[0], turn * shift[1], about);
+  impl_->changed();
+}
+
+void PathScene::pan(const Pixel& shift) {
+  impl_->camera.pan({shift[0], -shift[1]}, impl_->width(), impl_->height());
+  impl_->changed();
+}
+
+void PathScene::zoom(double factor, const Pixel& about) {
+  impl_->camera.zoom(factor, impl_->display(about), impl_->width(), impl_->height());
+  impl_->changed();
+}
+
+void PathScene::zoom_to_box(const Pixel& corner, const Pixel& opposite) {
+  const ScreenRectangle room = impl_->room();
+  const Vec2 low = impl_->display(corner).cwiseMin(impl_->display(opposite));
+  const Vec2 high = impl_->display(corner).cwiseMax(impl_->display(opposite));
+  constexpr double smallest = 4;  // [pixels]
+  const Vec2 size = (high - low).cwiseMax(smallest);
+  const Vec2 middle = (low + high) / 2;
+  const Vec2 shift = (room.low + room.high) / 2 - middle;
+  pan({shift.x(), -shift.y()});
+  const Vec2 centre = (room.low + room.high) / 2;
+  zoom((room.high - room.low).cwiseQuotient(size).minCoeff(), {centre.x(), impl_->height() - centre.y()});
+}
+
+void PathScene::set_moving(bool moving) {
+  if (moving != impl_->moving) {
+    impl_->moving = moving;
+    impl_->changed();
+  }
+}
+
+void PathScene::set_highlight(std::optional<std::array<double, 2>> range) {
+  impl_->layers.set_highlight(range);
+  impl_->changed();
+}
+
+void PathScene::fit_times(double from, double to) {
+  const Bounds part = bounds_between(impl_->pickable(), from, to);
+  if (part.empty()) {
+    return;
+  }
+  Bounds box;
+  box.add(impl_->frame.to_scene(part.min));
+  box.add(impl_->frame.to_scene(part.max));
+  impl_->camera.fit_part(impl_->width(), impl_->height(), box, impl_->room());
+  impl_->changed();
+}
+
+std::optional<std::array<double, 2>> PathScene::visible_times() const {
+  const ScreenLayout layout = impl_->layout();
+  return ui::times_within(impl_->pickable(), {impl_->projection(), impl_->frame}, {0, 0},
+                          {layout.width - layout.panel_width, layout.height - layout.legend_height});
+}
+
+std::optional<std::array<double, 2>> PathScene::times_within(const Pixel& corner,
+                                                             const Pixel& opposite) const {
+  const Vec2 a = impl_->display(corner);
+  const Vec2 b = impl_->display(opposite);
+  return ui::times_within(impl_->pickable(), {impl_->projection(), impl_->frame}, a.cwiseMin(b),
+                          a.cwiseMax(b));
+}
+
+void PathScene::set_dimension(std::optional<SceneDimension> dimension) {
+  impl_->dimension = std::move(dimension);
+  impl_->changed();
+}
+
+void PathScene::set_hover(const std::optional<Vec3>& place) {
+  if (place != impl_->hover) {
+    impl_->hover = place;
+    impl_->changed();
+  }
+}
+
+void PathScene::set_rubber_band(const std::optional<std::array<Pixel, 2>>& corners) {
+  impl_->rubber_band = corners;
+  impl_->changed();
+}
+
 std::optional<double> PathScene::pick_time(const Pixel& pixel, double radius) const {
-  return impl_->pick_time(pixel, radius);
+  const bool exact = impl_->trajectory && exaggeration() == 1;
+  return nearest_time(impl_->pickable(), exact ? impl_->trajectory.get() : nullptr,
+                      {impl_->projection(), impl_->frame}, impl_->display(pixel), radius * impl_->scale);
 }
+
+std::optional<StandardView> PathScene::cube_view(const Pixel& pixel) const {
+  return impl_->cube().view_at(impl_->display(pixel));
+}
+
+std::optional<State> PathScene::state_at(double time) const {
+  return impl_->trajectory ? std::optional(impl_->trajectory->state(time)) : std::nullopt;
+}
+
+double PathScene::contour_error_at(double time) const {
+  return value_at(impl_->pickable(), Quantity::contour_error, time);
+}
+
+double PathScene::duration() const {
+  return impl_->trajectory ? impl_->trajectory->duration() : 0;
+}
+
+Vec3 PathScene::drawn_at(double time) const {
+  if (!impl_->trajectory) {
+    return Vec3::Zero();
+  }
+  const Vec3 place = impl_->trajectory->state(time).position;
+  return place + (exaggeration() - 1) * deviation_at(impl_->pickable(), time);
+}
+
 Pixel PathScene::pixel_of(const Vec3& point) const {
-  return impl_->pixel_of(point);
+  const Vec2 display = impl_->projection().to_display(impl_->frame.to_scene(point));
+  return {display.x(), impl_->height() - display.y()};
 }
 
 }  // namespace feedscope::ui

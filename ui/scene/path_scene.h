@@ -5,29 +5,32 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
+#include "ui/scene/camera/scene_camera.h"
+#include "ui/scene/draw/tool.h"
+#include "ui/scene/path/path_layers.h"
 
 class vtkRenderWindow;
 
 namespace feedscope::ui {
 
-struct SampledPath;
-
-/// Where the camera looks from. Parallel projection, so that lengths can be read off.
-enum class StandardView : std::uint8_t {
-  iso,    ///< from right, front and above
-  top,    ///< along -Z: X to the right, Y up
-  front,  ///< along +Y: X to the right, Z up
-  right,  ///< along -X: Y to the right, Z up
-};
-
 /// Pixel of the window, device pixels from its upper left corner.
 using Pixel = std::array<double, 2>;
 
-/// One run in 3D: programmed path, executed path coloured by feed, frame with units, colour bar, legend,
-/// tool. Knows no widget; draws into the window it is attached to. All calls from the thread that draws.
+/// A distance shown between two places, with what is written beside it.
+struct SceneDimension {
+  Vec3 from;               ///< [mm]
+  std::optional<Vec3> to;  ///< none: only the first place is marked
+  std::vector<std::string> lines;
+};
+
+/// One run in 3D: programmed path, executed path in colours that mean something, other runs, frame with
+/// units, colour scale, legend, tool. Knows no widget; draws into the window it is attached to. All calls
+/// from the thread that draws. Places are drawn ones: with exaggerated deviations, where the path is drawn.
 class PathScene {
  public:
   PathScene();
@@ -46,18 +49,75 @@ class PathScene {
   void set_executed(std::shared_ptr<const Trajectory> trajectory);
   /// As above, with `samples` = sample_executed(*trajectory) made off this thread.
   void set_executed(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const SampledPath> samples);
-  /// Tip of the tool marker [mm]; none hides it.
+  /// Other runs of the program; replaces those shown before.
+  void set_overlays(std::vector<OverlayRun> overlays);
+  /// Tip of the tool [mm]; none hides it.
   void set_cursor(const std::optional<Vec3>& tip);
+  /// The tool at an instant of the executed path.
+  void set_cursor(const State& state);
+
+  void set_colouring(Colouring colouring);
+  Colouring colouring() const;
+  /// Colour of the executed path for Colouring::run.
+  void set_run_colour(const Rgb& colour);
+  /// How much larger than they are deviations from the programmed path are drawn: 1 to 1000, clamped.
+  void set_exaggeration(double factor);
+  double exaggeration() const;
+  void set_tool(const ToolShape& shape);
+  const ToolShape& tool() const;
+  /// Grid lines on the faces of the frame.
+  void set_grid(bool shown);
+  bool grid() const;
+  void set_background(Background background);
+  void set_texts(SceneTexts texts);
+  /// Size of text and lines; 1 suits 96 dots an inch.
+  void set_scale(double scale);
 
   void set_standard_view(StandardView view);
   /// Everything in the window, without turning.
   void fit();
-  /// Size of text and lines; 1 suits 96 dots an inch.
-  void set_scale(double scale);
+  void set_perspective(bool perspective);
+  bool perspective() const;
+  CameraState camera() const;
+  void set_camera(const CameraState& state);
+  /// As a drag of the mouse by `shift` pixels, to the right and downwards: the scene follows. `pivot`: a
+  /// place that stays [mm]; none: what is in the middle of the view.
+  void orbit(const Pixel& shift, const std::optional<Vec3>& pivot = std::nullopt);
+  void pan(const Pixel& shift);
+  /// Enlarges by `factor` about a place of the window.
+  void zoom(double factor, const Pixel& about);
+  /// What is in a rectangle of the window fills it, by two corners.
+  void zoom_to_box(const Pixel& corner, const Pixel& opposite);
+  /// While true, paths of many points are drawn coarsely.
+  void set_moving(bool moving);
+
+  /// Marks the executed path between two times [s]; none marks nothing.
+  void set_highlight(std::optional<std::array<double, 2>> range);
+  /// The executed path between two times [s] fills the window.
+  void fit_times(double from, double to);
+  /// First and last time [s] at which the executed path is in view, or in a rectangle of the window.
+  std::optional<std::array<double, 2>> visible_times() const;
+  std::optional<std::array<double, 2>> times_within(const Pixel& corner, const Pixel& opposite) const;
+
+  void set_dimension(std::optional<SceneDimension> dimension);
+  /// A ring about a place of the path [mm].
+  void set_hover(const std::optional<Vec3>& place);
+  /// A rectangle drawn with the mouse, by two corners.
+  void set_rubber_band(const std::optional<std::array<Pixel, 2>>& corners);
 
   /// Time [s] at which the executed path comes nearest to a pixel, if within `radius` [pixels of scale 1].
-  /// Linear in the points drawn. The camera is that of the last frame or standard view.
+  /// The camera is that of the last frame or change.
   std::optional<double> pick_time(const Pixel& pixel, double radius = 8) const;
+  /// The view of the cube's face under a pixel.
+  std::optional<StandardView> cube_view(const Pixel& pixel) const;
+  /// The executed motion at a time [s]; none without one.
+  std::optional<State> state_at(double time) const;
+  /// Distance from the programmed path at a time [mm].
+  double contour_error_at(double time) const;
+  /// Of the executed motion [s]; 0 without one.
+  double duration() const;
+  /// Where an instant of the executed path is drawn [mm].
+  Vec3 drawn_at(double time) const;
   /// Where a point [mm] is drawn.
   Pixel pixel_of(const Vec3& point) const;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -12,24 +13,71 @@ namespace feedscope::ui {
 /// What the path does between one point and the next.
 enum class SpanKind : std::uint8_t { cut, rapid, blend };
 
+/// What is kept of the motion at every point of an executed path.
+enum class Quantity : std::uint8_t {
+  feed,                     ///< achieved [mm/s]
+  feed_ratio,               ///< achieved over programmed feed
+  tangential_acceleration,  ///< [mm/s2]
+  acceleration,             ///< length of the vector [mm/s2]
+  tangential_jerk,          ///< [mm/s3]
+  jerk,                     ///< length of the vector [mm/s3]
+  contour_error,            ///< distance from the nearest programmed point [mm]
+};
+inline constexpr std::size_t quantity_count = 7;
+
+/// 8 bits of mantissa: what colours can show.
+using Stored = Eigen::bfloat16;
+using StoredVector = std::array<Stored, 3>;
+
+/// Points of a path that are left when those closer than `spacing` [mm] to each other are left out.
+struct PathLevel {
+  double spacing = 0;  ///< 0: all points
+  std::size_t count = 0;
+  std::vector<std::uint32_t> points;  ///< indices, rising; empty where spacing is 0
+
+  std::size_t size() const { return count; }
+  std::size_t operator[](std::size_t i) const { return points.empty() ? i : points[i]; }
+};
+
+/// Box around consecutive spans, offsets from the path's origin [mm].
+struct SpanBox {
+  Eigen::Vector3f low, high;
+};
+inline constexpr std::size_t spans_of_box = 64;
+
 /// A path as points close enough that straight spans between them look like the path. Positions are single
-/// precision offsets from `origin`: one part in 10^7 of the path's size.
+/// precision offsets from `origin`: one part in 10^7 of the path's size. An executed path takes 42 bytes a
+/// point, its levels and what finds them 4 more.
 struct SampledPath {
   Vec3 origin = Vec3::Zero();              ///< [mm]
   std::vector<Eigen::Vector3f> positions;  ///< offsets from origin [mm]
   std::vector<SpanKind> kinds;             ///< of the span that begins at the point
-  std::vector<float> feeds;                ///< achieved [mm/s]; empty for a programmed path
-  std::vector<double> times;               ///< [s]; empty for a programmed path
-  double peak_feed = 0;                    ///< largest of `feeds` on spans that are not rapid [mm/s]
+  double peak_feed = 0;                    ///< largest feed on spans that are not rapid [mm/s]
   Bounds bounds;                           ///< [mm]
+  std::vector<PathLevel> levels;           ///< of detail, all points first
+  std::vector<SpanBox> boxes;              ///< of an executed path
+
+  // Empty for a programmed path. Where a value jumps, two points lie in one place.
+  std::vector<double> times;                               ///< [s]
+  std::array<std::vector<Stored>, quantity_count> values;  ///< by Quantity
+  std::vector<CauseKind> causes;                           ///< limiting cause
+  std::vector<StoredVector> deviations;                    ///< PathDeviation::Result::along_bisector [mm]
 
   std::size_t size() const { return positions.size(); }
+  bool executed() const { return !times.empty(); }
   Vec3 position(std::size_t i) const { return origin + positions[i].cast<double>(); }
+  Vec3 deviation(std::size_t i) const {
+    return {double(float(deviations[i][0])), double(float(deviations[i][1])),
+            double(float(deviations[i][2]))};
+  }
+  double value(Quantity quantity, std::size_t i) const {
+    return double(float(values[static_cast<std::size_t>(quantity)][i]));
+  }
 };
 
 /// A path that needs more points than this leaves out those closer than path length / max_points to each
-/// other; at most twice as many remain.
-inline constexpr std::size_t default_max_points = 4'000'000;
+/// other; at most three times as many remain.
+inline constexpr std::size_t default_max_points = 2'000'000;
 
 /// The programmed path: ends of lines, arcs every 3 degrees (coarser where the budget ends).
 SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points = default_max_points);
@@ -38,9 +86,13 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points =
 /// its peak. Linear in the pieces. Safe to call off the GUI thread.
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points);
 
-/// `path` without the points closer than `spacing` [mm] to the one kept before them; for views in which that
-/// is less than a pixel.
-SampledPath thinned(const SampledPath& path, double spacing);
+/// Levels of detail of `path`: all points; then, if it has many, what is left in views in which some spacing
+/// is less than a pixel, each level at most half of the one before; the last one small enough to be drawn
+/// while the view turns.
+std::vector<PathLevel> levels_of(const SampledPath& path);
+
+/// Boxes around the spans [64 i, 64 (i + 1)], for points at `positions`.
+std::vector<SpanBox> boxes_of(const std::vector<Eigen::Vector3f>& positions);
 
 /// Length of the spans of one kind [mm].
 double length_of(const SampledPath& path, SpanKind kind);

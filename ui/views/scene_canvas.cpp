@@ -1,12 +1,9 @@
 #include "ui/views/scene_canvas.h"
 
-#include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
 #include <vtkUnsignedCharArray.h>
 
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFunctions>
 #include <QPainter>
@@ -20,61 +17,10 @@ int pixels(int logical, const QWidget& widget) {
   return static_cast<int>(std::lround(logical * widget.devicePixelRatioF()));
 }
 
-void resize_window(vtkGenericOpenGLRenderWindow& window, vtkRenderWindowInteractor& interactor,
-                   const QSize& size) {
-  interactor.UpdateSize(size.width(), size.height());
-  window.SetSize(size.width(), size.height());
-}
-
 }  // namespace
 
-bool pass_to_interactor(QEvent& event, const QWidget& widget, vtkRenderWindowInteractor& interactor) {
-  const auto place = [&](const QSinglePointEvent& at) {
-    const double ratio = widget.devicePixelRatioF();
-    interactor.SetEventInformation(static_cast<int>(at.position().x() * ratio),
-                                   static_cast<int>((widget.height() - 1 - at.position().y()) * ratio),
-                                   at.modifiers().testFlag(Qt::ControlModifier) ? 1 : 0,
-                                   at.modifiers().testFlag(Qt::ShiftModifier) ? 1 : 0);
-  };
-  const auto button = [&](unsigned long left, unsigned long middle, unsigned long right) {
-    const auto& mouse = static_cast<const QMouseEvent&>(event);
-    place(mouse);
-    const unsigned long name = mouse.button() == Qt::LeftButton     ? left
-                               : mouse.button() == Qt::MiddleButton ? middle
-                                                                    : right;
-    interactor.InvokeEvent(name);
-  };
-  switch (event.type()) {
-    case QEvent::MouseMove:
-      place(static_cast<const QMouseEvent&>(event));
-      interactor.InvokeEvent(vtkCommand::MouseMoveEvent);
-      return true;
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick:
-      button(vtkCommand::LeftButtonPressEvent, vtkCommand::MiddleButtonPressEvent,
-             vtkCommand::RightButtonPressEvent);
-      return true;
-    case QEvent::MouseButtonRelease:
-      button(vtkCommand::LeftButtonReleaseEvent, vtkCommand::MiddleButtonReleaseEvent,
-             vtkCommand::RightButtonReleaseEvent);
-      return true;
-    case QEvent::Wheel: {
-      const auto& wheel = static_cast<const QWheelEvent&>(event);
-      place(wheel);
-      if (wheel.angleDelta().y() != 0) {
-        interactor.InvokeEvent(wheel.angleDelta().y() > 0 ? vtkCommand::MouseWheelForwardEvent
-                                                          : vtkCommand::MouseWheelBackwardEvent);
-      }
-      return true;
-    }
-    default:
-      return false;
-  }
-}
-
-GpuCanvas::GpuCanvas(vtkGenericOpenGLRenderWindow& window, vtkRenderWindowInteractor& interactor,
-                     QWidget* parent)
-    : QOpenGLWidget(parent), window_(window), interactor_(interactor) {
+GpuCanvas::GpuCanvas(vtkGenericOpenGLRenderWindow& window, QWidget* parent)
+    : QOpenGLWidget(parent), window_(window) {
   QSurfaceFormat format;
   format.setRenderableType(QSurfaceFormat::OpenGL);
   format.setVersion(3, 2);
@@ -108,7 +54,7 @@ void GpuCanvas::release() {
 }
 
 void GpuCanvas::resizeGL(int width, int height) {
-  resize_window(window_, interactor_, {pixels(width, *this), pixels(height, *this)});
+  window_.SetSize(pixels(width, *this), pixels(height, *this));
 }
 
 void GpuCanvas::paintGL() {
@@ -122,13 +68,8 @@ void GpuCanvas::paintGL() {
   gl.glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
-bool GpuCanvas::event(QEvent* event) {
-  return pass_to_interactor(*event, *this, interactor_) || QOpenGLWidget::event(event);
-}
-
-SoftwareCanvas::SoftwareCanvas(vtkGenericOpenGLRenderWindow& window, vtkRenderWindowInteractor& interactor,
-                               QWidget* parent)
-    : QWidget(parent), window_(window), interactor_(interactor) {
+SoftwareCanvas::SoftwareCanvas(vtkGenericOpenGLRenderWindow& window, QWidget* parent)
+    : QWidget(parent), window_(window) {
   setAttribute(Qt::WA_OpaquePaintEvent);
 }
 
@@ -142,7 +83,7 @@ QSize SoftwareCanvas::pixel_size() const {
 }
 
 void SoftwareCanvas::resizeEvent(QResizeEvent*) {
-  resize_window(window_, interactor_, pixel_size());
+  window_.SetSize(pixel_size().width(), pixel_size().height());
   request_frame();
 }
 
@@ -151,7 +92,7 @@ void SoftwareCanvas::paintEvent(QPaintEvent*) {
     if (auto* other = QOpenGLContext::currentContext()) {
       other->doneCurrent();
     }
-    resize_window(window_, interactor_, pixel_size());
+    window_.SetSize(pixel_size().width(), pixel_size().height());
     window_.Render();
     const int* size = window_.GetSize();
     const vtkNew<vtkUnsignedCharArray> pixel_data;
@@ -161,10 +102,6 @@ void SoftwareCanvas::paintEvent(QPaintEvent*) {
         QImage(pixel_data->GetPointer(0), size[0], size[1], size[0] * 3, QImage::Format_RGB888).mirrored();
   }
   QPainter(this).drawImage(rect(), image_);
-}
-
-bool SoftwareCanvas::event(QEvent* event) {
-  return pass_to_interactor(*event, *this, interactor_) || QWidget::event(event);
 }
 
 }  // namespace feedscope::ui

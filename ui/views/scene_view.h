@@ -1,20 +1,33 @@
 #pragma once
 
+#include <QAction>
+#include <QList>
 #include <QPointF>
+#include <QTimer>
 #include <QWidget>
+#include <array>
 #include <memory>
+#include <optional>
 
 #include "ui/scene/path_scene.h"
 #include "ui/scene/render_window.h"
 
+class QMenu;
+class QMouseEvent;
+class QWheelEvent;
+
 namespace feedscope::ui {
+
+class SceneActions;
 
 /// Software where Qt draws off screen (QT_QPA_PLATFORM offscreen or minimal), gpu elsewhere.
 /// Needs a QGuiApplication.
 RenderBackend default_backend();
 
-/// Widget around a PathScene: left drag turns, middle or Shift drag moves, wheel or right drag zooms, a click
-/// on the executed path picks a time. All views of a process must have the same backend.
+/// Widget around a PathScene, with a bar of its commands. Left drag turns about what is under the mouse,
+/// middle or Shift drag moves, wheel or right drag zooms, Ctrl drag draws a box to zoom to; a click on the
+/// executed path picks a time, one on the cube's faces a view, a double click fits. The mouse held over the
+/// path tells line, feed, cause and deviation. All views of a process must have the same backend.
 class SceneView : public QWidget {
   Q_OBJECT
 
@@ -27,10 +40,30 @@ class SceneView : public QWidget {
   /// The widget that shows the scene and takes the mouse.
   QWidget& canvas() { return *canvas_; }
   QSize sizeHint() const override { return {800, 600}; }
+  /// Every command of the view: for menus, key lists and the command palette.
+  QList<QAction*> panel_actions() const;
+  /// Adds them to a menu, those that belong together as submenus.
+  void fill_menu(QMenu& menu) const;
+
+ public slots:
+  /// The charts show from `from` to `to` [s]; marked on the path unless that is all of the run.
+  void show_times(double from, double to);
+  /// The path between two times fills the view [s].
+  void zoom_to_times(double from, double to);
+  /// Two clicks on the path measure from one place to the other; false ends and clears.
+  void set_measuring(bool measuring);
+  /// The next drag draws a box to zoom to.
+  void set_boxing(bool boxing);
+  /// Emits times_chosen() for what is in view.
+  void choose_visible_times();
 
  signals:
   /// A click, not a drag, on the executed path; `time` [s].
   void picked(double time);
+  /// The charts are to show this range [s].
+  void times_chosen(double from, double to);
+  void measuring_changed(bool measuring);
+  void boxing_changed(bool boxing);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -38,14 +71,38 @@ class SceneView : public QWidget {
   void showEvent(QShowEvent* event) override;
 
  private:
-  struct Vtk;
-  void click(const QPointF& place);
-  void follow_text_size();
+  enum class Drag { none, orbit, pan, zoom, box };
 
-  std::unique_ptr<Vtk> vtk_;
+  void make_canvas(RenderBackend backend);
+  void press(const QMouseEvent& mouse);
+  void drag(const QMouseEvent& mouse);
+  void release(const QMouseEvent& mouse);
+  void wheel(const QWheelEvent& event);
+  bool key(int key);
+  void click(const QPointF& place);
+  void add_measured(double time);
+  void finish_box(const QPointF& corner);
+  void show_menu(const QPoint& place);
+  void hover();
+  void leave();
+  void follow_text_size();
+  void follow_palette();
+  Pixel pixel(const QPointF& place) const;
+
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   PathScene scene_;
-  QWidget* canvas_;
+  QWidget* canvas_ = nullptr;
+  SceneActions* actions_ = nullptr;
+  QTimer hover_timer_;
+  QTimer rest_timer_;
+  Drag drag_ = Drag::none;
+  bool dragged_ = false;
+  bool measuring_ = false;
+  bool boxing_ = false;
+  std::optional<double> measured_from_;  ///< first place clicked [s]
+  std::optional<Vec3> pivot_;            ///< of the drag under way
   QPointF pressed_;
+  QPointF last_;
 };
 
 }  // namespace feedscope::ui

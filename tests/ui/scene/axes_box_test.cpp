@@ -1,4 +1,4 @@
-#include "ui/scene/axes_box.h"
+#include "ui/scene/draw/axes_box.h"
 
 #include <gmock/gmock.h>
 #include <vtkCamera.h>
@@ -8,7 +8,7 @@
 #include <random>
 
 #include "core/base/units.h"
-#include "ui/scene/scene_camera.h"
+#include "ui/scene/camera/scene_camera.h"
 
 namespace feedscope::ui {
 namespace {

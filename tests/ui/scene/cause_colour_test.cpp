@@ -6,6 +6,7 @@
 #include <set>
 
 #include "tests/support/cielab.h"
+#include "ui/scene/scene_style.h"
 
 namespace feedscope::ui {
 namespace {
@@ -42,27 +43,34 @@ std::vector<CauseKind> all_kinds() {
   return kinds;
 }
 
-TEST(CauseColour, AnyTwoAreToldApartWithEveryKindOfColourVision) {
+class CauseColour : public testing::TestWithParam<Background> {};
+
+TEST_P(CauseColour, AnyTwoAreToldApartWithEveryKindOfColourVision) {
   const std::vector<CauseKind> kinds = all_kinds();
   for (const Matrix& vision : visions) {
     for (std::size_t i = 0; i < kinds.size(); ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        EXPECT_GE(
-            test::lab_distance(seen(cause_colour(kinds[i]), vision), seen(cause_colour(kinds[j]), vision)),
-            15)
+        EXPECT_GE(test::lab_distance(seen(cause_colour(kinds[i], GetParam()), vision),
+                                     seen(cause_colour(kinds[j], GetParam()), vision)),
+                  15)
             << cause_kind_title(kinds[i]) << " and " << cause_kind_title(kinds[j]);
       }
     }
   }
 }
 
-TEST(CauseColour, StandsOutFromTheBackground) {
+TEST_P(CauseColour, StandsOutFromTheBackground) {
+  const ColourTriple background = seen(scene_colours(GetParam()).background, visions[0]);
   for (const CauseKind kind : all_kinds()) {
-    EXPECT_GE(test::lab_distance(seen(cause_colour(kind), visions[0]), seen(palette::background, visions[0])),
-              15)
-        << cause_kind_title(kind);
+    const ColourTriple colour = seen(cause_colour(kind, GetParam()), visions[0]);
+    EXPECT_GE(test::lab_distance(colour, background), 15) << cause_kind_title(kind);
+    if (GetParam() == Background::dark) {
+      EXPECT_GE(colour[0] - background[0], 25) << cause_kind_title(kind);
+    }
   }
 }
+
+INSTANTIATE_TEST_SUITE_P(LightAndDark, CauseColour, testing::Values(Background::light, Background::dark));
 
 TEST(CauseKindTitle, IsOneOfItsOwnForEveryKind) {
   std::set<std::string> titles;

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
 #include <random>
 
 #include "core/base/units.h"
@@ -73,7 +76,9 @@ TEST(SampledExecuted, ColoursChangeInSmallSteps) {
   const SampledPath path = sample_executed(*run.trajectory);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (path.kinds[i] == SpanKind::cut && (path.positions[i + 1] - path.positions[i]).norm() > 1e-6F) {
-      EXPECT_LT(std::abs(path.feeds[i + 1] - path.feeds[i]), path.peak_feed / 12) << i;
+      EXPECT_LT(std::abs(path.value(Quantity::feed, i + 1) - path.value(Quantity::feed, i)),
+                path.peak_feed / 12)
+          << i;
     }
   }
 }
@@ -98,22 +103,23 @@ TEST(SampledExecuted, FeedThatJumpsDoesNotFlowAlongTheLine) {
   const SampledPath path = sample_executed(*run.trajectory);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if ((path.positions[i + 1] - path.positions[i]).norm() > 0) {
-      EXPECT_EQ(path.feeds[i], path.feeds[i + 1]) << "from X" << path.position(i).x();
+      EXPECT_EQ(path.value(Quantity::feed, i), path.value(Quantity::feed, i + 1))
+          << "from X" << path.position(i).x();
     }
   }
-  EXPECT_FLOAT_EQ(path.feeds.front(), static_cast<float>(units::from_mm_min(3000)));
-  EXPECT_FLOAT_EQ(path.feeds.back(), static_cast<float>(units::from_mm_min(600)));
+  EXPECT_EQ(path.value(Quantity::feed, 0), units::from_mm_min(3000));
+  EXPECT_EQ(path.value(Quantity::feed, path.size() - 1), units::from_mm_min(600));
 }
 
 TEST(SampledExecuted, KeepsToItsBudgetAndToThePath) {
   const auto run = simulate_text(random_program(4, 400));
   constexpr std::size_t budget = 1000;
   const SampledPath path = sample_executed(*run.trajectory, budget);
-  EXPECT_LE(path.size(), 2 * budget + 2);
+  EXPECT_LE(path.size(), 3 * budget + 2);
   EXPECT_GE(path.size(), budget / 3);
   const double spacing = run.trajectory->path_length() / budget;
   const SampledPath whole = sample_executed(*run.trajectory);
-  ASSERT_GT(whole.size(), 2 * budget) << "else the test shows nothing";
+  ASSERT_GT(whole.size(), 3 * budget) << "else the test shows nothing";
   // The two walk the path together, so the nearest kept point in time is within a few spacings.
   std::size_t k = 0;
   for (std::size_t i = 0; i < whole.size(); ++i) {
@@ -124,21 +130,152 @@ TEST(SampledExecuted, KeepsToItsBudgetAndToThePath) {
   }
 }
 
-TEST(Thinned, KeepsEndsAndTheBeginningsOfLongSpans) {
+/// Stored values have 8 bits: half a unit of the last is 0.4 %. At the border of two pieces either counts.
+class Around {
+ public:
+  Around(const Trajectory& trajectory, double time) {
+    constexpr double instant = 1e-9;
+    for (const double at : {time - instant, time, time + instant}) {
+      states_.push_back(trajectory.state(at));
+    }
+  }
+  bool any(const std::function<bool(const State&)>& holds) const {
+    return std::ranges::any_of(states_, holds);
+  }
+  /// `size`: what the stored number is exact to; 0: its own.
+  void expect(double stored, const std::function<double(const State&)>& value,
+              const std::function<double(const State&)>& size, const char* what) const {
+    EXPECT_TRUE(any([&](const State& state) {
+      return std::abs(stored - value(state)) <= 0.004 * std::max(size(state), std::abs(value(state))) + 1e-3;
+    })) << what
+        << " " << stored << " at " << states_[1].time << " s, not " << value(states_[1]);
+  }
+
+ private:
+  std::vector<State> states_;
+};
+
+TEST(SampledExecuted, HoldsTheMotionAtItsTimes) {
+  const auto speed = [](const State& s) { return s.speed; };
+  const auto ratio = [](const State& s) { return s.programmed_feed > 0 ? s.speed / s.programmed_feed : 0.0; };
+  const auto acceleration = [](const State& s) { return s.acceleration.norm(); };
+  const auto jerk = [](const State& s) { return 2 * s.jerk.norm(); };
+  const auto tangential = [](const State& s) { return s.tangential_acceleration; };
+  for (const char* model : {"essid", "tapie", "ward"}) {
+    const auto run = simulate_text(random_program(5, 20), model);
+    const SampledPath path = sample_executed(*run.trajectory);
+    for (std::size_t i = 0; i < path.size(); ++i) {
+      const Around around(*run.trajectory, path.times[i]);
+      EXPECT_TRUE(around.any([&](const State& s) { return s.cause.kind == path.causes[i]; }))
+          << path.times[i];
+      around.expect(path.value(Quantity::feed, i), speed, speed, "feed");
+      around.expect(path.value(Quantity::feed_ratio, i), ratio, ratio, "ratio");
+      around.expect(path.value(Quantity::acceleration, i), acceleration, acceleration, "acceleration");
+      around.expect(2 * path.value(Quantity::jerk, i), jerk, jerk, "jerk");
+      if (path.value(Quantity::feed, i) > 1) {  // at rest there is no tangent
+        around.expect(path.value(Quantity::tangential_acceleration, i), tangential, acceleration,
+                      "tangential acceleration");
+        around.expect(
+            path.value(Quantity::tangential_jerk, i), [](const State& s) { return s.tangential_jerk; }, jerk,
+            "tangential jerk");
+      }
+    }
+  }
+}
+
+TEST(SampledExecuted, SpansHaveOneCause) {
+  const auto run = simulate_text(random_program(6, 40));
+  const SampledPath path = sample_executed(*run.trajectory);
+  int changes = 0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (path.causes[i] != path.causes[i + 1]) {
+      ++changes;
+      EXPECT_LT((path.positions[i + 1] - path.positions[i]).norm(), 1e-4F) << i;
+    }
+  }
+  EXPECT_GT(changes, 40);
+}
+
+TEST(SampledExecuted, DeviatesInBlendsByAsMuchAsTheyCutTheCorner) {
+  const auto run = simulate_text("G21 G90 G94 F3000\nG1 X40\nY40\nX80\n");
+  const SampledPath path = sample_executed(*run.trajectory);
+  double largest = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    const double size = path.value(Quantity::contour_error, i);
+    largest = std::max(largest, size);
+    if (path.kinds[i] == SpanKind::cut && (i == 0 || path.kinds[i - 1] == SpanKind::cut)) {
+      EXPECT_EQ(size, 0) << "on the programmed line";
+    }
+  }
+  // In a right angle the nearest programmed point of the blend's middle is the corner's foot on either line.
+  const BlendRecord blend = testing::blends_of(*run.trajectory).front();
+  EXPECT_NEAR(largest, blend.epsilon / std::sqrt(2.0), 0.03 * blend.epsilon);
+  double largest_drawn = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    largest_drawn = std::max(largest_drawn, path.deviation(i).norm());
+  }
+  EXPECT_NEAR(largest_drawn, blend.epsilon, 0.03 * blend.epsilon) << "along the bisector";
+}
+
+SampledPath points_at(const std::vector<float>& places) {
   SampledPath path;
-  for (const float x : {0.0F, 0.1F, 0.2F, 5.0F, 5.1F, 9.0F, 9.05F}) {
+  for (const float x : places) {
     path.positions.emplace_back(x, 0.0F, 0.0F);
     path.kinds.push_back(SpanKind::cut);
-    path.feeds.push_back(x);
-    path.times.push_back(static_cast<double>(x));
+    path.bounds.add(Vec3(double(x), 0, 0));
   }
-  const SampledPath kept = thinned(path, 1);
+  return path;
+}
+
+TEST(Levels, OfASmallPathAreAllPoints) {
+  const auto levels = levels_of(points_at({0, 1, 2}));
+  ASSERT_EQ(levels.size(), 1);
+  EXPECT_EQ(levels[0].size(), 3);
+  EXPECT_EQ(levels[0][2], 2);
+}
+
+TEST(Levels, HalveAtLeastAndKeepEndsAndTheBeginningsOfLongSpans) {
+  constexpr int passes = 10;
+  constexpr int points_a_pass = 60'000;
   std::vector<float> places;
-  for (const auto& p : kept.positions) {
-    places.push_back(p.x());
+  for (int i = 0; i < passes * points_a_pass; ++i) {
+    const int back = i / points_a_pass % 2;
+    const int step = i % points_a_pass;
+    places.push_back(100.0F * static_cast<float>(back == 0 ? step : points_a_pass - step) / points_a_pass);
   }
-  EXPECT_EQ(places, (std::vector<float>{0.0F, 0.2F, 5.0F, 5.1F, 9.0F, 9.05F}));
-  EXPECT_EQ(kept.feeds, places);
+  const auto long_span = static_cast<std::uint32_t>(places.size() - 1);
+  places.push_back(places.back() + 50);
+  places.push_back(places.back() + 1e-5F);
+  const SampledPath path = points_at(places);
+  const auto levels = levels_of(path);
+  ASSERT_GE(levels.size(), 3);
+  for (std::size_t level = 1; level < levels.size(); ++level) {
+    EXPECT_LE(2 * levels[level].size(), levels[level - 1].size());
+    EXPECT_EQ(levels[level][0], 0);
+    EXPECT_EQ(levels[level][levels[level].size() - 1], places.size() - 1);
+    EXPECT_TRUE(std::ranges::binary_search(levels[level].points, long_span)) << "the long span begins there";
+    for (std::size_t k = 0; k + 1 < levels[level].size(); ++k) {
+      ASSERT_LT(levels[level][k], levels[level][k + 1]);
+    }
+  }
+  EXPECT_LT(levels.back().size(), 25'000);
+}
+
+TEST(Boxes, HoldTheirSpans) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> place(-50, 50);
+  std::vector<Eigen::Vector3f> positions(1000);
+  for (auto& p : positions) {
+    p = {place(random), place(random), place(random)};
+  }
+  const auto boxes = boxes_of(positions);
+  ASSERT_EQ(boxes.size(), 16);
+  for (std::size_t i = 0; i + 1 < positions.size(); ++i) {
+    for (const std::size_t end : {i, i + 1}) {
+      EXPECT_TRUE((positions[end].array() >= boxes[i / spans_of_box].low.array()).all()) << i;
+      EXPECT_TRUE((positions[end].array() <= boxes[i / spans_of_box].high.array()).all()) << i;
+    }
+  }
 }
 
 }  // namespace

@@ -99,17 +99,17 @@ TEST_F(SceneViewTest, ShowsLinesTextAndColours) {
 }
 
 TEST_F(SceneViewTest, MovesTheToolMarkerWithTheCursor) {
-  const QImage without = view_.grab().toImage();
+  const QImage without = view_.canvas().grab().toImage();
   view_.scene().set_cursor(run_.trajectory->state(0.5 * run_.trajectory->duration()).position);
   settle();
-  const QImage with = view_.grab().toImage();
+  const QImage with = view_.canvas().grab().toImage();
   EXPECT_NE(with, without);
   const QPoint tip = place_of(0.5 * run_.trajectory->duration());
   const QColor colour = with.pixelColor(tip * with.devicePixelRatio());
   EXPECT_GT(colour.red(), colour.blue() + 60) << "the tool is orange";
   view_.scene().set_cursor(std::nullopt);
   settle();
-  EXPECT_EQ(view_.grab().toImage(), without);
+  EXPECT_EQ(view_.canvas().grab().toImage(), without);
 }
 
 TEST_F(SceneViewTest, SeveralViewsLiveInOneProcess) {

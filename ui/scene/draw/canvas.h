@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ui/scene/camera/projection.h"
 #include "ui/scene/colour_map.h"
-#include "ui/scene/projection.h"
 
 class vtkActor2D;
 class vtkCellArray;
@@ -21,7 +21,7 @@ namespace feedscope::ui {
 
 struct TextStyle {
   double size = 13;  ///< [pixels]
-  Rgb colour = palette::text;
+  Rgb colour{};
   bool bold = false;
   int horizontal = 0;  ///< -1: the text begins at its place, 0: centred on it, 1: ends there
   int vertical = 0;    ///< -1: the text stands on its place, 0: centred on it, 1: hangs from it
@@ -39,6 +39,8 @@ class Canvas {
   void line(const Vec2& from, const Vec2& to, double width, const Rgb& colour);
   void dashes(const Vec2& from, const Vec2& to, double width, double dash, const Rgb& colour);
   void rectangle(const Vec2& low, const Vec2& high, const Rgb& colour, double opacity = 1);
+  /// Convex, corners in order.
+  void polygon(const std::vector<Vec2>& corners, const Rgb& colour, double opacity = 1);
   void disc(const Vec2& centre, double radius, const Rgb& colour);
   void text(const std::string& text, const Vec2& place, const TextStyle& style);
 
@@ -46,8 +48,6 @@ class Canvas {
   static Vec2 text_size(const std::string& text, const TextStyle& style);
 
  private:
-  void polygon(const std::vector<Vec2>& corners, const Rgb& colour, double opacity);
-
   vtkRenderer& renderer_;
   vtkNew<vtkPoints> points_;
   vtkNew<vtkCellArray> cells_;

@@ -1,4 +1,4 @@
-#include "ui/scene/axes_box.h"
+#include "ui/scene/draw/axes_box.h"
 
 #include <algorithm>
 #include <array>
@@ -66,7 +66,12 @@ class Layouter {
   }
 
  private:
-  double facing(int axis, bool high) const { return (high ? 1 : -1) * projection_.towards[axis]; }
+  /// How much a face of the box is turned towards the eye.
+  double facing(int axis, bool high) const {
+    Vec3 middle = Vec3::Zero();
+    middle[axis] = side(frame_.box, axis, high);
+    return (high ? 1 : -1) * projection_.towards_eye(middle)[axis];
+  }
 
   Vec2 display(int axis, double a, int other, double b, int third, double c) const {
     Vec3 p;
@@ -224,15 +229,20 @@ AxesLayout lay_out_axes(const SceneFrame& frame, const Projection& projection, d
   return Layouter(frame, projection, scale).run();
 }
 
-void draw(const AxesLayout& layout, double scale, Canvas& canvas) {
-  for (const auto& stroke : layout.grid) {
-    canvas.line(stroke.from, stroke.to, scale, palette::grid);
+void draw(const AxesLayout& layout, double scale, bool grid, const SceneColours& colours,
+          const SceneTexts& texts, Canvas& canvas) {
+  if (grid) {
+    for (const auto& stroke : layout.grid) {
+      canvas.line(stroke.from, stroke.to, scale, colours.grid);
+    }
   }
   for (const auto& stroke : layout.frame) {
-    canvas.line(stroke.from, stroke.to, scale, palette::frame);
+    canvas.line(stroke.from, stroke.to, scale, colours.frame);
   }
   for (const auto& label : layout.labels) {
-    canvas.text(label.text, label.place, label.style);
+    TextStyle style = label.style;
+    style.colour = colours.text;
+    canvas.text(texts.localised(label.text), label.place, style);
   }
 }
 

@@ -3,8 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "ui/scene/canvas.h"
-#include "ui/scene/projection.h"
+#include "ui/scene/camera/projection.h"
+#include "ui/scene/draw/canvas.h"
+#include "ui/scene/scene_style.h"
 
 namespace feedscope::ui {
 
@@ -30,6 +31,8 @@ struct AxesLayout {
 /// `scale`: size of text and lines, 1 for 96 dots an inch.
 AxesLayout lay_out_axes(const SceneFrame& frame, const Projection& projection, double scale);
 
-void draw(const AxesLayout& layout, double scale, Canvas& canvas);
+/// `grid`: with the lines across the faces.
+void draw(const AxesLayout& layout, double scale, bool grid, const SceneColours& colours,
+          const SceneTexts& texts, Canvas& canvas);
 
 }  // namespace feedscope::ui

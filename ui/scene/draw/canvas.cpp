@@ -1,4 +1,4 @@
-#include "ui/scene/canvas.h"
+#include "ui/scene/draw/canvas.h"
 
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>

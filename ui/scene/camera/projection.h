@@ -26,19 +26,34 @@ struct SceneFrame {
 /// plane of 100 mm.
 SceneFrame frame_around(const Bounds& content);
 
-/// Parallel projection of one frame: where the camera puts scene coordinates.
+/// One frame's projection: where the camera puts scene coordinates.
 struct Projection {
   Vec3 focal;  ///< drawn in the middle of the window
   Vec3 right;  ///< unit vectors of the screen, in the scene
   Vec3 up;
-  Vec3 towards;      ///< from the scene to the eye
-  double scale = 1;  ///< pixels a scene unit
-  Vec2 middle;       ///< of the window
+  Vec3 towards;             ///< from the focal point to the eye
+  double scale = 1;         ///< pixels a scene unit, at the focal point
+  double eye_distance = 0;  ///< from the focal point; 0: parallel projection
+  Vec2 middle;              ///< of the window
 
   Projection(vtkCamera& camera, int width, int height);
+
+  bool perspective() const { return eye_distance > 0; }
+  /// How much larger than at the focal point things look at `p`; what is behind the eye or very near it looks
+  /// as in front of it.
+  double magnification(const Vec3& p) const;
   Vec2 to_display(const Vec3& p) const {
-    return middle + scale * Vec2((p - focal).dot(right), (p - focal).dot(up));
+    return middle + scale * magnification(p) * Vec2((p - focal).dot(right), (p - focal).dot(up));
   }
+  /// From `p` to the eye, unit vector.
+  Vec3 towards_eye(const Vec3& p) const;
+  /// Places something `height` scene units nearer to the eye without moving it on the screen: what is at p
+  /// then belongs at shift + shrink * p.
+  struct Lift {
+    Vec3 shift;
+    double shrink = 1;
+  };
+  Lift lift(double height) const;
 };
 
 }  // namespace feedscope::ui

@@ -1,4 +1,4 @@
-#include "ui/scene/projection.h"
+#include "ui/scene/camera/projection.h"
 
 #include <vtkCamera.h>
 
@@ -35,10 +35,29 @@ SceneFrame frame_around(const Bounds& content) {
 
 Projection::Projection(vtkCamera& camera, int width, int height) : middle(width / 2.0, height / 2.0) {
   focal = Vec3(camera.GetFocalPoint());
-  towards = (Vec3(camera.GetPosition()) - focal).normalized();
+  const Vec3 to_eye = Vec3(camera.GetPosition()) - focal;
+  towards = to_eye.normalized();
   right = Vec3(camera.GetViewUp()).cross(towards).normalized();
   up = towards.cross(right);
   scale = height / 2.0 / camera.GetParallelScale();
+  eye_distance = camera.GetParallelProjection() != 0 ? 0.0 : to_eye.norm();
+}
+
+double Projection::magnification(const Vec3& p) const {
+  constexpr double nearest = 0.02;  // of the eye's distance
+  return perspective() ? 1 / std::max(nearest, 1 - (p - focal).dot(towards) / eye_distance) : 1.0;
+}
+
+Vec3 Projection::towards_eye(const Vec3& p) const {
+  return perspective() ? Vec3((focal + eye_distance * towards - p).normalized()) : towards;
+}
+
+Projection::Lift Projection::lift(double height) const {
+  if (!perspective()) {
+    return {height * towards, 1};
+  }
+  const double share = height / eye_distance;
+  return {share * (focal + eye_distance * towards), 1 - share};
 }
 
 }  // namespace feedscope::ui

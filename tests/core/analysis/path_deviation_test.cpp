@@ -1,0 +1,144 @@
+#include "core/analysis/path_deviation.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/support/paths.h"
+
+namespace feedscope {
+namespace {
+
+using testing::append_arc;
+using testing::polyline;
+using testing::random_path;
+
+TEST(PathDeviation, OfNoPathIsNone) {
+  const Toolpath nothing;
+  EXPECT_EQ(PathDeviation(nothing)({1, 2, 3}, 0, 0).nearest, Vec3::Zero());
+}
+
+TEST(PathDeviation, IsTheWayFromALine) {
+  const Toolpath path = polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 10);
+  PathDeviation deviation(path);
+  EXPECT_LT((deviation({4, 0.5, -1}, 0, 0).nearest - Vec3(0, 0.5, -1)).norm(), 1e-12);
+  EXPECT_LT((deviation({9.7, 0.3, 0}, 6, 0).nearest - Vec3(0, 0.3, 0)).norm(), 1e-12) << "on the bisector";
+  EXPECT_LT((deviation({9.8, 4, 0}, 4, 1).nearest - Vec3(-0.2, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((deviation({10, 12, 0}, 8, 1).nearest - Vec3(0, 2, 0)).norm(), 1e-12) << "beyond the end";
+}
+
+TEST(PathDeviation, IsTheWayFromACircle) {
+  Toolpath path;
+  path.start = Vec3(5, 0, 0);
+  append_arc(path, Vec3::Zero(), 4.5, 10);
+  PathDeviation deviation(path);
+  for (double angle = 0; angle < 4.5; angle += 0.1) {
+    const Vec3 out(std::cos(angle), std::sin(angle), 0);
+    EXPECT_LT((deviation(5.25 * out, 0.6, 0).nearest - 0.25 * out).norm(), 1e-12) << angle;
+  }
+}
+
+TEST(PathDeviation, IsTheShortestWayFromAHelix) {
+  Arc helix;
+  helix.center = Vec3::Zero();
+  helix.x = Vec3::UnitX();
+  helix.y = Vec3::UnitY();
+  helix.rise = Vec3(0, 0, 0.8);
+  helix.radius = 5;
+  helix.sweep = 30;
+  Toolpath path;
+  path.start = helix.at(0).position;
+  path.arcs = {helix};
+  Segment segment;
+  segment.end = helix.at(helix.length()).position;
+  segment.length = helix.length();
+  segment.kind = SegmentKind::arc;
+  segment.arc = 0;
+  path.segments = {segment};
+  PathDeviation deviation(path);
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> aside(-0.4, 0.4);
+  for (double s = 1; s < helix.length() - 1; s += 0.9) {
+    const Vec3 place = helix.at(s).position + Vec3(aside(random), aside(random), aside(random));
+    const Vec3 offset = deviation(place, 1.6, 0).nearest;
+    double least = 1e9;
+    for (double t = s - 1; t < s + 1; t += 1e-3) {
+      least = std::min(least, (place - helix.at(t).position).norm());
+    }
+    EXPECT_LE(offset.norm(), least + 1e-9) << s;
+    EXPECT_GE(offset.norm(), least - 1e-5) << s;
+  }
+}
+
+TEST(PathDeviation, InACornerKeepsOneDirectionOnTheWayThroughIt) {
+  const Toolpath path = polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 10);
+  PathDeviation deviation(path);
+  const Vec3 inwards = Vec3(-1, 1, 0).normalized();
+  // Offset by 0.3 from one leg and then the other, in between both.
+  for (const Vec3& place : {Vec3(8, 0.3, 0), Vec3(9.7, 0.3, 0), Vec3(9.7, 0.4, 0), Vec3(9.7, 3, 0)}) {
+    const auto result = deviation(place, 2, 0);
+    EXPECT_LT((result.along_bisector - 0.3 * std::sqrt(2.0) * inwards).norm(), 1e-12) << place.transpose();
+    // Taken back along it, the place is on the path.
+    const Vec3 base = place - result.along_bisector;
+    EXPECT_NEAR(std::min(std::abs(base.y()), std::abs(base.x() - 10)), 0, 1e-12);
+  }
+}
+
+TEST(PathDeviation, AtAReversalIsHowFarTheCornerIsMissed) {
+  const Toolpath path = polyline({{0, 0, 0}, {10, 0, 0}, {0, 0, 0}}, 10);
+  PathDeviation deviation(path);
+  for (double x = 0; x < 9.9; x += 0.1) {
+    EXPECT_LT((deviation({x, 0.01, 0}, 0.1, 0).nearest - Vec3(0, 0.01, 0)).norm(), 1e-12) << x;
+  }
+  for (double x = 9.9; x > 0; x -= 0.1) {
+    EXPECT_LT((deviation({x, 0.01, 0}, 0.1, 1).nearest - Vec3(0, 0.01, 0)).norm(), 1e-12) << x;
+  }
+}
+
+TEST(PathDeviation, DoesNotTakeThePassBesideForItsOwn) {
+  const Toolpath path = polyline({{0, 0, 0}, {100, 0, 0}, {100, 0.2, 0}, {0, 0.2, 0}}, 10);
+  PathDeviation deviation(path);
+  for (int x = 0; x < 90; ++x) {
+    EXPECT_LT((deviation({double(x), 0.15, 0}, 1, 0).nearest - Vec3(0, 0.15, 0)).norm(), 1e-12) << x;
+  }
+}
+
+TEST(PathDeviation, FollowsShortBlocksThatThePlaceIsSaidToBeFarFrom) {
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 2000; ++i) {
+    points.emplace_back(i * 0.05, 3 * std::sin(i * 0.005), 0);
+  }
+  const Toolpath path = polyline(points, 10);
+  PathDeviation deviation(path);
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) {
+    const Vec3 along = (points[i + 1] - points[i]).normalized();
+    const Vec3 aside = 0.02 * Vec3(-along.y(), along.x(), 0);
+    const Vec3 offset =
+        deviation((points[i] + points[i + 1]) / 2 + aside, 0.06, static_cast<std::uint32_t>(i / 50 * 50))
+            .nearest;
+    EXPECT_LT((offset - aside).norm(), 1e-12) << i;
+  }
+}
+
+TEST(PathDeviation, IsNoneOnThePathItself) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 20; ++round) {
+    const Toolpath path = random_path(random, 60);
+    PathDeviation deviation(path);
+    for (std::size_t i = 0; i < path.segments.size(); ++i) {
+      const Segment& segment = path.segments[i];
+      for (const double u : {0.0, 0.3, 0.7, 1.0}) {
+        const Vec3 place =
+            segment.kind == SegmentKind::arc
+                ? path.arcs[static_cast<std::size_t>(segment.arc)].at(u * segment.length).position
+                : Vec3(path.start_of(i) + u * (segment.end - path.start_of(i)));
+        EXPECT_LT(deviation(place, segment.length / 2, static_cast<std::uint32_t>(i)).nearest.norm(), 1e-7)
+            << "round " << round << ", segment " << i << ", " << u;
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace feedscope

@@ -1,0 +1,212 @@
+#include "ui/scene/camera/scene_camera.h"
+
+#include <vtkCamera.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double parallel_eye_distance =
+    40;  // scene units; a parallel projection shows the same from anywhere
+constexpr double scene_radius = 1.5;
+constexpr double view_angle = units::pi / 6;  // of a perspective view, from bottom to top
+constexpr double quarter = units::pi / 2;
+// Half of the view's height: less has no single precision left, more shows a dot.
+constexpr double least_half_height = 1e-6;
+constexpr double largest_half_height = 100;
+
+struct Angles {
+  double azimuth, elevation;
+};
+
+Angles angles_of(StandardView view) {
+  switch (view) {
+    case StandardView::top:
+      return {-quarter, quarter};
+    case StandardView::bottom:
+      return {-quarter, -quarter};
+    case StandardView::front:
+      return {-quarter, 0};
+    case StandardView::back:
+      return {quarter, 0};
+    case StandardView::right:
+      return {0, 0};
+    case StandardView::left:
+      return {units::pi, 0};
+    case StandardView::iso:
+      break;
+  }
+  return {-quarter / 2, std::atan(std::sqrt(0.5))};
+}
+
+/// Sine and cosine, exact where the angle is a quarter turn: standard views look straight along an axis.
+Vec2 sine_cosine(double angle) {
+  const double quarters = angle / quarter;
+  const double whole = std::round(quarters);
+  if (std::abs(quarters - whole) > 1e-12) {
+    return {std::sin(angle), std::cos(angle)};
+  }
+  switch (((static_cast<int>(whole) % 4) + 4) % 4) {
+    case 0:
+      return {0, 1};
+    case 1:
+      return {1, 0};
+    case 2:
+      return {0, -1};
+    default:
+      return {-1, 0};
+  }
+}
+
+/// The axes of the screen in the scene.
+struct Axes {
+  Vec3 right, up, towards;
+};
+
+Axes axes_of(double azimuth, double elevation) {
+  const Vec2 a = sine_cosine(azimuth);
+  const Vec2 e = sine_cosine(elevation);
+  return {Vec3(-a[0], a[1], 0), Vec3(-e[0] * a[1], -e[0] * a[0], e[1]), Vec3(e[1] * a[1], e[1] * a[0], e[0])};
+}
+
+}  // namespace
+
+SceneCamera::SceneCamera(vtkCamera& camera) : camera_(camera) {
+  camera_.SetViewAngle(units::to_deg(view_angle));
+  apply();
+}
+
+void SceneCamera::apply() {
+  const Axes axes = axes_of(azimuth_, elevation_);
+  const double distance = perspective_ ? half_height_ / std::tan(view_angle / 2) : parallel_eye_distance;
+  const Vec3 eye = focal_ + distance * axes.towards;
+  camera_.SetParallelProjection(perspective_ ? 0 : 1);
+  camera_.SetFocalPoint(focal_.x(), focal_.y(), focal_.z());
+  camera_.SetPosition(eye.x(), eye.y(), eye.z());
+  camera_.SetViewUp(axes.up.x(), axes.up.y(), axes.up.z());
+  camera_.SetParallelScale(half_height_);
+}
+
+void SceneCamera::look(StandardView view) {
+  const Angles angles = angles_of(view);
+  azimuth_ = angles.azimuth;
+  elevation_ = angles.elevation;
+  focal_ = Vec3::Zero();
+  fitted_ = true;
+  apply();
+}
+
+void SceneCamera::fit(int width, int height, const Bounds& box, const ScreenRectangle& room,
+                      const std::function<ScreenRectangle(const Projection&)>& extent) {
+  focal_ = Vec3::Zero();
+  apply();
+  const Projection start = projection(width, height);
+  const Vec3 size = box.max - box.min;
+  const Vec2 content(size.dot(start.right.cwiseAbs()), size.dot(start.up.cwiseAbs()));
+  const Vec2 space = (room.high - room.low).cwiseMax(16);
+  // Labels do not grow with the path, so their room is known only once they are laid out: a few rounds
+  // settle. In perspective the near side's excess counts with them.
+  Vec2 labels = space / 8;
+  Vec2 shift = Vec2::Zero();
+  const int rounds = perspective_ ? 12 : 4;
+  for (int round = 0; round < rounds; ++round) {
+    const Vec2 free = (space - labels).cwiseMax(space / 4);
+    // What is seen end on has no size: the scene's unit then takes the room.
+    const double pixels = content.isZero() ? free.minCoeff() : free.cwiseQuotient(content).minCoeff();
+    half_height_ = height / 2.0 / pixels;
+    apply();
+    const ScreenRectangle covered = extent(projection(width, height));
+    labels = covered.high - covered.low - pixels * content;
+    shift = (covered.low + covered.high - room.low - room.high) / 2;
+  }
+  const Projection view = projection(width, height);
+  focal_ = (shift.x() * view.right + shift.y() * view.up) / view.scale;
+  fitted_ = true;
+  apply();
+}
+
+void SceneCamera::fit_part(int width, int height, const Bounds& box, const ScreenRectangle& room) {
+  constexpr double air = 1.15;
+  focal_ = (box.min + box.max) / 2;
+  const Projection start = projection(width, height);
+  const Vec3 size = box.max - box.min;
+  const Vec2 content(size.dot(start.right.cwiseAbs()), size.dot(start.up.cwiseAbs()));
+  const Vec2 space = (room.high - room.low).cwiseMax(16);
+  const double units_a_pixel = air * content.cwiseQuotient(space).maxCoeff();
+  if (units_a_pixel > 0) {
+    half_height_ = std::clamp(units_a_pixel * height / 2, least_half_height, largest_half_height);
+  }
+  fitted_ = false;
+  apply();
+  pan((room.low + room.high) / 2 - Vec2(width / 2.0, height / 2.0), width, height);
+}
+
+void SceneCamera::orbit(double azimuth, double elevation, const Vec3& pivot) {
+  const Axes before = axes_of(azimuth_, elevation_);
+  azimuth_ = std::remainder(azimuth_ + azimuth, 2 * units::pi);
+  elevation_ = std::clamp(elevation_ + elevation, -quarter, quarter);
+  const Axes after = axes_of(azimuth_, elevation_);
+  const Vec3 arm = focal_ - pivot;
+  focal_ = pivot + arm.dot(before.right) * after.right + arm.dot(before.up) * after.up +
+           arm.dot(before.towards) * after.towards;
+  fitted_ = false;
+  apply();
+}
+
+void SceneCamera::pan(const Vec2& shift, int width, int height) {
+  const Projection view = projection(width, height);
+  focal_ -= (shift.x() * view.right + shift.y() * view.up) / view.scale;
+  fitted_ = false;
+  apply();
+}
+
+void SceneCamera::zoom(double factor, const Vec2& about, int width, int height) {
+  const Projection view = projection(width, height);
+  const double before = half_height_;
+  half_height_ = std::clamp(half_height_ / factor, least_half_height, largest_half_height);
+  const Vec2 arm = (about - view.middle) / view.scale * (1 - half_height_ / before);
+  focal_ += arm.x() * view.right + arm.y() * view.up;
+  fitted_ = false;
+  apply();
+}
+
+void SceneCamera::set_perspective(bool perspective) {
+  perspective_ = perspective;
+  apply();
+}
+
+CameraState SceneCamera::state(const SceneFrame& frame) const {
+  return {.focal = frame.centre + frame.unit * focal_,
+          .azimuth = azimuth_,
+          .elevation = elevation_,
+          .height = 2 * half_height_ * frame.unit,
+          .perspective = perspective_,
+          .fitted = fitted_};
+}
+
+void SceneCamera::set_state(const CameraState& state, const SceneFrame& frame) {
+  focal_ = frame.to_scene(state.focal);
+  azimuth_ = state.azimuth;
+  elevation_ = std::clamp(state.elevation, -quarter, quarter);
+  half_height_ = std::clamp(state.height / frame.unit / 2, least_half_height, largest_half_height);
+  perspective_ = state.perspective;
+  fitted_ = state.fitted;
+  apply();
+}
+
+void SceneCamera::set_clipping(double front, double behind) {
+  const Projection view = projection(1, 1);
+  const double eye = perspective_ ? view.eye_distance : parallel_eye_distance;
+  const double to_centre = focal_.dot(view.towards) + eye;
+  const double far = to_centre + scene_radius + behind;
+  const double near = to_centre - scene_radius - front;
+  constexpr double nearest = 0.02;  // of the eye's distance; what is nearer is in the way
+  camera_.SetClippingRange(perspective_ ? std::max(near, nearest * eye) : near,
+                           perspective_ ? std::max(far, 2 * nearest * eye) : far);
+}
+
+}  // namespace feedscope::ui

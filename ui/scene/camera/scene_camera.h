@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "ui/scene/camera/projection.h"
+
+class vtkCamera;
+
+namespace feedscope::ui {
+
+/// Where the camera looks from.
+enum class StandardView : std::uint8_t {
+  iso,     ///< from right, front and above
+  top,     ///< along -Z: X to the right, Y up
+  front,   ///< along +Y: X to the right, Z up
+  right,   ///< along -X: Y to the right, Z up
+  bottom,  ///< along +Z: X to the right, Y down
+  back,    ///< along -Y: X to the left, Z up
+  left,    ///< along +X: Y to the left, Z up
+};
+
+/// The camera in the program's coordinates, as a session keeps it.
+struct CameraState {
+  Vec3 focal = Vec3::Zero();  ///< in the middle of the view [mm]
+  double azimuth = 0;         ///< of the eye about Z, from +X [rad]
+  double elevation = 0;       ///< of the eye above the XY plane, from -pi/2 to pi/2 [rad]
+  double height = 100;        ///< of what the view shows at the focal point [mm]
+  bool perspective = false;
+  bool fitted = false;  ///< follows the path and the window's size; focal and height do not count then
+};
+
+/// A rectangle of the window [pixels].
+struct ScreenRectangle {
+  Vec2 low, high;
+};
+
+/// Camera on a turntable, as CAM systems have it: Z never leans to a side. Standard views, fitting, and
+/// whether the user has moved it since.
+class SceneCamera {
+ public:
+  explicit SceneCamera(vtkCamera& camera);
+
+  /// Turns to a standard view and forgets what the user did.
+  void look(StandardView view);
+  /// Centres and scales so that everything `extent` gives fills `room`. `extent`: the rectangle covered under
+  /// a projection, labels included; `box`: that of the scene alone, in scene units.
+  void fit(int width, int height, const Bounds& box, const ScreenRectangle& room,
+           const std::function<ScreenRectangle(const Projection&)>& extent);
+  /// Centres and scales so that `box` [scene units] fills `room`; one without extent is centred only.
+  void fit_part(int width, int height, const Bounds& box, const ScreenRectangle& room);
+  /// True until the user turns, moves or zooms after a fit.
+  bool fitted() const { return fitted_; }
+
+  /// Turns about `pivot` [scene units]; angles of the eye [rad].
+  void orbit(double azimuth, double elevation, const Vec3& pivot);
+  /// Moves what is shown by `shift` pixels.
+  void pan(const Vec2& shift, int width, int height);
+  /// Enlarges by `factor`, with what is at `about` [pixels] staying there.
+  void zoom(double factor, const Vec2& about, int width, int height);
+  void set_perspective(bool perspective);
+  bool perspective() const { return perspective_; }
+
+  CameraState state(const SceneFrame& frame) const;
+  void set_state(const CameraState& state, const SceneFrame& frame);
+
+  /// Encloses the scene about its origin, lifted by up to `front` towards the eye, and `behind` beyond it
+  /// [scene units].
+  void set_clipping(double front, double behind = 0);
+
+  Projection projection(int width, int height) const { return {camera_, width, height}; }
+
+ private:
+  void apply();
+
+  vtkCamera& camera_;
+  Vec3 focal_ = Vec3::Zero();
+  double azimuth_ = 0;
+  double elevation_ = 0;
+  double half_height_ = 1;  ///< of the view at the focal point [scene units]
+  bool perspective_ = false;
+  bool fitted_ = false;
+};
+
+}  // namespace feedscope::ui

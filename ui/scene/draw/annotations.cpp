@@ -1,0 +1,176 @@
+#include "ui/scene/draw/annotations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+
+#include "ui/scene/cause_colour.h"
+#include "ui/scene/draw/colour_panel.h"
+#include "ui/scene/ticks.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double row_height = 22;
+constexpr double sample_width = 30;
+
+TextStyle text_style(double scale, const SceneColours& colours) {
+  return {.size = panel_text_pixels * scale, .colour = colours.text, .horizontal = -1};
+}
+
+struct Entry {
+  std::string text;
+  std::function<void(Canvas&, const Vec2& from, const Vec2& to, double scale)> sample;
+};
+
+/// A short line in the colours of the path.
+void draw_path_sample(Canvas& canvas, const Annotations& annotations, const Vec2& from, const Vec2& to,
+                      double width) {
+  if (!annotations.key.has_scale()) {
+    canvas.line(from, to, width,
+                annotations.key.colouring == Colouring::run ? annotations.run : annotations.colours->text);
+    double done = 0;
+    for (const CauseShare& cause : annotations.key.causes) {
+      canvas.line(from + done * (to - from), from + (done + cause.share) * (to - from), width,
+                  cause_colour(cause.kind, annotations.colours->kind));
+      done += cause.share;
+    }
+    return;
+  }
+  constexpr int parts = 16;
+  for (int i = 0; i < parts; ++i) {
+    canvas.line(from + (to - from) * i / parts, from + (to - from) * (i + 1) / parts, width,
+                scale_colour(annotations.key.scale, (i + 0.5) / parts, annotations.colours->kind));
+  }
+}
+
+std::string exaggeration_text(const Annotations& annotations) {
+  std::string text = annotations.texts->exaggerated;
+  if (const std::size_t place = text.find("%1"); place != std::string::npos) {
+    text.replace(place, 2, annotations.texts->localised(fmt::format("{:.6g}", annotations.exaggeration)));
+  }
+  return text;
+}
+
+std::vector<Entry> legend(const Annotations& annotations) {
+  const LegendEntries& entries = annotations.entries;
+  const SceneColours& colours = *annotations.colours;
+  const SceneTexts& texts = *annotations.texts;
+  std::vector<Entry> list;
+  const auto solid = [](double width, Rgb colour) {
+    return [width, colour](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
+      canvas.line(from, to, width * scale, colour);
+    };
+  };
+  if (entries.programmed) {
+    list.push_back({texts.programmed, solid(1.4, colours.programmed)});
+  }
+  if (entries.rapid) {
+    list.push_back({texts.rapid, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
+                      canvas.dashes(from, to, 1.6 * scale, 5 * scale, colours.rapid);
+                    }});
+  }
+  if (entries.executed) {
+    list.push_back({texts.executed, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
+                      draw_path_sample(canvas, annotations, from, to, 2.6 * scale);
+                    }});
+  }
+  if (entries.blend) {
+    list.push_back({texts.blend, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
+                      canvas.line(from, to, 7 * scale, colours.blend_edge);
+                      draw_path_sample(canvas, annotations, from, to, 4.4 * scale);
+                    }});
+  }
+  for (const auto& overlay : entries.overlays) {
+    list.push_back({overlay.name, solid(1.8, overlay.colour)});
+  }
+  if (annotations.exaggeration != 1) {
+    list.push_back({exaggeration_text(annotations), solid(0, colours.text)});
+  }
+  return list;
+}
+
+/// Calls `place(entry, lower left of its cell)` row by row; returns the rows used.
+template <class Place>
+int for_each_cell(const std::vector<Entry>& entries, double width, double scale, const SceneColours& colours,
+                  Place place) {
+  double x = panel_margin * scale;
+  int row = entries.empty() ? 0 : 1;
+  for (const Entry& entry : entries) {
+    const double cell =
+        Canvas::text_size(entry.text, text_style(scale, colours)).x() + (sample_width + 30) * scale;
+    if (x + cell > width && x > panel_margin * scale) {
+      x = panel_margin * scale;
+      ++row;
+    }
+    place(entry, x, row);
+    x += cell;
+  }
+  return row;
+}
+
+void draw_legend(Canvas& canvas, const ScreenLayout& layout, const Annotations& annotations) {
+  const double k = layout.scale;
+  const double width = layout.width - layout.panel_width;
+  const SceneColours& colours = *annotations.colours;
+  canvas.rectangle({0, layout.height - layout.legend_height}, {width, layout.height}, colours.background);
+  for_each_cell(legend(annotations), width, k, colours, [&](const Entry& entry, double x, int row) {
+    const double y = layout.height - (row - 0.5) * row_height * k - 4 * k;
+    entry.sample(canvas, {x, y}, {x + sample_width * k, y}, k);
+    canvas.text(entry.text, {x + (sample_width + 7) * k, y}, text_style(k, colours));
+  });
+}
+
+void draw_scale_bar(Canvas& canvas, const Vec2& low, double width, double millimetre, double scale,
+                    const Annotations& annotations) {
+  const double longest = width / millimetre;  // [mm]
+  double length = round_up_125(longest);
+  if (length > longest * (1 + 1e-9)) {
+    length = round_up_125(longest / 2.5);
+  }
+  const SceneColours& colours = *annotations.colours;
+  const double pixels = length * millimetre;
+  const Vec2 left = low;
+  const Vec2 right = low + Vec2(pixels, 0);
+  const Vec2 tick(0, 4 * scale);
+  canvas.line(left, right, 2 * scale, colours.text);
+  canvas.line(left - tick, left + tick, 2 * scale, colours.text);
+  canvas.line(right - tick, right + tick, 2 * scale, colours.text);
+  TextStyle style = text_style(scale, colours);
+  style.vertical = -1;
+  canvas.text(annotations.texts->localised(fmt::format("{:.15g} mm", length)), left + Vec2(0, 7 * scale),
+              style);
+}
+
+}  // namespace
+
+ScreenLayout screen_layout(int width, int height, double scale, const Annotations& annotations) {
+  ScreenLayout layout{double(width), double(height), scale, 0, 0};
+  layout.panel_width = colour_panel_width(annotations, width, scale);
+  const int rows = for_each_cell(legend(annotations), width - layout.panel_width, scale, *annotations.colours,
+                                 [](const Entry&, double, int) {});
+  layout.legend_height = rows * row_height * scale + (rows > 0 ? 8 * scale : 0);
+  return layout;
+}
+
+void draw_annotations(Canvas& canvas, const ScreenLayout& layout, const Annotations& annotations,
+                      const Projection& projection, double millimetre) {
+  const double k = layout.scale;
+  const double left = layout.width - layout.panel_width;
+  canvas.rectangle({left, 0}, {layout.width, layout.height}, annotations.colours->background);
+  draw_legend(canvas, layout, annotations);
+  if (!projection.perspective()) {
+    draw_scale_bar(canvas, {left + panel_margin * k, 20 * k}, layout.panel_width - 2 * panel_margin * k,
+                   millimetre, k, annotations);
+  }
+  draw_colour_panel(canvas, annotations, {left, 160 * k}, {layout.width, layout.height}, k);
+}
+
+void draw_start_marker(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours) {
+  canvas.disc(place, 6 * scale, colours.background);
+  canvas.disc(place, 5 * scale, colours.text);
+  canvas.disc(place, 2.6 * scale, colours.background);
+}
+
+}  // namespace feedscope::ui

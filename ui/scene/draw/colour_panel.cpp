@@ -1,0 +1,185 @@
+#include "ui/scene/draw/colour_panel.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "ui/scene/cause_colour.h"
+#include "ui/scene/ticks.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double line_height = 17;
+constexpr double cause_text_pixels = 12;
+constexpr double cause_line_height = 14.5;
+constexpr double cause_gap = 6;
+constexpr double swatch = 11;
+constexpr double bar_width = 16;
+constexpr double longest_bar = 420;
+constexpr double narrowest = 84;  // of what stands in the panel
+constexpr double widest_causes = 128;
+constexpr double largest_share = 0.4;  // of the window's width
+
+TextStyle title_style(double scale, const SceneColours& colours) {
+  return {.size = panel_text_pixels * scale,
+          .colour = colours.text,
+          .bold = true,
+          .horizontal = -1,
+          .vertical = 1};
+}
+
+TextStyle cause_style(double scale, const SceneColours& colours) {
+  return {.size = cause_text_pixels * scale, .colour = colours.text, .horizontal = -1, .vertical = 1};
+}
+
+/// Lines of words no wider than `width` where words allow.
+std::vector<std::string> wrapped(const std::string& text, double width, const TextStyle& style) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.empty() && Canvas::text_size(lines.back() + " " + word, style).x() <= width) {
+      lines.back() += " " + word;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> title_lines(const Annotations& annotations, double scale) {
+  const TextStyle style = title_style(scale, *annotations.colours);
+  const ColourKey& key = annotations.key;
+  std::vector<std::string> lines =
+      wrapped(colouring_title(key.colouring, *annotations.texts), 1.3 * narrowest * scale, style);
+  if (key.has_scale()) {
+    const std::string unit = "(" + key.scale.unit + ")";
+    if (!lines.empty() &&
+        Canvas::text_size(lines.back() + " " + unit, style).x() <= 1.3 * narrowest * scale) {
+      lines.back() += " " + unit;
+    } else {
+      lines.push_back(unit);
+    }
+  }
+  return lines;
+}
+
+bool has_panel(const ColourKey& key) {
+  return key.has_scale() || !key.causes.empty();
+}
+
+struct CauseRow {
+  std::vector<std::string> lines;
+  Rgb colour{};
+};
+
+std::vector<CauseRow> cause_rows(const Annotations& annotations, double width, double scale) {
+  const TextStyle style = cause_style(scale, *annotations.colours);
+  std::vector<CauseRow> rows;
+  for (const CauseShare& cause : annotations.key.causes) {
+    const double percent = 100 * cause.share;
+    const std::string share =
+        annotations.texts->localised(percent < 0.1 ? "< 0.1 %" : fmt::format("{:.1f} %", percent));
+    rows.push_back({wrapped(annotations.texts->name_of(cause.kind) + " " + share, width, style),
+                    cause_colour(cause.kind, annotations.colours->kind)});
+  }
+  return rows;
+}
+
+double draw_title(Canvas& canvas, const Annotations& annotations, Vec2 place, double scale) {
+  const TextStyle style = title_style(scale, *annotations.colours);
+  for (const std::string& line : title_lines(annotations, scale)) {
+    canvas.text(line, place, style);
+    place.y() -= line_height * scale;
+  }
+  return place.y();
+}
+
+void draw_bar(Canvas& canvas, const Annotations& annotations, const Vec2& low, double high, double k) {
+  const ColourScale& scale = annotations.key.scale;
+  const SceneColours& colours = *annotations.colours;
+  const double right = low.x() + bar_width * k;
+  constexpr int bands = colour_map_size / 2;
+  const double height = high - low.y();
+  for (int i = 0; i < bands; ++i) {
+    canvas.rectangle({low.x(), low.y() + height * i / bands}, {right, low.y() + height * (i + 1) / bands},
+                     scale_colour(scale, (i + 0.5) / bands, colours.kind));
+  }
+  const int most = std::max(2, static_cast<int>(height / (34 * k)));
+  const Ticks ticks = round_ticks(scale.low, scale.high, most);
+  TextStyle style{.size = panel_text_pixels * k, .colour = colours.text, .horizontal = -1};
+  for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+    const double y = low.y() + height * (ticks.values[i] - scale.low) / (scale.high - scale.low);
+    canvas.line({right, y}, {right + 4 * k, y}, k, colours.frame);
+    std::string label = annotations.texts->localised(ticks.labels[i]);
+    const bool at_end = scale.high - ticks.values[i] < ticks.step / 2;
+    const bool at_start = ticks.values[i] - scale.low < ticks.step / 2;
+    if (scale.beyond && at_end) {
+      label = "≥ " + label;
+    } else if (scale.beyond && scale.diverging && at_start) {
+      label = "≤ " + label;
+    }
+    canvas.text(label, {right + 8 * k, y}, style);
+  }
+}
+
+void draw_causes(Canvas& canvas, const Annotations& annotations, Vec2 place, double lowest, double width,
+                 double scale) {
+  const TextStyle style = cause_style(scale, *annotations.colours);
+  for (const CauseRow& row : cause_rows(annotations, width - 1.6 * swatch * scale, scale)) {
+    const double height = (static_cast<double>(row.lines.size()) * cause_line_height + cause_gap) * scale;
+    if (place.y() - height < lowest) {
+      return;
+    }
+    const Vec2 corner(place.x(), place.y() - (swatch + 2) * scale);
+    canvas.rectangle(corner, corner + Vec2::Constant(swatch * scale), row.colour);
+    for (std::size_t i = 0; i < row.lines.size(); ++i) {
+      canvas.text(row.lines[i],
+                  place + Vec2(1.6 * swatch, -static_cast<double>(i) * cause_line_height) * scale, style);
+    }
+    place.y() -= height;
+  }
+}
+
+}  // namespace
+
+double colour_panel_width(const Annotations& annotations, int width, double scale) {
+  double content = narrowest * scale;
+  if (has_panel(annotations.key)) {
+    const TextStyle style = title_style(scale, *annotations.colours);
+    for (const std::string& line : title_lines(annotations, scale)) {
+      content = std::max(content, Canvas::text_size(line, style).x());
+    }
+  }
+  if (!annotations.key.causes.empty()) {
+    content = std::max(content, widest_causes * scale);
+  }
+  return std::min(content + 2 * panel_margin * scale, largest_share * width);
+}
+
+void draw_colour_panel(Canvas& canvas, const Annotations& annotations, const Vec2& low, const Vec2& high,
+                       double scale) {
+  if (!has_panel(annotations.key)) {
+    return;
+  }
+  const double left = low.x() + panel_margin * scale;
+  const double width = high.x() - low.x() - 2 * panel_margin * scale;
+  const double title = line_height * scale * static_cast<double>(title_lines(annotations, scale).size());
+  const bool causes = !annotations.key.causes.empty();
+  const double room = high.y() - 16 * scale - title - low.y();
+  if (room < 60 * scale) {
+    return;
+  }
+  // A scale stands above what is below the panel, causes hang from the top.
+  const double content = causes ? room : std::min(room - 10 * scale, longest_bar * scale);
+  const double top = causes ? high.y() - 16 * scale : low.y() + content + title + 14 * scale;
+  const double below_title = draw_title(canvas, annotations, {left, top}, scale);
+  if (causes) {
+    draw_causes(canvas, annotations, {left, below_title - 4 * scale}, low.y(), width, scale);
+  } else {
+    draw_bar(canvas, annotations, {left, low.y()}, low.y() + content, scale);
+  }
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/scene/camera/scene_camera.h"
+#include "ui/scene/draw/canvas.h"
+#include "ui/scene/scene_style.h"
+
+namespace feedscope::ui {
+
+/// A line with ends between two places of the window and a box of text beside it, kept within `room`; one
+/// ring where there is no second place yet.
+void draw_dimension(Canvas& canvas, const Vec2& from, const std::optional<Vec2>& to,
+                    const std::vector<std::string>& lines, const ScreenRectangle& room, double scale,
+                    const SceneColours& colours);
+
+/// About the place of the path that the mouse points at.
+void draw_ring(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours);
+
+void draw_rubber_band(Canvas& canvas, const Vec2& corner, const Vec2& opposite, double scale,
+                      const SceneColours& colours);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vtkNew.h>
+
+#include <cstdint>
+#include <optional>
+
+#include "ui/scene/camera/projection.h"
+#include "ui/scene/colour_map.h"
+
+class vtkActor;
+class vtkPolyDataMapper;
+class vtkRenderer;
+
+namespace feedscope::ui {
+
+enum class ToolKind : std::uint8_t {
+  none,    ///< nothing is drawn
+  marker,  ///< a cone of one size on the screen
+  flat,    ///< end mill
+  ball,
+  bull,  ///< end mill with rounded corners
+};
+
+/// What is drawn with its tip on the path, along +Z. Sizes count for milling cutters only.
+struct ToolShape {
+  ToolKind kind = ToolKind::marker;
+  double diameter = 10;      ///< > 0 [mm]
+  double corner_radius = 1;  ///< of a bull nose, at most half the diameter [mm]
+  bool operator==(const ToolShape&) const = default;
+};
+
+/// The tool, lit, in a renderer of its own above the path: it hides nothing wholly.
+class Tool {
+ public:
+  explicit Tool(vtkRenderer& renderer);
+  ~Tool();
+
+  /// Sizes out of bounds are brought into them.
+  void set_shape(const ToolShape& shape);
+  const ToolShape& shape() const { return shape_; }
+  void set_colour(const Rgb& colour);
+  /// Before each frame. None hides the tool.
+  void place(const std::optional<Vec3>& tip, const Projection& view, const SceneFrame& frame, double scale);
+  /// How far it may reach from its tip [scene units].
+  double reach(const Projection& view, const SceneFrame& frame, double scale) const;
+
+ private:
+  double length() const;
+
+  ToolShape shape_;
+  vtkNew<vtkPolyDataMapper> mapper_;
+  vtkNew<vtkActor> actor_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,221 @@
+#include "ui/scene/path/colouring.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "core/base/units.h"
+#include "ui/scene/cause_colour.h"
+#include "ui/scene/ticks.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double usual_share = 0.995;  // of the points that a scale must hold
+constexpr double far_beyond = 1.6;     // times that, from which on the scale leaves the rest out
+
+/// What a colouring that has a scale reads and how it is written.
+struct Scaled {
+  double factor = 1;
+  std::string unit;
+  bool diverging = false;
+};
+
+Scaled scaled(Colouring colouring) {
+  switch (colouring) {
+    case Colouring::feed:
+      return {units::to_mm_min(1), "mm/min"};
+    case Colouring::feed_ratio:
+      return {100, "%"};
+    case Colouring::tangential_acceleration:
+      return {1e-3, "m/s²", true};
+    case Colouring::acceleration:
+      return {1e-3, "m/s²"};
+    case Colouring::tangential_jerk:
+      return {1e-3, "m/s³", true};
+    case Colouring::jerk:
+      return {1e-3, "m/s³"};
+    case Colouring::contour_error:
+      return {1e3, "µm"};
+    case Colouring::cause:
+    case Colouring::run:
+      break;
+  }
+  return {};
+}
+
+Quantity quantity_of(Colouring colouring) {
+  static_assert(static_cast<int>(Colouring::contour_error) == static_cast<int>(Quantity::contour_error));
+  return static_cast<Quantity>(colouring);
+}
+
+/// Value at every point in the units of the samples, for colourings that have a scale.
+template <class Use>
+void for_each_value(const SampledPath& path, Colouring colouring, Use use) {
+  const auto& values = path.values[static_cast<std::size_t>(quantity_of(colouring))];
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    use(i, static_cast<double>(static_cast<float>(values[i])));
+  }
+}
+
+/// Largest absolute values on what is not rapid.
+struct Peaks {
+  double all = 0;
+  double usual = 0;  ///< of usual_share of the points
+};
+
+Peaks peaks_of(const SampledPath& path, Colouring colouring) {
+  // The bits of a positive value rise with it: 32768 of them are a histogram.
+  std::vector<std::uint32_t> histogram(1U << 15U);
+  std::size_t count = 0;
+  Peaks peaks;
+  for_each_value(path, colouring, [&](std::size_t i, double value) {
+    if (path.kinds[i] != SpanKind::rapid) {
+      const double size = std::abs(value);
+      peaks.all = std::max(peaks.all, size);
+      ++histogram[Stored(static_cast<float>(size)).value];
+      ++count;
+    }
+  });
+  const auto wanted = static_cast<std::size_t>(usual_share * static_cast<double>(count));
+  std::size_t seen = 0;
+  for (std::size_t bits = 0; bits < histogram.size() && seen < wanted; ++bits) {
+    seen += histogram[bits];
+    Stored edge;
+    edge.value = static_cast<std::uint16_t>(bits);
+    peaks.usual = static_cast<double>(static_cast<float>(edge));
+  }
+  return peaks;
+}
+
+/// The next half step of a scale that holds `peak`, so that it ends at a value one can name.
+double round_end(double peak) {
+  const double half = round_ticks(0, peak, 10).step / 2;
+  return half > 0 ? std::ceil(peak / half - 1e-2) * half : 0;
+}
+
+ColourScale scale_of(const SampledPath& path, Colouring colouring) {
+  const Scaled kind = scaled(colouring);
+  ColourScale scale{kind.unit, 0, 0, kind.factor, false, kind.diverging};
+  if (colouring == Colouring::feed) {
+    scale.high = round_end(path.peak_feed * scale.factor);
+    return scale;
+  }
+  if (colouring == Colouring::feed_ratio) {
+    scale.high = 100;
+    return scale;
+  }
+  const Peaks peaks = peaks_of(path, colouring);
+  scale.beyond = peaks.usual > 0 && peaks.all > far_beyond * peaks.usual;
+  scale.high = round_end((scale.beyond ? peaks.usual : peaks.all) * scale.factor);
+  constexpr double nanometre = 1e-3;  // rounding, no contour error [um]
+  if (colouring == Colouring::contour_error && scale.high < nanometre) {
+    scale.high = 1;
+  }
+  constexpr double micrometres = 1000;
+  if (colouring == Colouring::contour_error && scale.high > micrometres) {
+    scale.unit = "mm";
+    scale.factor /= micrometres;
+    scale.high /= micrometres;
+  }
+  scale.low = scale.diverging ? -scale.high : 0;
+  return scale;
+}
+
+std::vector<CauseShare> shares_of(const SampledPath& path) {
+  constexpr std::size_t kinds = static_cast<std::size_t>(CauseKind::dwell) + 1;
+  std::array<double, kinds> time{};
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (path.kinds[i] != SpanKind::rapid) {
+      time[static_cast<std::size_t>(path.causes[i])] += path.times[i + 1] - path.times[i];
+    }
+  }
+  const double all = std::accumulate(time.begin(), time.end(), 0.0);
+  std::vector<CauseShare> shares;
+  for (std::size_t kind = 0; kind < kinds; ++kind) {
+    if (time[kind] > 0) {
+      shares.push_back({static_cast<CauseKind>(kind), time[kind] / all});
+    }
+  }
+  std::ranges::stable_sort(shares, std::ranges::greater(), &CauseShare::share);
+  return shares;
+}
+
+Rgba to_bytes(const Rgb& colour) {
+  const auto byte = [](double part) { return static_cast<unsigned char>(std::lround(255 * part)); };
+  return {byte(colour[0]), byte(colour[1]), byte(colour[2]), 255};
+}
+
+}  // namespace
+
+std::string colouring_key(Colouring colouring) {
+  constexpr std::array keys{"feed",          "feed_ratio",      "tangential_acceleration",
+                            "acceleration",  "tangential_jerk", "jerk",
+                            "contour_error", "cause",           "run"};
+  return keys.at(static_cast<std::size_t>(colouring));
+}
+
+std::string colouring_title(Colouring colouring, const SceneTexts& texts) {
+  switch (colouring) {
+    case Colouring::feed:
+      return texts.feed;
+    case Colouring::feed_ratio:
+      return texts.feed_ratio;
+    case Colouring::tangential_acceleration:
+      return texts.tangential_acceleration;
+    case Colouring::acceleration:
+      return texts.acceleration;
+    case Colouring::tangential_jerk:
+      return texts.tangential_jerk;
+    case Colouring::jerk:
+      return texts.jerk;
+    case Colouring::contour_error:
+      return texts.contour_error;
+    case Colouring::cause:
+      return texts.cause;
+    case Colouring::run:
+      break;
+  }
+  return texts.executed;
+}
+
+ColourKey colour_key(const SampledPath& path, Colouring colouring) {
+  ColourKey key{colouring, {}, {}};
+  if (!path.executed() || colouring == Colouring::run) {
+    return key;
+  }
+  if (colouring == Colouring::cause) {
+    key.causes = shares_of(path);
+  } else {
+    key.scale = scale_of(path, colouring);
+  }
+  return key;
+}
+
+Rgb scale_colour(const ColourScale& scale, double position, Background background) {
+  return scale.diverging ? diverging_colour(2 * position - 1, background) : map_colour(position, background);
+}
+
+std::vector<Rgba> point_colours(const SampledPath& path, const ColourKey& key, Background background,
+                                const Rgb& run) {
+  std::vector<Rgba> colours(path.size(), to_bytes(run));
+  if (key.colouring == Colouring::cause) {
+    for (std::size_t i = 0; i < path.causes.size(); ++i) {
+      colours[i] = to_bytes(cause_colour(path.causes[i], background));
+    }
+  } else if (key.has_scale()) {
+    std::array<Rgba, colour_map_size> table;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+      table[i] = to_bytes(scale_colour(key.scale, static_cast<double>(i) / (table.size() - 1), background));
+    }
+    constexpr double last = colour_map_size - 1;
+    for_each_value(path, key.colouring, [&](std::size_t i, double value) {
+      const double index = std::clamp(key.scale.position(value), 0.0, 1.0) * last;
+      colours[i] = table[static_cast<std::size_t>(index + 0.5)];
+    });
+  }
+  return colours;
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ui/scene/sampled_path.h"
+#include "ui/scene/scene_style.h"
+
+namespace feedscope::ui {
+
+/// What the colour of the executed path says.
+enum class Colouring : std::uint8_t {
+  feed,
+  feed_ratio,
+  tangential_acceleration,
+  acceleration,
+  tangential_jerk,
+  jerk,
+  contour_error,  ///< distance from the programmed path
+  cause,          ///< limiting cause
+  run,            ///< the run's own colour
+};
+inline constexpr std::array all_colourings{
+    Colouring::feed,          Colouring::feed_ratio,      Colouring::tangential_acceleration,
+    Colouring::acceleration,  Colouring::tangential_jerk, Colouring::jerk,
+    Colouring::contour_error, Colouring::cause,           Colouring::run};
+
+/// Stable key for sessions: "feed", "contour_error".
+std::string colouring_key(Colouring colouring);
+std::string colouring_title(Colouring colouring, const SceneTexts& texts);
+
+/// Scale of a quantity, in the units that people read.
+struct ColourScale {
+  std::string unit;  ///< "mm/min"
+  double low = 0;
+  double high = 0;         ///< 0 if there is nothing to colour
+  double factor = 1;       ///< readable unit a unit of the samples
+  bool beyond = false;     ///< rare values lie beyond the ends and have their colour
+  bool diverging = false;  ///< low = -high
+  /// Position of a value of the samples, 0 at low and 1 at high.
+  double position(double value) const { return (value * factor - low) / (high - low); }
+};
+
+/// How long a cause limits the path.
+struct CauseShare {
+  CauseKind kind = CauseKind::programmed_feed;
+  double share = 0;  ///< of the time [0, 1]
+};
+
+/// What the colours of a path mean: nothing, a scale, or causes.
+struct ColourKey {
+  Colouring colouring = Colouring::feed;
+  ColourScale scale;
+  std::vector<CauseShare> causes;  ///< the longest first
+
+  bool has_scale() const { return scale.high > scale.low; }
+};
+
+/// Ends at round values. The few thousandths of points with the largest accelerations, jerks and errors do
+/// not stretch the scale where they are far above the others. Linear in the points.
+ColourKey colour_key(const SampledPath& path, Colouring colouring);
+
+using Rgba = std::array<unsigned char, 4>;
+static_assert(sizeof(Rgba) == 4);
+
+/// Colour at every point. `run`: for Colouring::run.
+std::vector<Rgba> point_colours(const SampledPath& path, const ColourKey& key, Background background,
+                                const Rgb& run);
+/// Colour at `position` of a scale.
+Rgb scale_colour(const ColourScale& scale, double position, Background background);
+
+}  // namespace feedscope::ui

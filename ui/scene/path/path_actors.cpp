@@ -1,0 +1,129 @@
+#include "ui/scene/path/path_actors.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkOpenGLPolyDataMapper.h>
+#include <vtkOpenGLVertexBufferObject.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkTypeInt32Array.h>
+
+#include <algorithm>
+
+namespace feedscope::ui {
+
+vtkSmartPointer<vtkCellArray> polylines(const SampledPath& path, const PathLevel& points,
+                                        const std::function<bool(SpanKind)>& wanted) {
+  const vtkNew<vtkTypeInt32Array> offsets;
+  const vtkNew<vtkTypeInt32Array> indices;
+  offsets->InsertNextValue(0);
+  bool open = false;
+  const auto close = [&] {
+    if (open) {
+      offsets->InsertNextValue(static_cast<int>(indices->GetNumberOfValues()));
+    }
+    open = false;
+  };
+  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+    if (!wanted(path.kinds[points[k]])) {
+      close();
+      continue;
+    }
+    if (!open) {
+      indices->InsertNextValue(static_cast<int>(points[k]));
+      open = true;
+    }
+    indices->InsertNextValue(static_cast<int>(points[k + 1]));
+  }
+  close();
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  cells->SetData(offsets, indices);
+  return cells;
+}
+
+vtkSmartPointer<vtkCellArray> blend_points(const SampledPath& path, const PathLevel& points) {
+  constexpr std::size_t most_points = 100'000;
+  const auto in_blend = [&](std::size_t k) {
+    return path.kinds[points[k]] == SpanKind::blend ||
+           (k > 0 && path.kinds[points[k - 1]] == SpanKind::blend);
+  };
+  std::size_t count = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    count += in_blend(k) ? 1 : 0;
+  }
+  const std::size_t step = 1 + count / most_points;
+  auto cells = vtkSmartPointer<vtkCellArray>::New();
+  std::size_t seen = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (in_blend(k) && seen++ % step == 0) {
+      const auto id = static_cast<vtkIdType>(points[k]);
+      cells->InsertNextCell(1, &id);
+    }
+  }
+  return cells;
+}
+
+vtkSmartPointer<vtkPolyData> rapid_dashes(const SampledPath& path, double dash) {
+  constexpr double most_dashes = 100'000;
+  double length = 0;
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (path.kinds[i] == SpanKind::rapid) {
+      length += static_cast<double>((path.positions[i + 1] - path.positions[i]).norm());
+    }
+  }
+  const double step = std::max(dash, length / most_dashes / 2);
+
+  auto lines = vtkSmartPointer<vtkPolyData>::New();
+  const vtkNew<vtkPoints> points;
+  const vtkNew<vtkCellArray> cells;
+  const auto add = [&](const Eigen::Vector3f& p, const Eigen::Vector3f& q) {
+    const vtkIdType ends[] = {points->InsertNextPoint(p.data()), points->InsertNextPoint(q.data())};
+    cells->InsertNextCell(2, ends);
+  };
+  bool drawing = true;
+  double left = step;  // of the present dash or gap [mm]
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (path.kinds[i] != SpanKind::rapid) {
+      drawing = true;
+      left = step;
+      continue;
+    }
+    const Eigen::Vector3f span = path.positions[i + 1] - path.positions[i];
+    const double span_length = static_cast<double>(span.norm());
+    double done = 0;
+    while (done < span_length) {
+      const double advance = std::min(left, span_length - done);
+      if (drawing) {
+        const auto at = [&](double s) -> Eigen::Vector3f {
+          return path.positions[i] + span * static_cast<float>(s / span_length);
+        };
+        add(at(done), at(done + advance));
+      }
+      done += advance;
+      left -= advance;
+      if (left <= 1e-6 * step) {
+        left = step;
+        drawing = !drawing;
+      }
+    }
+  }
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+  return lines;
+}
+
+vtkSmartPointer<vtkActor> line_actor(vtkPolyData& lines, bool coloured) {
+  const vtkNew<vtkOpenGLPolyDataMapper> mapper;
+  mapper->SetInputData(&lines);
+  mapper->SetScalarVisibility(coloured ? 1 : 0);
+  mapper->SetVBOShiftScaleMethod(vtkOpenGLVertexBufferObject::DISABLE_SHIFT_SCALE);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  actor->GetProperty()->RenderPointsAsSpheresOn();  // without light: discs
+  return actor;
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <functional>
+
+#include "ui/scene/sampled_path.h"
+
+class vtkActor;
+class vtkCellArray;
+class vtkPolyData;
+
+namespace feedscope::ui {
+
+/// Spans between successive `points` of `path` that `wanted` accepts, as polylines.
+vtkSmartPointer<vtkCellArray> polylines(const SampledPath& path, const PathLevel& points,
+                                        const std::function<bool(SpanKind)>& wanted);
+
+/// Those of `points` that are in blends, or every n-th of them where there are more than 100 000: drawn as
+/// discs, they round the joins of wide lines and show blends that are smaller than a pixel.
+vtkSmartPointer<vtkCellArray> blend_points(const SampledPath& path, const PathLevel& points);
+
+/// The rapids of `path` as dashes of `dash` mm with gaps as long, the pattern running on over consecutive
+/// spans; dashes grow where there would be more than 100 000.
+vtkSmartPointer<vtkPolyData> rapid_dashes(const SampledPath& path, double dash);
+
+/// Unlit lines or points of one colour, or coloured by the scalars of `lines`.
+vtkSmartPointer<vtkActor> line_actor(vtkPolyData& lines, bool coloured);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,317 @@
+#include "ui/scene/path/path_layers.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkPolyData.h>
+#include <vtkProperty.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+
+#include "ui/scene/path/path_actors.h"
+
+namespace feedscope::ui {
+namespace {
+
+// Widths and heights in pixels at scale 1. Lines in one place must not fight: each layer is a little nearer
+// to the eye, which does not move it on the screen. A disc bulges towards the eye by half its width, so
+// the cut lies above the edge of the blends, and the blends above the cut.
+constexpr double thin_width = 1.4;
+constexpr double overlay_width = 1.8;
+constexpr double cut_width = 2.6;
+constexpr double blend_width = 4.4;
+constexpr double blend_edge_width = 7;
+constexpr double range_width = 12;
+
+constexpr double dashes_across = 90;           // along the largest extent
+constexpr std::size_t points_moving = 30'000;  // drawn of a path while the view moves
+
+bool is_cut(SpanKind kind) {
+  return kind != SpanKind::rapid;
+}
+
+bool is_blend(SpanKind kind) {
+  return kind == SpanKind::blend;
+}
+
+Rgb mixed(const Rgb& a, const Rgb& b, double share_of_b) {
+  Rgb mix{};
+  for (std::size_t i = 0; i < mix.size(); ++i) {
+    mix[i] = std::lerp(a[i], b[i], share_of_b);
+  }
+  return mix;
+}
+
+}  // namespace
+
+void PathLayers::clear() {
+  for (const Layer& layer : layers_) {
+    for (const auto& actor : layer.actors) {
+      if (actor) {
+        renderer_.RemoveActor(actor);
+      }
+    }
+  }
+  layers_.clear();
+  overlays_.clear();
+  executed_.reset();
+  programmed_.reset();
+  entries_ = {};
+  key_ = {};
+  rapid_length_ = cut_length_ = blend_length_ = 0;
+}
+
+void PathLayers::add(Role role, const DrawnPath* path, bool discs, const Rgb& colour) {
+  layers_.push_back({role, path, discs, colour, {}});
+  layers_.back().actors.resize(path->samples().levels.size());
+}
+
+void PathLayers::show(std::shared_ptr<const SampledPath> programmed,
+                      std::shared_ptr<const SampledPath> executed, std::vector<OverlayRun> overlays,
+                      const SceneFrame& frame) {
+  clear();
+  if (programmed || executed) {
+    add_rapids(programmed ? *programmed : *executed, frame);
+  }
+  if (programmed && !programmed->levels.empty()) {
+    entries_.programmed = length_of(*programmed, SpanKind::cut) > 0;
+    programmed_ = std::make_unique<DrawnPath>(std::move(programmed));
+    add(Role::programmed, programmed_.get());
+  }
+  for (OverlayRun& overlay : overlays) {
+    if (overlay.samples && !overlay.samples->levels.empty()) {
+      overlays_.push_back(std::make_unique<DrawnPath>(std::move(overlay.samples)));
+      add(Role::overlay, overlays_.back().get(), false, overlay.colour);
+      entries_.overlays.push_back({overlay.name, overlay.colour});
+    }
+  }
+  if (executed && !executed->levels.empty()) {
+    cut_length_ = length_of(*executed, SpanKind::cut);
+    blend_length_ = length_of(*executed, SpanKind::blend);
+    entries_.executed = cut_length_ + blend_length_ > 0;
+    executed_ = std::make_unique<DrawnPath>(std::move(executed));
+    add(Role::range, executed_.get());
+    add(Role::cut, executed_.get());
+    if (blend_length_ > 0) {
+      for (const bool discs : {false, true}) {
+        add(Role::blend_edge, executed_.get(), discs);
+        add(Role::blend, executed_.get(), discs);
+      }
+    }
+  }
+  for (const auto& path : overlays_) {
+    path->exaggerate(look_.exaggeration);
+  }
+  if (executed_) {
+    executed_->exaggerate(look_.exaggeration);
+  }
+  recolour();
+}
+
+void PathLayers::add_rapids(const SampledPath& path, const SceneFrame& frame) {
+  const auto dashes = rapid_dashes(path, frame.unit / dashes_across);
+  rapid_length_ = length_of(path, SpanKind::rapid);
+  entries_.rapid = dashes->GetNumberOfCells() > 0;
+  auto actor = line_actor(*dashes, false);
+  renderer_.AddActor(actor);
+  rapids_at_ = path.origin;
+  layers_.push_back({Role::rapid, nullptr, false, {}, {std::move(actor)}});
+}
+
+void PathLayers::set_look(const PathLook& look) {
+  const bool moved = look.exaggeration != look_.exaggeration;
+  look_ = look;
+  if (moved && executed_) {
+    executed_->exaggerate(look.exaggeration);
+  }
+  for (const auto& path : overlays_) {
+    if (moved) {
+      path->exaggerate(look.exaggeration);
+    }
+  }
+  recolour();
+}
+
+void PathLayers::recolour() {
+  key_ = {look_.colouring, {}, {}};
+  if (executed_) {
+    key_ = colour_key(executed_->samples(), look_.colouring);
+    executed_->set_colours(point_colours(executed_->samples(), key_, look_.colours->kind, look_.run));
+  }
+  for (const Layer& layer : layers_) {
+    const Rgb colour = colour_of(layer);
+    for (const auto& actor : layer.actors) {
+      if (actor) {
+        actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+      }
+    }
+  }
+}
+
+void PathLayers::set_highlight(std::optional<std::array<double, 2>> range) {
+  if (range == range_) {
+    return;
+  }
+  range_ = range;
+  for (Layer& layer : layers_) {
+    if (layer.role == Role::range) {
+      for (auto& actor : layer.actors) {
+        if (actor) {
+          renderer_.RemoveActor(actor);
+        }
+        actor = nullptr;
+      }
+    }
+  }
+}
+
+Rgb PathLayers::colour_of(const Layer& layer) const {
+  const SceneColours& colours = *look_.colours;
+  switch (layer.role) {
+    case Role::rapid:
+      return colours.rapid;
+    case Role::programmed:
+      return colours.programmed;
+    case Role::range:
+      return mixed(colours.highlight, colours.background, 0.55);
+    case Role::overlay:
+      return layer.colour;
+    case Role::blend_edge:
+      return colours.blend_edge;
+    case Role::cut:
+    case Role::blend:
+      break;
+  }
+  return colours.text;
+}
+
+/// The points of `level` in the highlighted range, with one on either side.
+PathLevel PathLayers::highlighted(const SampledPath& path, const PathLevel& level) const {
+  PathLevel part{level.spacing, 0, {}};
+  if (!range_) {
+    return part;
+  }
+  const auto first_from = [&](double time) {
+    const auto all = std::views::iota(std::size_t{0}, level.size());
+    return static_cast<std::size_t>(
+        std::ranges::lower_bound(all, time, {}, [&](std::size_t k) { return path.times[level[k]]; }) -
+        all.begin());
+  };
+  const std::size_t first = first_from((*range_)[0]);
+  const std::size_t end = std::min(level.size(), first_from((*range_)[1]) + 1);
+  for (std::size_t k = first > 0 ? first - 1 : 0; k < end; ++k) {
+    part.points.push_back(static_cast<std::uint32_t>(level[k]));
+  }
+  part.count = part.points.size();
+  return part;
+}
+
+vtkSmartPointer<vtkCellArray> PathLayers::cells_of(const Layer& layer, const PathLevel& level) const {
+  const SampledPath& path = layer.path->samples();
+  if (layer.role == Role::range) {
+    return polylines(path, highlighted(path, level), is_cut);
+  }
+  if (layer.discs) {
+    return blend_points(path, level);
+  }
+  const bool blends = layer.role == Role::blend || layer.role == Role::blend_edge;
+  return polylines(path, level, blends ? is_blend : is_cut);
+}
+
+vtkSmartPointer<vtkActor> PathLayers::make_actor(const Layer& layer, const PathLevel& level) const {
+  const auto cells = cells_of(layer, level);
+  const bool coloured = layer.role == Role::cut || layer.role == Role::blend;
+  auto actor = line_actor(*layer.path->poly_data(*cells, layer.discs), coloured);
+  const Rgb colour = colour_of(layer);
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  renderer_.AddActor(actor);
+  return actor;
+}
+
+/// Share of the box's outline on the screen that lines would cover; `drawn`: length times width [mm pixels].
+double PathLayers::crowding(const SceneFrame& frame, const Projection& view, double drawn) {
+  const Vec3 size = frame.box.max - frame.box.min;
+  const Vec3 faces(size.y() * size.z(), size.z() * size.x(), size.x() * size.y());
+  const Vec2 across(size.dot(view.right.cwiseAbs()), size.dot(view.up.cwiseAbs()));
+  constexpr double least_share = 0.15;  // of the square over its extent, for a box seen from its edge
+  const double area = view.scale * view.scale *
+                      std::max(faces.dot(view.towards.cwiseAbs()), least_share * across.squaredNorm());
+  return drawn * view.scale / frame.unit / std::max(area, 1.0);
+}
+
+PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
+  switch (role) {
+    case Role::rapid:
+      break;
+    case Role::programmed:
+      return {thin_width * thinner, 1.5};
+    case Role::range:
+      return {range_width, 2.2};
+    case Role::blend_edge:
+      return {blend_edge_width * thinner, 3};
+    case Role::cut:
+      return {cut_width * thinner, 8};
+    case Role::blend:
+      return {(look_.exaggeration == 1 ? blend_width : cut_width) * thinner, 10};
+    case Role::overlay:
+      return {overlay_width * thinner, 13};
+  }
+  return {thin_width, 0};
+}
+
+void PathLayers::place(const SceneFrame& frame, const Projection& view, double scale, bool moving) {
+  constexpr double comfortable = 0.35;
+  const double lines =
+      crowding(frame, view, scale * (cut_length_ * cut_width + blend_length_ * blend_edge_width));
+  const double thinner = std::min(1.0, comfortable / std::max(lines, 1e-9));
+  // Deviations drawn larger show blends by themselves.
+  const bool edges = thinner > 0.9 && look_.exaggeration == 1;
+  entries_.blend = blend_length_ > 0 && edges;
+  const double rapids = crowding(frame, view, scale * rapid_length_ * thin_width / 2);
+  const double rapid_opacity = std::clamp(comfortable / std::max(rapids, 1e-9), 0.08, 1.0);
+
+  const auto level_of = [&](const SampledPath& path) {
+    constexpr double invisible = 0.7;  // [pixels]
+    const auto& levels = path.levels;
+    std::size_t level = 0;
+    while (level + 1 < levels.size() && (levels[level + 1].spacing / frame.unit * view.scale < invisible ||
+                                         (moving && levels[level].size() > points_moving))) {
+      ++level;
+    }
+    return level;
+  };
+
+  for (Layer& layer : layers_) {
+    const bool emphasis = layer.role == Role::blend_edge || layer.discs;
+    const bool shown = (!emphasis || (edges && !moving)) && (layer.role != Role::range || range_);
+    const std::size_t level = layer.path != nullptr ? level_of(layer.path->samples()) : 0;
+    for (std::size_t i = 0; i < layer.actors.size(); ++i) {
+      if (shown && i == level && !layer.actors[i]) {
+        layer.actors[i] = make_actor(layer, layer.path->samples().levels[i]);
+      }
+      if (layer.actors[i]) {
+        layer.actors[i]->SetVisibility(shown && i == level ? 1 : 0);
+      }
+    }
+    if (!shown) {
+      continue;
+    }
+    vtkActor& actor = *layer.actors[level];
+    const Style style = style_of(layer.role, thinner);
+    const auto pixels = static_cast<float>(std::max(1.0, style.width * scale));
+    actor.GetProperty()->SetLineWidth(pixels);
+    actor.GetProperty()->SetPointSize(pixels);
+    if (layer.role == Role::rapid) {
+      actor.GetProperty()->SetOpacity(rapid_opacity);
+    }
+    const Projection::Lift lift = view.lift(style.height * std::max(scale / view.scale, 2e-6));
+    const Vec3 origin = frame.to_scene(layer.path != nullptr ? layer.path->samples().origin : rapids_at_);
+    const Vec3 at = lift.shift + lift.shrink * origin;
+    actor.SetScale(lift.shrink / frame.unit);
+    actor.SetPosition(at.x(), at.y(), at.z());
+  }
+}
+
+}  // namespace feedscope::ui

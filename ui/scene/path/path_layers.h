@@ -1,0 +1,106 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ui/scene/camera/projection.h"
+#include "ui/scene/draw/annotations.h"
+#include "ui/scene/path/colouring.h"
+#include "ui/scene/path/drawn_path.h"
+
+class vtkActor;
+class vtkCellArray;
+class vtkRenderer;
+
+namespace feedscope::ui {
+
+/// Another run of the program, as a thin line.
+struct OverlayRun {
+  std::shared_ptr<const SampledPath> samples;
+  Rgb colour{};
+  std::string name;
+};
+
+/// How the run's paths are drawn.
+struct PathLook {
+  Colouring colouring = Colouring::feed;
+  Rgb run{0.0, 0.447, 0.698};  ///< colour of Colouring::run
+  double exaggeration = 1;     ///< factor of the deviation from the programmed path
+  const SceneColours* colours = &scene_colours(Background::light);
+};
+
+/// The lines of a run: rapids dashed, programmed path thin, executed path coloured, blends wide with an edge,
+/// other runs thin, a range of time underlaid.
+///
+/// Where lines would cover the picture they get thinner, and blends lose their edge, until one zooms in.
+/// Paths of many points are drawn without what is smaller than a pixel, and coarser while the view moves.
+class PathLayers {
+ public:
+  explicit PathLayers(vtkRenderer& renderer) : renderer_(renderer) {}
+
+  /// Replaces what is shown; each path may be null.
+  void show(std::shared_ptr<const SampledPath> programmed, std::shared_ptr<const SampledPath> executed,
+            std::vector<OverlayRun> overlays, const SceneFrame& frame);
+  void set_look(const PathLook& look);
+  /// Underlays the executed path between two times [s].
+  void set_highlight(std::optional<std::array<double, 2>> range);
+  /// Before each frame. `scale`: size of text and lines.
+  void place(const SceneFrame& frame, const Projection& view, double scale, bool moving);
+
+  /// What place() has made visible.
+  const LegendEntries& entries() const { return entries_; }
+  /// What the colours mean.
+  const ColourKey& key() const { return key_; }
+  const PathLook& look() const { return look_; }
+  /// The executed path as drawn; null if there is none.
+  const DrawnPath* executed() const { return executed_.get(); }
+
+ private:
+  enum class Role { rapid, programmed, range, blend_edge, overlay, cut, blend };
+
+  /// What is drawn of one path in one manner.
+  struct Layer {
+    Role role = Role::cut;
+    const DrawnPath* path = nullptr;
+    bool discs = false;  ///< points, not lines
+    Rgb colour{};        ///< of roles that have one
+    /// By level of detail, made when first needed.
+    std::vector<vtkSmartPointer<vtkActor>> actors;
+  };
+  struct Style {
+    double width = 1;
+    double height = 0;
+  };
+
+  void clear();
+  void add(Role role, const DrawnPath* path, bool discs = false, const Rgb& colour = {});
+  void add_rapids(const SampledPath& path, const SceneFrame& frame);
+  vtkSmartPointer<vtkActor> make_actor(const Layer& layer, const PathLevel& level) const;
+  vtkSmartPointer<vtkCellArray> cells_of(const Layer& layer, const PathLevel& level) const;
+  PathLevel highlighted(const SampledPath& path, const PathLevel& level) const;
+  void recolour();
+  Rgb colour_of(const Layer& layer) const;
+  Style style_of(Role role, double thinner) const;
+  static double crowding(const SceneFrame& frame, const Projection& view, double drawn);
+
+  vtkRenderer& renderer_;
+  PathLook look_;
+  std::unique_ptr<DrawnPath> programmed_;
+  std::unique_ptr<DrawnPath> executed_;
+  std::vector<std::unique_ptr<DrawnPath>> overlays_;
+  std::vector<Layer> layers_;
+  std::optional<std::array<double, 2>> range_;
+  LegendEntries entries_;
+  ColourKey key_;
+  Vec3 rapids_at_ = Vec3::Zero();  ///< origin of their dashes [mm]
+  double rapid_length_ = 0;        ///< [mm]
+  double cut_length_ = 0;          ///< [mm]
+  double blend_length_ = 0;        ///< [mm]
+};
+
+}  // namespace feedscope::ui

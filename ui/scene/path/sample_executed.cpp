@@ -1,0 +1,235 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/analysis/path_deviation.h"
+#include "core/trajectory/part_walk.h"
+#include "ui/scene/path/sampler.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double spans_of_blend = 24;
+constexpr double feed_steps = 24;
+constexpr double spans_a_filter_time = 8;
+
+/// Counts and draws the samples of one trajectory.
+class ExecutedSampling {
+ public:
+  ExecutedSampling(const Trajectory& trajectory, std::size_t max_points)
+      : trajectory_(trajectory), max_points_(max_points), deviation_(programmed_of(trajectory)) {
+    for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
+      const Part& part = walk.part();
+      if (part.law != Law::parameter && !trajectory.is_rapid(part.element)) {
+        const PartMotion motion = walk.motion();
+        top_speed_ = std::max({top_speed_, speed_in(motion, part, 0), speed_in(motion, part, part.duration)});
+      }
+      if (part.law == Law::path_length) {
+        top_jerk_ = std::max(top_jerk_, std::abs(part.j));
+      }
+    }
+  }
+
+  SampledPath run() {
+    SampledPath path;
+    if (trajectory_.pieces().empty()) {
+      return path;
+    }
+    std::size_t wanted = 1;
+    for (PartWalk walk(trajectory_); !walk.done(); walk.next()) {
+      wanted += spans_of(walk.part(), 0);
+    }
+    const double spacing = spacing_for(wanted, max_points_, trajectory_.path_length());
+    path.origin = trajectory_.path().element(0).start;
+    reserve(path, std::min(wanted, max_points_) + 2);
+    Sampler sampler(path, spacing);
+    Part last;
+    for (PartWalk walk(trajectory_); !walk.done(); walk.next()) {
+      if (path.size() > 0 && jumps(last, walk.part())) {
+        add_end(path, sampler, last, walk);
+      }
+      last = walk.part();
+      const std::size_t count = spans_of(last, spacing);
+      const double step = last.duration / static_cast<double>(count);
+      const double span = advance_of(last) / static_cast<double>(count);
+      const PartMotion motion = walk.motion();
+      for (std::size_t k = 0; k < count; ++k) {
+        add(path, sampler, motion, last, step * static_cast<double>(k), span);
+      }
+    }
+    Sampler all(path, 0);
+    add(path, all, PartMotion(trajectory_, last), last, last.duration, 0);
+    path.times.back() = trajectory_.duration();
+    path.levels = levels_of(path);
+    path.boxes = boxes_of(path.positions);
+    return path;
+  }
+
+ private:
+  static const Toolpath& programmed_of(const Trajectory& trajectory) {
+    static const Toolpath nothing;
+    return trajectory.path().programmed() ? *trajectory.path().programmed() : nothing;
+  }
+
+  static double speed_in(const PartMotion& motion, const Part& part, double tau) {
+    return part.law == Law::filtered ? motion.kinematics(tau).velocity.norm()
+                                     : advance({part.q, part.v, part.a, part.j}, tau).v;
+  }
+
+  /// At the latest where the part ends, q has gone this far, [mm] or blend parameter.
+  static double course_of(const Part& part) {
+    return advance({0, std::abs(part.v), std::abs(part.a), std::abs(part.j)}, part.duration).q;
+  }
+
+  /// The same as a length [mm].
+  double advance_of(const Part& part) const {
+    if (part.law == Law::filtered) {
+      return trajectory_.filtered_length(part);
+    }
+    return course_of(part) * (part.law == Law::parameter ? trajectory_.path().length(part.element) : 1.0);
+  }
+
+  /// Colours must not flow over a whole span where a value changes at once: the cause, the jerk, and with
+  /// some models the feed.
+  bool jumps(const Part& before, const Part& next) const {
+    if (before.cause.kind != next.cause.kind || before.law != next.law) {
+      return true;
+    }
+    return next.law == Law::path_length &&
+           (std::abs(next.j - before.j) > top_jerk_ / feed_steps ||
+            std::abs(next.v - advance({0, before.v, before.a, before.j}, before.duration).v) >
+                top_speed_ / (10 * feed_steps));
+  }
+
+  /// Filters round every corner; those slowed for the tolerance are shown as blends.
+  SpanKind kind_of(const Part& part) const {
+    if (trajectory_.is_rapid(part.element)) {
+      return SpanKind::rapid;
+    }
+    const bool blend = part.law == Law::filtered ? part.cause.kind == CauseKind::contour_tolerance
+                                                 : trajectory_.path().in_corner(part.element);
+    return blend ? SpanKind::blend : SpanKind::cut;
+  }
+
+  std::size_t spans_of(const Part& part, double spacing) const {
+    if (part.law == Law::filtered) {
+      return spans(trajectory_.filtered_spans(part, spans_a_filter_time), advance_of(part), spacing);
+    }
+    const BlendedPath& path = trajectory_.path();
+    const double course = course_of(part);
+    double wanted = 1;
+    if (part.law == Law::parameter) {
+      wanted = spans_of_blend * course;
+    } else if (!trajectory_.is_rapid(part.element) && top_speed_ > 0) {
+      const double change = part.duration * (std::abs(part.a) + part.duration * std::abs(part.j) / 2);
+      wanted = std::min(feed_steps, feed_steps * change / top_speed_);
+    }
+    const ElementKind kind = path.kind(part.element);
+    if (kind == ElementKind::arc || kind == ElementKind::connecting_arc) {
+      wanted = std::max(wanted, spans_of_arc(path.curve(part.element).arc, course));
+    } else if (kind == ElementKind::blend && part.law == Law::path_length && path.length(part.element) > 0) {
+      wanted = std::max(wanted, spans_of_blend * course / path.length(part.element));
+    }
+    if (kind == ElementKind::line && compacted()) {
+      wanted = std::max(wanted, course / path.length(part.element) * blocks_of(part.element));
+    }
+    return spans(wanted, advance_of(part), spacing);
+  }
+
+  bool compacted() const { return &trajectory_.path().base() != trajectory_.path().programmed().get(); }
+
+  /// Programmed blocks that one line of a compacted path stands for.
+  double blocks_of(std::uint32_t element) const {
+    const BlendedPath& path = trajectory_.path();
+    for (std::size_t next = element + 1; next < path.size(); ++next) {
+      if (path.segment(next) > path.segment(element)) {
+        return path.segment(next) - path.segment(element);
+      }
+    }
+    return 1;
+  }
+
+  /// The end of `last`, in the place where `walk` is. Filtered motion is smooth there, and dear to set up.
+  void add_end(SampledPath& path, Sampler& sampler, const Part& last, PartWalk& walk) {
+    if (last.law == Law::filtered && walk.part().law == Law::filtered) {
+      Part end = walk.part();
+      end.cause = last.cause;
+      add(path, sampler, walk.motion(), end, 0, 0);
+    } else {
+      add(path, sampler, PartMotion(trajectory_, last), last, last.duration, 0);
+    }
+  }
+
+  static void reserve(SampledPath& path, std::size_t points) {
+    path.positions.reserve(points);
+    path.kinds.reserve(points);
+    path.times.reserve(points);
+    path.causes.reserve(points);
+    path.deviations.reserve(points);
+    for (auto& values : path.values) {
+      values.reserve(points);
+    }
+  }
+
+  void add(SampledPath& path, Sampler& sampler, const PartMotion& motion, const Part& part, double tau,
+           double span) {
+    const Kinematics at = motion.kinematics(tau);
+    const double speed = at.velocity.norm();
+    const SpanKind kind = kind_of(part);
+    if (kind != SpanKind::rapid) {
+      path.peak_feed = std::max(path.peak_feed, speed);
+    }
+    const bool kept = sampler.add(at.position, kind, span);
+    if (kept) {
+      path.times.push_back(path.times.empty() ? 0.0 : std::max(path.times.back(), part.time + tau));
+      path.causes.push_back(part.cause.kind);
+      add_values(path, at, speed, trajectory_.feed_of(part.element));
+      const auto deviation = follows_exactly(part) ? PathDeviation::Result()
+                                                   : deviation_(at.position, advanced_, segment_of(part));
+      store(path, Quantity::contour_error, deviation.nearest.norm());
+      const Eigen::Vector3f shift = deviation.along_bisector.cast<float>();
+      path.deviations.push_back({Stored(shift.x()), Stored(shift.y()), Stored(shift.z())});
+    }
+    advanced_ = kept ? span : advanced_ + span;
+  }
+
+  static void store(SampledPath& path, Quantity quantity, double value) {
+    path.values[static_cast<std::size_t>(quantity)].push_back(Stored(static_cast<float>(value)));
+  }
+
+  static void add_values(SampledPath& path, const Kinematics& at, double speed, double programmed) {
+    // dv/dt = a t and d2v/dt2 = j t + (a a - (a t)^2) / v, with t the unit tangent; at rest t has no meaning.
+    const Vec3 tangent = speed > 0 ? Vec3(at.velocity / speed) : Vec3(Vec3::Zero());
+    const double acceleration = at.acceleration.dot(tangent);
+    const double across = std::max(0.0, at.acceleration.squaredNorm() - acceleration * acceleration);
+    store(path, Quantity::feed, speed);
+    store(path, Quantity::feed_ratio, programmed > 0 ? speed / programmed : 0);
+    store(path, Quantity::tangential_acceleration, acceleration);
+    store(path, Quantity::acceleration, at.acceleration.norm());
+    store(path, Quantity::tangential_jerk, at.jerk.dot(tangent) + (speed > 0 ? across / speed : 0.0));
+    store(path, Quantity::jerk, at.jerk.norm());
+  }
+
+  /// On what the control takes over as it is programmed.
+  bool follows_exactly(const Part& part) const {
+    const ElementKind kind = trajectory_.path().kind(part.element);
+    return !compacted() &&
+           (kind == ElementKind::line || kind == ElementKind::arc || kind == ElementKind::dwell);
+  }
+
+  std::uint32_t segment_of(const Part& part) const { return trajectory_.path().segment(part.element); }
+
+  const Trajectory& trajectory_;
+  std::size_t max_points_;
+  double top_speed_ = 0;  ///< [mm/s]
+  double top_jerk_ = 0;   ///< along the path [mm/s3]
+  PathDeviation deviation_;
+  double advanced_ = 0;  ///< path length since the last point that was kept [mm]
+};
+
+}  // namespace
+
+SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points) {
+  return ExecutedSampling(trajectory, max_points).run();
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,40 @@
+#include "ui/scene/path/sampler.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double arc_step = units::pi / 60;  // [rad]
+
+}  // namespace
+
+bool Sampler::add(const Vec3& position, SpanKind kind, double span) {
+  path_.bounds.add(position);
+  const Eigen::Vector3f offset = (position - path_.origin).cast<float>();
+  if (span < spacing_ && !path_.positions.empty() &&
+      static_cast<double>((offset - path_.positions.back()).norm()) < spacing_) {
+    return false;
+  }
+  path_.positions.push_back(offset);
+  path_.kinds.push_back(kind);
+  return true;
+}
+
+std::size_t spans(double wanted, double length, double spacing) {
+  const double possible = spacing > 0 ? std::ceil(length / spacing) : wanted;
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(std::min(wanted, possible))));
+}
+
+double spans_of_arc(const Arc& arc, double length) {
+  return length / arc.length_per_radian() / arc_step;
+}
+
+double spacing_for(std::size_t wanted, std::size_t max_points, double length) {
+  return wanted <= max_points ? 0.0 : length / static_cast<double>(max_points);
+}
+
+}  // namespace feedscope::ui

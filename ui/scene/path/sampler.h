@@ -1,0 +1,29 @@
+#pragma once
+
+#include "core/toolpath/curve.h"
+#include "ui/scene/sampled_path.h"
+
+namespace feedscope::ui {
+
+/// Appends points and keeps the bounds. A point closer than `spacing` to the one before is left out, unless a
+/// longer span begins at it: that one must have its own values.
+class Sampler {
+ public:
+  Sampler(SampledPath& path, double spacing) : path_(path), spacing_(spacing) {}
+
+  /// `span`: length up to the next point [mm]. False if the point was left out.
+  bool add(const Vec3& position, SpanKind kind, double span);
+
+ private:
+  SampledPath& path_;
+  double spacing_;
+};
+
+/// Into how many spans to cut `length`: as many as `wanted`, as long as they are `spacing` or more [mm].
+std::size_t spans(double wanted, double length, double spacing);
+/// One every 3 degrees.
+double spans_of_arc(const Arc& arc, double length);
+/// How far apart points must be for at most `max_points` of them; 0 if all `wanted` may be kept [mm].
+double spacing_for(std::size_t wanted, std::size_t max_points, double length);
+
+}  // namespace feedscope::ui

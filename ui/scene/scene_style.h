@@ -1,0 +1,55 @@
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string>
+
+#include "core/limits/cause.h"
+#include "ui/scene/colour_map.h"
+
+namespace feedscope::ui {
+
+/// Colours of all that is no path value. Lines and text stand out from the background; told apart without
+/// red and green.
+struct SceneColours {
+  Background kind = Background::light;
+  Rgb background;
+  Rgb text;
+  Rgb frame;
+  Rgb grid;
+  Rgb programmed;
+  Rgb rapid;
+  Rgb blend_edge;
+  Rgb tool;
+  Rgb highlight;  ///< range of the charts, what is measured
+  std::array<Rgb, 3> axes;
+};
+
+const SceneColours& scene_colours(Background kind);
+
+/// Every text that the scene draws: the caller may put another language's in. UTF-8, Latin letters.
+struct SceneTexts {
+  std::string programmed = "programmed";
+  std::string rapid = "rapid";
+  std::string executed = "executed";
+  std::string blend = "corner blend";
+  std::string exaggerated = "deviation drawn × %1";  ///< %1: the factor
+  std::string feed = "Feed";
+  std::string feed_ratio = "Feed / programmed";
+  std::string tangential_acceleration = "Tangential acceleration";
+  std::string acceleration = "Acceleration";
+  std::string tangential_jerk = "Tangential jerk";
+  std::string jerk = "Jerk";
+  std::string contour_error = "Contour error";
+  std::string cause = "Limiting cause";
+  /// Short names of the standard views, in the order of StandardView.
+  std::array<std::string, 7> views{"iso", "top", "front", "right", "bottom", "back", "left"};
+  std::function<std::string(CauseKind)> cause_kind;  ///< null: cause_kind_title
+  std::string decimal_point = ".";
+
+  std::string name_of(CauseKind kind) const;
+  /// A number as tick labels write it, with this decimal point.
+  std::string localised(std::string number) const;
+};
+
+}  // namespace feedscope::ui

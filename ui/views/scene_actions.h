@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QAction>
+#include <QActionGroup>
+#include <QList>
+#include <QObject>
+#include <QToolBar>
+
+#include "ui/scene/path_scene.h"
+
+class QDoubleSpinBox;
+class QMenu;
+class QToolButton;
+
+namespace feedscope::ui {
+
+class SceneView;
+
+/// The commands of a SceneView: its bar, its context menu, its keys.
+class SceneActions : public QObject {
+  Q_OBJECT
+
+ public:
+  explicit SceneActions(SceneView& view);
+
+  QToolBar* bar() { return bar_; }
+  QList<QAction*> all() const;
+  /// The context menu.
+  void fill(QMenu& menu) const;
+
+ private:
+  struct Choice {
+    QActionGroup* group = nullptr;
+    QMenu* menu = nullptr;
+    QToolButton* button = nullptr;
+  };
+
+  Choice make_choice(const QString& tip);
+  QAction* add_option(const Choice& choice, const QString& text, const QString& tip, bool checked);
+  QAction* add_command(const QString& text, const QString& tip, const QKeySequence& key);
+  void make_colourings();
+  void make_exaggerations();
+  void make_views();
+  void make_tools();
+  void make_modes();
+  void apply_tool();
+
+  SceneView& view_;
+  QToolBar* bar_;
+  Choice colouring_;
+  Choice exaggeration_;
+  Choice tool_;
+  QMenu* views_ = nullptr;
+  QList<QAction*> commands_;
+  QAction* measure_ = nullptr;
+  QAction* box_ = nullptr;
+  QDoubleSpinBox* diameter_ = nullptr;
+  QDoubleSpinBox* corner_radius_ = nullptr;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,77 @@
+#include "ui/views/scene_texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "ui/scene/cause_colour.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+struct Scene {
+  Q_DECLARE_TR_FUNCTIONS(Scene)
+};
+
+QString number(double value, int decimals) {
+  return QLocale().toString(value, 'f', decimals);
+}
+
+}  // namespace
+
+SceneTexts scene_texts() {
+  SceneTexts texts;
+  texts.programmed = Scene::tr("programmed").toStdString();
+  texts.rapid = Scene::tr("rapid").toStdString();
+  texts.executed = Scene::tr("executed").toStdString();
+  texts.blend = Scene::tr("corner blend").toStdString();
+  texts.exaggerated = Scene::tr("deviation drawn × %1").toStdString();
+  texts.feed = Scene::tr("Feed").toStdString();
+  texts.feed_ratio = Scene::tr("Feed / programmed").toStdString();
+  texts.tangential_acceleration = Scene::tr("Tangential acceleration").toStdString();
+  texts.acceleration = Scene::tr("Acceleration").toStdString();
+  texts.tangential_jerk = Scene::tr("Tangential jerk").toStdString();
+  texts.jerk = Scene::tr("Jerk").toStdString();
+  texts.contour_error = Scene::tr("Contour error").toStdString();
+  texts.cause = Scene::tr("Limiting cause").toStdString();
+  texts.views = {Scene::tr("iso").toStdString(),    Scene::tr("top").toStdString(),
+                 Scene::tr("front").toStdString(),  Scene::tr("right").toStdString(),
+                 Scene::tr("bottom").toStdString(), Scene::tr("back").toStdString(),
+                 Scene::tr("left").toStdString()};
+  texts.cause_kind = [](CauseKind kind) {
+    return QCoreApplication::translate("Cause", cause_kind_title(kind).c_str()).toStdString();
+  };
+  texts.decimal_point = QLocale().decimalPoint().toStdString();
+  return texts;
+}
+
+QString hover_text(const State& state, double contour_error) {
+  const QString cause = QCoreApplication::translate("Cause", cause_title(state.cause).c_str());
+  QStringList lines{
+      Scene::tr("Line %1").arg(state.line),
+      Scene::tr("Feed %1 of %2 mm/min")
+          .arg(number(units::to_mm_min(state.speed), 0), number(units::to_mm_min(state.programmed_feed), 0)),
+      Scene::tr("Limited by: %1").arg(cause),
+      Scene::tr("Contour error %1 µm").arg(number(1000 * contour_error, 1))};
+  return lines.join('\n');
+}
+
+std::vector<std::string> measurement_lines(const State& from, const State& to) {
+  const Vec3 delta = to.position - from.position;
+  const QStringList lines{
+      Scene::tr("Distance %1 mm").arg(number(delta.norm(), 4)),
+      Scene::tr("dX %1   dY %2   dZ %3 mm")
+          .arg(number(delta.x(), 3), number(delta.y(), 3), number(delta.z(), 3)),
+      Scene::tr("Path length %1 mm").arg(number(std::abs(to.path_length - from.path_length), 3)),
+      Scene::tr("Time %1 s").arg(number(std::abs(to.time - from.time), 4))};
+  std::vector<std::string> texts;
+  for (const QString& line : lines) {
+    texts.push_back(line.toStdString());
+  }
+  return texts;
+}
+
+}  // namespace feedscope::ui
