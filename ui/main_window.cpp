@@ -57,6 +57,11 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
   connect(&model_.cursor(), &Cursor::changed, this, &MainWindow::show_cursor);
   connect(playback_, &PlaybackBar::loop_wanted, this, &MainWindow::loop_what_is_shown);
   connect(scene_, &SceneView::picked, &model_.cursor(), &Cursor::set_time);
+  connect(scene_, &SceneView::times_chosen, this, &MainWindow::show_times);
+  connect(&charts_->range(), &ViewRange::changed, this, [this] {
+    const ViewRange& range = charts_->range();
+    scene_->show_times(range.time_at(range.lower()), range.time_at(range.upper()));
+  });
   connect(&program(), &ProgramView::line_chosen, &model_.cursor(), &Cursor::set_line);
   connect(&program(), &ProgramView::caret_moved, this,
           [this] { diagnostics_->set_place(program().caret()); });
@@ -138,15 +143,28 @@ void MainWindow::show_run() {
 
 void MainWindow::show_other_runs() {
   const RunList& runs = model_.runs();
-  std::vector<RunOverlay> others;
+  std::vector<RunOverlay> in_charts;
+  std::vector<OverlayRun> in_scene;
+  const auto rgb = [](const QColor& colour) { return Rgb{colour.redF(), colour.greenF(), colour.blueF()}; };
   for (std::size_t row = 0; row < runs.items().size(); ++row) {
     const auto result = runs.result(row);
     const RunItem& item = runs.items()[row];
     if (row != runs.current() && item.visible && result != nullptr) {
-      others.push_back({result->run.trajectory, result->envelope, item.colour, run_title(item)});
+      in_charts.push_back({result->run.trajectory, result->envelope, item.colour, run_title(item)});
+      in_scene.push_back({result->samples, rgb(item.colour), run_title(item).toStdString()});
     }
   }
-  charts_->set_overlays(std::move(others));
+  charts_->set_overlays(std::move(in_charts));
+  scene_->scene().set_run_colour(rgb(runs.current_item().colour));
+  scene_->scene().set_overlays(std::move(in_scene));
+}
+
+void MainWindow::show_times(double from, double to) {
+  if (const auto shown = model_.shown()) {
+    ViewRange& range = charts_->range();
+    range.show(range.position_of(shown->run.trajectory->state(from)),
+               range.position_of(shown->run.trajectory->state(to)));
+  }
 }
 
 void MainWindow::loop_what_is_shown(bool on) {

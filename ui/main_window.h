@@ -61,6 +61,8 @@ class MainWindow : public QMainWindow {
   void show_other_runs();
   void show_failure(const QString& message);
   void loop_what_is_shown(bool on);
+  /// In the charts, from one time to another [s].
+  void show_times(double from, double to);
   QDockWidget* add_dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
 
   Workbench& model_;

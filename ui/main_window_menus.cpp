@@ -144,16 +144,13 @@ void MainWindow::list_recent_files(QMenu* menu) {
 
 void MainWindow::make_view_menu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
-  const auto add = [&](const QString& text, const QKeySequence& key, StandardView standard) {
-    connect(add_action(view, text, key, tr("Look from there")), &QAction::triggered, this,
-            [this, standard] { scene_->scene().set_standard_view(standard); });
-  };
-  add(tr("&Isometric"), QKeySequence(tr("Ctrl+1")), StandardView::iso);
-  add(tr("&Top"), QKeySequence(tr("Ctrl+2")), StandardView::top);
-  add(tr("&Front"), QKeySequence(tr("Ctrl+3")), StandardView::front);
-  add(tr("&Right"), QKeySequence(tr("Ctrl+4")), StandardView::right);
-  connect(add_action(view, tr("Fit &path"), QKeySequence(tr("Ctrl+0")), tr("The whole path in the 3D view")),
-          &QAction::triggered, this, [this] { scene_->scene().fit(); });
+  scene_->fill_menu(*view);
+  connect(add_action(view, tr("Path of the c&harts"), QKeySequence(tr("Ctrl+9")),
+                     tr("The 3D view shows the path between the ends of the charts")),
+          &QAction::triggered, this, [this] {
+            const ViewRange& range = charts_->range();
+            scene_->zoom_to_times(range.time_at(range.lower()), range.time_at(range.upper()));
+          });
   connect(add_action(view, tr("Fit &charts"), QKeySequence(tr("Ctrl+Shift+0")),
                      tr("The whole run in the charts")),
           &QAction::triggered, &charts_->range(), &ViewRange::fit);

@@ -255,6 +255,9 @@ void PathScene::set_executed(std::shared_ptr<const Trajectory> trajectory,
 }
 
 void PathScene::set_overlays(std::vector<OverlayRun> overlays) {
+  if (overlays.empty() && impl_->overlays.empty()) {
+    return;
+  }
   impl_->overlays = std::move(overlays);
   impl_->rebuild();
 }
@@ -280,8 +283,10 @@ Colouring PathScene::colouring() const {
 }
 
 void PathScene::set_run_colour(const Rgb& colour) {
-  impl_->look.run = colour;
-  impl_->apply_look();
+  if (colour != impl_->look.run) {
+    impl_->look.run = colour;
+    impl_->apply_look();
+  }
 }
 
 void PathScene::set_exaggeration(double factor) {

@@ -4,6 +4,7 @@
 #include <vtkGenericOpenGLRenderWindow.h>
 
 #include <cmath>
+#include <set>
 
 #include "tests/ui/run_fixture.h"
 #include "ui/scene/render_window.h"
@@ -14,7 +15,8 @@ namespace {
 
 using test::simulate_text;
 
-constexpr std::array views{StandardView::iso, StandardView::top, StandardView::front, StandardView::right};
+constexpr std::array views{StandardView::iso,    StandardView::top,  StandardView::front, StandardView::right,
+                           StandardView::bottom, StandardView::back, StandardView::left};
 
 double distance(const Pixel& a, const Pixel& b) {
   return std::hypot(a[0] - b[0], a[1] - b[1]);
@@ -54,6 +56,126 @@ TEST_F(PathSceneTest, PicksTheTimeOfThePointUnderThePixel) {
           << "at " << time << " s, picked " << *picked << " s";
     }
   }
+}
+
+TEST_F(PathSceneTest, PicksInPerspectiveToo) {
+  const auto run =
+      simulate_text("G21 G90 G94 F3000\nG1 X20 Y3\nX40 Y18 Z5\nG2 X60 Y18 I10 J0\nX75 Y60 Z20\n");
+  scene_.set_perspective(true);
+  show(run, StandardView::iso);
+  scene_.zoom(1.7, {300, 200});
+  scene_.orbit({40, -25});
+  for (int i = 0; i <= 100; ++i) {
+    const double time = run.trajectory->duration() * i / 100;
+    const Pixel pixel = scene_.pixel_of(run.trajectory->state(time).position);
+    const auto picked = scene_.pick_time(pixel);
+    ASSERT_TRUE(picked) << time;
+    EXPECT_LT(distance(scene_.pixel_of(run.trajectory->state(*picked).position), pixel), 1.01) << time;
+  }
+}
+
+TEST_F(PathSceneTest, PicksTheExaggeratedPathWhereItIsDrawn) {
+  const auto run = simulate_text("G21 G90 G94 F3000\nG1 X40\nY40\nX80\n");
+  show(run, StandardView::top);
+  scene_.set_exaggeration(100);
+  const std::uint32_t blend = run.trajectory->blend(0).element;
+  const BlendedPath& path = run.trajectory->path();
+  const double corner = run.trajectory->state_at_path(path.s(blend) + path.length(blend) / 2).time;
+  const Vec3 drawn = scene_.drawn_at(corner);
+  const Vec3 true_place = run.trajectory->state(corner).position;
+  const Vec3 from_corner = true_place - Vec3(40, 0, 0);
+  EXPECT_NEAR((drawn - Vec3(40, 0, 0)).norm(), 100 * from_corner.norm(), 3 * from_corner.norm());
+  const auto picked = scene_.pick_time(scene_.pixel_of(drawn));
+  ASSERT_TRUE(picked);
+  EXPECT_NEAR(*picked, corner, 1e-3 * run.trajectory->duration());
+  EXPECT_NEAR(scene_.contour_error_at(corner), from_corner.norm() / std::sqrt(2.0),
+              0.05 * from_corner.norm());
+}
+
+TEST_F(PathSceneTest, TheTurntableKeepsZUprightAndThePivotInItsPlace) {
+  const auto run = simulate_text(test::small_program);
+  show(run, StandardView::iso);
+  const Vec3 pivot(20, 0, 0);
+  const Pixel before = scene_.pixel_of(pivot);
+  for (const Pixel& shift : {Pixel{30, 12}, Pixel{-80, 40}, Pixel{7, -300}, Pixel{500, 900}}) {
+    scene_.orbit(shift, pivot);
+    EXPECT_LT(distance(scene_.pixel_of(pivot), before), 1e-6);
+    const double right = scene_.pixel_of({20, 0, 10})[0] - scene_.pixel_of({20, 0, 0})[0];
+    EXPECT_NEAR(right, 0, 1e-6) << "Z does not lean";
+  }
+  EXPECT_LE(std::abs(scene_.camera().elevation), std::acos(0.0) + 1e-12) << "never over the top";
+}
+
+TEST_F(PathSceneTest, ZoomKeepsThePlaceUnderTheMouse) {
+  const auto run = simulate_text(test::small_program);
+  for (const bool perspective : {false, true}) {
+    scene_.set_perspective(perspective);
+    show(run, StandardView::top);
+    const Pixel place = scene_.pixel_of({40, 15, 0});
+    const double span = scene_.pixel_of({60, 15, 0})[0] - place[0];
+    scene_.zoom(2, place);
+    EXPECT_LT(distance(scene_.pixel_of({40, 15, 0}), place), 1e-6) << perspective;
+    EXPECT_NEAR(scene_.pixel_of({60, 15, 0})[0] - place[0], 2 * span, 1e-6 * span) << perspective;
+  }
+}
+
+TEST_F(PathSceneTest, ASessionBringsTheCameraBack) {
+  const auto run = simulate_text(test::small_program);
+  show(run, StandardView::iso);
+  scene_.orbit({33, 21});
+  scene_.zoom(3, {200, 250});
+  const CameraState state = scene_.camera();
+  EXPECT_FALSE(state.fitted);
+  const Pixel place = scene_.pixel_of({40, 15, 0});
+  scene_.set_perspective(true);
+  scene_.set_standard_view(StandardView::back);
+  EXPECT_GT(distance(scene_.pixel_of({40, 15, 0}), place), 5);
+  scene_.set_camera(state);
+  EXPECT_LT(distance(scene_.pixel_of({40, 15, 0}), place), 1e-6);
+  // Another run of the program, with another frame about it, does not move the view.
+  scene_.set_executed(simulate_text(test::small_program, "cam").trajectory);
+  EXPECT_LT(distance(scene_.pixel_of({40, 15, 0}), place), 0.1);
+}
+
+TEST_F(PathSceneTest, TellsTheTimesOfWhatIsInView) {
+  const auto run = simulate_text("G21 G90 G94 F3000\nG1 X100\nY50\nX0\n", "cam");
+  show(run, StandardView::top);
+  const auto all = scene_.visible_times();
+  ASSERT_TRUE(all);
+  EXPECT_EQ((*all)[0], 0);
+  EXPECT_EQ((*all)[1], run.trajectory->duration());
+  const auto half = scene_.times_within(scene_.pixel_of({80, -10, 0}), scene_.pixel_of({120, 20, 0}));
+  ASSERT_TRUE(half);
+  EXPECT_NEAR((*half)[0], run.trajectory->state_at_path(80).time, 1e-3);
+  EXPECT_NEAR((*half)[1], run.trajectory->state_at_path(120).time, 1e-3);
+  EXPECT_FALSE(scene_.times_within(scene_.pixel_of({40, 20, 0}), scene_.pixel_of({60, 30, 0})));
+}
+
+TEST_F(PathSceneTest, FitsTheRangeOfTheCharts) {
+  const auto run = simulate_text("G21 G90 G94 F3000\nG1 X100\nY50\nX0\n", "cam");
+  show(run, StandardView::top);
+  const double from = run.trajectory->state_at_path(90).time;
+  const double to = run.trajectory->state_at_path(110).time;
+  scene_.fit_times(from, to);
+  const auto seen = scene_.visible_times();
+  ASSERT_TRUE(seen);
+  EXPECT_LE((*seen)[0], from + 1e-9);
+  EXPECT_GE((*seen)[1], to - 1e-9);
+  EXPECT_LT((*seen)[1] - (*seen)[0], 2 * (to - from));
+}
+
+TEST_F(PathSceneTest, FacesOfTheCubeAreViews) {
+  show(simulate_text(test::small_program), StandardView::iso);
+  std::set<StandardView> found;
+  for (int x = width - 120; x < width; x += 2) {
+    for (int y = height - 160; y < height; y += 2) {
+      if (const auto view = scene_.cube_view({double(x), double(y)})) {
+        found.insert(*view);
+      }
+    }
+  }
+  EXPECT_EQ(found, (std::set{StandardView::top, StandardView::front, StandardView::right}));
+  EXPECT_FALSE(scene_.cube_view({100, 100}));
 }
 
 TEST_F(PathSceneTest, PicksExactlyWhereNothingOverlaps) {
@@ -165,6 +287,18 @@ TEST_F(PathSceneTest, TellsOfEveryChange) {
   expect_change("cursor");
   scene_.set_standard_view(StandardView::front);
   expect_change("view");
+  scene_.set_colouring(Colouring::jerk);
+  expect_change("colouring");
+  scene_.set_exaggeration(10);
+  expect_change("exaggeration");
+  scene_.set_tool({ToolKind::ball, 6, 0});
+  expect_change("tool");
+  scene_.set_background(Background::dark);
+  expect_change("background");
+  scene_.set_perspective(true);
+  expect_change("perspective");
+  scene_.set_highlight(std::array{0.1, 0.2});
+  expect_change("highlight");
   scene_.set_executed(nullptr);
   expect_change("taken away");
 }

@@ -165,6 +165,10 @@ TEST(SampledExecuted, HoldsTheMotionAtItsTimes) {
     const auto run = simulate_text(random_program(5, 20), model);
     const SampledPath path = sample_executed(*run.trajectory);
     for (std::size_t i = 0; i < path.size(); ++i) {
+      constexpr double instant = 1e-9;
+      if (i > 0 && i + 1 < path.size() && path.times[i + 1] - path.times[i - 1] < instant) {
+        continue;  // a phase of no duration
+      }
       const Around around(*run.trajectory, path.times[i]);
       EXPECT_TRUE(around.any([&](const State& s) { return s.cause.kind == path.causes[i]; }))
           << path.times[i];

@@ -4,7 +4,9 @@
 
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
+#include <cmath>
 #include <set>
 
 #include "tests/ui/run_fixture.h"
@@ -110,6 +112,137 @@ TEST_F(SceneViewTest, MovesTheToolMarkerWithTheCursor) {
   view_.scene().set_cursor(std::nullopt);
   settle();
   EXPECT_EQ(view_.canvas().grab().toImage(), without);
+}
+
+QAction* action(const SceneView& view, const QString& text) {
+  for (QAction* action : view.panel_actions()) {
+    if (QString(action->text()).remove('&') == text) {
+      return action;
+    }
+  }
+  ADD_FAILURE() << "no command " << text.toStdString();
+  return nullptr;
+}
+
+TEST_F(SceneViewTest, EveryCommandHasATextAndATip) {
+  QStringList keys;
+  for (const QAction* command : view_.panel_actions()) {
+    EXPECT_FALSE(command->text().isEmpty());
+    EXPECT_FALSE(command->toolTip().isEmpty()) << command->text().toStdString();
+    if (!command->shortcut().isEmpty()) {
+      EXPECT_FALSE(keys.contains(command->shortcut().toString())) << command->text().toStdString();
+      keys.append(command->shortcut().toString());
+    }
+  }
+  EXPECT_GT(view_.panel_actions().size(), 30);
+}
+
+TEST_F(SceneViewTest, CommandsChangeTheScene) {
+  action(view_, "Limiting cause")->trigger();
+  EXPECT_EQ(view_.scene().colouring(), Colouring::cause);
+  action(view_, "× 50")->trigger();
+  EXPECT_EQ(view_.scene().exaggeration(), 50);
+  action(view_, "Ball end mill")->trigger();
+  EXPECT_EQ(view_.scene().tool().kind, ToolKind::ball);
+  action(view_, "Perspective")->trigger();
+  EXPECT_TRUE(view_.scene().perspective());
+  action(view_, "Grid")->trigger();
+  EXPECT_FALSE(view_.scene().grid());
+  action(view_, "Back")->trigger();
+  EXPECT_NEAR(view_.scene().camera().azimuth, std::acos(0.0), 1e-12);
+}
+
+TEST_F(SceneViewTest, MeasuresBetweenTwoClicksUntilEscape) {
+  QSignalSpy measuring(&view_, &SceneView::measuring_changed);
+  const QImage before = view_.canvas().grab().toImage();
+  view_.canvas().setFocus();
+  if (view_.isActiveWindow()) {
+    QTest::keyClick(&view_.canvas(), Qt::Key_M);
+  } else {  // a display without window manager activates no window
+    action(view_, "Measure")->trigger();
+  }
+  ASSERT_EQ(measuring.count(), 1);
+  const double duration = run_.trajectory->duration();
+  QTest::mouseClick(&view_.canvas(), Qt::LeftButton, {}, place_of(0.2 * duration));
+  QTest::mouseClick(&view_.canvas(), Qt::LeftButton, {}, place_of(0.8 * duration));
+  settle();
+  EXPECT_NE(view_.canvas().grab().toImage(), before);
+  QTest::keyClick(&view_.canvas(), Qt::Key_Escape);
+  EXPECT_EQ(measuring.count(), 2);
+  EXPECT_FALSE(action(view_, "Measure")->isChecked());
+  QTest::mouseMove(&view_.canvas(), QPoint(5, 5));
+  settle();
+  EXPECT_EQ(view_.canvas().grab().toImage(), before);
+}
+
+TEST_F(SceneViewTest, TheMouseOverThePathTellsWhatIsThere) {
+  const double time = 0.4 * run_.trajectory->duration();
+  QTest::mouseMove(&view_.canvas(), QPoint(5, 5));
+  QTest::mouseMove(&view_.canvas(), place_of(time));
+  const QString line = QString::number(run_.trajectory->state(time).line);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return QToolTip::text().contains("Line " + line); }, 3000))
+      << QToolTip::text().toStdString();
+  QTest::mouseMove(&view_.canvas(), QPoint(5, 5));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !QToolTip::isVisible() || QToolTip::text().isEmpty(); }, 3000));
+}
+
+TEST_F(SceneViewTest, ABoxZoomsTheViewAndTheCharts) {
+  QSignalSpy chosen(&view_, &SceneView::times_chosen);
+  const QPoint middle = place_of(0.5 * run_.trajectory->duration());
+  const auto span = [&] {
+    return std::abs(view_.scene().pixel_of({60, 0, 0})[0] - view_.scene().pixel_of({0, 0, 0})[0]);
+  };
+  const double before = span();
+  QTest::mousePress(&view_.canvas(), Qt::LeftButton, Qt::ControlModifier, middle - QPoint(40, 40));
+  QTest::mouseMove(&view_.canvas(), middle);
+  QTest::mouseMove(&view_.canvas(), middle + QPoint(40, 40));
+  QTest::mouseRelease(&view_.canvas(), Qt::LeftButton, Qt::ControlModifier, middle + QPoint(40, 40));
+  ASSERT_EQ(chosen.count(), 1);
+  const double from = chosen.first().at(0).toDouble();
+  const double to = chosen.first().at(1).toDouble();
+  EXPECT_LT(from, 0.5 * run_.trajectory->duration());
+  EXPECT_GT(to, 0.5 * run_.trajectory->duration());
+  EXPECT_LT(to - from, 0.5 * run_.trajectory->duration());
+  EXPECT_GT(span(), 2 * before);
+}
+
+TEST_F(SceneViewTest, AClickOnTheCubeTurnsTheView) {
+  view_.scene().set_standard_view(StandardView::iso);
+  settle();
+  const double ratio = view_.canvas().devicePixelRatioF();
+  const int width = view_.canvas().width();
+  const int height = view_.canvas().height();
+  for (int y = height - 160; y < height; y += 3) {
+    for (int x = width - 120; x < width; x += 3) {
+      if (view_.scene().cube_view({x * ratio, y * ratio}) == StandardView::front) {
+        QTest::mouseClick(&view_.canvas(), Qt::LeftButton, {}, QPoint(x, y));
+        EXPECT_EQ(view_.scene().camera().elevation, 0);
+        EXPECT_NEAR(view_.scene().camera().azimuth, -std::acos(0.0), 1e-12);
+        return;
+      }
+    }
+  }
+  FAIL() << "no front face";
+}
+
+TEST_F(SceneViewTest, MarksTheRangeOfTheChartsUnlessItIsAll) {
+  const QImage before = view_.canvas().grab().toImage();
+  const double duration = run_.trajectory->duration();
+  view_.show_times(0.3 * duration, 0.6 * duration);
+  settle();
+  EXPECT_NE(view_.canvas().grab().toImage(), before);
+  view_.show_times(0, duration);
+  settle();
+  EXPECT_EQ(view_.canvas().grab().toImage(), before);
+}
+
+TEST_F(SceneViewTest, FollowsADarkPalette) {
+  QPalette dark = view_.palette();
+  dark.setColor(QPalette::Window, QColor(0x26, 0x29, 0x2d));
+  view_.setPalette(dark);
+  settle();
+  const QImage image = view_.canvas().grab().toImage();
+  EXPECT_LT(qGray(image.pixel(5, image.height() - 5)), 60);
 }
 
 TEST_F(SceneViewTest, SeveralViewsLiveInOneProcess) {

@@ -1,0 +1,136 @@
+#include "ui/scene/path/colouring.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "core/base/units.h"
+#include "tests/ui/run_fixture.h"
+#include "ui/scene/cause_colour.h"
+
+namespace feedscope::ui {
+namespace {
+
+const std::string program = "G21 G90 G94 F3000\nG1 X40\nY40\nX80 F1200\nG0 Z20\n";
+
+SampledPath executed(const std::string& model = "essid") {
+  return sample_executed(*test::simulate_text(program, model).trajectory);
+}
+
+/// Executed points with one quantity.
+SampledPath with_values(Quantity quantity, const std::vector<double>& values) {
+  SampledPath path;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    path.positions.emplace_back(float(i), 0.0F, 0.0F);
+    path.kinds.push_back(SpanKind::cut);
+    path.times.push_back(double(i));
+    path.causes.push_back(CauseKind::programmed_feed);
+    for (std::size_t q = 0; q < quantity_count; ++q) {
+      const bool wanted = q == static_cast<std::size_t>(quantity);
+      path.values[q].push_back(Stored(wanted ? float(values[i]) : 0.0F));
+    }
+  }
+  return path;
+}
+
+TEST(ColourKey, OfFeedEndsAtARoundValueAboveThePeak) {
+  const ColourKey key = colour_key(executed(), Colouring::feed);
+  EXPECT_EQ(key.scale.unit, "mm/min");
+  EXPECT_DOUBLE_EQ(key.scale.high, 3000);
+  EXPECT_EQ(key.scale.low, 0);
+  EXPECT_NEAR(key.scale.position(units::from_mm_min(1500)), 0.5, 1e-12);
+}
+
+TEST(ColourKey, OfSignedQuantitiesIsSymmetric) {
+  for (const Colouring colouring : {Colouring::tangential_acceleration, Colouring::tangential_jerk}) {
+    const ColourKey key = colour_key(executed(), colouring);
+    EXPECT_TRUE(key.scale.diverging);
+    EXPECT_EQ(key.scale.low, -key.scale.high);
+    EXPECT_GT(key.scale.high, 0);
+    EXPECT_NEAR(key.scale.position(0), 0.5, 1e-12);
+  }
+}
+
+TEST(ColourKey, LeavesRarePeaksOutOfTheScaleAndSaysSo) {
+  std::vector<double> values(1000, 900);
+  ColourKey key = colour_key(with_values(Quantity::jerk, values), Colouring::jerk);
+  EXPECT_FALSE(key.scale.beyond);
+  EXPECT_NEAR(key.scale.high, 0.9, 0.011);
+  values[500] = 1e6;
+  key = colour_key(with_values(Quantity::jerk, values), Colouring::jerk);
+  EXPECT_TRUE(key.scale.beyond);
+  EXPECT_NEAR(key.scale.high, 0.9, 0.011);
+}
+
+TEST(ColourKey, OfContourErrorTakesMicrometresOrMillimetres) {
+  EXPECT_EQ(colour_key(with_values(Quantity::contour_error, {0, 0.004}), Colouring::contour_error).scale.unit,
+            "µm");
+  const ColourKey large = colour_key(with_values(Quantity::contour_error, {0, 4}), Colouring::contour_error);
+  EXPECT_EQ(large.scale.unit, "mm");
+  EXPECT_NEAR(large.scale.high, 4, 0.2);
+  const ColourKey none = colour_key(with_values(Quantity::contour_error, {0, 0}), Colouring::contour_error);
+  EXPECT_TRUE(none.has_scale()) << "no error is shown as the lowest of a micrometre";
+}
+
+TEST(ColourKey, OfCausesSharesTheTimeOfTheCuts) {
+  const ColourKey key = colour_key(executed(), Colouring::cause);
+  ASSERT_FALSE(key.causes.empty());
+  double sum = 0;
+  for (std::size_t i = 0; i < key.causes.size(); ++i) {
+    sum += key.causes[i].share;
+    EXPECT_NE(key.causes[i].kind, CauseKind::rapid);
+    if (i > 0) {
+      EXPECT_LE(key.causes[i].share, key.causes[i - 1].share);
+    }
+  }
+  EXPECT_NEAR(sum, 1, 1e-12);
+}
+
+TEST(ColourKey, OfNothingIsEmpty) {
+  for (const Colouring colouring : all_colourings) {
+    const ColourKey key = colour_key(SampledPath(), colouring);
+    EXPECT_FALSE(key.has_scale());
+    EXPECT_TRUE(key.causes.empty());
+  }
+}
+
+Rgba bytes(const Rgb& colour) {
+  const auto byte = [](double part) { return static_cast<unsigned char>(std::lround(255 * part)); };
+  return {byte(colour[0]), byte(colour[1]), byte(colour[2]), 255};
+}
+
+TEST(PointColours, FollowTheScale) {
+  const SampledPath path = with_values(Quantity::feed_ratio, {0, 0.5, 1, 1.5});
+  for (const Background background : {Background::light, Background::dark}) {
+    const auto colours = point_colours(path, colour_key(path, Colouring::feed_ratio), background, {});
+    ASSERT_EQ(colours.size(), 4);
+    EXPECT_EQ(colours[0], bytes(map_colour(0, background)));
+    EXPECT_EQ(colours[2], bytes(map_colour(1, background)));
+    EXPECT_EQ(colours[3], colours[2]) << "clamped";
+    EXPECT_NE(colours[1], colours[0]);
+    EXPECT_NE(colours[1], colours[2]);
+  }
+}
+
+TEST(PointColours, AreThoseOfCausesAndRuns) {
+  const SampledPath path = executed();
+  const auto causes = point_colours(path, colour_key(path, Colouring::cause), Background::dark, {});
+  const Rgb green{0, 0.5, 0.25};
+  const auto run = point_colours(path, colour_key(path, Colouring::run), Background::dark, green);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    EXPECT_EQ(causes[i], bytes(cause_colour(path.causes[i], Background::dark)));
+    EXPECT_EQ(run[i], bytes(green));
+  }
+}
+
+TEST(ColouringKey, IsOneOfItsOwn) {
+  std::set<std::string> keys;
+  for (const Colouring colouring : all_colourings) {
+    keys.insert(colouring_key(colouring));
+  }
+  EXPECT_EQ(keys.size(), all_colourings.size());
+}
+
+}  // namespace
+}  // namespace feedscope::ui
