@@ -44,7 +44,8 @@ class ExecutedSampling {
     Sampler sampler(path, spacing);
     Part last;
     for (PartWalk walk(trajectory_); !walk.done(); walk.next()) {
-      if (path.size() > 0 && jumps(last, walk.part())) {
+      // Of what is shorter than the spacing no end would be kept.
+      if (path.size() > 0 && advance_of(last) >= spacing && jumps(last, walk.part())) {
         add_end(path, sampler, last, walk);
       }
       last = walk.part();
