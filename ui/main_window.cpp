@@ -34,6 +34,7 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
       diagnostics_(new DiagnosticsView(this)),
       slow_places_(new SlowPlacesView(this)),
       runs_(new RunsView(model.runs(), this)),
+      why_(new WhyView(model.cursor(), this)),
       palette_(new CommandPalette(this)),
       key_list_(new KeyList(this)) {
   setWindowTitle(tr("Feedscope"));
@@ -67,6 +68,9 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
           [this] { diagnostics_->set_place(program().caret()); });
   connect(diagnostics_, &DiagnosticsView::place_chosen, program_, &ProgramPanel::go_to);
   connect(slow_places_, &SlowPlacesView::place_chosen, this, &MainWindow::show_slow_place);
+  connect(why_, &WhyView::time_chosen, &model_.cursor(), &Cursor::set_time);
+  connect(why_, &WhyView::run_wanted, this,
+          [this](const SetupState& setup) { model_.runs().duplicate_as(model_.runs().current(), setup); });
   connect(charts_, &ChartsPanel::failed, this, &MainWindow::show_failure);
   connect(charts_, &ChartsPanel::exported, this,
           [this](const QString& message) { statusBar()->showMessage(message); });
@@ -93,6 +97,14 @@ void MainWindow::make_docks() {
   setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
   QDockWidget* program = add_dock("program", tr("Program"), program_, Qt::LeftDockWidgetArea);
   QDockWidget* setup = add_dock("machine", tr("Machine and control"), setup_, Qt::RightDockWidgetArea);
+  QDockWidget* why = add_dock("why", tr("Why here?"), why_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(setup, why);
+  setup->raise();
+  connect(why, &QDockWidget::visibilityChanged, why_, &WhyView::set_on_screen);
+  connect(why_, &WhyView::attention_wanted, why, [why] {
+    why->show();
+    why->raise();
+  });
   charts_dock_ = add_dock("charts", tr("Charts"), charts_, Qt::BottomDockWidgetArea);
   diagnostics_dock_ = add_dock("messages", tr("Messages"), diagnostics_, Qt::BottomDockWidgetArea);
   runs_dock_ = add_dock("runs", tr("Runs"), runs_, Qt::BottomDockWidgetArea);
@@ -132,6 +144,7 @@ void MainWindow::show_run() {
   playback_->set_duration(any ? shown->run.trajectory->duration() : 0);
   slow_places_->set_places(any ? shown->slow_places : nullptr);
   program().set_times(any ? shown->line_times : nullptr);
+  why_->set_run(shown, model_.setup().state());
   const Settings& settings = model_.setup().file().settings;
   if (settings.has("interpolation_period_s")) {
     const double period = std::get<double>(model_.setup().state().value("interpolation_period_s"));

@@ -14,6 +14,7 @@
 #include "ui/views/scene_view.h"
 #include "ui/views/setup_view.h"
 #include "ui/views/slow_places_view.h"
+#include "ui/views/why_view.h"
 
 namespace feedscope::ui {
 
@@ -35,6 +36,7 @@ class MainWindow : public QMainWindow {
   DiagnosticsView& diagnostics() { return *diagnostics_; }
   SlowPlacesView& slow_places() { return *slow_places_; }
   RunsView& runs() { return *runs_; }
+  WhyView& why() { return *why_; }
   CommandPalette& palette() { return *palette_; }
   /// Every command of the menus, in their order.
   QList<ListedAction> commands() const;
@@ -74,6 +76,7 @@ class MainWindow : public QMainWindow {
   DiagnosticsView* diagnostics_;
   SlowPlacesView* slow_places_;
   RunsView* runs_;
+  WhyView* why_;
   CommandPalette* palette_;
   KeyList* key_list_;
   QDockWidget* charts_dock_ = nullptr;

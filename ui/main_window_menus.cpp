@@ -70,6 +70,7 @@ void MainWindow::make_menus() {
           &QAction::triggered, &model_, &Workbench::cancel);
 
   menuBar()->addMenu(tr("&Charts"))->addActions(charts_->panel_actions());
+  menuBar()->addMenu(tr("&Why here?"))->addActions(why_->panel_actions());
 
   QMenu* playback = menuBar()->addMenu(tr("&Playback"));
   playback->addActions(playback_->panel_actions());

@@ -136,6 +136,35 @@ TEST_F(MainWindowTest, ArrowKeysInTheTextMoveTheCursor) {
   EXPECT_EQ(model.cursor().state().line, 4U);
 }
 
+TEST_F(MainWindowTest, WhatWouldHelpIsShownAndBecomesARun) {
+  model.cursor().set_time(0.3 * duration());
+  EXPECT_FALSE(window.why().is_seen());
+  window.why().try_remedies();
+  QCoreApplication::processEvents();
+  EXPECT_TRUE(window.why().is_seen());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window.why().busy(); }, patience));
+  const RemedyTable& remedies = window.why().remedies();
+  int row = 0;
+  while (row < remedies.rowCount() && remedies.remedy(row)->changes.empty()) {
+    ++row;
+  }
+  ASSERT_LT(row, remedies.rowCount());
+  window.why().table()->setCurrentIndex(remedies.index(row, 0));
+  window.why().panel_actions().back()->trigger();
+  wait_until_idle();
+  ASSERT_EQ(model.runs().items().size(), 2U);
+  EXPECT_EQ(model.runs().current(), 1U);
+  EXPECT_FALSE(model.runs().current_item().setup.edits().empty());
+}
+
+TEST_F(MainWindowTest, AnotherCauseIsAKeyAway) {
+  const double before = model.cursor().state().time;
+  QTest::keyClick(&window, Qt::Key_Right, Qt::AltModifier | Qt::ShiftModifier);
+  EXPECT_GT(model.cursor().state().time, before);
+  QTest::keyClick(&window, Qt::Key_Left, Qt::AltModifier | Qt::ShiftModifier);
+  EXPECT_EQ(model.cursor().state().time, before);
+}
+
 TEST_F(MainWindowTest, EditingAMachineValueChangesTheCycleTimeAndUndoBringsItBack) {
   const double before = duration();
   type_jerk("3");

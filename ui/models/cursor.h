@@ -32,6 +32,8 @@ class Cursor : public QObject {
   /// False while there is nothing to point at.
   bool valid() const { return trajectory_ != nullptr && !trajectory_->pieces().empty(); }
   const State& state() const { return state_; }
+  /// What it points into; null for nothing.
+  const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
 
  signals:
   /// Once per move, and once for a new run.

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <optional>
+#include <vector>
+
+#include "ui/models/remedy_job.h"
+
+namespace feedscope::ui {
+
+/// Changes that were tried on a run and what they gain: a row a change, those that gain most first once all
+/// are there.
+class RemedyTable : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { change, cycle_time, gain, here, columns };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// `before`: cycle time and passage time of the run itself.
+  void begin(const Setup& setup, const std::vector<Remedy>& remedies, const RemedyTrial& before);
+  void clear();
+  void set_trial(std::size_t remedy, const RemedyTrial& trial);
+  /// By what they gain, those without result last.
+  void sort_by_gain();
+  /// Of a row; none for a row that is not there.
+  const Remedy* remedy(int row) const;
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  struct Row {
+    std::size_t number = 0;  ///< of the remedy, as it was asked for
+    Remedy remedy;
+    QString title;
+    std::optional<RemedyTrial> trial;
+  };
+
+  QString text(const Row& row, int column) const;
+  QString explanation(const Row& row) const;
+  double gain_of(const Row& row) const;  ///< [s]
+  static bool is_done(const Row& row) { return row.trial && row.trial->failure.isEmpty(); }
+
+  std::vector<Row> rows_;
+  RemedyTrial before_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,325 @@
+#include "ui/models/why_text.h"
+
+#include <QLocale>
+#include <QRegularExpression>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+/// `digits` significant ones, none behind the point for large numbers, no exponent but for tiny ones.
+QString significant(double value, int digits) {
+  const double size = std::abs(value);
+  constexpr double tiny = 1e-4;
+  if (size > 0 && size < tiny) {
+    return QLocale().toString(value, 'g', digits);
+  }
+  const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  QString text = QLocale().toString(value, 'f', std::clamp(digits - before, 0, digits + 3));
+  const QString point = QLocale().decimalPoint();
+  while (text.contains(point) && (text.endsWith('0') || text.endsWith(point))) {
+    text.chop(1);
+  }
+  return text;
+}
+
+/// As people write it: "m/s3" becomes "m/s³".
+QString unit_text(const std::string& unit) {
+  QString text = QString::fromStdString(unit);
+  return text.replace(QStringLiteral("s2"), QStringLiteral("s²"))
+      .replace(QStringLiteral("s3"), QStringLiteral("s³"));
+}
+
+QString axis_name(Cause cause) {
+  return cause.axis < 0 ? QString() : QString(QLatin1Char(axis_names[static_cast<std::size_t>(cause.axis)]));
+}
+
+QString of_symbol(const Reason& reason, Symbol symbol) {
+  const Quantity* found = reason.formula.find(symbol);
+  return found == nullptr ? QStringLiteral("–") : WhyText::number(found->value, dimension_of(symbol));
+}
+
+QString percent(const Reason& reason, Symbol symbol) {
+  const Quantity* found = reason.formula.find(symbol);
+  return found == nullptr ? QStringLiteral("–")
+                          : QStringLiteral("%1 %").arg(significant(100 * found->value, 3));
+}
+
+/// Powers and indices as such, Greek letters by their signs.
+QString as_rich_text(const QString& plain) {
+  QString text = plain.toHtmlEscaped();
+  static const QRegularExpression power(QStringLiteral("\\^(?:\\((\\d+/\\d+)\\)|(\\d+))"));
+  static const QRegularExpression index(QStringLiteral("_([A-Za-z0-9]+)"));
+  text.replace(power, QStringLiteral("<sup>\\1\\2</sup>"));
+  text.replace(index, QStringLiteral("<sub>\\1</sub>"));
+  text.replace(QStringLiteral("phi"), QStringLiteral("φ"));
+  text.replace(QStringLiteral("eps"), QStringLiteral("ε"));
+  text.replace(QStringLiteral("dk"), QStringLiteral("Δk"));
+  return text;
+}
+
+}  // namespace
+
+QString WhyText::number(double value, Dimension dimension) {
+  switch (dimension) {
+    case Dimension::number:
+      return significant(value, 3);
+    case Dimension::length:
+      return tr("%1 mm").arg(significant(value, 4));
+    case Dimension::inverse_length:
+      return tr("%1 /mm").arg(significant(value, 4));
+    case Dimension::inverse_area:
+      return tr("%1 /mm²").arg(significant(value, 4));
+    case Dimension::time:
+      return value < 0.1 ? tr("%1 ms").arg(significant(1000 * value, 4))
+                         : tr("%1 s").arg(significant(value, 4));
+    case Dimension::speed:
+      return speed(value);
+    case Dimension::acceleration:
+      return tr("%1 m/s²").arg(significant(units::to_m(value), 4));
+    case Dimension::jerk:
+      return tr("%1 m/s³").arg(significant(units::to_m(value), 4));
+    case Dimension::angle:
+      return tr("%1°").arg(significant(units::to_deg(value), 4));
+  }
+  return {};
+}
+
+QString WhyText::speed(double value) {
+  const double feed = units::to_mm_min(value);
+  return tr("%1 mm/min").arg(feed >= 100 ? QLocale().toString(feed, 'f', 0) : significant(feed, 3));
+}
+
+QString WhyText::of_axis(const QString& title, Cause cause) {
+  return cause.axis < 0 ? title : tr("%1 of axis %2").arg(title, axis_name(cause));
+}
+
+QString WhyText::cause(Cause cause) {
+  switch (cause.kind) {
+    case CauseKind::programmed_feed:
+      return tr("Programmed feed");
+    case CauseKind::rapid:
+      return tr("Rapid traverse");
+    case CauseKind::axis_velocity:
+      return of_axis(tr("Velocity"), cause);
+    case CauseKind::axis_acceleration:
+      return of_axis(tr("Acceleration"), cause);
+    case CauseKind::axis_jerk:
+      return of_axis(tr("Jerk"), cause);
+    case CauseKind::radial_acceleration:
+      return of_axis(tr("Radial acceleration"), cause);
+    case CauseKind::radial_jerk:
+      return of_axis(tr("Radial jerk"), cause);
+    case CauseKind::blend_velocity:
+      return tr("%1 on a blend").arg(of_axis(tr("Velocity"), cause));
+    case CauseKind::blend_radial_acceleration:
+      return tr("%1 on a blend").arg(of_axis(tr("Radial acceleration"), cause));
+    case CauseKind::blend_radial_jerk:
+      return tr("%1 on a blend").arg(of_axis(tr("Radial jerk"), cause));
+    case CauseKind::blend_tangential_acceleration:
+      return tr("%1 on a blend").arg(of_axis(tr("Tangential acceleration"), cause));
+    case CauseKind::blend_tangential_jerk:
+      return tr("%1 on a blend").arg(of_axis(tr("Tangential jerk"), cause));
+    case CauseKind::curvilinear_jerk:
+      return tr("Curvilinear jerk");
+    case CauseKind::curvature_crossing:
+      return tr("%1 at a change of curvature").arg(of_axis(tr("Jerk"), cause));
+    case CauseKind::interpolation_period:
+      return tr("Interpolation period");
+    case CauseKind::contour_tolerance:
+      return tr("Contour tolerance");
+    case CauseKind::lookahead_horizon:
+      return tr("Look-ahead horizon");
+    case CauseKind::ramp_down:
+      return tr("Slowing for what follows");
+    case CauseKind::exact_stop:
+      return tr("Exact stop");
+    case CauseKind::dwell:
+      return tr("Dwell");
+  }
+  return {};
+}
+
+QString WhyText::blend_sentence(const Reason& reason) {
+  const QString axis = axis_name(reason.cause);
+  switch (reason.cause.kind) {
+    case CauseKind::blend_velocity:
+      return tr("On the corner blend axis %1 runs at its largest velocity, %2.")
+          .arg(axis, of_symbol(reason, Symbol::axis_velocity));
+    case CauseKind::blend_radial_acceleration:
+      return tr("Turning on the corner blend (radius %1) may use %2 of the acceleration of axis %3, %4.")
+          .arg(of_symbol(reason, Symbol::radius), percent(reason, Symbol::acceleration_share), axis,
+               of_symbol(reason, Symbol::axis_acceleration));
+    case CauseKind::blend_radial_jerk:
+      return tr("Turning on the corner blend may use %1 of the jerk of axis %2, %3, and its curvature "
+                "changes "
+                "quickly.")
+          .arg(percent(reason, Symbol::jerk_share), axis, of_symbol(reason, Symbol::blend_jerk));
+    case CauseKind::blend_tangential_acceleration:
+      return tr("Of the acceleration of axis %1, %2, the corner blend keeps %3 for turning; the rest limits "
+                "the "
+                "change of speed.")
+          .arg(axis, of_symbol(reason, Symbol::axis_acceleration),
+               percent(reason, Symbol::acceleration_share));
+    default:
+      return tr("Of the jerk of axis %1, %2, the corner blend keeps %3 for turning; the rest limits how fast "
+                "the acceleration changes.")
+          .arg(axis, of_symbol(reason, Symbol::blend_jerk), percent(reason, Symbol::jerk_share));
+  }
+}
+
+QString WhyText::ramp_sentence(const Reason& reason, const State& state) {
+  const QString axis = axis_name(reason.cause);
+  if (reason.formula.id == FormulaId::filter_delay) {
+    return tr("The filters of the control draw every change of feed out over %1.")
+        .arg(number(reason.formula.value(), Dimension::time));
+  }
+  const bool by_jerk = reason.cause.kind == CauseKind::axis_jerk;
+  const bool whole =
+      reason.formula.id == FormulaId::whole_acceleration || reason.formula.id == FormulaId::whole_jerk;
+  if (whole) {
+    const QString limit = number(reason.reached, by_jerk ? Dimension::jerk : Dimension::acceleration);
+    return by_jerk ? tr("Axis %1 is at its largest jerk, %2, along and across the path together.")
+                         .arg(axis, limit)
+                   : tr("Axis %1 is at its largest acceleration, %2, along and across the path together.")
+                         .arg(axis, limit);
+  }
+  const QString limit = number(reason.formula.value(), by_jerk ? Dimension::jerk : Dimension::acceleration);
+  if (state.tangential_jerk == 0 && state.tangential_acceleration == 0) {
+    return tr("The tool holds its speed between two changes of speed; a jerk of %1 along the path makes them "
+              "too long to gain more.")
+        .arg(limit);
+  }
+  return by_jerk ? tr("The tool is getting faster; the jerk of axis %1 allows %2 along the path.")
+                       .arg(axis, limit)
+                 : tr("The tool is getting faster; axis %1 allows an acceleration of %2 along the path.")
+                       .arg(axis, limit);
+}
+
+QString WhyText::limit_sentence(const Reason& reason, const State& state) {
+  const QString axis = axis_name(reason.cause);
+  const QString radius = of_symbol(reason, Symbol::radius);
+  switch (reason.cause.kind) {
+    case CauseKind::programmed_feed:
+      return tr("The tool runs as fast as programmed: F %1.").arg(of_symbol(reason, Symbol::feed));
+    case CauseKind::rapid:
+      return tr("Rapid traverse: axis %1 runs at its largest velocity, %2.")
+          .arg(axis, of_symbol(reason, Symbol::axis_velocity));
+    case CauseKind::axis_velocity:
+      return tr("Axis %1 runs at its largest velocity, %2.")
+          .arg(axis, of_symbol(reason, Symbol::axis_velocity));
+    case CauseKind::axis_acceleration:
+    case CauseKind::axis_jerk:
+      return ramp_sentence(reason, state);
+    case CauseKind::radial_acceleration:
+      return tr("Turning on the radius of %1 takes all the acceleration of axis %2, %3.")
+          .arg(radius, axis, of_symbol(reason, Symbol::axis_acceleration));
+    case CauseKind::radial_jerk:
+      return tr("Running round the radius of %1 takes all the jerk of axis %2, %3.")
+          .arg(radius, axis, of_symbol(reason, Symbol::axis_jerk));
+    case CauseKind::curvilinear_jerk:
+      return tr("On the radius of %1 the control allows a curvilinear jerk of %2, of which %3 along the "
+                "path.")
+          .arg(radius, of_symbol(reason, Symbol::curvilinear_jerk),
+               percent(reason, Symbol::tangential_share));
+    case CauseKind::curvature_crossing:
+      return tr("The curvature jumps: axis %1 must take up the change with its jerk of %2 within one "
+                "interpolation period, %3.")
+          .arg(axis, of_symbol(reason, Symbol::axis_jerk), of_symbol(reason, Symbol::period));
+    case CauseKind::interpolation_period:
+      return tr("The block is %1 long, and the control needs one interpolation period, %2, for it.")
+          .arg(of_symbol(reason, Symbol::block_length), of_symbol(reason, Symbol::period));
+    case CauseKind::contour_tolerance:
+      return tr("Faster, the filters would take the tool further from the programmed contour than the "
+                "tolerance "
+                "of %1 allows.")
+          .arg(number(reason.reached, Dimension::length));
+    case CauseKind::lookahead_horizon:
+      return tr("The control knows the next %1 of its path and must be able to stop within them.")
+          .arg(of_symbol(reason, Symbol::length_ahead));
+    case CauseKind::exact_stop:
+      return tr("The tool must stop.");
+    case CauseKind::dwell:
+      return tr("The program waits.");
+    default:
+      return blend_sentence(reason);
+  }
+}
+
+QString WhyText::sentence(const Explanation& why) {
+  if (why.state.cause.kind != CauseKind::ramp_down || !why.ahead) {
+    return limit_sentence(why.reason, why.state);
+  }
+  const QString distance = number(why.ahead->path_length - why.state.path_length, Dimension::length);
+  const QString time = number(why.ahead->time - why.state.time, Dimension::time);
+  if (!(why.ahead->speed > 1e-9)) {
+    return tr("The tool brakes: in %1 (%2) it must stop, line %3.")
+        .arg(distance, time, QString::number(why.ahead->reason.line));
+  }
+  return tr("The tool brakes: in %1 (%2), line %3, only %4 are possible.")
+      .arg(distance, time, QString::number(why.ahead->reason.line), speed(why.ahead->speed));
+}
+
+QString WhyText::sentence(const SlowerPlace& ahead, const State& now) {
+  State there = now;
+  there.tangential_acceleration = there.tangential_jerk = 1;
+  return limit_sentence(ahead.reason, there);
+}
+
+QString WhyText::formula(const Reason& reason) {
+  if (reason.formula.empty()) {
+    return {};
+  }
+  const auto write = [](const Quantity& quantity) {
+    return number(quantity.value, dimension_of(quantity.symbol)).toStdString();
+  };
+  const QString numbers = QString::fromStdString(reason.formula.with_numbers(write));
+  const QString result = number(reason.formula.value(), reason.formula.dimension());
+  const QString symbols =
+      as_rich_text(QString::fromStdString(reason.formula.left() + " = " + reason.formula.text()));
+  return numbers == result
+             ? QStringLiteral("%1 = <b>%2</b>").arg(symbols, result)
+             : QStringLiteral("%1<br/>= %2<br/>= <b>%3</b>").arg(symbols, as_rich_text(numbers), result);
+}
+
+QString WhyText::source(const Reason& reason) {
+  if (reason.source == "program") {
+    return tr("from the program");
+  }
+  return QString::fromStdString(reason.source);
+}
+
+QString WhyText::remedy(const Remedy& remedy, const Setup& setup) {
+  if (remedy.feed_factor != 1) {
+    return tr("Programmed feed %1 %")
+        .arg(QStringLiteral("+%1").arg(significant(100 * (remedy.feed_factor - 1), 3)));
+  }
+  if (remedy.changes.size() == 3 && remedy.changes.front().first.starts_with("X.")) {
+    const std::string limit = remedy.changes.front().first.substr(2);
+    const double factor =
+        std::get<double>(remedy.changes.front().second) / axis_limit(setup.machine, 'X', limit);
+    const QString title = limit == "jerk" ? tr("Jerk of all axes") : tr("Acceleration of all axes");
+    return tr("%1 %2 %").arg(title, QStringLiteral("+%1").arg(significant(100 * (factor - 1), 3)));
+  }
+  const auto& [key, value] = remedy.changes.front();
+  const bool axis = key.size() > 2 && key[1] == '.';
+  const std::string name = axis ? key.substr(2) : key;
+  for (const SettingSpec& spec : axis ? axis_limit_specs() : settings_of(*setup.model)) {
+    if (spec.key == name && std::holds_alternative<double>(value)) {
+      const double before = axis ? axis_limit(setup.machine, key[0], name) : setup.settings.number(key);
+      const QString title = QString::fromStdString(spec.title);
+      return tr("%1 %2 → %3 %4")
+          .arg(axis ? tr("%1 of %2").arg(title, QString(QLatin1Char(key[0]))) : title, significant(before, 4),
+               significant(std::get<double>(value), 4), unit_text(spec.unit))
+          .trimmed();
+    }
+  }
+  return QString::fromStdString(key);
+}
+
+}  // namespace feedscope::ui

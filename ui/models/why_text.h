@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+
+#include "core/analysis/explanation/explanation.h"
+#include "core/analysis/explanation/remedies.h"
+
+namespace feedscope::ui {
+
+/// What the "Why here?" panel says, in the language and with the numbers of the user.
+class WhyText {
+  Q_DECLARE_TR_FUNCTIONS(WhyText)
+
+ public:
+  /// "Radial jerk of axis X".
+  static QString cause(Cause cause);
+  /// One sentence with its numbers.
+  static QString sentence(const Explanation& why);
+  /// The same of a slower place ahead.
+  static QString sentence(const SlowerPlace& ahead, const State& now);
+  /// The formula as rich text: symbols, then numbers and result; "" without one.
+  static QString formula(const Reason& reason);
+  /// "Tapie 2007, eq 10 and 11", or who else asks for it.
+  static QString source(const Reason& reason);
+  /// "Jerk of axis X 5 → 7.5 m/s³".
+  static QString remedy(const Remedy& remedy, const Setup& setup);
+  /// "2 008 mm/min".
+  static QString speed(double value);
+  /// With the unit of people: "2.5 mm", "10 m/s³".
+  static QString number(double value, Dimension dimension);
+
+ private:
+  static QString limit_sentence(const Reason& reason, const State& state);
+  static QString blend_sentence(const Reason& reason);
+  static QString ramp_sentence(const Reason& reason, const State& state);
+  static QString of_axis(const QString& title, Cause cause);
+};
+
+}  // namespace feedscope::ui
