@@ -201,12 +201,26 @@ QString WhyText::ramp_sentence(const Reason& reason, const State& state) {
                        .arg(axis, limit);
 }
 
+QString WhyText::tolerance_sentence(const Reason& reason) {
+  const QString tolerance = number(reason.reached, Dimension::length);
+  const bool used_up = reason.formula.empty() || reason.sets_it();
+  return used_up ? tr("Faster, the filters would take the tool further from the programmed contour than the "
+                      "tolerance of %1 allows.")
+                       .arg(tolerance)
+                 : tr("Places closer together than the filters of the control reach: this one alone takes %1 "
+                      "of the contour tolerance, %2, but together they need more of it.")
+                       .arg(number(reason.formula.value(), Dimension::length), tolerance);
+}
+
 QString WhyText::limit_sentence(const Reason& reason, const State& state) {
   const QString axis = axis_name(reason.cause);
   const QString radius = of_symbol(reason, Symbol::radius);
   switch (reason.cause.kind) {
     case CauseKind::programmed_feed:
-      return tr("The tool runs as fast as programmed: F %1.").arg(of_symbol(reason, Symbol::feed));
+      return reason.formula.empty() || reason.sets_it()
+                 ? tr("The tool runs as fast as programmed: F %1.").arg(of_symbol(reason, Symbol::feed))
+                 : tr("The tool is getting faster, but levels off in time for the programmed F %1.")
+                       .arg(of_symbol(reason, Symbol::feed));
     case CauseKind::rapid:
       return tr("Rapid traverse: axis %1 runs at its largest velocity, %2.")
           .arg(axis, of_symbol(reason, Symbol::axis_velocity));
@@ -235,10 +249,7 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
       return tr("The block is %1 long, and the control needs one interpolation period, %2, for it.")
           .arg(of_symbol(reason, Symbol::block_length), of_symbol(reason, Symbol::period));
     case CauseKind::contour_tolerance:
-      return tr("Faster, the filters would take the tool further from the programmed contour than the "
-                "tolerance "
-                "of %1 allows.")
-          .arg(number(reason.reached, Dimension::length));
+      return tolerance_sentence(reason);
     case CauseKind::lookahead_horizon:
       return tr("The control knows the next %1 of its path and must be able to stop within them.")
           .arg(of_symbol(reason, Symbol::length_ahead));
@@ -268,6 +279,11 @@ QString WhyText::sentence(const Explanation& why) {
 QString WhyText::sentence(const SlowerPlace& ahead, const State& now) {
   State there = now;
   there.tangential_acceleration = there.tangential_jerk = 1;
+  const bool stands =
+      ahead.reason.cause.kind == CauseKind::exact_stop || ahead.reason.cause.kind == CauseKind::dwell;
+  if (ahead.reason.formula.empty() && !stands) {
+    return tr("It is this slow for the sake of a place further on.");
+  }
   return limit_sentence(ahead.reason, there);
 }
 

@@ -32,6 +32,7 @@ class WhyText {
 
  private:
   static QString limit_sentence(const Reason& reason, const State& state);
+  static QString tolerance_sentence(const Reason& reason);
   static QString blend_sentence(const Reason& reason);
   static QString ramp_sentence(const Reason& reason, const State& state);
   static QString of_axis(const QString& title, Cause cause);

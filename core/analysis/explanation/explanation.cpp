@@ -1,20 +1,32 @@
 #include "core/analysis/explanation/explanation.h"
 
 #include <array>
+#include <cmath>
 
 #include "core/analysis/explanation/reason_finder.h"
 
 namespace feedscope {
 namespace {
 
-constexpr double no_time = 1e-12;  // what rounding leaves of a piece [s]
+constexpr double no_time = 1e-9;  // what rounding leaves of a piece, long programs included [s]
 
-/// Whether a piece on the way to a slower place says nothing of its own: one that takes no time, or a sample
-/// of the law on a blend.
+/// Whether a piece on the way to a slower place says nothing of its own: one that is soon over, or a
+/// sample of the law on a blend.
 bool is_between(const Trajectory& trajectory, std::size_t index) {
+  constexpr double brief = 1e-5;  // [s]
   const Piece& piece = trajectory.pieces()[index];
   const bool sample = piece.law == Law::parameter && (piece.a != 0 || piece.j != 0);
-  return sample || trajectory.piece_end(index) - piece.time <= no_time;
+  return sample || trajectory.piece_end(index) - piece.time <= brief;
+}
+
+/// A ceiling that is not the one of the place, because what limits lies further on, says nothing there.
+void drop_if_far_off(Reason& reason) {
+  constexpr double near = 0.05;
+  const bool speed = !reason.formula.empty() && reason.formula.dimension() == Dimension::speed;
+  if (speed && std::abs(reason.formula.value() - reason.reached) > near * reason.reached) {
+    reason.formula = {};
+    reason.source.clear();
+  }
 }
 
 /// Follows the pieces that brake for the same place, from the one about `state.time` on.
@@ -40,6 +52,7 @@ SlowerPlace find_slower_place(const Run& run, const ReasonFinder& reasons, const
       reason = reasons.find_at_start(there, state.slower_place);
     }
     if (!brakes_on || reason.sets_it()) {
+      drop_if_far_off(reason);
       return {there.time, there.path_length, there.speed, std::move(reason)};
     }
     piece = next;

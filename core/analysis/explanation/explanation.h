@@ -25,7 +25,7 @@ struct SlowerPlace {
   double time = 0;         ///< it is reached [s]
   double path_length = 0;  ///< there [mm]
   double speed = 0;        ///< there [mm/s]
-  Reason reason;           ///< why it is slow
+  Reason reason;           ///< why it is slow; without formula where what limits lies further on
 };
 
 /// Why the tool is not faster at one instant.
