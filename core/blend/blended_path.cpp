@@ -6,22 +6,6 @@
 #include "core/blend/junction.h"
 
 namespace feedscope {
-namespace {
-
-/// From derivatives by the curve's own parameter to derivatives by path length.
-CurvePoint by_path_length(const CurvePoint& p) {
-  const double sigma = p.d1.norm();
-  const double dsigma = p.d1.dot(p.d2) / sigma;
-  const double ddsigma = (p.d2.squaredNorm() + p.d1.dot(p.d3) - dsigma * dsigma) / sigma;
-  const double u1 = 1 / sigma;
-  const double u2 = -dsigma * u1 * u1 * u1;
-  const double u3 = (-ddsigma + 3 * dsigma * dsigma * u1) * u1 * u1 * u1 * u1;
-  return {p.position, p.d1 * u1, p.d2 * (u1 * u1) + p.d1 * u2,
-          p.d3 * (u1 * u1 * u1) + p.d2 * (3 * u1 * u2) + p.d1 * u3};
-}
-
-}  // namespace
-
 CurvePoint ElementCurve::at(double s) const {
   s = std::clamp(s, 0.0, length);
   switch (kind) {
@@ -30,6 +14,8 @@ CurvePoint ElementCurve::at(double s) const {
       return arc.at(s);
     case ElementKind::blend:
       return by_path_length(blend.at(blend.parameter_at(s)));
+    case ElementKind::fitted:
+      return course_at(course, s);
     case ElementKind::line:
     case ElementKind::filtered:
     case ElementKind::dwell:
@@ -52,13 +38,14 @@ void BlendedPath::shrink() {
   entries_.shrink_to_fit();
   transitions_.shrink_to_fit();
   corners_.shrink_to_fit();
+  knots_.shrink_to_fit();
 }
 
 std::uint32_t BlendedPath::add(ElementKind kind, std::uint32_t block, double length, std::uint32_t index) {
   Entry& entry = entries_.emplace_back();
   entry.s = length_;
   entry.block = block;
-  entry.index = index & 0x1fffffff;
+  entry.index = (kind == ElementKind::dwell ? knot_count() : index) & 0x1fffffff;
   entry.kind = kind;
   length_ += length;
   return static_cast<std::uint32_t>(entries_.size() - 1);
@@ -70,6 +57,18 @@ std::uint32_t BlendedPath::add_corner(ElementKind kind, std::uint32_t block, dou
   transitions_.push_back(transition);
   corners_.push_back(element);
   return element;
+}
+
+std::uint32_t BlendedPath::add_fitted(std::uint32_t block, std::span<const CourseKnot> course) {
+  const std::uint32_t element = add(ElementKind::fitted, block, course.back().s, knot_count());
+  knots_.insert(knots_.end(), course.begin(), course.end());
+  return element;
+}
+
+std::span<const CourseKnot> BlendedPath::course(std::size_t i) const {
+  const std::size_t first = entries_[i].index;
+  const std::size_t last = i + 1 < size() ? entries_[i + 1].index : knots_.size();
+  return std::span(knots_).subspan(first, last - first);
 }
 
 std::size_t BlendedPath::base_segment(std::uint32_t block) const {
@@ -135,6 +134,13 @@ ElementCurve BlendedPath::curve(std::size_t i) const {
     } else {
       curve.arc = corner_arc(plan.point, plan.in, plan.out, transition);
     }
+    return curve;
+  }
+  if (entry.kind == ElementKind::fitted) {
+    curve.course = course(i);
+    curve.start = curve.course.front().position;
+    curve.end = curve.course.back().position;
+    curve.direction = Vec3::Zero();
     return curve;
   }
   const std::size_t segment = base_segment(entry.block);

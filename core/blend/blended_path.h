@@ -2,16 +2,19 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/blend/compaction.h"
 #include "core/blend/corner.h"
+#include "core/blend/fitted_course.h"
 
 namespace feedscope {
 
 /// `blend`: a cubic blend in a corner; `connecting_arc`: a circle arc in one; `filtered`: a segment as
-/// smoothing filters draw it, whose course is known to the motion alone.
-enum class ElementKind : std::uint8_t { line, arc, blend, connecting_arc, dwell, filtered };
+/// smoothing filters draw it, whose course is known to the motion alone; `fitted`: the same as a curve by
+/// path length, for a motion of its own.
+enum class ElementKind : std::uint8_t { line, arc, blend, connecting_arc, dwell, filtered, fitted };
 
 /// One geometric piece of the path that the control executes.
 struct PathElement {
@@ -34,6 +37,7 @@ class ElementCurve {
   Vec3 direction;     ///< lines: unit; zero for a dwell; filtered: along the programmed chord
   Arc arc;            ///< arcs and connecting arcs
   CubicBlend blend;   ///< blends
+  std::span<const CourseKnot> course;  ///< fitted; of the path, which must outlive the curve
 
   /// Position and derivatives by path length at `s` from the element's start, clamped to it [mm]. For a
   /// filtered element the chord stands in; Trajectory::state_at_path follows the course itself.
@@ -88,6 +92,9 @@ class BlendedPath {
   std::uint32_t add(ElementKind kind, std::uint32_t block, double length, std::uint32_t index = 0);
   /// Appends the curve that begins `transition` [mm] before the end of `block` and ends as much after it.
   std::uint32_t add_corner(ElementKind kind, std::uint32_t block, double transition, double length);
+  /// Appends the part of `block` that `course`, from s = 0 to its length, follows. A path holds either fitted
+  /// elements and dwells or none.
+  std::uint32_t add_fitted(std::uint32_t block, std::span<const CourseKnot> course);
   void set_blend_weight(double alpha) { alpha_ = alpha; }  ///< of all cubic blends
 
  private:
@@ -102,6 +109,8 @@ class BlendedPath {
   };
 
   double line_offset(std::size_t i) const;
+  std::uint32_t knot_count() const { return static_cast<std::uint32_t>(knots_.size()); }
+  std::span<const CourseKnot> course(std::size_t i) const;
   CornerPlan plan_of(std::size_t corner) const;
 
   std::shared_ptr<const Toolpath> programmed_;
@@ -109,6 +118,7 @@ class BlendedPath {
   std::vector<Entry> entries_;
   std::vector<double> transitions_;     ///< a corner
   std::vector<std::uint32_t> corners_;  ///< element of each
+  std::vector<CourseKnot> knots_;       ///< of fitted elements, one after the other
   double length_ = 0;
   double alpha_ = 2.5;
 };

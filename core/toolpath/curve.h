@@ -12,6 +12,9 @@ struct CurvePoint {
   Vec3 d3;
 };
 
+/// The same point with derivatives by path length.
+CurvePoint by_path_length(const CurvePoint& p);
+
 /// Circular arc or helix, parameterised by path length.
 ///   position(s) = center + radius (cos(a) x + sin(a) y) + a rise,  a = s / (length / sweep)
 struct Arc {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/trajectory/trajectory.h"
@@ -31,6 +32,10 @@ class TrajectoryBuilder {
   std::uint32_t add_corner(ElementKind kind, std::uint32_t block, double transition, double length);
   /// Appends segment `block` as `motion` passes it.
   std::uint32_t add_filtered(std::uint32_t block, double length, std::uint32_t motion);
+  /// As BlendedPath::add_fitted.
+  std::uint32_t add_fitted(std::uint32_t block, std::span<const CourseKnot> course) {
+    return content_.path.add_fitted(block, course);
+  }
   std::uint32_t add_motion(FilteredMotion motion);
   /// Says that the element added last ends at a corner that the filters round.
   void add_filtered_corner() {

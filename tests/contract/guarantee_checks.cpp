@@ -212,12 +212,14 @@ struct Sample {
   double distance = 0;  ///< [mm]
 };
 
-/// Distance of `point` from the path between the ends of segments i - 2 and i + 1 [mm]: sampled, then closed
+/// Distance of `point` from the path between the ends of segments i - 2 and i + 1, more where the path lags
+/// behind its segments [mm]: sampled, then closed
 /// in on from every sample that is nearer than its neighbours, until one is within `enough`.
 double distance_near(const Motion& motion, std::size_t i, const Vec3& point, double enough) {
   const std::vector<Part>& parts = motion.parts();
-  const std::size_t first = motion.first_part_of(i - 1);
-  const std::size_t last = std::max(first + 1, motion.first_part_of(i + 1));
+  const std::size_t spread = motion.lags() ? 20 : 0;
+  const std::size_t first = motion.first_part_of(i - 1 - std::min(spread, i - 1));
+  const std::size_t last = std::max(first + 1, motion.first_part_of(i + 1 + spread));
   const double reach = motion.memory(parts[std::min(first, parts.size() - 1)]);
   const double end = last < parts.size() ? parts[last].time + parts[last].duration : motion.run().duration();
   const double from = std::max(0.0, parts[first > 0 ? first - 1 : 0].time - reach);

@@ -17,6 +17,7 @@ Place place_of(const Toolpath& toolpath, const BlendedPath& path, std::uint32_t 
     case ElementKind::line:
       return Place::line;
     case ElementKind::filtered:
+    case ElementKind::fitted:
       break;
   }
   return toolpath.segments[path.segment(element)].kind == SegmentKind::arc ? Place::arc : Place::line;
@@ -68,6 +69,16 @@ double Motion::size(const Part& part) const {
 
 double Motion::length(const Part& part) const {
   return run_.path().length(part.element);
+}
+
+bool Motion::lags() const {
+  const BlendedPath& path = run_.path();
+  for (std::size_t e = 0; e < path.size(); ++e) {
+    if (path.kind(e) != ElementKind::dwell) {
+      return path.kind(e) == ElementKind::fitted;
+    }
+  }
+  return false;
 }
 
 const FilteredMotion* Motion::filtered(const Part& part) const {

@@ -40,6 +40,8 @@ class Motion {
   /// Size of the coordinates that its positions are computed from, which says how they are rounded [mm].
   double size(const Part& part) const;
   double length(const Part& part) const;  ///< of its element [mm]
+  /// Whether the path is one that filters drew: it passes a point while many blocks later may be under way.
+  bool lags() const;
   /// Shares of its duration between which it follows one law, 0 and 1 among them; filters change it within
   /// a part.
   std::vector<double> law_borders(const Part& part) const;

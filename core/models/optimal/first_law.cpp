@@ -64,7 +64,7 @@ void FirstLaw::add_element(const std::vector<PathCell>& cells, std::uint32_t ind
   if (parts_.empty()) {
     first_ = index;
   }
-  straight_ = straight_ && cells.front().straight;
+  straight_ = straight_ && all_straight(cells);
   const PathCell* const end = cells.data() + cells.size();
   double least = 0;
   double most = 0;
@@ -93,7 +93,7 @@ void FirstLaw::add_part(const PathCell* first, const PathCell* last, const Speed
     largest.add(*cell);
   }
   MotionLimits& limits = part.limits;
-  if (first->straight) {
+  if (all_straight({first, last})) {
     limits.speed = feed;
     const AxisBound velocity = axis_share(axes.velocity, largest.t);
     limits.speed.lower(velocity.value, {CauseKind::axis_velocity, velocity.axis});

@@ -73,6 +73,7 @@ void JerkLaw::load_element(std::uint32_t index, int fineness) {
   rule_.speed = feed_.value;
   geometry_.clear();
   append_cells(builder_.path(), index, rule_, geometry_);
+  straight_ = all_straight(geometry_);
   loaded_ = index;
   at_ = 0;
 }
@@ -173,12 +174,12 @@ PathPoint JerkLaw::point_at(double s) {
 PlaceLimits JerkLaw::limits_at(double s) {
   const PathPoint point = point_at(s);
   const double speed = std::min(feed_.value, axis_share(axes_.velocity, point.t).value);
-  return {point, geometry_.front().straight, speed, axes_.acceleration, jerk_of(loaded_)};
+  return {point, straight_, speed, axes_.acceleration, jerk_of(loaded_)};
 }
 
 void JerkLaw::add_places(const Cell& cell) {
   SolverCell solver{cell.length, places_.size(), 0};
-  if (geometry_.front().straight) {
+  if (straight_) {
     const PlaceLimits limits = limits_at(cell.offset);
     if (cell.offset == 0) {
       places_.push_back({0, limits});

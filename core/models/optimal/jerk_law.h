@@ -68,8 +68,9 @@ class JerkLaw {
 
   std::vector<PathCell> geometry_;  ///< of element loaded_
   std::uint32_t loaded_ = 0;
-  SpeedBound feed_;     ///< of that element
-  std::size_t at_ = 0;  ///< last geometry cell looked at
+  bool straight_ = true;  ///< element loaded_ is
+  SpeedBound feed_;       ///< of that element
+  std::size_t at_ = 0;    ///< last geometry cell looked at
   double excess_ = 1;
 };
 

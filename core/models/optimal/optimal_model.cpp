@@ -3,24 +3,27 @@
 #include <algorithm>
 
 #include "core/models/optimal/acceleration_law.h"
+#include "core/models/optimal/filtered_path.h"
 #include "core/models/optimal/jerk_law.h"
 #include "core/models/optimal/own_law.h"
 
 namespace feedscope {
 namespace {
 
-/// The course of filtered motion is a function of the time of its filters, not of path length.
-constexpr const char* no_path = "ward";
 constexpr const char* usual_path = "essid";
 
 /// What the limits are exceeded by at most between the places of a curve that are looked at.
 constexpr double between_places = 1.02;
 constexpr double jerk_between_places = 1.05;
+constexpr double on_filtered_path = 1.05;
+
+/// What the course of a filtered path may be off, as a share of the contour tolerance.
+constexpr double share_of_tolerance = 1e-3;
 
 /// What the models whose paths can be taken read, each key once.
 void add_settings_of_paths(ModelInfo& info, SettingSpec& path) {
   for (const ControlModel* model : all_models()) {
-    if (dynamic_cast<const OptimalModel*>(model) != nullptr || model->info().id == no_path) {
+    if (dynamic_cast<const OptimalModel*>(model) != nullptr) {
       continue;
     }
     const ModelInfo& inner = model->info();
@@ -54,9 +57,7 @@ ModelInfo make_info() {
   path.key = "path";
   path.title = "Path of the model";
   path.explanation =
-      "Model whose path is run; ward is none of them yet: the course of its motion is known by the time of "
-      "its "
-      "filters, not by path length.";
+      "Model whose path is run, corner blends included; of ward the path that its filters draw.";
   path.choices = {usual_path};
   add_settings_of_paths(info, path);
   SettingSpec jerk;
@@ -70,9 +71,34 @@ ModelInfo make_info() {
   info.settings.insert(info.settings.begin(), {path, jerk});
   info.remarks = {
       "On blends that nearly reverse limits were seen exceeded by 5 % (acceleration) and a third (jerk).",
+      "On the path of ward jerk=on keeps the jerk but for short peaks where an arc begins from a standstill.",
       "Stops only where the path itself has a kink, a reversal or a dwell.",
       "Kinks of up to 0.01 rad at arcs count as tangent, as in every model."};
   return info;
+}
+
+/// Allowed distance of a fitted path from the filtered motion [mm]: below the least one rounding would make
+/// its curvature.
+double fit_error(double tolerance) {
+  constexpr double least = 1e-7;
+  return tolerance > 0 ? std::clamp(share_of_tolerance * tolerance, least, FilteredPath::usual_error)
+                       : FilteredPath::usual_error;
+}
+
+/// The path of `run`, ready to be passed in another time.
+TrajectoryBuilder path_of(const Trajectory& run, const std::shared_ptr<const Toolpath>& toolpath,
+                          const AxisVectors& axes, double tolerance) {
+  if (run.motions().empty()) {
+    return TrajectoryBuilder(run);
+  }
+  TrajectoryBuilder builder(toolpath, axes.velocity);
+  FilteredPath(run, axes, fit_error(tolerance), builder).lay();
+  double contour_error = 0;
+  for (const FilteredMotion& motion : run.motions()) {
+    contour_error = std::max(contour_error, motion.contour_error());
+  }
+  builder.set_compaction_error(contour_error);
+  return builder;
 }
 
 }  // namespace
@@ -89,12 +115,18 @@ Guarantees OptimalModel::guarantees(const Settings& settings) const {
   promised.arcs = promised.blends = promised.lines;
   promised.arcs.acceleration.factor = promised.blends.acceleration.factor = between_places;
   promised.arcs.velocity.factor = promised.blends.velocity.factor = between_places;
-  if (settings.text("jerk") == "on") {
+  if (settings.text("jerk") == "on" && !inner.feed_of_run) {
     promised.lines.jerk = {KeptLimit::Of::whole};
     promised.arcs.jerk = promised.blends.jerk = {KeptLimit::Of::whole, jerk_between_places};
     promised.blends.of_blend_jerk = true;
   }
   promised.contour = inner.contour;
+  if (inner.feed_of_run) {  // a filtered path turns anywhere
+    promised.arcs.acceleration.factor = on_filtered_path;
+    promised.lines = promised.arcs;
+    const double tolerance = settings.number("contour_tolerance_mm");
+    promised.contour += tolerance > 0 ? fit_error(tolerance) / tolerance : 0;
+  }
   promised.meets_tangent_ends = inner.meets_tangent_ends;
   promised.stops_at_line_corners = inner.contour == 0;
   promised.stops_at_arc_corners = inner.meets_tangent_ends;  // compaction turns lines at their ends
@@ -108,8 +140,9 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   const AxisVectors axes(machine);
   const ControlModel& model = find_model(settings.text("path"));
   const Trajectory model_run = model.simulate(shared, machine, settings, progress);
-  const bool can_be_run = model.guarantees(settings).continuity != Continuity::position;
-  TrajectoryBuilder builder(model_run);
+  const bool can_be_run =
+      model.guarantees(settings).continuity != Continuity::position && model_run.motions().empty();
+  TrajectoryBuilder builder = path_of(model_run, shared, axes, settings.number("contour_tolerance_mm"));
   const OwnLaw own_law(model_run, axes);
   const bool with_jerk = settings.text("jerk") == "on";
   AccelerationLaw acceleration_law(toolpath, axes, 1, builder);

@@ -28,19 +28,30 @@ PathPoint point_of(const BlendShape::Point& at) {
   return {at.tangent, at.k * at.normal, at.dk_ds * at.normal - at.k * at.k * at.tangent};
 }
 
+/// Largest square of the speed at `curvature` [mm2/s2].
+double square_limit(double curvature, const CellRule& rule) {
+  return std::min(rule.speed * rule.speed, rule.acceleration.minCoeff() / curvature);
+}
+
+/// How many cells a curve takes for what the square of the speed may change on it, as a share of `limit`.
+double cells_of_change(double length, double limit, const CellRule& rule) {
+  constexpr double most = 16;
+  const double change = 2 * rule.acceleration.minCoeff() * length / limit;
+  return std::clamp(std::ceil(most * change), 1.0, most);
+}
+
 /// Least number of cells for a curve of `length` whose largest curvature vector is about `curvature` [1/mm].
 int least_cells(double length, double curvature, const CellRule& rule) {
   constexpr double few = 2;
-  constexpr double most = 16;
+  constexpr double least = 4;
   constexpr double slight = 1e-3;
   const double acceleration = rule.acceleration.minCoeff();
-  const double limit = std::min(rule.speed * rule.speed, acceleration / curvature);
+  const double limit = square_limit(curvature, rule);
   double count = few;
   const double bend = 4 * curvature / length;  // what the curvature changes by, by path length, on a blend
   if (curvature * limit > slight * acceleration ||
       bend * limit * std::sqrt(limit) > slight * rule.jerk.minCoeff()) {
-    const double change = 2 * acceleration * length / limit;  // of v^2, over v^2
-    count = std::clamp(std::ceil(most * change), most / 4, most);
+    count = std::max(cells_of_change(length, limit, rule), least);
   }
   return rule.fineness * static_cast<int>(count);
 }
@@ -59,60 +70,71 @@ void append_arc(const Arc& arc, PathCell cell, const CellRule& rule, std::vector
   }
 }
 
-/// Cuts a blend into cells, halving by its own parameter until each turns little.
-class BlendCutter {
+/// A place of a curve that is cut by a parameter of its own.
+struct CutPlace {
+  PathPoint point;
+  double k;      ///< curvature [1/mm]
+  double sigma;  ///< path length by the parameter [mm]
+};
+
+/// Cuts a curve into cells, halving by a parameter from 0 to 1 until each turns little.
+template <typename At>
+class CurveCutter {
  public:
-  BlendCutter(const BlendShape& shape, const CellRule& rule, const PathCell& cell,
-              std::vector<PathCell>& cells)
-      : shape_(shape), rule_(rule), cell_(cell), cells_(cells) {}
+  /// `at(u)` gives a CutPlace; `cell`: the whole curve.
+  CurveCutter(const At& at, int fineness, const PathCell& cell, std::vector<PathCell>& cells)
+      : at_(at), fineness_(fineness), begin_(cell.offset), cell_(cell), cells_(cells) {}
 
   void cut(int count) {
     const std::size_t first = cells_.size();
     const double whole = cell_.length;
-    BlendShape::Point from = shape_.at(0);
+    CutPlace from = at_(0);
     for (int i = 0; i < count; ++i) {
       const double end = static_cast<double>(i + 1) / count;
-      const BlendShape::Point to = shape_.at(end);
+      const CutPlace to = at_(end);
       cut(static_cast<double>(i) / count, end, from, to, 0);
       from = to;
     }
     const double scale = whole / reached_;  // Simpson's rule against the length that the path goes by
     for (std::size_t i = first; i < cells_.size(); ++i) {
       cells_[i].length *= scale;
-      cells_[i].offset *= scale;
+      cells_[i].offset = begin_ + cells_[i].offset * scale;
     }
   }
 
  private:
-  void cut(double u0, double u1, const BlendShape::Point& from, const BlendShape::Point& to, int depth) {
+  void cut(double u0, double u1, const CutPlace& from, const CutPlace& to, int depth) {
     const double middle = (u0 + u1) / 2;
-    const BlendShape::Point at = shape_.at(middle);
-    if (depth < deepest_cut && !is_even(from, to)) {
+    const CutPlace at = at_(middle);
+    if (depth < deepest_cut && !is_even(from, at, to)) {
       cut(u0, middle, from, at, depth + 1);
       cut(middle, u1, at, to, depth + 1);
       return;
     }
     cell_.length = (u1 - u0) * (from.sigma + 4 * at.sigma + to.sigma) / 6;
     cell_.offset = reached_;
-    cell_.from = point_of(from);
-    cell_.middle = point_of(at);
-    cell_.to = point_of(to);
+    cell_.from = from.point;
+    cell_.middle = at.point;
+    cell_.to = to.point;
     reached_ += cell_.length;
     cells_.push_back(cell_);
   }
 
-  /// Whether it turns little from `from` to `to`, and where it turns at all, about evenly.
-  bool is_even(const BlendShape::Point& from, const BlendShape::Point& to) const {
+  /// Whether it turns little from `from` to `to`, there and back as well, and where it turns at all, about
+  /// evenly.
+  bool is_even(const CutPlace& from, const CutPlace& at, const CutPlace& to) const {
     const auto within = [](double a, double b) {
       return std::abs(a - b) <= even_change * std::max(std::abs(a), std::abs(b));
     };
-    const double turn = (to.tangent - from.tangent).norm() * rule_.fineness;
+    const Vec3 bulge = 4 * at.point.t - 2 * (from.point.t + to.point.t);
+    const double turn = std::max((to.point.t - from.point.t).norm(), bulge.norm()) * fineness_;
     return turn <= slight_turn ||
            (turn <= blend_turn && within(from.k, to.k) && within(from.sigma, to.sigma));
   }
 
-  const BlendShape& shape_;
-  const CellRule& rule_;
+  const At& at_;
+  int fineness_;
+  double begin_;
   PathCell cell_;
   std::vector<PathCell>& cells_;
   double reached_ = 0;
@@ -123,8 +145,38 @@ void append_blend(const CubicBlend& blend, const PathCell& cell, const CellRule&
   const Vec3 in = blend.corner - blend.start;
   const double transition = in.norm();
   const BlendShape shape(in / transition, (blend.end - blend.corner) / transition, transition, blend.alpha);
+  const auto at = [&](double u) {
+    const BlendShape::Point point = shape.at(u);
+    return CutPlace{point_of(point), point.k, point.sigma};
+  };
   const int count = least_cells(cell.length, shape.middle_curvature(), rule);
-  BlendCutter(shape, rule, cell, cells).cut(count);
+  CurveCutter(at, rule.fineness, cell, cells).cut(count);
+}
+
+void append_course(std::span<const CourseKnot> course, PathCell cell, const CellRule& rule,
+                   std::vector<PathCell>& cells) {
+  constexpr double rounding = 1e-9;
+  for (std::size_t i = 0; i + 1 < course.size(); ++i) {
+    const CourseKnot& from = course[i];
+    const CourseKnot& to = course[i + 1];
+    const CourseSpan span(from, to);
+    cell.offset = from.s;
+    cell.length = span.length();
+    cell.straight =
+        from.curvature.isZero(0) && to.curvature.isZero(0) && (to.tangent - from.tangent).norm() <= rounding;
+    if (cell.straight) {
+      cell.from = cell.middle = cell.to = {(to.position - from.position).normalized()};
+      cells.push_back(cell);
+      continue;
+    }
+    const auto at = [&](double u) {
+      const CurvePoint point = span.at(u * span.length());
+      return CutPlace{point_of(point), point.d2.norm(), span.length()};
+    };
+    const double curvature = std::max(from.curvature.norm(), to.curvature.norm());
+    const double count = cells_of_change(cell.length, square_limit(curvature, rule), rule);
+    CurveCutter(at, rule.fineness, cell, cells).cut(rule.fineness * static_cast<int>(count));
+  }
 }
 
 }  // namespace
@@ -156,9 +208,16 @@ void append_cells(const BlendedPath& path, std::uint32_t index, const CellRule& 
     case ElementKind::blend:
       append_blend(curve.blend, cell, rule, cells);
       break;
+    case ElementKind::fitted:
+      append_course(curve.course, cell, rule, cells);
+      break;
     case ElementKind::dwell:
       break;
   }
+}
+
+bool all_straight(std::span<const PathCell> cells) {
+  return std::all_of(cells.begin(), cells.end(), [](const PathCell& cell) { return cell.straight; });
 }
 
 bool is_stop(const BlendedPath& path, std::uint32_t index) {

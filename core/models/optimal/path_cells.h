@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/blend/blended_path.h"
@@ -16,7 +17,7 @@ struct PathPoint {
   Vec3 d = Vec3::Zero();
 };
 
-/// A part of one element, short enough that the path hardly turns on it; lines are one cell.
+/// A part of one element, short enough that the path hardly turns on it; what is straight is one cell.
 struct PathCell {
   double length = 0;  ///< > 0 [mm]
   double offset = 0;  ///< of its start from the start of the element [mm]
@@ -42,6 +43,9 @@ double law_length(const BlendedPath& path, std::uint32_t index);
 /// Appends the cells of element `index`. Nothing for a dwell.
 void append_cells(const BlendedPath& path, std::uint32_t index, const CellRule& rule,
                   std::vector<PathCell>& cells);
+
+/// Whether none of them turns.
+bool all_straight(std::span<const PathCell> cells);
 
 /// Whether the tool must stop between elements `index` - 1 and `index` whatever the time law: a kink, a
 /// reversal, a dwell on one of the two sides. Curves that a control inserts are tangent to their neighbours.

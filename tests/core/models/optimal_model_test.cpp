@@ -9,6 +9,7 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/models/optimal/acceleration_law.h"
+#include "core/models/optimal/filtered_path.h"
 #include "tests/support/motion_checks.h"
 #include "tests/support/paths.h"
 
@@ -44,7 +45,13 @@ Toolpath circle(double radius, double feed) {
 /// On the path of `model`, with cells `fineness` times as fine as usual.
 double time_with_cells(const Toolpath& path, const Machine& machine, const std::string& model, int fineness) {
   const AxisVectors axes(machine);
-  TrajectoryBuilder builder(find_model(model).simulate(path, machine, settings_on(model, machine)));
+  const Trajectory run = find_model(model).simulate(path, machine, settings_on(model, machine));
+  const bool filtered = !run.motions().empty();
+  TrajectoryBuilder builder =
+      filtered ? TrajectoryBuilder(run.path().programmed(), axes.velocity) : TrajectoryBuilder(run);
+  if (filtered) {
+    FilteredPath(run, axes, FilteredPath::usual_error, builder).lay();
+  }
   AccelerationLaw law(path, axes, fineness, builder);
   ProgressSteps steps(nullptr, 1);
   law.run(0, static_cast<std::uint32_t>(builder.path().size()), steps);
@@ -58,6 +65,34 @@ TEST(OptimalModel, RunsALineAsATrapezoid) {
   EXPECT_EQ(cause_key(run.state(0.01).cause), "axis_acceleration_x");
   EXPECT_EQ(cause_key(run.state(1).cause), "programmed_feed");
   EXPECT_EQ(cause_key(run.state(2.04).cause), "ramp_down");
+}
+
+TEST(OptimalModel, RunsALineOfFilteredMotionAsATrapezoid) {
+  const Trajectory run = optimal_run(testing::polyline({{0, 0, 0}, {100, 0, 0}}, 50), "ward");
+  EXPECT_NEAR(run.duration(), 100.0 / 50 + 50.0 / 1000, 1e-9);
+}
+
+TEST(OptimalModel, RunsThePathOfFilteredMotionFasterThanTheFiltersAndWithinTheLimits) {
+  std::mt19937 random(31);
+  const Machine machine = spinner_as_published();
+  const Settings settings = settings_on("ward", machine);
+  const Guarantees promised = find_model("optimal").guarantees(settings);
+  for (int i = 0; i < 20; ++i) {
+    const Toolpath path = testing::random_path(random, 5 + i);
+    const Trajectory run = optimal_run(path, "ward");
+    testing::expect_rest_at_the_programmed_ends(path, run);
+    testing::expect_no_gaps_between_pieces(run);
+    for (const Part& part : testing::parts_of(run)) {
+      for (const double share : {0.0, 0.3, 0.7, 1.0}) {
+        const State state = testing::state_in(run, part, share * part.duration);
+        for (int j = 0; j < 3; ++j) {
+          ASSERT_LE(std::abs(state.acceleration[j]), machine.axes[static_cast<std::size_t>(j)].acceleration *
+                                                         promised.arcs.acceleration.factor)
+              << "part at " << part.time << " of path " << i;
+        }
+      }
+    }
+  }
 }
 
 TEST(OptimalModel, RunsAShortLineAsATriangle) {
@@ -133,7 +168,10 @@ TEST(OptimalModel, HalvingTheCellsChangesTheTimeByLessThanAThousandth) {
   check(testing::polyline(testing::essid_table1(), 50), spinner, "gassara");
   check(testing::polyline(testing::essid_spline(), 50), spinner, "essid");
   check(testing::polyline(testing::essid_spline(), 50), spinner, "msaddek");
+  check(testing::polyline(testing::essid_table1(), 50), spinner, "ward");
+  check(testing::polyline(testing::essid_spline(), 50), spinner, "ward");
   check(testing::spiral(10, 5, 5, 0, units::pi, 100), mikron, "tapie");
+  check(testing::spiral(10, 5, 5, 0, units::pi, 100), mikron, "ward");
   check(circle(30, 100), mikron, "tapie");
   check(circle(2.5, 100), mikron, "tapie");
 }
@@ -214,11 +252,12 @@ TEST(OptimalModel, ListsTheSettingsOfThePathsItCanTake) {
   for (const char* key : {"contour_tolerance_mm", "alpha", "reading", "compaction_mm", "tangential_share"}) {
     EXPECT_TRUE(settings.has(key)) << key;
   }
+  EXPECT_TRUE(settings.has("filters"));
   try {
-    apply_setting("path=ward", optimal, machine, settings);
-    FAIL() << "ward is no path";
+    apply_setting("path=optimal", optimal, machine, settings);
+    FAIL() << "optimal is no path";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), ::testing::HasSubstr("essid, cam, gassara, tapie, msaddek"));
+    EXPECT_THAT(error.what(), ::testing::HasSubstr("essid, cam, gassara, tapie, msaddek, ward"));
   }
 }
 

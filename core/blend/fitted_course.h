@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "core/toolpath/curve.h"
+
+namespace feedscope {
+
+/// A place of a course that is given by places: what the polynomials between them meet.
+struct CourseKnot {
+  double s = 0;    ///< path length from the start of the course [mm]
+  Vec3 position;   ///< [mm]
+  Vec3 tangent;    ///< unit
+  Vec3 curvature;  ///< vector, across the tangent [1/mm]
+};
+
+/// The quintic Hermite polynomial between two knots, by path length. Position, tangent and curvature are
+/// those of the knots, so that a course through many has no jumps up to the second derivative.
+class CourseSpan {
+ public:
+  /// `to.s` - `from.s` as course_length() says.
+  CourseSpan(const CourseKnot& from, const CourseKnot& to);
+
+  double length() const { return length_; }  ///< [mm]
+  /// At path length `s` from its beginning, clamped to the span [mm].
+  CurvePoint at(double s) const;
+  /// Distance of `point` from the span near path length `s` [mm]; `s` becomes where that is.
+  double distance(const Vec3& point, double& s) const;
+
+ private:
+  friend double course_length(const CourseKnot& from, const CourseKnot& to);
+  CourseSpan(const CourseKnot& from, const CourseKnot& to, double length);
+  CurvePoint by_share(double x) const;
+  /// Length from the beginning to share `x` of the parameter [mm].
+  double covered(double x) const;
+
+  double length_;
+  Vec3 start_;
+  std::array<Vec3, 5> coefficients_;  ///< of x ... x^5, x in [0, 1]
+  double whole_;                      ///< covered(1)
+};
+
+/// Length of the polynomial between two knots whose derivatives by the parameter are those by path length: it
+/// is as long as its parameter [mm]. `s` of the knots is not used.
+double course_length(const CourseKnot& from, const CourseKnot& to);
+
+/// On a course of at least two knots, at path length `s` from its start, clamped to it [mm].
+CurvePoint course_at(std::span<const CourseKnot> course, double s);
+
+}  // namespace feedscope

@@ -1,0 +1,224 @@
+#include "core/models/optimal/filtered_path.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope {
+namespace {
+
+/// Between two looks at the motion passes at least and at most this share of a filter time, unless one pulse
+/// fills the filters: then it turns by this at most [rad].
+constexpr double least_share = 0.25;
+constexpr double most_share = 0.5;
+constexpr double most_turn = 0.5;
+/// Shorter blocks are no elements of their own: of so near places rounding would make the curvature [mm].
+constexpr double least_block = 1e-4;
+/// Nearer places are one place [mm].
+constexpr double same_place = 1e-10;
+/// Within this length a turn by more than a curve may turn is a standstill [mm].
+constexpr double turned_back = 1e-9;
+/// Share of the largest speed that counts as a standstill.
+constexpr double still = 1e-9;
+
+/// What a curve may be off in the middle: distance as a share of what is allowed, because elsewhere it may be
+/// farther; direction [rad]; curvature as a share of itself, or of what the axes allow at the feed.
+constexpr double distance_share = 0.25;
+constexpr double direction_off = 1e-3;
+constexpr double curvature_off = 0.005;
+constexpr double curvature_of_limit = 2e-3;
+
+/// Of the turn of a curve; what turns by more within `turned_back` [mm] turns back there.
+constexpr double least_cosine = 0.5;
+
+constexpr int deepest = 60;
+
+}  // namespace
+
+FilteredPath::Place FilteredPath::place_at(double t) {
+  const PulseTrain& train = motion_->train();
+  const Kinematics at = walk_.motion_at(train, t);
+  const double speed = at.velocity.norm();
+  Place place{t, {0, at.position, Vec3::Zero(), Vec3::Zero()}, speed <= still * train.largest_feed};
+  if (!place.stands) {
+    place.knot.tangent = at.velocity / speed;
+    const Vec3 across = at.acceleration - place.knot.tangent * at.acceleration.dot(place.knot.tangent);
+    constexpr double digits = 4;
+    const double rounding = digits * FilterWalk::velocity_rounding * train.largest_feed / train.filter_time;
+    if (across.norm() > rounding) {
+      place.knot.curvature = across / (speed * speed);
+      place.turn_rate = across.norm() / speed;
+    }
+  }
+  return place;
+}
+
+void FilteredPath::lay() {
+  const BlendedPath& path = run_.path();
+  const std::vector<Piece>& pieces = run_.pieces();
+  std::size_t piece = 0;
+  for (std::uint32_t e = 0; e < path.size(); ++e) {
+    block_ = path.segment(e);
+    feed_ = run_.feed_of(e);
+    const std::size_t first = piece;
+    while (piece < pieces.size() && pieces[piece].element == e) {
+      ++piece;
+    }
+    if (path.kind(e) == ElementKind::dwell) {
+      builder_.add_segment(block_);
+      continue;
+    }
+    if (motion_ != &run_.motion_of(e)) {
+      begin_motion(run_.motion_of(e));
+    }
+    const bool ends =
+        e + 1 == path.size() || path.kind(e + 1) == ElementKind::dwell || &run_.motion_of(e + 1) != motion_;
+    if (piece > first) {
+      const double end = run_.piece_end(piece - 1) - motion_->start();
+      follow(run_.pieces()[first].time - motion_->start(), end);
+      end_block(end, false);
+    }
+    if (ends) {
+      end_block(motion_->duration(), true);
+    }
+  }
+}
+
+void FilteredPath::begin_motion(const FilteredMotion& motion) {
+  motion_ = &motion;
+  last_ = place_at(0);
+  last_.stands = true;
+  knots_.assign(1, last_.knot);
+}
+
+void FilteredPath::follow(double from, double to) {
+  const double filter_time = motion_->filter_time();
+  for (double t = from; t < to;) {
+    const double knot = walk_.next_knot(motion_->train(), t);
+    double end = std::clamp(knot, t + least_share * filter_time, t + most_share * filter_time);
+    double count = 1;
+    if (walk_.is_settled()) {
+      end = std::min(knot, to);
+      count = std::max(std::ceil((end - t) * place_at(t).turn_rate / most_turn), 1.0);
+    }
+    const double looks = end < to ? count : count - 1;  // the end is for end_block()
+    for (double i = 1; i <= looks; ++i) {
+      follow_to(t + i / count * (end - t));
+    }
+    t = end;
+  }
+}
+
+void FilteredPath::follow_to(double time) {
+  const Place to = place_at(time);
+  if ((to.knot.position - last_.knot.position).norm() > least_block) {
+    fit_to(to, 0);
+  }
+}
+
+void FilteredPath::end_block(double time, bool at_rest) {
+  Place to = place_at(time);
+  to.stands = to.stands || at_rest;
+  const bool is_short = (to.knot.position - last_.knot.position).norm() <= least_block;
+  const bool has_curves = knots_.size() > 1;
+  if (is_short && has_curves) {  // not beside another knot
+    knots_.pop_back();
+    last_ = before_;
+  }
+  if (to.stands || has_curves || !is_short) {
+    fit_to(to, 0);
+  }
+  if (!to.stands && knots_.size() > 1 && last_.time == to.time) {
+    end_element();
+  }
+}
+
+/// Curves from where the last one ends to `to`.
+void FilteredPath::fit_to(const Place& to, int depth) {
+  const Place middle = place_at((last_.time + to.time) / 2);
+  CourseKnot from = last_.knot;
+  CourseKnot end = to.knot;
+  const Vec3 chord = end.position - from.position;
+  if (last_.stands) {
+    from.tangent = chord.normalized();
+  }
+  if (to.stands) {
+    end.tangent = chord.normalized();
+  }
+  const double size =
+      std::max((middle.knot.position - from.position).norm(), (end.position - middle.knot.position).norm());
+  const bool goes_on = from.tangent.dot(end.tangent) > least_cosine && !middle.stands;
+  if (depth == deepest || size <= turned_back || (size <= error_ && goes_on) ||
+      (goes_on && is_close(from, middle, end, to.time))) {
+    put(to);
+    return;
+  }
+  fit_to(middle, depth + 1);
+  fit_to(to, depth + 1);
+}
+
+bool FilteredPath::is_close(CourseKnot from, const Place& middle, CourseKnot to, double time) {
+  from.s = 0;
+  to.s = course_length(from, to);
+  const CourseSpan span(from, to);
+  const double curvature =
+      std::max({from.curvature.norm(), middle.knot.curvature.norm(), to.curvature.norm()});
+  const auto passes = [&](const CourseKnot& knot, double share) {
+    double s = share * span.length();
+    if (!(span.distance(knot.position, s) <= distance_share * error_)) {
+      return false;
+    }
+    const CurvePoint at = span.at(s);
+    return (at.d1 - knot.tangent).norm() <= direction_off &&
+           (at.d2 - knot.curvature).norm() <=
+               curvature_off * curvature + curvature_of_limit * least_acceleration_ / (feed_ * feed_);
+  };
+  return passes(middle.knot, 0.5) && passes(place_at((last_.time + middle.time) / 2).knot, 0.25) &&
+         passes(place_at((middle.time + time) / 2).knot, 0.75);
+}
+
+/// Appends the curve to `place`; where the motion stands there, or turns back, the element ends.
+void FilteredPath::put(const Place& place) {
+  const Vec3 chord = place.knot.position - last_.knot.position;
+  CourseKnot knot = place.knot;
+  bool turns_back = false;
+  if (chord.norm() > same_place) {
+    const Vec3 direction = chord.normalized();
+    if (!last_.stands && knots_.back().tangent.dot(direction) <= least_cosine) {
+      end_element();
+      last_.stands = true;
+    }
+    if (last_.stands) {
+      knots_.back().tangent = direction;
+      knots_.back().curvature = Vec3::Zero();
+    }
+    turns_back = !place.stands && knots_.back().tangent.dot(knot.tangent) <= least_cosine;
+    if (place.stands || turns_back) {
+      knot.tangent = direction;
+      knot.curvature = Vec3::Zero();
+    }
+    // Beside a standstill the curvature has no bound; no curve follows it within such a short way.
+    knot.curvature /= std::max(1.0, chord.norm() * knot.curvature.norm());
+    knot.s = knots_.back().s + course_length(knots_.back(), knot);
+    knots_.push_back(knot);
+  } else {
+    turns_back = !place.stands && !last_.stands && knots_.back().tangent.dot(knot.tangent) <= least_cosine;
+  }
+  if (chord.norm() > same_place || place.stands || turns_back) {
+    before_ = last_;
+    last_ = place;
+  }
+  if (place.stands || turns_back) {
+    end_element();
+    knots_.assign(1, place.knot);
+  }
+}
+
+void FilteredPath::end_element() {
+  if (knots_.size() > 1) {
+    builder_.add_fitted(block_, knots_);
+  }
+  knots_.assign(1, last_.knot);
+  knots_.front().s = 0;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,122 @@
+#include "core/models/optimal/filtered_path.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/base/units.h"
+#include "core/trajectory/part_walk.h"
+#include "tests/support/motion_checks.h"
+#include "tests/support/paths.h"
+
+namespace feedscope {
+namespace {
+
+Trajectory ward_run(const Toolpath& path, double filters = 3) {
+  const ControlModel& ward = find_model("ward");
+  Settings settings = testing::spinner_settings(ward);
+  settings.set("contour_tolerance_mm", 0.01);
+  settings.set("filters", filters);
+  return ward.simulate(path, testing::spinner(), settings);
+}
+
+BlendedPath fitted(const Trajectory& run) {
+  const AxisVectors axes(testing::spinner());
+  TrajectoryBuilder builder(run.path().programmed(), axes.velocity);
+  FilteredPath(run, axes, FilteredPath::usual_error, builder).lay();
+  return builder.path();
+}
+
+/// Of `point` from `path` near path length `s` [mm].
+double distance_from(const BlendedPath& path, const Vec3& point, double s) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < 20; ++i) {
+    const std::size_t e = path.element_at(s);
+    const CurvePoint at = path.curve(e).at(s - path.s(e));
+    least = std::min(least, (at.position - point).norm());
+    s = std::clamp(s + (point - at.position).dot(at.d1), 0.0, path.length());
+  }
+  return least;
+}
+
+void expect_close_everywhere(const Trajectory& run, int samples = 2000) {
+  const BlendedPath path = fitted(run);
+  ASSERT_NEAR(path.length(), run.path_length(), 1e-6 * (1 + run.path_length()));
+  for (std::size_t e = 1; e < path.size(); ++e) {
+    ASSERT_LT((path.curve(e).start - path.curve(e - 1).end).norm(), 1e-9) << "element " << e;
+  }
+  for (int i = 0; i <= samples; ++i) {
+    const State at = run.state(run.duration() * i / samples);
+    ASSERT_LE(distance_from(path, at.position, at.path_length), FilteredPath::usual_error)
+        << "at " << at.time << " s";
+  }
+}
+
+TEST(FilteredPath, LiesWithinItsErrorOfTheMotion) {
+  std::mt19937 random(23);
+  for (int i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
+    expect_close_everywhere(ward_run(testing::random_path(random, 4 + 3 * i), i % 2 == 0 ? 3 : 2));
+    if (::testing::Test::HasFatalFailure()) {
+      return;
+    }
+  }
+}
+
+TEST(FilteredPath, LiesWithinItsErrorWhereTheMotionBeginsOnAnArc) {
+  // p' = p'' = 0 there, and the curvature of the path is infinite.
+  Toolpath path;
+  path.start = Vec3(5, 0, 0);
+  testing::append_arc(path, Vec3::Zero(), 1.5 * units::pi, 50);
+  expect_close_everywhere(ward_run(path));
+}
+
+TEST(FilteredPath, HasOneCurveForAStraightLineAndMeetsItsEnds) {
+  const BlendedPath path = fitted(ward_run(testing::polyline({{1, 2, 3}, {40, 30, -5}}, 50)));
+  ASSERT_EQ(path.size(), 1U);
+  const ElementCurve curve = path.curve(0);
+  EXPECT_EQ(curve.start, Vec3(1, 2, 3));
+  EXPECT_LT((curve.end - Vec3(40, 30, -5)).norm(), 1e-12);
+  for (const CourseKnot& knot : curve.course) {
+    EXPECT_EQ(knot.curvature.norm(), 0);
+  }
+}
+
+TEST(FilteredPath, EndsElementsWhereTheMotionStands) {
+  // Contour tolerance 0 in the corner of a stretch: see the kink at (10, 0).
+  const BlendedPath path =
+      fitted(ward_run(testing::polyline({{0, 0, 0}, {10, 0, 0}, {5, 0, 0}, {5, 8, 0}}, 50)));
+  ASSERT_GE(path.size(), 3U);
+  EXPECT_LT((path.curve(0).end - Vec3(10, 0, 0)).norm(), 1e-9);
+  EXPECT_NEAR(path.curve(0).at(10).d1.x(), 1, 1e-12);
+  EXPECT_NEAR(path.curve(1).at(0).d1.x(), -1, 1e-12);
+}
+
+TEST(FilteredPath, ManyBlocksShorterThanRoundingAllowsAreLaidTogether) {
+  std::vector<Vec3> points;
+  for (int i = 0; i <= 1000; ++i) {
+    points.push_back({1e-5 * i, 1e-5 * (i % 2), 0});
+  }
+  const Trajectory run = ward_run(testing::polyline(points, 50));
+  const BlendedPath path = fitted(run);
+  EXPECT_LT(path.size(), 200U);
+  expect_close_everywhere(run, 100);
+}
+
+TEST(FilteredPath, KeepsDwells) {
+  Toolpath toolpath = testing::polyline({{0, 0, 0}, {10, 0, 0}}, 50);
+  Segment dwell;
+  dwell.kind = SegmentKind::dwell;
+  dwell.dwell = 0.25;
+  dwell.end = toolpath.segments.back().end;
+  toolpath.segments.push_back(dwell);
+  testing::append_line(toolpath, Vec3(10, 10, 0), 50);
+  const BlendedPath path = fitted(ward_run(toolpath));
+  ASSERT_EQ(path.size(), 3U);
+  EXPECT_EQ(path.kind(1), ElementKind::dwell);
+  EXPECT_LT((path.curve(2).end - Vec3(10, 10, 0)).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace feedscope
