@@ -46,6 +46,12 @@ Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machi
   return simulate(std::make_shared<const Toolpath>(toolpath), machine, settings, progress);
 }
 
+Trajectory ControlModel::lay_path(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
+                                  const Settings& settings, Progress* progress) const {
+  check_axes(*toolpath, machine);
+  return do_lay_path(toolpath, machine, settings, progress);
+}
+
 const ControlModel& find_model(const std::string& id) {
   std::vector<std::string> ids;
   for (const ControlModel* model : all_models()) {

@@ -37,10 +37,18 @@ class ControlModel {
   /// The same of a copy of `toolpath`.
   Trajectory simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
                       Progress* progress = nullptr) const;
+  /// The path that simulate() runs, dwells included; what there is of the motion may be missing.
+  Trajectory lay_path(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
+                      const Settings& settings, Progress* progress = nullptr) const;
 
  private:
   virtual Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                                  const Settings& settings, Progress* progress) const = 0;
+  /// For models whose path does not hang on the motion.
+  virtual Trajectory do_lay_path(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
+                                 const Settings& settings, Progress* progress) const {
+    return do_simulate(toolpath, machine, settings, progress);
+  }
 };
 
 /// All models, in the order in which they are listed.

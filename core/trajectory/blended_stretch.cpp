@@ -27,13 +27,11 @@ CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std:
   return place;
 }
 
-}  // namespace
-
-void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
-                         const PathRules& rules, TrajectoryBuilder& builder, Stretch& stretch,
-                         const BlendCorner& blend) {
-  stretch.clear();
-  stretch.reserve(2 * (range.last - range.first));
+/// `laid_segment(index, block, length)` and `laid_corner(index, block, piece)` are told of every element.
+template <typename LaidSegment, typename LaidCorner>
+void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec3& axis_velocity,
+                  const PathRules& rules, TrajectoryBuilder& builder, const BlendCorner& blend,
+                  const LaidSegment& laid_segment, const LaidCorner& laid_corner) {
   double cut_before = 0;
   for (std::size_t i = range.first; i < range.last; ++i) {
     const Segment& segment = toolpath.segments[i];
@@ -42,20 +40,43 @@ void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, co
     CornerPlace place;
     CornerPiece piece;
     if (corner) {
-      place = corner_behind(toolpath, rules, i, axes.velocity);
+      place = corner_behind(toolpath, rules, i, axis_velocity);
       piece = blend(place);
     }
     const double length = segment.length - cut_before - piece.transition;
     if (length > least_line) {
-      const std::uint32_t index = builder.add_segment(block, length);
-      stretch.add({length, segment_limits(toolpath, i, axes)}, index, block);
+      laid_segment(builder.add_segment(block, length), block, length);
     }
     if (corner) {
-      const std::uint32_t index = builder.add_corner(piece.kind, block, piece.transition, piece.length);
-      stretch.add({piece.length, piece.limits}, index, block, true);
+      laid_corner(builder.add_corner(piece.kind, block, piece.transition, piece.length), block, piece);
     }
     cut_before = piece.transition;
   }
+}
+
+}  // namespace
+
+void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
+                         const PathRules& rules, TrajectoryBuilder& builder, Stretch& stretch,
+                         const BlendCorner& blend) {
+  stretch.clear();
+  stretch.reserve(2 * (range.last - range.first));
+  lay_elements(
+      toolpath, range, axes.velocity, rules, builder, blend,
+      [&](std::uint32_t index, std::uint32_t block, double length) {
+        stretch.add({length, segment_limits(toolpath, block, axes)}, index, block);
+      },
+      [&](std::uint32_t index, std::uint32_t block, const CornerPiece& piece) {
+        stretch.add({piece.length, piece.limits}, index, block, true);
+      });
+}
+
+void lay_blended_path(const Toolpath& toolpath, const Vec3& axis_velocity, const PathRules& rules,
+                      TrajectoryBuilder& builder, Progress* progress, const BlendCorner& blend) {
+  const auto ignore = [](auto&&...) {};
+  run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& /*steps*/) {
+    lay_elements(toolpath, range, axis_velocity, rules, builder, blend, ignore, ignore);
+  });
 }
 
 }  // namespace feedscope

@@ -34,4 +34,9 @@ void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, co
                          const PathRules& rules, TrajectoryBuilder& builder, Stretch& stretch,
                          const BlendCorner& blend);
 
+/// Lays the path of a whole program as lay_blended_stretch() lays it stretch by stretch, dwells included, and
+/// nothing else: `blend` need not say limits.
+void lay_blended_path(const Toolpath& toolpath, const Vec3& axis_velocity, const PathRules& rules,
+                      TrajectoryBuilder& builder, Progress* progress, const BlendCorner& blend);
+
 }  // namespace feedscope

@@ -88,4 +88,15 @@ Trajectory EssidModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
   return builder.finish();
 }
 
+Trajectory EssidModel::do_lay_path(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
+                                   const Settings& settings, Progress* progress) const {
+  const Vec3 axis_velocity = axis_limit_vector(machine, &AxisLimits::velocity);
+  TrajectoryBuilder builder(shared, axis_velocity);
+  const CornerRule rule = EssidSettings(settings).corner;
+  builder.set_blend_weight(rule.alpha);
+  lay_blended_path(*shared, axis_velocity, PathRules(*shared, settings), builder, progress,
+                   [&](const CornerPlace& place) { return lay_blend(place, rule); });
+  return builder.finish();
+}
+
 }  // namespace feedscope

@@ -32,6 +32,8 @@ class EssidModel : public ControlModel {
  private:
   Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                          const Settings& settings, Progress* progress) const override;
+  Trajectory do_lay_path(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
+                         const Settings& settings, Progress* progress) const override;
 };
 
 }  // namespace feedscope

@@ -10,7 +10,21 @@ namespace {
 /// speed that hardly changes, they would exceed the radial jerk share by more than 3.3 (0.66 of the axis).
 constexpr double level_turn = 0.5;
 
+CornerRule rule_at(const CornerPlace& place, CornerRule rule) {
+  rule.tolerance = place.tolerance;
+  return rule;
+}
+
+CornerPiece lay_blend(const CornerPlace& place, const Corner& corner, double alpha) {
+  const CubicBlend curve = corner_blend(place.point, place.in, place.out, corner.transition, alpha);
+  return {ElementKind::blend, corner.transition, curve.length(), {}};
+}
+
 }  // namespace
+
+CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule) {
+  return lay_blend(place, lay_corner(place.in, place.out, place.longest, rule_at(place, rule)), rule.alpha);
+}
 
 EssidRunner::EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,
                          const PathRules& rules, TrajectoryBuilder& builder)
@@ -41,12 +55,9 @@ void EssidRunner::lay_path(const StretchRange& range) {
 }
 
 CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
-  CornerRule rule = settings_.corner;
-  rule.tolerance = place.tolerance;
-  const Corner corner = lay_corner(place.in, place.out, place.longest, rule);
+  const Corner corner = lay_corner(place.in, place.out, place.longest, rule_at(place, settings_.corner));
   const BlendShape shape(place.in, place.out, corner.transition, settings_.corner.alpha);
-  const CubicBlend curve =
-      corner_blend(place.point, place.in, place.out, corner.transition, settings_.corner.alpha);
+  CornerPiece piece = lay_blend(place, corner, settings_.corner.alpha);
 
   SpeedBound speed = entry_speed_limit(shape.at(0), place.feed, blend_limits_);
   if (settings_.reading == EssidReading::strict) {
@@ -55,9 +66,9 @@ CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
     const SpeedBound steady = steady_speed_limit(shape, place.feed, blend_limits_);
     speed.lower(steady.value, steady.cause);
   }
-  const MotionLimits limits = blend_motion_limits(shape, speed, place.feed.value, blend_limits_);
-  blends_.push_back({shape, place.feed, corner.turn, limits.jerk.value});
-  return {ElementKind::blend, corner.transition, curve.length(), limits};
+  piece.limits = blend_motion_limits(shape, speed, place.feed.value, blend_limits_);
+  blends_.push_back({shape, place.feed, corner.turn, piece.limits.jerk.value});
+  return piece;
 }
 
 bool EssidRunner::is_level(const Blend& blend) const {

@@ -10,6 +10,9 @@
 
 namespace feedscope {
 
+/// Kind, transition and length of the blend in a corner.
+CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule);
+
 /// Runs stretches from standstill to standstill, one after the other, into a trajectory: lays blends into
 /// their corners (essid_path.cpp), plans, and moves over lines by ramps and over blends by the paper's law
 /// (essid_motion.cpp).

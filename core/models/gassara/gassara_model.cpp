@@ -54,6 +54,18 @@ MotionLimits arc_blend_limits(const CornerPlace& place, double radius, const Axi
   return limits;
 }
 
+struct LaidArc {
+  double radius;      ///< [mm]
+  CornerPiece piece;  ///< without limits
+};
+
+LaidArc lay_arc(const CornerPlace& place, CornerRule rule) {
+  rule.tolerance = place.tolerance;
+  const Corner corner = lay_arc_corner(place.in, place.out, place.longest, rule);
+  const double radius = corner.transition / std::tan(corner.turn / 2);
+  return {radius, {ElementKind::connecting_arc, corner.transition, radius * corner.turn, {}}};
+}
+
 }  // namespace
 
 const ModelInfo& GassaraModel::info() const {
@@ -94,12 +106,9 @@ Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   Stretch stretch;
   const PathRules rules(toolpath, settings);
   const auto blend_corner = [&](const CornerPlace& place) {
-    CornerRule rule = own.corner;
-    rule.tolerance = place.tolerance;
-    const Corner corner = lay_arc_corner(place.in, place.out, place.longest, rule);
-    const double radius = corner.transition / std::tan(corner.turn / 2);
-    return CornerPiece{ElementKind::connecting_arc, corner.transition, radius * corner.turn,
-                       arc_blend_limits(place, radius, axes, own)};
+    LaidArc arc = lay_arc(place, own.corner);
+    arc.piece.limits = arc_blend_limits(place, arc.radius, axes, own);
+    return arc.piece;
   };
   run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& steps) {
     lay_blended_stretch(toolpath, range, axes, rules, builder, stretch, blend_corner);
@@ -112,6 +121,16 @@ Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
     }
     add_planned_motion(builder, stretch, plan_nodes(stretch.plan, stretch.ceiling, stretch.level), steps);
   });
+  return builder.finish();
+}
+
+Trajectory GassaraModel::do_lay_path(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
+                                     const Settings& settings, Progress* progress) const {
+  const GassaraSettings own(settings);
+  const Vec3 axis_velocity = axis_limit_vector(machine, &AxisLimits::velocity);
+  TrajectoryBuilder builder(shared, axis_velocity);
+  lay_blended_path(*shared, axis_velocity, PathRules(*shared, settings), builder, progress,
+                   [&](const CornerPlace& place) { return lay_arc(place, own.corner).piece; });
   return builder.finish();
 }
 

@@ -22,6 +22,8 @@ class GassaraModel : public ControlModel {
  private:
   Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                          const Settings& settings, Progress* progress) const override;
+  Trajectory do_lay_path(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
+                         const Settings& settings, Progress* progress) const override;
 };
 
 }  // namespace feedscope

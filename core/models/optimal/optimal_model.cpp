@@ -139,12 +139,16 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   const Toolpath& toolpath = *shared;
   const AxisVectors axes(machine);
   const ControlModel& model = find_model(settings.text("path"));
-  const Trajectory model_run = model.simulate(shared, machine, settings, progress);
+  const bool with_jerk = settings.text("jerk") == "on";  // which takes the model's law where that is faster
+  const Trajectory model_run = with_jerk ? model.simulate(shared, machine, settings, progress) : Trajectory();
   const bool can_be_run =
       model.guarantees(settings).continuity != Continuity::position && model_run.motions().empty();
-  TrajectoryBuilder builder = path_of(model_run, shared, axes, settings.number("contour_tolerance_mm"));
+  const auto lay_path_of = [&](const Trajectory& run) {
+    return path_of(run, shared, axes, settings.number("contour_tolerance_mm"));
+  };
+  TrajectoryBuilder builder =
+      with_jerk ? lay_path_of(model_run) : lay_path_of(model.lay_path(shared, machine, settings, progress));
   const OwnLaw own_law(model_run, axes);
-  const bool with_jerk = settings.text("jerk") == "on";
   AccelerationLaw acceleration_law(toolpath, axes, 1, builder);
   JerkLaw jerk_law(toolpath, axes, builder);
   const BlendedPath& path = builder.path();

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "core/base/error.h"
 #include "tests/support/paths.h"
 
@@ -24,6 +26,28 @@ std::string message_of(F call) {
 TEST(FindModel, NamesTheNearestIdForAWrongOne) {
   EXPECT_EQ(find_model("cam").info().id, "cam");
   EXPECT_THAT(message_of([] { find_model("esid"); }), HasSubstr("did you mean 'essid'?"));
+}
+
+TEST(ControlModel, LaysThePathThatItRuns) {
+  std::mt19937 random(12);
+  const Machine machine = testing::spinner();
+  for (int i = 0; i < 10; ++i) {
+    const auto path = std::make_shared<const Toolpath>(testing::random_path(random, 30));
+    for (const ControlModel* model : all_models()) {
+      const Settings settings = complete_settings(*model, machine);
+      const BlendedPath run = model->simulate(path, machine, settings).path();
+      const BlendedPath laid = model->lay_path(path, machine, settings).path();
+      ASSERT_EQ(laid.size(), run.size()) << model->info().id;
+      for (std::size_t e = 0; e < run.size(); ++e) {
+        ASSERT_EQ(laid.kind(e), run.kind(e)) << model->info().id;
+        ASSERT_EQ(laid.segment(e), run.segment(e)) << model->info().id;
+        ASSERT_EQ(laid.s(e), run.s(e)) << model->info().id;
+        ASSERT_EQ(laid.element(e).start, run.element(e).start) << model->info().id;
+        ASSERT_EQ(laid.element(e).end, run.element(e).end) << model->info().id;
+      }
+      ASSERT_EQ(laid.length(), run.length()) << model->info().id;
+    }
+  }
 }
 
 TEST(CompleteSettings, TakesTheMachineThenTheFallback) {
