@@ -1,5 +1,7 @@
 #include "core/trajectory/trajectory_builder.h"
 
+#include <algorithm>
+
 namespace feedscope {
 namespace {
 
@@ -33,6 +35,19 @@ void TrajectoryBuilder::reserve(std::size_t elements, std::size_t pieces) {
   content_.pieces.reserve(pieces);
 }
 
+void TrajectoryBuilder::reserve_for_path(std::size_t most, std::size_t done) {
+  constexpr double slack = 1.02;
+  constexpr std::size_t growth = 8;  // at most: the first elements may be unlike the others
+  std::vector<Piece>& pieces = content_.pieces;
+  const std::size_t needed = pieces.size() + most;
+  if (needed > pieces.capacity()) {
+    const double share =
+        static_cast<double>(path().size()) / static_cast<double>(std::max<std::size_t>(done, 1));
+    const auto expected = static_cast<std::size_t>(slack * share * static_cast<double>(pieces.size()));
+    pieces.reserve(std::clamp(expected + most, needed, growth * needed));
+  }
+}
+
 std::uint32_t TrajectoryBuilder::add_segment(std::uint32_t block, double length) {
   return content_.path.add(element_kind(programmed().segments[block].kind), block, length);
 }
@@ -62,6 +77,17 @@ void TrajectoryBuilder::add_piece(Piece piece, double duration) {
   piece.time = content_.duration;
   content_.pieces.push_back(piece);
   content_.duration += duration;
+}
+
+void TrajectoryBuilder::add_level_piece(const Piece& piece, double duration) {
+  const auto is_level = [](const Piece& p) { return p.law == Law::path_length && p.a == 0 && p.j == 0; };
+  const bool goes_on = !content_.pieces.empty() && is_level(content_.pieces.back()) &&
+                       content_.pieces.back().v == piece.v && content_.pieces.back().cause == piece.cause;
+  if (goes_on) {
+    content_.duration += duration;
+  } else {
+    add_piece(piece, duration);
+  }
 }
 
 void TrajectoryBuilder::take_back(const Mark& start) {
@@ -102,7 +128,10 @@ void TrajectoryBuilder::name_slower_places() {
 Trajectory TrajectoryBuilder::finish() {
   name_slower_places();
   content_.path.shrink();
-  content_.pieces.shrink_to_fit();
+  constexpr std::size_t slack = 32;  // a 32nd of the room is not worth a copy
+  if (content_.pieces.capacity() - content_.pieces.size() > content_.pieces.capacity() / slack) {
+    content_.pieces.shrink_to_fit();
+  }
   return Trajectory(std::move(content_));
 }
 

@@ -20,6 +20,9 @@ class TrajectoryBuilder {
 
   /// Makes room for that many, so that long programs are not copied while they grow.
   void reserve(std::size_t elements, std::size_t pieces);
+  /// The same for `most` more pieces, and, going by those of the first `done` elements, for all that are to
+  /// come on the path.
+  void reserve_for_path(std::size_t most, std::size_t done);
   void set_blend_weight(double alpha) { content_.path.set_blend_weight(alpha); }
 
   /// Appends programmed segment `block`, a line, an arc or a dwell; `length`: what corners leave of it, or
@@ -45,6 +48,9 @@ class TrajectoryBuilder {
   /// Appends a piece that lasts `duration` [s]; `piece.time` is set here. Nothing for duration <= 0, nor
   /// for one that is lost in the rounding of the time reached.
   void add_piece(Piece piece, double duration);
+  /// The same of a piece at constant speed by path length: where the one before runs at that speed for the
+  /// same cause, it goes on over this element instead.
+  void add_level_piece(const Piece& piece, double duration);
   /// A place in the motion: what is added next begins there.
   struct Mark {
     std::size_t piece;

@@ -36,6 +36,35 @@ TEST(TrajectoryBuilder, APieceRunsOverSeveralElements) {
   }
 }
 
+TEST(TrajectoryBuilder, LevelPiecesOfOneSpeedForOneCauseAreOne) {
+  const Cause feed{CauseKind::programmed_feed};
+  TrajectoryBuilder builder = builder_of(three_blocks());
+  builder.add_level_piece({0, 0, 2, 0, 0, 0, feed}, 0.25);
+  builder.add_level_piece({0, 0.5, 2, 0, 0, 0, feed}, 0.25);
+  builder.add_level_piece({0, 0, 2, 0, 0, 1, feed}, 0.5);
+  builder.add_level_piece({0, 0, 2, 0, 0, 2, {CauseKind::axis_velocity, 0}}, 0.5);
+  builder.add_level_piece({0, 1, 4, 0, 0, 2, {CauseKind::axis_velocity, 0}}, 0.25);
+  const Trajectory run = builder.finish();
+  ASSERT_EQ(run.pieces().size(), 3U);
+  EXPECT_EQ(run.pieces()[1].time, 1);
+  EXPECT_EQ(run.pieces()[2].time, 1.5);
+  EXPECT_EQ(run.duration(), 1.75);
+  EXPECT_DOUBLE_EQ(run.state(0.75).path_length, 1.5);
+}
+
+TEST(TrajectoryBuilder, ReservingChangesNothing) {
+  TrajectoryBuilder builder = builder_of(three_blocks());
+  builder.reserve_for_path(6, 0);
+  for (std::uint32_t e = 0; e < 3; ++e) {
+    builder.add_piece({0, 0, e + 1.0, 0, 0, e, {}}, 0.5);
+    builder.reserve_for_path(100, e);
+  }
+  const Trajectory run = builder.finish();
+  ASSERT_EQ(run.pieces().size(), 3U);
+  EXPECT_EQ(run.pieces()[2].v, 3);
+  EXPECT_EQ(run.duration(), 1.5);
+}
+
 TEST(TrajectoryBuilder, ARampIsItsThreeStretchesOfConstantJerkOnEveryElement) {
   // Jerk 8 for 0.5 s, 4 mm/s2 held for 0.25 s, jerk -8 for 0.5 s: to 3 mm/s in 1.25 s and 15/8 mm.
   TrajectoryBuilder builder = builder_of(three_blocks());
