@@ -1,0 +1,104 @@
+#pragma once
+
+#include <vector>
+
+#include "core/models/optimal/acceleration_range.h"
+#include "core/models/optimal/path_cells.h"
+
+namespace feedscope {
+
+/// A cell as AccelerationLaw looks at it.
+struct LawCell {
+  double length;            ///< [mm]
+  double offset;            ///< from the start of its element [mm]
+  SpeedBound ceiling;       ///< of x = v^2 [mm2/s2]
+  double acceleration = 0;  ///< straight: the largest, either way [mm/s2]
+  double share = 1;         ///< curved: of the limits that its ends use
+  std::uint32_t element;
+  std::uint32_t place = 0;   ///< curved: of its beginning; its middle and its end come next
+  std::int32_t common = -1;  ///< curved: what its ends keep where that is lowered, in LawCells
+  bool straight;
+  std::int8_t axis = -1;  ///< straight: that sets `acceleration`
+};
+
+/// Motion through a cell: of a curve one piece of constant jerk, unless it is `steady`.
+struct CellRun {
+  double x = 0;      ///< at its end [mm2/s2]
+  double begin = 0;  ///< acceleration along the path at its beginning [mm/s2]
+  double jerk = 0;
+  double time = 0;             ///< [s]
+  double load = 0;             ///< largest share of a limit that is used on the way; 0 where that is certain
+  bool may_be_faster = false;  ///< the axes would allow more, but for what follows
+  bool steady = false;         ///< by Phases
+};
+
+/// Constant accelerations between which a cell keeps its speed.
+struct Phases {
+  double ceiling;  ///< of x [mm2/s2]
+  double gain;     ///< [mm/s2]
+  double loss;     ///< [mm/s2]
+};
+
+/// The cells of a part of the path and what the limits of the axes allow on them: cells, places of curves and
+/// lowered limits each for itself, so that passes over them stay in the cache.
+class LawCells {
+ public:
+  /// `fineness` as of CellRule.
+  LawCells(const Toolpath& toolpath, const AxisVectors& axes, int fineness);
+
+  void clear() { drop_front(size()); }
+  void add_element(const BlendedPath& path, std::uint32_t index);
+  void drop_front(std::size_t count);
+  std::size_t size() const { return cells_.size(); }
+  bool empty() const { return cells_.empty(); }
+  const LawCell& operator[](std::size_t i) const { return cells_[i]; }
+
+  /// Largest x at the beginning of cell `i`, and at its end.
+  double top_at_begin(std::size_t i) const;
+  double top_at_end(std::size_t i) const;
+  /// Largest x at the beginning of cell `i` from which `next` or less can be reached at its end.
+  double reach_back(std::size_t i, double next) const;
+  /// The fastest motion from `x0` to at most `highest`.
+  CellRun run(std::size_t i, double x0, double highest) const;
+  /// What constant accelerations a curved cell allows all over; `gain` is 0 if they do not lead to `x1`.
+  Phases phases(std::size_t i, double x0, double x1) const;
+
+  /// From now on curved cell `i` keeps at both ends what is allowed anywhere on it, and in between as well,
+  /// the limits being linear in x and u; where that is done already, less, by its `load`.
+  void lower(std::size_t i, double load);
+
+  /// What lets a cell be no faster where it begins with `x0`, and what bounds x where it ends.
+  Cause cause_at_begin(std::size_t i, double x0) const;
+  AxisBound largest_at_end(std::size_t i) const;
+
+ private:
+  struct Place {
+    AccelerationRange range;
+    Vec3 t;  ///< tangent over the acceleration of the axes [s2/mm]
+    Vec3 c;  ///< curvature vector over it [s2/mm2]
+  };
+
+  void add_straight(const PathCell& cell, const SpeedBound& programmed);
+  void add_curved(const PathCell& cell, const SpeedBound& programmed, bool goes_on);
+  void add_place(const PathPoint& at);
+  SpeedBound ceiling_of(const SpeedBound& programmed, std::initializer_list<const PathPoint*> places) const;
+  const Place& place(const LawCell& cell, int number) const { return places_[cell.place + number]; }
+  double load(const LawCell& cell, double x0, const CellRun& run, bool begins_within) const;
+  template <typename Range>
+  static bool run_curved(const LawCell& cell, const Range& from, const Range& to, double x0, double highest,
+                         CellRun& run);
+  template <typename Use>
+  auto with_ends(const LawCell& cell, const Use& use) const;
+
+  const Toolpath& toolpath_;
+  const AxisVectors& axes_;
+  Vec3 share_of_acceleration_;  ///< 1 / A_j; 0 for an axis that cannot move
+  Vec3 share_of_velocity_;      ///< 1 / V_j
+  CellRule rule_;
+  std::vector<PathCell> path_cells_;  ///< of one element
+  std::vector<LawCell> cells_;
+  std::vector<Place> places_;
+  std::vector<CommonRange> commons_;
+};
+
+}  // namespace feedscope
