@@ -80,14 +80,18 @@ void TrajectoryBuilder::add_piece(Piece piece, double duration) {
 }
 
 void TrajectoryBuilder::add_level_piece(const Piece& piece, double duration) {
-  const auto is_level = [](const Piece& p) { return p.law == Law::path_length && p.a == 0 && p.j == 0; };
-  const bool goes_on = !content_.pieces.empty() && is_level(content_.pieces.back()) &&
-                       content_.pieces.back().v == piece.v && content_.pieces.back().cause == piece.cause;
-  if (goes_on) {
-    content_.duration += duration;
-  } else {
+  const auto goes_on_from = [&](const Piece& before) {
+    return before.law == Law::path_length && before.a == 0 && before.j == 0 && before.v == piece.v &&
+           before.cause == piece.cause;
+  };
+  if (content_.pieces.empty() || !goes_on_from(content_.pieces.back())) {
     add_piece(piece, duration);
+    return;
   }
+  // By the way from where it began: what the clock rounds would add up over many elements.
+  const Piece& before = content_.pieces.back();
+  const double way = path().s(piece.element) - path().s(before.element) + piece.q - before.q;
+  content_.duration = std::max(content_.duration, before.time + (way / piece.v + duration));
 }
 
 void TrajectoryBuilder::take_back(const Mark& start) {

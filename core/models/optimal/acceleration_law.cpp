@@ -172,12 +172,14 @@ void AccelerationLaw::add_phases(std::size_t i, double x0, double x1, const Phas
   const double v1 = std::sqrt(x1);
   const double top = std::sqrt(peak);
   const double least = 1e-12 * (1 + cell.length);  // mm, far below what positions resolve
+  // On a fitted course one piece would run over many of its curves, which parts of a motion are not cut at.
+  const bool whole = builder_.path().kind(cell.element) != ElementKind::fitted;
   double reached = 0;  // what is left out moves the next one: a piece begins where the cell does
   const auto add = [&](double from, double to, double length, Cause cause) {
     if (length > least || std::abs(to - from) > at_ceiling * (from + to)) {
       const double time = 2 * length / (from + to);
       const Piece piece{0, cell.offset + reached, from, (to - from) / time, 0, cell.element, cause};
-      if (piece.a == 0) {
+      if (piece.a == 0 && whole) {
         builder_.add_level_piece(piece, time);
       } else {
         builder_.add_piece(piece, time);
