@@ -104,6 +104,19 @@ std::vector<double> Motion::law_borders(const Part& part) const {
       borders.push_back(share);
     }
   }
+  if (run_.path().kind(part.element) == ElementKind::fitted) {
+    const feedscope::Part& law = laws_[part.number];
+    const auto course = run_.path().curve(part.element).course;
+    const auto behind = [](double q, const CourseKnot& knot) { return q < knot.s; };
+    for (auto knot = std::upper_bound(course.begin(), course.end(), law.q, behind); knot != course.end();
+         ++knot) {
+      const double time = time_to_reach({law.q, law.v, law.a, law.j}, knot->s, law.duration);
+      if (!(time < law.duration)) {
+        break;
+      }
+      borders.push_back(time / law.duration);
+    }
+  }
   borders.push_back(1);
   return borders;
 }

@@ -42,8 +42,8 @@ class Motion {
   double length(const Part& part) const;  ///< of its element [mm]
   /// Whether the path is one that filters drew: it passes a point while many blocks later may be under way.
   bool lags() const;
-  /// Shares of its duration between which it follows one law, 0 and 1 among them; filters change it within
-  /// a part.
+  /// Shares of its duration between which it follows one law on one curve, 0 and 1 among them; filters and
+  /// the knots of a fitted course change that within a part.
   std::vector<double> law_borders(const Part& part) const;
   /// Shortest time in which its law may change its character: a filter's length; else its duration [s].
   double time_scale(const Part& part) const;
