@@ -50,12 +50,14 @@ class MainWindow : public QMainWindow {
   void make_menus();
   void make_file_menu();
   void make_view_menu();
+  void make_language_menu(QMenu* view);
   void make_help_menu();
   QAction* add_action(QMenu* menu, const QString& text, const QKeySequence& key, const QString& tip);
   void list_recent_files(QMenu* menu);
   void set_theme(ThemeKind kind);
   void ask_for_program();
   void ask_for_machine();
+  void save_machine();
   void show_program();
   void show_run();
   void show_cursor();

@@ -1,11 +1,15 @@
 #include <QAction>
+#include <QActionGroup>
 #include <QApplication>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QLocale>
 #include <QMenuBar>
 #include <QSettings>
+#include <QStatusBar>
 #include <QStyle>
 
+#include "ui/language/language.h"
 #include "ui/main_window.h"
 #include "ui/models/recent_files.h"
 #include "ui/views/setup_bar.h"
@@ -122,6 +126,9 @@ void MainWindow::make_file_menu() {
   connect(add_action(file, tr("Open &machine file …"), QKeySequence(tr("Ctrl+M")),
                      tr("Use a machine of your own")),
           &QAction::triggered, this, &MainWindow::ask_for_machine);
+  connect(add_action(file, tr("&Save machine as …"), QKeySequence::SaveAs,
+                     tr("Write the machine with all changes to a machine file")),
+          &QAction::triggered, this, &MainWindow::save_machine);
   file->addSeparator();
   connect(add_action(file, tr("&Quit"), QKeySequence::Quit, tr("Leave Feedscope")), &QAction::triggered, this,
           &QWidget::close);
@@ -169,6 +176,23 @@ void MainWindow::make_view_menu() {
   dark->setChecked(theme_of(QApplication::palette()) == ThemeKind::dark);
   connect(dark, &QAction::toggled, this,
           [this](bool on) { set_theme(on ? ThemeKind::dark : ThemeKind::light); });
+  make_language_menu(view);
+}
+
+void MainWindow::make_language_menu(QMenu* view) {
+  QMenu* menu = view->addMenu(tr("&Language"));
+  auto* group = new QActionGroup(menu);
+  for (const QString& code : languages()) {
+    const QString name = QLocale(code).nativeLanguageName();
+    QAction* action = menu->addAction(name.left(1).toUpper() + name.mid(1));
+    action->setCheckable(true);
+    action->setChecked(code == chosen_language());
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, code] {
+      choose_language(code);
+      statusBar()->showMessage(tr("The language changes with the next start."));
+    });
+  }
 }
 
 void MainWindow::make_help_menu() {
@@ -200,6 +224,18 @@ void MainWindow::ask_for_machine() {
       QFileDialog::getOpenFileName(this, tr("Open machine file"), {}, tr("Machine files (*.toml)"));
   if (!file.isEmpty()) {
     model_.choose_machine(file);
+  }
+}
+
+void MainWindow::save_machine() {
+  const QString id = QString::fromStdString(model_.setup().file().machine.id);
+  QString file = QFileDialog::getSaveFileName(
+      this, tr("Save machine as"), id + QStringLiteral("-changed.toml"), tr("Machine files (*.toml)"));
+  if (!file.isEmpty()) {
+    if (QFileInfo(file).suffix().isEmpty()) {
+      file += QStringLiteral(".toml");
+    }
+    model_.save_machine(to_path(file));
   }
 }
 

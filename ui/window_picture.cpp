@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "ui/charts/comparison_chart.h"
+#include "ui/language/core_texts.h"
 #include "ui/main_window.h"
 #include "ui/theme/theme.h"
 
@@ -83,7 +84,7 @@ QString title_of(const Run& run) {
   const QString time = QLocale().toString(run.trajectory->duration(), 'f', 3);
   return MainWindow::tr("<b>%1</b> &nbsp; %2 · %3 · %4 s")
       .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
-           QString::fromStdString(run.setup.model->info().title).toHtmlEscaped(), time);
+           core_text(run.setup.model->info().title).toHtmlEscaped(), time);
 }
 
 QString comparison_details(const LoadedProgram& program, const std::vector<std::string>& assignments) {

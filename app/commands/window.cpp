@@ -9,6 +9,7 @@
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
 #include "core/base/error.h"
+#include "ui/language/language.h"
 #include "ui/main_window.h"
 #include "ui/models/recent_files.h"
 #include "ui/theme/theme.h"
@@ -46,6 +47,7 @@ int show_window(const std::string& file) {
   QApplication::setApplicationName("Feedscope");
   QApplication::setOrganizationName("Feedscope");
   QApplication::setDesktopFileName("feedscope");
+  ui::install_language(ui::chosen_language());
   ui::apply_theme(QSettings().value("dark", false).toBool() ? ui::ThemeKind::dark : ui::ThemeKind::light);
 
   ui::Workbench model(shipped_machines(), make_setup({}));

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/units.h"
+#include "ui/language/core_texts.h"
 #include "ui/models/texts.h"
 
 namespace feedscope::ui {
@@ -119,7 +120,7 @@ QString RunTable::explanation(std::size_t row) const {
   const RunItem& item = runs_.items()[row];
   QStringList lines{QStringLiteral("<b>%1</b>").arg(run_title(item).toHtmlEscaped()),
                     QString::fromStdString(item.setup.file().machine.name).toHtmlEscaped(),
-                    QString::fromStdString(item.setup.file().model->info().title).toHtmlEscaped()};
+                    core_text(item.setup.file().model->info().title).toHtmlEscaped()};
   const Summary* figures = summary(row);
   if (figures != nullptr && !keeps_bound(*figures)) {
     lines.append(tr("Its contour error of %1 µm is above the bound of %2 µm.")

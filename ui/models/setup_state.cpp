@@ -26,6 +26,18 @@ Setup SetupState::setup() const {
   return setup;
 }
 
+Machine SetupState::machine() const {
+  Machine machine = setup().machine;
+  machine.model = file_.model->info().id;
+  for (const auto& [key, value] : edits_) {
+    if (!is_axis_key(key)) {
+      machine.settings.set(key, value);
+      machine.provenance.insert_or_assign(key, Provenance{"set by hand", true});
+    }
+  }
+  return machine;
+}
+
 SettingSpec SetupState::spec(const std::string& key) const {
   const bool axis = is_axis_key(key);
   const std::string name = axis ? key.substr(2) : key;

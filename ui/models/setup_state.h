@@ -33,6 +33,8 @@ class SetupState {
   /// Another model on the same machine: edits that it reads stay.
   void set_model(const ControlModel& model);
   void reset() { edits_.clear(); }
+  /// The machine with all edits, its control settings among them, and the model as its own.
+  Machine machine() const;
 
   bool operator==(const SetupState& other) const { return file_ == other.file_ && edits_ == other.edits_; }
 

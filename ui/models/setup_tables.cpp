@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "ui/language/core_texts.h"
 
 namespace feedscope::ui {
 
@@ -40,6 +41,17 @@ QString range_text(const SettingSpec& spec) {
 }
 
 }  // namespace
+
+QStringList changes_of(const SetupState& state) {
+  QStringList lines;
+  for (const auto& [key, value] : state.edits()) {
+    lines.append(QStringLiteral("%1: %2 → %3 %4")
+                     .arg(QString::fromStdString(key), value_text(state.file_value(key)), value_text(value),
+                          unit_text(state.spec(key).unit))
+                     .trimmed());
+  }
+  return lines;
+}
 
 SetupTable::SetupTable(SetupEdit& edit, QObject* parent) : QAbstractTableModel(parent), edit_(edit) {
   connect(&edit_, &SetupEdit::values_changed, this,
@@ -113,9 +125,9 @@ QString SetupTable::explanation(const std::string& key) const {
   const Provenance provenance = edit_.state().provenance(key);
   QStringList lines;
   lines.append(QStringLiteral("<b>%1</b>%2")
-                   .arg(QString::fromStdString(spec.title).toHtmlEscaped(),
+                   .arg(core_text(spec.title).toHtmlEscaped(),
                         spec.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(unit_text(spec.unit))));
-  lines.append(QString::fromStdString(spec.explanation).toHtmlEscaped());
+  lines.append(core_text(spec.explanation).toHtmlEscaped());
   if (spec.choices.empty()) {
     lines.append(tr("Range: %1").arg(range_text(spec)));
   }
@@ -151,7 +163,7 @@ QVariant AxisTable::headerData(int section, Qt::Orientation orientation, int rol
     return {};
   }
   const SettingSpec& spec = axis_limit_specs()[i];
-  return QStringLiteral("%1 [%2]").arg(QString::fromStdString(spec.title), unit_text(spec.unit));
+  return QStringLiteral("%1 [%2]").arg(core_text(spec.title), unit_text(spec.unit));
 }
 
 std::optional<std::string> AxisTable::key_at(const QModelIndex& index) const {
@@ -214,7 +226,7 @@ QString SettingsTable::caption(const QModelIndex& index) const {
   const SettingSpec& spec = specs_[static_cast<std::size_t>(index.row())];
   switch (index.column()) {
     case title:
-      return QString::fromStdString(spec.title);
+      return core_text(spec.title);
     case unit:
       return unit_text(spec.unit);
     case range:

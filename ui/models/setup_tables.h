@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QAbstractTableModel>
+#include <QStringList>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,9 @@ class SetupTable : public QAbstractTableModel {
 
   SetupEdit& edit_;
 };
+
+/// What differs from the machine file, a line each: "X.jerk: 15 → 20 m/s³".
+QStringList changes_of(const SetupState& state);
 
 /// Limits of the axes: a row a limit, a column an axis.
 class AxisTable : public SetupTable {

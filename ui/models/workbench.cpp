@@ -1,8 +1,8 @@
 #include "ui/models/workbench.h"
 
-#include <QDateTime>
 #include <QFileInfo>
 #include <QLocale>
+#include <QSaveFile>
 #include <chrono>
 #include <utility>
 
@@ -112,6 +112,27 @@ void Workbench::choose_machine(const QString& id_or_file) {
 
 void Workbench::choose_model(const QString& id) {
   setup_.set_model(find_model(id.toStdString()));
+}
+
+void Workbench::save_machine(const std::filesystem::path& file) {
+  Machine machine = setup_.state().machine();
+  machine.id = file.stem().string();
+  if (!setup_.state().edits().empty()) {
+    machine.name += tr(" (%1)").arg(to_qstring(file.stem())).toStdString();
+  }
+  const std::string text = write_machine(machine);
+  QSaveFile out(to_qstring(file));
+  const bool written =
+      out.open(QIODevice::WriteOnly) &&
+      out.write(text.data(), static_cast<qint64>(text.size())) == static_cast<qint64>(text.size()) &&
+      out.commit();
+  if (!written) {
+    emit failed(
+        tr("%1 cannot be written: %2. Choose another folder.").arg(to_qstring(file), out.errorString()));
+    return;
+  }
+  choose_machine(to_qstring(file));
+  emit noticed(tr("Saved as %1.").arg(to_qstring(file)));
 }
 
 bool Workbench::set_tolerance(double tolerance) {

@@ -42,6 +42,9 @@ class Workbench : public QObject {
   /// Id or file; its own model is chosen with it. An unusable file is reported by failed().
   void choose_machine(const QString& id_or_file);
   void choose_model(const QString& id);
+  /// Writes the machine of the current run with all edits to a machine file, whose name becomes its id, and
+  /// goes on with that file. What cannot be written is reported by failed(), and nothing is left behind.
+  void save_machine(const std::filesystem::path& file);
   /// Contour tolerance of the current run [mm], instead of the program's own too. False if its model reads
   /// none, or the value is out of bounds.
   bool set_tolerance(double tolerance);

@@ -46,7 +46,7 @@ PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
   layout->setContentsMargins(6, 2, 6, 2);
   make_actions();
   for (QAction* action : actions_) {
-    if (!action->icon().isNull()) {
+    if (!action->icon().isNull() || action->isCheckable()) {
       auto* button = action == actions_.first() ? play_ : new QToolButton(this);
       button->setDefaultAction(action);
       button->setAutoRaise(true);
@@ -97,7 +97,6 @@ void PlaybackBar::make_actions() {
   QAction* loop =
       add(tr("&Loop"), tr("Play what the charts show over and over"), QKeySequence(tr("Ctrl+L")), [] {});
   loop->setCheckable(true);
-  loop->setIcon(icon(QStyle::SP_BrowserReload));
   connect(loop, &QAction::toggled, this, &PlaybackBar::loop_wanted);
 }
 

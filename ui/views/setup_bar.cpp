@@ -5,6 +5,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSignalBlocker>
+#include "ui/language/core_texts.h"
 
 namespace feedscope::ui {
 
@@ -42,9 +43,8 @@ SetupBar::SetupBar(Workbench& model, QWidget* parent)
   }
   machine_->setToolTip(tr("Machine whose axis limits and control settings hold"));
   for (const ControlModel* control : all_models()) {
-    control_model_->addItem(QString::fromStdString(control->info().title),
-                            QString::fromStdString(control->info().id));
-    const QString summary = QString::fromStdString(control->info().summary);
+    control_model_->addItem(core_text(control->info().title), QString::fromStdString(control->info().id));
+    const QString summary = core_text(control->info().summary);
     control_model_->setItemData(control_model_->count() - 1, summary, Qt::ToolTipRole);
   }
   control_model_->setToolTip(tr("Control model: how the control turns the path into motion"));

@@ -6,6 +6,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 
+#include "ui/language/core_texts.h"
 #include "ui/theme/theme.h"
 #include "ui/views/setting_delegate.h"
 
@@ -56,7 +57,8 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
       machine_(new QLabel(this)),
       axes_(make_table(axis_model_, tr("Axis limits"), this)),
       settings_(make_table(settings_model_, tr("Control settings"), this)),
-      help_(new QLabel(this)) {
+      help_(new QLabel(this)),
+      changes_(new QLabel(this)) {
   axes_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
   axes_->verticalHeader()->setDefaultSectionSize(row_height);
   axes_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
@@ -69,6 +71,11 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   help_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   help_->setMinimumHeight(6 * fontMetrics().height());
 
+  changes_->setWordWrap(true);
+  changes_->setTextFormat(Qt::RichText);
+  changes_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+  connect(changes_, &QLabel::linkActivated, &edit_, &SetupEdit::reset);
+
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
@@ -77,6 +84,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->addWidget(axes_);
   layout->addWidget(make_heading(tr("Control settings"), this));
   layout->addWidget(settings_, 1);
+  layout->addWidget(changes_);
   layout->addWidget(help_);
   layout->addStretch();
 
@@ -90,8 +98,31 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   connect(settings_->verticalHeader(), &QHeaderView::sectionResized, this,
           [this] { settings_->setMaximumHeight(full_height(settings_)); });
   connect(&edit_, &SetupEdit::keys_changed, this, &SetupView::fit_tables);
+  connect(&edit_, &SetupEdit::values_changed, this, &SetupView::show_changes);
   connect(axis_model_, &QAbstractItemModel::dataChanged, this, [this] { explain(explained_); });
   fit_tables();
+}
+
+QString SetupView::changes() const {
+  return changes_of(edit_.state()).join(QStringLiteral("\n"));
+}
+
+void SetupView::show_changes() {
+  constexpr qsizetype most = 6;
+  QStringList lines = changes_of(edit_.state());
+  const qsizetype more = lines.size() - most;
+  changes_->setVisible(!lines.isEmpty());
+  changes_->setToolTip(lines.join(QStringLiteral("\n")));
+  for (QString& line : lines) {
+    line = line.toHtmlEscaped();
+  }
+  if (more > 0) {
+    lines = lines.mid(0, most);
+    lines.append(tr("and %n more", nullptr, static_cast<int>(more)));
+  }
+  changes_->setText(
+      QStringLiteral("<p><b>%1</b> <a href=\"reset\">%2</a><br>%3</p>")
+          .arg(tr("Changed against the file:"), tr("back to the file"), lines.join(QStringLiteral("<br>"))));
 }
 
 QString SetupView::message() const {
@@ -99,11 +130,12 @@ QString SetupView::message() const {
 }
 
 void SetupView::fit_tables() {
+  show_changes();
   const Setup& file = edit_.file();
   machine_->setText(QStringLiteral("<b>%1</b><br>%2<br>%3")
                         .arg(QString::fromStdString(file.machine.name).toHtmlEscaped(),
                              QString::fromStdString(file.machine.control).toHtmlEscaped(),
-                             QString::fromStdString(file.model->info().title).toHtmlEscaped()));
+                             core_text(file.model->info().title).toHtmlEscaped()));
   machine_->setToolTip(QString::fromStdString(file.machine.reference).toHtmlEscaped());
   QHeaderView* header = settings_->horizontalHeader();
   header->setSectionResizeMode(QHeaderView::ResizeToContents);

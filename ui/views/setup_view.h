@@ -22,11 +22,14 @@ class SetupView : public QWidget {
   QTableView* settings() { return settings_; }
   /// What the chosen value means, or why an entry was refused.
   QString message() const;
+  /// What differs from the machine file; empty if nothing does.
+  QString changes() const;
 
  private:
   void explain(const QModelIndex& index);
   void refuse(QTableView* table, const QModelIndex& index, const QString& message);
   void fit_tables();
+  void show_changes();
 
   SetupEdit& edit_;
   AxisTable* axis_model_;
@@ -35,6 +38,7 @@ class SetupView : public QWidget {
   QTableView* axes_;
   QTableView* settings_;
   QLabel* help_;
+  QLabel* changes_;
   QPersistentModelIndex explained_;
 };
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/base/units.h"
+#include "ui/language/core_texts.h"
 
 namespace feedscope::ui {
 
@@ -87,9 +88,9 @@ void StatusPanel::count_diagnostics() {
 }
 
 QString StatusPanel::cause_text(const State& state) {
-  const QString cause = QString::fromStdString(cause_title(state.cause));
+  const QString cause = core_text(cause_title(state.cause));
   return state.cause.kind == CauseKind::ramp_down
-             ? tr("cause: %1 (%2)").arg(cause, QString::fromStdString(cause_title(state.slower_place)))
+             ? tr("cause: %1 (%2)").arg(cause, core_text(cause_title(state.slower_place)))
              : tr("cause: %1").arg(cause);
 }
 

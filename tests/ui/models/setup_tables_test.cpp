@@ -137,6 +137,16 @@ TEST_F(SetupTablesTest, EveryValueTellsItsSource) {
               testing::AnyOf(HasSubstr("Source:"), HasSubstr("Assumed:")));
 }
 
+TEST_F(SetupTablesTest, WhatDiffersFromTheFileIsListedUntilItIsTakenBack) {
+  edit.set("X.jerk", 20.0);
+  edit.set("alpha", 3.0);
+  EXPECT_EQ(changes_of(edit.state()), (QStringList{"X.jerk: 15 → 20 m/s³", "alpha: 2.5 → 3"}));
+  edit.reset();
+  EXPECT_TRUE(changes_of(edit.state()).isEmpty());
+  edit.history().undo();
+  EXPECT_EQ(changes_of(edit.state()).size(), 2);
+}
+
 TEST_F(SetupTablesTest, AnUnknownKeyIsAnError) {
   EXPECT_THROW(edit.set("X.haste", 1.0), InputError);
 }

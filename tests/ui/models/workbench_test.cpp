@@ -189,6 +189,26 @@ TEST_F(WorkbenchTest, AToleranceReplacesTheProgramsOwn) {
   EXPECT_EQ(std::get<std::string>(model.setup().state().value("program_tolerance")), "on");
 }
 
+TEST_F(WorkbenchTest, ASavedMachineReadsBackWithAllChangesAndIsTheNewBase) {
+  model.setup().set("X.jerk", 21.0);
+  model.setup().set("alpha", 3.0);
+  const auto file = write("mine.toml", "");
+  model.save_machine(file);
+  EXPECT_EQ(model.setup().file().machine.id, "mine");
+  EXPECT_TRUE(model.setup().state().edits().empty());
+  EXPECT_EQ(std::get<double>(model.setup().state().value("alpha")), 3);
+  const Machine machine = shipped_machines().load(file.string());
+  EXPECT_EQ(axis_limit(machine, 'X', "jerk"), 21);
+  EXPECT_EQ(machine.provenance.at("alpha").source, "set by hand");
+}
+
+TEST_F(WorkbenchTest, AMachineThatCannotBeSavedIsAMessage) {
+  QSignalSpy failed(&model, &Workbench::failed);
+  model.save_machine("/no/such/folder/mine.toml");
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_THAT(failed.first().first().toString().toStdString(), testing::HasSubstr("mine.toml"));
+}
+
 TEST_F(WorkbenchTest, ProgressSaysWhatIsDone) {
   QSignalSpy progress(&model, &Workbench::progressed);
   std::string text = "G21 G90 G94 F3000\n";

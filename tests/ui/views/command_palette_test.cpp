@@ -1,0 +1,79 @@
+#include "ui/views/command_palette.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QLineEdit>
+#include <QTableView>
+#include <QTest>
+
+namespace feedscope::ui {
+namespace {
+
+class CommandPaletteTest : public testing::Test {
+ protected:
+  CommandPaletteTest() {
+    window.resize(800, 600);
+    window.show();
+    for (QAction* action : {&top, &fit, &off}) {
+      QObject::connect(action, &QAction::triggered, [this, action] { triggered = action; });
+    }
+    fit.setShortcut(QKeySequence("Ctrl+0"));
+    off.setEnabled(false);
+  }
+  QList<ListedAction> actions() { return {{"View", &top}, {"View › Charts", &fit}, {"Runs", &off}}; }
+
+  QWidget window;
+  CommandPalette palette{&window};
+  QAction top{"&Top"};
+  QAction fit{"&Fit charts …"};
+  QAction off{"Remove"};
+  QAction* triggered = nullptr;
+};
+
+TEST_F(CommandPaletteTest, ListsWhatCanBeDone) {
+  palette.ask(actions());
+  EXPECT_EQ(palette.list()->model()->rowCount(), 2);
+  EXPECT_EQ(palette.list()->model()->index(1, ActionTable::name).data().toString(), "Fit charts");
+  EXPECT_EQ(palette.list()->model()->index(1, ActionTable::keys).data().toString(), "Ctrl+0");
+}
+
+TEST_F(CommandPaletteTest, AnyWordsInAnyOrderFindACommandAndEnterRunsIt) {
+  palette.ask(actions());
+  QTest::keyClicks(palette.input(), "char vi");
+  ASSERT_EQ(palette.list()->model()->rowCount(), 1);
+  QTest::keyClick(palette.input(), Qt::Key_Return);
+  EXPECT_EQ(triggered, &fit);
+  EXPECT_FALSE(palette.isVisible());
+}
+
+TEST_F(CommandPaletteTest, ArrowKeysChoose) {
+  palette.ask(actions());
+  QTest::keyClick(palette.input(), Qt::Key_Down);
+  QTest::keyClick(palette.input(), Qt::Key_Down);  // no further than the last
+  QTest::keyClick(palette.input(), Qt::Key_Return);
+  EXPECT_EQ(triggered, &fit);
+}
+
+TEST_F(CommandPaletteTest, WordsThatFindNothingRunNothing) {
+  palette.ask(actions());
+  QTest::keyClicks(palette.input(), "(.*");
+  EXPECT_EQ(palette.list()->model()->rowCount(), 0);
+  QTest::keyClick(palette.input(), Qt::Key_Return);
+  EXPECT_EQ(triggered, nullptr);
+}
+
+TEST(ActionTable, IsASoundItemModel) {
+  ActionTable table;
+  const QAbstractItemModelTester tester(&table, QAbstractItemModelTester::FailureReportingMode::Fatal);
+  QAction action("One");
+  table.set_actions({{"Menu", &action}});
+  table.set_actions({});
+}
+
+TEST(ActionTable, AMenuTextLosesItsMnemonicAndDots) {
+  EXPECT_EQ(plain_text("Save && &close …"), "Save & close");
+}
+
+}  // namespace
+}  // namespace feedscope::ui

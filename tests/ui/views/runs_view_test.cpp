@@ -1,0 +1,86 @@
+#include "ui/views/runs_view.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QDoubleSpinBox>
+#include <QLocale>
+#include <QTableView>
+#include <QTest>
+
+#include "tests/ui/run_fixture.h"
+
+namespace feedscope::ui {
+namespace {
+
+using testing::HasSubstr;
+
+class RunsViewTest : public testing::Test {
+ protected:
+  RunsViewTest() {
+    QLocale::setDefault(QLocale::c());
+    view.resize(900, 240);
+    view.show();
+  }
+  void simulate() {
+    const LoadedProgram input =
+        load_program(std::make_shared<const SourceText>("test.nc", test::small_program));
+    for (const RunItem& item : runs.items()) {
+      runs.set_result(item.id, make_shown(simulate_run(input, item.setup.setup())));
+    }
+  }
+  QPoint middle_of(int row, int column) {
+    return view.table()->visualRect(view.results().index(row, column)).center();
+  }
+
+  RunList runs{make_setup({})};
+  RunsView view{runs};
+};
+
+TEST_F(RunsViewTest, AClickOnARowMakesItTheCurrentRun) {
+  runs.duplicate(0);
+  QTest::mouseClick(view.table()->viewport(), Qt::LeftButton, {}, middle_of(0, RunTable::machine));
+  EXPECT_EQ(runs.current(), 0U);
+  runs.select(1);
+  EXPECT_EQ(view.table()->currentIndex().row(), 1);
+}
+
+TEST_F(RunsViewTest, CommandsActOnTheCurrentRun) {
+  const QList<QAction*> actions = view.panel_actions();
+  actions[0]->trigger();  // duplicate
+  ASSERT_EQ(runs.items().size(), 2U);
+  const int copy = runs.current_item().id;
+  actions[3]->trigger();  // up
+  EXPECT_EQ(runs.row_of(copy), 0U);
+  actions[4]->trigger();  // down
+  EXPECT_EQ(runs.row_of(copy), 1U);
+  actions[2]->trigger();  // remove
+  EXPECT_EQ(runs.items().size(), 1U);
+}
+
+TEST_F(RunsViewTest, TheVerdictNamesTheFastestRunWithinTheBound) {
+  SetupState fine = runs.items()[0].setup;
+  fine.set("contour_tolerance_mm", 0.005);
+  runs.duplicate_as(0, fine);
+  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("0 of 2 runs"));
+  simulate();
+  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("0.1 mm"));
+  view.findChild<QCheckBox*>()->setChecked(true);  // 10 um
+  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("0.005 mm"));
+  view.findChild<QDoubleSpinBox*>()->setValue(0.1);
+  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("No run"));
+}
+
+TEST_F(RunsViewTest, ANameIsTypedIntoTheTable) {
+  QTest::mouseDClick(view.table()->viewport(), Qt::LeftButton, {}, middle_of(0, RunTable::name));
+  QWidget* editor = QApplication::focusWidget();
+  ASSERT_NE(editor, nullptr);
+  QTest::keyClicks(editor, "roughing");
+  QTest::keyClick(editor, Qt::Key_Return);
+  EXPECT_EQ(runs.items()[0].name, "roughing");
+}
+
+}  // namespace
+}  // namespace feedscope::ui

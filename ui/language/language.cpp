@@ -1,0 +1,66 @@
+#include "ui/language/language.h"
+
+#include <QCoreApplication>
+#include <QLibraryInfo>
+#include <QLocale>
+#include <QSettings>
+#include <QTranslator>
+
+namespace feedscope::ui {
+
+namespace {
+
+const QString english = QStringLiteral("en");
+const QString key = QStringLiteral("language");
+
+/// lupdate files a text said outside of its class, Class::tr("..."), under the namespace alone.
+class Translator : public QTranslator {
+ public:
+  using QTranslator::QTranslator;
+
+  QString translate(const char* context, const char* text, const char* note, int n) const override {
+    const QString found = QTranslator::translate(context, text, note, n);
+    return found.isEmpty() ? QTranslator::translate("feedscope::ui", text, note, n) : found;
+  }
+};
+
+void install(const QString& name, const QString& folder) {
+  auto* translator = new Translator(QCoreApplication::instance());
+  if (translator->load(name, folder)) {
+    QCoreApplication::installTranslator(translator);
+  } else {
+    delete translator;
+  }
+}
+
+}  // namespace
+
+QStringList languages() {
+  return {english, QStringLiteral("fr")};
+}
+
+QString chosen_language() {
+  const QString desktop = QLocale::system().name().section('_', 0, 0);
+  const QString chosen = QSettings().value(key, desktop).toString();
+  return languages().contains(chosen) ? chosen : english;
+}
+
+void choose_language(const QString& code) {
+  if (code.isEmpty()) {
+    QSettings().remove(key);
+  } else {
+    QSettings().setValue(key, code);
+  }
+}
+
+void install_language(const QString& code) {
+  if (code != QLocale::system().name().section('_', 0, 0)) {
+    QLocale::setDefault(QLocale(code));
+  }
+  if (code != english) {
+    install(QStringLiteral("qtbase_%1").arg(code), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
+    install(QStringLiteral("feedscope_%1").arg(code), QStringLiteral(":/translations"));
+  }
+}
+
+}  // namespace feedscope::ui

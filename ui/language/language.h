@@ -1,0 +1,18 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+
+namespace feedscope::ui {
+
+/// Codes of the languages that the window speaks; English is the one it is written in.
+QStringList languages();
+/// The language that the user chose, or else the desktop's if the window speaks it, or else English.
+QString chosen_language();
+/// For the next start; empty: as the desktop.
+void choose_language(const QString& code);
+/// Makes all texts of the application appear in a language, and numbers on screen by its rules. Needs a
+/// QApplication; call it before any window is made.
+void install_language(const QString& code);
+
+}  // namespace feedscope::ui
