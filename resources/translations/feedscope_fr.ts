@@ -2,1142 +2,1595 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr">
 <context>
-    <name>ActionTable</name>
+    <name>core</name>
     <message>
-        <source>Menu</source>
-        <translation type="unfinished"></translation>
+        <source>programmed feed</source>
+        <translation>avance programmée</translation>
     </message>
     <message>
-        <source>Command</source>
-        <translation type="unfinished"></translation>
+        <source>rapid traverse</source>
+        <translation>déplacement rapide</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation type="unfinished"></translation>
+        <source>velocity</source>
+        <translation>vitesse</translation>
     </message>
-</context>
-<context>
-    <name>CauseStrip</name>
     <message>
-        <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <source>velocity of axis X</source>
+        <translation>vitesse de l&apos;axe X</translation>
     </message>
     <message>
-        <source>%1 %2</source>
-        <translation type="unfinished"></translation>
+        <source>velocity of axis Y</source>
+        <translation>vitesse de l&apos;axe Y</translation>
     </message>
     <message>
-        <source>+ %1</source>
-        <translation type="unfinished"></translation>
+        <source>velocity of axis Z</source>
+        <translation>vitesse de l&apos;axe Z</translation>
     </message>
     <message>
-        <source>Limited by</source>
-        <translation type="unfinished"></translation>
+        <source>acceleration</source>
+        <translation>accélération</translation>
     </message>
     <message>
-        <source>%1: %2</source>
-        <translation type="unfinished"></translation>
+        <source>acceleration of axis X</source>
+        <translation>accélération de l&apos;axe X</translation>
     </message>
     <message>
-        <source>%1: %2 of the visible time, %3 s</source>
-        <translation type="unfinished"></translation>
+        <source>acceleration of axis Y</source>
+        <translation>accélération de l&apos;axe Y</translation>
     </message>
-</context>
-<context>
-    <name>ChartHeader</name>
     <message>
-        <source>%1, %2 [%3]
-Click: hide or show. Ctrl+click: only this one.</source>
-        <translation type="unfinished"></translation>
+        <source>acceleration of axis Z</source>
+        <translation>accélération de l&apos;axe Z</translation>
     </message>
-</context>
-<context>
-    <name>ChartsPanel</name>
     <message>
-        <source>over time</source>
-        <translation type="unfinished"></translation>
+        <source>jerk</source>
+        <translation>jerk</translation>
     </message>
     <message>
-        <source>over path length</source>
-        <translation type="unfinished"></translation>
+        <source>jerk of axis X</source>
+        <translation>jerk de l&apos;axe X</translation>
     </message>
     <message>
-        <source>What runs along the charts</source>
-        <translation type="unfinished"></translation>
+        <source>jerk of axis Y</source>
+        <translation>jerk de l&apos;axe Y</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation type="unfinished"></translation>
+        <source>jerk of axis Z</source>
+        <translation>jerk de l&apos;axe Z</translation>
     </message>
     <message>
-        <source>Show the whole run (double click in a chart)</source>
-        <translation type="unfinished"></translation>
+        <source>radial acceleration</source>
+        <translation>accélération radiale</translation>
     </message>
     <message>
-        <source>Time [s]</source>
-        <translation type="unfinished"></translation>
+        <source>radial acceleration of axis X</source>
+        <translation>accélération radiale de l&apos;axe X</translation>
     </message>
     <message>
-        <source>limit of %1</source>
-        <translation type="unfinished"></translation>
+        <source>radial acceleration of axis Y</source>
+        <translation>accélération radiale de l&apos;axe Y</translation>
     </message>
     <message>
-        <source>Path length [mm]</source>
-        <translation type="unfinished"></translation>
+        <source>radial acceleration of axis Z</source>
+        <translation>accélération radiale de l&apos;axe Z</translation>
     </message>
-</context>
-<context>
-    <name>CommandPalette</name>
     <message>
-        <source>Find a command</source>
-        <translation type="unfinished"></translation>
+        <source>radial jerk</source>
+        <translation>jerk radial</translation>
     </message>
-</context>
-<context>
-    <name>ComparisonChart</name>
     <message>
-        <source>%1 %</source>
-        <translation type="unfinished"></translation>
+        <source>radial jerk of axis X</source>
+        <translation>jerk radial de l&apos;axe X</translation>
     </message>
     <message>
-        <source>cycle time by limiting cause</source>
-        <translation type="unfinished"></translation>
+        <source>radial jerk of axis Y</source>
+        <translation>jerk radial de l&apos;axe Y</translation>
     </message>
     <message>
-        <source>Time [s]</source>
-        <translation type="unfinished"></translation>
+        <source>radial jerk of axis Z</source>
+        <translation>jerk radial de l&apos;axe Z</translation>
     </message>
     <message>
-        <source>programmed time %1 s</source>
-        <translation type="unfinished"></translation>
+        <source>velocity on a blend</source>
+        <translation>vitesse sur un raccord</translation>
     </message>
     <message>
-        <source>path length %1 mm</source>
-        <translation type="unfinished"></translation>
+        <source>velocity of axis X on a blend</source>
+        <translation>vitesse de l&apos;axe X sur un raccord</translation>
     </message>
     <message>
-        <source>%1, with %2</source>
-        <translation type="unfinished"></translation>
+        <source>velocity of axis Y on a blend</source>
+        <translation>vitesse de l&apos;axe Y sur un raccord</translation>
     </message>
-</context>
-<context>
-    <name>DiagnosticsView</name>
     <message>
-        <source>Line</source>
-        <translation type="unfinished"></translation>
+        <source>velocity of axis Z on a blend</source>
+        <translation>vitesse de l&apos;axe Z sur un raccord</translation>
     </message>
     <message>
-        <source>Message</source>
-        <translation type="unfinished"></translation>
+        <source>radial acceleration on a blend</source>
+        <translation>accélération radiale sur un raccord</translation>
     </message>
     <message>
-        <source>What to do</source>
-        <translation type="unfinished"></translation>
+        <source>radial acceleration of axis X on a blend</source>
+        <translation>accélération radiale de l&apos;axe X sur un raccord</translation>
     </message>
     <message>
-        <source>and %1 more</source>
-        <translation type="unfinished"></translation>
+        <source>radial acceleration of axis Y on a blend</source>
+        <translation>accélération radiale de l&apos;axe Y sur un raccord</translation>
     </message>
-</context>
-<context>
-    <name>KeyList</name>
     <message>
-        <source>Keys and mouse</source>
-        <translation type="unfinished"></translation>
+        <source>radial acceleration of axis Z on a blend</source>
+        <translation>accélération radiale de l&apos;axe Z sur un raccord</translation>
     </message>
     <message>
-        <source>&lt;b&gt;3D view:&lt;/b&gt; left drag turns, Shift or middle drag moves, wheel or right drag zooms, a click points.&lt;br&gt;&lt;b&gt;Charts:&lt;/b&gt; wheel zooms at the pointer, drag pans, a click points, a double click shows all.&lt;br&gt;&lt;b&gt;Program:&lt;/b&gt; a click on a line points at it.</source>
-        <translation type="unfinished"></translation>
+        <source>radial jerk on a blend</source>
+        <translation>jerk radial sur un raccord</translation>
     </message>
-</context>
-<context>
-    <name>KinematicChart</name>
     <message>
-        <source>Click: cursor. Shift+click: second cursor, differences. Wheel: zoom. Drag: pan.
-Right drag or Ctrl+drag: zoom to a box. Ctrl+wheel: zoom the values. Double click: show all.</source>
-        <translation type="unfinished"></translation>
+        <source>radial jerk of axis X on a blend</source>
+        <translation>jerk radial de l&apos;axe X sur un raccord</translation>
     </message>
-</context>
-<context>
-    <name>MainWindow</name>
     <message>
-        <source>Feedscope</source>
-        <translation type="unfinished"></translation>
+        <source>radial jerk of axis Y on a blend</source>
+        <translation>jerk radial de l&apos;axe Y sur un raccord</translation>
     </message>
     <message>
-        <source>Program</source>
-        <translation type="unfinished"></translation>
+        <source>radial jerk of axis Z on a blend</source>
+        <translation>jerk radial de l&apos;axe Z sur un raccord</translation>
     </message>
     <message>
-        <source>Machine and control</source>
-        <translation type="unfinished"></translation>
+        <source>tangential acceleration on a blend</source>
+        <translation>accélération tangentielle sur un raccord</translation>
     </message>
     <message>
-        <source>Charts</source>
-        <translation type="unfinished"></translation>
+        <source>tangential acceleration of axis X on a blend</source>
+        <translation>accélération tangentielle de l&apos;axe X sur un raccord</translation>
     </message>
     <message>
-        <source>Messages</source>
-        <translation type="unfinished"></translation>
+        <source>tangential acceleration of axis Y on a blend</source>
+        <translation>accélération tangentielle de l&apos;axe Y sur un raccord</translation>
     </message>
     <message>
-        <source>Runs</source>
-        <translation type="unfinished"></translation>
+        <source>tangential acceleration of axis Z on a blend</source>
+        <translation>accélération tangentielle de l&apos;axe Z sur un raccord</translation>
     </message>
     <message>
-        <source>%1 – Feedscope</source>
-        <translation type="unfinished"></translation>
+        <source>tangential jerk on a blend</source>
+        <translation>jerk tangentiel sur un raccord</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
+        <source>tangential jerk of axis X on a blend</source>
+        <translation>jerk tangentiel de l&apos;axe X sur un raccord</translation>
     </message>
     <message>
-        <source>&amp;Edit</source>
-        <translation type="unfinished"></translation>
+        <source>tangential jerk of axis Y on a blend</source>
+        <translation>jerk tangentiel de l&apos;axe Y sur un raccord</translation>
     </message>
     <message>
-        <source>Undo</source>
-        <translation type="unfinished"></translation>
+        <source>tangential jerk of axis Z on a blend</source>
+        <translation>jerk tangentiel de l&apos;axe Z sur un raccord</translation>
     </message>
     <message>
-        <source>Redo</source>
-        <translation type="unfinished"></translation>
+        <source>curvilinear jerk</source>
+        <translation>jerk curviligne</translation>
     </message>
     <message>
-        <source>&amp;Runs</source>
-        <translation type="unfinished"></translation>
+        <source>jerk at a change of curvature</source>
+        <translation>jerk à un changement de courbure</translation>
     </message>
     <message>
-        <source>&amp;Cancel simulation</source>
-        <translation type="unfinished"></translation>
+        <source>jerk of axis X at a change of curvature</source>
+        <translation>jerk de l&apos;axe X à un changement de courbure</translation>
     </message>
     <message>
-        <source>Stop reading or simulating</source>
-        <translation type="unfinished"></translation>
+        <source>jerk of axis Y at a change of curvature</source>
+        <translation>jerk de l&apos;axe Y à un changement de courbure</translation>
     </message>
     <message>
-        <source>&amp;Playback</source>
-        <translation type="unfinished"></translation>
+        <source>jerk of axis Z at a change of curvature</source>
+        <translation>jerk de l&apos;axe Z à un changement de courbure</translation>
     </message>
     <message>
-        <source>To the s&amp;tart</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>To the start of the run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>To the &amp;end</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>To the end of the run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;File</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Open program …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open an NC program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Reload program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Read the program again</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Reload when the file &amp;changes</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Read the program again whenever its file is written</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open &amp;machine file …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+M</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Use a machine of your own</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Save machine as …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Write the machine with all changes to a machine file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Leave Feedscope</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No program has been opened yet</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Forget these files</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Look from there</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Isometric</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+2</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Front</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+3</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+4</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit &amp;path</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The whole path in the 3D view</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fit &amp;charts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+0</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The whole run in the charts</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Panels</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Default layout</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+D</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Light or dark colours</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The language changes with the next start.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Find a command …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+K</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Type what you want to do</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Keys and mouse</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>All keys, and what the mouse does</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open NC program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>NC programs (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open machine file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Machine files (*.toml)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Save machine as</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&lt;b&gt;%1&lt;/b&gt; &amp;nbsp; %2 · %3 · %4 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>PlaybackBar</name>
-    <message>
-        <source>Time within the cycle</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Playback speed; 1 is true time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Play or pause</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Play or pause</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Block b&amp;ack</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>To the start of this or the previous block</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+Left</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Block &amp;on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>To the start of the next block</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+Right</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sample &amp;back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One interpolation period back</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Sample o&amp;n</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>One interpolation period on</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Faster</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Play twice as fast</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+Up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Slower</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Play half as fast</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+Down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Loop</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Play what the charts show over and over</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+L</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 / %2</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>ProgramMargin</name>
-    <message>
-        <source>Line %1 takes no time</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>ProgramView</name>
-    <message>
-        <source>Program text</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Text of the NC program with the time of every line</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Open an NC program (Ctrl+O), or drop one here.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The program is empty.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>RunList</name>
-    <message>
-        <source>%1 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>duplicate run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>remove run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>move run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>name of run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>colour of run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>show run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>hide run</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>RunTable</name>
-    <message>
-        <source>Its contour error of %1 µm is above the bound of %2 µm.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>★ The fastest of these runs.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Machine</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Tolerance [mm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cycle time</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Slower [%]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Feed [mm/min]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Error [µm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Name of the run; the box shows its path and feed beside those of the current run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Machine whose axis limits hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Control model</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contour tolerance [mm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cycle time [s, or min:s]; the star marks the fastest run that keeps the error bound</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Cycle time above that of the fastest run [%]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Mean feed: executed path over cycle time without dwells [mm/min]</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Largest distance of a programmed corner from the executed path [µm]</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>RunsView</name>
-    <message>
-        <source>Error at &amp;most</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Runs and their results</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> µm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Only runs whose contour error keeps this bound [µm] compete for the fastest</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Duplicate</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>A copy of the current run, to be changed</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+D</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Tolerances …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Copies of the current run with other contour tolerances</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+T</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Remove</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Take the current run away</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Ctrl+Delete</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move the current run up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Alt+Up</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Dow&amp;n</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Move the current run down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Alt+Down</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Colour …</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colour of the current run in charts and 3D view</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>The model of this run reads no contour tolerance.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Runs with other tolerances</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contour tolerances [mm], with spaces between them:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>runs with other tolerances</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Colour of the run</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Duplicate the run and change a value to compare.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 of %2 runs are simulated.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>No run keeps this bound.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Fastest: %1 with %2.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SettingsTable</name>
-    <message>
-        <source>Setting</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Value</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Range</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SetupBar</name>
-    <message>
-        <source>Setup</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Machine whose axis limits and control settings hold</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Control model: how the control turns the path into motion</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Contour tolerance: how far the path may leave the programmed corners</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Machine</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>M&amp;odel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>&amp;Tolerance</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SetupEdit</name>
-    <message>
-        <source>machine %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>model %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>back to the machine file</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SetupTable</name>
-    <message>
-        <source>choice</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Range: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Changed; the file says %1.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Source: the model&apos;s own value; the machine&apos;s file gives none.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Assumed: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Source: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SetupView</name>
-    <message>
-        <source>Axis limits</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Control settings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message numerus="yes">
-        <source>and %n more</source>
-        <translation type="unfinished">
-            <numerusform></numerusform>
-            <numerusform></numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Changed against the file:</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>back to the file</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Choose a value to see what it means. Bold: changed. Italic: assumed, no source gives it.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>This model reads no control settings.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>SimulationJob</name>
-    <message>
-        <source>The program needs more memory than there is.</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>StatusPanel</name>
-    <message>
-        <source>Cancel</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Stop the simulation (Esc)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Show what the reader found in the program</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 error</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 errors</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>1 warning</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 warnings</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cause: %1 (%2)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>cause: %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>line %1</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 mm/min</source>
-        <translation type="unfinished"></translation>
-    </message>
-</context>
-<context>
-    <name>Workbench</name>
-    <message>
-        <source>%1 has changed and is read again.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source> (%1)</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>%1 cannot be written: %2. Choose another folder.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
-        <source>Saved as %1.</source>
-        <translation type="unfinished"></translation>
+        <source>interpolation period</source>
+        <translation>période d&apos;interpolation</translation>
     </message>
     <message>
         <source>contour tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>tolérance de contour</translation>
     </message>
     <message>
-        <source>Reading %1 %</source>
-        <translation type="unfinished"></translation>
+        <source>look-ahead horizon</source>
+        <translation>horizon d&apos;anticipation</translation>
     </message>
     <message>
-        <source> (run %1 of %2)</source>
-        <translation type="unfinished"></translation>
+        <source>slowing for what follows</source>
+        <translation>ralentissement pour la suite</translation>
     </message>
     <message>
-        <source>Simulating %1 of %2 blocks%3</source>
-        <translation type="unfinished"></translation>
+        <source>exact stop</source>
+        <translation>arrêt précis</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>temporisation</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Fastest this axis may go; rapids run at the speed at which the first axis reaches it.</source>
+        <translation>Vitesse maximale de cet axe&#xa0;; les rapides se font à la vitesse à laquelle le premier axe l&apos;atteint.</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Largest acceleration of this axis, along the path and across it together.</source>
+        <translation>Accélération maximale de cet axe, le long de la trajectoire et en travers réunis.</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Jerk</translation>
+    </message>
+    <message>
+        <source>Fastest change of acceleration on programmed lines and arcs; small values spare the machine and cost most of the time on short blocks.</source>
+        <translation>Variation maximale de l&apos;accélération sur les droites et arcs programmés&#xa0;; de petites valeurs ménagent la machine et coûtent l&apos;essentiel du temps sur les blocs courts.</translation>
+    </message>
+    <message>
+        <source>Jerk on blends</source>
+        <translation>Jerk sur les raccords</translation>
+    </message>
+    <message>
+        <source>Fastest change of acceleration on the corner blends that the control inserts.</source>
+        <translation>Variation maximale de l&apos;accélération sur les raccords d&apos;angle insérés par la commande.</translation>
+    </message>
+    <message>
+        <source>Contour tolerance</source>
+        <translation>Tolérance de contour</translation>
+    </message>
+    <message>
+        <source>How far the control may leave the programmed corners; the larger, the less it slows down there. 0: it stops in every corner.</source>
+        <translation>Écart permis à la commande par rapport aux angles programmés&#xa0;; plus il est grand, moins elle y ralentit. 0&#xa0;: elle s&apos;arrête à chaque angle.</translation>
+    </message>
+    <message>
+        <source>Tolerance of the program</source>
+        <translation>Tolérance du programme</translation>
+    </message>
+    <message>
+        <source>on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance (ADIS), it counts; off: the contour tolerance counts everywhere. Exact stops are obeyed in any case.</source>
+        <translation>on&#xa0;: là où le programme demande une tolérance (CTOL, CYCLE832, G64 P, cycle 32) ou une distance de raccord (ADIS), c&apos;est elle qui vaut&#xa0;; off&#xa0;: la tolérance de contour vaut partout. Les arrêts précis sont toujours respectés.</translation>
+    </message>
+    <message>
+        <source>Interpolation period</source>
+        <translation>Période d&apos;interpolation</translation>
+    </message>
+    <message>
+        <source>Time between two set points of the control; a block shorter than the feed covers in one period is run slower.</source>
+        <translation>Temps entre deux consignes de la commande&#xa0;; un bloc plus court que le chemin parcouru en une période est exécuté plus lentement.</translation>
+    </message>
+    <message>
+        <source>Look-ahead</source>
+        <translation>Anticipation (look-ahead)</translation>
+    </message>
+    <message>
+        <source>How many blocks ahead the control plans; it must be able to stop within them, so on short blocks a small number keeps the feed low.</source>
+        <translation>Nombre de blocs que la commande prévoit à l&apos;avance&#xa0;; elle doit pouvoir s&apos;arrêter dans ces blocs&#xa0;: sur des blocs courts, un petit nombre maintient l&apos;avance basse.</translation>
+    </message>
+    <message>
+        <source>Radial share of acceleration</source>
+        <translation>Part radiale de l&apos;accélération</translation>
+    </message>
+    <message>
+        <source>Share of every axis acceleration that turning on a corner blend may use; the rest is left for speeding up and slowing down.</source>
+        <translation>Part de l&apos;accélération de chaque axe que peut prendre le virage sur un raccord d&apos;angle&#xa0;; le reste sert à accélérer et à ralentir.</translation>
+    </message>
+    <message>
+        <source>Radial share of jerk</source>
+        <translation>Part radiale du jerk</translation>
+    </message>
+    <message>
+        <source>Share of every axis jerk that turning on a corner blend may use; the rest is left for speeding up and slowing down.</source>
+        <translation>Part du jerk de chaque axe que peut prendre le virage sur un raccord d&apos;angle&#xa0;; le reste sert à accélérer et à ralentir.</translation>
+    </message>
+    <message>
+        <source>Curvilinear jerk</source>
+        <translation>Jerk curviligne</translation>
+    </message>
+    <message>
+        <source>Jerk allowed along the path; it bounds the feed on arcs by the cube root of jerk times radius squared.</source>
+        <translation>Jerk permis le long de la trajectoire&#xa0;; il borne l&apos;avance sur les arcs par la racine cubique du jerk multiplié par le carré du rayon.</translation>
+    </message>
+    <message>
+        <source>Tangential share of curvilinear jerk</source>
+        <translation>Part tangentielle du jerk curviligne</translation>
+    </message>
+    <message>
+        <source>Share of the curvilinear jerk given to the tangential direction, the rest to the central one.</source>
+        <translation>Part du jerk curviligne donnée à la direction tangentielle, le reste à la direction centrale.</translation>
+    </message>
+    <message>
+        <source>CAM baseline</source>
+        <translation>Référence FAO</translation>
+    </message>
+    <message>
+        <source>Path length over programmed feed, block by block; rapids at the speed of the axes; dwells as programmed. What a CAM system promises.</source>
+        <translation>Longueur de trajectoire divisée par l&apos;avance programmée, bloc par bloc&#xa0;; rapides à la vitesse des axes&#xa0;; temporisations telles que programmées. Ce que promet un logiciel de FAO.</translation>
+    </message>
+    <message>
+        <source>Local smoothing by cubic blends (Sinumerik 840D)</source>
+        <translation>Lissage local par raccords cubiques (Sinumerik 840D)</translation>
+    </message>
+    <message>
+        <source>Corners between lines are blended by cubic Hermite curves within the contour tolerance; jerk-limited ramps on the lines, per-axis limits with radial shares on the blends, look-ahead over some blocks. Arcs and tangent junctions keep the static limits of Tapie 2007, which the paper does not cover.</source>
+        <translation>Les angles entre droites sont raccordés par des courbes cubiques d&apos;Hermite dans la tolérance de contour&#xa0;; rampes à jerk limité sur les droites, limites par axe avec parts radiales sur les raccords, anticipation sur quelques blocs. Les arcs et les jonctions tangentes, que l&apos;article ne traite pas, gardent les limites statiques de Tapie 2007.</translation>
+    </message>
+    <message>
+        <source>Tangent weight alpha</source>
+        <translation>Poids alpha des tangentes</translation>
+    </message>
+    <message>
+        <source>Weight of the end tangents of a blend; 2.5 was identified on a Sinumerik 840D.</source>
+        <translation>Poids des tangentes aux extrémités d&apos;un raccord&#xa0;; 2,5 a été identifié sur une Sinumerik 840D.</translation>
+    </message>
+    <message>
+        <source>Used share of the tolerance beta</source>
+        <translation>Part utilisée bêta de la tolérance</translation>
+    </message>
+    <message>
+        <source>Share of the contour tolerance that the control uses; 0 for the identified rule: 0.6 where an axis reverses in the corner, else 0.8.</source>
+        <translation>Part de la tolérance de contour que la commande utilise&#xa0;; 0 pour la règle identifiée&#xa0;: 0,6 là où un axe s&apos;inverse dans l&apos;angle, sinon 0,8.</translation>
+    </message>
+    <message>
+        <source>Reading of the paper</source>
+        <translation>Lecture de l&apos;article</translation>
+    </message>
+    <message>
+        <source>corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper&apos;s figures; strict: constant du/dt on a blend, every limit kept.</source>
+        <translation>corrected&#xa0;: l&apos;accélération se poursuit après un raccord&#xa0;; published&#xa0;: elle est abandonnée à sa fin, comme dans les figures de l&apos;article&#xa0;; strict&#xa0;: du/dt constant sur un raccord, toutes les limites respectées.</translation>
+    </message>
+    <message>
+        <source>Circle-arc blends at constant speed</source>
+        <translation>Raccords en arc de cercle à vitesse constante</translation>
+    </message>
+    <message>
+        <source>Corners between lines are blended by circle arcs within the contour tolerance and passed at constant speed, limits taken along tangent and normal instead of per axis; jerk-limited ramps on the lines, look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007.</source>
+        <translation>Les angles entre droites sont raccordés par des arcs de cercle dans la tolérance de contour et passés à vitesse constante, limites prises selon la tangente et la normale au lieu de chaque axe&#xa0;; rampes à jerk limité sur les droites, anticipation. Les arcs et les jonctions tangentes gardent les limites statiques de Tapie 2007.</translation>
+    </message>
+    <message>
+        <source>Circular interpolation (Sinumerik 840D)</source>
+        <translation>Interpolation circulaire (Sinumerik 840D)</translation>
+    </message>
+    <message>
+        <source>One feed for every arc, from the curvilinear jerk of the control and from what the axes allow where it is reached; speed lost at every change of curvature; jerk-limited ramps in between. Corners are exact stops: the paper says that the control rounds them, but not how.</source>
+        <translation>Une seule avance par arc, d&apos;après le jerk curviligne de la commande et ce que les axes permettent là où il est atteint&#xa0;; perte de vitesse à chaque changement de courbure&#xa0;; rampes à jerk limité entre les deux. Les angles sont des arrêts précis&#xa0;: l&apos;article dit que la commande les arrondit, mais pas comment.</translation>
+    </message>
+    <message>
+        <source>Connecting arcs, static and dynamic look-ahead (Sinumerik 840D, TNC 430)</source>
+        <translation>Arcs de raccordement, anticipation statique et dynamique (Sinumerik 840D, TNC 430)</translation>
+    </message>
+    <message>
+        <source>Corners between lines get connecting arcs within the contour tolerance (TIT), small blocks are merged. Static look-ahead gives every block and arc one feed; dynamic look-ahead ramps below it. Helices, dwells, rapids and corners that touch an arc, which the paper does not cover, keep the static limits of arcs and lines or are exact stops.</source>
+        <translation>Les angles entre droites reçoivent des arcs de raccordement dans la tolérance de contour (TIT), les petits blocs sont réunis. L&apos;anticipation statique donne une avance à chaque bloc et à chaque arc&#xa0;; l&apos;anticipation dynamique trace les rampes au-dessous. Hélices, temporisations, rapides et angles touchant un arc, que l&apos;article ne traite pas, gardent les limites statiques des arcs et des droites ou sont des arrêts précis.</translation>
+    </message>
+    <message>
+        <source>Compaction length</source>
+        <translation>Longueur de compactage</translation>
+    </message>
+    <message>
+        <source>Blocks shorter than this are merged into segments of at most this length where the tolerance allows it; 0 merges none.</source>
+        <translation>Les blocs plus courts sont réunis en segments ne dépassant pas cette longueur, là où la tolérance le permet&#xa0;; 0&#xa0;: aucun n&apos;est réuni.</translation>
+    </message>
+    <message>
+        <source>dynamic: ramps that know the blocks ahead; static: every block at its own feed, as if feed changes took no time.</source>
+        <translation>dynamic&#xa0;: rampes qui tiennent compte des blocs à venir&#xa0;; static&#xa0;: chaque bloc à sa propre avance, comme si les changements d&apos;avance ne prenaient pas de temps.</translation>
+    </message>
+    <message>
+        <source>Velocity pulses through FIR filters (Heidenhain TNC 640)</source>
+        <translation>Impulsions de vitesse et filtres RIF (Heidenhain TNC 640)</translation>
+    </message>
+    <message>
+        <source>Every block is a velocity pulse, lowered around corners so far that the contour tolerance is kept; two or three equal moving averages smooth the pulses of each axis. On arcs, which the paper does not cover, the pulses turn; they keep the static limits of Tapie 2007, and the tolerance as corners do.</source>
+        <translation>Chaque bloc est une impulsion de vitesse, abaissée autour des angles autant que la tolérance de contour l&apos;exige&#xa0;; deux ou trois moyennes glissantes égales lissent les impulsions de chaque axe. Sur les arcs, que l&apos;article ne traite pas, les impulsions tournent&#xa0;; elles gardent les limites statiques de Tapie 2007, et la tolérance comme aux angles.</translation>
+    </message>
+    <message>
+        <source>Number of filters</source>
+        <translation>Nombre de filtres</translation>
+    </message>
+    <message>
+        <source>Moving averages in a row; 3 come closer to the control of the paper, 2 are simpler.</source>
+        <translation>Moyennes glissantes en série&#xa0;; 3 s&apos;approchent mieux de la commande de l&apos;article, 2 sont plus simples.</translation>
+    </message>
+    <message>
+        <source>Jerk of the filters</source>
+        <translation>Jerk des filtres</translation>
+    </message>
+    <message>
+        <source>Jerk of a ramp to the largest feed of a stretch; the filter time is the root of feed over jerk. 0: the least jerk of the axes.</source>
+        <translation>Jerk d&apos;une rampe jusqu&apos;à la plus grande avance d&apos;un tronçon&#xa0;; le temps de filtrage est la racine de l&apos;avance divisée par le jerk. 0&#xa0;: le plus petit jerk des axes.</translation>
+    </message>
+    <message>
+        <source>Filter time</source>
+        <translation>Temps de filtrage</translation>
+    </message>
+    <message>
+        <source>Length of one moving average for all feeds; 0: from the jerk of the filters.</source>
+        <translation>Durée d&apos;une moyenne glissante, pour toutes les avances&#xa0;; 0&#xa0;: d&apos;après le jerk des filtres.</translation>
+    </message>
+    <message>
+        <source>Keep the tolerance where corners are close</source>
+        <translation>Tenir la tolérance aux angles proches</translation>
+    </message>
+    <message>
+        <source>on: corners are slowed until the true contour error keeps the tolerance; off: every corner as if it were alone, as in the paper.</source>
+        <translation>on&#xa0;: les angles sont ralentis jusqu&apos;à ce que l&apos;erreur de contour réelle tienne la tolérance&#xa0;; off&#xa0;: chaque angle comme s&apos;il était seul, comme dans l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Time-optimal bound</source>
+        <translation>Borne en temps optimal</translation>
+    </message>
+    <message>
+        <source>The least time that any law could take on the path that another model runs, its blends included, under the limits of the axes and the programmed feed: what a better control could still win. The settings of the other model shape the path.</source>
+        <translation>Le temps minimal que pourrait mettre une loi de vitesse sur la trajectoire parcourue par un autre modèle, raccords compris, sous les limites des axes et l&apos;avance programmée&#xa0;: ce qu&apos;une meilleure commande pourrait encore gagner. Les réglages de l&apos;autre modèle déterminent la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Path of the model</source>
+        <translation>Trajectoire du modèle</translation>
+    </message>
+    <message>
+        <source>Model whose path is run; ward is none of them yet: the course of its motion is known by the time of its filters, not by path length.</source>
+        <translation>Modèle dont la trajectoire est parcourue&#xa0;; ward n&apos;en fait pas encore partie&#xa0;: le cours de son mouvement est connu par le temps de ses filtres, non par la longueur de trajectoire.</translation>
+    </message>
+    <message>
+        <source>Jerk limits</source>
+        <translation>Limites de jerk</translation>
+    </message>
+    <message>
+        <source>off: the fastest under velocity and acceleration limits, which no law can beat; on: a law that keeps the jerk of every axis too, close to the fastest, and slow to compute.</source>
+        <translation>off&#xa0;: la loi la plus rapide sous les limites de vitesse et d&apos;accélération, qu&apos;aucune autre ne peut battre&#xa0;; on&#xa0;: une loi qui respecte aussi le jerk de chaque axe, proche de la plus rapide, et longue à calculer.</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui</name>
     <message>
         <source>tangential</source>
-        <translation type="unfinished"></translation>
+        <translation>tangentielle</translation>
     </message>
     <message>
         <source>Feed</source>
-        <translation type="unfinished"></translation>
+        <translation>Avance</translation>
     </message>
     <message>
         <source>mm/min</source>
-        <translation type="unfinished"></translation>
+        <translation>mm/min</translation>
     </message>
     <message>
         <source>achieved</source>
-        <translation type="unfinished"></translation>
+        <translation>réalisée</translation>
     </message>
     <message>
         <source>programmed</source>
-        <translation type="unfinished"></translation>
+        <translation>programmée</translation>
     </message>
     <message>
         <source>Acceleration</source>
-        <translation type="unfinished"></translation>
+        <translation>Accélération</translation>
     </message>
     <message>
         <source>m/s²</source>
-        <translation type="unfinished"></translation>
+        <translation>m/s²</translation>
     </message>
     <message>
         <source>Jerk</source>
-        <translation type="unfinished"></translation>
+        <translation>Jerk</translation>
     </message>
     <message>
         <source>m/s³</source>
-        <translation type="unfinished"></translation>
+        <translation>m/s³</translation>
     </message>
     <message>
         <source>other causes</source>
-        <translation type="unfinished"></translation>
+        <translation>autres causes</translation>
     </message>
     <message>
         <source>programmed time</source>
-        <translation type="unfinished"></translation>
+        <translation>temps programmé</translation>
     </message>
     <message>
         <source>model</source>
-        <translation type="unfinished"></translation>
+        <translation>modèle</translation>
     </message>
     <message>
         <source>tolerance</source>
-        <translation type="unfinished"></translation>
+        <translation>tolérance</translation>
     </message>
     <message>
         <source>cycle time</source>
-        <translation type="unfinished"></translation>
+        <translation>temps de cycle</translation>
     </message>
     <message>
         <source>against</source>
-        <translation type="unfinished"></translation>
+        <translation>rapport à</translation>
     </message>
     <message>
         <source>cam</source>
-        <translation type="unfinished"></translation>
+        <translation>cam</translation>
     </message>
     <message>
         <source>contour error</source>
-        <translation type="unfinished"></translation>
+        <translation>erreur de contour</translation>
     </message>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;s</translation>
     </message>
     <message>
         <source>%1 ms</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;ms</translation>
     </message>
     <message>
         <source>Line %1</source>
-        <translation type="unfinished"></translation>
+        <translation>Ligne %1</translation>
     </message>
     <message>
         <source>Lines %1 to %2</source>
-        <translation type="unfinished"></translation>
+        <translation>Lignes %1 à %2</translation>
     </message>
     <message>
         <source>%1, %2 % of the cycle time</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, %2&#xa0;% du temps de cycle</translation>
     </message>
     <message>
         <source>run %1 times, %2 each on average</source>
-        <translation type="unfinished"></translation>
+        <translation>exécutée %1 fois, %2 chacune en moyenne</translation>
     </message>
     <message>
         <source>mean feed %1 mm/min</source>
-        <translation type="unfinished"></translation>
+        <translation>avance moyenne %1&#xa0;mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ActionTable</name>
+    <message>
+        <source>Menu</source>
+        <translation>Menu</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Commande</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Touches</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::CauseStrip</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>+ %1</source>
+        <translation>+ %1</translation>
+    </message>
+    <message>
+        <source>Limited by</source>
+        <translation>Limité par</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 of the visible time, %3 s</source>
+        <translation>%1&#xa0;: %2 du temps visible, %3&#xa0;s</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ChartHeader</name>
+    <message>
+        <source>%1, %2 [%3]
+Click: hide or show. Ctrl+click: only this one.</source>
+        <translation>%1, %2 [%3]
+Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ChartsPanel</name>
+    <message>
+        <source>over time</source>
+        <translation>selon le temps</translation>
+    </message>
+    <message>
+        <source>over path length</source>
+        <translation>selon la longueur</translation>
+    </message>
+    <message>
+        <source>What runs along the charts</source>
+        <translation>Grandeur en abscisse des graphiques</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout afficher</translation>
+    </message>
+    <message>
+        <source>Show the whole run (double click in a chart)</source>
+        <translation>Afficher toute la simulation (double-clic dans un graphique)</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Temps [s]</translation>
+    </message>
+    <message>
+        <source>limit of %1</source>
+        <translation>limite de %1</translation>
+    </message>
+    <message>
+        <source>Path length [mm]</source>
+        <translation>Longueur de trajectoire [mm]</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::CommandPalette</name>
+    <message>
+        <source>Find a command</source>
+        <translation>Rechercher une commande</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ComparisonChart</name>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>cycle time by limiting cause</source>
+        <translation>temps de cycle par cause limitante</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Temps [s]</translation>
+    </message>
+    <message>
+        <source>programmed time %1 s</source>
+        <translation>temps programmé %1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>path length %1 mm</source>
+        <translation>longueur de trajectoire %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>%1, with %2</source>
+        <translation>%1, avec %2</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::DiagnosticsView</name>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Message</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Que faire</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>et %1 de plus</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::KeyList</name>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Clavier et souris</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;3D view:&lt;/b&gt; left drag turns, Shift or middle drag moves, wheel or right drag zooms, a click points.&lt;br&gt;&lt;b&gt;Charts:&lt;/b&gt; wheel zooms at the pointer, drag pans, a click points, a double click shows all.&lt;br&gt;&lt;b&gt;Program:&lt;/b&gt; a click on a line points at it.</source>
+        <translation>&lt;b&gt;Vue 3D&#xa0;:&lt;/b&gt; glisser au bouton gauche tourne, avec Shift ou au bouton du milieu déplace, la molette ou glisser au bouton droit zoome, un clic désigne.&lt;br&gt;&lt;b&gt;Graphiques&#xa0;:&lt;/b&gt; la molette zoome au pointeur, glisser déplace, un clic désigne, un double-clic montre tout.&lt;br&gt;&lt;b&gt;Programme&#xa0;:&lt;/b&gt; un clic sur une ligne la désigne.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::KinematicChart</name>
+    <message>
+        <source>Click: cursor. Shift+click: second cursor, differences. Wheel: zoom. Drag: pan.
+Right drag or Ctrl+drag: zoom to a box. Ctrl+wheel: zoom the values. Double click: show all.</source>
+        <translation>Clic&#xa0;: curseur. Shift+clic&#xa0;: second curseur, différences. Molette&#xa0;: zoom. Glisser&#xa0;: déplacer.
+Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#xa0;: zoom des valeurs. Double-clic&#xa0;: tout afficher.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::MainWindow</name>
+    <message>
+        <source>Feedscope</source>
+        <translation>Feedscope</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Machine and control</source>
+        <translation>Machine et commande</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Simulations</translation>
+    </message>
+    <message>
+        <source>%1 – Feedscope</source>
+        <translation>%1 – Feedscope</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>É&amp;dition</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Annuler</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Rétablir</translation>
+    </message>
+    <message>
+        <source>&amp;Runs</source>
+        <translation>&amp;Simulations</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel simulation</source>
+        <translation>&amp;Arrêter la simulation</translation>
+    </message>
+    <message>
+        <source>Stop reading or simulating</source>
+        <translation>Arrêter la lecture ou la simulation</translation>
+    </message>
+    <message>
+        <source>&amp;Playback</source>
+        <translation>&amp;Lecture</translation>
+    </message>
+    <message>
+        <source>To the s&amp;tart</source>
+        <translation>Au &amp;début</translation>
+    </message>
+    <message>
+        <source>To the start of the run</source>
+        <translation>Aller au début de la simulation</translation>
+    </message>
+    <message>
+        <source>To the &amp;end</source>
+        <translation>À la &amp;fin</translation>
+    </message>
+    <message>
+        <source>To the end of the run</source>
+        <translation>Aller à la fin de la simulation</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Open program …</source>
+        <translation>&amp;Ouvrir un programme …</translation>
+    </message>
+    <message>
+        <source>Open an NC program</source>
+        <translation>Ouvrir un programme CN</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Programmes &amp;récents</translation>
+    </message>
+    <message>
+        <source>&amp;Reload program</source>
+        <translation>Re&amp;charger le programme</translation>
+    </message>
+    <message>
+        <source>Read the program again</source>
+        <translation>Relire le programme</translation>
+    </message>
+    <message>
+        <source>Reload when the file &amp;changes</source>
+        <translation>Recharger &amp;si le fichier change</translation>
+    </message>
+    <message>
+        <source>Read the program again whenever its file is written</source>
+        <translation>Relire le programme chaque fois que son fichier est écrit</translation>
+    </message>
+    <message>
+        <source>Open &amp;machine file …</source>
+        <translation>Ouvrir un fichier &amp;machine …</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Use a machine of your own</source>
+        <translation>Utiliser sa propre machine</translation>
+    </message>
+    <message>
+        <source>&amp;Save machine as …</source>
+        <translation>&amp;Enregistrer la machine sous …</translation>
+    </message>
+    <message>
+        <source>Write the machine with all changes to a machine file</source>
+        <translation>Écrire la machine et toutes ses modifications dans un fichier machine</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Leave Feedscope</source>
+        <translation>Quitter Feedscope</translation>
+    </message>
+    <message>
+        <source>No program has been opened yet</source>
+        <translation>Aucun programme ouvert jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>Forget these files</source>
+        <translation>Oublier ces fichiers</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>Affic&amp;hage</translation>
+    </message>
+    <message>
+        <source>Look from there</source>
+        <translation>Regarder de ce côté</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isométrique</translation>
+    </message>
+    <message>
+        <source>Ctrl+1</source>
+        <translation>Ctrl+1</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Dessus</translation>
+    </message>
+    <message>
+        <source>Ctrl+2</source>
+        <translation>Ctrl+2</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Face</translation>
+    </message>
+    <message>
+        <source>Ctrl+3</source>
+        <translation>Ctrl+3</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>Dr&amp;oite</translation>
+    </message>
+    <message>
+        <source>Ctrl+4</source>
+        <translation>Ctrl+4</translation>
+    </message>
+    <message>
+        <source>Fit &amp;path</source>
+        <translation>Cadrer la &amp;trajectoire</translation>
+    </message>
+    <message>
+        <source>Ctrl+0</source>
+        <translation>Ctrl+0</translation>
+    </message>
+    <message>
+        <source>The whole path in the 3D view</source>
+        <translation>Toute la trajectoire dans la vue 3D</translation>
+    </message>
+    <message>
+        <source>Fit &amp;charts</source>
+        <translation>&amp;Cadrer les graphiques</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+0</source>
+        <translation>Ctrl+Shift+0</translation>
+    </message>
+    <message>
+        <source>The whole run in the charts</source>
+        <translation>Toute la simulation dans les graphiques</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Pa&amp;nneaux</translation>
+    </message>
+    <message>
+        <source>&amp;Default layout</source>
+        <translation>&amp;Disposition par défaut</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>Som&amp;bre</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Light or dark colours</source>
+        <translation>Couleurs claires ou sombres</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>Lang&amp;ue</translation>
+    </message>
+    <message>
+        <source>The language changes with the next start.</source>
+        <translation>La langue changera au prochain démarrage.</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command …</source>
+        <translation>&amp;Rechercher une commande …</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Type what you want to do</source>
+        <translation>Écrire ce qu&apos;on veut faire</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>&amp;Clavier et souris</translation>
+    </message>
+    <message>
+        <source>All keys, and what the mouse does</source>
+        <translation>Toutes les touches, et ce que fait la souris</translation>
+    </message>
+    <message>
+        <source>Open NC program</source>
+        <translation>Ouvrir un programme CN</translation>
+    </message>
+    <message>
+        <source>NC programs (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)</source>
+        <translation>Programmes CN (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open machine file</source>
+        <translation>Ouvrir un fichier machine</translation>
+    </message>
+    <message>
+        <source>Machine files (*.toml)</source>
+        <translation>Fichiers machine (*.toml)</translation>
+    </message>
+    <message>
+        <source>Save machine as</source>
+        <translation>Enregistrer la machine sous</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; &amp;nbsp; %2 · %3 · %4 s</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; &amp;nbsp; %2 · %3 · %4&#xa0;s</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::PlaybackBar</name>
+    <message>
+        <source>Time within the cycle</source>
+        <translation>Temps dans le cycle</translation>
+    </message>
+    <message>
+        <source>Playback speed; 1 is true time</source>
+        <translation>Vitesse de lecture&#xa0;; 1 = temps réel</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;Play or pause</source>
+        <translation>&amp;Lecture ou pause</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Lecture ou pause</translation>
+    </message>
+    <message>
+        <source>Block b&amp;ack</source>
+        <translation>Bloc &amp;précédent</translation>
+    </message>
+    <message>
+        <source>To the start of this or the previous block</source>
+        <translation>Aller au début de ce bloc ou du précédent</translation>
+    </message>
+    <message>
+        <source>Ctrl+Left</source>
+        <translation>Ctrl+Left</translation>
+    </message>
+    <message>
+        <source>Block &amp;on</source>
+        <translation>Bloc &amp;suivant</translation>
+    </message>
+    <message>
+        <source>To the start of the next block</source>
+        <translation>Aller au début du bloc suivant</translation>
+    </message>
+    <message>
+        <source>Ctrl+Right</source>
+        <translation>Ctrl+Right</translation>
+    </message>
+    <message>
+        <source>Sample &amp;back</source>
+        <translation>Échantillon p&amp;récédent</translation>
+    </message>
+    <message>
+        <source>One interpolation period back</source>
+        <translation>Une période d&apos;interpolation en arrière</translation>
+    </message>
+    <message>
+        <source>Sample o&amp;n</source>
+        <translation>Échantillon s&amp;uivant</translation>
+    </message>
+    <message>
+        <source>One interpolation period on</source>
+        <translation>Une période d&apos;interpolation en avant</translation>
+    </message>
+    <message>
+        <source>&amp;Faster</source>
+        <translation>Plus &amp;vite</translation>
+    </message>
+    <message>
+        <source>Play twice as fast</source>
+        <translation>Lire deux fois plus vite</translation>
+    </message>
+    <message>
+        <source>Ctrl+Up</source>
+        <translation>Ctrl+Up</translation>
+    </message>
+    <message>
+        <source>&amp;Slower</source>
+        <translation>&amp;Moins vite</translation>
+    </message>
+    <message>
+        <source>Play half as fast</source>
+        <translation>Lire deux fois moins vite</translation>
+    </message>
+    <message>
+        <source>Ctrl+Down</source>
+        <translation>Ctrl+Down</translation>
+    </message>
+    <message>
+        <source>&amp;Loop</source>
+        <translation>En &amp;boucle</translation>
+    </message>
+    <message>
+        <source>Play what the charts show over and over</source>
+        <translation>Lire en boucle ce que montrent les graphiques</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ProgramMargin</name>
+    <message>
+        <source>Line %1 takes no time</source>
+        <translation>La ligne %1 ne prend pas de temps</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ProgramView</name>
+    <message>
+        <source>Program text</source>
+        <translation>Texte du programme</translation>
+    </message>
+    <message>
+        <source>Text of the NC program with the time of every line</source>
+        <translation>Texte du programme CN avec le temps de chaque ligne</translation>
+    </message>
+    <message>
+        <source>Open an NC program (Ctrl+O), or drop one here.</source>
+        <translation>Ouvrir un programme CN (Ctrl+O), ou en déposer un ici.</translation>
+    </message>
+    <message>
+        <source>The program is empty.</source>
+        <translation>Le programme est vide.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::RunList</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>duplicate run</source>
+        <translation>copie de simulation</translation>
+    </message>
+    <message>
+        <source>remove run</source>
+        <translation>suppression de simulation</translation>
+    </message>
+    <message>
+        <source>move run</source>
+        <translation>déplacement de simulation</translation>
+    </message>
+    <message>
+        <source>name of run</source>
+        <translation>nom de simulation</translation>
+    </message>
+    <message>
+        <source>colour of run</source>
+        <translation>couleur de simulation</translation>
+    </message>
+    <message>
+        <source>show run</source>
+        <translation>affichage de simulation</translation>
+    </message>
+    <message>
+        <source>hide run</source>
+        <translation>masquage de simulation</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::RunTable</name>
+    <message>
+        <source>Its contour error of %1 µm is above the bound of %2 µm.</source>
+        <translation>Son erreur de contour de %1&#xa0;µm dépasse la borne de %2&#xa0;µm.</translation>
+    </message>
+    <message>
+        <source>★ The fastest of these runs.</source>
+        <translation>★ La plus rapide de ces simulations.</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>Tolerance [mm]</source>
+        <translation>Tolérance [mm]</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Temps de cycle</translation>
+    </message>
+    <message>
+        <source>Slower [%]</source>
+        <translation>Plus lent [%]</translation>
+    </message>
+    <message>
+        <source>Feed [mm/min]</source>
+        <translation>Avance [mm/min]</translation>
+    </message>
+    <message>
+        <source>Error [µm]</source>
+        <translation>Erreur [µm]</translation>
+    </message>
+    <message>
+        <source>Name of the run; the box shows its path and feed beside those of the current run</source>
+        <translation>Nom de la simulation&#xa0;; la case affiche sa trajectoire et son avance à côté de celles de la simulation actuelle</translation>
+    </message>
+    <message>
+        <source>Machine whose axis limits hold</source>
+        <translation>Machine dont les limites d&apos;axe s&apos;appliquent</translation>
+    </message>
+    <message>
+        <source>Control model</source>
+        <translation>Modèle de commande</translation>
+    </message>
+    <message>
+        <source>Contour tolerance [mm]</source>
+        <translation>Tolérance de contour [mm]</translation>
+    </message>
+    <message>
+        <source>Cycle time [s, or min:s]; the star marks the fastest run that keeps the error bound</source>
+        <translation>Temps de cycle [s, ou min:s]&#xa0;; l&apos;étoile marque la simulation la plus rapide qui respecte la borne d&apos;erreur</translation>
+    </message>
+    <message>
+        <source>Cycle time above that of the fastest run [%]</source>
+        <translation>Temps de cycle au-dessus de celui de la simulation la plus rapide [%]</translation>
+    </message>
+    <message>
+        <source>Mean feed: executed path over cycle time without dwells [mm/min]</source>
+        <translation>Avance moyenne&#xa0;: trajectoire exécutée divisée par le temps de cycle sans temporisations [mm/min]</translation>
+    </message>
+    <message>
+        <source>Largest distance of a programmed corner from the executed path [µm]</source>
+        <translation>Plus grande distance d&apos;un angle programmé à la trajectoire exécutée [µm]</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::RunsView</name>
+    <message>
+        <source>Error at &amp;most</source>
+        <translation>Erreur ma&amp;x.</translation>
+    </message>
+    <message>
+        <source>Runs and their results</source>
+        <translation>Simulations et leurs résultats</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>Only runs whose contour error keeps this bound [µm] compete for the fastest</source>
+        <translation>Seules les simulations dont l&apos;erreur de contour respecte cette borne [µm] comptent pour la plus rapide</translation>
+    </message>
+    <message>
+        <source>&amp;Duplicate</source>
+        <translation>&amp;Dupliquer</translation>
+    </message>
+    <message>
+        <source>A copy of the current run, to be changed</source>
+        <translation>Une copie de la simulation actuelle, à modifier</translation>
+    </message>
+    <message>
+        <source>Ctrl+D</source>
+        <translation>Ctrl+D</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerances …</source>
+        <translation>&amp;Tolérances …</translation>
+    </message>
+    <message>
+        <source>Copies of the current run with other contour tolerances</source>
+        <translation>Copies de la simulation actuelle avec d&apos;autres tolérances de contour</translation>
+    </message>
+    <message>
+        <source>Ctrl+T</source>
+        <translation>Ctrl+T</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Supprimer</translation>
+    </message>
+    <message>
+        <source>Take the current run away</source>
+        <translation>Supprimer la simulation actuelle</translation>
+    </message>
+    <message>
+        <source>Ctrl+Delete</source>
+        <translation>Ctrl+Delete</translation>
+    </message>
+    <message>
+        <source>&amp;Up</source>
+        <translation>&amp;Monter</translation>
+    </message>
+    <message>
+        <source>Move the current run up</source>
+        <translation>Monter la simulation actuelle dans la liste</translation>
+    </message>
+    <message>
+        <source>Alt+Up</source>
+        <translation>Alt+Up</translation>
+    </message>
+    <message>
+        <source>Dow&amp;n</source>
+        <translation>D&amp;escendre</translation>
+    </message>
+    <message>
+        <source>Move the current run down</source>
+        <translation>Descendre la simulation actuelle dans la liste</translation>
+    </message>
+    <message>
+        <source>Alt+Down</source>
+        <translation>Alt+Down</translation>
+    </message>
+    <message>
+        <source>&amp;Colour …</source>
+        <translation>&amp;Couleur …</translation>
+    </message>
+    <message>
+        <source>Colour of the current run in charts and 3D view</source>
+        <translation>Couleur de la simulation actuelle dans les graphiques et la vue 3D</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>The model of this run reads no contour tolerance.</source>
+        <translation>Le modèle de cette simulation ne lit pas de tolérance de contour.</translation>
+    </message>
+    <message>
+        <source>Runs with other tolerances</source>
+        <translation>Simulations à d&apos;autres tolérances</translation>
+    </message>
+    <message>
+        <source>Contour tolerances [mm], with spaces between them:</source>
+        <translation>Tolérances de contour [mm], séparées par des espaces&#xa0;:</translation>
+    </message>
+    <message>
+        <source>runs with other tolerances</source>
+        <translation>simulations à d&apos;autres tolérances</translation>
+    </message>
+    <message>
+        <source>Colour of the run</source>
+        <translation>Couleur de la simulation</translation>
+    </message>
+    <message>
+        <source>Duplicate the run and change a value to compare.</source>
+        <translation>Dupliquer la simulation et changer une valeur pour comparer.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are simulated.</source>
+        <translation>%1 simulations calculées sur %2.</translation>
+    </message>
+    <message>
+        <source>No run keeps this bound.</source>
+        <translation>Aucune simulation ne respecte cette borne.</translation>
+    </message>
+    <message>
+        <source>Fastest: %1 with %2.</source>
+        <translation>La plus rapide&#xa0;: %1 en %2.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::SettingsTable</name>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Plage</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::SetupBar</name>
+    <message>
+        <source>Setup</source>
+        <translation>Configuration</translation>
+    </message>
+    <message>
+        <source>Machine whose axis limits and control settings hold</source>
+        <translation>Machine dont les limites d&apos;axe et les réglages de commande s&apos;appliquent</translation>
+    </message>
+    <message>
+        <source>Control model: how the control turns the path into motion</source>
+        <translation>Modèle de commande&#xa0;: comment la commande transforme la trajectoire en mouvement</translation>
+    </message>
+    <message>
+        <source>Contour tolerance: how far the path may leave the programmed corners</source>
+        <translation>Tolérance de contour&#xa0;: écart permis entre la trajectoire et les angles programmés</translation>
+    </message>
+    <message>
+        <source>&amp;Machine</source>
+        <translation>&amp;Machine</translation>
+    </message>
+    <message>
+        <source>M&amp;odel</source>
+        <translation>M&amp;odèle</translation>
+    </message>
+    <message>
+        <source>&amp;Tolerance</source>
+        <translation>&amp;Tolérance</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::SetupEdit</name>
+    <message>
+        <source>machine %1</source>
+        <translation>choix de machine %1</translation>
+    </message>
+    <message>
+        <source>model %1</source>
+        <translation>choix de modèle %1</translation>
+    </message>
+    <message>
+        <source>back to the machine file</source>
+        <translation>retour au fichier machine</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::SetupTable</name>
+    <message>
+        <source>choice</source>
+        <translation>choix</translation>
+    </message>
+    <message>
+        <source>Range: %1</source>
+        <translation>Plage&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Changed; the file says %1.</source>
+        <translation>Modifié&#xa0;; le fichier indique %1.</translation>
+    </message>
+    <message>
+        <source>Source: the model&apos;s own value; the machine&apos;s file gives none.</source>
+        <translation>Source&#xa0;: valeur propre au modèle&#xa0;; le fichier machine n&apos;en donne pas.</translation>
+    </message>
+    <message>
+        <source>Assumed: %1</source>
+        <translation>Supposé&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Source: %1</source>
+        <translation>Source&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::SetupView</name>
+    <message>
+        <source>Axis limits</source>
+        <translation>Limites des axes</translation>
+    </message>
+    <message>
+        <source>Control settings</source>
+        <translation>Réglages de la commande</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more</source>
+        <translation>
+            <numerusform>et %n autre</numerusform>
+            <numerusform>et %n autres</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Changed against the file:</source>
+        <translation>Modifié par rapport au fichier&#xa0;:</translation>
+    </message>
+    <message>
+        <source>back to the file</source>
+        <translation>revenir au fichier</translation>
+    </message>
+    <message>
+        <source>Choose a value to see what it means. Bold: changed. Italic: assumed, no source gives it.</source>
+        <translation>Choisir une valeur pour voir ce qu&apos;elle signifie. Gras&#xa0;: modifiée. Italique&#xa0;: supposée, aucune source ne la donne.</translation>
+    </message>
+    <message>
+        <source>This model reads no control settings.</source>
+        <translation>Ce modèle ne lit aucun réglage de commande.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::SimulationJob</name>
+    <message>
+        <source>The program needs more memory than there is.</source>
+        <translation>Le programme demande plus de mémoire qu&apos;il n&apos;y en a.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::StatusPanel</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Stop the simulation (Esc)</source>
+        <translation>Arrêter la simulation (Esc)</translation>
+    </message>
+    <message>
+        <source>Show what the reader found in the program</source>
+        <translation>Afficher ce que la lecture a relevé dans le programme</translation>
+    </message>
+    <message>
+        <source>1 error</source>
+        <translation>1 erreur</translation>
+    </message>
+    <message>
+        <source>%1 errors</source>
+        <translation>%1 erreurs</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 avertissement</translation>
+    </message>
+    <message>
+        <source>%1 warnings</source>
+        <translation>%1 avertissements</translation>
+    </message>
+    <message>
+        <source>cause: %1 (%2)</source>
+        <translation>cause&#xa0;: %1 (%2)</translation>
+    </message>
+    <message>
+        <source>cause: %1</source>
+        <translation>cause&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>ligne %1</translation>
+    </message>
+    <message>
+        <source>%1 mm/min</source>
+        <translation>%1&#xa0;mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::Workbench</name>
+    <message>
+        <source>%1 has changed and is read again.</source>
+        <translation>%1 a changé et est relu.</translation>
+    </message>
+    <message>
+        <source> (%1)</source>
+        <translation> (%1)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Enregistré sous %1.</translation>
+    </message>
+    <message>
+        <source>contour tolerance</source>
+        <translation>tolérance de contour</translation>
+    </message>
+    <message>
+        <source>Reading %1 %</source>
+        <translation>Lecture %1&#xa0;%</translation>
+    </message>
+    <message>
+        <source> (run %1 of %2)</source>
+        <translation> (simulation %1 sur %2)</translation>
+    </message>
+    <message>
+        <source>Simulating %1 of %2 blocks%3</source>
+        <translation>Simulation&#xa0;: %1 blocs sur %2%3</translation>
     </message>
 </context>
 <context>
     <name>texts</name>
     <message>
         <source>%1 s</source>
-        <translation type="unfinished"></translation>
+        <translation>%1&#xa0;s</translation>
     </message>
 </context>
 </TS>

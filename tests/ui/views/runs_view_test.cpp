@@ -6,6 +6,7 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDoubleSpinBox>
+#include <QLineEdit>
 #include <QLocale>
 #include <QTableView>
 #include <QTest>
@@ -74,8 +75,8 @@ TEST_F(RunsViewTest, TheVerdictNamesTheFastestRunWithinTheBound) {
 }
 
 TEST_F(RunsViewTest, ANameIsTypedIntoTheTable) {
-  QTest::mouseDClick(view.table()->viewport(), Qt::LeftButton, {}, middle_of(0, RunTable::name));
-  QWidget* editor = QApplication::focusWidget();
+  view.table()->edit(view.results().index(0, RunTable::name));
+  auto* editor = view.table()->viewport()->findChild<QLineEdit*>();
   ASSERT_NE(editor, nullptr);
   QTest::keyClicks(editor, "roughing");
   QTest::keyClick(editor, Qt::Key_Return);
