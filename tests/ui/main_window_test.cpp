@@ -13,6 +13,7 @@
 #include <QWheelEvent>
 #include <cmath>
 #include <fstream>
+#include <map>
 
 #include "tests/ui/run_fixture.h"
 
@@ -303,6 +304,37 @@ TEST_F(MainWindowTest, EverythingStandsWithinTheDefaultWindow) {
     EXPECT_GE(place.width(), view->minimumSizeHint().width()) << view->metaObject()->className();
   }
   EXPECT_EQ(window.size(), QSize(1280, 800)) << "the contents need more than the default size";
+}
+
+TEST_F(MainWindowTest, NoTwoCommandsShareKeys) {
+  std::map<QKeySequence, QString> taken;
+  for (const ListedAction& listed : window.commands()) {
+    for (const QKeySequence& key : listed.action->shortcuts()) {
+      const auto [at, fresh] = taken.emplace(key, listed.action->text());
+      EXPECT_TRUE(fresh) << key.toString().toStdString() << ": " << at->second.toStdString() << " and "
+                         << listed.action->text().toStdString();
+    }
+  }
+  EXPECT_GT(taken.size(), 30U);
+}
+
+TEST_F(MainWindowTest, EveryCommandSaysWhatItDoes) {
+  for (const ListedAction& listed : window.commands()) {
+    EXPECT_FALSE(listed.action->toolTip().isEmpty()) << listed.action->text().toStdString();
+  }
+}
+
+TEST_F(MainWindowTest, DuplicateAndAnotherToleranceShowTwoRunsInChartsAndTable) {
+  for (const ListedAction& listed : window.commands()) {
+    if (plain_text(listed.action->text()) == "Duplicate") {
+      listed.action->trigger();
+    }
+  }
+  ASSERT_TRUE(model.set_tolerance(0.01));
+  wait_until_idle();
+  ASSERT_EQ(window.runs().results().rowCount(), 2);
+  EXPECT_EQ(window.runs().results().best(), 0U);
+  EXPECT_TRUE(model.runs().up_to_date(1));
 }
 
 TEST(MainWindow, ClosingWhileBusyIsClean) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QFile>
 #include <QLocale>
 #include <QTranslator>
 #include <algorithm>
@@ -52,6 +53,14 @@ TEST(Language, FrenchHasEveryTextOfTheCore) {
   for (const char* text : known_core_texts()) {
     EXPECT_FALSE(french.translate("core", text).isEmpty()) << text;
   }
+}
+
+TEST(Language, FrenchHasEveryTextOfTheWindow) {
+  QFile file(FEEDSCOPE_SOURCE_DIR "/resources/translations/feedscope_fr.ts");
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QByteArray texts = file.readAll();
+  EXPECT_GT(texts.count("<source>"), 300);
+  EXPECT_EQ(texts.count("type=\"unfinished\""), 0);
 }
 
 TEST(Language, IsEnglishOrOneOfThoseThatAreShipped) {
