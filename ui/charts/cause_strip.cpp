@@ -1,6 +1,5 @@
 #include "ui/charts/cause_strip.h"
 
-#include <QCoreApplication>
 #include <QFontMetrics>
 #include <QHelpEvent>
 #include <QLocale>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "ui/charts/plot_margins.h"
+#include "ui/language/core_texts.h"
 #include "ui/scene/cause_colour.h"
 #include "ui/theme/theme.h"
 
@@ -38,11 +38,11 @@ QString percent(double share) {
 }  // namespace
 
 QString cause_kind_name(CauseKind kind) {
-  return QCoreApplication::translate("Cause", cause_kind_title(kind).c_str());
+  return core_text(cause_kind_title(kind));
 }
 
 QString cause_name(Cause cause) {
-  return QCoreApplication::translate("Cause", cause_title(cause).c_str());
+  return core_text(cause_title(cause));
 }
 
 CauseStrip::CauseStrip(QWidget* parent) : QWidget(parent) {

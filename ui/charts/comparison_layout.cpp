@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/clock_text.h"
+#include "ui/language/core_texts.h"
 #include "ui/scene/cause_colour.h"
 
 namespace feedscope::ui {
@@ -73,7 +74,7 @@ double fixed_height(double legend_rows) {
 std::vector<QString> legend_texts(const ComparisonBars& bars) {
   std::vector<QString> texts;
   for (const CauseKind kind : bars.kinds) {
-    texts.push_back(QString::fromStdString(cause_kind_title(kind)));
+    texts.push_back(core_text(cause_kind_title(kind)));
   }
   if (bars.rest) {
     texts.push_back(tr("other causes"));

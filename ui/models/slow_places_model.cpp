@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/units.h"
+#include "ui/language/core_texts.h"
 
 namespace feedscope::ui {
 
@@ -94,7 +95,7 @@ QString SlowPlacesModel::text(const SlowPlace& place, int column) const {
     case feed:
       return tr("%1 of %2").arg(feed_text(place.feed), feed_text(place.programmed_feed));
     default:
-      return QString::fromStdString(cause_title(place.cause));
+      return core_text(cause_title(place.cause));
   }
 }
 
@@ -105,7 +106,7 @@ QString SlowPlacesModel::tip(const SlowPlace& place) const {
             "it to: %6.")
       .arg(locale.toString(place.from, 'f', 4), locale.toString(place.to, 'f', 4),
            locale.toString(place.slowest, 'f', 4), locale.toString(place.line),
-           locale.toString(place.loss, 'f', 4), QString::fromStdString(cause_title(place.cause)));
+           locale.toString(place.loss, 'f', 4), core_text(cause_title(place.cause)));
 }
 
 QVariant SlowPlacesModel::data(const QModelIndex& index, int role) const {
