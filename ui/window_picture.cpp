@@ -32,14 +32,14 @@ void print_only_failures(QtMsgType type, const QMessageLogContext&, const QStrin
 /// A QApplication without display, unless the process has one.
 class OffscreenApplication {
  public:
-  OffscreenApplication() {
+  explicit OffscreenApplication(ThemeKind theme = ThemeKind::light) {
     QLocale::setDefault(QLocale::c());
     if (QApplication::instance() == nullptr) {
       qputenv("QT_QPA_PLATFORM", "offscreen");
       qInstallMessageHandler(print_only_failures);  // the platform warns of what pictures do not need
       application_ = std::make_unique<QApplication>(count_, arguments_);
     }
-    apply_theme();
+    apply_theme(theme);
     QFont font = QApplication::font();
     font.setFamily(QStringLiteral("DejaVu Sans"));  // in every package list, as the system's font is not
     QApplication::setFont(font);
@@ -99,8 +99,8 @@ QString comparison_details(const LoadedProgram& program, const std::vector<std::
 
 }  // namespace
 
-Picture draw_window(const Run& run, PictureSize size, StandardView view) {
-  const OffscreenApplication application;
+Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
+  const OffscreenApplication application(look.theme);
   Workbench model(shipped_machines(), run.setup);
   model.show(run);
   MainWindow window(model, RenderBackend::software);
@@ -108,7 +108,14 @@ Picture draw_window(const Run& run, PictureSize size, StandardView view) {
   window.resize(size.width, size.height);
   window.show();
   QApplication::processEvents();
-  window.scene().scene().set_standard_view(view);
+  window.scene().scene().set_standard_view(look.view);
+  if (look.prepare) {
+    look.prepare(window, model);
+  }
+  while (model.busy()) {
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
+  QApplication::processEvents();
   window.charts().refresh();
   return grab(window, size);
 }

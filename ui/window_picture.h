@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -7,8 +8,12 @@
 
 #include "core/analysis/compare.h"
 #include "ui/scene/picture.h"
+#include "ui/theme/theme.h"
 
 namespace feedscope::ui {
+
+class MainWindow;
+class Workbench;
 
 /// Pictures of a run that need no display: Qt draws off screen, the 3D view in software, numbers with a
 /// decimal point, so that the same run gives the same picture everywhere. They make a QApplication for
@@ -16,8 +21,15 @@ namespace feedscope::ui {
 ///
 /// Throw InputError if the picture is too small for what it must show.
 
-/// The whole window, the 3D view seen from `view`.
-Picture draw_window(const Run& run, PictureSize size, StandardView view);
+/// What of the window is to be seen.
+struct WindowLook {
+  StandardView view = StandardView::iso;  ///< of the 3D view
+  ThemeKind theme = ThemeKind::light;
+  /// What a user would do before looking; the picture waits for the simulations that follow.
+  std::function<void(MainWindow&, Workbench&)> prepare = {};
+};
+
+Picture draw_window(const Run& run, PictureSize size, const WindowLook& look);
 /// Feed, acceleration and jerk over time, under a line that names the run.
 Picture draw_charts(const Run& run, PictureSize size);
 

@@ -26,14 +26,23 @@ struct RenderOptions {
   std::string view = "3d";
   std::string size = "1280x960";
   std::string camera = "iso";
+  std::string theme = "light";
   std::string out;
 };
 
-const std::map<std::string, std::function<ui::Picture(const Run&, ui::PictureSize, ui::StandardView)>> views{
-    {"3d", ui::draw_run},
+const std::map<std::string, ui::ThemeKind> themes{{"light", ui::ThemeKind::light},
+                                                  {"dark", ui::ThemeKind::dark}};
+
+using Draw = std::function<ui::Picture(const Run&, ui::PictureSize, const ui::WindowLook&)>;
+
+const std::map<std::string, Draw> views{
+    {"3d", [](const Run& run, ui::PictureSize size,
+              const ui::WindowLook& look) { return ui::draw_run(run, size, look.view); }},
     {"charts",
-     [](const Run& run, ui::PictureSize size, ui::StandardView) { return ui::draw_charts(run, size); }},
-    {"window", ui::draw_window}};
+     [](const Run& run, ui::PictureSize size, const ui::WindowLook&) { return ui::draw_charts(run, size); }},
+    {"window", [](const Run& run, ui::PictureSize size, const ui::WindowLook& look) {
+       return ui::draw_window(run, size, look);
+     }}};
 
 int render(const RenderOptions& options) {
   const ui::PictureSize size = parse_picture_size(options.size);
@@ -48,7 +57,8 @@ int render(const RenderOptions& options) {
     const LoadedProgram program = load_program(source, watch.stage("reading"), options.run.reading());
     run = simulate_run(program, setup, watch.stage("simulating"));
   }
-  out.stream() << ui::to_png(views.at(options.view)(run, size, cameras.at(options.camera)));
+  out.stream() << ui::to_png(
+      views.at(options.view)(run, size, {cameras.at(options.camera), themes.at(options.theme)}));
   out.commit();
   if (!options.run.tolerance.empty()) {
     note_replaced_tolerance(*run.input.toolpath);
@@ -74,6 +84,10 @@ Command add_render_command(CLI::App& app) {
   command->add_option("--camera", options->camera, "Where to look from: iso, top, front, right")
       ->check(CLI::IsMember(cameras))
       ->type_name("CAMERA")
+      ->capture_default_str();
+  command->add_option("--theme", options->theme, "Colours of the window: light, dark")
+      ->check(CLI::IsMember(themes))
+      ->type_name("THEME")
       ->capture_default_str();
   command->add_option("--out", options->out, "The picture to write; - for standard output")
       ->type_name("FILE.png")

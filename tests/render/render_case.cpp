@@ -10,8 +10,8 @@
 #include <map>
 #include <string>
 
+#include "tests/render/baseline.h"
 #include "tests/render/charts_picture.h"
-#include "tests/render/picture_difference.h"
 #include "tests/ui/comparison_fixture.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/scene/picture.h"
@@ -97,43 +97,17 @@ const std::map<std::string, Draw> pictures{
     {"charts", ui::draw_charts},
     {"dark_charts", draw_dark_charts},
     {"comparison", draw_comparison},
-    {"window",
-     [](const Run& run, ui::PictureSize size) { return ui::draw_window(run, size, ui::StandardView::iso); }}};
+    {"window", [](const Run& run, ui::PictureSize size) { return ui::draw_window(run, size, {}); }}};
 
 std::string contents(const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-void save(const ui::Picture& picture, const fs::path& file) {
-  std::ofstream(file, std::ios::binary) << ui::to_png(picture);
-}
-
 int compare(const fs::path& folder, const std::string& model, const std::string& name, ui::PictureSize size,
             const fs::path& results) {
   const Run run = simulate_text(contents(folder / "program.nc"), model);
-  const ui::Picture picture = pictures.at(name)(run, size);
-  const fs::path baseline = folder / ("baseline_" + name + ".png");
-  fs::create_directories(results);
-  const fs::path rendered = results / "rendered.png";
-  save(picture, rendered);
-  if (!fs::exists(baseline)) {
-    std::printf("no baseline: look at %s, and if it is right copy it to %s\n", rendered.c_str(),
-                baseline.c_str());
-    return 1;
-  }
-  const ui::Picture expected = ui::read_png(baseline.string());
-  const PictureDifference d = difference(picture, expected);
-  std::printf("difference: mean %.3f (at most %.2f), largest %.2f (at most %.0f)\n", d.mean, mean_allowed,
-              d.largest, largest_allowed);
-  if (looks_the_same(d)) {
-    return 0;
-  }
-  save(d.map, results / "difference.png");
-  fs::copy_file(baseline, results / "baseline.png", fs::copy_options::overwrite_existing);
-  std::printf("not as the baseline: see rendered.png, baseline.png and difference.png in %s\n",
-              results.c_str());
-  return 1;
+  return compare_with_baseline(pictures.at(name)(run, size), folder / ("baseline_" + name + ".png"), results);
 }
 
 }  // namespace

@@ -18,12 +18,12 @@ std::size_t count_dark(const Picture& picture) {
 
 TEST(WindowPicture, HasTheSizeAskedForAndIsTheSameEveryTime) {
   const auto run = test::simulate_text(test::small_program);
-  const Picture first = draw_window(run, {1280, 800}, StandardView::top);
+  const Picture first = draw_window(run, {1280, 800}, {.view = StandardView::top});
   EXPECT_EQ(first.size.width, 1280);
   EXPECT_EQ(first.size.height, 800);
   EXPECT_EQ(first.rgb.size(), 1280U * 800U * 3U);
-  EXPECT_EQ(draw_window(run, {1280, 800}, StandardView::top).rgb, first.rgb);
-  EXPECT_NE(draw_window(run, {1280, 800}, StandardView::iso).rgb, first.rgb);
+  EXPECT_EQ(draw_window(run, {1280, 800}, {.view = StandardView::top}).rgb, first.rgb);
+  EXPECT_NE(draw_window(run, {1280, 800}, {}).rgb, first.rgb);
 }
 
 TEST(WindowPicture, ChartsShowTheCurves) {
@@ -39,7 +39,7 @@ TEST(WindowPicture, TooSmallASizeIsAnErrorThatNamesTheLeast) {
   const auto run = test::simulate_text(test::small_program);
   for (const PictureSize size : {PictureSize{300, 200}, PictureSize{2000, 100}}) {
     try {
-      draw_window(run, size, StandardView::iso);
+      draw_window(run, size, {});
       FAIL() << "no error";
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find("at least"), std::string::npos) << error.what();

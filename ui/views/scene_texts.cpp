@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "ui/language/core_texts.h"
 #include "ui/scene/cause_colour.h"
 
 namespace feedscope::ui {
@@ -42,14 +43,14 @@ SceneTexts scene_texts() {
                  Scene::tr("bottom").toStdString(), Scene::tr("back").toStdString(),
                  Scene::tr("left").toStdString()};
   texts.cause_kind = [](CauseKind kind) {
-    return QCoreApplication::translate("Cause", cause_kind_title(kind).c_str()).toStdString();
+    return core_text(cause_kind_title(kind)).toStdString();
   };
   texts.decimal_point = QLocale().decimalPoint().toStdString();
   return texts;
 }
 
 QString hover_text(const State& state, double contour_error) {
-  const QString cause = QCoreApplication::translate("Cause", cause_title(state.cause).c_str());
+  const QString cause = core_text(cause_title(state.cause));
   QStringList lines{
       Scene::tr("Line %1").arg(state.line),
       Scene::tr("Feed %1 of %2 mm/min")
