@@ -45,9 +45,12 @@ QString range_text(const SettingSpec& spec) {
 QStringList changes_of(const SetupState& state) {
   QStringList lines;
   for (const auto& [key, value] : state.edits()) {
+    const SettingSpec spec = state.spec(key);
+    const QString title = key[1] == '.'
+                              ? QStringLiteral("%1 %2").arg(QChar(key[0])).arg(core_text(spec.title))
+                              : core_text(spec.title);
     lines.append(QStringLiteral("%1: %2 → %3 %4")
-                     .arg(QString::fromStdString(key), value_text(state.file_value(key)), value_text(value),
-                          unit_text(state.spec(key).unit))
+                     .arg(title, value_text(state.file_value(key)), value_text(value), unit_text(spec.unit))
                      .trimmed());
   }
   return lines;

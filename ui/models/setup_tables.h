@@ -46,7 +46,7 @@ class SetupTable : public QAbstractTableModel {
   SetupEdit& edit_;
 };
 
-/// What differs from the machine file, a line each: "X.jerk: 15 → 20 m/s³".
+/// What differs from the machine file, a line each: "X Jerk: 15 → 20 m/s³".
 QStringList changes_of(const SetupState& state);
 
 /// Limits of the axes: a row a limit, a column an axis.

@@ -2,16 +2,17 @@
 
 #include <QAction>
 #include <QDoubleSpinBox>
+#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QSlider>
-#include <QStyle>
 #include <QToolButton>
 #include <cmath>
 
 #include "ui/models/texts.h"
+#include "ui/theme/icons.h"
 
 namespace feedscope::ui {
 
@@ -45,8 +46,9 @@ PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 2, 6, 2);
   make_actions();
+  draw_icons();
   for (QAction* action : actions_) {
-    if (!action->icon().isNull() || action->isCheckable()) {
+    if (action->data().isValid() || action->isCheckable()) {
       auto* button = action == actions_.first() ? play_ : new QToolButton(this);
       button->setDefaultAction(action);
       button->setAutoRaise(true);
@@ -62,7 +64,8 @@ PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
           [this](int value) { cursor_.set_time(duration_ * value / slider_steps); });
   connect(&cursor_, &Cursor::changed, this, &PlaybackBar::show_cursor);
   connect(&playback_, &Playback::playing_changed, this, [this](bool playing) {
-    actions_.first()->setIcon(style()->standardIcon(playing ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+    actions_.first()->setData(static_cast<int>(playing ? MediaIcon::pause : MediaIcon::play));
+    draw_icons();
   });
   set_duration(0);
 }
@@ -76,13 +79,12 @@ void PlaybackBar::make_actions() {
     actions_.append(action);
     return action;
   };
-  const auto icon = [this](QStyle::StandardPixmap which) { return style()->standardIcon(which); };
   add(tr("&Play or pause"), tr("Play or pause"), Qt::Key_Space, [this] {
     toggle();
   })->setIcon(icon(QStyle::SP_MediaPlay));
   add(tr("Block b&ack"), tr("To the start of this or the previous block"), QKeySequence(tr("Ctrl+Left")),
       [this] { cursor_.step_block(-1); })
-      ->setIcon(icon(QStyle::SP_MediaSkipBackward));
+      ->setData(static_cast<int>(MediaIcon::back));
   add(tr("Block &on"), tr("To the start of the next block"), QKeySequence(tr("Ctrl+Right")), [this] {
     cursor_.step_block(1);
   })->setIcon(icon(QStyle::SP_MediaSkipForward));
@@ -98,6 +100,21 @@ void PlaybackBar::make_actions() {
       add(tr("&Loop"), tr("Play what the charts show over and over"), QKeySequence(tr("Ctrl+L")), [] {});
   loop->setCheckable(true);
   connect(loop, &QAction::toggled, this, &PlaybackBar::loop_wanted);
+}
+
+void PlaybackBar::draw_icons() {
+  for (QAction* action : actions_) {
+    if (action->data().isValid()) {
+      action->setIcon(media_icon(static_cast<MediaIcon>(action->data().toInt()), palette()));
+    }
+  }
+}
+
+void PlaybackBar::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) {
+    draw_icons();
+  }
+  QWidget::changeEvent(event);
 }
 
 void PlaybackBar::step_sample(int direction) {

@@ -34,8 +34,12 @@ class PlaybackBar : public QWidget {
   /// The stretch that is shown is to be played over and over, or no longer.
   void loop_wanted(bool on);
 
+ protected:
+  void changeEvent(QEvent* event) override;
+
  private:
   void make_actions();
+  void draw_icons();
   void step_sample(int direction);
   void change_speed(double factor);
   void show_cursor();

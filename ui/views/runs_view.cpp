@@ -83,6 +83,7 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   bar->addSpacing(8);
   bar->addWidget(bounded_);
   bar->addWidget(bound_);
+  bar->addSpacing(8);
   bar->addWidget(verdict_, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);

@@ -182,7 +182,7 @@ void SceneActions::make_modes() {
   connect(measure_, &QAction::toggled, &view_, &SceneView::set_measuring);
   connect(&view_, &SceneView::measuring_changed, measure_, &QAction::setChecked);
   box_ = add_command(tr("&Box"), tr("Drag a box: the view and the charts show what is in it"),
-                     QKeySequence(Qt::Key_B));
+                     QKeySequence(SceneView::tr("Ctrl+B")));
   box_->setCheckable(true);
   connect(box_, &QAction::toggled, &view_, &SceneView::set_boxing);
   connect(&view_, &SceneView::boxing_changed, box_, &QAction::setChecked);

@@ -1,6 +1,5 @@
 #include "ui/views/scene_texts.h"
 
-#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 #include <cmath>

@@ -140,7 +140,7 @@ TEST_F(SetupTablesTest, EveryValueTellsItsSource) {
 TEST_F(SetupTablesTest, WhatDiffersFromTheFileIsListedUntilItIsTakenBack) {
   edit.set("X.jerk", 20.0);
   edit.set("alpha", 3.0);
-  EXPECT_EQ(changes_of(edit.state()), (QStringList{"X.jerk: 15 → 20 m/s³", "alpha: 2.5 → 3"}));
+  EXPECT_EQ(changes_of(edit.state()), (QStringList{"X Jerk: 15 → 20 m/s³", "Tangent weight alpha: 2.5 → 3"}));
   edit.reset();
   EXPECT_TRUE(changes_of(edit.state()).isEmpty());
   edit.history().undo();

@@ -78,8 +78,10 @@ TEST_F(RunsViewTest, ANameIsTypedIntoTheTable) {
   view.table()->edit(view.results().index(0, RunTable::name));
   auto* editor = view.table()->viewport()->findChild<QLineEdit*>();
   ASSERT_NE(editor, nullptr);
+  QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
   QTest::keyClicks(editor, "roughing");
   QTest::keyClick(editor, Qt::Key_Return);
+  QCoreApplication::processEvents();  // the delegate commits with the next turn of the event loop
   EXPECT_EQ(runs.items()[0].name, "roughing");
 }
 

@@ -256,7 +256,7 @@ PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
     case Role::blend:
       return {(look_.exaggeration == 1 ? blend_width : cut_width) * thinner, 10};
     case Role::overlay:
-      return {overlay_width * thinner, 13};
+      return {overlay_width * thinner, 6};  // below the run itself: they show where the paths differ
   }
   return {thin_width, 0};
 }
