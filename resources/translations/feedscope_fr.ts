@@ -2,6 +2,371 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr">
 <context>
+    <name>LineFinder</name>
+    <message>
+        <source>At character %1: %2</source>
+        <translation>Au caractère %1&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>Scene</name>
+    <message>
+        <source>programmed</source>
+        <translation>programmée</translation>
+    </message>
+    <message>
+        <source>rapid</source>
+        <translation>rapide</translation>
+    </message>
+    <message>
+        <source>executed</source>
+        <translation>exécutée</translation>
+    </message>
+    <message>
+        <source>corner blend</source>
+        <translation>raccord d&apos;angle</translation>
+    </message>
+    <message>
+        <source>deviation drawn × %1</source>
+        <translation>écart dessiné × %1</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Feed / programmed</source>
+        <translation>Avance / programmée</translation>
+    </message>
+    <message>
+        <source>Tangential acceleration</source>
+        <translation>Accélération tangentielle</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Tangential jerk</source>
+        <translation>Jerk tangentiel</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Jerk</translation>
+    </message>
+    <message>
+        <source>Contour error</source>
+        <translation>Erreur de contour</translation>
+    </message>
+    <message>
+        <source>Limiting cause</source>
+        <translation>Cause limitante</translation>
+    </message>
+    <message>
+        <source>iso</source>
+        <translation>iso</translation>
+    </message>
+    <message>
+        <source>top</source>
+        <translation>dessus</translation>
+    </message>
+    <message>
+        <source>front</source>
+        <translation>face</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>bottom</source>
+        <translation>dessous</translation>
+    </message>
+    <message>
+        <source>back</source>
+        <translation>arrière</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Ligne %1</translation>
+    </message>
+    <message>
+        <source>Feed %1 of %2 mm/min</source>
+        <translation>Avance %1 sur %2&#xa0;mm/min</translation>
+    </message>
+    <message>
+        <source>Limited by: %1</source>
+        <translation>Limité par&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Contour error %1 µm</source>
+        <translation>Erreur de contour %1&#xa0;µm</translation>
+    </message>
+    <message>
+        <source>Distance %1 mm</source>
+        <translation>Distance %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>dX %1   dY %2   dZ %3 mm</source>
+        <translation>dX %1   dY %2   dZ %3&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Path length %1 mm</source>
+        <translation>Longueur de trajectoire %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>Time %1 s</source>
+        <translation>Temps %1&#xa0;s</translation>
+    </message>
+</context>
+<context>
+    <name>WhyText</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>%1 /mm</source>
+        <translation>%1&#xa0;/mm</translation>
+    </message>
+    <message>
+        <source>%1 /mm²</source>
+        <translation>%1&#xa0;/mm²</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1&#xa0;m/s²</translation>
+    </message>
+    <message>
+        <source>%1 m/s³</source>
+        <translation>%1&#xa0;m/s³</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1 mm/min</source>
+        <translation>%1&#xa0;mm/min</translation>
+    </message>
+    <message>
+        <source>%1 of axis %2</source>
+        <translation>%1 de l&apos;axe %2</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>Avance programmée</translation>
+    </message>
+    <message>
+        <source>Rapid traverse</source>
+        <translation>Déplacement rapide</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Vitesse</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Jerk</translation>
+    </message>
+    <message>
+        <source>Radial acceleration</source>
+        <translation>Accélération radiale</translation>
+    </message>
+    <message>
+        <source>Radial jerk</source>
+        <translation>Jerk radial</translation>
+    </message>
+    <message>
+        <source>%1 on a blend</source>
+        <translation>%1 sur un raccord</translation>
+    </message>
+    <message>
+        <source>Tangential acceleration</source>
+        <translation>Accélération tangentielle</translation>
+    </message>
+    <message>
+        <source>Tangential jerk</source>
+        <translation>Jerk tangentiel</translation>
+    </message>
+    <message>
+        <source>Curvilinear jerk</source>
+        <translation>Jerk curviligne</translation>
+    </message>
+    <message>
+        <source>%1 at a change of curvature</source>
+        <translation>%1 à un changement de courbure</translation>
+    </message>
+    <message>
+        <source>Interpolation period</source>
+        <translation>Période d&apos;interpolation</translation>
+    </message>
+    <message>
+        <source>Contour tolerance</source>
+        <translation>Tolérance de contour</translation>
+    </message>
+    <message>
+        <source>Look-ahead horizon</source>
+        <translation>Horizon d&apos;anticipation</translation>
+    </message>
+    <message>
+        <source>Slowing for what follows</source>
+        <translation>Ralentissement pour la suite</translation>
+    </message>
+    <message>
+        <source>Exact stop</source>
+        <translation>Arrêt précis</translation>
+    </message>
+    <message>
+        <source>Dwell</source>
+        <translation>Temporisation</translation>
+    </message>
+    <message>
+        <source>On the corner blend axis %1 runs at its largest velocity, %2.</source>
+        <translation>Sur le raccord d&apos;angle, l&apos;axe %1 est à sa vitesse maximale, %2.</translation>
+    </message>
+    <message>
+        <source>Turning on the corner blend (radius %1) may use %2 of the acceleration of axis %3, %4.</source>
+        <translation>Le virage sur le raccord d&apos;angle (rayon %1) peut prendre %2 de l&apos;accélération de l&apos;axe %3, %4.</translation>
+    </message>
+    <message>
+        <source>Turning on the corner blend may use %1 of the jerk of axis %2, %3, and its curvature changes quickly.</source>
+        <translation>Le virage sur le raccord d&apos;angle peut prendre %1 du jerk de l&apos;axe %2, %3, et sa courbure change vite.</translation>
+    </message>
+    <message>
+        <source>Of the acceleration of axis %1, %2, the corner blend keeps %3 for turning; the rest limits the change of speed.</source>
+        <translation>De l&apos;accélération de l&apos;axe %1, %2, le raccord d&apos;angle réserve %3 au virage&#xa0;; le reste limite le changement de vitesse.</translation>
+    </message>
+    <message>
+        <source>Of the jerk of axis %1, %2, the corner blend keeps %3 for turning; the rest limits how fast the acceleration changes.</source>
+        <translation>Du jerk de l&apos;axe %1, %2, le raccord d&apos;angle réserve %3 au virage&#xa0;; le reste limite la variation de l&apos;accélération.</translation>
+    </message>
+    <message>
+        <source>The filters of the control draw every change of feed out over %1.</source>
+        <translation>Les filtres de la commande étalent chaque changement d&apos;avance sur %1.</translation>
+    </message>
+    <message>
+        <source>Axis %1 is at its largest jerk, %2, along and across the path together.</source>
+        <translation>L&apos;axe %1 est à son jerk maximal, %2, le long de la trajectoire et en travers réunis.</translation>
+    </message>
+    <message>
+        <source>Axis %1 is at its largest acceleration, %2, along and across the path together.</source>
+        <translation>L&apos;axe %1 est à son accélération maximale, %2, le long de la trajectoire et en travers réunis.</translation>
+    </message>
+    <message>
+        <source>The tool holds its speed between two changes of speed; a jerk of %1 along the path makes them too long to gain more.</source>
+        <translation>L&apos;outil tient sa vitesse entre deux changements de vitesse&#xa0;; avec un jerk de %1 le long de la trajectoire, ils sont trop longs pour gagner plus.</translation>
+    </message>
+    <message>
+        <source>The tool is getting faster; the jerk of axis %1 allows %2 along the path.</source>
+        <translation>L&apos;outil accélère&#xa0;; le jerk de l&apos;axe %1 permet %2 le long de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>The tool is getting faster; axis %1 allows an acceleration of %2 along the path.</source>
+        <translation>L&apos;outil accélère&#xa0;; l&apos;axe %1 permet une accélération de %2 le long de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>The tool runs as fast as programmed: F %1.</source>
+        <translation>L&apos;outil va aussi vite que programmé&#xa0;: F %1.</translation>
+    </message>
+    <message>
+        <source>Rapid traverse: axis %1 runs at its largest velocity, %2.</source>
+        <translation>Déplacement rapide&#xa0;: l&apos;axe %1 est à sa vitesse maximale, %2.</translation>
+    </message>
+    <message>
+        <source>Axis %1 runs at its largest velocity, %2.</source>
+        <translation>L&apos;axe %1 est à sa vitesse maximale, %2.</translation>
+    </message>
+    <message>
+        <source>Turning on the radius of %1 takes all the acceleration of axis %2, %3.</source>
+        <translation>Le virage au rayon de %1 prend toute l&apos;accélération de l&apos;axe %2, %3.</translation>
+    </message>
+    <message>
+        <source>Running round the radius of %1 takes all the jerk of axis %2, %3.</source>
+        <translation>Le parcours du rayon de %1 prend tout le jerk de l&apos;axe %2, %3.</translation>
+    </message>
+    <message>
+        <source>On the radius of %1 the control allows a curvilinear jerk of %2, of which %3 along the path.</source>
+        <translation>Au rayon de %1, la commande permet un jerk curviligne de %2, dont %3 le long de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>The curvature jumps: axis %1 must take up the change with its jerk of %2 within one interpolation period, %3.</source>
+        <translation>La courbure saute&#xa0;: l&apos;axe %1 doit absorber le changement avec son jerk de %2 en une période d&apos;interpolation, %3.</translation>
+    </message>
+    <message>
+        <source>The block is %1 long, and the control needs one interpolation period, %2, for it.</source>
+        <translation>Le bloc est long de %1, et la commande y passe une période d&apos;interpolation, %2.</translation>
+    </message>
+    <message>
+        <source>Faster, the filters would take the tool further from the programmed contour than the tolerance of %1 allows.</source>
+        <translation>Plus vite, les filtres écarteraient l&apos;outil du contour programmé plus que la tolérance de %1 ne le permet.</translation>
+    </message>
+    <message>
+        <source>The control knows the next %1 of its path and must be able to stop within them.</source>
+        <translation>La commande connaît les prochains %1 de sa trajectoire et doit pouvoir s&apos;y arrêter.</translation>
+    </message>
+    <message>
+        <source>The tool must stop.</source>
+        <translation>L&apos;outil doit s&apos;arrêter.</translation>
+    </message>
+    <message>
+        <source>The program waits.</source>
+        <translation>Le programme attend.</translation>
+    </message>
+    <message>
+        <source>The tool brakes: in %1 (%2) it must stop, line %3.</source>
+        <translation>L&apos;outil freine&#xa0;: dans %1 (%2), il doit s&apos;arrêter, ligne %3.</translation>
+    </message>
+    <message>
+        <source>The tool brakes: in %1 (%2), line %3, only %4 are possible.</source>
+        <translation>L&apos;outil freine&#xa0;: dans %1 (%2), ligne %3, seuls %4 sont possibles.</translation>
+    </message>
+    <message>
+        <source>from the program</source>
+        <translation>du programme</translation>
+    </message>
+    <message>
+        <source>Programmed feed %1 %</source>
+        <translation>Avance programmée %1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>Jerk of all axes</source>
+        <translation>Jerk de tous les axes</translation>
+    </message>
+    <message>
+        <source>Acceleration of all axes</source>
+        <translation>Accélération de tous les axes</translation>
+    </message>
+    <message>
+        <source>%1 %2 %</source>
+        <translation>%1 %2&#xa0;%</translation>
+    </message>
+    <message>
+        <source>%1 %2 → %3 %4</source>
+        <translation>%1 %2 → %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 de %2</translation>
+    </message>
+</context>
+<context>
     <name>core</name>
     <message>
         <source>programmed feed</source>
@@ -523,10 +888,6 @@
         <translation>erreur de contour</translation>
     </message>
     <message>
-        <source>%1 s</source>
-        <translation>%1&#xa0;s</translation>
-    </message>
-    <message>
         <source>%1 ms</source>
         <translation>%1&#xa0;ms</translation>
     </message>
@@ -549,6 +910,14 @@
     <message>
         <source>mean feed %1 mm/min</source>
         <translation>avance moyenne %1&#xa0;mm/min</translation>
+    </message>
+    <message>
+        <source>cannot write %1: %2</source>
+        <translation>impossible d&apos;écrire %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>a row each %1 s would be more than 20 million rows; show a shorter range, or export a row each pixel</source>
+        <translation>une ligne toutes les %1&#xa0;s ferait plus de 20 millions de lignes&#xa0;; afficher une plage plus courte, ou exporter une ligne par pixel</translation>
     </message>
 </context>
 <context>
@@ -617,14 +986,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Grandeur en abscisse des graphiques</translation>
     </message>
     <message>
-        <source>Show all</source>
-        <translation>Tout afficher</translation>
-    </message>
-    <message>
-        <source>Show the whole run (double click in a chart)</source>
-        <translation>Afficher toute la simulation (double-clic dans un graphique)</translation>
-    </message>
-    <message>
         <source>Time [s]</source>
         <translation>Temps [s]</translation>
     </message>
@@ -633,8 +994,220 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>limite de %1</translation>
     </message>
     <message>
+        <source>A → B:   Δt %1 s   ·   Δs %2 mm   ·   mean feed %3 mm/min   ·   Δfeed %4 mm/min</source>
+        <translation>A → B&#xa0;:   Δt %1&#xa0;s   ·   Δs %2&#xa0;mm   ·   avance moyenne %3&#xa0;mm/min   ·   Δavance %4&#xa0;mm/min</translation>
+    </message>
+    <message>
         <source>Path length [mm]</source>
         <translation>Longueur de trajectoire [mm]</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Commands of the charts</source>
+        <translation>Commandes des graphiques</translation>
+    </message>
+    <message>
+        <source>Show &amp;all</source>
+        <translation>&amp;Tout afficher</translation>
+    </message>
+    <message>
+        <source>Show the whole run, and all values; as a double click does</source>
+        <translation>Afficher toute la simulation et toutes les valeurs, comme un double-clic</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Tout afficher</translation>
+    </message>
+    <message>
+        <source>&amp;Back</source>
+        <translation>&amp;Précédent</translation>
+    </message>
+    <message>
+        <source>The range and values shown before</source>
+        <translation>La plage et les valeurs affichées avant</translation>
+    </message>
+    <message>
+        <source>Alt+Left</source>
+        <translation>Alt+Left</translation>
+    </message>
+    <message>
+        <source>&amp;Forward</source>
+        <translation>&amp;Suivant</translation>
+    </message>
+    <message>
+        <source>The range and values shown after</source>
+        <translation>La plage et les valeurs affichées ensuite</translation>
+    </message>
+    <message>
+        <source>Alt+Right</source>
+        <translation>Alt+Right</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>Zoom a&amp;vant</translation>
+    </message>
+    <message>
+        <source>Half the range, around the cursor</source>
+        <translation>La moitié de la plage, autour du curseur</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Zoom a&amp;rrière</translation>
+    </message>
+    <message>
+        <source>Twice the range, around the cursor</source>
+        <translation>Le double de la plage, autour du curseur</translation>
+    </message>
+    <message>
+        <source>Cursor &amp;left</source>
+        <translation>Curseur à &amp;gauche</translation>
+    </message>
+    <message>
+        <source>Cursor one pixel to the left</source>
+        <translation>Curseur un pixel à gauche</translation>
+    </message>
+    <message>
+        <source>Cursor &amp;right</source>
+        <translation>Curseur à &amp;droite</translation>
+    </message>
+    <message>
+        <source>Cursor one pixel to the right</source>
+        <translation>Curseur un pixel à droite</translation>
+    </message>
+    <message>
+        <source>Cursor far left</source>
+        <translation>Curseur loin à gauche</translation>
+    </message>
+    <message>
+        <source>Cursor ten pixels to the left</source>
+        <translation>Curseur dix pixels à gauche</translation>
+    </message>
+    <message>
+        <source>Shift+Left</source>
+        <translation>Shift+Left</translation>
+    </message>
+    <message>
+        <source>Cursor far right</source>
+        <translation>Curseur loin à droite</translation>
+    </message>
+    <message>
+        <source>Cursor ten pixels to the right</source>
+        <translation>Curseur dix pixels à droite</translation>
+    </message>
+    <message>
+        <source>Shift+Right</source>
+        <translation>Shift+Right</translation>
+    </message>
+    <message>
+        <source>Set cursor &amp;B</source>
+        <translation>Poser le curseur &amp;B</translation>
+    </message>
+    <message>
+        <source>Second cursor where the cursor is; differences between both</source>
+        <translation>Second curseur à la place du curseur&#xa0;; différences entre les deux</translation>
+    </message>
+    <message>
+        <source>Remove c&amp;ursor B</source>
+        <translation>Enlever le c&amp;urseur B</translation>
+    </message>
+    <message>
+        <source>No second cursor (Esc)</source>
+        <translation>Pas de second curseur (Esc)</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom to A–B</source>
+        <translation>&amp;Zoom sur A–B</translation>
+    </message>
+    <message>
+        <source>The range between both cursors</source>
+        <translation>La plage entre les deux curseurs</translation>
+    </message>
+    <message>
+        <source>Over time or &amp;path length</source>
+        <translation>Selon le temps ou la &amp;longueur</translation>
+    </message>
+    <message>
+        <source>Limiting &amp;causes</source>
+        <translation>&amp;Causes limitantes</translation>
+    </message>
+    <message>
+        <source>What limits the feed, below the feed</source>
+        <translation>Ce qui limite l&apos;avance, sous l&apos;avance</translation>
+    </message>
+    <message>
+        <source>Cur&amp;ves</source>
+        <translation>C&amp;ourbes</translation>
+    </message>
+    <message>
+        <source>Curves of &amp;other runs</source>
+        <translation>Courbes d&apos;&amp;autres simulations</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Show or hide the curve [%1]</source>
+        <translation>Afficher ou masquer la courbe [%1]</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>aucune</translation>
+    </message>
+    <message>
+        <source>Export visible range as C&amp;SV …</source>
+        <translation>&amp;Exporter la plage visible en CSV …</translation>
+    </message>
+    <message>
+        <source>Values of the visible range as a table</source>
+        <translation>Valeurs de la plage visible sous forme de tableau</translation>
+    </message>
+    <message>
+        <source>Export pict&amp;ure …</source>
+        <translation>Exporter une i&amp;mage …</translation>
+    </message>
+    <message>
+        <source>The charts as they are, as PNG or SVG</source>
+        <translation>Les graphiques tels quels, en PNG ou SVG</translation>
+    </message>
+    <message>
+        <source>%1 has been written</source>
+        <translation>%1 a été écrit</translation>
+    </message>
+    <message>
+        <source>Table, a row each pixel (*.csv)</source>
+        <translation>Tableau, une ligne par pixel (*.csv)</translation>
+    </message>
+    <message>
+        <source>Table, a row each %1 s (*.csv)</source>
+        <translation>Tableau, une ligne toutes les %1&#xa0;s (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export visible range</source>
+        <translation>Exporter la plage visible</translation>
+    </message>
+    <message>
+        <source>Export picture</source>
+        <translation>Exporter une image</translation>
+    </message>
+    <message>
+        <source>Picture (*.png);;Drawing (*.svg)</source>
+        <translation>Image (*.png);;Dessin (*.svg)</translation>
+    </message>
+    <message>
+        <source>Feed, acceleration and jerk</source>
+        <translation>Avance, accélération et jerk</translation>
+    </message>
+    <message>
+        <source>There is no run to export yet.</source>
+        <translation>Il n&apos;y a pas encore de simulation à exporter.</translation>
+    </message>
+    <message>
+        <source>%1 is still being written.</source>
+        <translation>%1 est encore en cours d&apos;écriture.</translation>
     </message>
 </context>
 <context>
@@ -672,7 +1245,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
 </context>
 <context>
-    <name>feedscope::ui::DiagnosticsView</name>
+    <name>feedscope::ui::DiagnosticsModel</name>
     <message>
         <source>Line</source>
         <translation>Ligne</translation>
@@ -685,9 +1258,130 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>What to do</source>
         <translation>Que faire</translation>
     </message>
+</context>
+<context>
+    <name>feedscope::ui::DiagnosticsView</name>
     <message>
-        <source>and %1 more</source>
-        <translation>et %1 de plus</translation>
+        <source>Everything</source>
+        <translation>Tout</translation>
+    </message>
+    <message>
+        <source>Warnings and errors</source>
+        <translation>Avertissements et erreurs</translation>
+    </message>
+    <message>
+        <source>Errors</source>
+        <translation>Erreurs</translation>
+    </message>
+    <message>
+        <source>Which messages are listed, and gone to by F8</source>
+        <translation>Messages affichés dans la liste et parcourus par F8</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Gravité</translation>
+    </message>
+    <message>
+        <source>Messages</source>
+        <translation>Messages</translation>
+    </message>
+    <message>
+        <source>Next message</source>
+        <translation>Message suivant</translation>
+    </message>
+    <message>
+        <source>Go to the next message of the program (F8)</source>
+        <translation>Aller au message suivant du programme (F8)</translation>
+    </message>
+    <message>
+        <source>Previous message</source>
+        <translation>Message précédent</translation>
+    </message>
+    <message>
+        <source>Go to the message before (Shift+F8)</source>
+        <translation>Aller au message précédent (Shift+F8)</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::FindBar</name>
+    <message>
+        <source>Aa</source>
+        <translation>Aa</translation>
+    </message>
+    <message>
+        <source>Match upper and lower case</source>
+        <translation>Respecter la casse</translation>
+    </message>
+    <message>
+        <source>W</source>
+        <translation>M</translation>
+    </message>
+    <message>
+        <source>Whole words only</source>
+        <translation>Mots entiers seulement</translation>
+    </message>
+    <message>
+        <source>.*</source>
+        <translation>.*</translation>
+    </message>
+    <message>
+        <source>Regular expression</source>
+        <translation>Expression régulière</translation>
+    </message>
+    <message>
+        <source>Next hit (F3)</source>
+        <translation>Résultat suivant (F3)</translation>
+    </message>
+    <message>
+        <source>Previous hit (Shift+F3)</source>
+        <translation>Résultat précédent (Shift+F3)</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Fermer (Esc)</translation>
+    </message>
+    <message>
+        <source>Find in the program</source>
+        <translation>Rechercher dans le programme</translation>
+    </message>
+    <message>
+        <source>Result of the search</source>
+        <translation>Résultat de la recherche</translation>
+    </message>
+    <message>
+        <source>searching …</source>
+        <translation>recherche …</translation>
+    </message>
+    <message>
+        <source>not found</source>
+        <translation>introuvable</translation>
+    </message>
+    <message>
+        <source>%1 found</source>
+        <translation>%1 trouvés</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::GoToBar</name>
+    <message>
+        <source>Line to go to</source>
+        <translation>Ligne à atteindre</translation>
+    </message>
+    <message>
+        <source>Line to go to (Enter)</source>
+        <translation>Ligne à atteindre (Enter)</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>of %1</source>
+        <translation>sur %1</translation>
     </message>
 </context>
 <context>
@@ -725,6 +1419,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Machine et commande</translation>
     </message>
     <message>
+        <source>Why here?</source>
+        <translation>Pourquoi ici&#xa0;?</translation>
+    </message>
+    <message>
         <source>Charts</source>
         <translation>Graphiques</translation>
     </message>
@@ -735,6 +1433,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Runs</source>
         <translation>Simulations</translation>
+    </message>
+    <message>
+        <source>Slow places</source>
+        <translation>Ralentissements</translation>
     </message>
     <message>
         <source>%1 – Feedscope</source>
@@ -769,6 +1471,14 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Arrêter la lecture ou la simulation</translation>
     </message>
     <message>
+        <source>&amp;Charts</source>
+        <translation>&amp;Graphiques</translation>
+    </message>
+    <message>
+        <source>&amp;Why here?</source>
+        <translation>&amp;Pourquoi ici&#xa0;?</translation>
+    </message>
+    <message>
         <source>&amp;Playback</source>
         <translation>&amp;Lecture</translation>
     </message>
@@ -787,6 +1497,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>To the end of the run</source>
         <translation>Aller à la fin de la simulation</translation>
+    </message>
+    <message>
+        <source>&amp;Go</source>
+        <translation>Alle&amp;r</translation>
     </message>
     <message>
         <source>&amp;File</source>
@@ -861,52 +1575,16 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Affic&amp;hage</translation>
     </message>
     <message>
-        <source>Look from there</source>
-        <translation>Regarder de ce côté</translation>
+        <source>Path of the c&amp;harts</source>
+        <translation>Trajectoire des grap&amp;hiques</translation>
     </message>
     <message>
-        <source>&amp;Isometric</source>
-        <translation>&amp;Isométrique</translation>
+        <source>Ctrl+9</source>
+        <translation>Ctrl+9</translation>
     </message>
     <message>
-        <source>Ctrl+1</source>
-        <translation>Ctrl+1</translation>
-    </message>
-    <message>
-        <source>&amp;Top</source>
-        <translation>&amp;Dessus</translation>
-    </message>
-    <message>
-        <source>Ctrl+2</source>
-        <translation>Ctrl+2</translation>
-    </message>
-    <message>
-        <source>&amp;Front</source>
-        <translation>&amp;Face</translation>
-    </message>
-    <message>
-        <source>Ctrl+3</source>
-        <translation>Ctrl+3</translation>
-    </message>
-    <message>
-        <source>&amp;Right</source>
-        <translation>Dr&amp;oite</translation>
-    </message>
-    <message>
-        <source>Ctrl+4</source>
-        <translation>Ctrl+4</translation>
-    </message>
-    <message>
-        <source>Fit &amp;path</source>
-        <translation>Cadrer la &amp;trajectoire</translation>
-    </message>
-    <message>
-        <source>Ctrl+0</source>
-        <translation>Ctrl+0</translation>
-    </message>
-    <message>
-        <source>The whole path in the 3D view</source>
-        <translation>Toute la trajectoire dans la vue 3D</translation>
+        <source>The 3D view shows the path between the ends of the charts</source>
+        <translation>La vue 3D montre la trajectoire entre les bords des graphiques</translation>
     </message>
     <message>
         <source>Fit &amp;charts</source>
@@ -1108,6 +1786,85 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
 </context>
 <context>
+    <name>feedscope::ui::ProgramPanel</name>
+    <message>
+        <source>Find …</source>
+        <translation>Rechercher …</translation>
+    </message>
+    <message>
+        <source>Find in the program (Ctrl+F)</source>
+        <translation>Rechercher dans le programme (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Find next</source>
+        <translation>Rechercher le suivant</translation>
+    </message>
+    <message>
+        <source>Go to the next hit (F3)</source>
+        <translation>Aller au résultat suivant (F3)</translation>
+    </message>
+    <message>
+        <source>Find previous</source>
+        <translation>Rechercher le précédent</translation>
+    </message>
+    <message>
+        <source>Go to the hit before (Shift+F3)</source>
+        <translation>Aller au résultat précédent (Shift+F3)</translation>
+    </message>
+    <message>
+        <source>Go to line …</source>
+        <translation>Aller à la ligne …</translation>
+    </message>
+    <message>
+        <source>Go to a line of the program (Ctrl+G)</source>
+        <translation>Aller à une ligne du programme (Ctrl+G)</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>Larger text</source>
+        <translation>Texte plus grand</translation>
+    </message>
+    <message>
+        <source>Larger program text (Ctrl+wheel)</source>
+        <translation>Texte du programme plus grand (Ctrl+molette)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt++</source>
+        <translation>Ctrl+Alt++</translation>
+    </message>
+    <message>
+        <source>Smaller text</source>
+        <translation>Texte plus petit</translation>
+    </message>
+    <message>
+        <source>Smaller program text (Ctrl+wheel)</source>
+        <translation>Texte du programme plus petit (Ctrl+molette)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+-</source>
+        <translation>Ctrl+Alt+-</translation>
+    </message>
+    <message>
+        <source>Copy program text</source>
+        <translation>Copier le texte du programme</translation>
+    </message>
+    <message>
+        <source>Copy the selected text (Ctrl+C)</source>
+        <translation>Copier le texte sélectionné (Ctrl+C)</translation>
+    </message>
+    <message>
+        <source>Select all program text</source>
+        <translation>Sélectionner tout le programme</translation>
+    </message>
+    <message>
+        <source>Select the whole program (Ctrl+A)</source>
+        <translation>Sélectionner tout le programme (Ctrl+A)</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::ProgramView</name>
     <message>
         <source>Program text</source>
@@ -1124,6 +1881,60 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>The program is empty.</source>
         <translation>Le programme est vide.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::RemedyJob</name>
+    <message>
+        <source>The program needs more memory than there is.</source>
+        <translation>Le programme demande plus de mémoire qu&apos;il n&apos;y en a.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::RemedyTable</name>
+    <message>
+        <source>%1%2 s</source>
+        <translation>%1%2&#xa0;s</translation>
+    </message>
+    <message>
+        <source>%1: being simulated</source>
+        <translation>%1&#xa0;: simulation en cours</translation>
+    </message>
+    <message>
+        <source>%1: the program takes %2 instead of %3, the place about the cursor %4 instead of %5</source>
+        <translation>%1&#xa0;: le programme prend %2 au lieu de %3, l&apos;endroit autour du curseur %4 au lieu de %5</translation>
+    </message>
+    <message>
+        <source>Cycle time with the change</source>
+        <translation>Temps de cycle avec le changement</translation>
+    </message>
+    <message>
+        <source>What the cycle time becomes shorter (−) or longer (+)</source>
+        <translation>Temps de cycle plus court (−) ou plus long (+) d&apos;autant</translation>
+    </message>
+    <message>
+        <source>The same of the blocks about the cursor</source>
+        <translation>De même pour les blocs autour du curseur</translation>
+    </message>
+    <message>
+        <source>What is changed; a double click makes a run of it</source>
+        <translation>Ce qui est changé&#xa0;; un double-clic en fait une simulation</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Changement</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Temps de cycle</translation>
+    </message>
+    <message>
+        <source>Total</source>
+        <translation>Total</translation>
+    </message>
+    <message>
+        <source>Here</source>
+        <translation>Ici</translation>
     </message>
 </context>
 <context>
@@ -1364,6 +2175,229 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
 </context>
 <context>
+    <name>feedscope::ui::SceneActions</name>
+    <message>
+        <source>What the colour of the executed path shows</source>
+        <translation>Ce que montre la couleur de la trajectoire exécutée</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Simulation</translation>
+    </message>
+    <message>
+        <source>Colour the path by this</source>
+        <translation>Colorer la trajectoire selon cette grandeur</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Couleur&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>How much larger than they are deviations from the programmed path are drawn</source>
+        <translation>Facteur d&apos;agrandissement des écarts à la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>Draw deviations from the programmed path so much larger</source>
+        <translation>Dessiner les écarts à la trajectoire programmée agrandis d&apos;autant</translation>
+    </message>
+    <message>
+        <source>Deviation %1</source>
+        <translation>Écart %1</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vue</translation>
+    </message>
+    <message>
+        <source>Standard views, projection, grid</source>
+        <translation>Vues standard, projection, grille</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isométrique</translation>
+    </message>
+    <message>
+        <source>View from right, front and above</source>
+        <translation>Vue de droite, de face et de dessus</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Dessus</translation>
+    </message>
+    <message>
+        <source>View from above, X to the right</source>
+        <translation>Vue de dessus, X vers la droite</translation>
+    </message>
+    <message>
+        <source>&amp;Front</source>
+        <translation>&amp;Face</translation>
+    </message>
+    <message>
+        <source>View from the front, X to the right</source>
+        <translation>Vue de face, X vers la droite</translation>
+    </message>
+    <message>
+        <source>&amp;Right</source>
+        <translation>Dr&amp;oite</translation>
+    </message>
+    <message>
+        <source>View from the right, Y to the right</source>
+        <translation>Vue de droite, Y vers la droite</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>De&amp;ssous</translation>
+    </message>
+    <message>
+        <source>View from below, X to the right</source>
+        <translation>Vue de dessous, X vers la droite</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>A&amp;rrière</translation>
+    </message>
+    <message>
+        <source>View from behind, X to the left</source>
+        <translation>Vue de l&apos;arrière, X vers la gauche</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Gauche</translation>
+    </message>
+    <message>
+        <source>View from the left, Y to the left</source>
+        <translation>Vue de gauche, Y vers la gauche</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspective</translation>
+    </message>
+    <message>
+        <source>Nearer things look larger; without it lengths can be compared</source>
+        <translation>Ce qui est proche paraît plus grand&#xa0;; sans elle, les longueurs se comparent</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>Gri&amp;lle</translation>
+    </message>
+    <message>
+        <source>Grid lines behind the path, in mm</source>
+        <translation>Quadrillage derrière la trajectoire, en mm</translation>
+    </message>
+    <message>
+        <source>The tool drawn at the cursor</source>
+        <translation>L&apos;outil dessiné au curseur</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Marker</source>
+        <translation>Repère</translation>
+    </message>
+    <message>
+        <source>A cone that marks the place, of no size</source>
+        <translation>Un cône qui marque l&apos;endroit, sans dimension</translation>
+    </message>
+    <message>
+        <source>Flat end mill</source>
+        <translation>Fraise cylindrique</translation>
+    </message>
+    <message>
+        <source>A cylinder</source>
+        <translation>Un cylindre</translation>
+    </message>
+    <message>
+        <source>Ball end mill</source>
+        <translation>Fraise hémisphérique</translation>
+    </message>
+    <message>
+        <source>A cylinder with a half ball</source>
+        <translation>Un cylindre à bout hémisphérique</translation>
+    </message>
+    <message>
+        <source>Bull nose end mill</source>
+        <translation>Fraise torique</translation>
+    </message>
+    <message>
+        <source>A cylinder with rounded corners</source>
+        <translation>Un cylindre à coins arrondis</translation>
+    </message>
+    <message>
+        <source>No tool</source>
+        <translation>Aucun outil</translation>
+    </message>
+    <message>
+        <source>Nothing at the cursor</source>
+        <translation>Rien au curseur</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Diameter of the cutter in mm</source>
+        <translation>Diamètre de la fraise en mm</translation>
+    </message>
+    <message>
+        <source>Radius of a bull nose&apos;s corners in mm</source>
+        <translation>Rayon de coin d&apos;une fraise torique en mm</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>Rayon de coin</translation>
+    </message>
+    <message>
+        <source>&amp;Measure</source>
+        <translation>&amp;Mesurer</translation>
+    </message>
+    <message>
+        <source>Click two places on the path: distance, path length and time between</source>
+        <translation>Cliquer deux points de la trajectoire&#xa0;: distance, longueur de trajectoire et temps entre eux</translation>
+    </message>
+    <message>
+        <source>&amp;Box</source>
+        <translation>&amp;Zone</translation>
+    </message>
+    <message>
+        <source>Drag a box: the view and the charts show what is in it</source>
+        <translation>Tracer une zone&#xa0;: la vue et les graphiques montrent ce qu&apos;elle contient</translation>
+    </message>
+    <message>
+        <source>To &amp;charts</source>
+        <translation>&amp;Vers graphiques</translation>
+    </message>
+    <message>
+        <source>The charts show the time range of what is in view</source>
+        <translation>Les graphiques montrent la plage de temps de ce qui est visible</translation>
+    </message>
+    <message>
+        <source>Fit &amp;path</source>
+        <translation>Cadrer la &amp;trajectoire</translation>
+    </message>
+    <message>
+        <source>The whole path in the view</source>
+        <translation>Toute la trajectoire dans la vue</translation>
+    </message>
+    <message>
+        <source>Ctrl+0</source>
+        <translation>Ctrl+0</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Couleur</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Écart</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::SettingsTable</name>
     <message>
         <source>Setting</source>
@@ -1497,6 +2531,86 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
 </context>
 <context>
+    <name>feedscope::ui::SlowPlacesModel</name>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>From %1 s to %2 s, slowest at %3 s in line %4.
+%5 s are lost against the programmed feed, most of it to: %6.</source>
+        <translation>De %1&#xa0;s à %2&#xa0;s, le plus lent à %3&#xa0;s, ligne %4.
+%5&#xa0;s perdues par rapport à l&apos;avance programmée, surtout par&#xa0;: %6.</translation>
+    </message>
+    <message>
+        <source>Lost [s]</source>
+        <translation>Perte [s]</translation>
+    </message>
+    <message>
+        <source>Share [%]</source>
+        <translation>Part [%]</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>Slowest feed [mm/min]</source>
+        <translation>Avance min. [mm/min]</translation>
+    </message>
+    <message>
+        <source>Cause</source>
+        <translation>Cause</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::SlowPlacesView</name>
+    <message>
+        <source>The worst %1</source>
+        <translation>Les %1 pires</translation>
+    </message>
+    <message>
+        <source>All that are kept</source>
+        <translation>Tous les conservés</translation>
+    </message>
+    <message>
+        <source>How many places are listed, and gone to by F7</source>
+        <translation>Nombre de ralentissements affichés et parcourus par F7</translation>
+    </message>
+    <message>
+        <source>Number of places</source>
+        <translation>Nombre de ralentissements</translation>
+    </message>
+    <message>
+        <source>Slow places</source>
+        <translation>Ralentissements</translation>
+    </message>
+    <message>
+        <source>Next slow place</source>
+        <translation>Ralentissement suivant</translation>
+    </message>
+    <message>
+        <source>Go on to the next listed place that loses time (F7)</source>
+        <translation>Aller au ralentissement suivant de la liste (F7)</translation>
+    </message>
+    <message>
+        <source>Previous slow place</source>
+        <translation>Ralentissement précédent</translation>
+    </message>
+    <message>
+        <source>Go back to the listed place before (Shift+F7)</source>
+        <translation>Revenir au ralentissement précédent de la liste (Shift+F7)</translation>
+    </message>
+    <message>
+        <source>%1 s of %2 s lost against the programmed feed, in %3 places</source>
+        <translation>%1&#xa0;s sur %2&#xa0;s perdues par rapport à l&apos;avance programmée, en %3 endroits</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::StatusPanel</name>
     <message>
         <source>Cancel</source>
@@ -1549,6 +2663,109 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>%1 mm/min</source>
         <translation>%1&#xa0;mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::WhyView</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>&amp;Previous cause</source>
+        <translation>Cause &amp;précédente</translation>
+    </message>
+    <message>
+        <source>To where the limiting cause before this one begins</source>
+        <translation>Aller au début de la cause limitante précédente</translation>
+    </message>
+    <message>
+        <source>Alt+Shift+Left</source>
+        <translation>Alt+Shift+Left</translation>
+    </message>
+    <message>
+        <source>&amp;Next cause</source>
+        <translation>Cause &amp;suivante</translation>
+    </message>
+    <message>
+        <source>To where another limiting cause begins</source>
+        <translation>Aller au début de la cause limitante suivante</translation>
+    </message>
+    <message>
+        <source>Alt+Shift+Right</source>
+        <translation>Alt+Shift+Right</translation>
+    </message>
+    <message>
+        <source>&amp;Slower place ahead</source>
+        <translation>Endroit plus &amp;lent à venir</translation>
+    </message>
+    <message>
+        <source>To the place for which the tool slows down</source>
+        <translation>Aller à l&apos;endroit pour lequel l&apos;outil ralentit</translation>
+    </message>
+    <message>
+        <source>Alt+Shift+Down</source>
+        <translation>Alt+Shift+Down</translation>
+    </message>
+    <message>
+        <source>&amp;What would help?</source>
+        <translation>&amp;Quel remède&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Simulate changes of machine, control and feed, and show what each gains [s]</source>
+        <translation>Simuler des changements de machine, de commande et d&apos;avance, et montrer ce que chacun gagne [s]</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+H</source>
+        <translation>Ctrl+Shift+H</translation>
+    </message>
+    <message>
+        <source>New &amp;run with this change</source>
+        <translation>&amp;Nouvelle simulation ainsi</translation>
+    </message>
+    <message>
+        <source>A run with the selected change beside this one</source>
+        <translation>Une simulation avec le changement sélectionné, à côté de celle-ci</translation>
+    </message>
+    <message>
+        <source>Changes and what they gain</source>
+        <translation>Changements et ce qu&apos;ils gagnent</translation>
+    </message>
+    <message>
+        <source>Why here?</source>
+        <translation>Pourquoi ici&#xa0;?</translation>
+    </message>
+    <message>
+        <source>Open a program and point at a place: here stands what keeps the tool from being faster.</source>
+        <translation>Ouvrir un programme et désigner un endroit&#xa0;: ici s&apos;affiche ce qui empêche l&apos;outil d&apos;aller plus vite.</translation>
+    </message>
+    <message>
+        <source>Line %1, %2 s: %3 of %4, %5&#xa0;%</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Line %1, %2 s</source>
+        <translation>Ligne %1, %2&#xa0;s</translation>
+    </message>
+    <message>
+        <source>▸ Go to line %1</source>
+        <translation>▸ Aller à la ligne %1</translation>
+    </message>
+    <message>
+        <source>◂ %1, line %2, %3</source>
+        <translation>◂ %1, ligne %2, %3</translation>
+    </message>
+    <message>
+        <source>▸ %1, line %2, %3</source>
+        <translation>▸ %1, ligne %2, %3</translation>
+    </message>
+    <message>
+        <source>What would help? Being simulated …</source>
+        <translation>Quel remède&#xa0;? Simulation en cours …</translation>
+    </message>
+    <message>
+        <source>What would help, each simulated by itself:</source>
+        <translation>Remèdes possibles, chacun simulé seul&#xa0;:</translation>
     </message>
 </context>
 <context>

@@ -1,5 +1,6 @@
 #include "ui/views/scene_texts.h"
 
+#include <QCoreApplication>
 #include <QLocale>
 #include <QStringList>
 #include <cmath>
@@ -41,9 +42,7 @@ SceneTexts scene_texts() {
                  Scene::tr("front").toStdString(),  Scene::tr("right").toStdString(),
                  Scene::tr("bottom").toStdString(), Scene::tr("back").toStdString(),
                  Scene::tr("left").toStdString()};
-  texts.cause_kind = [](CauseKind kind) {
-    return core_text(cause_kind_title(kind)).toStdString();
-  };
+  texts.cause_kind = [](CauseKind kind) { return core_text(cause_kind_title(kind)).toStdString(); };
   texts.decimal_point = QLocale().decimalPoint().toStdString();
   return texts;
 }
