@@ -2741,7 +2741,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
     <message>
         <source>Line %1, %2 s: %3 of %4, %5&#xa0;%</source>
-        <translation type="unfinished"></translation>
+        <translation>Ligne %1, %2&#xa0;s&#xa0;: %3 sur %4, %5&#xa0;%</translation>
     </message>
     <message>
         <source>Line %1, %2 s</source>

@@ -2,6 +2,7 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -14,7 +15,7 @@ namespace feedscope::ui {
 namespace {
 
 QString feed_text(double feed) {
-  return QLocale().toString(units::to_mm_min(feed), 'f', 0);
+  return QLocale().toString(std::abs(units::to_mm_min(feed)), 'f', 0);  // no minus before a rounded 0
 }
 
 }  // namespace

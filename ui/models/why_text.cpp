@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "ui/language/core_texts.h"
 
 namespace feedscope::ui {
 
@@ -328,7 +329,7 @@ QString WhyText::remedy(const Remedy& remedy, const Setup& setup) {
   for (const SettingSpec& spec : axis ? axis_limit_specs() : settings_of(*setup.model)) {
     if (spec.key == name && std::holds_alternative<double>(value)) {
       const double before = axis ? axis_limit(setup.machine, key[0], name) : setup.settings.number(key);
-      const QString title = QString::fromStdString(spec.title);
+      const QString title = core_text(spec.title);
       return tr("%1 %2 → %3 %4")
           .arg(axis ? tr("%1 of %2").arg(title, QString(QLatin1Char(key[0]))) : title, significant(before, 4),
                significant(std::get<double>(value), 4), unit_text(spec.unit))

@@ -81,13 +81,13 @@ void PlaybackBar::make_actions() {
   };
   add(tr("&Play or pause"), tr("Play or pause"), Qt::Key_Space, [this] {
     toggle();
-  })->setIcon(icon(QStyle::SP_MediaPlay));
+  })->setData(static_cast<int>(MediaIcon::play));
   add(tr("Block b&ack"), tr("To the start of this or the previous block"), QKeySequence(tr("Ctrl+Left")),
       [this] { cursor_.step_block(-1); })
       ->setData(static_cast<int>(MediaIcon::back));
   add(tr("Block &on"), tr("To the start of the next block"), QKeySequence(tr("Ctrl+Right")), [this] {
     cursor_.step_block(1);
-  })->setIcon(icon(QStyle::SP_MediaSkipForward));
+  })->setData(static_cast<int>(MediaIcon::on));
   add(tr("Sample &back"), tr("One interpolation period back"), QKeySequence(Qt::Key_Comma),
       [this] { step_sample(-1); });
   add(tr("Sample o&n"), tr("One interpolation period on"), QKeySequence(Qt::Key_Period),

@@ -17,8 +17,11 @@ struct Scene {
   Q_DECLARE_TR_FUNCTIONS(Scene)
 };
 
+/// Without group separators: VTK's font has no narrow space, which French puts there.
 QString number(double value, int decimals) {
-  return QLocale().toString(value, 'f', decimals);
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return locale.toString(value, 'f', decimals);
 }
 
 }  // namespace
