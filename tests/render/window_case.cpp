@@ -43,6 +43,7 @@ ui::Picture draw(const std::string& program, const std::string& model, const std
     if (panel == "runs") {
       add_runs(bench);
     }
+    raise(window, "machine");
     raise(window, panel);
     const auto shown = bench.shown();
     bench.cursor().set_time(0.4 * shown->run.trajectory->duration());

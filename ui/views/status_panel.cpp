@@ -31,9 +31,12 @@ StatusPanel::StatusPanel(Workbench& model, QWidget* parent)
   progress_->setRange(0, progress_steps);
   progress_->setFixedWidth(progress_width);
   progress_->setTextVisible(false);
+  progress_->setFixedHeight(fontMetrics().height());  // the bar below the window keeps its height
+  cancel_->setFixedHeight(progress_->height());
   cancel_->setText(tr("Cancel"));
   cancel_->setToolTip(tr("Stop the simulation (Esc)"));
   diagnostics_->setAutoRaise(true);
+  diagnostics_->setFixedHeight(progress_->height());
   diagnostics_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   diagnostics_->setToolTip(tr("Show what the reader found in the program"));
 

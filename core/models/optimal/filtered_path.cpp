@@ -1,10 +1,17 @@
 #include "core/models/optimal/filtered_path.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/error.h"
+
 namespace feedscope {
 namespace {
+
+constexpr std::size_t curves_for_any = 200'000;
+constexpr std::size_t curves_a_block = 2000;
 
 /// Between two looks at the motion passes at least and at most this share of a filter time, unless one pulse
 /// fills the filters: then it turns by this at most [rad].
@@ -200,6 +207,13 @@ void FilteredPath::put(const Place& place) {
     knot.curvature /= std::max(1.0, chord.norm() * knot.curvature.norm());
     knot.s = knots_.back().s + course_length(knots_.back(), knot);
     knots_.push_back(knot);
+    const std::size_t most = curves_for_any + curves_a_block * run_.path().size();
+    if (++curves_ > most) {
+      throw InputError(
+          fmt::format("setting path: the path of ward takes more than {} curves to be followed within "
+                      "{} mm, up to line {}; choose the path of another model",
+                      most, error_, run_.path().programmed()->segments[block_].line));
+    }
   } else {
     turns_back = !place.stands && !last_.stands && knots_.back().tangent.dot(knot.tangent) <= least_cosine;
   }

@@ -23,6 +23,7 @@ class FilteredPath {
   FilteredPath(const Trajectory& run, const AxisVectors& axes, double error, TrajectoryBuilder& builder)
       : run_(run), least_acceleration_(axes.acceleration.minCoeff()), error_(error), builder_(builder) {}
 
+  /// Throws InputError where the motion turns about so often that the curves would fill the memory.
   void lay();
 
  private:
@@ -54,7 +55,8 @@ class FilteredPath {
   FilterWalk walk_;
   const FilteredMotion* motion_ = nullptr;
   std::uint32_t block_ = 0;
-  double feed_ = 0;                ///< programmed [mm/s]
+  double feed_ = 0;  ///< programmed [mm/s]
+  std::size_t curves_ = 0;
   Place last_;                     ///< where the last curve ends
   Place before_;                   ///< and where it begins
   std::vector<CourseKnot> knots_;  ///< of the element under way
