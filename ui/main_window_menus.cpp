@@ -69,6 +69,9 @@ void MainWindow::make_menus() {
 
   QMenu* runs = menuBar()->addMenu(tr("&Runs"));
   runs->addActions(runs_->panel_actions());
+  for (const QAction* action : runs_->panel_actions()) {
+    connect(action, &QAction::triggered, runs_dock_, &QDockWidget::raise);
+  }
   runs->addSeparator();
   connect(add_action(runs, tr("&Cancel simulation"), Qt::Key_Escape, tr("Stop reading or simulating")),
           &QAction::triggered, &model_, &Workbench::cancel);

@@ -369,6 +369,18 @@
 <context>
     <name>core</name>
     <message>
+        <source>axis velocity</source>
+        <translation>vitesse d&apos;un axe</translation>
+    </message>
+    <message>
+        <source>axis acceleration</source>
+        <translation>accélération d&apos;un axe</translation>
+    </message>
+    <message>
+        <source>axis jerk</source>
+        <translation>jerk d&apos;un axe</translation>
+    </message>
+    <message>
         <source>programmed feed</source>
         <translation>avance programmée</translation>
     </message>

@@ -9,6 +9,9 @@ namespace {
 // lupdate reads them here; tests/ui/language holds that none is missing.
 // clang-format off
 constexpr const char* texts[] = {
+    QT_TRANSLATE_NOOP("core", "axis velocity"),
+    QT_TRANSLATE_NOOP("core", "axis acceleration"),
+    QT_TRANSLATE_NOOP("core", "axis jerk"),
     QT_TRANSLATE_NOOP("core", "programmed feed"),
     QT_TRANSLATE_NOOP("core", "rapid traverse"),
     QT_TRANSLATE_NOOP("core", "velocity"),

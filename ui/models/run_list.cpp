@@ -13,6 +13,7 @@ constexpr std::array<QRgb, 8> run_colours{0xff0072b2, 0xffd55e00, 0xff009e73, 0x
                                           0xffe69f00, 0xff56b4e9, 0xff8c510a, 0xff5e4fa2};
 
 const std::string tolerance_key = "contour_tolerance_mm";
+const std::string program_tolerance_key = "program_tolerance";  // goes with it
 
 QString value_text(const SettingValue& value) {
   const auto* number = std::get_if<double>(&value);
@@ -32,7 +33,7 @@ QString run_title(const RunItem& item) {
     parts.append(RunList::tr("%1 mm").arg(value_text(setup.value(tolerance_key))));
   }
   for (const auto& [key, value] : setup.edits()) {
-    if (key != tolerance_key) {
+    if (key != tolerance_key && key != program_tolerance_key) {
       parts.append(QStringLiteral("%1 %2").arg(QString::fromStdString(key), value_text(value)));
     }
   }

@@ -13,6 +13,7 @@
 #include "core/limits/cause.h"
 #include "core/models/control_model.h"
 #include "ui/language/core_texts.h"
+#include "ui/scene/cause_colour.h"
 
 namespace feedscope::ui {
 namespace {
@@ -29,7 +30,7 @@ std::vector<std::string> shown_texts() {
   std::vector<std::string> texts;
   for (const Cause cause : all_causes()) {
     texts.push_back(cause_title(cause));
-    texts.push_back(cause_title({cause.kind, -1}));
+    texts.push_back(cause_kind_title(cause.kind));
   }
   add(texts, axis_limit_specs());
   for (const ControlModel* model : all_models()) {

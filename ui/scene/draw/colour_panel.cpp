@@ -168,7 +168,7 @@ void draw_colour_panel(Canvas& canvas, const Annotations& annotations, const Vec
   const double title = line_height * scale * static_cast<double>(title_lines(annotations, scale).size());
   const bool causes = !annotations.key.causes.empty();
   const double room = high.y() - 16 * scale - title - low.y();
-  if (room < 60 * scale) {
+  if (room < 36 * scale) {
     return;
   }
   // A scale stands above what is below the panel, causes hang from the top.

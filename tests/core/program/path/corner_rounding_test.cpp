@@ -58,6 +58,8 @@ TEST(CornerRounding, NamesWhyACornerIsNotRounded) {
   EXPECT_EQ(round_corner(line({0, 0}, {10, 0}), line({10, 0}, {20, 0}), 1).fault, CornerFault::smooth);
   EXPECT_EQ(round_corner(line({0, 0}, {10, 0}), line({10, 0}, {0, 0}), 1).fault, CornerFault::reversal);
   EXPECT_EQ(round_corner(line({0, 0}, {0, 0}), line({0, 0}, {1, 0}), 1).fault, CornerFault::reversal);
+  // An arc between one and the same point would be a full circle.
+  EXPECT_EQ(round_corner(line({0, 0}, {10, 0}), line({10, 0}, {10, 4}), 1e-12).fault, CornerFault::smooth);
   EXPECT_EQ(round_corner(line({0, 0}, {10, 0}), line({10, 0}, {10, 4}), 5).fault, CornerFault::too_large);
   EXPECT_EQ(round_corner(line({0, 0}, {10, 0}), arc({10, 0}, {0, 10}, {0, 0}, 1), 11).fault,
             CornerFault::too_large);

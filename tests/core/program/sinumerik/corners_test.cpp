@@ -1,6 +1,9 @@
 // RND, RNDM, CHF, CHR; DIAMON.
 #include <gmock/gmock.h>
 
+#include <cmath>
+
+#include "core/toolpath/toolpath.h"
 #include "tests/core/program/motion_text.h"
 #include "tests/core/program/sinumerik/read_sinumerik.h"
 
@@ -33,6 +36,11 @@ TEST(SinumerikCorners, ModalRoundingUntilItIsSwitchedOff) {
       text_of(read_clean("G0 X0 Y0 RNDM=2\nG1 X10 F600\nM8\nY10\nX0\nRNDM=0\nY0\nG0 X50\n")),
       ElementsAre("rapid 0 0 0 @1", "line 8 0 0 @2", "arc 10 2 0 @2", "line 10 8 0 @4", "arc 8 10 0 @4",
                   "line 2 10 0 @5", "arc 0 8 0 @5", "line 0 0 0 @7", "rapid 50 0 0 @8"));
+}
+
+TEST(SinumerikCorners, ARoundingTooLargeForDensePointsLeavesNoArcWithoutLength) {
+  Program program = read_sinumerik("X1.624 Y7 RNDM=1399\nX12.968 Y8.03\nX12.225 Y8.999\nX11.399 Y9.899\n");
+  EXPECT_TRUE(std::isfinite(take_toolpath(program).length()));
 }
 
 TEST(SinumerikCorners, ModalRoundingLeavesOutWhatIsNoCornerOfAContour) {
