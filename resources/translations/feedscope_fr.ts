@@ -817,8 +817,8 @@
         <translation>Trajectoire du modèle</translation>
     </message>
     <message>
-        <source>Model whose path is run; ward is none of them yet: the course of its motion is known by the time of its filters, not by path length.</source>
-        <translation>Modèle dont la trajectoire est parcourue&#xa0;; ward n&apos;en fait pas encore partie&#xa0;: le cours de son mouvement est connu par le temps de ses filtres, non par la longueur de trajectoire.</translation>
+        <source>Model whose path is run, corner blends included; of ward the path that its filters draw.</source>
+        <translation>Modèle dont la trajectoire est parcourue, raccords d&apos;angle compris ; pour ward, celle que tracent ses filtres.</translation>
     </message>
     <message>
         <source>Jerk limits</source>

@@ -121,7 +121,7 @@ constexpr const char* texts[] = {
     QT_TRANSLATE_NOOP("core", "Time-optimal bound"),
     QT_TRANSLATE_NOOP("core", "The least time that any law could take on the path that another model runs, its blends included, under the limits of the axes and the programmed feed: what a better control could still win. The settings of the other model shape the path."),
     QT_TRANSLATE_NOOP("core", "Path of the model"),
-    QT_TRANSLATE_NOOP("core", "Model whose path is run; ward is none of them yet: the course of its motion is known by the time of its filters, not by path length."),
+    QT_TRANSLATE_NOOP("core", "Model whose path is run, corner blends included; of ward the path that its filters draw."),
     QT_TRANSLATE_NOOP("core", "Jerk limits"),
     QT_TRANSLATE_NOOP("core", "off: the fastest under velocity and acceleration limits, which no law can beat; on: a law that keeps the jerk of every axis too, close to the fastest, and slow to compute."),
 };
