@@ -115,7 +115,11 @@ Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
   while (model.busy()) {
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
-  QApplication::processEvents();
+  constexpr int rounds =
+      4;  // a table's rows take their height, then the table its own, then its scroll bar goes
+  for (int i = 0; i < rounds; ++i) {
+    QApplication::processEvents();
+  }
   window.charts().refresh();
   return grab(window, size);
 }

@@ -73,7 +73,11 @@ WhyView::WhyView(Cursor& cursor, QWidget* parent)
   make_actions();
   lay_out();
   connect(&cursor_, &Cursor::changed, this, &WhyView::follow);
-  connect(&rest_, &QTimer::timeout, this, &WhyView::try_remedies);
+  connect(&rest_, &QTimer::timeout, this, [this] {
+    if (is_seen()) {  // not hidden since: only a command may bring the panel up
+      try_remedies();
+    }
+  });
   connect(&job_, &RemedyJob::tried, this, &WhyView::take_trial);
   connect(&job_, &RemedyJob::finished, this, [this] {
     table_model_->sort_by_gain();
