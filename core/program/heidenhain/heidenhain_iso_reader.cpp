@@ -18,7 +18,7 @@ bool skip_number(Scanner& scanner) {
   const bool hidden = scanner.take('/');
   if (letters::to_upper(scanner.peek()) == 'N' && letters::is_digit(scanner.peek_at(1))) {
     scanner.take('N');
-    scanner.number();
+    scanner.skip_digits();
   }
   return scanner.take('/') || hidden;
 }

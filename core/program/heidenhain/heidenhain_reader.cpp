@@ -42,10 +42,7 @@ constexpr auto unread_statements = std::to_array<UnreadStatement>({
 /// Behind the number of the block and the sign that hides it; true if it is hidden.
 bool skip_number(Scanner& scanner) {
   const bool before = scanner.take('/');
-  scanner.peek();
-  while (letters::is_digit(scanner.peek_at(0))) {
-    scanner.move_to(scanner.at() + 1);
-  }
+  scanner.skip_digits();
   const bool behind = scanner.take('/');
   scanner.peek();
   return before || behind;

@@ -81,6 +81,13 @@ std::string_view Scanner::name() {
   return text_.substr(from, at_ - from);
 }
 
+void Scanner::skip_digits() {
+  skip_blanks();
+  while (at_ < text_.size() && letters::is_digit(text_[at_])) {
+    ++at_;
+  }
+}
+
 std::optional<double> Scanner::number(bool comma) {
   constexpr double number_limit = 1e9;
   const char first = peek();

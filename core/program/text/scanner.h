@@ -57,6 +57,9 @@ class Scanner {
   bool take_keyword(std::string_view name);
   /// Takes letters, digits and underscores from a letter or underscore on; empty if none stands here.
   std::string_view name();
+  /// Takes the digits that stand here, however many.
+  void skip_digits();
+
   /// Takes an unsigned decimal number, its point a comma too if `comma`; none if none stands here.
   /// Throws ReadFault "malformed-number" and "number-range".
   std::optional<double> number(bool comma = false);

@@ -37,6 +37,14 @@ TEST(HeidenhainIso, AWholeProgramIsRecognisedAndRead) {
             Dialect::heidenhain_iso);
 }
 
+TEST(HeidenhainIso, ABlockNumberIsNoValue) {
+  const Program program =
+      read_din("%A G71 *\nN6464646464646464 G01 X+1 F100 *\nN20 M2 *\nN99999999999 G01 X+2 *\n");
+  EXPECT_EQ(path_of(program), "1,0,0");
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(program.diagnostics[0].code, "text-after-end");
+}
+
 struct DinCase {
   const char* text;
   const char* path;
