@@ -162,10 +162,17 @@ void SinumerikReader::gather(const Block& block) {
 void SinumerikReader::set_letter(char letter, const BlockWords::Value& value, std::string_view written) {
   if (letter == 'L') {
     // L1 and L01 are different subprograms.
-    call_ = SubprogramCall{.name = "L" + std::string(written.substr(written.find_first_of("0123456789"))),
-                           .column = value.column,
-                           .arguments = {},
-                           .bracketed = false};
+    const std::string_view digits =
+        written.substr(std::min(written.find_first_not_of(" \t", 1), written.size()));
+    if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
+      report(Severity::error, "subprogram-name", letter, value.column, [&] {
+        return Text{fmt::format("{} names no subprogram", quoted(written)),
+                    "write its number with digits alone, as L12; it is not called"};
+      });
+      return;
+    }
+    call_ = SubprogramCall{
+        .name = "L" + std::string(digits), .column = value.column, .arguments = {}, .bracketed = false};
     return;
   }
   if (words_.has(letter)) {
