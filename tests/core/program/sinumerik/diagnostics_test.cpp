@@ -35,8 +35,8 @@ INSTANTIATE_TEST_SUITE_P(
              "block does not move; correct the number)"},
         Case{"G0 X1 Y2 X3",
              "f:1:10: error: X stands twice in the block [duplicate-word] (\"X3\" counts; remove the other)"},
-        Case{"G0 X1\nL +R7",
-             "f:2:1: error: \"L +R7\" names no subprogram [subprogram-name] (write its number with digits "
+        Case{"G0 X1\nL=7",
+             "f:2:1: error: \"L=7\" names no subprogram [subprogram-name] (write its number with digits "
              "alone, as L12; it is not called)"},
         Case{"G0 X1 G1 F100",
              "f:1:7: error: G0 and G1 exclude each other in one block [conflicting-g] (G1 counts; remove the "
