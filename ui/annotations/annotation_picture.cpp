@@ -1,0 +1,243 @@
+#include "ui/annotations/annotation_picture.h"
+
+#include <QFontMetricsF>
+#include <QGuiApplication>
+#include <QLineF>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+#include "ui/annotations/annotation_text.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double pixels_a_point = 96.0 / 72.0;
+constexpr double padding = 5;        // of a label [pixels of scale 1]
+constexpr double line_width = 1.5;   // the same
+constexpr double region_width = 11;  // the same
+constexpr double arrow_length = 11;  // the same
+constexpr double tick_length = 12;   // the same
+constexpr int region_spans = 200;
+
+QFont font_of(const PlacedAnnotation& placed) {
+  QFont font = QGuiApplication::font();
+  font.setPixelSize(std::max(1, static_cast<int>(std::lround(placed.text_pixels))));
+  font.setHintingPreference(QFont::PreferNoHinting);
+  return font;
+}
+
+QPointF drawn_at(const AnnotatedView& view, double time) {
+  const Pixel pixel = view.scene.pixel_of(view.scene.drawn_at(time));
+  return {pixel[0], pixel[1]};
+}
+
+QSizeF label_size(const PlacedAnnotation& placed, double scale) {
+  const QFontMetricsF metrics(font_of(placed));
+  double width = 0;
+  for (const QString& line : placed.lines) {
+    width = std::max(width, metrics.horizontalAdvance(line));
+  }
+  const double height = metrics.lineSpacing() * static_cast<double>(placed.lines.size());
+  return QSizeF(width, height) + QSizeF(2, 2) * padding * scale;
+}
+
+/// Moved by as little as brings it into the picture.
+QRectF moved_into(QRectF label, const QSizeF& size) {
+  label.moveLeft(std::max(0.0, std::min(label.left(), size.width() - label.width())));
+  label.moveTop(std::max(0.0, std::min(label.top(), size.height() - label.height())));
+  return label;
+}
+
+PlacedAnnotation place(const Annotation& annotation, const AnnotatedView& view) {
+  const double time = time_of(view.trajectory, annotation.place);
+  const double until = has_two_places(annotation.kind) ? time_of(view.trajectory, annotation.until) : time;
+  AnnotationValues values;
+  values.at = view.trajectory.state(time);
+  values.contour_error = view.scene.contour_error_at(time);
+  values.distance = (view.trajectory.state(until).position - values.at.position).norm();
+  values.duration = std::abs(until - time);
+  values.run = view.run;
+
+  PlacedAnnotation placed;
+  placed.id = annotation.id;
+  placed.kind = annotation.kind;
+  placed.colour = annotation.colour;
+  placed.text_pixels = annotation.size * pixels_a_point * view.scale;
+  placed.lines = with_values(annotation.text, values).split('\n');
+  placed.anchor = drawn_at(view, time);
+  placed.other = drawn_at(view, until);
+  placed.middle = placed.anchor;
+  if (annotation.kind == AnnotationKind::dimension) {
+    placed.middle = (placed.anchor + placed.other) / 2;
+  } else if (annotation.kind == AnnotationKind::region) {
+    for (int i = 0; i <= region_spans; ++i) {
+      placed.stretch.append(drawn_at(view, time + (until - time) * i / region_spans));
+    }
+    placed.middle = placed.stretch[region_spans / 2];
+  }
+  QRectF label(QPointF(), label_size(placed, view.scale));
+  label.moveCenter(placed.middle + annotation.offset * view.scale);
+  placed.label = moved_into(label, view.size);
+  return placed;
+}
+
+bool in_picture(const PlacedAnnotation& placed, const QSizeF& size) {
+  const QRectF picture(QPointF(), size);
+  return picture.contains(placed.anchor) || picture.contains(placed.other) ||
+         (!placed.stretch.isEmpty() && picture.intersects(placed.stretch.boundingRect()));
+}
+
+struct Tones {
+  QColor text;
+  QColor ground;
+};
+
+Tones tones_of(Background background) {
+  constexpr int opacity = 235;
+  return background == Background::light ? Tones{QColor(0x20, 0x20, 0x20), QColor(255, 255, 255, opacity)}
+                                         : Tones{QColor(0xf0, 0xf0, 0xf0), QColor(0x24, 0x28, 0x2d, opacity)};
+}
+
+/// The place on the border of `label` towards `place`; `place` itself within it.
+QPointF border_towards(const QRectF& label, const QPointF& place) {
+  const QPointF away = place - label.center();
+  const double across = std::abs(away.x()) / std::max(label.width() / 2, 1e-9);
+  const double along = std::abs(away.y()) / std::max(label.height() / 2, 1e-9);
+  const double reach = std::max(across, along);
+  return reach <= 1 ? place : label.center() + away / reach;
+}
+
+void draw_arrow_head(QPainter& painter, const QPointF& from, const QPointF& tip, double scale) {
+  const QLineF shaft(tip, from);
+  if (shaft.length() < 1e-6) {
+    return;
+  }
+  QLineF side = shaft;
+  side.setLength(arrow_length * scale);
+  constexpr double half_angle = 16;  // [degrees]
+  QPolygonF head{tip};
+  for (const double angle : {half_angle, -half_angle}) {
+    QLineF edge = side;
+    edge.setAngle(side.angle() + angle);
+    head.append(edge.p2());
+  }
+  painter.setBrush(painter.pen().color());
+  painter.drawPolygon(head);
+}
+
+void draw_dimension(QPainter& painter, const PlacedAnnotation& placed, double scale) {
+  const QLineF line(placed.anchor, placed.other);
+  painter.drawLine(line);
+  if (line.length() < 1e-6) {
+    return;
+  }
+  QLineF across = line.normalVector();
+  across.setLength(tick_length * scale / 2);
+  const QPointF half = across.p2() - across.p1();
+  for (const QPointF& end : {placed.anchor, placed.other}) {
+    painter.drawLine(end - half, end + half);
+  }
+}
+
+void draw_region(QPainter& painter, const PlacedAnnotation& placed, double scale) {
+  QColor marked = placed.colour;
+  marked.setAlphaF(0.35F);
+  painter.save();
+  painter.setPen(QPen(marked, region_width * scale, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  QPainterPath path;
+  path.addPolygon(placed.stretch);
+  painter.drawPath(path);
+  painter.restore();
+}
+
+void draw_label(QPainter& painter, const PlacedAnnotation& placed, const Tones& tones, bool selected,
+                double scale) {
+  const bool framed = placed.kind != AnnotationKind::text && placed.kind != AnnotationKind::arrow;
+  QPen border(placed.colour, line_width * scale * (selected ? 2 : 1));
+  if (!framed && !selected) {
+    border = Qt::NoPen;
+  } else if (!framed) {
+    border.setStyle(Qt::DotLine);
+  }
+  painter.setPen(border);
+  painter.setBrush(tones.ground);
+  painter.drawRoundedRect(placed.label, 3 * scale, 3 * scale);
+  painter.setPen(tones.text);
+  painter.setFont(font_of(placed));
+  const QRectF inner = placed.label.adjusted(padding * scale, padding * scale, 0, 0);
+  const QFontMetricsF metrics(painter.font());
+  for (qsizetype i = 0; i < placed.lines.size(); ++i) {
+    const double base = inner.top() + metrics.ascent() + metrics.lineSpacing() * static_cast<double>(i);
+    painter.drawText(QPointF(inner.left(), base), placed.lines[i]);
+  }
+}
+
+void draw(QPainter& painter, const PlacedAnnotation& placed, const Tones& tones, bool selected,
+          double scale) {
+  painter.setPen(QPen(placed.colour, line_width * scale));
+  painter.setBrush(Qt::NoBrush);
+  const QPointF end = border_towards(placed.label, placed.middle);
+  switch (placed.kind) {
+    case AnnotationKind::text:
+      break;
+    case AnnotationKind::arrow:
+      painter.drawLine(end, placed.anchor);
+      draw_arrow_head(painter, end, placed.anchor, scale);
+      break;
+    case AnnotationKind::dimension:
+      draw_dimension(painter, placed, scale);
+      painter.setPen(QPen(placed.colour, line_width * scale, Qt::DotLine));
+      painter.drawLine(end, placed.middle);
+      break;
+    case AnnotationKind::region:
+      draw_region(painter, placed, scale);
+      painter.drawLine(end, placed.middle);
+      break;
+    case AnnotationKind::callout:
+      painter.drawLine(end, placed.anchor);
+      break;
+  }
+  if (placed.kind == AnnotationKind::callout || selected) {
+    painter.setBrush(placed.colour);
+    painter.setPen(QPen(tones.ground, scale));
+    painter.drawEllipse(placed.anchor, 4 * scale, 4 * scale);
+    if (selected && has_two_places(placed.kind)) {
+      painter.drawEllipse(placed.other, 4 * scale, 4 * scale);
+    }
+  }
+  draw_label(painter, placed, tones, selected, scale);
+}
+
+}  // namespace
+
+std::vector<PlacedAnnotation> place_annotations(std::span<const Annotation> annotations,
+                                                const AnnotatedView& view) {
+  std::vector<PlacedAnnotation> all;
+  if (view.trajectory.pieces().empty()) {
+    return all;
+  }
+  for (const Annotation& annotation : annotations) {
+    PlacedAnnotation placed = place(annotation, view);
+    if (in_picture(placed, view.size)) {
+      all.push_back(std::move(placed));
+    }
+  }
+  return all;
+}
+
+void draw_annotations(QPainter& painter, std::span<const PlacedAnnotation> annotations,
+                      const AnnotatedView& view, int selected) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setClipRect(QRectF(QPointF(), view.size));
+  const Tones tones = tones_of(view.background);
+  for (const PlacedAnnotation& placed : annotations) {
+    draw(painter, placed, tones, selected != 0 && placed.id == selected, view.scale);
+  }
+  painter.restore();
+}
+
+}  // namespace feedscope::ui

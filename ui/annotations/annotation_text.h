@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QString>
+#include <span>
+
+#include "ui/annotations/annotation.h"
+
+namespace feedscope::ui {
+
+/// What a label can tell of its place.
+struct AnnotationValues {
+  State at;
+  double contour_error = 0;  ///< [mm]
+  double distance = 0;       ///< straight, to the other place [mm]
+  double duration = 0;       ///< to the other place [s]
+  QString run;               ///< name of the run
+};
+
+/// One name that stands in braces in the text of an annotation.
+struct AnnotationField {
+  const char* name;         ///< "feed"
+  const char* explanation;  ///< to be translated in the context Annotations
+  QString (*value)(const AnnotationValues&);
+};
+std::span<const AnnotationField> annotation_fields();
+
+/// `text` with the values in place of "{feed}" and its like, numbers by the locale. What is no field stays.
+QString with_values(const QString& text, const AnnotationValues& values);
+
+/// The first "{name}" in `text` that is no field; empty if there is none.
+QString unknown_field(const QString& text);
+
+}  // namespace feedscope::ui
