@@ -1,6 +1,7 @@
 #include "core/analysis/line_times.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/trajectory/part_walk.h"
 
@@ -23,12 +24,18 @@ LineTimes::LineTimes(const Trajectory& trajectory, Progress* progress) {
     return;
   }
   ends_.resize(last_line(trajectory) + std::size_t{1});
+  constexpr auto none = std::numeric_limits<std::uint32_t>::max();
+  elements_.resize(ends_.size(), none);
   std::uint32_t before = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
     const std::uint32_t line = trajectory.line_of(i);
     ends_[line].length += path.length(i);
     ends_[line].runs += line != before ? 1 : 0;
+    elements_[line] = std::min(elements_[line], static_cast<std::uint32_t>(i));
     before = line;
+  }
+  for (std::size_t line = elements_.size() - 1; line > 0; --line) {
+    elements_[line - 1] = elements_[line - 1] == none ? elements_[line] : elements_[line - 1];
   }
   ProgressSteps steps(progress, trajectory.pieces().size());
   for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
@@ -55,6 +62,10 @@ LineTime LineTimes::of(std::uint32_t first, std::uint32_t last) const {
   const LineTime& a = ends_[first - 1];
   const LineTime& b = ends_[to];
   return {b.time - a.time, b.length - a.length, b.dwell - a.dwell, b.runs - a.runs};
+}
+
+std::optional<std::uint32_t> LineTimes::first_element(std::uint32_t line) const {
+  return line < elements_.size() ? std::optional(elements_[line]) : std::nullopt;
 }
 
 }  // namespace feedscope

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -19,7 +20,7 @@ struct LineTime {
   double mean_feed() const { return time > dwell ? length / (time - dwell) : 0; }
 };
 
-/// Time of a run by source line: 32 bytes a line, read in constant time however many lines are asked for.
+/// Time of a run by source line: 36 bytes a line, read in constant time however many lines are asked for.
 ///
 /// A corner that the control rounds counts for the line that ends there. The times of all lines add up to the
 /// cycle time.
@@ -41,9 +42,13 @@ class LineTimes {
   LineTime of(std::uint32_t line) const { return of(line, line); }
   /// Of the lines from `first` to `last`, both included.
   LineTime of(std::uint32_t first, std::uint32_t last) const;
+  /// First element of the path that comes from the line, or from the next one that runs; none behind the
+  /// last.
+  std::optional<std::uint32_t> first_element(std::uint32_t line) const;
 
  private:
-  std::vector<LineTime> ends_;  ///< [n]: of the lines 1 to n together
+  std::vector<LineTime> ends_;           ///< [n]: of the lines 1 to n together
+  std::vector<std::uint32_t> elements_;  ///< [n]: the first one of line n or the next that runs
   double largest_ = 0;
 };
 

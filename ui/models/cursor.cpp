@@ -19,10 +19,12 @@ double start_of(const Trajectory& trajectory, std::uint32_t element) {
 
 }  // namespace
 
-void Cursor::set_trajectory(std::shared_ptr<const Trajectory> trajectory) {
+void Cursor::set_trajectory(std::shared_ptr<const Trajectory> trajectory,
+                            std::shared_ptr<const LineTimes> line_times) {
   const double place = state_.path_length;
   const bool at_start = state_.time == 0;
   trajectory_ = std::move(trajectory);
+  line_times_ = std::move(line_times);
   if (!valid()) {
     state_ = Trajectory().state(0);
   } else {
@@ -44,9 +46,15 @@ void Cursor::set_path_length(double s) {
 }
 
 void Cursor::set_line(std::uint32_t line) {
-  if (valid()) {
-    move_into_block(trajectory_->time_of_line(line));
+  if (!valid()) {
+    return;
   }
+  if (line_times_ == nullptr) {
+    move_into_block(trajectory_->time_of_line(line));
+    return;
+  }
+  const auto element = line_times_->first_element(line);
+  move_into_block(element ? start_of(*trajectory_, *element) : trajectory_->duration());
 }
 
 void Cursor::step_block(int direction) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "core/analysis/line_times.h"
 #include "core/trajectory/trajectory.h"
 
 namespace feedscope::ui {
@@ -16,8 +17,10 @@ class Cursor : public QObject {
   using QObject::QObject;
 
   /// Another run of the program: the cursor stays at its place on the path. Null: nothing to point at, and
-  /// the next run starts at its beginning.
-  void set_trajectory(std::shared_ptr<const Trajectory> trajectory);
+  /// the next run starts at its beginning. `line_times`: of that run, without which set_line() has to look
+  /// through all blocks.
+  void set_trajectory(std::shared_ptr<const Trajectory> trajectory,
+                      std::shared_ptr<const LineTimes> line_times = nullptr);
 
   /// [s], clamped to the run
   void set_time(double time);
@@ -44,6 +47,7 @@ class Cursor : public QObject {
   void move_to(const State& state);
 
   std::shared_ptr<const Trajectory> trajectory_;
+  std::shared_ptr<const LineTimes> line_times_;
   State state_ = Trajectory().state(0);
 };
 

@@ -213,7 +213,7 @@ void Workbench::take_failure(const QString& message) {
 void Workbench::show_current() {
   const auto result = shown();
   const std::shared_ptr<const Trajectory> trajectory = result == nullptr ? nullptr : result->run.trajectory;
-  cursor_.set_trajectory(trajectory);
+  cursor_.set_trajectory(trajectory, result == nullptr ? nullptr : result->line_times);
   playback_.set_duration(trajectory == nullptr ? 0 : trajectory->duration());
   if (trajectory != nullptr && stay_at_ > 0) {
     cursor_.set_line(std::exchange(stay_at_, 0));

@@ -56,6 +56,16 @@ TEST(LineTimes, OfALineThatDoesNotRunIsZero) {
   }
 }
 
+TEST(LineTimes, KnowsWhereALineOrTheNextThatRunsBegins) {
+  const LineTimes times(loop_and_dwell());
+  const std::vector<std::uint32_t> first{0, 0, 0, 1, 1, 4, 4, 4};
+  for (std::uint32_t line = 0; line < first.size(); ++line) {
+    EXPECT_EQ(times.first_element(line), first[line]) << line;
+  }
+  EXPECT_EQ(times.first_element(8), std::nullopt);
+  EXPECT_EQ(LineTimes().first_element(1), std::nullopt);
+}
+
 TEST(LineTimes, LeavesDwellsOutOfTheMeanFeed) {
   const LineTimes times(loop_and_dwell());
   EXPECT_NEAR(times.of(7).dwell, 3, 1e-12);

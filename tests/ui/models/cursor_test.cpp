@@ -40,6 +40,17 @@ TEST_F(CursorTest, LineThatDoesNotMoveStandsForTheNextThatDoes) {
   EXPECT_EQ(cursor.state().line, 2U);
 }
 
+TEST_F(CursorTest, LinesAreFoundWithTheirTimesAsWithoutThem) {
+  Cursor quick;
+  quick.set_trajectory(trajectory, std::make_shared<const LineTimes>(*trajectory));
+  for (const std::uint32_t line : {4U, 0U, 1U, 2U, 3U, 5U, 6U, 99U, 4U}) {
+    cursor.set_line(line);
+    quick.set_line(line);
+    EXPECT_NEAR(quick.state().time, cursor.state().time, 1e-9) << line;
+    EXPECT_EQ(quick.state().line, cursor.state().line) << line;
+  }
+}
+
 TEST_F(CursorTest, IsClampedToTheRun) {
   cursor.set_time(1e9);
   EXPECT_DOUBLE_EQ(cursor.state().time, trajectory->duration());
