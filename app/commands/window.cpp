@@ -12,6 +12,7 @@
 #include "ui/language/language.h"
 #include "ui/main_window.h"
 #include "ui/models/recent_files.h"
+#include "ui/panel_states.h"
 #include "ui/theme/theme.h"
 
 namespace feedscope {
@@ -60,6 +61,7 @@ int show_window(const std::string& file) {
   QSettings settings;
   window.restoreGeometry(settings.value("geometry").toByteArray());
   window.restoreState(settings.value("layout").toByteArray());
+  ui::restore_panel_states(window);
   window.show();
   if (!file.empty()) {
     model.open(file);
@@ -67,6 +69,7 @@ int show_window(const std::string& file) {
   const int code = QApplication::exec();
   settings.setValue("geometry", window.saveGeometry());
   settings.setValue("layout", window.saveState());
+  ui::keep_panel_states(window);
   return code;
 }
 

@@ -5,6 +5,7 @@
 
 #include <QDockWidget>
 #include <QMimeData>
+#include <QSettings>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
@@ -16,6 +17,7 @@
 #include <map>
 
 #include "tests/ui/run_fixture.h"
+#include "ui/panel_states.h"
 
 namespace feedscope::ui {
 namespace {
@@ -31,7 +33,7 @@ class MainWindowTest : public testing::Test {
   }
 
   void open(const std::string& text) {
-    const std::filesystem::path file = std::filesystem::path(folder_.path().toStdString()) / "part.nc";
+    const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "part.nc";
     std::ofstream(file) << text;
     model.open(file);
     wait_until_idle();
@@ -83,9 +85,7 @@ class MainWindowTest : public testing::Test {
 
   Workbench model{shipped_machines(), make_setup({})};
   MainWindow window{model, RenderBackend::software};
-
- private:
-  QTemporaryDir folder_;
+  const QTemporaryDir folder;
 };
 
 TEST_F(MainWindowTest, ClickInAChartMovesTextAnd3dMarker) {
@@ -335,6 +335,33 @@ TEST_F(MainWindowTest, DuplicateAndAnotherToleranceShowTwoRunsInChartsAndTable) 
   ASSERT_EQ(window.runs().results().rowCount(), 2);
   EXPECT_EQ(window.runs().results().best(), 0U);
   EXPECT_TRUE(model.runs().up_to_date(1));
+}
+
+TEST_F(MainWindowTest, PanelsComeBackAsTheyWereWithAnotherProgram) {
+  QSettings::setDefaultFormat(QSettings::IniFormat);
+  QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, folder.path());
+  QCoreApplication::setOrganizationName("feedscope_test");
+  PanelStates states = panel_states(window);
+  states.scene.camera.azimuth = 0.25;
+  states.scene.camera.perspective = true;
+  states.scene.colouring = Colouring::cause;
+  states.charts.hidden = {"vx"};
+  states.charts.time = Interval{0.1, 0.2};
+  states.program_font_size = 17;
+  set_panel_states(window, states);
+  EXPECT_TRUE(panel_states(window).charts.time.has_value());
+  keep_panel_states(window);
+
+  MainWindow another{model, RenderBackend::software};
+  restore_panel_states(another);
+  const PanelStates restored = panel_states(another);
+  EXPECT_NEAR(restored.scene.camera.azimuth, 0.25, 1e-12);
+  EXPECT_TRUE(restored.scene.camera.perspective);
+  EXPECT_TRUE(restored.scene.camera.fitted);
+  EXPECT_EQ(restored.scene.colouring, Colouring::cause);
+  EXPECT_EQ(restored.charts, for_any_run(states.charts));
+  EXPECT_EQ(restored.program_font_size, 17);
+  QCoreApplication::setOrganizationName({});
 }
 
 TEST(MainWindow, ClosingWhileBusyIsClean) {

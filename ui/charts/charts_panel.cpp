@@ -2,7 +2,6 @@
 
 #include <QComboBox>
 #include <QHBoxLayout>
-#include <QJsonArray>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLocale>
@@ -128,6 +127,9 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
     history_.start(view());
   }
   rest();
+  if (trajectory_ != nullptr && awaiting_run_.has_value()) {
+    show_range(ChartsState(*awaiting_run_));
+  }
 }
 
 void ChartsPanel::set_overlays(std::vector<RunOverlay> overlays) {
@@ -401,64 +403,64 @@ void ChartsPanel::draw(QPainter& painter) {
   });
 }
 
-QJsonObject ChartsPanel::state() const {
-  QJsonArray hidden;
-  QJsonArray others;
+ChartsState ChartsPanel::state() const {
+  ChartsState state;
+  state.abscissa = range_.abscissa();
+  state.causes = causes_->isVisibleTo(this);
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     const std::vector<CurveSpec>& curves = charts_[i]->spec().curves;
     for (std::size_t k = 0; k < curves.size(); ++k) {
       if (!charts_[i]->curve_shown(k)) {
-        hidden.append(curves[k].key);
+        state.hidden.append(curves[k].key);
       }
       if (overlay_curve_[i] == k) {
-        others.append(curves[k].key);
+        state.other_runs.append(curves[k].key);
       }
     }
+    state.values[i] = charts_[i]->chosen_values();
   }
-  const ChartView shown = view();
-  QJsonObject state{{"abscissa", range_.abscissa() == Abscissa::time ? "time" : "path_length"},
-                    {"from_s", shown.time.lower},
-                    {"to_s", shown.time.upper},
-                    {"hidden", hidden},
-                    {"other_runs", others},
-                    {"causes", causes_->isVisibleTo(this)}};
-  if (second_.has_value()) {
-    state["second_cursor_s"] = *second_;
+  if (awaiting_run_.has_value()) {
+    state.time = awaiting_run_->time;
+    state.second_cursor = awaiting_run_->second_cursor;
+  } else {
+    state.time = range_.shows_all() ? std::nullopt : std::optional(view().time);
+    state.second_cursor = second_;
   }
   return state;
 }
 
-void ChartsPanel::restore(const QJsonObject& state) {
-  if (state["abscissa"].isString()) {
-    choose_abscissa(state["abscissa"] == "path_length" ? Abscissa::path_length : Abscissa::time);
-  }
+void ChartsPanel::set_state(const ChartsState& state) {
+  choose_abscissa(state.abscissa);
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     const std::vector<CurveSpec>& curves = charts_[i]->spec().curves;
     std::optional<std::size_t> other;
     for (std::size_t k = 0; k < curves.size(); ++k) {
-      if (state["hidden"].isArray()) {
-        show_curve(i, k, !state["hidden"].toArray().contains(curves[k].key));
-      }
-      if (state["other_runs"].toArray().contains(curves[k].key)) {
+      show_curve(i, k, !state.hidden.contains(curves[k].key));
+      if (state.other_runs.contains(curves[k].key)) {
         other = k;
       }
     }
-    if (state["other_runs"].isArray()) {
-      set_overlay_curve(i, other);
-    }
+    set_overlay_curve(i, other);
   }
-  if (state["causes"].isBool()) {
-    show_causes_->setChecked(state["causes"].toBool());
+  show_causes_->setChecked(state.causes);
+  show_range(state);
+}
+
+void ChartsPanel::show_range(const ChartsState& state) {
+  awaiting_run_.reset();
+  if (trajectory_ == nullptr) {
+    awaiting_run_ = state;
+  } else if (!state.time.has_value()) {
+    range_.fit();
+  } else {
+    range_.show(range_.position_of(trajectory_->state(state.time->lower)),
+                range_.position_of(trajectory_->state(state.time->upper)));
   }
-  if (state["to_s"].isDouble() && state["from_s"].toDouble() < state["to_s"].toDouble()) {
-    ChartView shown = view();
-    shown.time = {state["from_s"].toDouble(), state["to_s"].toDouble()};
-    show_view(shown);
-    rest();
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    charts_[i]->choose_values(state.values[i]);
   }
-  if (state["second_cursor_s"].isDouble()) {
-    set_second_cursor(state["second_cursor_s"].toDouble());
-  }
+  set_second_cursor(state.second_cursor);
+  rest();
 }
 
 }  // namespace feedscope::ui

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QFutureWatcher>
-#include <QJsonObject>
 #include <QList>
 #include <QTimer>
 #include <QWidget>
@@ -13,6 +12,7 @@
 #include "core/machine/machine.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/charts/chart_header.h"
+#include "ui/charts/charts_state.h"
 #include "ui/charts/column_cache.h"
 #include "ui/charts/kinematic_chart.h"
 #include "ui/charts/run_overlay.h"
@@ -69,10 +69,10 @@ class ChartsPanel : public QWidget {
 
   /// Every command of the panel, for menus, the list of keys and the command palette.
   QList<QAction*> panel_actions() const { return actions_; }
-  /// Abscissa, shown range, hidden curves, curves of other runs, cursor B.
-  QJsonObject state() const;
-  /// What is missing or wrong stays as it is.
-  void restore(const QJsonObject& state);
+  ChartsState state() const;
+  /// Without a run, range and second cursor are those of the next one. Curves that there are none of are
+  /// left out.
+  void set_state(const ChartsState& state);
 
   /// All but the controls, at the size that the panel has.
   void draw(QPainter& painter);
@@ -117,6 +117,7 @@ class ChartsPanel : public QWidget {
 
   ChartView view() const;
   void show_view(const ChartView& view);
+  void show_range(const ChartsState& state);
   void begin_rest();
   void rest();
   void ask_for_csv();
@@ -132,6 +133,7 @@ class ChartsPanel : public QWidget {
   std::array<std::optional<std::size_t>, chart_count> overlay_curve_{0, std::nullopt, std::nullopt};
   std::optional<double> second_;
   ZoomHistory history_;
+  std::optional<ChartsState> awaiting_run_;  ///< its range is the next run's
   double sample_time_ = 0.001;
   CauseStrip* causes_;
   QLabel* readout_;

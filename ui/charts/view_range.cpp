@@ -12,7 +12,7 @@ constexpr double deepest_zoom = 1e-7;  // of the run; beyond, doubles in the cha
 }  // namespace
 
 void ViewRange::set_trajectory(std::shared_ptr<const Trajectory> trajectory, bool keep) {
-  const bool all = lower_ <= 0 && upper_ >= length();
+  const bool all = shows_all();
   trajectory_ = std::move(trajectory);
   if (keep && !all && lower_ < length()) {
     show(lower_, upper_);

@@ -29,6 +29,7 @@ class ViewRange : public QObject {
   double lower() const { return lower_; }
   double upper() const { return upper_; }
   double length() const;  ///< whole run, in units of the abscissa
+  bool shows_all() const { return lower_ <= 0 && upper_ >= length(); }
 
   void fit();
   /// Shrinks (factor < 1) or widens the range; `pivot` keeps its place on the screen.

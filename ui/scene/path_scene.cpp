@@ -275,8 +275,10 @@ void PathScene::set_cursor(const State& state) {
 }
 
 void PathScene::set_colouring(Colouring colouring) {
-  impl_->look.colouring = colouring;
-  impl_->apply_look();
+  if (colouring != impl_->look.colouring) {
+    impl_->look.colouring = colouring;
+    impl_->apply_look();
+  }
 }
 Colouring PathScene::colouring() const {
   return impl_->look.colouring;

@@ -12,6 +12,14 @@
 
 namespace feedscope::ui {
 
+namespace {
+
+QString exaggeration_text(double factor) {
+  return QStringLiteral("× %1").arg(QLocale().toString(factor, 'f', QLocale::FloatingPointShortest));
+}
+
+}  // namespace
+
 SceneActions::SceneActions(SceneView& view) : QObject(&view), view_(view), bar_(new QToolBar(&view)) {
   bar_->setObjectName(QStringLiteral("scene_bar"));
   bar_->setToolButtonStyle(Qt::ToolButtonTextOnly);
@@ -20,6 +28,7 @@ SceneActions::SceneActions(SceneView& view) : QObject(&view), view_(view), bar_(
   make_views();
   make_tools();
   make_modes();
+  follow_scene();
 }
 
 SceneActions::Choice SceneActions::make_choice(const QString& tip) {
@@ -34,13 +43,16 @@ SceneActions::Choice SceneActions::make_choice(const QString& tip) {
   return choice;
 }
 
+/// `slot` is called when the user chooses it.
+template <typename Slot>
 QAction* SceneActions::add_option(const Choice& choice, const QString& text, const QString& tip,
-                                  bool checked) {
+                                  const QVariant& value, Slot slot) {
   QAction* action = choice.menu->addAction(text);
   action->setCheckable(true);
-  action->setChecked(checked);
   action->setToolTip(tip);
+  action->setData(value);
   choice.group->addAction(action);
+  connect(action, &QAction::triggered, this, slot);
   return action;
 }
 
@@ -63,17 +75,8 @@ void SceneActions::make_colourings() {
   for (const Colouring colouring : all_colourings) {
     const QString title =
         colouring == Colouring::run ? tr("Run") : QString::fromStdString(colouring_title(colouring, texts));
-    QAction* action =
-        add_option(colouring_, title, tr("Colour the path by this"), colouring == view_.scene().colouring());
-    connect(action, &QAction::toggled, this, [this, colouring, title](bool on) {
-      if (on) {
-        view_.scene().set_colouring(colouring);
-        colouring_.button->setText(tr("Colour: %1").arg(title));
-      }
-    });
-    if (action->isChecked()) {
-      colouring_.button->setText(tr("Colour: %1").arg(title));
-    }
+    add_option(colouring_, title, tr("Colour the path by this"), static_cast<int>(colouring),
+               [this, colouring] { view_.scene().set_colouring(colouring); });
   }
 }
 
@@ -81,18 +84,9 @@ void SceneActions::make_exaggerations() {
   exaggeration_ =
       make_choice(tr("How much larger than they are deviations from the programmed path are drawn"));
   for (const int factor : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
-    const QString text = QStringLiteral("× %1").arg(QLocale().toString(factor));
-    QAction* action = add_option(exaggeration_, text,
-                                 tr("Draw deviations from the programmed path so much larger"), factor == 1);
-    connect(action, &QAction::toggled, this, [this, factor, text](bool on) {
-      if (on) {
-        view_.scene().set_exaggeration(factor);
-        exaggeration_.button->setText(tr("Deviation %1").arg(text));
-      }
-    });
-    if (factor == 1) {
-      exaggeration_.button->setText(tr("Deviation %1").arg(text));
-    }
+    add_option(exaggeration_, exaggeration_text(factor),
+               tr("Draw deviations from the programmed path so much larger"), static_cast<double>(factor),
+               [this, factor] { view_.scene().set_exaggeration(factor); });
   }
 }
 
@@ -117,25 +111,22 @@ void SceneActions::make_views() {
   add(tr("Bac&k"), tr("View from behind, X to the left"), "Ctrl+6", StandardView::back);
   add(tr("&Left"), tr("View from the left, Y to the left"), "Ctrl+7", StandardView::left);
   views_->addSeparator();
-  QAction* perspective =
+  perspective_ =
       add_command(tr("&Perspective"), tr("Nearer things look larger; without it lengths can be compared"),
                   QKeySequence(Qt::Key_P));
-  perspective->setCheckable(true);
-  connect(perspective, &QAction::toggled, this, [this](bool on) { view_.scene().set_perspective(on); });
-  QAction* grid = add_command(tr("&Grid"), tr("Grid lines behind the path, in mm"), QKeySequence(Qt::Key_G));
-  grid->setCheckable(true);
-  grid->setChecked(view_.scene().grid());
-  connect(grid, &QAction::toggled, this, [this](bool on) { view_.scene().set_grid(on); });
-  views_->addActions({perspective, grid});
+  perspective_->setCheckable(true);
+  connect(perspective_, &QAction::triggered, this, [this](bool on) { view_.scene().set_perspective(on); });
+  grid_ = add_command(tr("&Grid"), tr("Grid lines behind the path, in mm"), QKeySequence(Qt::Key_G));
+  grid_->setCheckable(true);
+  connect(grid_, &QAction::triggered, this, [this](bool on) { view_.scene().set_grid(on); });
+  views_->addActions({perspective_, grid_});
 }
 
 void SceneActions::make_tools() {
   tool_ = make_choice(tr("The tool drawn at the cursor"));
   tool_.button->setText(tr("Tool"));
   const auto add = [&](const QString& text, const QString& tip, ToolKind kind) {
-    QAction* action = add_option(tool_, text, tip, kind == view_.scene().tool().kind);
-    action->setData(static_cast<int>(kind));
-    connect(action, &QAction::toggled, this, &SceneActions::apply_tool);
+    add_option(tool_, text, tip, static_cast<int>(kind), [this] { apply_tool(); });
   };
   add(tr("Marker"), tr("A cone that marks the place, of no size"), ToolKind::marker);
   add(tr("Flat end mill"), tr("A cylinder"), ToolKind::flat);
@@ -167,7 +158,7 @@ void SceneActions::make_tools() {
 
 void SceneActions::apply_tool() {
   const QAction* chosen = tool_.group->checkedAction();
-  if (chosen != nullptr && diameter_ != nullptr && corner_radius_ != nullptr) {
+  if (chosen != nullptr) {
     view_.scene().set_tool(
         {static_cast<ToolKind>(chosen->data().toInt()), diameter_->value(), corner_radius_->value()});
   }
@@ -192,6 +183,39 @@ void SceneActions::make_modes() {
   QAction* fit = add_command(tr("Fit &path"), tr("The whole path in the view"), QKeySequence(tr("Ctrl+0")));
   connect(fit, &QAction::triggered, this, [this] { view_.scene().fit(); });
   bar_->addActions({measure_, box_, charts, fit});
+}
+
+void SceneActions::check(const Choice& choice, const QVariant& value) {
+  for (QAction* option : choice.group->actions()) {
+    if (option->data() == value) {
+      option->setChecked(true);
+      return;
+    }
+  }
+  if (QAction* another = choice.group->checkedAction()) {
+    another->setChecked(false);
+  }
+}
+
+void SceneActions::follow_scene() {
+  SceneState shown = view_.state();
+  shown.camera = {.perspective = shown.camera.perspective};
+  if (shown == followed_) {
+    return;
+  }
+  followed_ = shown;
+  check(colouring_, static_cast<int>(shown.colouring));
+  colouring_.button->setText(tr("Colour: %1").arg(colouring_.group->checkedAction()->text()));
+  check(exaggeration_, shown.exaggeration);
+  exaggeration_.button->setText(tr("Deviation %1").arg(exaggeration_text(shown.exaggeration)));
+  check(tool_, static_cast<int>(shown.tool.kind));
+  for (const auto& [size, value] :
+       {std::pair(diameter_, shown.tool.diameter), std::pair(corner_radius_, shown.tool.corner_radius)}) {
+    const QSignalBlocker blocker(size);  // it is told, it does not tell
+    size->setValue(value);
+  }
+  perspective_->setChecked(shown.camera.perspective);
+  grid_->setChecked(shown.grid);
 }
 
 QList<QAction*> SceneActions::all() const {

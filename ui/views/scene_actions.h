@@ -6,7 +6,7 @@
 #include <QObject>
 #include <QToolBar>
 
-#include "ui/scene/path_scene.h"
+#include "ui/scene/scene_state.h"
 
 class QDoubleSpinBox;
 class QMenu;
@@ -27,6 +27,8 @@ class SceneActions : public QObject {
   QList<QAction*> all() const;
   /// The context menu.
   void fill(QMenu& menu) const;
+  /// The scene may have changed: checks, sizes and the bar's words say what it shows.
+  void follow_scene();
 
  private:
   struct Choice {
@@ -36,7 +38,9 @@ class SceneActions : public QObject {
   };
 
   Choice make_choice(const QString& tip);
-  QAction* add_option(const Choice& choice, const QString& text, const QString& tip, bool checked);
+  template <typename Slot>
+  QAction* add_option(const Choice& choice, const QString& text, const QString& tip, const QVariant& value,
+                      Slot slot);
   QAction* add_command(const QString& text, const QString& tip, const QKeySequence& key);
   void make_colourings();
   void make_exaggerations();
@@ -44,6 +48,7 @@ class SceneActions : public QObject {
   void make_tools();
   void make_modes();
   void apply_tool();
+  void check(const Choice& choice, const QVariant& value);
 
   SceneView& view_;
   QToolBar* bar_;
@@ -52,10 +57,13 @@ class SceneActions : public QObject {
   Choice tool_;
   QMenu* views_ = nullptr;
   QList<QAction*> commands_;
+  QAction* perspective_ = nullptr;
+  QAction* grid_ = nullptr;
   QAction* measure_ = nullptr;
   QAction* box_ = nullptr;
   QDoubleSpinBox* diameter_ = nullptr;
   QDoubleSpinBox* corner_radius_ = nullptr;
+  std::optional<SceneState> followed_;  ///< but for where the camera is
 };
 
 }  // namespace feedscope::ui

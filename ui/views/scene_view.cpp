@@ -63,17 +63,29 @@ void SceneView::make_canvas(RenderBackend backend) {
   scene_.attach(*window_);
   if (backend == RenderBackend::gpu) {
     auto* canvas = new GpuCanvas(*window_, this);
-    scene_.on_change([canvas] { canvas->update(); });
+    scene_.on_change([this, canvas] {
+      canvas->update();
+      follow_scene();
+    });
     canvas_ = canvas;
   } else {
     auto* canvas = new SoftwareCanvas(*window_, this);
-    scene_.on_change([canvas] { canvas->request_frame(); });
+    scene_.on_change([this, canvas] {
+      canvas->request_frame();
+      follow_scene();
+    });
     canvas_ = canvas;
   }
   canvas_->setFocusPolicy(Qt::StrongFocus);
   canvas_->setMouseTracking(true);
   canvas_->installEventFilter(this);
   setFocusProxy(canvas_);
+}
+
+void SceneView::follow_scene() {
+  if (actions_ != nullptr) {
+    actions_->follow_scene();
+  }
 }
 
 QList<QAction*> SceneView::panel_actions() const {

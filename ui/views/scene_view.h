@@ -11,6 +11,7 @@
 
 #include "ui/scene/path_scene.h"
 #include "ui/scene/render_window.h"
+#include "ui/scene/scene_state.h"
 
 class QMenu;
 class QMouseEvent;
@@ -36,7 +37,10 @@ class SceneView : public QWidget {
   explicit SceneView(RenderBackend backend = default_backend(), QWidget* parent = nullptr);
   ~SceneView() override;
 
+  /// Whatever changes the scene, the view's commands follow.
   PathScene& scene() { return scene_; }
+  SceneState state() const { return scene_state(scene_); }
+  void set_state(const SceneState& state) { set_scene_state(scene_, state); }
   /// The widget that shows the scene and takes the mouse.
   QWidget& canvas() { return *canvas_; }
   QSize sizeHint() const override { return {800, 600}; }
@@ -74,6 +78,7 @@ class SceneView : public QWidget {
   enum class Drag { none, orbit, pan, zoom, box };
 
   void make_canvas(RenderBackend backend);
+  void follow_scene();
   void press(const QMouseEvent& mouse);
   void drag(const QMouseEvent& mouse);
   void release(const QMouseEvent& mouse);

@@ -78,35 +78,6 @@ TEST_F(ChartsRuns, ItsValueIsThatOfTheCursorsPlaceOverPathLength) {
   EXPECT_NEAR(*panel.header(0).runs()[0].value, 3000, 1);
 }
 
-TEST_F(ChartsRuns, StateComesBackAsItWas) {
-  panel.restore(QJsonObject{{"abscissa", "path_length"}});
-  panel.show_curve(0, 1, false);
-  panel.show_curve(2, 0, false);
-  panel.set_overlay_curve(1, 2);
-  panel.range().zoom(0.5, 0);
-  panel.set_second_cursor(0.3);
-  const QJsonObject state = panel.state();
-
-  ChartsPanel another(cursor);
-  another.resize(panel.size());
-  another.set_run(run.trajectory, envelope, false);
-  another.restore(state);
-  EXPECT_EQ(another.range().abscissa(), Abscissa::path_length);
-  EXPECT_NEAR(another.range().upper(), panel.range().upper(), 1e-6);
-  EXPECT_FALSE(another.chart(0).curve_shown(1));
-  EXPECT_TRUE(another.chart(0).curve_shown(0));
-  EXPECT_FALSE(another.chart(2).curve_shown(0));
-  EXPECT_EQ(another.second_cursor(), panel.second_cursor());
-  EXPECT_EQ(another.state()["hidden"], state["hidden"]);
-  EXPECT_EQ(another.state()["other_runs"], state["other_runs"]);
-}
-
-TEST_F(ChartsRuns, StateThatIsNoneIsLeftAlone) {
-  const QJsonObject before = panel.state();
-  panel.restore({{"abscissa", 7}, {"hidden", "x"}, {"from_s", 3}, {"to_s", 1}, {"causes", "no"}});
-  EXPECT_EQ(panel.state(), before);
-}
-
 TEST_F(ChartsRuns, TheVisibleRangeIsExported) {
   const QTemporaryDir folder;
   QSignalSpy exported(&panel, &ChartsPanel::exported);

@@ -152,6 +152,34 @@ TEST_F(SceneViewTest, CommandsChangeTheScene) {
   EXPECT_NEAR(view_.scene().camera().azimuth, std::acos(0.0), 1e-12);
 }
 
+TEST_F(SceneViewTest, TheBarSaysWhatTheSceneShowsWhoeverChangedIt) {
+  const SceneState first = view_.state();
+  EXPECT_TRUE(action(view_, "Grid")->isChecked());
+  SceneState wanted = first;
+  wanted.camera = {.azimuth = 0.4, .elevation = 0.2, .height = 30, .perspective = true};
+  wanted.colouring = Colouring::jerk;
+  wanted.exaggeration = 50;
+  wanted.tool = {ToolKind::bull, 8.125, 1.5};
+  wanted.grid = false;
+  view_.set_state(wanted);
+  EXPECT_NEAR((view_.state().camera.focal - wanted.camera.focal).norm(), 0, 1e-9);
+  EXPECT_NEAR(view_.state().camera.height, 30, 1e-9);
+  EXPECT_EQ(view_.state().tool, wanted.tool);
+  for (const char* text : {"Jerk", "× 50", "Bull nose end mill", "Perspective"}) {
+    EXPECT_TRUE(action(view_, text)->isChecked()) << text;
+  }
+  for (const char* text : {"Feed", "× 1", "Marker", "Grid"}) {
+    EXPECT_FALSE(action(view_, text)->isChecked()) << text;
+  }
+  view_.scene().set_exaggeration(3);
+  EXPECT_FALSE(action(view_, "× 50")->isChecked()) << "none of the choices";
+  view_.set_state(first);
+  EXPECT_EQ(view_.state(), first);
+  EXPECT_TRUE(action(view_, "× 1")->isChecked());
+  action(view_, "× 2")->trigger();
+  EXPECT_FALSE(action(view_, "× 1")->isChecked()) << "one at a time";
+}
+
 TEST_F(SceneViewTest, MeasuresBetweenTwoClicksUntilEscape) {
   QSignalSpy measuring(&view_, &SceneView::measuring_changed);
   const QImage before = view_.canvas().grab().toImage();

@@ -28,6 +28,8 @@ struct CameraState {
   double height = 100;        ///< of what the view shows at the focal point [mm]
   bool perspective = false;
   bool fitted = false;  ///< follows the path and the window's size; focal and height do not count then
+
+  bool operator==(const CameraState&) const = default;
 };
 
 /// A rectangle of the window [pixels].

@@ -1,0 +1,77 @@
+#include "ui/charts/charts_state.h"
+
+#include <QJsonArray>
+
+namespace feedscope::ui {
+
+namespace {
+
+const QString path_length_key = QStringLiteral("path_length");
+const QString time_key = QStringLiteral("time");
+
+QJsonValue json_of(const std::optional<Interval>& interval) {
+  return interval ? QJsonValue(QJsonArray{interval->lower, interval->upper}) : QJsonValue();
+}
+
+/// Null is none; anything but null or two growing numbers is left alone.
+void read_interval(const QJsonValue& json, std::optional<Interval>& interval) {
+  const QJsonArray ends = json.toArray();
+  if (json.isNull()) {
+    interval.reset();
+  } else if (ends.size() == 2 && ends[0].isDouble() && ends[1].isDouble() &&
+             ends[0].toDouble() < ends[1].toDouble()) {
+    interval = {ends[0].toDouble(), ends[1].toDouble()};
+  }
+}
+
+void read_keys(const QJsonValue& json, QStringList& keys) {
+  if (json.isArray()) {
+    keys = json.toVariant().toStringList();
+  }
+}
+
+}  // namespace
+
+ChartsState for_any_run(ChartsState state) {
+  state.time.reset();
+  state.values = {};
+  state.second_cursor.reset();
+  return state;
+}
+
+QJsonObject to_json(const ChartsState& state) {
+  QJsonArray values;
+  for (const auto& interval : state.values) {
+    values.append(json_of(interval));
+  }
+  return {{"abscissa", state.abscissa == Abscissa::time ? time_key : path_length_key},
+          {"time_s", json_of(state.time)},
+          {"values", values},
+          {"hidden", QJsonArray::fromStringList(state.hidden)},
+          {"other_runs", QJsonArray::fromStringList(state.other_runs)},
+          {"causes", state.causes},
+          {"second_cursor_s", state.second_cursor ? QJsonValue(*state.second_cursor) : QJsonValue()}};
+}
+
+void read_json(const QJsonObject& json, ChartsState& state) {
+  if (json["abscissa"] == time_key || json["abscissa"] == path_length_key) {
+    state.abscissa = json["abscissa"] == time_key ? Abscissa::time : Abscissa::path_length;
+  }
+  read_interval(json["time_s"], state.time);
+  const QJsonArray values = json["values"].toArray();
+  if (values.size() == static_cast<qsizetype>(state.values.size())) {
+    for (std::size_t i = 0; i < state.values.size(); ++i) {
+      read_interval(values[static_cast<qsizetype>(i)], state.values[i]);
+    }
+  }
+  read_keys(json["hidden"], state.hidden);
+  read_keys(json["other_runs"], state.other_runs);
+  state.causes = json["causes"].toBool(state.causes);
+  if (json["second_cursor_s"].isDouble()) {
+    state.second_cursor = json["second_cursor_s"].toDouble();
+  } else if (json["second_cursor_s"].isNull()) {
+    state.second_cursor.reset();
+  }
+}
+
+}  // namespace feedscope::ui

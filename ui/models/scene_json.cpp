@@ -1,0 +1,80 @@
+#include "ui/models/scene_json.h"
+
+#include <QJsonArray>
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr std::array tool_keys{"none", "marker", "flat", "ball", "bull"};  // in the order of ToolKind
+
+QString key_of(Colouring colouring) {
+  return QString::fromStdString(colouring_key(colouring));
+}
+
+void read_number(const QJsonValue& json, double& number) {
+  number = json.toDouble(number);
+}
+
+void read_positive(const QJsonValue& json, double& number) {
+  if (json.toDouble() > 0) {
+    number = json.toDouble();
+  }
+}
+
+QJsonObject json_of(const CameraState& camera) {
+  return {{"focal_mm", QJsonArray{camera.focal.x(), camera.focal.y(), camera.focal.z()}},
+          {"azimuth_rad", camera.azimuth},
+          {"elevation_rad", camera.elevation},
+          {"height_mm", camera.height},
+          {"perspective", camera.perspective},
+          {"fitted", camera.fitted}};
+}
+
+void read_camera(const QJsonObject& json, CameraState& camera) {
+  const QJsonArray focal = json["focal_mm"].toArray();
+  if (focal.size() == 3 && focal[0].isDouble() && focal[1].isDouble() && focal[2].isDouble()) {
+    camera.focal = Vec3(focal[0].toDouble(), focal[1].toDouble(), focal[2].toDouble());
+  }
+  read_number(json["azimuth_rad"], camera.azimuth);
+  read_number(json["elevation_rad"], camera.elevation);
+  read_positive(json["height_mm"], camera.height);
+  camera.perspective = json["perspective"].toBool(camera.perspective);
+  camera.fitted = json["fitted"].toBool(camera.fitted);
+}
+
+void read_tool(const QJsonObject& json, ToolShape& tool) {
+  for (std::size_t kind = 0; kind < tool_keys.size(); ++kind) {
+    if (json["kind"] == QLatin1String(tool_keys[kind])) {
+      tool.kind = static_cast<ToolKind>(kind);
+    }
+  }
+  read_positive(json["diameter_mm"], tool.diameter);
+  read_positive(json["corner_radius_mm"], tool.corner_radius);
+}
+
+}  // namespace
+
+QJsonObject to_json(const SceneState& state) {
+  return {{"camera", json_of(state.camera)},
+          {"colouring", key_of(state.colouring)},
+          {"exaggeration", state.exaggeration},
+          {"tool", QJsonObject{{"kind", tool_keys.at(static_cast<std::size_t>(state.tool.kind))},
+                               {"diameter_mm", state.tool.diameter},
+                               {"corner_radius_mm", state.tool.corner_radius}}},
+          {"grid", state.grid}};
+}
+
+void read_json(const QJsonObject& json, SceneState& state) {
+  read_camera(json["camera"].toObject(), state.camera);
+  for (const Colouring colouring : all_colourings) {
+    if (json["colouring"] == key_of(colouring)) {
+      state.colouring = colouring;
+    }
+  }
+  read_positive(json["exaggeration"], state.exaggeration);
+  read_tool(json["tool"].toObject(), state.tool);
+  state.grid = json["grid"].toBool(state.grid);
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,52 @@
+#include "ui/panel_states.h"
+
+#include <QJsonDocument>
+#include <QSettings>
+
+#include "ui/main_window.h"
+#include "ui/models/scene_json.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+const QString settings_key = QStringLiteral("panels");
+
+}  // namespace
+
+PanelStates panel_states(MainWindow& window) {
+  return {window.scene().state(), window.charts().state(), window.program().font_size()};
+}
+
+void set_panel_states(MainWindow& window, const PanelStates& states) {
+  window.scene().set_state(states.scene);
+  window.charts().set_state(states.charts);
+  window.program().set_font_size(states.program_font_size);
+}
+
+QJsonObject to_json(const PanelStates& states) {
+  return {{"scene", to_json(states.scene)},
+          {"charts", to_json(states.charts)},
+          {"program_font_px", states.program_font_size}};
+}
+
+void read_json(const QJsonObject& json, PanelStates& states) {
+  read_json(json["scene"].toObject(), states.scene);
+  read_json(json["charts"].toObject(), states.charts);
+  states.program_font_size = json["program_font_px"].toInt(states.program_font_size);
+}
+
+void keep_panel_states(MainWindow& window) {
+  PanelStates states = panel_states(window);
+  states.scene = for_any_path(states.scene);
+  states.charts = for_any_run(states.charts);
+  QSettings().setValue(settings_key, QJsonDocument(to_json(states)).toJson(QJsonDocument::Compact));
+}
+
+void restore_panel_states(MainWindow& window) {
+  PanelStates states = panel_states(window);
+  read_json(QJsonDocument::fromJson(QSettings().value(settings_key).toByteArray()).object(), states);
+  set_panel_states(window, states);
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,25 @@
+#include "ui/scene/scene_state.h"
+
+namespace feedscope::ui {
+
+SceneState scene_state(const PathScene& scene) {
+  return {scene.camera(), scene.colouring(), scene.exaggeration(), scene.tool(), scene.grid()};
+}
+
+void set_scene_state(PathScene& scene, const SceneState& state) {
+  scene.set_colouring(state.colouring);
+  scene.set_exaggeration(state.exaggeration);
+  scene.set_tool(state.tool);
+  scene.set_grid(state.grid);
+  scene.set_camera(state.camera);
+}
+
+SceneState for_any_path(SceneState state) {
+  const CameraState any;
+  state.camera.focal = any.focal;
+  state.camera.height = any.height;
+  state.camera.fitted = true;
+  return state;
+}
+
+}  // namespace feedscope::ui
