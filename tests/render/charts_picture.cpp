@@ -55,7 +55,9 @@ ui::Picture draw_dark_charts(const Run& run, ui::PictureSize size) {
   panel.set_overlays({{promised.trajectory, std::make_shared<const ui::Envelope>(promised.trajectory),
                        QColor(0xff, 0x5c, 0xa8), "promised by CAM", true}});
   panel.show_curve(0, velocity_z, false);
-  panel.restore({{"abscissa", "path_length"}});
+  ui::ChartsState state = panel.state();
+  state.abscissa = ui::Abscissa::path_length;
+  panel.set_state(state);
   cursor.set_time(0.4 * run.trajectory->duration());
   panel.set_second_cursor(0.6 * run.trajectory->duration());
   QApplication::processEvents();
