@@ -6,6 +6,7 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include "ui/views/annotation_overlay.h"
 #include "ui/views/status_panel.h"
 
 namespace feedscope::ui {
@@ -35,6 +36,7 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
       slow_places_(new SlowPlacesView(this)),
       runs_(new RunsView(model.runs(), this)),
       why_(new WhyView(model.cursor(), this)),
+      annotations_(new AnnotationsView(model.annotations(), model.cursor(), this)),
       palette_(new CommandPalette(this)),
       key_list_(new KeyList(this)) {
   setWindowTitle(tr("Feedscope"));
@@ -71,6 +73,11 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
   connect(why_, &WhyView::time_chosen, &model_.cursor(), &Cursor::set_time);
   connect(why_, &WhyView::run_wanted, this,
           [this](const SetupState& setup) { model_.runs().duplicate_as(model_.runs().current(), setup); });
+  scene_->annotations().set_annotations(&model_.annotations());
+  scene_->set_place_actions(annotations_->panel_actions());
+  annotations_->set_stretch([this] { return chosen_times(); });
+  connect(&scene_->annotations(), &AnnotationOverlay::edit_wanted, annotations_, &AnnotationsView::edit);
+  connect(annotations_, &AnnotationsView::time_chosen, &model_.cursor(), &Cursor::set_time);
   connect(charts_, &ChartsPanel::failed, this, &MainWindow::show_failure);
   connect(charts_, &ChartsPanel::exported, this,
           [this](const QString& message) { statusBar()->showMessage(message); });
@@ -99,6 +106,12 @@ void MainWindow::make_docks() {
   QDockWidget* setup = add_dock("machine", tr("Machine and control"), setup_, Qt::RightDockWidgetArea);
   QDockWidget* why = add_dock("why", tr("Why here?"), why_, Qt::RightDockWidgetArea);
   tabifyDockWidget(setup, why);
+  QDockWidget* notes = add_dock("annotations", tr("Annotations"), annotations_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(setup, notes);
+  connect(annotations_, &AnnotationsView::attention_wanted, notes, [notes] {
+    notes->show();
+    notes->raise();
+  });
   setup->raise();
   connect(why, &QDockWidget::visibilityChanged, why_, &WhyView::set_on_screen);
   connect(why_, &WhyView::attention_wanted, why, [why] {
@@ -130,6 +143,7 @@ void MainWindow::show_program() {
   const auto program = model_.program();
   program_->set_program(program);
   diagnostics_->set_program(program);
+  annotations_->set_toolpath(model_.shown_program().input.toolpath);
   scene_->scene().set_programmed(model_.shown_program().samples);
   const QString name = QString::fromStdU16String(model_.file().filename().u16string());
   setWindowTitle(name.isEmpty() ? tr("Feedscope") : tr("%1 – Feedscope").arg(name));
@@ -139,6 +153,8 @@ void MainWindow::show_run() {
   const auto shown = model_.shown();
   const bool any = shown != nullptr;
   scene_->scene().set_executed(any ? shown->run.trajectory : nullptr, any ? shown->samples : nullptr);
+  scene_->annotations().set_run(any ? shown->run.trajectory : nullptr,
+                                run_title(model_.runs().current_item()));
   charts_->set_limits(model_.setup().setup().machine.axes);
   charts_->set_run(any ? shown->run.trajectory : nullptr, any ? shown->envelope : nullptr, any);
   playback_->set_duration(any ? shown->run.trajectory->duration() : 0);
@@ -178,6 +194,15 @@ void MainWindow::show_times(double from, double to) {
     range.show(range.position_of(shown->run.trajectory->state(from)),
                range.position_of(shown->run.trajectory->state(to)));
   }
+}
+
+std::array<double, 2> MainWindow::chosen_times() const {
+  if (const auto second = charts_->second_cursor()) {
+    const double first = model_.cursor().state().time;
+    return {std::min(first, *second), std::max(first, *second)};
+  }
+  const ViewRange& range = charts_->range();
+  return {range.time_at(range.lower()), range.time_at(range.upper())};
 }
 
 void MainWindow::loop_what_is_shown(bool on) {

@@ -6,6 +6,7 @@
 #include "ui/charts/charts_panel.h"
 #include "ui/models/workbench.h"
 #include "ui/theme/theme.h"
+#include "ui/views/annotations_view.h"
 #include "ui/views/command_palette.h"
 #include "ui/views/diagnostics_view.h"
 #include "ui/views/playback_bar.h"
@@ -37,6 +38,7 @@ class MainWindow : public QMainWindow {
   SlowPlacesView& slow_places() { return *slow_places_; }
   RunsView& runs() { return *runs_; }
   WhyView& why() { return *why_; }
+  AnnotationsView& annotations() { return *annotations_; }
   CommandPalette& palette() { return *palette_; }
   /// Every command of the menus, in their order.
   QList<ListedAction> commands() const;
@@ -65,6 +67,8 @@ class MainWindow : public QMainWindow {
   void show_other_runs();
   void show_failure(const QString& message);
   void loop_what_is_shown(bool on);
+  /// From cursor A to cursor B of the charts, or all that they show [s].
+  std::array<double, 2> chosen_times() const;
   /// In the charts, from one time to another [s].
   void show_times(double from, double to);
   QDockWidget* add_dock(const QString& name, const QString& title, QWidget* content, Qt::DockWidgetArea area);
@@ -79,6 +83,7 @@ class MainWindow : public QMainWindow {
   SlowPlacesView* slow_places_;
   RunsView* runs_;
   WhyView* why_;
+  AnnotationsView* annotations_;
   CommandPalette* palette_;
   KeyList* key_list_;
   QDockWidget* charts_dock_ = nullptr;

@@ -78,6 +78,7 @@ void MainWindow::make_menus() {
 
   menuBar()->addMenu(tr("&Charts"))->addActions(charts_->panel_actions());
   menuBar()->addMenu(tr("&Why here?"))->addActions(why_->panel_actions());
+  menuBar()->addMenu(tr("&Annotations"))->addActions(annotations_->panel_actions());
 
   QMenu* playback = menuBar()->addMenu(tr("&Playback"));
   playback->addActions(playback_->panel_actions());

@@ -26,8 +26,8 @@ class AnnotationList : public QObject {
   /// Gives it an id and selects it.
   int add(Annotation annotation);
   void remove(int id);
-  /// Puts `changed` in the place of the one with its id. `text` names the change in the history, where changes
-  /// of one name to one annotation are one step until end_step().
+  /// Puts `changed` in the place of the one with its id. `text` names the change in the history, where
+  /// changes of one name to one annotation are one step until end_step().
   void change(const Annotation& changed, const QString& text);
   /// The next change is a step of its own: the mouse has been released, the focus has gone.
   void end_step() { ++step_; }

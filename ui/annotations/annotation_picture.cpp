@@ -19,7 +19,7 @@ constexpr double line_width = 1.5;   // the same
 constexpr double region_width = 11;  // the same
 constexpr double arrow_length = 11;  // the same
 constexpr double tick_length = 12;   // the same
-constexpr int region_spans = 200;
+constexpr int region_spans = 1000;
 
 QFont font_of(const PlacedAnnotation& placed) {
   QFont font = QGuiApplication::font();

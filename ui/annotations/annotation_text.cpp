@@ -43,7 +43,9 @@ constexpr auto fields = std::to_array<AnnotationField>({
        return Annotations::tr("%1 m/s²").arg(number(units::to_m(v.at.acceleration.norm()), 2));
      }},
     {"jerk", QT_TRANSLATE_NOOP("Annotations", "jerk, length of the vector"),
-     [](const Values& v) { return Annotations::tr("%1 m/s³").arg(number(units::to_m(v.at.jerk.norm()), 1)); }},
+     [](const Values& v) {
+       return Annotations::tr("%1 m/s³").arg(number(units::to_m(v.at.jerk.norm()), 1));
+     }},
     {"line", QT_TRANSLATE_NOOP("Annotations", "line of the program"),
      [](const Values& v) { return QLocale().toString(v.at.line); }},
     {"time", QT_TRANSLATE_NOOP("Annotations", "time since the start"),
@@ -62,8 +64,8 @@ constexpr auto fields = std::to_array<AnnotationField>({
 });
 
 const AnnotationField* find_field(const QString& name) {
-  const auto found =
-      std::ranges::find_if(fields, [&](const AnnotationField& field) { return name == QLatin1String(field.name); });
+  const auto found = std::ranges::find_if(
+      fields, [&](const AnnotationField& field) { return name == QLatin1String(field.name); });
   return found == fields.end() ? nullptr : &*found;
 }
 

@@ -23,7 +23,8 @@ Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
       machines_(std::move(machines)),
       runs_(std::move(setup)),
       setup_(runs_),
-      playback_(cursor_) {
+      playback_(cursor_),
+      annotations_(runs_.history()) {
   connect(&runs_, &RunList::setup_changed, this, [this](std::size_t row) {
     given_up_.erase(runs_.items()[row].id);
     schedule();
@@ -55,6 +56,7 @@ void Workbench::show(const Run& run) {
   working_on_ = 0;
   file_ = run.input.program->source->name();
   program_ = {};
+  annotations_.replace({});
   runs_.replace({{0, {}, runs_.current_item().colour, true, SetupState(run.setup)}}, 0);
   program_ = make_shown(run.input);
   emit program_changed();
@@ -63,6 +65,9 @@ void Workbench::show(const Run& run) {
 }
 
 void Workbench::open(const std::filesystem::path& file) {
+  if (file != file_) {
+    annotations_.replace({});
+  }
   file_ = file;
   program_ = {};
   given_up_.clear();

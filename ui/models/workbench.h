@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "ui/annotations/annotation_list.h"
 #include "ui/models/cursor.h"
 #include "ui/models/playback.h"
 #include "ui/models/run_list.h"
@@ -55,6 +56,8 @@ class Workbench : public QObject {
   SetupEdit& setup() { return setup_; }
   Cursor& cursor() { return cursor_; }
   Playback& playback() { return playback_; }
+  /// Their changes stand in the history of the runs.
+  AnnotationList& annotations() { return annotations_; }
   const std::filesystem::path& file() const { return file_; }
   /// Null until a program has been read.
   std::shared_ptr<const Program> program() const { return program_.input.program; }
@@ -92,6 +95,7 @@ class Workbench : public QObject {
   SetupEdit setup_;
   Cursor cursor_;
   Playback playback_;
+  AnnotationList annotations_;
   SimulationJob job_;
   QFileSystemWatcher watcher_;
   QTimer changed_;  ///< a file that is being written changes more than once

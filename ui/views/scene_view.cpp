@@ -13,6 +13,7 @@
 #include <cmath>
 
 #include "ui/theme/theme.h"
+#include "ui/views/annotation_overlay.h"
 #include "ui/views/scene_actions.h"
 #include "ui/views/scene_canvas.h"
 #include "ui/views/scene_texts.h"
@@ -78,11 +79,13 @@ void SceneView::make_canvas(RenderBackend backend) {
   }
   canvas_->setFocusPolicy(Qt::StrongFocus);
   canvas_->setMouseTracking(true);
+  overlay_ = new AnnotationOverlay(*canvas_, scene_);
   canvas_->installEventFilter(this);
   setFocusProxy(canvas_);
 }
 
 void SceneView::follow_scene() {
+  overlay_->update();
   if (actions_ != nullptr) {
     actions_->follow_scene();
   }
@@ -104,6 +107,10 @@ Pixel SceneView::pixel(const QPointF& place) const {
 bool SceneView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != canvas_) {
     return QWidget::eventFilter(watched, event);
+  }
+  if (drag_ == Drag::none && !boxing_ && !measuring_ && overlay_->take(*event)) {
+    leave();
+    return event->type() != QEvent::MouseButtonPress;  // the widget takes the focus
   }
   switch (event->type()) {
     case QEvent::MouseButtonPress:
@@ -194,7 +201,7 @@ void SceneView::release(const QMouseEvent& mouse) {
   } else if (!dragged_ && mouse.button() == Qt::LeftButton) {
     click(mouse.position());
   } else if (!dragged_ && mouse.button() == Qt::RightButton) {
-    show_menu(mouse.globalPosition().toPoint());
+    show_menu(mouse);
   }
 }
 
@@ -313,10 +320,15 @@ void SceneView::leave() {
   QToolTip::hideText();
 }
 
-void SceneView::show_menu(const QPoint& place) {
+void SceneView::show_menu(const QMouseEvent& mouse) {
   QMenu menu(this);
+  if (const auto time = scene_.pick_time(pixel(mouse.position()))) {
+    emit picked(*time);
+    menu.addActions(place_actions_);
+    menu.addSeparator();
+  }
   actions_->fill(menu);
-  menu.exec(place);
+  menu.exec(mouse.globalPosition().toPoint());
 }
 
 void SceneView::changeEvent(QEvent* event) {
@@ -335,13 +347,17 @@ void SceneView::showEvent(QShowEvent* event) {
 
 void SceneView::follow_palette() {
   const bool dark = theme_of(palette()) == ThemeKind::dark;
-  scene_.set_background(dark ? Background::dark : Background::light);
+  const Background background = dark ? Background::dark : Background::light;
+  scene_.set_background(background);
+  overlay_->set_background(background);
 }
 
 void SceneView::follow_text_size() {
   constexpr double usual_font_pixels = 12;  // 9 points at 96 dots an inch
   const double font_pixels = QFontInfo(font()).pixelSize();
-  scene_.set_scale(canvas_->devicePixelRatioF() * std::max(1.0, font_pixels / usual_font_pixels));
+  const double scale = canvas_->devicePixelRatioF() * std::max(1.0, font_pixels / usual_font_pixels);
+  scene_.set_scale(scale);
+  overlay_->set_scale(scale);
 }
 
 }  // namespace feedscope::ui

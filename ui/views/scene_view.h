@@ -19,6 +19,7 @@ class QWheelEvent;
 
 namespace feedscope::ui {
 
+class AnnotationOverlay;
 class SceneActions;
 
 /// Software where Qt draws off screen (QT_QPA_PLATFORM offscreen or minimal), gpu elsewhere.
@@ -43,11 +44,14 @@ class SceneView : public QWidget {
   void set_state(const SceneState& state) { set_scene_state(scene_, state); }
   /// The widget that shows the scene and takes the mouse.
   QWidget& canvas() { return *canvas_; }
+  AnnotationOverlay& annotations() { return *overlay_; }
   QSize sizeHint() const override { return {800, 600}; }
   /// Every command of the view: for menus, key lists and the command palette.
   QList<QAction*> panel_actions() const;
   /// Adds them to a menu, those that belong together as submenus.
   void fill_menu(QMenu& menu) const;
+  /// More for the context menu, which opens where the pointer is on the path: picked() comes first.
+  void set_place_actions(const QList<QAction*>& actions) { place_actions_ = actions; }
 
  public slots:
   /// The charts show from `from` to `to` [s]; marked on the path unless that is all of the run.
@@ -87,7 +91,7 @@ class SceneView : public QWidget {
   void click(const QPointF& place);
   void add_measured(double time);
   void finish_box(const QPointF& corner);
-  void show_menu(const QPoint& place);
+  void show_menu(const QMouseEvent& mouse);
   void hover();
   void leave();
   void follow_text_size();
@@ -97,7 +101,9 @@ class SceneView : public QWidget {
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   PathScene scene_;
   QWidget* canvas_ = nullptr;
+  AnnotationOverlay* overlay_ = nullptr;
   SceneActions* actions_ = nullptr;
+  QList<QAction*> place_actions_;
   QTimer hover_timer_;
   QTimer rest_timer_;
   Drag drag_ = Drag::none;

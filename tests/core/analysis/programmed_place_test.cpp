@@ -15,7 +15,8 @@ LoadedProgram read(const char* text) {
 }
 
 Run run_with(const LoadedProgram& program, const std::string& model, double tolerance) {
-  return simulate_run(program, make_setup({.machine = {}, .model = model, .tolerance = tolerance, .assignments = {}}));
+  return simulate_run(program,
+                      make_setup({.machine = {}, .model = model, .tolerance = tolerance, .assignments = {}}));
 }
 
 TEST(ProgrammedPlace, FindsTheTimeThatItCameFrom) {

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QPointer>
+#include <QWidget>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "ui/annotations/annotation_list.h"
+#include "ui/annotations/annotation_picture.h"
+
+class QKeyEvent;
+class QMouseEvent;
+
+namespace feedscope::ui {
+
+/// The annotations over a 3D view, on which they lie without hiding it from the mouse: whoever gets the
+/// view's events offers them to take(). A label is moved by dragging it; the dots at the places of the
+/// selected annotation are moved along the path.
+class AnnotationOverlay : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `canvas` shows `scene`, which outlives this.
+  AnnotationOverlay(QWidget& canvas, PathScene& scene);
+
+  /// Null for none.
+  void set_annotations(AnnotationList* annotations);
+  /// The run whose values they tell, and its name.
+  void set_run(std::shared_ptr<const Trajectory> trajectory, const QString& name);
+  /// Size of text and lines, as of the scene.
+  void set_scale(double scale);
+  void set_background(Background background);
+
+  /// Does what a mouse or key event of the canvas asks for; false: it is not for an annotation.
+  bool take(const QEvent& event);
+  /// Where they are drawn now, in device pixels.
+  std::vector<PlacedAnnotation> placed() const;
+
+ signals:
+  /// A double click: its text is to be changed.
+  void edit_wanted(int id);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  enum class Grip { label, anchor, other };
+  struct Held {
+    int id = 0;
+    Grip grip = Grip::label;
+    QPointF from;    ///< of the mouse [device pixels]
+    QPointF offset;  ///< of the label when it was taken
+  };
+
+  std::optional<AnnotatedView> view() const;
+  std::optional<Held> grip_at(const QPointF& pixel) const;
+  QPointF pixel_of(const QMouseEvent& mouse) const;
+  bool press(const QMouseEvent& mouse);
+  void move(const QPointF& pixel);
+
+  PathScene& scene_;
+  QWidget& canvas_;
+  QPointer<AnnotationList> annotations_;
+  std::shared_ptr<const Trajectory> trajectory_;
+  QString run_;
+  double scale_ = 1;
+  Background background_ = Background::light;
+  std::optional<Held> held_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,239 @@
+#include "ui/views/annotations_view.h"
+
+#include <QAction>
+#include <QColorDialog>
+#include <QCoreApplication>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QTableView>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "ui/annotations/annotation_text.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr int row_height = 22;
+constexpr int text_lines = 4;
+constexpr int least_size = 6;      // [points]
+constexpr int largest_size = 72;   // [points]
+constexpr int swatch_pixels = 14;  // of the colour's button
+
+QString list_of_fields() {
+  QStringList rows;
+  for (const AnnotationField& field : annotation_fields()) {
+    rows.append(
+        QStringLiteral("<tr><td><code>{%1}</code>&nbsp;</td><td>%2</td></tr>")
+            .arg(QLatin1String(field.name), QCoreApplication::translate("Annotations", field.explanation)));
+  }
+  return QStringLiteral("<table>%1</table>").arg(rows.join(QString()));
+}
+
+}  // namespace
+
+AnnotationsView::AnnotationsView(AnnotationList& annotations, Cursor& cursor, QWidget* parent)
+    : QWidget(parent),
+      annotations_(annotations),
+      cursor_(cursor),
+      model_(new AnnotationTable(annotations, this)),
+      table_(new QTableView(this)),
+      text_(new QPlainTextEdit(this)),
+      colour_(new QToolButton(this)),
+      size_(new QSpinBox(this)),
+      hint_(new QLabel(this)) {
+  table_->setModel(model_);
+  table_->setAccessibleName(tr("Annotations"));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(row_height);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  text_->setAccessibleName(tr("Text of the annotation"));
+  text_->setToolTip(tr("Names in braces become the values at the place:") + list_of_fields());
+  text_->setMaximumHeight(text_->fontMetrics().lineSpacing() * text_lines + 12);
+  text_->installEventFilter(this);
+  colour_->setToolTip(tr("Colour of the annotation"));
+  colour_->setIconSize({swatch_pixels, swatch_pixels});
+  size_->setRange(least_size, largest_size);
+  size_->setSuffix(tr(" pt"));
+  size_->setToolTip(tr("Size of the text [points]"));
+  hint_->setWordWrap(true);
+  make_actions();
+  make_layout();
+
+  connect(text_, &QPlainTextEdit::textChanged, this, [this] {
+    change(tr("text of annotation"), [this](Annotation& item) { item.text = text_->toPlainText(); });
+    show_hint();
+  });
+  connect(size_, &QSpinBox::valueChanged, this, [this](int points) {
+    change(tr("size of annotation"), [points](Annotation& item) { item.size = points; });
+  });
+  connect(colour_, &QToolButton::clicked, this, &AnnotationsView::choose_colour);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& index) {
+            if (index.isValid()) {
+              annotations_.select(annotations_.items()[static_cast<std::size_t>(index.row())].id);
+            }
+          });
+  connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
+    const Annotation& item = annotations_.items()[static_cast<std::size_t>(index.row())];
+    if (cursor_.valid()) {
+      emit time_chosen(time_of(*cursor_.trajectory(), item.place));
+    }
+  });
+  connect(&annotations_, &AnnotationList::changed, this, &AnnotationsView::show_selected);
+  connect(&annotations_, &AnnotationList::selection_changed, this, &AnnotationsView::show_selected);
+  connect(&cursor_, &Cursor::changed, this, &AnnotationsView::show_hint);
+  show_selected();
+}
+
+void AnnotationsView::make_actions() {
+  const auto put = [this](AnnotationKind kind, const QString& text, const QString& tip, const QString& key) {
+    QAction* action = add_action(text, tip, QKeySequence(key));
+    action->setIconText(annotation_title(kind));
+    connect(action, &QAction::triggered, this, [this, kind] { add(kind); });
+  };
+  put(AnnotationKind::text, tr("Add &text"), tr("Put words beside the path at the cursor"), {});
+  put(AnnotationKind::arrow, tr("Add &arrow"), tr("Point an arrow at the place of the cursor"), {});
+  put(AnnotationKind::callout, tr("Add &callout"),
+      tr("Put a label with feed, contour error and limiting cause at the cursor"), tr("Ctrl+Shift+C"));
+  put(AnnotationKind::dimension, tr("Add &dimension"),
+      tr("Show the distance between the cursors A and B of the charts, or the ends of what the charts show"),
+      {});
+  put(AnnotationKind::region, tr("Add &region"),
+      tr("Mark the path between the cursors A and B of the charts, or all that the charts show"), {});
+  QAction* remove = add_action(tr("&Remove annotation"), tr("Take the selected annotation away"), {});
+  remove->setIconText(tr("Remove"));
+  connect(remove, &QAction::triggered, this, [this] { annotations_.remove(annotations_.selected()); });
+}
+
+QAction* AnnotationsView::add_action(const QString& text, const QString& tip, const QKeySequence& key) {
+  auto* action = new QAction(text, this);
+  action->setToolTip(key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  action->setShortcut(key);
+  actions_.append(action);
+  return action;
+}
+
+void AnnotationsView::make_layout() {
+  auto* bar = new QHBoxLayout;
+  bar->setSpacing(2);
+  for (QAction* action : actions_) {
+    auto* button = new QToolButton(this);
+    button->setDefaultAction(action);
+    bar->addWidget(button);
+  }
+  bar->addStretch();
+  auto* style = new QHBoxLayout;
+  style->addWidget(colour_);
+  style->addWidget(size_);
+  style->addWidget(hint_, 1);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->addLayout(bar);
+  layout->addWidget(table_, 1);
+  layout->addWidget(text_);
+  layout->addLayout(style);
+}
+
+void AnnotationsView::set_toolpath(std::shared_ptr<const Toolpath> toolpath) {
+  model_->set_toolpath(std::move(toolpath));
+}
+
+void AnnotationsView::edit(int id) {
+  annotations_.select(id);
+  emit attention_wanted();
+  text_->setFocus();
+  text_->selectAll();
+}
+
+void AnnotationsView::add(AnnotationKind kind) {
+  if (!cursor_.valid()) {
+    hint_->setText(tr("Open a program first: an annotation stands at a place of its path."));
+    return;
+  }
+  const Trajectory& trajectory = *cursor_.trajectory();
+  Annotation annotation;
+  annotation.kind = kind;
+  annotation.text = first_text(kind);
+  if (has_two_places(kind) && stretch_) {
+    const auto [from, to] = stretch_();
+    annotation.place = programmed_place(trajectory, from);
+    annotation.until = programmed_place(trajectory, to);
+  } else {
+    annotation.place = programmed_place(trajectory, cursor_.state().time);
+    annotation.until = annotation.place;
+  }
+  annotations_.add(annotation);
+  emit attention_wanted();
+}
+
+void AnnotationsView::show_selected() {
+  const Annotation* selected = annotations_.find(annotations_.selected());
+  for (QWidget* editor :
+       {static_cast<QWidget*>(text_), static_cast<QWidget*>(colour_), static_cast<QWidget*>(size_)}) {
+    editor->setEnabled(selected != nullptr);
+  }
+  actions_.back()->setEnabled(selected != nullptr);
+  const QSignalBlocker quiet_text(text_);
+  const QSignalBlocker quiet_size(size_);
+  const QString words = selected == nullptr ? QString() : selected->text;
+  if (text_->toPlainText() != words) {
+    text_->setPlainText(words);
+  }
+  size_->setValue(selected == nullptr ? static_cast<int>(Annotation().size)
+                                      : static_cast<int>(selected->size));
+  QPixmap swatch(swatch_pixels, swatch_pixels);
+  swatch.fill(selected == nullptr ? QColor(Qt::transparent) : selected->colour);
+  colour_->setIcon(swatch);
+  const auto row = selected == nullptr ? -1 : static_cast<int>(selected - annotations_.items().data());
+  if (table_->currentIndex().row() != row) {
+    table_->setCurrentIndex(row < 0 ? QModelIndex() : model_->index(row, 0));
+  }
+  show_hint();
+}
+
+void AnnotationsView::show_hint() {
+  const QString wrong = unknown_field(text_->toPlainText());
+  if (!wrong.isEmpty()) {
+    hint_->setText(tr("%1 is no value; the tooltip of the text lists them.").arg(wrong));
+  } else if (annotations_.items().empty()) {
+    hint_->setText(tr("Click the path, then add what it is to say there."));
+  } else {
+    hint_->setText(tr("Drag labels to move them; drag the dots of the selected one along the path."));
+  }
+}
+
+void AnnotationsView::choose_colour() {
+  if (const Annotation* selected = annotations_.find(annotations_.selected())) {
+    const QColor colour = QColorDialog::getColor(selected->colour, this, tr("Colour of the annotation"));
+    if (colour.isValid()) {
+      change(tr("colour of annotation"), [&](Annotation& item) { item.colour = colour; });
+    }
+  }
+}
+
+void AnnotationsView::change(const QString& name, const std::function<void(Annotation&)>& edit) {
+  if (const Annotation* selected = annotations_.find(annotations_.selected())) {
+    Annotation changed = *selected;
+    edit(changed);
+    annotations_.change(changed, name);
+  }
+}
+
+bool AnnotationsView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == text_ && event->type() == QEvent::FocusOut) {
+    annotations_.end_step();
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <QList>
+#include <QWidget>
+#include <array>
+#include <functional>
+
+#include "ui/annotations/annotation_table.h"
+#include "ui/models/cursor.h"
+
+class QAction;
+class QLabel;
+class QPlainTextEdit;
+class QSpinBox;
+class QTableView;
+class QToolButton;
+
+namespace feedscope::ui {
+
+/// The annotations of the program: put one at the cursor, change its text, colour and size, remove it.
+class AnnotationsView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Both outlive this.
+  AnnotationsView(AnnotationList& annotations, Cursor& cursor, QWidget* parent = nullptr);
+
+  /// Tells the two times [s] that a new dimension or region goes between.
+  void set_stretch(std::function<std::array<double, 2>()> stretch) { stretch_ = std::move(stretch); }
+  void set_toolpath(std::shared_ptr<const Toolpath> toolpath);
+  /// Selects it and puts the keyboard into its text.
+  void edit(int id);
+
+  QTableView* table() { return table_; }
+  QPlainTextEdit* text() { return text_; }
+  /// One to add each kind, in the order of annotation_kinds, and one to remove the selected one.
+  QList<QAction*> panel_actions() const { return actions_; }
+
+ signals:
+  /// A row has been chosen: the place is to be looked at [s].
+  void time_chosen(double time);
+  void attention_wanted();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void make_actions();
+  void make_layout();
+  QAction* add_action(const QString& text, const QString& tip, const QKeySequence& key);
+  void add(AnnotationKind kind);
+  void show_selected();
+  void show_hint();
+  void choose_colour();
+  /// Changes the selected annotation.
+  void change(const QString& name, const std::function<void(Annotation&)>& edit);
+
+  AnnotationList& annotations_;
+  Cursor& cursor_;
+  std::function<std::array<double, 2>()> stretch_;
+  AnnotationTable* model_;
+  QTableView* table_;
+  QPlainTextEdit* text_;
+  QToolButton* colour_;
+  QSpinBox* size_;
+  QLabel* hint_;
+  QList<QAction*> actions_;
+};
+
+}  // namespace feedscope::ui
