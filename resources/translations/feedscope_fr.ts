@@ -2,6 +2,113 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="fr">
 <context>
+    <name>Annotations</name>
+    <message>
+        <source>%1 mm/min</source>
+        <translation>%1 mm/min</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>achieved feed</source>
+        <translation>avance réelle</translation>
+    </message>
+    <message>
+        <source>programmed feed</source>
+        <translation>avance programmée</translation>
+    </message>
+    <message>
+        <source>contour error</source>
+        <translation>erreur de contour</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1 µm</translation>
+    </message>
+    <message>
+        <source>limiting cause</source>
+        <translation>cause limitante</translation>
+    </message>
+    <message>
+        <source>acceleration, length of the vector</source>
+        <translation>accélération, norme du vecteur</translation>
+    </message>
+    <message>
+        <source>%1 m/s²</source>
+        <translation>%1 m/s²</translation>
+    </message>
+    <message>
+        <source>jerk, length of the vector</source>
+        <translation>jerk, norme du vecteur</translation>
+    </message>
+    <message>
+        <source>%1 m/s³</source>
+        <translation>%1 m/s³</translation>
+    </message>
+    <message>
+        <source>line of the program</source>
+        <translation>ligne du programme</translation>
+    </message>
+    <message>
+        <source>time since the start</source>
+        <translation>temps depuis le début</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>position along X</source>
+        <translation>position selon X</translation>
+    </message>
+    <message>
+        <source>position along Y</source>
+        <translation>position selon Y</translation>
+    </message>
+    <message>
+        <source>position along Z</source>
+        <translation>position selon Z</translation>
+    </message>
+    <message>
+        <source>straight distance between the two places</source>
+        <translation>distance en ligne droite entre les deux endroits</translation>
+    </message>
+    <message>
+        <source>time between the two places</source>
+        <translation>temps entre les deux endroits</translation>
+    </message>
+    <message>
+        <source>name of the run</source>
+        <translation>nom de l’essai</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source>Arrow</source>
+        <translation>Flèche</translation>
+    </message>
+    <message>
+        <source>Callout</source>
+        <translation>Étiquette</translation>
+    </message>
+    <message>
+        <source>Dimension</source>
+        <translation>Cote</translation>
+    </message>
+    <message>
+        <source>Region</source>
+        <translation>Zone</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Ligne %1</translation>
+    </message>
+</context>
+<context>
     <name>LineFinder</name>
     <message>
         <source>At character %1: %2</source>
@@ -364,6 +471,18 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 de %2</translation>
+    </message>
+    <message>
+        <source>Places closer together than the filters of the control reach: this one alone takes %1 of the contour tolerance, %2, but together they need more of it.</source>
+        <translation>Des endroits plus rapprochés que la portée des filtres de la commande : celui-ci prend à lui seul %1 de la tolérance de contour, %2, mais ensemble ils en demandent davantage.</translation>
+    </message>
+    <message>
+        <source>The tool is getting faster, but levels off in time for the programmed F %1.</source>
+        <translation>L’outil accélère encore, mais se stabilise à temps pour l’avance programmée F %1.</translation>
+    </message>
+    <message>
+        <source>It is this slow for the sake of a place further on.</source>
+        <translation>Il est aussi lent à cause d’un endroit plus loin.</translation>
     </message>
 </context>
 <context>
@@ -945,6 +1064,154 @@
     <message>
         <source>Keys</source>
         <translation>Touches</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::AnnotationList</name>
+    <message>
+        <source>add %1</source>
+        <translation>ajouter : %1</translation>
+    </message>
+    <message>
+        <source>remove annotation</source>
+        <translation>supprimer l’annotation</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::AnnotationOverlay</name>
+    <message>
+        <source>move annotation</source>
+        <translation>déplacer l’annotation</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::AnnotationTable</name>
+    <message>
+        <source>Kind</source>
+        <translation>Genre</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Texte</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::AnnotationsView</name>
+    <message>
+        <source>Annotations</source>
+        <translation>Annotations</translation>
+    </message>
+    <message>
+        <source>Text of the annotation</source>
+        <translation>Texte de l’annotation</translation>
+    </message>
+    <message>
+        <source>Names in braces become the values at the place:</source>
+        <translation>Les noms entre accolades deviennent les valeurs à cet endroit :</translation>
+    </message>
+    <message>
+        <source>Colour of the annotation</source>
+        <translation>Couleur de l’annotation</translation>
+    </message>
+    <message>
+        <source> pt</source>
+        <translation> pt</translation>
+    </message>
+    <message>
+        <source>Size of the text [points]</source>
+        <translation>Taille du texte [points]</translation>
+    </message>
+    <message>
+        <source>text of annotation</source>
+        <translation>texte de l’annotation</translation>
+    </message>
+    <message>
+        <source>size of annotation</source>
+        <translation>taille de l’annotation</translation>
+    </message>
+    <message>
+        <source>Add &amp;text</source>
+        <translation>Ajouter un &amp;texte</translation>
+    </message>
+    <message>
+        <source>Put words beside the path at the cursor</source>
+        <translation>Placer des mots à côté de la trajectoire, au curseur</translation>
+    </message>
+    <message>
+        <source>Add &amp;arrow</source>
+        <translation>Ajouter une &amp;flèche</translation>
+    </message>
+    <message>
+        <source>Point an arrow at the place of the cursor</source>
+        <translation>Diriger une flèche vers l’endroit du curseur</translation>
+    </message>
+    <message>
+        <source>Add &amp;callout</source>
+        <translation>Ajouter une é&amp;tiquette</translation>
+    </message>
+    <message>
+        <source>Put a label with feed, contour error and limiting cause at the cursor</source>
+        <translation>Placer au curseur une étiquette avec avance, erreur de contour et cause limitante</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+C</source>
+        <translation>Ctrl+Shift+C</translation>
+    </message>
+    <message>
+        <source>Add &amp;dimension</source>
+        <translation>Ajouter une &amp;cote</translation>
+    </message>
+    <message>
+        <source>Show the distance between the cursors A and B of the charts, or the ends of what the charts show</source>
+        <translation>Montrer la distance entre les curseurs A et B des courbes, ou entre les extrémités de ce que montrent les courbes</translation>
+    </message>
+    <message>
+        <source>Add &amp;region</source>
+        <translation>Ajouter une &amp;zone</translation>
+    </message>
+    <message>
+        <source>Mark the path between the cursors A and B of the charts, or all that the charts show</source>
+        <translation>Marquer la trajectoire entre les curseurs A et B des courbes, ou tout ce que montrent les courbes</translation>
+    </message>
+    <message>
+        <source>&amp;Remove annotation</source>
+        <translation>&amp;Supprimer l’annotation</translation>
+    </message>
+    <message>
+        <source>Take the selected annotation away</source>
+        <translation>Enlever l’annotation choisie</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Supprimer</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Open a program first: an annotation stands at a place of its path.</source>
+        <translation>Ouvrez d’abord un programme : une annotation se tient à un endroit de sa trajectoire.</translation>
+    </message>
+    <message>
+        <source>%1 is no value; the tooltip of the text lists them.</source>
+        <translation>%1 n’est pas une valeur ; l’infobulle du texte les énumère.</translation>
+    </message>
+    <message>
+        <source>Click the path, then add what it is to say there.</source>
+        <translation>Cliquez la trajectoire, puis ajoutez ce qui doit y être dit.</translation>
+    </message>
+    <message>
+        <source>Drag labels to move them; drag the dots of the selected one along the path.</source>
+        <translation>Faites glisser les étiquettes pour les déplacer, et les points de celle qui est choisie le long de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>colour of annotation</source>
+        <translation>couleur de l’annotation</translation>
     </message>
 </context>
 <context>
@@ -1686,6 +1953,14 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>&lt;b&gt;%1&lt;/b&gt; &amp;nbsp; %2 · %3 · %4 s</source>
         <translation>&lt;b&gt;%1&lt;/b&gt; &amp;nbsp; %2 · %3 · %4&#xa0;s</translation>
     </message>
+    <message>
+        <source>Annotations</source>
+        <translation>Annotations</translation>
+    </message>
+    <message>
+        <source>&amp;Annotations</source>
+        <translation>A&amp;nnotations</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::PlaybackBar</name>
@@ -2407,6 +2682,13 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Deviation</source>
         <translation>Écart</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::SceneView</name>
+    <message>
+        <source>Ctrl+B</source>
+        <translation>Ctrl+B</translation>
     </message>
 </context>
 <context>
