@@ -18,5 +18,6 @@ Command add_render_command(CLI::App& app);  ///< where the pictures are built (F
 Command add_window_command(CLI::App& app);  ///< what the program does without a command
 Command add_machines_command(CLI::App& app);
 Command add_models_command(CLI::App& app);
+Command add_lessons_command(CLI::App& app);
 
 }  // namespace feedscope

@@ -1,23 +1,15 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 
-#include "core/base/error.h"
 #include "core/base/geometry.h"
+#include "core/machine/config_file.h"
 #include "core/machine/machine.h"
 
 namespace feedscope {
 namespace {
-
-namespace fs = std::filesystem;
-using Names = std::vector<std::string>;
-
-constexpr std::streamsize largest_file = 1 << 20;  // bytes; a machine file is a few thousand
 
 /// "velocity" in m/min is "velocity_m_min" in a file.
 std::string file_key(const SettingSpec& limit) {
@@ -26,137 +18,67 @@ std::string file_key(const SettingSpec& limit) {
   return limit.key + "_" + unit;
 }
 
-std::string read_text(const fs::path& file) {
-  std::error_code ignored;
-  if (fs::is_directory(file, ignored)) {
-    throw InputError(fmt::format("'{}' is a folder; give a machine file", file.string()));
-  }
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    throw InputError(fmt::format("cannot read machine file '{}': {}", file.string(),
-                                 std::generic_category().message(errno)));
-  }
-  std::string text(static_cast<std::size_t>(largest_file) + 1, '\0');
-  in.read(text.data(), largest_file + 1);
-  if (in.gcount() > largest_file) {
-    throw InputError(fmt::format("'{}' is larger than 1 MiB; that is no machine file", file.string()));
-  }
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
-}
-
 class MachineReader {
  public:
-  MachineReader(std::string file, const std::vector<SettingSpec>& model_settings)
-      : file_(std::move(file)), settings_(common_settings()) {
+  explicit MachineReader(const std::vector<SettingSpec>& model_settings) : settings_(common_settings()) {
     settings_.insert(settings_.end(), model_settings.begin(), model_settings.end());
   }
 
-  Machine read(const toml::table& root) {
-    check_keys(root, {"id", "name", "control", "reference", "model", "axes", "settings"}, "the file");
-    machine_.id = text(root, "id", "the file");
-    machine_.name = text(root, "name", "the file");
-    machine_.control = text(root, "control", "the file");
-    machine_.reference = text(root, "reference", "the file");
-    machine_.model = text(root, "model", "the file");
+  Machine read(const ConfigNode& root) {
+    root.check_keys({"id", "name", "control", "reference", "model", "axes", "settings"}, "the file");
+    machine_.id = root.need_text("id", "the file");
+    machine_.name = root.need_text("name", "the file");
+    machine_.control = root.need_text("control", "the file");
+    machine_.reference = root.need_text("reference", "the file");
+    machine_.model = root.need_text("model", "the file");
     read_axes(root);
     read_settings(root);
     return std::move(machine_);
   }
 
-  std::string place(const toml::source_region& region) const {
-    return fmt::format("{}:{}:{}", file_, region.begin.line, region.begin.column);
-  }
-
  private:
-  [[noreturn]] void fail(const toml::source_region& region, const std::string& message) const {
-    throw InputError(fmt::format("{}: {}", place(region), message));
-  }
-
-  void check_keys(const toml::table& table, const Names& known, const std::string& where) const {
-    for (const auto& [key, node] : table) {
-      const std::string name(key.str());
-      if (std::find(known.begin(), known.end(), name) == known.end()) {
-        const std::string nearest = nearest_name(name, known);
-        fail(key.source(), fmt::format("unknown key '{}' in {}; {}", name, where,
-                                       nearest.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
-                                                       : fmt::format("did you mean '{}'?", nearest)));
-      }
-    }
-  }
-
-  const toml::node& need(const toml::table& table, const std::string& key, const std::string& where) const {
-    const toml::node* node = table.get(key);
-    if (node == nullptr) {
-      fail(table.source(), fmt::format("key '{}' is missing in {}", key, where));
-    }
-    return *node;
-  }
-
-  const toml::table& need_table(const toml::table& table, const std::string& key,
-                                const std::string& where) const {
-    const toml::node& node = need(table, key, where);
-    const toml::table* inner = node.as_table();
-    if (inner == nullptr) {
-      fail(node.source(), fmt::format("'{}' in {} must be a table", key, where));
-    }
-    return *inner;
-  }
-
-  std::string text(const toml::table& table, const std::string& key, const std::string& where) const {
-    const toml::node& node = need(table, key, where);
-    const auto* value = node.as_string();
-    if (value == nullptr || value->get().empty()) {
-      fail(node.source(), fmt::format("'{}' in {} must be a text in quotes", key, where));
-    }
-    return value->get();
-  }
-
   /// Reads { value = ..., source = "..." } and notes the source under `provenance_key`.
-  SettingValue value(const toml::table& table, const SettingSpec& spec, const std::string& where,
+  SettingValue value(const ConfigNode& table, const SettingSpec& spec, const std::string& where,
                      const std::string& provenance_key) {
     const std::string name = fmt::format("'{}' in {}", spec.key, where);
-    const toml::node& node = need(table, spec.key, where);
-    const toml::table* entry = node.as_table();
-    if (entry == nullptr) {
-      fail(node.source(),
-           fmt::format("{} must say where it comes from: write {{ value = ..., source = \"paper, "
-                       "table\" }} or {{ value = ..., assumed = \"reason\" }}",
-                       name));
+    const ConfigNode& entry = table.need(spec.key, where);
+    if (entry.kind() != ConfigNode::Kind::table) {
+      entry.fail(
+          fmt::format("{} must say where it comes from: write {{ value = ..., source = \"paper, "
+                      "table\" }} or {{ value = ..., assumed = \"reason\" }}",
+                      name));
     }
-    check_keys(*entry, {"value", "source", "assumed"}, name);
-    const bool assumed = entry->contains("assumed");
-    if (assumed == entry->contains("source")) {
-      fail(node.source(),
-           fmt::format("{} must have one of source = \"paper, table\" and assumed = \"reason\"", name));
+    entry.check_keys({"value", "source", "assumed"}, name);
+    const bool assumed = entry.find("assumed") != nullptr;
+    if (assumed == (entry.find("source") != nullptr)) {
+      entry.fail(fmt::format("{} must have one of source = \"paper, table\" and assumed = \"reason\"", name));
     }
-    machine_.provenance[provenance_key] = {text(*entry, assumed ? "assumed" : "source", name), assumed};
+    machine_.provenance[provenance_key] = {entry.need_text(assumed ? "assumed" : "source", name), assumed};
 
-    const toml::node& given = need(*entry, "value", name);
+    const ConfigNode& given = entry.need("value", name);
     SettingValue result;
-    if (const auto* words = given.as_string()) {
-      result = words->get();
+    if (given.is_text()) {
+      result = given.text();
     } else if (given.is_number()) {
-      result = *given.value<double>();
+      result = given.number();
     } else {
-      fail(given.source(),
-           fmt::format("value of {} must be a number{}", name, spec.choices.empty() ? "" : " or text"));
+      given.fail(fmt::format("value of {} must be a number{}", name, spec.choices.empty() ? "" : " or text"));
     }
-    check_setting(spec, result, place(given.source()));
+    check_setting(spec, result, given.place());
     return result;
   }
 
-  void read_axes(const toml::table& root) {
-    const toml::table& axes = need_table(root, "axes", "the file");
-    check_keys(axes, {"X", "Y", "Z"}, "[axes]");
+  void read_axes(const ConfigNode& root) {
+    const ConfigNode& axes = root.need_table("axes", "the file");
+    axes.check_keys({"X", "Y", "Z"}, "[axes]");
     for (const char axis : axis_names) {
-      const toml::table& table = need_table(axes, std::string(1, axis), "[axes]");
+      const ConfigNode& table = axes.need_table(std::string(1, axis), "[axes]");
       const std::string where = fmt::format("[axes.{}]", axis);
-      Names keys;
+      std::vector<std::string> keys;
       for (const SettingSpec& spec : axis_limit_specs()) {
         keys.push_back(file_key(spec));
       }
-      check_keys(table, keys, where);
+      table.check_keys(keys, where);
       for (const SettingSpec& limit : axis_limit_specs()) {
         SettingSpec spec = limit;
         spec.key = file_key(limit);
@@ -169,21 +91,20 @@ class MachineReader {
     }
   }
 
-  void read_settings(const toml::table& root) {
-    const toml::table& table = need_table(root, "settings", "the file");
-    Names keys;
+  void read_settings(const ConfigNode& root) {
+    const ConfigNode& table = root.need_table("settings", "the file");
+    std::vector<std::string> keys;
     for (const SettingSpec& spec : settings_) {
       keys.push_back(spec.key);
     }
-    check_keys(table, keys, "[settings]");
+    table.check_keys(keys, "[settings]");
     for (const SettingSpec& spec : settings_) {
-      if (table.contains(spec.key)) {
+      if (table.find(spec.key) != nullptr) {
         machine_.settings.set(spec.key, value(table, spec, "[settings]", spec.key));
       }
     }
   }
 
-  std::string file_;
   std::vector<SettingSpec> settings_;
   Machine machine_;
 };
@@ -207,14 +128,8 @@ std::string entry(const Machine& machine, const std::string& key, const std::str
 
 }  // namespace
 
-Machine read_machine(const fs::path& file, const std::vector<SettingSpec>& model_settings) {
-  const std::string text = read_text(file);
-  MachineReader reader(file.string(), model_settings);
-  try {
-    return reader.read(toml::parse(text, file.string()));
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}: no TOML: {}", reader.place(error.source()), error.description()));
-  }
+Machine read_machine(const std::filesystem::path& file, const std::vector<SettingSpec>& model_settings) {
+  return MachineReader(model_settings).read(read_config_file(file, "machine file"));
 }
 
 std::string write_machine(const Machine& machine) {

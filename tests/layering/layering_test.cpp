@@ -14,10 +14,13 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What may include what: each includes itself and what stands before it.
-const std::vector<std::string> stages{"core/base",   "core/machine",  "core/program", "core/toolpath",
-                                      "core/blend",  "core/limits",   "core/feed",    "core/trajectory",
-                                      "core/models", "core/analysis", "core/export",  "ui",
-                                      "app"};
+const std::vector<std::string> stages{"core/base",    "core/machine",
+                                      "core/program", "core/toolpath",
+                                      "core/blend",   "core/limits",
+                                      "core/feed",    "core/trajectory",
+                                      "core/models",  "core/analysis",
+                                      "core/lessons", "core/export",
+                                      "ui",           "app"};
 
 struct SourceFile {
   std::string path;  ///< from the project's top level

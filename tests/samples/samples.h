@@ -28,6 +28,9 @@ Sample trochoidal_slot();
 /// Zigzag finishing of a free-form surface in more than 50 000 short blocks.
 Sample freeform_finish();
 
+/// The small programs of resources/lessons, one effect each.
+std::vector<Sample> lesson_programs();
+
 /// Every shipped program.
 std::vector<Sample> all_samples();
 

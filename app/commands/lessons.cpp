@@ -1,0 +1,204 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <memory>
+#include <sstream>
+
+#include "app/commands/command.h"
+#include "app/exit_codes.h"
+#include "app/output_file.h"
+#include "app/print.h"
+#include "app/watch.h"
+#include "core/base/error.h"
+#include "core/lessons/handout.h"
+#include "core/lessons/lesson_runs.h"
+
+namespace feedscope {
+namespace {
+
+struct LessonsOptions {
+  std::string id;
+  bool check = false;
+  std::string out;
+};
+
+void list_lessons() {
+  for (const std::filesystem::path& file : shipped_lessons()) {
+    const Lesson lesson = read_lesson(file);
+    fmt::print("{}: {} ({} min)\n    {}\n", lesson.id, lesson.title, lesson.minutes,
+               wrapped(lesson.learn, 4));
+  }
+}
+
+bool begins_paragraph(const std::string& line) {
+  const std::size_t digits = line.find_first_not_of("0123456789");
+  return line.starts_with("- ") || line.starts_with("|") ||
+         (digits != 0 && digits != std::string::npos && line.compare(digits, 2, ". ") == 0);
+}
+
+/// Paragraphs and list items of a Markdown text, each wrapped by itself; lines set in by four stay as they
+/// are.
+void print_text(const std::string& text, std::size_t indent) {
+  const std::string blanks(indent, ' ');
+  std::string paragraph;
+  const auto flush = [&] {
+    if (!paragraph.empty()) {
+      fmt::print("{}{}\n", blanks, wrapped(paragraph, indent + (begins_paragraph(paragraph) ? 2 : 0)));
+    }
+    paragraph.clear();
+  };
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool as_it_is = line.empty() || line.starts_with("    ");
+    if (as_it_is || begins_paragraph(line)) {
+      flush();
+    }
+    if (as_it_is) {
+      fmt::print("{}{}\n", line.empty() ? "" : blanks, line);
+    } else {
+      paragraph += (paragraph.empty() ? "" : " ") + line;
+    }
+  }
+  flush();
+}
+
+void print_question(const Question& question, std::size_t number, const WrittenNumbers& numbers) {
+  fmt::print("\nQuestion {}\n", number);
+  print_text(filled(question.text, numbers), 2);
+  if (!question.with.empty()) {
+    fmt::print("  Set    {}\n", fmt::join(question.with, ", "));
+  }
+  fmt::print("  Move   {}\n  Watch  {}\n", control_text(question.control), title_of(question.watch));
+  if (!question.hint.empty()) {
+    fmt::print("  Hint   {}\n", wrapped(filled(question.hint, numbers), 9));
+  }
+}
+
+void show_lesson(const Lesson& lesson, const WrittenNumbers& numbers) {
+  fmt::print("{} ({} minutes)\n{}\n\n", lesson.title, lesson.minutes, wrapped(lesson.learn, 0));
+  fmt::print("Begins with {}\n\n", wrapped(fmt::format("{}", fmt::join(lesson.start, ", ")), 4));
+  print_text(filled(lesson.text, numbers), 0);
+  for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
+    print_question(lesson.questions[i], i + 1, numbers);
+  }
+  fmt::print("\nAnswers\n");
+  for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
+    fmt::print("\n  {}.\n", i + 1);
+    print_text(filled(lesson.questions[i].answer, numbers), 2);
+  }
+  fmt::print("\nSources\n");
+  for (const std::string& source : lesson.sources) {
+    fmt::print("  - {}\n", wrapped(source, 4));
+  }
+}
+
+std::string result_text(const Claim& claim, const ClaimResult& result) {
+  Quantity quantity = claim.quantity;
+  quantity.decimals += 2;
+  std::string text = fmt::format("{}: {}, expected {}", quantity_text(quantity),
+                                 value_text(quantity, result.value), expectation_text(claim));
+  if (std::holds_alternative<Changes>(claim.bound)) {
+    text += fmt::format(" ({})", value_text(quantity, result.bound));
+  }
+  return text;
+}
+
+/// Simulates every claim and says what it comes to; how many do not hold.
+int check_lesson(const Lesson& lesson) {
+  struct Line {
+    std::size_t question;
+    const Claim* claim;
+    ClaimResult result;
+  };
+  std::vector<Line> lines;
+  {
+    Watch watch;
+    Progress* progress = watch.stage("simulating");
+    LessonRuns runs(lesson);
+    runs.numbers(progress);
+    for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
+      for (const Claim& claim : lesson.questions[i].claims) {
+        lines.push_back({i + 1, &claim, runs.check(claim, progress)});
+      }
+    }
+  }
+  int failed = 0;
+  fmt::print("{}: {}\n", lesson.id, lesson.title);
+  for (const Line& line : lines) {
+    failed += line.result.holds ? 0 : 1;
+    fmt::print("  {} question {}: {}\n", line.result.holds ? "holds " : "FAILS ", line.question,
+               wrapped(result_text(*line.claim, line.result), 9));
+    if (!line.result.holds) {
+      fmt::print("         {}\n", line.claim->place);
+    }
+  }
+  for (const std::string& number : unchecked_numbers(lesson)) {
+    fmt::print("  note   nothing checks the number {}\n", number);
+  }
+  return failed;
+}
+
+int check_lessons(const std::string& id) {
+  const std::vector<std::filesystem::path> files =
+      id.empty() ? shipped_lessons() : std::vector{find_lesson(id)};
+  int failed = 0;
+  for (const std::filesystem::path& file : files) {
+    failed += check_lesson(read_lesson(file));
+  }
+  if (failed > 0) {
+    fmt::print("{} claim{} not hold\n", failed, failed == 1 ? " does" : "s do");
+  }
+  return failed > 0 ? exit_code::claim_fails : exit_code::done;
+}
+
+int run_lessons(const LessonsOptions& options) {
+  if (options.id.empty() && !options.out.empty()) {
+    throw InputError("--out writes one lesson: give its ID ('feedscope lessons' lists them)");
+  }
+  if (options.check) {
+    return check_lessons(options.id);
+  }
+  if (options.id.empty()) {
+    list_lessons();
+    return exit_code::done;
+  }
+  if (!options.out.empty() && options.out != "-" && !options.out.ends_with(".html")) {
+    throw InputError(fmt::format("hand-outs are HTML: '{}' must end in .html", options.out));
+  }
+  const std::filesystem::path file = find_lesson(options.id);
+  const Lesson lesson = read_lesson(file);
+  std::unique_ptr<OutputFile> out;
+  if (!options.out.empty()) {
+    check_outputs(file.string(), {options.out});
+    out = std::make_unique<OutputFile>(options.out);
+  }
+  WrittenNumbers numbers;
+  {
+    Watch watch;
+    numbers = LessonRuns(lesson).numbers(watch.stage("simulating"));
+  }
+  if (out != nullptr) {
+    out->stream() << handout_html(lesson, numbers);
+    out->commit();
+  } else {
+    show_lesson(lesson, numbers);
+  }
+  return exit_code::done;
+}
+
+}  // namespace
+
+Command add_lessons_command(CLI::App& app) {
+  const auto options = std::make_shared<LessonsOptions>();
+  CLI::App* command = app.add_subcommand("lessons", "List the lessons for courses, show, check or print one");
+  command->add_option("ID", options->id, "Lesson id, its number, or a lesson file");
+  CLI::Option* check = command->add_flag(
+      "--check", options->check,
+      "Simulate what the lesson claims (without ID: all lessons) and say what does not hold (exit code 1)");
+  command->add_option("--out", options->out, "Write a hand-out to print (HTML); - for standard output")
+      ->type_name("FILE")
+      ->excludes(check);
+  return {command, [options] { return run_lessons(*options); }};
+}
+
+}  // namespace feedscope

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/lessons/lesson.h"
+#include "core/lessons/lesson_text.h"
+
+namespace feedscope {
+
+/// What a claim comes to.
+struct ClaimResult {
+  double value = 0;  ///< of its quantity, in its unit
+  double bound = 0;  ///< what it was compared with; of `between` the lower bound
+  bool holds = false;
+};
+
+/// The simulations that a lesson asks for, each made once when it is first needed.
+class LessonRuns {
+ public:
+  /// `lesson` must outlive this.
+  explicit LessonRuns(const Lesson& lesson) : lesson_(lesson) {}
+
+  /// The start of the lesson with `changes`. Throws InputError if the program has errors, Cancelled, and what
+  /// simulate_run throws.
+  const Run& run(const Changes& changes, Progress* progress = nullptr);
+  /// In the quantity's unit. Throws as run(), and InputError where there is no ratio because the other run
+  /// measures 0.
+  double value(const Quantity& quantity, Progress* progress = nullptr);
+  ClaimResult check(const Claim& claim, Progress* progress = nullptr);
+  /// All {numbers} of the lesson. Throws as value().
+  WrittenNumbers numbers(Progress* progress = nullptr);
+
+ private:
+  const LoadedProgram& program(const std::filesystem::path& file, Progress* progress);
+
+  const Lesson& lesson_;
+  std::map<std::filesystem::path, LoadedProgram> programs_;
+  std::map<Changes, Run> runs_;
+};
+
+}  // namespace feedscope

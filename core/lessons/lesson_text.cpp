@@ -1,0 +1,214 @@
+#include "core/lessons/lesson_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <regex>
+#include <set>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+[[noreturn]] void fail_unknown(const std::string& name, const std::vector<std::string>& known) {
+  const std::string nearest = nearest_name(name, known);
+  throw InputError(fmt::format("the text speaks of {{{}}}, which is in neither [numbers] nor [given]{}", name,
+                               nearest.empty() ? "" : fmt::format("; did you mean {{{}}}?", nearest)));
+}
+
+std::string changes_text(const Changes& changes) {
+  return changes.empty() ? "as the lesson begins" : fmt::format("with {}", fmt::join(changes, ", "));
+}
+
+/// Calls `found` for every number in `text` that is no part of a word, with what follows it.
+template <typename Found>
+void each_number(const std::string& text, Found found) {
+  static const std::regex pattern(
+      R"((^|[^\w.,{}-])(\d+(?:[.,]\d+)*)(?![\w}])(\s?(?:%|m/|mm|um|µm|ms|s\b|degree))?)");
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), pattern); match != std::sregex_iterator();
+       ++match) {
+    found((*match)[2].str(), (*match)[3].matched);
+  }
+}
+
+class KnownNumbers {
+ public:
+  void add(const std::string& text) {
+    static const std::regex number(R"(\d+(?:\.\d+)*)");
+    for (auto match = std::sregex_iterator(text.begin(), text.end(), number); match != std::sregex_iterator();
+         ++match) {
+      values_.insert(match->str());
+    }
+  }
+  void add(const Changes& changes) {
+    for (const std::string& change : changes) {
+      add(change);
+    }
+  }
+  void add(double value) { add(fmt::format("{}", value)); }
+  void add(const Quantity& quantity) {
+    add(quantity.with);
+    if (quantity.against) {
+      add(*quantity.against);
+    }
+    add(static_cast<double>(quantity.measure.first_line));
+    add(static_cast<double>(quantity.measure.last_line));
+  }
+  void add(const Claim& claim) {
+    add(claim.quantity);
+    if (const auto* changes = std::get_if<Changes>(&claim.bound)) {
+      add(*changes);
+    } else {
+      add(std::get<double>(claim.bound));
+    }
+    add(claim.upper);
+  }
+  bool holds(const std::string& number) const { return values_.contains(number); }
+
+ private:
+  std::set<std::string> values_;
+};
+
+KnownNumbers numbers_in_data(const Lesson& lesson) {
+  KnownNumbers known;
+  known.add(lesson.start);
+  known.add(lesson.sources);
+  for (const Changes& run : lesson.view.runs) {
+    known.add(run);
+  }
+  for (const auto& [name, quantity] : lesson.numbers) {
+    known.add(quantity);
+  }
+  for (const auto& [name, given] : lesson.given) {
+    known.add(given.written);
+    known.add(given.source);
+  }
+  for (const Question& question : lesson.questions) {
+    known.add(question.with);
+    known.add(question.control.values);
+    for (const Claim& claim : question.claims) {
+      known.add(claim);
+    }
+  }
+  return known;
+}
+
+}  // namespace
+
+std::string filled(const std::string& text, const WrittenNumbers& numbers) {
+  std::string result;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '{') {
+      result += text[i];
+      continue;
+    }
+    if (i + 1 < text.size() && text[i + 1] == '{') {
+      result += text[i++];
+      continue;
+    }
+    const std::size_t end = text.find('}', i);
+    if (end == std::string::npos) {
+      throw InputError("'{' is not closed by '}' in the text; write {{ for the brace itself");
+    }
+    const std::string name = text.substr(i + 1, end - i - 1);
+    const auto number = numbers.find(name);
+    if (number == numbers.end()) {
+      std::vector<std::string> known;
+      for (const auto& [key, written] : numbers) {
+        known.push_back(key);
+      }
+      fail_unknown(name, known);
+    }
+    result += number->second;
+    i = end;
+  }
+  return result;
+}
+
+void check_numbers(const std::string& text, const Lesson& lesson) {
+  WrittenNumbers names;
+  for (const auto& [name, quantity] : lesson.numbers) {
+    names[name];
+  }
+  for (const auto& [name, given] : lesson.given) {
+    names[name];
+  }
+  filled(text, names);
+}
+
+std::string unit_of(const Quantity& quantity) {
+  if (!quantity.against || quantity.relation == Relation::difference) {
+    return quantity.measure.spec->unit;
+  }
+  return quantity.relation == Relation::ratio ? "" : "%";
+}
+
+std::string value_text(const Quantity& quantity, double value) {
+  const std::string unit = unit_of(quantity);
+  const std::string number = fmt::format("{:.{}f}", value, quantity.decimals);
+  return unit.empty() ? number : fmt::format("{} {}", number, unit);
+}
+
+std::string quantity_text(const Quantity& quantity) {
+  const std::string text = fmt::format("{} {}", title_of(quantity.measure), changes_text(quantity.with));
+  if (!quantity.against) {
+    return text;
+  }
+  static const std::vector<std::string> relations{"over", "less", "in percent more than",
+                                                  "in percent less than"};
+  return fmt::format("{}, {} that {}", text, relations[static_cast<std::size_t>(quantity.relation)],
+                     changes_text(*quantity.against));
+}
+
+std::string expectation_text(const Claim& claim) {
+  const auto with_unit = [&](double value) {
+    const std::string unit = unit_of(claim.quantity);
+    return unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
+  };
+  const auto* changes = std::get_if<Changes>(&claim.bound);
+  const std::string bound =
+      changes != nullptr ? changes_text(*changes) : with_unit(std::get<double>(claim.bound));
+  switch (claim.kind) {
+    case Claim::Kind::less_than:
+      return "less than " + bound;
+    case Claim::Kind::more_than:
+      return "more than " + bound;
+    case Claim::Kind::about:
+      return fmt::format("about {}, within {}", changes != nullptr ? "that " + bound : bound,
+                         claim.within_percent ? fmt::format("{} %", claim.within) : with_unit(claim.within));
+    case Claim::Kind::between:
+      return fmt::format("between {} and {}", bound, with_unit(claim.upper));
+  }
+  return bound;
+}
+
+std::string control_text(const Control& control) {
+  return control.range
+             ? fmt::format("{}: from {} to {}", control.key, control.values.front(), control.values.back())
+             : fmt::format("{}: {}", control.key, fmt::join(control.values, ", "));
+}
+
+std::vector<std::string> unchecked_numbers(const Lesson& lesson) {
+  const KnownNumbers known = numbers_in_data(lesson);
+  std::vector<std::string> found;
+  const auto look = [&](const std::string& text, const std::string& where) {
+    each_number(text, [&](const std::string& number, bool with_unit) {
+      const bool small = number.size() == 1 && !with_unit;
+      if (!small && !known.holds(number)) {
+        found.push_back(fmt::format("{} in {}", number, where));
+      }
+    });
+  };
+  look(lesson.learn, "'learn'");
+  look(lesson.text, "the text");
+  for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
+    const Question& question = lesson.questions[i];
+    look(question.text, fmt::format("question {}", i + 1));
+    look(question.hint, fmt::format("the hint of question {}", i + 1));
+    look(question.answer, fmt::format("the answer of question {}", i + 1));
+  }
+  return found;
+}
+
+}  // namespace feedscope

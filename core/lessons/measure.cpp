@@ -1,0 +1,289 @@
+#include "core/lessons/measure.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/analysis/line_times.h"
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/trajectory/part_walk.h"
+
+namespace feedscope {
+namespace {
+
+enum What : std::uint8_t {
+  cycle_time,
+  programmed_time,
+  against_cam,
+  mean_feed,
+  peak_feed,
+  least_feed,
+  corner_feed,
+  contour_error,
+  path_length,
+  blends,
+  peak_velocity,
+  peak_acceleration,
+  peak_jerk,
+  time_by_cause,
+  share_by_cause,
+};
+
+constexpr double mm_min = units::from_mm_min(1);
+constexpr double m_min = units::from_m_min(1);
+
+std::vector<MeasureSpec> make_measures() {
+  using enum LineUse;
+  return {
+      {"cycle_time_s", "cycle time", "s", 3, 1, cycle_time, optional},
+      {"cycle_time_ms", "cycle time", "ms", 0, 1e-3, cycle_time, optional},
+      {"programmed_time_s", "programmed time", "s", 3, 1, programmed_time},
+      {"against_cam", "cycle time over programmed time", "", 2, 1, against_cam},
+      {"mean_feed_mm_min", "mean feed", "mm/min", 0, mm_min, mean_feed, optional},
+      {"mean_feed_m_min", "mean feed", "m/min", 2, m_min, mean_feed, optional},
+      {"peak_feed_mm_min", "largest feed", "mm/min", 0, mm_min, peak_feed, optional},
+      {"peak_feed_m_min", "largest feed", "m/min", 2, m_min, peak_feed, optional},
+      {"least_feed_mm_min", "least feed", "mm/min", 0, mm_min, least_feed, needed},
+      {"least_feed_m_min", "least feed", "m/min", 2, m_min, least_feed, needed},
+      {"corner_feed_mm_min", "feed in the corner at the end", "mm/min", 0, mm_min, corner_feed, needed},
+      {"corner_feed_m_min", "feed in the corner at the end", "m/min", 2, m_min, corner_feed, needed},
+      {"max_contour_error_mm", "contour error", "mm", 4, 1, contour_error},
+      {"max_contour_error_um", "contour error", "µm", 1, 1e-3, contour_error},
+      {"path_length_mm", "path length", "mm", 2, 1, path_length, optional},
+      {"blends", "corner blends", "", 0, 1, blends},
+      {"peak_velocity_m_min", "largest velocity", "m/min", 2, m_min, peak_velocity, none, true},
+      {"peak_acceleration_m_s2", "largest acceleration", "m/s²", 2, units::from_m(1), peak_acceleration, none,
+       true},
+      {"peak_jerk_m_s3", "largest jerk", "m/s³", 1, units::from_m(1), peak_jerk, none, true},
+      {"time_by_cause_s", "time", "s", 3, 1, time_by_cause, none, false, true},
+      {"share_by_cause_percent", "share of the cycle time", "%", 0, 0.01, share_by_cause, none, false, true},
+  };
+}
+
+std::string lines_text(const Measure& measure) {
+  return measure.first_line == measure.last_line
+             ? fmt::format("line {}", measure.first_line)
+             : fmt::format("lines {} to {}", measure.first_line, measure.last_line);
+}
+
+[[noreturn]] void fail_without_motion(const Measure& measure) {
+  throw InputError(fmt::format("nothing moves on {} of the program: no {} there", lines_text(measure),
+                               measure.spec->title));
+}
+
+struct FeedRange {
+  double least = 0;
+  double largest = 0;
+};
+
+/// Of the parts on the lines of `measure` [mm/s].
+FeedRange feeds_on_lines(const Measure& measure, const Trajectory& trajectory) {
+  constexpr int steps = 16;
+  FeedRange range{INFINITY, -INFINITY};
+  for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
+    const Part& part = walk.part();
+    const std::uint32_t line = trajectory.line_of(part.element);
+    if (line < measure.first_line || line > measure.last_line ||
+        trajectory.path().kind(part.element) == ElementKind::dwell) {
+      continue;
+    }
+    const PartMotion motion = walk.motion();
+    for (int i = 0; i <= steps; ++i) {
+      const double speed = motion.kinematics(part.duration * i / steps).velocity.norm();
+      range = {std::min(range.least, speed), std::max(range.largest, speed)};
+    }
+  }
+  if (range.least > range.largest) {
+    fail_without_motion(measure);
+  }
+  return range;
+}
+
+/// Where a block lies on the executed path.
+struct Stretch {
+  double from = 0;       ///< [mm]
+  double to = 0;         ///< [mm]
+  std::size_t next = 0;  ///< first element behind it
+};
+
+/// The first elements from `begin` on that belong together on one line.
+Stretch stretch_from(const Trajectory& trajectory, std::size_t begin) {
+  const BlendedPath& path = trajectory.path();
+  Stretch stretch{path.s(begin), path.s(begin), begin};
+  const std::uint32_t line = trajectory.line_of(begin);
+  while (stretch.next < path.size() && trajectory.line_of(stretch.next) == line) {
+    stretch.to = path.s(++stretch.next);
+  }
+  return stretch;
+}
+
+/// Feed where the executed path is nearest to the programmed end of a line, when it runs for the first time.
+double feed_in_corner(const Measure& measure, const Trajectory& trajectory) {
+  const BlendedPath& path = trajectory.path();
+  const Toolpath& toolpath = *path.programmed();
+  std::size_t begin = 0;
+  while (begin < path.size() && trajectory.line_of(begin) != measure.first_line) {
+    ++begin;
+  }
+  if (begin == path.size()) {
+    fail_without_motion(measure);
+  }
+  const Stretch line = stretch_from(trajectory, begin);
+  const Vec3 corner = toolpath.segments[path.segment(line.next - 1)].end;
+  double low = (line.from + line.to) / 2;
+  double high = line.to;
+  if (line.next < path.size()) {
+    const Stretch after = stretch_from(trajectory, line.next);
+    high = (after.from + after.to) / 2;
+  }
+  const auto distance = [&](double s) { return (trajectory.state_at_path(s).position - corner).norm(); };
+  constexpr double share = 0.6180339887498949;  // of the golden section
+  constexpr double fine = 1e-7;                 // mm
+  while (high - low > fine) {
+    const double step = share * (high - low);
+    if (distance(high - step) < distance(low + step)) {
+      high = low + step;
+    } else {
+      low = high - step;
+    }
+  }
+  return trajectory.state_at_path((low + high) / 2).speed;
+}
+
+double of_axes(const Measure& measure, const Summary& summary, double AxisPeaks::*value) {
+  double largest = 0;
+  for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
+    if (measure.axis == 0 || measure.axis == axis_names[axis]) {
+      largest = std::max(largest, summary.axes[axis].*value);
+    }
+  }
+  return largest;
+}
+
+double cause_seconds(const Measure& measure, const Summary& summary) {
+  double time = 0;
+  for (const std::size_t cause : causes_named(measure.cause)) {
+    time += summary.time_by_cause[cause];
+  }
+  return time;
+}
+
+LineTime line_time(const Measure& measure, const Run& run) {
+  const LineTime time = LineTimes(*run.trajectory).of(measure.first_line, measure.last_line);
+  if (time.time <= 0) {
+    fail_without_motion(measure);
+  }
+  return time;
+}
+
+double on_lines(const Measure& measure, const Run& run) {
+  switch (measure.spec->what) {
+    case cycle_time:
+      return line_time(measure, run).time;
+    case mean_feed:
+      return line_time(measure, run).mean_feed();
+    case path_length:
+      return line_time(measure, run).length;
+    case corner_feed:
+      return feed_in_corner(measure, *run.trajectory);
+    case least_feed:
+      return feeds_on_lines(measure, *run.trajectory).least;
+    default:
+      return feeds_on_lines(measure, *run.trajectory).largest;
+  }
+}
+
+double on_run(const Measure& measure, const Run& run) {
+  const Summary& summary = run.summary;
+  switch (measure.spec->what) {
+    case cycle_time:
+      return summary.cycle_time;
+    case programmed_time:
+      return summary.programmed_time;
+    case against_cam:
+      return summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
+    case mean_feed:
+      return summary.mean_feed;
+    case peak_feed:
+      return summary.peak_feed;
+    case contour_error:
+      return summary.max_contour_error;
+    case path_length:
+      return run.trajectory->path_length();
+    case blends:
+      return static_cast<double>(run.trajectory->blend_count());
+    case peak_velocity:
+      return of_axes(measure, summary, &AxisPeaks::velocity);
+    case peak_acceleration:
+      return of_axes(measure, summary, &AxisPeaks::acceleration);
+    case peak_jerk:
+      return of_axes(measure, summary, &AxisPeaks::jerk);
+    case time_by_cause:
+      return cause_seconds(measure, summary);
+    default:
+      return summary.cycle_time > 0 ? cause_seconds(measure, summary) / summary.cycle_time : 0;
+  }
+}
+
+}  // namespace
+
+const std::vector<MeasureSpec>& all_measures() {
+  static const std::vector<MeasureSpec> measures = make_measures();
+  return measures;
+}
+
+const MeasureSpec& find_measure(const std::string& key) {
+  std::vector<std::string> keys;
+  for (const MeasureSpec& spec : all_measures()) {
+    if (spec.key == key) {
+      return spec;
+    }
+    keys.push_back(spec.key);
+  }
+  const std::string nearest = nearest_name(key, keys);
+  throw InputError(fmt::format("unknown measure '{}'; {}", key,
+                               nearest.empty() ? fmt::format("known: {}", fmt::join(keys, ", "))
+                                               : fmt::format("did you mean '{}'?", nearest)));
+}
+
+std::vector<std::size_t> causes_named(const std::string& key) {
+  std::vector<std::size_t> found;
+  for (const Cause& cause : all_causes()) {
+    if (cause_key(cause) == key || cause_key({cause.kind, -1}) == key) {
+      found.push_back(cause_index(cause));
+    }
+  }
+  if (found.empty()) {
+    std::vector<std::string> names;
+    for (const Cause& cause : all_causes()) {
+      names.push_back(cause_key(cause));
+    }
+    const std::string nearest = nearest_name(key, names);
+    throw InputError(fmt::format("unknown cause '{}'; {}", key,
+                                 nearest.empty() ? fmt::format("known: {}", fmt::join(names, ", "))
+                                                 : fmt::format("did you mean '{}'?", nearest)));
+  }
+  return found;
+}
+
+std::string title_of(const Measure& measure) {
+  std::string title = measure.spec->title;
+  if (!measure.cause.empty()) {
+    const std::vector<std::size_t> causes = causes_named(measure.cause);
+    const Cause cause = all_causes()[causes.front()];
+    title += fmt::format(" limited by {}", cause_title(causes.size() == 1 ? cause : Cause{cause.kind, -1}));
+  }
+  if (measure.spec->of_axis) {
+    title += measure.axis == 0 ? " of an axis" : fmt::format(" of axis {}", measure.axis);
+  }
+  return measure.first_line == 0 ? title : fmt::format("{}, {}", title, lines_text(measure));
+}
+
+double measured(const Measure& measure, const Run& run) {
+  return (measure.first_line == 0 ? on_run(measure, run) : on_lines(measure, run)) / measure.spec->per_unit;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,101 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/data_folder.h"
+#include "core/base/error.h"
+#include "core/lessons/lesson.h"
+
+namespace feedscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* programs_folder = "resources/programs";
+
+std::string value_of(const std::string& assignment) {
+  return assignment.substr(assigned_key(assignment).size() + 1);
+}
+
+bool is_choice_of_run(const std::string& key) {
+  return key == "program" || key == "machine" || key == "model";
+}
+
+/// The last value that `changes` give a key, else what they had before.
+void take(const Changes& changes, const char* key, std::string& value) {
+  for (const std::string& change : changes) {
+    if (assigned_key(change) == key) {
+      value = value_of(change);
+    }
+  }
+}
+
+std::vector<std::string> names_of_programs(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code ignored;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    if (entry.is_regular_file(ignored) && entry.path().extension() != ".md") {
+      names.push_back(entry.path().filename().string());
+    }
+  }
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+fs::path find_program(const Lesson& lesson, const std::string& name) {
+  const fs::path shipped = data_folder() / programs_folder;
+  std::error_code ignored;
+  for (const fs::path& folder : {lesson.file.parent_path(), shipped}) {
+    if (!name.empty() && fs::is_regular_file(folder / name, ignored)) {
+      return folder / name;
+    }
+  }
+  const std::string nearest = nearest_name(name, names_of_programs(shipped));
+  throw InputError(fmt::format("program '{}' is neither beside the lesson nor in {}{}", name, programs_folder,
+                               nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+}
+
+/// `tolerance` is what --tolerance does: it counts instead of the program's own.
+Changes in_settings(const std::string& change, const ControlModel& model) {
+  if (assigned_key(change) != "tolerance") {
+    return {change};
+  }
+  const std::vector<std::string> keys = assignable_keys(model);
+  if (std::find(keys.begin(), keys.end(), "contour_tolerance_mm") == keys.end()) {
+    return {};
+  }
+  return {"contour_tolerance_mm=" + value_of(change), "program_tolerance=off"};
+}
+
+void apply(const Changes& changes, bool only_known, Setup& setup) {
+  const std::vector<std::string> keys = assignable_keys(*setup.model);
+  for (const std::string& change : changes) {
+    if (is_choice_of_run(assigned_key(change))) {
+      continue;
+    }
+    for (const std::string& setting : in_settings(change, *setup.model)) {
+      const bool known = std::find(keys.begin(), keys.end(), assigned_key(setting)) != keys.end();
+      if (known || !only_known) {
+        apply_setting(setting, *setup.model, setup.machine, setup.settings);
+      }
+    }
+  }
+}
+
+}  // namespace
+
+LessonSetup set_up(const Lesson& lesson, const Changes& changes) {
+  std::string program;
+  SetupRequest request;
+  for (const Changes* some : {&lesson.start, &changes}) {
+    take(*some, "program", program);
+    take(*some, "machine", request.machine);
+    take(*some, "model", request.model);
+  }
+  LessonSetup result{find_program(lesson, program), make_setup(request)};
+  apply(lesson.start, true, result.setup);
+  apply(changes, false, result.setup);
+  return result;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,147 @@
+#include "core/machine/config_file.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/machine/settings.h"
+
+namespace feedscope {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::streamsize largest_file = 1 << 20;  // bytes; a machine file is a few thousand
+
+std::string read_text(const fs::path& file, const std::string& what) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) {
+    throw InputError(fmt::format("'{}' is a folder; give a {}", file.string(), what));
+  }
+  std::ifstream in(file, std::ios::binary);
+  if (!in) {
+    throw InputError(
+        fmt::format("cannot read {} '{}': {}", what, file.string(), std::generic_category().message(errno)));
+  }
+  std::string text(static_cast<std::size_t>(largest_file) + 1, '\0');
+  in.read(text.data(), largest_file + 1);
+  if (in.gcount() > largest_file) {
+    throw InputError(fmt::format("'{}' is larger than 1 MiB; that is no {}", file.string(), what));
+  }
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+}  // namespace
+
+/// Turns what the TOML library read into nodes.
+class ConfigBuilder {
+ public:
+  explicit ConfigBuilder(std::shared_ptr<const std::string> file) : file_(std::move(file)) {}
+
+  ConfigNode build(const toml::node& from) const {
+    ConfigNode node;
+    node.file_ = file_;
+    node.position_ = position(from.source());
+    if (const auto* text = from.as_string()) {
+      node.kind_ = ConfigNode::Kind::text;
+      node.text_ = text->get();
+    } else if (from.is_number()) {
+      node.kind_ = ConfigNode::Kind::number;
+      node.number_ = *from.value<double>();
+    } else if (from.is_boolean()) {
+      node.kind_ = ConfigNode::Kind::truth;
+    } else if (const auto* list = from.as_array()) {
+      node.kind_ = ConfigNode::Kind::list;
+      for (const toml::node& item : *list) {
+        node.items_.push_back(build(item));
+      }
+    } else if (const auto* table = from.as_table()) {
+      node.kind_ = ConfigNode::Kind::table;
+      for (const auto& [key, value] : *table) {
+        node.keys_.emplace_back(key.str());
+        node.key_positions_.push_back(position(key.source()));
+        node.items_.push_back(build(value));
+      }
+    }
+    return node;
+  }
+
+ private:
+  static ConfigNode::Position position(const toml::source_region& region) {
+    return {region.begin.line, region.begin.column};
+  }
+
+  std::shared_ptr<const std::string> file_;
+};
+
+std::string ConfigNode::place(const Position& position) const {
+  return fmt::format("{}:{}:{}", *file_, position.line, position.column);
+}
+
+std::string ConfigNode::place() const {
+  return place(position_);
+}
+
+void ConfigNode::fail(const std::string& message) const {
+  throw InputError(fmt::format("{}: {}", place(), message));
+}
+
+const ConfigNode* ConfigNode::find(const std::string& key) const {
+  const auto found = std::find(keys_.begin(), keys_.end(), key);
+  return found == keys_.end() ? nullptr : &items_[static_cast<std::size_t>(found - keys_.begin())];
+}
+
+void ConfigNode::check_keys(const std::vector<std::string>& known, const std::string& where) const {
+  for (std::size_t i = 0; i < keys_.size(); ++i) {
+    if (std::find(known.begin(), known.end(), keys_[i]) == known.end()) {
+      const std::string nearest = nearest_name(keys_[i], known);
+      throw InputError(fmt::format("{}: unknown key '{}' in {}; {}", place(key_positions_[i]), keys_[i],
+                                   where,
+                                   nearest.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
+                                                   : fmt::format("did you mean '{}'?", nearest)));
+    }
+  }
+}
+
+const ConfigNode& ConfigNode::need(const std::string& key, const std::string& where) const {
+  const ConfigNode* node = find(key);
+  if (node == nullptr) {
+    fail(fmt::format("key '{}' is missing in {}", key, where));
+  }
+  return *node;
+}
+
+const ConfigNode& ConfigNode::need_table(const std::string& key, const std::string& where) const {
+  const ConfigNode& node = need(key, where);
+  if (node.kind() != Kind::table) {
+    node.fail(fmt::format("'{}' in {} must be a table", key, where));
+  }
+  return node;
+}
+
+const std::string& ConfigNode::need_text(const std::string& key, const std::string& where) const {
+  const ConfigNode& node = need(key, where);
+  if (!node.is_text() || node.text().empty()) {
+    node.fail(fmt::format("'{}' in {} must be a text in quotes", key, where));
+  }
+  return node.text();
+}
+
+ConfigNode read_config_file(const fs::path& file, const std::string& what) {
+  const std::string text = read_text(file, what);
+  try {
+    return ConfigBuilder(std::make_shared<const std::string>(file.string()))
+        .build(toml::parse(text, file.string()));
+  } catch (const toml::parse_error& error) {
+    const auto& begin = error.source().begin;
+    throw InputError(
+        fmt::format("{}:{}:{}: no TOML: {}", file.string(), begin.line, begin.column, error.description()));
+  }
+}
+
+}  // namespace feedscope

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace feedscope {
+
+/// A value of a TOML file that knows where it stands, so that its reader can say what is wrong where.
+/// `where` of the functions below names the table in messages: "[axes.X]", "the file".
+class ConfigNode {
+ public:
+  enum class Kind : std::uint8_t { text, number, truth, list, table, other };
+
+  Kind kind() const { return kind_; }
+  bool is_text() const { return kind_ == Kind::text; }
+  bool is_number() const { return kind_ == Kind::number; }
+  bool is_list() const { return kind_ == Kind::list; }
+  const std::string& text() const { return text_; }
+  double number() const { return number_; }
+  const std::vector<ConfigNode>& items() const { return items_; }  ///< of a list, values of a table
+  const std::vector<std::string>& keys() const { return keys_; }   ///< of a table, one an item, sorted
+
+  std::string place() const;  ///< "FILE:LINE:COLUMN"
+  /// Throws InputError with the place in front.
+  [[noreturn]] void fail(const std::string& message) const;
+
+  /// The value of a key, nullptr if this table has none.
+  const ConfigNode* find(const std::string& key) const;
+  /// Throws InputError with the nearest valid name for a key that is not known.
+  void check_keys(const std::vector<std::string>& known, const std::string& where) const;
+  /// These throw InputError if the key is missing or its value of another kind.
+  const ConfigNode& need(const std::string& key, const std::string& where) const;
+  const ConfigNode& need_table(const std::string& key, const std::string& where) const;
+  const std::string& need_text(const std::string& key, const std::string& where) const;
+
+ private:
+  friend class ConfigBuilder;
+  struct Position {
+    std::uint32_t line = 0;
+    std::uint32_t column = 0;
+  };
+
+  std::string place(const Position& position) const;
+
+  Kind kind_ = Kind::other;
+  double number_ = 0;
+  std::string text_;
+  std::vector<ConfigNode> items_;
+  std::vector<std::string> keys_;
+  std::vector<Position> key_positions_;
+  Position position_;
+  std::shared_ptr<const std::string> file_;
+};
+
+/// Reads a TOML file of at most 1 MiB. `what` for messages: "machine file". Throws InputError naming file and
+/// reason, for wrong syntax line and column too.
+ConfigNode read_config_file(const std::filesystem::path& file, const std::string& what);
+
+}  // namespace feedscope

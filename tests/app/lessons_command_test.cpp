@@ -1,0 +1,92 @@
+#include "tests/app/command_line.h"
+
+namespace feedscope::test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+class LessonsCommand : public CommandLine {
+ protected:
+  /// A lesson of one claim.
+  void write_lesson(const std::string& bound, const std::string& answer = "It is {time}.") const {
+    write("mine.toml",
+          "title = \"Mine\"\nlearn = \"A corner.\"\nminutes = 5\nsources = [\"Nobody\"]\n"
+          "text = \"A *corner*.\\n\\n- one\\n- two\\n\"\n"
+          "[start]\nprogram = \"corner.nc\"\nmachine = \"spinner-mvc850\"\nmodel = \"cam\"\n"
+          "[numbers]\ntime = { measure = \"cycle_time_s\" }\n"
+          "[[question]]\ntext = \"How long?\"\ncontrol = { key = \"model\", values = [\"cam\"] }\n"
+          "watch = { measure = \"cycle_time_s\" }\nanswer = \"" +
+              answer + "\"\n[[question.claim]]\nmeasure = \"cycle_time_s\"\nless_than = " + bound + "\n");
+  }
+};
+
+TEST_F(LessonsCommand, ListsLessons) {
+  const Result result = run("lessons");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("04_small_circle: Why a small circle is slow (25 min)"),
+                                HasSubstr("11_direction: ")));
+}
+
+TEST_F(LessonsCommand, ShowsOneWithMeasuredNumbersAndAnswers) {
+  const Result result = run("lessons 4");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out,
+              AllOf(HasSubstr("Why a small circle is slow (25 minutes)"), HasSubstr("2.008 m/min"),
+                    HasSubstr("Question 3"), HasSubstr("curvilinear_jerk_m_s3: 5, 10, 20"),
+                    HasSubstr("Answers"), HasSubstr("Sources"), Not(HasSubstr("{"))));
+}
+
+TEST_F(LessonsCommand, ShowsALessonFileBesideItsProgram) {
+  write_lesson("0.9");
+  const Result result = run("lessons mine.toml");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("A *corner*.\n\n- one\n- two\n"), HasSubstr("It is 0.800 s.")));
+}
+
+TEST_F(LessonsCommand, ChecksClaims) {
+  write_lesson("0.9");
+  const Result holds = run("lessons mine.toml --check");
+  EXPECT_EQ(holds.code, 0);
+  EXPECT_THAT(holds.out, AllOf(HasSubstr("holds"), Not(HasSubstr("FAILS")), Not(HasSubstr("note"))));
+
+  write_lesson("0.7");
+  const Result fails = run("lessons mine.toml --check");
+  EXPECT_EQ(fails.code, 1);
+  EXPECT_THAT(fails.out, AllOf(HasSubstr("FAILS"), HasSubstr("0.80000 s, expected less than 0.7 s"),
+                               HasSubstr("mine.toml:17:"), HasSubstr("1 claim does not hold")));
+}
+
+TEST_F(LessonsCommand, NotesNumbersThatNothingChecks) {
+  write_lesson("0.9", "It is 0.8 s.");
+  const Result result = run("lessons mine.toml --check");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, HasSubstr("note   nothing checks the number 0.8 in the answer of question 1"));
+}
+
+TEST_F(LessonsCommand, WritesAHandOut) {
+  const Result result = run("lessons 8 --out handout.html");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_EQ(result.out, "");
+  EXPECT_THAT(contents(folder_ / "handout.html"), AllOf(HasSubstr("<!DOCTYPE html>"), HasSubstr("0.9489 s")));
+  EXPECT_EQ(run("lessons 8 --out -").out, contents(folder_ / "handout.html"));
+}
+
+TEST_F(LessonsCommand, SaysWhatIsWrong) {
+  expect_wrong_use("lessons nothing_like_it", "unknown lesson 'nothing_like_it': no id and no file");
+  expect_wrong_use("lessons smal_circle", "did you mean '04_small_circle'?");
+  expect_wrong_use("lessons --out x.html", "--out writes one lesson: give its ID");
+  expect_wrong_use("lessons corner.nc", "no TOML");
+  expect_wrong_use("lessons 4 --out nowhere/x.html", "nowhere/x.html");
+  expect_wrong_use("lessons 4 --out x.docx", "x.docx");
+  write_lesson("\"x\"");
+  expect_wrong_use("lessons mine.toml", "mine.toml:19:13: 'less_than' in claim 1 of question 1 is 'x'");
+  write_lesson("0.9");
+  expect_wrong_use("lessons mine.toml --out mine.toml", "mine.toml");
+  write("corner.nc", "G1 X20 F3000\nfoo\n");
+  expect_wrong_use("lessons mine.toml", "has an error on line 2");
+}
+
+}  // namespace
+}  // namespace feedscope::test

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <regex>
+#include <set>
+
+#include "core/lessons/handout.h"
+#include "core/lessons/lesson_runs.h"
+#include "tests/core/lessons/lesson_folder.h"
+
+namespace feedscope {
+namespace {
+
+class ShippedLesson : public testing::TestWithParam<std::string> {
+ protected:
+  const Lesson lesson_ = read_lesson(find_lesson(GetParam()));
+};
+
+std::vector<std::string> shipped_ids() {
+  std::vector<std::string> ids;
+  for (const auto& file : shipped_lessons()) {
+    ids.push_back(file.stem().string());
+  }
+  return ids;
+}
+
+/// Every claim of the lesson, simulated.
+void expect_claims(const Lesson& lesson) {
+  LessonRuns runs(lesson);
+  for (const Question& question : lesson.questions) {
+    for (const Claim& claim : question.claims) {
+      const ClaimResult result = runs.check(claim);
+      EXPECT_TRUE(result.holds) << claim.place << ": " << quantity_text(claim.quantity) << " is "
+                                << result.value << ", expected " << expectation_text(claim);
+    }
+  }
+}
+
+TEST_P(ShippedLesson, EveryClaimHolds) {
+  expect_claims(lesson_);
+}
+
+TEST_P(ShippedLesson, EveryNumberOfTheTextsIsHeldBySomething) {
+  EXPECT_THAT(unchecked_numbers(lesson_), testing::IsEmpty());
+}
+
+TEST_P(ShippedLesson, EveryNumberThatIsNamedIsUsed) {
+  std::string texts = lesson_.text + lesson_.learn;
+  std::set<double> bounds;
+  for (const Question& question : lesson_.questions) {
+    texts += question.text + question.hint + question.answer;
+    for (const Claim& claim : question.claims) {
+      if (const double* bound = std::get_if<double>(&claim.bound)) {
+        bounds.insert(*bound);
+      }
+    }
+  }
+  for (const auto& [name, number] : lesson_.numbers) {
+    EXPECT_THAT(texts, testing::HasSubstr("{" + name + "}"));
+  }
+  for (const auto& [name, given] : lesson_.given) {
+    EXPECT_TRUE(texts.find("{" + name + "}") != std::string::npos || bounds.contains(given.value) ||
+                texts.find(fmt::format("{}", given.value)) != std::string::npos)
+        << name;
+  }
+}
+
+TEST_P(ShippedLesson, EveryControlCanBeMovedAndWhatToWatchMeasured) {
+  LessonRuns runs(lesson_);
+  for (const Question& question : lesson_.questions) {
+    for (const std::string& value : question.control.values) {
+      Changes changes = question.with;
+      changes.push_back(question.control.key + "=" + value);
+      const double watched = measured(question.watch, runs.run(changes));
+      EXPECT_TRUE(std::isfinite(watched)) << question.control.key << "=" << value;
+    }
+  }
+  for (const Changes& run : lesson_.view.runs) {
+    EXPECT_GT(runs.run(run).summary.cycle_time, 0);
+  }
+}
+
+TEST_P(ShippedLesson, PrintsWithAllItsNumbers) {
+  LessonRuns runs(lesson_);
+  const std::string html = handout_html(lesson_, runs.numbers());
+  EXPECT_FALSE(std::regex_search(html.substr(html.find("<body>")), std::regex(R"(\{\w+\})")));
+  EXPECT_THAT(html, testing::HasSubstr(lesson_.title));
+}
+
+INSTANTIATE_TEST_SUITE_P(Lessons, ShippedLesson, testing::ValuesIn(shipped_ids()),
+                         [](const auto& lesson) { return lesson.param; });
+
+TEST(ShippedLessons, AreAtLeastTenAndNumberedWithoutGaps) {
+  const std::vector<std::string> ids = shipped_ids();
+  EXPECT_GE(ids.size(), 10u);
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    EXPECT_THAT(ids[i], testing::StartsWith(fmt::format("{:02}_", i + 1)));
+  }
+}
+
+class Readme : public test::LessonFolder {};
+
+TEST_F(Readme, ItsExampleIsALessonWhoseClaimsHold) {
+  std::ifstream in(std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "resources/lessons/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(in), {}};
+  const std::string fence = "```toml\n";
+  const std::size_t begin = readme.find(fence) + fence.size();
+  const Lesson lesson = read_lesson(write(readme.substr(begin, readme.find("```", begin) - begin)));
+  expect_claims(lesson);
+  EXPECT_THAT(unchecked_numbers(lesson), testing::IsEmpty());
+  EXPECT_EQ(LessonRuns(lesson).numbers().at("time"), "1.241 s");
+}
+
+TEST_F(Readme, NamesEveryMeasureAndColouring) {
+  std::ifstream in(std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "resources/lessons/README.md");
+  const std::string readme{std::istreambuf_iterator<char>(in), {}};
+  for (const MeasureSpec& measure : all_measures()) {
+    EXPECT_THAT(readme, testing::HasSubstr("`" + measure.key + "`"));
+  }
+  for (const std::string& name : lesson_colourings()) {
+    EXPECT_THAT(readme, testing::HasSubstr("`" + name + "`"));
+  }
+  for (const std::string& name : lesson_cameras()) {
+    EXPECT_THAT(readme, testing::HasSubstr("`" + name + "`"));
+  }
+}
+
+}  // namespace
+}  // namespace feedscope

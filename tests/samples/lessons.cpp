@@ -1,0 +1,182 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "tests/samples/nc_writer.h"
+#include "tests/samples/samples.h"
+
+namespace feedscope::samples {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr int decimals = 4;
+
+Vector3d direction(double degrees) {
+  const double angle = units::from_deg(degrees);
+  return {std::cos(angle), std::sin(angle), 0};
+}
+
+NcWriter begin(const std::string& what, const std::string& shows) {
+  NcWriter nc(decimals);
+  nc.comment(what);
+  nc.comment("SHOWS: " + shows);
+  nc.raw("G17 G21 G90 G94");
+  return nc;
+}
+
+/// Every corner from rest to rest and half of its turn on each side of X, so that all of them lie the same
+/// way to the axes and differ in nothing but their angle.
+Sample corners() {
+  NcWriter nc =
+      begin("CORNERS OF 15, 30, 60, 90, 120 AND 150 DEGREES BETWEEN LEGS OF 20 MM, EACH FROM REST TO REST",
+            "WHAT THE ANGLE OF A CORNER AND THE CONTOUR TOLERANCE COST");
+  constexpr double leg = 20;
+  constexpr double apart = 30;
+  nc.raw("F3000");
+  Vector3d start = Vector3d::Zero();
+  for (const double turn : {15.0, 30.0, 60.0, 90.0, 120.0, 150.0}) {
+    nc.rapid(start);
+    const Vector3d corner = start + leg * direction(-turn / 2);
+    nc.line(corner);
+    nc.line(corner + leg * direction(turn / 2));
+    start.y() += apart;
+  }
+  nc.raw("M30");
+  return {"lesson_corners.nc", nc.text()};
+}
+
+/// Out and back: the reversals are exact stops on every control.
+Sample lines() {
+  NcWriter nc =
+      begin("LINES OF 100 MM AT 3 AND AT 12 M/MIN, OF 10 AND OF 1 MM AT 12 M/MIN, EACH FROM REST TO REST",
+            "WHEN JERK DECIDES AND WHEN ACCELERATION DOES");
+  nc.line({100, 0, 0}, 3000);
+  nc.line({0, 0, 0}, 12000);
+  nc.line({10, 0, 0}, 12000);
+  nc.line({9, 0, 0}, 12000);
+  nc.raw("M30");
+  return {"lesson_lines.nc", nc.text()};
+}
+
+/// Full circles of 20 mm entered in four ways; `entry` draws the way in and out of one around `center`.
+Sample approaches() {
+  NcWriter nc = begin(
+      "CIRCLES OF RADIUS 20 MM ENTERED STRAIGHT ONTO THE WALL, ALONG THE TANGENT, BY ARCS OF 10 AND OF 16 MM",
+      "WHAT A JUMP OF CURVATURE COSTS, AND THAT AN APPROACH ARC HELPS WHERE ITS RADIUS IS NEAR THAT OF THE "
+      "BORE");
+  constexpr double radius = 20;
+  constexpr double apart = 60;
+  nc.raw("F6000");
+  const auto circle = [&](const Vector2d& center) {
+    nc.arc(false, {center.x() + radius, center.y(), 0}, center);
+  };
+  nc.rapid({0, 0, 0});
+  nc.line({radius, 0, 0});
+  circle({0, 0});
+  nc.line({0, 0, 0});
+
+  Vector2d center(apart, 0);
+  nc.rapid({center.x() + radius, -radius, 0});
+  nc.line({center.x() + radius, 0, 0});
+  circle(center);
+  nc.line({center.x() + radius, radius, 0});
+
+  for (const double arc : {10.0, 16.0}) {
+    center.x() += apart;
+    const Vector2d arc_center = center + Vector2d(radius - arc, 0);
+    nc.rapid({center.x(), center.y(), 0});
+    nc.line({arc_center.x(), -arc, 0});
+    nc.arc(false, {center.x() + radius, 0, 0}, arc_center);
+    circle(center);
+    nc.arc(false, {arc_center.x(), arc, 0}, arc_center);
+    nc.line({center.x(), center.y(), 0});
+  }
+  nc.raw("M30");
+  return {"lesson_approach.nc", nc.text()};
+}
+
+Sample row(double block, double length, int feed, const std::string& name, const std::string& shows) {
+  NcWriter nc =
+      begin(fmt::format("STRAIGHT ROW OF {} MM IN BLOCKS OF {} MM AT {} MM/MIN", length, block, feed), shows);
+  const int count = static_cast<int>(std::lround(length / block));
+  for (int i = 1; i <= count; ++i) {
+    nc.line({i * block, 0, 0}, i == 1 ? feed : 0);
+  }
+  nc.raw("M30");
+  return {name, nc.text()};
+}
+
+Sample wave() {
+  NcWriter nc = begin("ONE WAVE OF 100 MM, 4 MM HIGH, IN CHORDS OF 0.1 MM AT 9600 MM/MIN",
+                      "WHAT COMPACTION OF SHORT BLOCKS GAINS AND COSTS");
+  constexpr int count = 1000;
+  constexpr double length = 100;
+  constexpr double height = 4;
+  for (int i = 1; i <= count; ++i) {
+    const double x = length * i / count;
+    nc.line({x, height / 2 * (1 - std::cos(2 * units::pi * x / length)), 0}, i == 1 ? 9600 : 0);
+  }
+  nc.raw("M30");
+  return {"lesson_short_wave.nc", nc.text()};
+}
+
+Sample right_angle() {
+  NcWriter nc = begin("ONE RIGHT ANGLE BETWEEN TWO LEGS OF 20 MM AT 3000 MM/MIN",
+                      "BLENDS THAT ARE INSERTED AGAINST FILTERS THAT ROUND");
+  nc.line({20, 0, 0}, 3000);
+  nc.line({20, 20, 0});
+  nc.raw("M30");
+  return {"lesson_right_angle.nc", nc.text()};
+}
+
+Sample directions() {
+  NcWriter nc =
+      begin("LINES OF 50 MM ALONG X, AT 45 DEGREES AND ALONG Y, AT 12 M/MIN, OUT AND BACK, FROM REST TO REST",
+            "TWO AXES TOGETHER ARE FASTER THAN ONE");
+  constexpr double length = 50;
+  nc.raw("F12000");
+  for (const double angle : {0.0, 45.0, 90.0}) {
+    nc.line(length * direction(angle));
+    nc.line({0, 0, 0});
+  }
+  nc.raw("M30");
+  return {"lesson_directions.nc", nc.text()};
+}
+
+/// The same corners at two programmed feeds.
+Sample zigzag(int feed) {
+  NcWriter nc =
+      begin(fmt::format("ZIGZAG OF 40 LEGS OF 2 MM WITH RIGHT ANGLES, PROGRAMMED AT {} MM/MIN", feed),
+            "WHAT CAM PROMISES AND WHAT THE CONTROL DOES");
+  constexpr int legs = 40;
+  constexpr double leg = 2;
+  Vector3d place = Vector3d::Zero();
+  for (int i = 0; i < legs; ++i) {
+    place += leg * direction(i % 2 == 0 ? 45 : -45);
+    nc.line(place, i == 0 ? feed : 0);
+  }
+  nc.raw("M30");
+  return {fmt::format("lesson_zigzag_{}.nc", feed), nc.text()};
+}
+
+}  // namespace
+
+std::vector<Sample> lesson_programs() {
+  return {corners(),
+          lines(),
+          approaches(),
+          row(0.1, 100, 9600, "lesson_short_blocks.nc",
+              "BLOCKS SHORTER THAN THE FEED COVERS IN ONE INTERPOLATION PERIOD"),
+          wave(),
+          row(0.5, 200, 6000, "lesson_lookahead.nc", "A HORIZON OF TOO FEW BLOCKS"),
+          right_angle(),
+          directions(),
+          zigzag(3000),
+          zigzag(6000)};
+}
+
+}  // namespace feedscope::samples
