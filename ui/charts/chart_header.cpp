@@ -6,6 +6,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <algorithm>
 #include <cmath>
 
 #include "ui/charts/plot_margins.h"
@@ -19,6 +20,7 @@ constexpr int swatch_width = 18;
 constexpr int gap = 5;
 constexpr int curve_gap = 16;
 constexpr int longest_run_name = 160;  // [px]
+constexpr int most_run_rows = 2;
 
 QFont bold(QFont font) {
   font.setBold(true);
@@ -29,7 +31,9 @@ QFont bold(QFont font) {
 
 ChartHeader::ChartHeader(ChartSpec spec, QWidget* parent)
     : QWidget(parent), spec_(std::move(spec)), shown_(spec_.curves.size(), true) {
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  policy.setHeightForWidth(true);
+  setSizePolicy(policy);
   QFont small = font();
   small.setPixelSize(11);
   setFont(small);
@@ -47,9 +51,9 @@ void ChartHeader::show_curve(std::size_t curve, bool shown) {
 }
 
 void ChartHeader::set_runs(std::vector<LegendEntry> runs) {
-  const bool resized = runs.empty() != runs_.empty();
+  const int before = heightForWidth(width());
   runs_ = std::move(runs);
-  if (resized) {
+  if (heightForWidth(width()) != before) {
     updateGeometry();
   }
   update();
@@ -63,6 +67,10 @@ int ChartHeader::value_width() const {
   return QFontMetrics(font()).horizontalAdvance(QStringLiteral("-00000.0"));
 }
 
+int ChartHeader::item_width(const QString& name) const {
+  return swatch_width + gap + QFontMetrics(font()).horizontalAdvance(name) + value_width();
+}
+
 QString ChartHeader::unit_text() const {
   return QStringLiteral("[%1]").arg(spec_.unit);
 }
@@ -73,29 +81,94 @@ QString ChartHeader::number(double value) const {
 }
 
 QSize ChartHeader::sizeHint() const {
-  return {700, runs_.empty() ? row_height() : 2 * row_height()};
+  constexpr int usual_width = 700;
+  return {usual_width, heightForWidth(usual_width)};
+}
+
+QSize ChartHeader::minimumSizeHint() const {
+  int widest = 0;
+  for (const CurveSpec& curve : spec_.curves) {
+    widest = std::max(widest, item_width(curve.name));
+  }
+  return {plot_left_margin + widest, row_height()};
+}
+
+int ChartHeader::heightForWidth(int width) const {
+  return lay_out(width).height;
+}
+
+/// What does not fit into a line goes to the next one, below the first curve.
+ChartHeader::Layout ChartHeader::lay_out(int width) const {
+  const QFontMetrics metrics(font());
+  Layout layout;
+  int x = left + QFontMetrics(bold(font())).horizontalAdvance(spec_.title) + gap +
+          metrics.horizontalAdvance(unit_text()) + curve_gap;
+  int y = 0;
+  for (const CurveSpec& curve : spec_.curves) {
+    const int room = item_width(curve.name);
+    if (x + room > width && x > plot_left_margin) {
+      x = plot_left_margin;
+      y += row_height();
+    }
+    layout.curves.emplace_back(x, y, room, row_height());
+    x += room + curve_gap;
+  }
+  layout.curves_height = layout.height = y + row_height();
+  if (!runs_.empty()) {
+    add_runs(layout, width);
+  }
+  return layout;
+}
+
+void ChartHeader::add_runs(Layout& layout, int width) const {
+  const QFontMetrics metrics(font());
+  const int more = metrics.horizontalAdvance(tr("+ %1").arg(99));
+  int x = plot_left_margin;
+  int row = 0;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    const int room = item_width(metrics.elidedText(runs_[i].name, Qt::ElideMiddle, longest_run_name));
+    const bool last = i + 1 == runs_.size();
+    const int end = x + room + (last || row + 1 < most_run_rows ? 0 : curve_gap + more);
+    if (end > width && x > plot_left_margin) {
+      if (row + 1 == most_run_rows) {
+        break;
+      }
+      ++row;
+      x = plot_left_margin;
+    }
+    layout.runs.emplace_back(x, layout.curves_height + row * row_height(), room, row_height());
+    x += room + curve_gap;
+  }
+  layout.height += (row + 1) * row_height();
 }
 
 QRect ChartHeader::item(std::size_t curve) const {
-  const QFontMetrics metrics(font());
-  int x = left + QFontMetrics(bold(font())).horizontalAdvance(spec_.title) + gap +
-          metrics.horizontalAdvance(unit_text()) + curve_gap;
-  for (std::size_t i = 0;; ++i) {
-    const int width = swatch_width + gap + metrics.horizontalAdvance(spec_.curves[i].name) + value_width();
-    if (i == curve) {
-      return {x, 0, width, row_height()};
-    }
-    x += width + curve_gap;
-  }
+  return lay_out(width()).curves[curve];
 }
 
 std::optional<std::size_t> ChartHeader::curve_at(const QPoint& place) const {
-  for (std::size_t i = 0; i < spec_.curves.size(); ++i) {
-    if (item(i).contains(place)) {
-      return i;
-    }
+  const std::vector<QRect> curves = lay_out(width()).curves;
+  const auto found = std::ranges::find_if(curves, [&](const QRect& item) { return item.contains(place); });
+  return found == curves.end() ? std::nullopt : std::optional<std::size_t>(found - curves.begin());
+}
+
+QString ChartHeader::tip_at(const QPoint& place) const {
+  if (const auto curve = curve_at(place)) {
+    return tr("%1, %2 [%3]\nClick: hide or show. Ctrl+click: only this one.")
+        .arg(spec_.title, spec_.curves[*curve].name, spec_.unit);
   }
-  return {};
+  const Layout layout = lay_out(width());
+  if (place.y() < layout.curves_height) {
+    return {};
+  }
+  QStringList names;
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    if (i < layout.runs.size() && layout.runs[i].contains(place)) {
+      return runs_[i].name;
+    }
+    names.append(runs_[i].name);
+  }
+  return names.join('\n');
 }
 
 bool ChartHeader::event(QEvent* event) {
@@ -103,12 +176,7 @@ bool ChartHeader::event(QEvent* event) {
     return QWidget::event(event);
   }
   const auto* help = static_cast<QHelpEvent*>(event);
-  QString tip;
-  if (const auto curve = curve_at(help->pos())) {
-    tip = tr("%1, %2 [%3]\nClick: hide or show. Ctrl+click: only this one.")
-              .arg(spec_.title, spec_.curves[*curve].name, spec_.unit);
-  }
-  QToolTip::showText(help->globalPos(), tip, this);
+  QToolTip::showText(help->globalPos(), tip_at(help->pos()), this);
   return true;
 }
 
@@ -135,11 +203,12 @@ void ChartHeader::paintEvent(QPaintEvent*) {
 
 void ChartHeader::draw(QPainter& painter) const {
   painter.setRenderHint(QPainter::Antialiasing);
+  const Layout layout = lay_out(width());
   draw_title(painter);
   for (std::size_t i = 0; i < spec_.curves.size(); ++i) {
-    draw_curve(painter, i);
+    draw_curve(painter, i, layout.curves[i]);
   }
-  draw_runs(painter);
+  draw_runs(painter, layout);
 }
 
 void ChartHeader::draw_title(QPainter& painter) const {
@@ -151,9 +220,8 @@ void ChartHeader::draw_title(QPainter& painter) const {
   painter.drawText(QRect(left + title + gap, 0, width(), row_height()), Qt::AlignVCenter, unit_text());
 }
 
-void ChartHeader::draw_curve(QPainter& painter, std::size_t curve) const {
+void ChartHeader::draw_curve(QPainter& painter, std::size_t curve, const QRect& place) const {
   const CurveSpec& spec = spec_.curves[curve];
-  const QRect place = item(curve);
   const bool shown = shown_[curve];
   const QColor faint = palette().color(QPalette::Disabled, QPalette::WindowText);
   const QColor color = shown ? curve_colour(spec.role, theme_colours(palette())) : faint;
@@ -169,25 +237,25 @@ void ChartHeader::draw_curve(QPainter& painter, std::size_t curve) const {
   }
 }
 
-void ChartHeader::draw_runs(QPainter& painter) const {
+void ChartHeader::draw_runs(QPainter& painter, const Layout& layout) const {
   const QFontMetrics metrics(font());
-  const int top = row_height();
-  int x = plot_left_margin;
-  for (const LegendEntry& run : runs_) {
-    const QString name = metrics.elidedText(run.name, Qt::ElideMiddle, longest_run_name);
-    const int room = metrics.horizontalAdvance(name) + (run.value ? value_width() : 0);
-    const QRect words(x + swatch_width + gap, top, room + 1, row_height());
-    if (words.right() > width()) {
-      return;
-    }
+  for (std::size_t i = 0; i < layout.runs.size(); ++i) {
+    const LegendEntry& run = runs_[i];
+    const QRect& place = layout.runs[i];
     painter.setPen(QPen(run.color, 2, run.dashed ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(x, words.center().y(), x + swatch_width, words.center().y());
+    painter.drawLine(place.left(), place.center().y(), place.left() + swatch_width, place.center().y());
     painter.setPen(palette().color(QPalette::WindowText));
-    painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, name);
+    const QRect words = place.adjusted(swatch_width + gap, 0, 0, 0);
+    painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(run.name, Qt::ElideMiddle, longest_run_name));
     if (run.value.has_value()) {
       painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, number(*run.value));
     }
-    x = words.right() + curve_gap;
+  }
+  if (layout.runs.size() < runs_.size()) {
+    painter.setPen(palette().color(QPalette::Disabled, QPalette::WindowText));
+    painter.drawText(layout.runs.back().translated(layout.runs.back().width() + curve_gap, 0),
+                     Qt::AlignVCenter, tr("+ %1").arg(runs_.size() - layout.runs.size()));
   }
 }
 

@@ -16,8 +16,9 @@ struct LegendEntry {
   std::optional<double> value;  ///< where the cursor is, in the chart's unit
 };
 
-/// The line above a chart: quantity with unit, and each curve with its value at the cursor; other runs in a
-/// second line if there are any. A click on a curve asks to show or hide it, with Ctrl to show it alone.
+/// The lines above a chart: quantity with unit, and each curve with its value at the cursor, in as many lines
+/// as they need; other runs below, if there are any, in two lines at most. A click on a curve asks to show or
+/// hide it, with Ctrl to show it alone.
 class ChartHeader : public QWidget {
   Q_OBJECT
 
@@ -30,10 +31,12 @@ class ChartHeader : public QWidget {
   const std::vector<LegendEntry>& runs() const { return runs_; }
   /// Where a curve stands, value included.
   QRect item(std::size_t curve) const;
+  QString tip_at(const QPoint& place) const;
   void draw(QPainter& painter) const;
 
   QSize sizeHint() const override;
-  QSize minimumSizeHint() const override { return {200, sizeHint().height()}; }
+  QSize minimumSizeHint() const override;
+  int heightForWidth(int width) const override;
 
  signals:
   void curve_clicked(std::size_t curve);
@@ -46,14 +49,24 @@ class ChartHeader : public QWidget {
   void mouseMoveEvent(QMouseEvent* event) override;
 
  private:
+  struct Layout {
+    std::vector<QRect> curves;
+    std::vector<QRect> runs;  ///< those that there is room for
+    int curves_height = 0;
+    int height = 0;
+  };
+
+  Layout lay_out(int width) const;
+  void add_runs(Layout& layout, int width) const;
   int row_height() const;
   int value_width() const;
+  int item_width(const QString& name) const;
   QString unit_text() const;
   QString number(double value) const;
   std::optional<std::size_t> curve_at(const QPoint& place) const;
   void draw_title(QPainter& painter) const;
-  void draw_curve(QPainter& painter, std::size_t curve) const;
-  void draw_runs(QPainter& painter) const;
+  void draw_curve(QPainter& painter, std::size_t curve, const QRect& place) const;
+  void draw_runs(QPainter& painter, const Layout& layout) const;
 
   ChartSpec spec_;
   std::vector<bool> shown_;

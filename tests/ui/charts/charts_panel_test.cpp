@@ -155,5 +155,18 @@ TEST_F(ChartsPanelTest, WithoutARunNothingIsShown) {
   EXPECT_EQ(panel.chart(0).cursor(), std::nullopt);
 }
 
+TEST_F(ChartsPanelTest, NarrowChartsShowTheirWholeLegends) {
+  for (const int width : {500, 600, 700, 940}) {
+    panel.resize(width, 420);
+    QApplication::processEvents();
+    for (std::size_t chart = 0; chart < chart_count; ++chart) {
+      const ChartHeader& header = panel.header(chart);
+      for (std::size_t curve = 0; curve < panel.chart(chart).spec().curves.size(); ++curve) {
+        EXPECT_TRUE(header.rect().contains(header.item(curve))) << width << ' ' << chart << ' ' << curve;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace feedscope::ui

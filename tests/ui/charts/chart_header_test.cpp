@@ -1,0 +1,71 @@
+#include "ui/charts/chart_header.h"
+
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+namespace feedscope::ui {
+namespace {
+
+class ChartHeaderTest : public testing::Test {
+ protected:
+  void give_width(int width) { header.resize(width, header.heightForWidth(width)); }
+  std::size_t count() const { return spec.curves.size(); }
+
+  const ChartSpec spec = kinematic_chart_specs()[0];
+  ChartHeader header{spec};
+};
+
+TEST_F(ChartHeaderTest, EveryCurveStandsWithinItWhateverItsWidth) {
+  int before = 0;
+  for (int width = 1200; width >= header.minimumSizeHint().width(); width -= 20) {
+    give_width(width);
+    EXPECT_GE(header.height(), before) << "narrower is not lower";
+    before = header.height();
+    for (std::size_t i = 0; i < count(); ++i) {
+      EXPECT_TRUE(header.rect().contains(header.item(i))) << width << ' ' << i;
+      for (std::size_t k = 0; k < i; ++k) {
+        EXPECT_FALSE(header.item(i).intersects(header.item(k))) << width << ' ' << i << ' ' << k;
+      }
+    }
+  }
+}
+
+TEST_F(ChartHeaderTest, WideEnoughItIsOneLine) {
+  give_width(1200);
+  for (std::size_t i = 0; i < count(); ++i) {
+    EXPECT_EQ(header.item(i).top(), 0);
+  }
+  give_width(400);
+  EXPECT_GT(header.item(count() - 1).top(), header.item(0).top());
+}
+
+TEST_F(ChartHeaderTest, ACurveOfALaterLineCanBeClicked) {
+  give_width(400);
+  QSignalSpy clicked(&header, &ChartHeader::curve_clicked);
+  QTest::mouseClick(&header, Qt::LeftButton, {}, header.item(count() - 1).center());
+  ASSERT_EQ(clicked.count(), 1);
+  EXPECT_EQ(clicked[0][0].value<std::size_t>(), count() - 1);
+}
+
+TEST_F(ChartHeaderTest, OtherRunsTakeTwoLinesAtMostAndTheTipNamesAll) {
+  give_width(600);
+  const int alone = header.height();
+  std::vector<LegendEntry> runs;
+  for (int i = 0; i < 20; ++i) {
+    runs.push_back({QStringLiteral("run %1").arg(i), Qt::red, false, 1.0});
+  }
+  header.set_runs({runs[0]});
+  give_width(600);
+  const int line = header.height() - alone;
+  EXPECT_GT(line, 0);
+  header.set_runs(runs);
+  give_width(600);
+  EXPECT_EQ(header.height(), alone + 2 * line);
+  EXPECT_EQ(header.tip_at({70, alone + 2}), "run 0");
+  EXPECT_TRUE(header.tip_at({2, alone + 2}).endsWith("run 19"));
+}
+
+}  // namespace
+}  // namespace feedscope::ui
