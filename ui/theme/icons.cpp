@@ -1,5 +1,7 @@
 #include "ui/theme/icons.h"
 
+#include <QGuiApplication>
+#include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
 
@@ -37,7 +39,62 @@ QPainterPath outline(MediaIcon kind) {
   return path;
 }
 
+/// Lines in a square of `side`.
+QPainterPath lines_of(DockIcon kind) {
+  QPainterPath path;
+  if (kind == DockIcon::close) {
+    path.moveTo(3, 3);
+    path.lineTo(side - 3, side - 3);
+    path.moveTo(side - 3, 3);
+    path.lineTo(3, side - 3);
+  } else {
+    path.addRect(2, 6, 8, 8);
+    path.moveTo(6, 5);
+    path.lineTo(6, 2);
+    path.lineTo(14, 2);
+    path.lineTo(14, 10);
+    path.lineTo(11, 10);
+  }
+  return path;
+}
+
+class DockIconEngine : public QIconEngine {
+ public:
+  explicit DockIconEngine(DockIcon kind) : kind_(kind) {}
+
+  void paint(QPainter* painter, const QRect& place, QIcon::Mode mode, QIcon::State) override {
+    const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
+    painter->save();
+    painter->setRenderHint(QPainter::Antialiasing);
+    painter->translate(place.topLeft());
+    painter->scale(place.width() / double(side), place.height() / double(side));
+    constexpr double line_width = 1.6;
+    painter->setPen(QPen(QGuiApplication::palette().color(group, QPalette::WindowText), line_width));
+    painter->drawPath(lines_of(kind_));
+    painter->restore();
+  }
+  QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+    QPixmap pixmap(size);
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    paint(&painter, QRect({}, size), mode, state);
+    return pixmap;
+  }
+  QSize actualSize(const QSize& size, QIcon::Mode, QIcon::State) override {
+    constexpr int suits_a_title = 12;
+    return size.boundedTo({suits_a_title, suits_a_title});
+  }
+  QIconEngine* clone() const override { return new DockIconEngine(kind_); }
+
+ private:
+  DockIcon kind_;
+};
+
 }  // namespace
+
+QIcon dock_icon(DockIcon kind) {
+  return QIcon(new DockIconEngine(kind));
+}
 
 QIcon media_icon(MediaIcon kind, const QPalette& palette) {
   QIcon icon;

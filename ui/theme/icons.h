@@ -10,4 +10,10 @@ enum class MediaIcon { play, pause, back, on };
 /// Drawn in the colour of button texts: the style's own icons are black in every theme.
 QIcon media_icon(MediaIcon kind, const QPalette& palette);
 
+/// On the title of a dock: to close it, to take it out of the window or put it back.
+enum class DockIcon { close, detach };
+
+/// Always in the colour that texts of the application have at the time.
+QIcon dock_icon(DockIcon kind);
+
 }  // namespace feedscope::ui

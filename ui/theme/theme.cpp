@@ -2,7 +2,9 @@
 
 #include <QApplication>
 #include <QFont>
-#include <QStyleFactory>
+#include <QProxyStyle>
+
+#include "ui/theme/icons.h"
 
 namespace feedscope::ui {
 
@@ -78,10 +80,28 @@ QPalette make_palette(const Roles& roles) {
   return palette;
 }
 
+/// Fusion, whose icons of docks are black in every theme.
+class ThemeStyle : public QProxyStyle {
+ public:
+  ThemeStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
+
+  QIcon standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const override {
+    switch (icon) {
+      case SP_DockWidgetCloseButton:
+      case SP_TitleBarCloseButton:
+        return dock_icon(DockIcon::close);
+      case SP_TitleBarNormalButton:
+        return dock_icon(DockIcon::detach);
+      default:
+        return QProxyStyle::standardIcon(icon, option, widget);
+    }
+  }
+};
+
 }  // namespace
 
 void apply_theme(ThemeKind kind) {
-  QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
+  QApplication::setStyle(new ThemeStyle);
   QApplication::setPalette(make_palette(kind == ThemeKind::dark ? dark_roles : light_roles));
   QFont font = QApplication::font();
   font.setPixelSize(12);
