@@ -11,6 +11,7 @@
 
 #include "ui/language/language.h"
 #include "ui/main_window.h"
+#include "ui/models/panel_action.h"
 #include "ui/models/recent_files.h"
 #include "ui/views/setup_bar.h"
 
@@ -44,9 +45,8 @@ QList<ListedAction> MainWindow::commands() const {
 
 QAction* MainWindow::add_action(QMenu* menu, const QString& text, const QKeySequence& key,
                                 const QString& tip) {
-  QAction* action = menu->addAction(text);
-  action->setShortcut(key);
-  action->setToolTip(key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+  QAction* action = make_action(this, text, tip, key);
+  menu->addAction(action);
   return action;
 }
 
@@ -163,9 +163,6 @@ void MainWindow::make_view_menu() {
             const ViewRange& range = charts_->range();
             scene_->zoom_to_times(range.time_at(range.lower()), range.time_at(range.upper()));
           });
-  connect(add_action(view, tr("Fit &charts"), QKeySequence(tr("Ctrl+Shift+0")),
-                     tr("The whole run in the charts")),
-          &QAction::triggered, &charts_->range(), &ViewRange::fit);
   view->addSeparator();
   QMenu* docks = view->addMenu(tr("&Panels"));
   for (const QDockWidget* dock : findChildren<QDockWidget*>()) {

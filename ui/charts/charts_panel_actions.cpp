@@ -9,6 +9,7 @@
 
 #include "ui/charts/chart_export.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/models/panel_action.h"
 
 namespace feedscope::ui {
 
@@ -21,9 +22,7 @@ constexpr double picture_scale = 2.0;  // pixels of a PNG to one on the screen
 }  // namespace
 
 QAction* ChartsPanel::add_action(const QString& text, const QString& tip, const QKeySequence& key) {
-  auto* action = new QAction(text, this);
-  action->setToolTip(key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
-  action->setShortcut(key);
+  QAction* action = make_action(this, text, tip, key);
   action->setShortcutContext(Qt::WidgetShortcut);  // plain keys mean something else in other panels
   for (KinematicChart* chart : charts_) {
     chart->addAction(action);
@@ -48,12 +47,11 @@ void ChartsPanel::make_actions() {
 }
 
 void ChartsPanel::make_zoom_actions() {
-  QAction* all =
-      add_action(tr("Show &all"), tr("Show the whole run, and all values; as a double click does"));
+  QAction* all = add_action(tr("Show &all"), tr("Show the whole run, and all values; as a double click does"),
+                            QKeySequence(tr("Ctrl+Shift+0")));
+  all->setShortcutContext(Qt::WindowShortcut);
   connect(all, &QAction::triggered, this, &ChartsPanel::fit);
-  show_all_->setText(tr("Show all"));
-  show_all_->setToolTip(all->toolTip());
-  connect(show_all_, &QToolButton::clicked, this, &ChartsPanel::fit);
+  show_all_->setDefaultAction(all);
   back_ = add_action(tr("&Back"), tr("The range and values shown before"), QKeySequence(tr("Alt+Left")));
   connect(back_, &QAction::triggered, this, [this] {
     rest();

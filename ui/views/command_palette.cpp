@@ -29,9 +29,19 @@ QTableView* make_list(QAbstractItemModel* model, QWidget* parent) {
   list->setFrameShape(QFrame::NoFrame);
   list->verticalHeader()->hide();
   list->verticalHeader()->setDefaultSectionSize(row_height);
+  list->setTextElideMode(Qt::ElideMiddle);
   list->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  list->horizontalHeader()->setSectionResizeMode(ActionTable::place, QHeaderView::Interactive);
   list->horizontalHeader()->setSectionResizeMode(ActionTable::name, QHeaderView::Stretch);
   return list;
+}
+
+/// The names are what is looked for; a deep menu takes no room from them.
+void fit_places(QTableView& list, int width) {
+  constexpr double largest_share = 0.28;
+  list.resizeColumnToContents(ActionTable::place);
+  list.setColumnWidth(ActionTable::place, std::min(list.columnWidth(ActionTable::place),
+                                                   static_cast<int>(largest_share * width)));
 }
 
 /// Rows that hold every word, in any order, in menu or name.
@@ -89,6 +99,7 @@ void CommandPalette::ask(QList<ListedAction> actions) {
   const QRect around = parentWidget()->rect();
   const int width = std::min(palette_width, around.width());
   resize(width, std::min(palette_height, around.height()));
+  fit_places(*list_, width);
   move(parentWidget()->mapToGlobal(QPoint((around.width() - width) / 2, around.height() / 8)));
   show();
   input_->setFocus();
@@ -148,6 +159,7 @@ KeyList::KeyList(QWidget* window)
 void KeyList::show_keys(QList<ListedAction> actions) {
   actions.removeIf([](const ListedAction& listed) { return listed.action->shortcuts().isEmpty(); });
   actions_->set_actions(std::move(actions));
+  fit_places(*list_, width());
   show();
   raise();
 }

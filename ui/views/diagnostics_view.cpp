@@ -1,6 +1,5 @@
 #include "ui/views/diagnostics_view.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -8,6 +7,8 @@
 #include <QStyledItemDelegate>
 #include <QTreeView>
 #include <QVBoxLayout>
+
+#include "ui/models/panel_action.h"
 
 namespace feedscope::ui {
 
@@ -71,10 +72,9 @@ DiagnosticsView::DiagnosticsView(QWidget* parent)
   connect(list_, &QTreeView::clicked, this, &DiagnosticsView::choose);
   connect(list_, &QTreeView::activated, this, &DiagnosticsView::choose);
 
-  add_action(tr("Next message"), tr("Go to the next message of the program (F8)"), QKeySequence(Qt::Key_F8),
-             true);
-  add_action(tr("Previous message"), tr("Go to the message before (Shift+F8)"),
-             QKeySequence(Qt::SHIFT | Qt::Key_F8), false);
+  add_step(tr("Next message"), tr("Go to the next message of the program"), QKeySequence(Qt::Key_F8), true);
+  add_step(tr("Previous message"), tr("Go to the message before"), QKeySequence(Qt::SHIFT | Qt::Key_F8),
+           false);
 
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(4, 4, 4, 4);
@@ -87,12 +87,9 @@ DiagnosticsView::DiagnosticsView(QWidget* parent)
   layout->addWidget(list_, 1);
 }
 
-void DiagnosticsView::add_action(const QString& text, const QString& tip, const QKeySequence& key,
-                                 bool forward) {
-  auto* action = new QAction(text, this);
-  action->setToolTip(tip);
-  action->setShortcut(key);
-  connect(action, &QAction::triggered, this, [this, forward] { step(forward); });
+void DiagnosticsView::add_step(const QString& text, const QString& tip, const QKeySequence& key,
+                               bool forward) {
+  QAction* action = make_action(this, text, tip, key, [this, forward] { step(forward); });
   addAction(action);
   actions_.append(action);
 }

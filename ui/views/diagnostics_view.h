@@ -34,7 +34,7 @@ class DiagnosticsView : public QWidget {
   void place_chosen(std::uint32_t line, std::uint32_t column);
 
  private:
-  void add_action(const QString& text, const QString& tip, const QKeySequence& key, bool forward);
+  void add_step(const QString& text, const QString& tip, const QKeySequence& key, bool forward);
   void step(bool forward);
   void choose(const QModelIndex& index);
 

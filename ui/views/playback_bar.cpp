@@ -1,6 +1,5 @@
 #include "ui/views/playback_bar.h"
 
-#include <QAction>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -11,6 +10,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
 #include "ui/theme/icons.h"
 
@@ -72,12 +72,8 @@ PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
 
 void PlaybackBar::make_actions() {
   const auto add = [this](const QString& text, const QString& tip, const QKeySequence& key, auto call) {
-    auto* action = new QAction(text, this);
-    action->setToolTip(tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
-    action->setShortcut(key);
-    connect(action, &QAction::triggered, this, call);
-    actions_.append(action);
-    return action;
+    actions_.append(make_action(this, text, tip, key, call));
+    return actions_.last();
   };
   add(tr("&Play or pause"), tr("Play or pause"), Qt::Key_Space, [this] {
     toggle();

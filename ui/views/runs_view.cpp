@@ -1,6 +1,5 @@
 #include "ui/views/runs_view.h"
 
-#include <QAction>
 #include <QCheckBox>
 #include <QColorDialog>
 #include <QDoubleSpinBox>
@@ -15,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
+#include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
 
 namespace feedscope::ui {
@@ -120,19 +120,13 @@ void RunsView::make_actions() {
   add_action(tr("&Up"), tr("Move the current run up"), QKeySequence(tr("Alt+Up")), &RunsView::move_up);
   add_action(tr("Dow&n"), tr("Move the current run down"), QKeySequence(tr("Alt+Down")),
              &RunsView::move_down);
-  auto* colour = new QAction(tr("&Colour …"), this);
-  colour->setToolTip(tr("Colour of the current run in charts and 3D view"));
-  connect(colour, &QAction::triggered, this, [this] { choose_colour(runs_.current()); });
-  table_->addAction(colour);
+  table_->addAction(make_action(this, tr("&Colour …"), tr("Colour of the current run in charts and 3D view"),
+                                {}, [this] { choose_colour(runs_.current()); }));
 }
 
 void RunsView::add_action(const QString& text, const QString& tip, const QKeySequence& key,
                           void (RunsView::*call)()) {
-  auto* action = new QAction(text, this);
-  action->setToolTip(tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
-  action->setShortcut(key);
-  connect(action, &QAction::triggered, this, call);
-  actions_.append(action);
+  actions_.append(make_action(this, text, tip, key, call));
 }
 
 void RunsView::duplicate() {

@@ -7,6 +7,7 @@
 #include <QToolButton>
 #include <QWidgetAction>
 
+#include "ui/models/panel_action.h"
 #include "ui/views/scene_texts.h"
 #include "ui/views/scene_view.h"
 
@@ -57,13 +58,10 @@ QAction* SceneActions::add_option(const Choice& choice, const QString& text, con
 }
 
 QAction* SceneActions::add_command(const QString& text, const QString& tip, const QKeySequence& key) {
-  auto* action = new QAction(text, this);
-  action->setShortcut(key);
+  QAction* action = make_action(this, text, tip, key);
   // A single letter is a key of the 3D view only while it has the focus.
   const bool letter = key.count() == 1 && key[0].keyboardModifiers() == Qt::NoModifier;
   action->setShortcutContext(letter ? Qt::WidgetWithChildrenShortcut : Qt::WindowShortcut);
-  action->setToolTip(
-      key.isEmpty() ? tip : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
   view_.addAction(action);
   commands_.append(action);
   return action;

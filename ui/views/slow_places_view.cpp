@@ -1,6 +1,5 @@
 #include "ui/views/slow_places_view.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -10,6 +9,8 @@
 #include <QVBoxLayout>
 #include <limits>
 #include <utility>
+
+#include "ui/models/panel_action.h"
 
 namespace feedscope::ui {
 
@@ -41,10 +42,10 @@ SlowPlacesView::SlowPlacesView(QWidget* parent)
   connect(list_, &QTreeView::clicked, this, &SlowPlacesView::choose);
   connect(list_, &QTreeView::activated, this, &SlowPlacesView::choose);
 
-  add_action(tr("Next slow place"), tr("Go on to the next listed place that loses time (F7)"),
-             QKeySequence(Qt::Key_F7), true);
-  add_action(tr("Previous slow place"), tr("Go back to the listed place before (Shift+F7)"),
-             QKeySequence(Qt::SHIFT | Qt::Key_F7), false);
+  add_step(tr("Next slow place"), tr("Go on to the next listed place that loses time"),
+           QKeySequence(Qt::Key_F7), true);
+  add_step(tr("Previous slow place"), tr("Go back to the listed place before"),
+           QKeySequence(Qt::SHIFT | Qt::Key_F7), false);
 
   auto* bar = new QHBoxLayout;
   bar->setContentsMargins(4, 4, 4, 4);
@@ -57,12 +58,9 @@ SlowPlacesView::SlowPlacesView(QWidget* parent)
   layout->addWidget(list_, 1);
 }
 
-void SlowPlacesView::add_action(const QString& text, const QString& tip, const QKeySequence& key,
-                                bool forward) {
-  auto* action = new QAction(text, this);
-  action->setToolTip(tip);
-  action->setShortcut(key);
-  connect(action, &QAction::triggered, this, [this, forward] { step(forward); });
+void SlowPlacesView::add_step(const QString& text, const QString& tip, const QKeySequence& key,
+                              bool forward) {
+  QAction* action = make_action(this, text, tip, key, [this, forward] { step(forward); });
   addAction(action);
   actions_.append(action);
 }

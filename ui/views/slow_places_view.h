@@ -35,7 +35,7 @@ class SlowPlacesView : public QWidget {
   void place_chosen(double slowest, double from, double to);
 
  private:
-  void add_action(const QString& text, const QString& tip, const QKeySequence& key, bool forward);
+  void add_step(const QString& text, const QString& tip, const QKeySequence& key, bool forward);
   void step(bool forward);
   void choose(const QModelIndex& index);
   void say_sum();

@@ -7,6 +7,7 @@
 #include <QStyle>
 #include <QToolButton>
 #include <algorithm>
+#include <cmath>
 
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
@@ -108,7 +109,7 @@ void StatusPanel::show_cursor() {
       tr("%1 s").arg(locale.toString(state.time, 'f', 3)),
       tr("%1 mm").arg(locale.toString(state.path_length, 'f', 3)),
       tr("line %1").arg(state.line),
-      tr("%1 mm/min").arg(locale.toString(units::to_mm_min(state.speed), 'f', 0)),
+      tr("%1 mm/min").arg(locale.toString(std::max(0.0, std::round(units::to_mm_min(state.speed))), 'f', 0)),
       cause_text(state),
   };
   cursor_->setText(parts.join(QStringLiteral("   ")));

@@ -1,6 +1,5 @@
 #include "ui/views/why_view.h"
 
-#include <QAction>
 #include <QEvent>
 #include <QFontInfo>
 #include <QFrame>
@@ -17,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
 #include "ui/models/why_text.h"
 #include "ui/scene/cause_colour.h"
@@ -88,13 +88,8 @@ WhyView::WhyView(Cursor& cursor, QWidget* parent)
 
 QAction* WhyView::add_action(const QString& text, const QString& tip, const QKeySequence& key,
                              void (WhyView::*call)()) {
-  auto* action = new QAction(text, this);
-  action->setToolTip(key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
-  action->setStatusTip(tip);
-  action->setShortcut(key);
-  connect(action, &QAction::triggered, this, call);
-  actions_.append(action);
-  return action;
+  actions_.append(make_action(this, text, tip, key, call));
+  return actions_.last();
 }
 
 void WhyView::make_actions() {
@@ -146,9 +141,11 @@ void WhyView::make_table() {
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(RemedyTable::change, QHeaderView::Stretch);
-  connect(table_->verticalHeader(), &QHeaderView::geometriesChanged, this, &WhyView::fit_table);
-  connect(table_->verticalHeader(), &QHeaderView::sectionResized, this, &WhyView::fit_table);
-  connect(table_->verticalHeader(), &QHeaderView::sectionCountChanged, this, &WhyView::fit_table);
+  // Queued: the header says that a row has grown before its own length counts it.
+  const QHeaderView* rows = table_->verticalHeader();
+  connect(rows, &QHeaderView::geometriesChanged, this, &WhyView::fit_table, Qt::QueuedConnection);
+  connect(rows, &QHeaderView::sectionResized, this, &WhyView::fit_table, Qt::QueuedConnection);
+  connect(rows, &QHeaderView::sectionCountChanged, this, &WhyView::fit_table, Qt::QueuedConnection);
   connect(table_, &QTableView::activated, this, &WhyView::want_run);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &WhyView::show_table_state);
@@ -412,9 +409,15 @@ void WhyView::show_table_state() {
   table_->setVisible(any);
   const Remedy* chosen = table_model_->remedy(table_->currentIndex().row());
   const bool is_run = chosen != nullptr && !chosen->changes.empty();
+  const bool of_program = chosen != nullptr && !is_run;
   run_action_->setEnabled(is_run);
+  run_action_->setToolTip(of_program
+                              ? tr("The feed stands in the program: change its F words. Runs differ in "
+                                   "machine, control and settings only.")
+                              : run_action_->statusTip());
   new_run_->setVisible(any);
   new_run_->setEnabled(is_run);
+  new_run_->setToolTip(run_action_->toolTip());
 }
 
 /// As high as its rows: the panel scrolls as a whole.

@@ -1,7 +1,7 @@
 #include "ui/views/program/find_bar.h"
 
+#include <QEvent>
 #include <QHBoxLayout>
-#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
@@ -20,7 +20,7 @@ constexpr int typing_pause = 120;  // [ms]
 }  // namespace
 
 FindBar::FindBar(ProgramView& view, QWidget* parent)
-    : QWidget(parent),
+    : InputBar(view, parent),
       view_(view),
       search_(this),
       input_(new QLineEdit(this)),
@@ -34,7 +34,7 @@ FindBar::FindBar(ProgramView& view, QWidget* parent)
   input_->setPlaceholderText(tr("Find in the program"));
   input_->setAccessibleName(tr("Find in the program"));
   input_->setClearButtonEnabled(true);
-  input_->installEventFilter(this);
+  take_keys_of(input_);
   status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   status_->setAccessibleName(tr("Result of the search"));
 
@@ -91,9 +91,8 @@ void FindBar::open() {
 
 void FindBar::close_bar() {
   typing_.stop();
-  hide();
   search_.set_query({});
-  view_.setFocus();
+  InputBar::close_bar();
 }
 
 void FindBar::look_for_input() {
@@ -180,27 +179,8 @@ bool FindBar::event(QEvent* event) {
   return QWidget::event(event);
 }
 
-/// Esc in the input is the bar's, not the window's.
-bool FindBar::eventFilter(QObject* object, QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-    event->accept();
-    return true;
-  }
-  return QWidget::eventFilter(object, event);
-}
-
-void FindBar::keyPressEvent(QKeyEvent* event) {
-  switch (event->key()) {
-    case Qt::Key_Escape:
-      close_bar();
-      break;
-    case Qt::Key_Return:
-    case Qt::Key_Enter:
-      step((event->modifiers() & Qt::ShiftModifier) == 0);
-      break;
-    default:
-      QWidget::keyPressEvent(event);
-  }
+void FindBar::enter(Qt::KeyboardModifiers modifiers) {
+  step(!modifiers.testFlag(Qt::ShiftModifier));
 }
 
 }  // namespace feedscope::ui

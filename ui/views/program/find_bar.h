@@ -1,10 +1,10 @@
 #pragma once
 
 #include <QTimer>
-#include <QWidget>
 #include <optional>
 
 #include "ui/models/text_search.h"
+#include "ui/views/program/input_bar.h"
 
 class QLabel;
 class QLineEdit;
@@ -16,7 +16,7 @@ class ProgramView;
 
 /// Searches the text of a ProgramView: while the user types the first hit behind the caret is shown; stepping
 /// to a hit goes there with the run's cursor. Wraps at both ends.
-class FindBar : public QWidget {
+class FindBar : public InputBar {
   Q_OBJECT
 
  public:
@@ -36,12 +36,11 @@ class FindBar : public QWidget {
   QString status() const;
 
  public slots:
-  void close_bar();
+  void close_bar() override;
 
  protected:
   bool event(QEvent* event) override;
-  bool eventFilter(QObject* object, QEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
+  void enter(Qt::KeyboardModifiers modifiers) override;
 
  private:
   QToolButton* add_button(const QString& text, const QString& tip, bool checkable);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <QWidget>
+#include "ui/views/program/input_bar.h"
 
 class QLabel;
 class QSpinBox;
@@ -10,7 +10,7 @@ namespace feedscope::ui {
 class ProgramView;
 
 /// Asks for a line number and goes there.
-class GoToBar : public QWidget {
+class GoToBar : public InputBar {
   Q_OBJECT
 
  public:
@@ -22,12 +22,9 @@ class GoToBar : public QWidget {
   QSpinBox& input() { return *input_; }
 
  protected:
-  bool eventFilter(QObject* object, QEvent* event) override;
-  void keyPressEvent(QKeyEvent* event) override;
+  void enter(Qt::KeyboardModifiers modifiers) override;
 
  private:
-  void close_bar();
-
   ProgramView& view_;
   QSpinBox* input_;
   QLabel* count_;

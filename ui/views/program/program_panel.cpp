@@ -1,9 +1,9 @@
 #include "ui/views/program/program_panel.h"
 
-#include <QAction>
 #include <QVBoxLayout>
 #include <utility>
 
+#include "ui/models/panel_action.h"
 #include "ui/views/program/find_bar.h"
 #include "ui/views/program/go_to_bar.h"
 
@@ -30,33 +30,29 @@ ProgramPanel::ProgramPanel(QWidget* parent)
 template <typename Slot>
 QAction* ProgramPanel::add_action(const QString& text, const QString& tip, const QKeySequence& key,
                                   Slot slot) {
-  auto* action = new QAction(text, this);
-  action->setToolTip(tip);
-  action->setShortcut(key);
-  connect(action, &QAction::triggered, this, slot);
+  QAction* action = make_action(this, text, tip, key, slot);
   addAction(action);
   actions_.append(action);
   return action;
 }
 
 void ProgramPanel::add_actions() {
-  add_action(tr("Find …"), tr("Find in the program (Ctrl+F)"), QKeySequence::Find, [this] {
+  add_action(tr("Find …"), tr("Find in the program"), QKeySequence::Find, [this] {
     go_to_bar_->hide();
     find_bar_->open();
   });
-  add_action(tr("Find next"), tr("Go to the next hit (F3)"), QKeySequence(Qt::Key_F3),
+  add_action(tr("Find next"), tr("Go to the next hit"), QKeySequence(Qt::Key_F3),
              [this] { find_bar_->step(true); });
-  add_action(tr("Find previous"), tr("Go to the hit before (Shift+F3)"), QKeySequence(Qt::SHIFT | Qt::Key_F3),
+  add_action(tr("Find previous"), tr("Go to the hit before"), QKeySequence(Qt::SHIFT | Qt::Key_F3),
              [this] { find_bar_->step(false); });
-  add_action(tr("Go to line …"), tr("Go to a line of the program (Ctrl+G)"), QKeySequence(tr("Ctrl+G")),
-             [this] {
-               find_bar_->close_bar();
-               go_to_bar_->open();
-             });
-  add_action(tr("Larger text"), tr("Larger program text (Ctrl+wheel)"), QKeySequence(tr("Ctrl+Alt++")),
-             [this] { view_->zoom(1); });
-  add_action(tr("Smaller text"), tr("Smaller program text (Ctrl+wheel)"), QKeySequence(tr("Ctrl+Alt+-")),
-             [this] { view_->zoom(-1); });
+  add_action(tr("Go to line …"), tr("Go to a line of the program"), QKeySequence(tr("Ctrl+G")), [this] {
+    find_bar_->close_bar();
+    go_to_bar_->open();
+  });
+  add_action(tr("Larger text"), tr("Larger program text; Ctrl and the wheel do the same"),
+             QKeySequence(tr("Ctrl+Alt++")), [this] { view_->zoom(1); });
+  add_action(tr("Smaller text"), tr("Smaller program text; Ctrl and the wheel do the same"),
+             QKeySequence(tr("Ctrl+Alt+-")), [this] { view_->zoom(-1); });
   QAction* copy = add_action(tr("Copy program text"), tr("Copy the selected text (Ctrl+C)"), {},
                              [this] { view_->copy(); });
   QAction* all = add_action(tr("Select all program text"), tr("Select the whole program (Ctrl+A)"), {},

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QAction>
+#include <QKeySequence>
+#include <QString>
+
+namespace feedscope::ui {
+
+/// A command with its text and tip; the tip names the key, if there is one, as the user's system writes it.
+QAction* make_action(QObject* owner, const QString& text, const QString& tip, const QKeySequence& key = {});
+
+/// The same that calls `slot` of `owner` when it is triggered.
+template <typename Owner, typename Slot>
+QAction* make_action(Owner* owner, const QString& text, const QString& tip, const QKeySequence& key,
+                     Slot slot) {
+  QAction* action = make_action(owner, text, tip, key);
+  QObject::connect(action, &QAction::triggered, owner, slot);
+  return action;
+}
+
+}  // namespace feedscope::ui
