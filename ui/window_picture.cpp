@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <vector>
 
 #include "core/base/error.h"
 #include "ui/charts/comparison_chart.h"
@@ -58,6 +59,30 @@ void check_size(PictureSize size, const QSize& least) {
         QStringLiteral("a picture of %1 x %2 pixels is too small; it needs at least %3 x %4");
     throw InputError(
         message.arg(size.width).arg(size.height).arg(least.width()).arg(least.height()).toStdString());
+  }
+}
+
+/// Where everything stands that can be seen.
+std::vector<QRect> places(const QWidget& window) {
+  std::vector<QRect> places;
+  for (const QWidget* widget : window.findChildren<QWidget*>()) {
+    places.push_back(widget->isVisible() ? widget->geometry() : QRect());
+  }
+  return places;
+}
+
+/// Until nothing moves any more: a table's rows take their height, then the table its own, then its scroll
+/// bar goes, then its columns widen.
+void settle(const QWidget& window) {
+  constexpr int enough_rounds = 3;  // without a change
+  constexpr int most_rounds = 100;  // what comes and goes for ever shall not hang
+  std::vector<QRect> before;
+  int same = 0;
+  for (int round = 0; round < most_rounds && same < enough_rounds; ++round) {
+    QApplication::processEvents();
+    std::vector<QRect> now = places(window);
+    same = now == before ? same + 1 : 0;
+    before = std::move(now);
   }
 }
 
@@ -112,14 +137,10 @@ Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
   if (look.prepare) {
     look.prepare(window, model);
   }
-  while (model.busy()) {
+  while (model.busy() || window.why().busy()) {
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
-  constexpr int rounds =
-      4;  // a table's rows take their height, then the table its own, then its scroll bar goes
-  for (int i = 0; i < rounds; ++i) {
-    QApplication::processEvents();
-  }
+  settle(window);
   window.charts().refresh();
   return grab(window, size);
 }

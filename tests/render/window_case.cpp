@@ -1,6 +1,7 @@
 // Draws the window with one of its panels in front, without a display, and compares it with a baseline.
 //   window_case PROGRAM MODEL PANEL THEME WxH BASELINE RESULTS
-// PANEL is the name of a dock; THEME light or dark. Leaves with 77 where PROGRAM is absent.
+// PANEL is the name of a dock, or film for a strip of playback; THEME light or dark. Leaves with 77 where
+// PROGRAM is absent.
 #include <QDockWidget>
 #include <cstdio>
 #include <exception>
@@ -35,20 +36,73 @@ void raise(ui::MainWindow& window, const std::string& panel) {
   dock->raise();
 }
 
-ui::Picture draw(const std::string& program, const std::string& model, const std::string& panel,
-                 ui::ThemeKind theme, ui::PictureSize size) {
-  const Run run = simulate_run(load_program(std::filesystem::path(program)), make_setup({"", model, {}, {}}));
+/// The window with the cursor at a share of the cycle time.
+ui::Picture draw_at(const Run& run, const std::string& panel, ui::ThemeKind theme, ui::PictureSize size,
+                    double share) {
   ui::WindowLook look{.theme = theme};
-  look.prepare = [&panel](ui::MainWindow& window, ui::Workbench& bench) {
+  look.prepare = [&](ui::MainWindow& window, ui::Workbench& bench) {
     if (panel == "runs") {
       add_runs(bench);
     }
     raise(window, "machine");
     raise(window, panel);
-    const auto shown = bench.shown();
-    bench.cursor().set_time(0.4 * shown->run.trajectory->duration());
+    bench.cursor().set_time(share * bench.shown()->run.trajectory->duration());
+    if (panel == "why") {
+      window.why().try_remedies();  // not only once the cursor has rested
+    }
   };
   return ui::draw_window(run, size, look);
+}
+
+/// Half as wide and high, each pixel the mean of four.
+ui::Picture halved(const ui::Picture& picture) {
+  const auto width = static_cast<std::size_t>(picture.size.width);
+  ui::Picture half{{picture.size.width / 2, picture.size.height / 2}, {}};
+  for (std::size_t y = 0; y + 1 < static_cast<std::size_t>(picture.size.height); y += 2) {
+    for (std::size_t x = 0; x + 1 < width; x += 2) {
+      for (std::size_t c = 0; c < 3; ++c) {
+        const auto at = [&](std::size_t dx, std::size_t dy) {
+          return int{picture.rgb[3 * ((y + dy) * width + x + dx) + c]};
+        };
+        half.rgb.push_back(static_cast<unsigned char>((at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1) + 2) / 4));
+      }
+    }
+  }
+  return half;
+}
+
+/// `right` beside `left`, which is as high.
+ui::Picture beside(const ui::Picture& left, const ui::Picture& right) {
+  ui::Picture both{{left.size.width + right.size.width, left.size.height}, {}};
+  for (std::ptrdiff_t y = 0; y < left.size.height; ++y) {
+    for (const ui::Picture* part : {&left, &right}) {
+      const std::ptrdiff_t row = std::ptrdiff_t{3} * part->size.width;
+      both.rgb.insert(both.rgb.end(), part->rgb.begin() + y * row, part->rgb.begin() + (y + 1) * row);
+    }
+  }
+  return both;
+}
+
+/// Six instants of playback, equally far apart, in rows of two.
+ui::Picture draw_film(const Run& run, ui::ThemeKind theme, ui::PictureSize size) {
+  constexpr int frames = 6;
+  ui::Picture film{{size.width / 2 * 2, 0}, {}};
+  for (int frame = 0; frame < frames; frame += 2) {
+    const auto draw = [&](int i) {
+      return halved(draw_at(run, "charts", theme, size, static_cast<double>(i) / (frames - 1)));
+    };
+    const ui::Picture row = beside(draw(frame), draw(frame + 1));
+    film.rgb.insert(film.rgb.end(), row.rgb.begin(), row.rgb.end());
+    film.size.height += row.size.height;
+  }
+  return film;
+}
+
+ui::Picture draw(const std::string& program, const std::string& model, const std::string& panel,
+                 ui::ThemeKind theme, ui::PictureSize size) {
+  const Run run = simulate_run(load_program(std::filesystem::path(program)), make_setup({"", model, {}, {}}));
+  constexpr double somewhere = 0.4;
+  return panel == "film" ? draw_film(run, theme, size) : draw_at(run, panel, theme, size, somewhere);
 }
 
 }  // namespace
