@@ -1249,6 +1249,10 @@ Click: hide or show. Ctrl+click: only this one.</source>
         <translation>%1, %2 [%3]
 Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
+    <message>
+        <source>+ %1</source>
+        <translation>+ %1</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ChartsPanel</name>
@@ -1281,10 +1285,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Longueur de trajectoire [mm]</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>Commands of the charts</source>
         <translation>Commandes des graphiques</translation>
     </message>
@@ -1295,10 +1295,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>Show the whole run, and all values; as a double click does</source>
         <translation>Afficher toute la simulation et toutes les valeurs, comme un double-clic</translation>
-    </message>
-    <message>
-        <source>Show all</source>
-        <translation>Tout afficher</translation>
     </message>
     <message>
         <source>&amp;Back</source>
@@ -1488,6 +1484,10 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>%1 is still being written.</source>
         <translation>%1 est encore en cours d&apos;écriture.</translation>
     </message>
+    <message>
+        <source>Ctrl+Shift+0</source>
+        <translation>Ctrl+Shift+0</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::CommandPalette</name>
@@ -1569,16 +1569,16 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Message suivant</translation>
     </message>
     <message>
-        <source>Go to the next message of the program (F8)</source>
-        <translation>Aller au message suivant du programme (F8)</translation>
-    </message>
-    <message>
         <source>Previous message</source>
         <translation>Message précédent</translation>
     </message>
     <message>
-        <source>Go to the message before (Shift+F8)</source>
-        <translation>Aller au message précédent (Shift+F8)</translation>
+        <source>Go to the next message of the program</source>
+        <translation>Aller au message suivant du programme</translation>
+    </message>
+    <message>
+        <source>Go to the message before</source>
+        <translation>Aller au message précédent</translation>
     </message>
 </context>
 <context>
@@ -1722,10 +1722,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>%1 – Feedscope</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
-    <message>
         <source>&amp;Edit</source>
         <translation>É&amp;dition</translation>
     </message>
@@ -1866,18 +1862,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>La vue 3D montre la trajectoire entre les bords des graphiques</translation>
     </message>
     <message>
-        <source>Fit &amp;charts</source>
-        <translation>&amp;Cadrer les graphiques</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+0</source>
-        <translation>Ctrl+Shift+0</translation>
-    </message>
-    <message>
-        <source>The whole run in the charts</source>
-        <translation>Toute la simulation dans les graphiques</translation>
-    </message>
-    <message>
         <source>&amp;Panels</source>
         <translation>Pa&amp;nneaux</translation>
     </message>
@@ -1971,10 +1955,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Playback speed; 1 is true time</source>
         <translation>Vitesse de lecture&#xa0;; 1 = temps réel</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>&amp;Play or pause</source>
@@ -2079,32 +2059,16 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Rechercher …</translation>
     </message>
     <message>
-        <source>Find in the program (Ctrl+F)</source>
-        <translation>Rechercher dans le programme (Ctrl+F)</translation>
-    </message>
-    <message>
         <source>Find next</source>
         <translation>Rechercher le suivant</translation>
-    </message>
-    <message>
-        <source>Go to the next hit (F3)</source>
-        <translation>Aller au résultat suivant (F3)</translation>
     </message>
     <message>
         <source>Find previous</source>
         <translation>Rechercher le précédent</translation>
     </message>
     <message>
-        <source>Go to the hit before (Shift+F3)</source>
-        <translation>Aller au résultat précédent (Shift+F3)</translation>
-    </message>
-    <message>
         <source>Go to line …</source>
         <translation>Aller à la ligne …</translation>
-    </message>
-    <message>
-        <source>Go to a line of the program (Ctrl+G)</source>
-        <translation>Aller à une ligne du programme (Ctrl+G)</translation>
     </message>
     <message>
         <source>Ctrl+G</source>
@@ -2115,20 +2079,12 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Texte plus grand</translation>
     </message>
     <message>
-        <source>Larger program text (Ctrl+wheel)</source>
-        <translation>Texte du programme plus grand (Ctrl+molette)</translation>
-    </message>
-    <message>
         <source>Ctrl+Alt++</source>
         <translation>Ctrl+Alt++</translation>
     </message>
     <message>
         <source>Smaller text</source>
         <translation>Texte plus petit</translation>
-    </message>
-    <message>
-        <source>Smaller program text (Ctrl+wheel)</source>
-        <translation>Texte du programme plus petit (Ctrl+molette)</translation>
     </message>
     <message>
         <source>Ctrl+Alt+-</source>
@@ -2149,6 +2105,30 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Select the whole program (Ctrl+A)</source>
         <translation>Sélectionner tout le programme (Ctrl+A)</translation>
+    </message>
+    <message>
+        <source>Find in the program</source>
+        <translation>Rechercher dans le programme</translation>
+    </message>
+    <message>
+        <source>Go to the next hit</source>
+        <translation>Aller à l&apos;occurrence suivante</translation>
+    </message>
+    <message>
+        <source>Go to the hit before</source>
+        <translation>Aller à l&apos;occurrence précédente</translation>
+    </message>
+    <message>
+        <source>Go to a line of the program</source>
+        <translation>Aller à une ligne du programme</translation>
+    </message>
+    <message>
+        <source>Larger program text; Ctrl and the wheel do the same</source>
+        <translation>Agrandir le texte du programme&#xa0;; Ctrl et la molette font de même</translation>
+    </message>
+    <message>
+        <source>Smaller program text; Ctrl and the wheel do the same</source>
+        <translation>Réduire le texte du programme&#xa0;; Ctrl et la molette font de même</translation>
     </message>
 </context>
 <context>
@@ -2419,10 +2399,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Colour of the current run in charts and 3D view</source>
         <translation>Couleur de la simulation actuelle dans les graphiques et la vue 3D</translation>
-    </message>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
     </message>
     <message>
         <source>The model of this run reads no contour tolerance.</source>
@@ -2888,20 +2864,20 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Ralentissement suivant</translation>
     </message>
     <message>
-        <source>Go on to the next listed place that loses time (F7)</source>
-        <translation>Aller au ralentissement suivant de la liste (F7)</translation>
-    </message>
-    <message>
         <source>Previous slow place</source>
         <translation>Ralentissement précédent</translation>
     </message>
     <message>
-        <source>Go back to the listed place before (Shift+F7)</source>
-        <translation>Revenir au ralentissement précédent de la liste (Shift+F7)</translation>
-    </message>
-    <message>
         <source>%1 s of %2 s lost against the programmed feed, in %3 places</source>
         <translation>%1&#xa0;s sur %2&#xa0;s perdues par rapport à l&apos;avance programmée, en %3 endroits</translation>
+    </message>
+    <message>
+        <source>Go on to the next listed place that loses time</source>
+        <translation>Aller au prochain endroit de la liste qui perd du temps</translation>
+    </message>
+    <message>
+        <source>Go back to the listed place before</source>
+        <translation>Revenir à l&apos;endroit précédent de la liste</translation>
     </message>
 </context>
 <context>
@@ -2961,10 +2937,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
 </context>
 <context>
     <name>feedscope::ui::WhyView</name>
-    <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
-    </message>
     <message>
         <source>&amp;Previous cause</source>
         <translation>Cause &amp;précédente</translation>
@@ -3060,6 +3032,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>What would help, each simulated by itself:</source>
         <translation>Remèdes possibles, chacun simulé seul&#xa0;:</translation>
+    </message>
+    <message>
+        <source>The feed stands in the program: change its F words. Runs differ in machine, control and settings only.</source>
+        <translation>L&apos;avance est dans le programme&#xa0;: modifier ses mots F. Les simulations ne diffèrent que par la machine, la commande et les réglages.</translation>
     </message>
 </context>
 <context>

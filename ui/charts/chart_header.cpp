@@ -18,7 +18,7 @@ namespace {
 constexpr int left = 8;
 constexpr int swatch_width = 18;
 constexpr int gap = 5;
-constexpr int curve_gap = 16;
+constexpr int curve_gap = 10;
 constexpr int longest_run_name = 160;  // [px]
 constexpr int most_run_rows = 2;
 
