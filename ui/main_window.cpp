@@ -5,6 +5,7 @@
 #include <QMimeData>
 #include <QStatusBar>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/views/annotation_overlay.h"
 #include "ui/views/status_panel.h"
@@ -37,6 +38,8 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
       runs_(new RunsView(model.runs(), this)),
       why_(new WhyView(model.cursor(), this)),
       annotations_(new AnnotationsView(model.annotations(), model.cursor(), this)),
+      desk_(model),
+      lessons_(new LessonView(desk_, this)),
       palette_(new CommandPalette(this)),
       key_list_(new KeyList(this)) {
   setWindowTitle(tr("Feedscope"));
@@ -78,6 +81,8 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
   annotations_->set_stretch([this] { return chosen_times(); });
   connect(&scene_->annotations(), &AnnotationOverlay::edit_wanted, annotations_, &AnnotationsView::edit);
   connect(annotations_, &AnnotationsView::time_chosen, &model_.cursor(), &Cursor::set_time);
+  connect(&desk_, &LessonDesk::failed, this, &MainWindow::show_failure);
+  connect(&desk_, &LessonDesk::view_wanted, this, &MainWindow::show_lesson);
   connect(charts_, &ChartsPanel::failed, this, &MainWindow::show_failure);
   connect(charts_, &ChartsPanel::exported, this,
           [this](const QString& message) { statusBar()->showMessage(message); });
@@ -111,6 +116,13 @@ void MainWindow::make_docks() {
   connect(annotations_, &AnnotationsView::attention_wanted, notes, [notes] {
     notes->show();
     notes->raise();
+  });
+  lesson_dock_ = add_dock("lesson", tr("Lesson"), lessons_, Qt::RightDockWidgetArea);
+  tabifyDockWidget(setup, lesson_dock_);
+  lesson_dock_->hide();
+  connect(lessons_, &LessonView::setting_wanted, setup, [this, setup](const QString& key) {
+    setup->raise();
+    setup_->show_key(key == QStringLiteral("tolerance") ? "contour_tolerance_mm" : key.toStdString());
   });
   setup->raise();
   connect(why, &QDockWidget::visibilityChanged, why_, &WhyView::set_on_screen);
@@ -186,6 +198,22 @@ void MainWindow::show_other_runs() {
   charts_->set_overlays(std::move(in_charts));
   scene_->scene().set_run_colour(rgb(runs.current_item().colour));
   scene_->scene().set_overlays(std::move(in_scene));
+}
+
+void MainWindow::show_lesson(const LessonWindow& look) {
+  const auto colouring = std::ranges::find(all_colourings, look.colouring, colouring_key);
+  if (colouring != all_colourings.end()) {
+    SceneState state = scene_->state();
+    state.colouring = *colouring;
+    scene_->set_state(state);
+  }
+  const auto camera = std::ranges::find(lesson_cameras(), look.camera);
+  scene_->scene().set_standard_view(static_cast<StandardView>(camera - lesson_cameras().begin()));
+  if (look.chart_range) {
+    show_times(look.chart_range->first, look.chart_range->second);
+  } else {
+    charts_->range().fit();
+  }
 }
 
 void MainWindow::show_times(double from, double to) {

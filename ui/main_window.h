@@ -4,11 +4,13 @@
 #include <filesystem>
 
 #include "ui/charts/charts_panel.h"
+#include "ui/models/lesson_desk.h"
 #include "ui/models/workbench.h"
 #include "ui/theme/theme.h"
 #include "ui/views/annotations_view.h"
 #include "ui/views/command_palette.h"
 #include "ui/views/diagnostics_view.h"
+#include "ui/views/lesson_view.h"
 #include "ui/views/playback_bar.h"
 #include "ui/views/program/program_panel.h"
 #include "ui/views/runs_view.h"
@@ -39,6 +41,7 @@ class MainWindow : public QMainWindow {
   RunsView& runs() { return *runs_; }
   WhyView& why() { return *why_; }
   AnnotationsView& annotations() { return *annotations_; }
+  LessonView& lessons() { return *lessons_; }
   CommandPalette& palette() { return *palette_; }
   /// Every command of the menus, in their order.
   QList<ListedAction> commands() const;
@@ -65,6 +68,7 @@ class MainWindow : public QMainWindow {
   void show_cursor();
   void show_slow_place(double slowest, double from, double to);
   void show_other_runs();
+  void show_lesson(const LessonWindow& look);
   void show_failure(const QString& message);
   void loop_what_is_shown(bool on);
   /// From cursor A to cursor B of the charts, or all that they show [s].
@@ -84,9 +88,12 @@ class MainWindow : public QMainWindow {
   RunsView* runs_;
   WhyView* why_;
   AnnotationsView* annotations_;
+  LessonDesk desk_;
+  LessonView* lessons_;
   CommandPalette* palette_;
   KeyList* key_list_;
   QDockWidget* charts_dock_ = nullptr;
+  QDockWidget* lesson_dock_ = nullptr;
   QDockWidget* diagnostics_dock_ = nullptr;
   QDockWidget* runs_dock_ = nullptr;
   QByteArray first_layout_;

@@ -93,7 +93,7 @@ void show_lesson(const Lesson& lesson, const WrittenNumbers& numbers) {
 }
 
 std::string result_text(const Claim& claim, const ClaimResult& result) {
-  Quantity quantity = claim.quantity;
+  LessonQuantity quantity = claim.quantity;
   quantity.decimals += 2;
   std::string text = fmt::format("{}: {}, expected {}", quantity_text(quantity),
                                  value_text(quantity, result.value), expectation_text(claim));

@@ -20,7 +20,7 @@ using Changes = std::vector<std::string>;
 enum class Relation : std::uint8_t { ratio, difference, percent_more, percent_less };
 
 /// A measure of the run with some changes, alone or against the run with others.
-struct Quantity {
+struct LessonQuantity {
   Measure measure;
   Changes with;
   std::optional<Changes> against;
@@ -38,7 +38,7 @@ struct GivenNumber {
 /// What must hold of a quantity, so that a text that builds on it is right.
 struct Claim {
   enum class Kind : std::uint8_t { less_than, more_than, about, between };
-  Quantity quantity;
+  LessonQuantity quantity;
   Kind kind = Kind::less_than;
   /// A number, or the run whose quantity it is compared with; of `between` the lower bound.
   std::variant<double, Changes> bound = 0.0;
@@ -66,7 +66,7 @@ struct Question {
 };
 
 /// What the window shows when the lesson begins, beyond program, machine, model and settings.
-struct LessonView {
+struct LessonWindow {
   std::string colouring = "feed";                        ///< one of lesson_colourings()
   std::string camera = "top";                            ///< one of lesson_cameras()
   std::optional<std::pair<double, double>> chart_range;  ///< [s]
@@ -83,20 +83,21 @@ struct Lesson {
   std::vector<std::string> sources;
   std::string text;  ///< Markdown with {numbers}
   Changes start;     ///< program, machine, perhaps model, settings
-  LessonView view;
-  std::map<std::string, Quantity> numbers;
+  LessonWindow window;
+  std::map<std::string, LessonQuantity> numbers;
   std::map<std::string, GivenNumber> given;
   std::vector<Question> questions;
 };
 
-/// Valid names of LessonView; the window knows all of them.
+/// Valid names of LessonWindow; the window knows all of them.
 const std::vector<std::string>& lesson_colourings();
 const std::vector<std::string>& lesson_cameras();
 
 /// A program and what it runs on.
 struct LessonSetup {
   std::filesystem::path program;
-  Setup setup;
+  Setup file;   ///< machine and model as their files have them
+  Setup setup;  ///< with all settings of the lesson
 };
 /// The start of a lesson with `changes`. A setting of the start that another model does not know is left out,
 /// one of `changes` is not. Throws InputError naming key, value, bounds and the nearest valid name.

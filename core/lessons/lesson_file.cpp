@@ -153,20 +153,20 @@ class LessonReader {
     const std::string where = "[window]";
     table.check_keys({"colour", "view", "chart_s", "runs"}, where);
     if (table.find("colour") != nullptr) {
-      lesson_.view.colouring = one_of(table, "colour", lesson_colourings(), where);
+      lesson_.window.colouring = one_of(table, "colour", lesson_colourings(), where);
     }
     if (table.find("view") != nullptr) {
-      lesson_.view.camera = one_of(table, "view", lesson_cameras(), where);
+      lesson_.window.camera = one_of(table, "view", lesson_cameras(), where);
     }
     if (const ConfigNode* range = table.find("chart_s")) {
-      lesson_.view.chart_range = number_range(*range, "'chart_s' in [window]");
+      lesson_.window.chart_range = number_range(*range, "'chart_s' in [window]");
     }
     if (const ConfigNode* runs = table.find("runs")) {
       if (!runs->is_list()) {
         runs->fail("'runs' in [window] must be a list of lists: [[\"tolerance=0.1\"], [\"tolerance=0.01\"]]");
       }
       for (const ConfigNode& run : runs->items()) {
-        lesson_.view.runs.push_back(changes(run, "a run of 'runs' in [window]"));
+        lesson_.window.runs.push_back(changes(run, "a run of 'runs' in [window]"));
       }
     }
   }
@@ -229,8 +229,8 @@ class LessonReader {
     }
   }
 
-  Quantity quantity(const ConfigNode& table, const std::string& where) const {
-    Quantity quantity{measure(table, where), {}, {}, Relation::ratio, 2};
+  LessonQuantity quantity(const ConfigNode& table, const std::string& where) const {
+    LessonQuantity quantity{measure(table, where), {}, {}, Relation::ratio, 2};
     if (const ConfigNode* with = table.find("with")) {
       quantity.with = changes(*with, fmt::format("'with' in {}", where));
     }
@@ -264,7 +264,7 @@ class LessonReader {
       const std::string where = fmt::format("'{}' in [numbers]", name);
       const ConfigNode& entry = table.need_table(name, "[numbers]");
       entry.check_keys(joined({"decimals"}, {measure_keys, quantity_keys}), where);
-      Quantity number = quantity(entry, where);
+      LessonQuantity number = quantity(entry, where);
       if (const ConfigNode* decimals = entry.find("decimals")) {
         number.decimals = static_cast<int>(whole_number(*decimals, "'decimals' in " + where, 0));
         if (number.decimals > 6) {

@@ -53,7 +53,7 @@ const Run& LessonRuns::run(const Changes& changes, Progress* progress) {
   return runs_.emplace(changes, simulate_run(input, std::move(setup.setup), progress)).first->second;
 }
 
-double LessonRuns::value(const Quantity& quantity, Progress* progress) {
+double LessonRuns::value(const LessonQuantity& quantity, Progress* progress) {
   const double value = measured(quantity.measure, run(quantity.with, progress));
   if (!quantity.against) {
     return value;
@@ -69,7 +69,7 @@ ClaimResult LessonRuns::check(const Claim& claim, Progress* progress) {
   ClaimResult result;
   result.value = value(claim.quantity, progress);
   if (const auto* changes = std::get_if<Changes>(&claim.bound)) {
-    Quantity other = claim.quantity;
+    LessonQuantity other = claim.quantity;
     other.with = *changes;
     result.bound = value(other, progress);
   } else {

@@ -29,7 +29,7 @@ class LessonRuns {
   const Run& run(const Changes& changes, Progress* progress = nullptr);
   /// In the quantity's unit. Throws as run(), and InputError where there is no ratio because the other run
   /// measures 0.
-  double value(const Quantity& quantity, Progress* progress = nullptr);
+  double value(const LessonQuantity& quantity, Progress* progress = nullptr);
   ClaimResult check(const Claim& claim, Progress* progress = nullptr);
   /// All {numbers} of the lesson. Throws as value().
   WrittenNumbers numbers(Progress* progress = nullptr);

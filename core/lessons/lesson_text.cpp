@@ -47,7 +47,7 @@ class KnownNumbers {
     }
   }
   void add(double value) { add(fmt::format("{}", value)); }
-  void add(const Quantity& quantity) {
+  void add(const LessonQuantity& quantity) {
     add(quantity.with);
     if (quantity.against) {
       add(*quantity.against);
@@ -74,7 +74,7 @@ KnownNumbers numbers_in_data(const Lesson& lesson) {
   KnownNumbers known;
   known.add(lesson.start);
   known.add(lesson.sources);
-  for (const Changes& run : lesson.view.runs) {
+  for (const Changes& run : lesson.window.runs) {
     known.add(run);
   }
   for (const auto& [name, quantity] : lesson.numbers) {
@@ -137,20 +137,20 @@ void check_numbers(const std::string& text, const Lesson& lesson) {
   filled(text, names);
 }
 
-std::string unit_of(const Quantity& quantity) {
+std::string unit_of(const LessonQuantity& quantity) {
   if (!quantity.against || quantity.relation == Relation::difference) {
     return quantity.measure.spec->unit;
   }
   return quantity.relation == Relation::ratio ? "" : "%";
 }
 
-std::string value_text(const Quantity& quantity, double value) {
+std::string value_text(const LessonQuantity& quantity, double value) {
   const std::string unit = unit_of(quantity);
   const std::string number = fmt::format("{:.{}f}", value, quantity.decimals);
   return unit.empty() ? number : fmt::format("{} {}", number, unit);
 }
 
-std::string quantity_text(const Quantity& quantity) {
+std::string quantity_text(const LessonQuantity& quantity) {
   const std::string text = fmt::format("{} {}", title_of(quantity.measure), changes_text(quantity.with));
   if (!quantity.against) {
     return text;

@@ -21,11 +21,11 @@ void check_numbers(const std::string& text, const Lesson& lesson);
 /// "less than with tolerance=0.1", "about 2.01 m/min, within 1 %".
 std::string expectation_text(const Claim& claim);
 /// "cycle time with tolerance=0.05 against that with tolerance=0.1"; "as it stands" for no changes.
-std::string quantity_text(const Quantity& quantity);
+std::string quantity_text(const LessonQuantity& quantity);
 /// "s"; "%" or "" for a quantity that is put against another.
-std::string unit_of(const Quantity& quantity);
+std::string unit_of(const LessonQuantity& quantity);
 /// A value of a quantity with its unit: "1.267 s", "12 %", "1.59".
-std::string value_text(const Quantity& quantity, double value);
+std::string value_text(const LessonQuantity& quantity, double value);
 /// "contour_tolerance_mm: 0.01, 0.05 or 0.1 mm".
 std::string control_text(const Control& control);
 

@@ -103,16 +103,16 @@ FeedRange feeds_on_lines(const Measure& measure, const Trajectory& trajectory) {
 }
 
 /// Where a block lies on the executed path.
-struct Stretch {
+struct LineStretch {
   double from = 0;       ///< [mm]
   double to = 0;         ///< [mm]
   std::size_t next = 0;  ///< first element behind it
 };
 
 /// The first elements from `begin` on that belong together on one line.
-Stretch stretch_from(const Trajectory& trajectory, std::size_t begin) {
+LineStretch stretch_from(const Trajectory& trajectory, std::size_t begin) {
   const BlendedPath& path = trajectory.path();
-  Stretch stretch{path.s(begin), path.s(begin), begin};
+  LineStretch stretch{path.s(begin), path.s(begin), begin};
   const std::uint32_t line = trajectory.line_of(begin);
   while (stretch.next < path.size() && trajectory.line_of(stretch.next) == line) {
     stretch.to = path.s(++stretch.next);
@@ -131,12 +131,12 @@ double feed_in_corner(const Measure& measure, const Trajectory& trajectory) {
   if (begin == path.size()) {
     fail_without_motion(measure);
   }
-  const Stretch line = stretch_from(trajectory, begin);
+  const LineStretch line = stretch_from(trajectory, begin);
   const Vec3 corner = toolpath.segments[path.segment(line.next - 1)].end;
   double low = (line.from + line.to) / 2;
   double high = line.to;
   if (line.next < path.size()) {
-    const Stretch after = stretch_from(trajectory, line.next);
+    const LineStretch after = stretch_from(trajectory, line.next);
     high = (after.from + after.to) / 2;
   }
   const auto distance = [&](double s) { return (trajectory.state_at_path(s).position - corner).norm(); };

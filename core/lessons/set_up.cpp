@@ -92,7 +92,8 @@ LessonSetup set_up(const Lesson& lesson, const Changes& changes) {
     take(*some, "machine", request.machine);
     take(*some, "model", request.model);
   }
-  LessonSetup result{find_program(lesson, program), make_setup(request)};
+  LessonSetup result{find_program(lesson, program), make_setup(request), {}};
+  result.setup = result.file;
   apply(lesson.start, true, result.setup);
   apply(changes, false, result.setup);
   return result;

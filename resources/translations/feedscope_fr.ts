@@ -1684,6 +1684,109 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
 </context>
 <context>
+    <name>feedscope::ui::LessonView</name>
+    <message>
+        <source>Text of the lesson</source>
+        <translation>Texte de la leçon</translation>
+    </message>
+    <message>
+        <source>Question</source>
+        <translation>Question</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Leçon</translation>
+    </message>
+    <message>
+        <source>Choose a lesson</source>
+        <translation>Choisir une leçon</translation>
+    </message>
+    <message>
+        <source>Show it</source>
+        <translation>Le montrer</translation>
+    </message>
+    <message>
+        <source>Show the control in the table of axis limits and settings</source>
+        <translation>Montrer le réglage dans les tables des limites d’axes et des réglages</translation>
+    </message>
+    <message>
+        <source>Set up the window</source>
+        <translation>Préparer la fenêtre</translation>
+    </message>
+    <message>
+        <source>Open the program of the lesson with its machine, settings and view; the runs are replaced</source>
+        <translation>Ouvrir le programme de la leçon avec sa machine, ses réglages et sa vue ; les simulations sont remplacées</translation>
+    </message>
+    <message>
+        <source>Previous question</source>
+        <translation>Question précédente</translation>
+    </message>
+    <message>
+        <source>To the question before</source>
+        <translation>Aller à la question précédente</translation>
+    </message>
+    <message>
+        <source>Next question</source>
+        <translation>Question suivante</translation>
+    </message>
+    <message>
+        <source>To the question after</source>
+        <translation>Aller à la question suivante</translation>
+    </message>
+    <message>
+        <source>Hint</source>
+        <translation>Indice</translation>
+    </message>
+    <message>
+        <source>Show or hide the hint of the question</source>
+        <translation>Montrer ou cacher l’indice de la question</translation>
+    </message>
+    <message>
+        <source>Show answer</source>
+        <translation>Montrer la réponse</translation>
+    </message>
+    <message>
+        <source>Show or hide the answer of the question</source>
+        <translation>Montrer ou cacher la réponse à la question</translation>
+    </message>
+    <message>
+        <source>Reading the lessons …</source>
+        <translation>Lecture des leçons …</translation>
+    </message>
+    <message>
+        <source>%1. %2 (%3 min)</source>
+        <translation>%1. %2 (%3 min)</translation>
+    </message>
+    <message>
+        <source>Question %1 of %2</source>
+        <translation>Question %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Hint:</source>
+        <translation>Indice :</translation>
+    </message>
+    <message>
+        <source>Answer:</source>
+        <translation>Réponse :</translation>
+    </message>
+    <message>
+        <source>Move &lt;b&gt;%1&lt;/b&gt; between</source>
+        <translation>Faire varier &lt;b&gt;%1&lt;/b&gt; entre</translation>
+    </message>
+    <message>
+        <source>Move &lt;b&gt;%1&lt;/b&gt; to</source>
+        <translation>Mettre &lt;b&gt;%1&lt;/b&gt; à</translation>
+    </message>
+    <message>
+        <source>Give %1 this value in the current run</source>
+        <translation>Donner cette valeur à %1 dans la simulation courante</translation>
+    </message>
+    <message>
+        <source>In the current run: %1 &lt;b&gt;%2&lt;/b&gt;</source>
+        <translation>Dans la simulation courante : %1 &lt;b&gt;%2&lt;/b&gt;</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::MainWindow</name>
     <message>
         <source>Feedscope</source>
@@ -1944,6 +2047,22 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>&amp;Annotations</source>
         <translation>A&amp;nnotations</translation>
+    </message>
+    <message>
+        <source>Lesson</source>
+        <translation>Leçon</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Leçons</translation>
+    </message>
+    <message>
+        <source>Lessons for courses, with questions about what is shown</source>
+        <translation>Leçons pour les cours, avec des questions sur ce qui est montré</translation>
+    </message>
+    <message>
+        <source>L&amp;esson</source>
+        <translation>L&amp;eçon</translation>
     </message>
 </context>
 <context>

@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAction>
 #include <QDockWidget>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QSignalSpy>
 #include <QTableView>
@@ -362,6 +364,58 @@ TEST_F(MainWindowTest, PanelsComeBackAsTheyWereWithAnotherProgram) {
   EXPECT_EQ(restored.charts, for_any_run(states.charts));
   EXPECT_EQ(restored.program_font_size, 17);
   QCoreApplication::setOrganizationName({});
+}
+
+/// The command of the menus with this text.
+QAction* command(const MainWindow& window, const QString& text) {
+  for (const ListedAction& listed : window.commands()) {
+    if (plain_text(listed.action->text()) == text) {
+      return listed.action;
+    }
+  }
+  return nullptr;
+}
+
+TEST_F(MainWindowTest, ALessonSetsUpTheWindowAndLeadsToItsControl) {
+  auto* dock = window.findChild<QDockWidget*>("lesson");
+  EXPECT_FALSE(dock->isVisible());
+  command(window, "Lessons")->trigger();
+  EXPECT_TRUE(dock->isVisible());
+  LessonView& lesson = window.lessons();
+  QSignalSpy opened(&lesson.desk(), &LessonDesk::opened);
+  lesson.desk().open(find_lesson("3"));
+  ASSERT_TRUE(opened.wait(patience));
+  QTest::mouseClick(&lesson.set_up_button(), Qt::LeftButton);
+  ASSERT_TRUE(
+      QTest::qWaitFor([&] { return !model.busy() && lesson.measured().contains("2.115 s"); }, patience))
+      << lesson.measured().toStdString();
+  EXPECT_EQ(model.file().filename(), "lesson_lines.nc");
+  EXPECT_EQ(model.runs().items().size(), 3U);
+  for (const Vec3& end : {Vec3(0, 0, 0), Vec3(100, 0, 0)}) {
+    EXPECT_TRUE(scene_canvas()->rect().contains(point_in_scene(end))) << "the path of the lesson is in view";
+  }
+  EXPECT_EQ(window.scene().state().colouring, Colouring::feed);
+
+  QTest::mouseClick(lesson.values()[1], Qt::LeftButton);
+  wait_until_idle();
+  EXPECT_EQ(std::get<double>(model.setup().state().value("X.acceleration")), 2);
+  emit lesson.setting_wanted("X.jerk");
+  EXPECT_EQ(window.setup().axes()->currentIndex().data().toString(), "15");
+  emit lesson.setting_wanted("lookahead_blocks");
+  EXPECT_EQ(window.setup().settings()->currentIndex().data().toString(), "8");
+  const QModelIndex place = window.setup().settings()->currentIndex();
+  emit lesson.setting_wanted("model");
+  EXPECT_EQ(window.setup().settings()->currentIndex(), place);
+}
+
+TEST_F(MainWindowTest, TheWindowKnowsWhatLessonsCallItsColouringsAndViews) {
+  for (const std::string& name : lesson_colourings()) {
+    EXPECT_NE(std::ranges::find(all_colourings, name, colouring_key), all_colourings.end()) << name;
+  }
+  EXPECT_EQ(lesson_colourings().size(), all_colourings.size());
+  EXPECT_EQ(lesson_cameras()[static_cast<std::size_t>(StandardView::top)], "top");
+  EXPECT_EQ(lesson_cameras()[static_cast<std::size_t>(StandardView::bottom)], "bottom");
+  EXPECT_EQ(lesson_cameras()[static_cast<std::size_t>(StandardView::left)], "left");
 }
 
 TEST(MainWindow, ClosingWhileBusyIsClean) {

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QTableView>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "ui/language/core_texts.h"
 #include "ui/theme/theme.h"
@@ -123,6 +124,25 @@ void SetupView::show_changes() {
   changes_->setText(
       QStringLiteral("<p><b>%1</b> <a href=\"reset\">%2</a><br>%3</p>")
           .arg(tr("Changed against the file:"), tr("back to the file"), lines.join(QStringLiteral("<br>"))));
+}
+
+void SetupView::show_key(const std::string& key) {
+  const bool axis = key.size() > 2 && key[1] == '.';
+  QTableView* table = axis ? axes_ : settings_;
+  int row = settings_model_->row_of(key);
+  int column = SettingsTable::value;
+  if (axis) {
+    const auto& limits = axis_limit_specs();
+    const auto limit = std::ranges::find(limits, key.substr(2), &SettingSpec::key);
+    row = static_cast<int>(limit - limits.begin());
+    column = key[0] - 'X';
+  }
+  const QModelIndex index = table->model()->index(row, column);
+  if (index.isValid()) {
+    table->setCurrentIndex(index);
+    table->scrollTo(index);
+    table->setFocus();
+  }
 }
 
 QString SetupView::message() const {

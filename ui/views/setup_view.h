@@ -22,6 +22,8 @@ class SetupView : public QWidget {
   QTableView* settings() { return settings_; }
   /// What the chosen value means, or why an entry was refused.
   QString message() const;
+  /// Goes to the cell of a key, as of --set; a key that is not there is left alone.
+  void show_key(const std::string& key);
   /// What differs from the machine file; empty if nothing does.
   QString changes() const;
 

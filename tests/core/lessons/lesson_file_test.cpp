@@ -29,10 +29,10 @@ TEST_F(LessonFile, IsReadWhole) {
   EXPECT_THAT(lesson.sources, ElementsAre("Nobody 2020"));
   EXPECT_THAT(lesson.start, ElementsAre("program=lesson_right_angle.nc", "machine=spinner-mvc850",
                                         "model=essid", "tolerance=0.1"));
-  EXPECT_EQ(lesson.view.colouring, "cause");
-  EXPECT_EQ(lesson.view.camera, "iso");
-  EXPECT_EQ(lesson.view.chart_range, (std::pair{0.0, 0.5}));
-  EXPECT_THAT(lesson.view.runs, ElementsAre(Changes{"tolerance=0.2"}, Changes{"model=cam"}));
+  EXPECT_EQ(lesson.window.colouring, "cause");
+  EXPECT_EQ(lesson.window.camera, "iso");
+  EXPECT_EQ(lesson.window.chart_range, (std::pair{0.0, 0.5}));
+  EXPECT_THAT(lesson.window.runs, ElementsAre(Changes{"tolerance=0.2"}, Changes{"model=cam"}));
   EXPECT_EQ(lesson.numbers.at("time").decimals, 2);
   EXPECT_EQ(lesson.numbers.at("less").relation, Relation::percent_less);
   EXPECT_EQ(lesson.given.at("feed").written, "3000 mm/min");

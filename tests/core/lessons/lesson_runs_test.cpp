@@ -101,7 +101,7 @@ TEST_F(LessonRunsTest, AProgramWithErrorsIsRefused) {
 TEST_F(LessonRunsTest, QuantitiesArePutAgainstEachOther) {
   const Lesson lesson = lesson_on("G1 X60 F3000\n", "spinner-mvc850", "cam");
   LessonRuns runs(lesson);
-  Quantity quantity;
+  LessonQuantity quantity;
   quantity.measure = of("cycle_time_s");
   quantity.with = {"model=essid"};
   quantity.against = Changes{};

@@ -75,7 +75,7 @@ TEST_P(ShippedLesson, EveryControlCanBeMovedAndWhatToWatchMeasured) {
       EXPECT_TRUE(std::isfinite(watched)) << question.control.key << "=" << value;
     }
   }
-  for (const Changes& run : lesson_.view.runs) {
+  for (const Changes& run : lesson_.window.runs) {
     EXPECT_GT(runs.run(run).summary.cycle_time, 0);
   }
 }

@@ -1,0 +1,133 @@
+#include "ui/models/lesson_desk.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QLocale>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <fstream>
+
+namespace feedscope::ui {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int patience = 120000;  // [ms]
+
+class LessonDeskTest : public testing::Test {
+ protected:
+  void open(const std::string& id) {
+    QSignalSpy opened(&desk, &LessonDesk::opened);
+    desk.open(find_lesson(id));
+    ASSERT_TRUE(opened.wait(patience));
+  }
+  /// Until everything is simulated and `desk` has measured it.
+  void wait_for(const QString& value) {
+    EXPECT_TRUE(QTest::qWaitFor([&] { return !model.busy() && desk.value() == value; }, patience))
+        << desk.value().toStdString() << " instead of " << value.toStdString();
+  }
+
+  Workbench model{shipped_machines(), make_setup({})};
+  LessonDesk desk{model};
+};
+
+TEST_F(LessonDeskTest, ListsTheShippedLessons) {
+  QSignalSpy listed(&desk, &LessonDesk::listed);
+  desk.list();
+  EXPECT_TRUE(desk.entries().empty()) << "they are read on another thread";
+  ASSERT_TRUE(listed.wait(patience));
+  ASSERT_EQ(desk.entries().size(), shipped_lessons().size());
+  EXPECT_EQ(desk.entries()[3].title, "Why a small circle is slow");
+  EXPECT_EQ(desk.entries()[3].minutes, 25);
+}
+
+TEST_F(LessonDeskTest, OpensALessonWithItsNumbersAndLeavesTheWindow) {
+  open("4");
+  EXPECT_THAT(desk.filled(desk.lesson()->text).toStdString(), HasSubstr("For 2.5 mm that is 2.008 m/min."));
+  EXPECT_EQ(model.program(), nullptr);
+  EXPECT_EQ(desk.value(), "");
+}
+
+TEST_F(LessonDeskTest, SetsUpProgramRunsAndView) {
+  open("10");
+  QSignalSpy view(&desk, &LessonDesk::view_wanted);
+  desk.set_up_window();
+  wait_for("1.241 s");
+  EXPECT_EQ(model.file().filename(), "essid_table1.nc");
+  ASSERT_EQ(model.runs().items().size(), 3U);
+  EXPECT_EQ(model.runs().current(), 0U);
+  EXPECT_EQ(model.runs().items()[1].setup.file().model->info().id, "optimal");
+  EXPECT_EQ(std::get<std::string>(model.runs().items()[1].setup.value("jerk")), "on");
+  EXPECT_FALSE(model.runs().history().canUndo());
+  EXPECT_EQ(view.count(), 1) << "once, when the first result is there";
+}
+
+TEST_F(LessonDeskTest, TheStartIsWrittenAsEditsOfTheMachineFile) {
+  open("6");
+  desk.set_up_window();
+  wait_for("3000 mm/min");
+  const auto& edits = model.setup().state().edits();
+  ASSERT_EQ(edits.size(), 1U);
+  EXPECT_EQ(std::get<double>(edits.at("compaction_mm")), 0);
+}
+
+TEST_F(LessonDeskTest, MovingTheControlChangesTheRunAndWhatItMeasures) {
+  QLocale::setDefault(QLocale::c());
+  open("6");
+  desk.set_up_window();
+  wait_for("3000 mm/min");
+  desk.move_control("0.001");
+  wait_for("6000 mm/min");
+  model.runs().history().undo();
+  wait_for("3000 mm/min");
+}
+
+TEST_F(LessonDeskTest, AQuestionMayNeedAnotherProgram) {
+  open("6");
+  desk.set_up_window();
+  wait_for("3000 mm/min");
+  desk.choose_question(2);
+  desk.move_control("5");
+  EXPECT_TRUE(QTest::qWaitFor(
+      [&] {
+        return !model.busy() && model.file().filename() == "lesson_short_wave.nc" && desk.value() == "7.0 µm";
+      },
+      patience))
+      << desk.value().toStdString();
+}
+
+TEST_F(LessonDeskTest, QuestionsStayWithinTheLesson) {
+  open("6");
+  desk.choose_question(3);
+  EXPECT_EQ(desk.question(), 0U);
+  desk.choose_question(2);
+  EXPECT_EQ(desk.question(), 2U);
+  open("7");
+  EXPECT_EQ(desk.question(), 0U);
+}
+
+TEST_F(LessonDeskTest, SaysWhatIsWrongWithAFile) {
+  const QTemporaryDir folder;
+  const auto file = std::filesystem::path(folder.path().toStdString()) / "wrong.toml";
+  std::ofstream(file) << "titel = \"x\"\n";
+  QSignalSpy failed(&desk, &LessonDesk::failed);
+  desk.open(file);
+  ASSERT_TRUE(failed.wait(patience));
+  EXPECT_THAT(failed[0][0].toString().toStdString(), HasSubstr("did you mean 'title'?"));
+  EXPECT_EQ(desk.lesson(), nullptr);
+  desk.set_up_window();
+  desk.move_control("1");
+  desk.choose_question(1);
+  EXPECT_EQ(desk.question(), 0U);
+}
+
+TEST_F(LessonDeskTest, GoesWhileItReads) {
+  desk.list();
+  desk.open(find_lesson("2"));
+  desk.open(find_lesson("4"));
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <QFutureWatcher>
+#include <QObject>
+#include <QString>
+#include <memory>
+#include <vector>
+
+#include "core/lessons/lesson_runs.h"
+#include "ui/models/workbench.h"
+
+namespace feedscope::ui {
+
+/// A lesson as it stands in a list.
+struct LessonEntry {
+  std::filesystem::path file;
+  QString title;
+  QString learn;  ///< what one learns
+  double minutes = 0;
+};
+
+/// The lesson that is worked on in the window: its texts with the numbers measured, the question one is at,
+/// and what the current run measures of it. Reading, simulating and measuring run on other threads.
+class LessonDesk : public QObject {
+  Q_OBJECT
+
+ public:
+  /// `model` outlives this.
+  explicit LessonDesk(Workbench& model, QObject* parent = nullptr);
+  ~LessonDesk() override;
+
+  /// Reads the shipped lessons; listed() follows, failed() for a file that is faulty. Once is enough.
+  void list();
+  const std::vector<LessonEntry>& entries() const { return entries_; }
+  /// Reads a lesson and measures its numbers; opened() or failed() follows.
+  void open(const std::filesystem::path& file);
+  bool busy() const { return opening_.isRunning(); }
+
+  /// Null until one is open.
+  const Lesson* lesson() const { return open_ == nullptr ? nullptr : &open_->lesson; }
+  /// A text of the open lesson with its numbers, Markdown.
+  QString filled(const std::string& text) const;
+
+  /// Program, runs and settings that the lesson begins with, instead of those in the window; view_wanted()
+  /// follows with the first result.
+  void set_up_window();
+  std::size_t question() const { return question_; }
+  void choose_question(std::size_t number);
+  /// Gives the control of the question a value in the current run; all else is as the lesson begins, and can
+  /// be undone.
+  void move_control(const std::string& value);
+
+  /// What the current run measures of the question, with its unit; "" while there is nothing to measure.
+  const QString& value() const { return value_; }
+
+ signals:
+  void listed();
+  void opened();
+  void question_changed();
+  void value_changed();
+  /// How the window is to show the lesson.
+  void view_wanted(const feedscope::LessonWindow& view);
+  void failed(const QString& message);
+
+ private:
+  struct Catalogue {
+    std::vector<LessonEntry> entries;
+    QString failure;
+  };
+  struct OpenLesson {
+    Lesson lesson;
+    WrittenNumbers numbers;
+    QString failure;  ///< why there is none; "" if there is one
+  };
+
+  static Catalogue read_catalogue();
+  static std::shared_ptr<const OpenLesson> read(const std::filesystem::path& file, Progress& progress);
+  void take_lesson();
+  void measure();
+  void follow_run();
+  void report(const std::exception& error) { emit failed(QString::fromUtf8(error.what())); }
+
+  Workbench& model_;
+  std::vector<LessonEntry> entries_;
+  std::shared_ptr<const OpenLesson> open_;
+  std::size_t question_ = 0;
+  QString value_;
+  bool view_pending_ = false;
+  std::shared_ptr<Progress> progress_;
+  QFutureWatcher<Catalogue> listing_;
+  QFutureWatcher<std::shared_ptr<const OpenLesson>> opening_;
+  QFutureWatcher<QString> measuring_;
+};
+
+}  // namespace feedscope::ui
