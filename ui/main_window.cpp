@@ -200,6 +200,16 @@ void MainWindow::show_other_runs() {
   scene_->scene().set_overlays(std::move(in_scene));
 }
 
+void MainWindow::raise_lessons() {
+  lesson_dock_->show();
+  lesson_dock_->raise();
+}
+
+void MainWindow::open_lesson(const std::filesystem::path& file) {
+  raise_lessons();
+  desk_.open(file, true);
+}
+
 void MainWindow::show_lesson(const LessonWindow& look) {
   const auto colouring = std::ranges::find(all_colourings, look.colouring, colouring_key);
   if (colouring != all_colourings.end()) {

@@ -43,6 +43,8 @@ class MainWindow : public QMainWindow {
   AnnotationsView& annotations() { return *annotations_; }
   LessonView& lessons() { return *lessons_; }
   CommandPalette& palette() { return *palette_; }
+  /// Opens a lesson in its panel, and what it begins with in all others.
+  void open_lesson(const std::filesystem::path& file);
   /// Every command of the menus, in their order.
   QList<ListedAction> commands() const;
 
@@ -69,6 +71,7 @@ class MainWindow : public QMainWindow {
   void show_slow_place(double slowest, double from, double to);
   void show_other_runs();
   void show_lesson(const LessonWindow& look);
+  void raise_lessons();
   void show_failure(const QString& message);
   void loop_what_is_shown(bool on);
   /// From cursor A to cursor B of the charts, or all that they show [s].

@@ -199,10 +199,7 @@ void MainWindow::make_language_menu(QMenu* view) {
 void MainWindow::make_help_menu() {
   QMenu* help = menuBar()->addMenu(tr("&Help"));
   connect(add_action(help, tr("&Lessons"), {}, tr("Lessons for courses, with questions about what is shown")),
-          &QAction::triggered, lesson_dock_, [this] {
-            lesson_dock_->show();
-            lesson_dock_->raise();
-          });
+          &QAction::triggered, this, &MainWindow::raise_lessons);
   QMenu* lesson = help->addMenu(tr("L&esson"));
   lesson->addActions(lessons_->panel_actions());
   help->addSeparator();

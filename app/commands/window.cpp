@@ -9,6 +9,7 @@
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
 #include "core/base/error.h"
+#include "core/lessons/lesson.h"
 #include "ui/language/language.h"
 #include "ui/main_window.h"
 #include "ui/models/recent_files.h"
@@ -38,7 +39,8 @@ void leave_on_fatal(QtMsgType type, const QMessageLogContext&, const QString& me
   fmt::print(stderr, "feedscope: {}\n", message.toStdString());
 }
 
-int show_window(const std::string& file) {
+int show_window(const std::string& file, const std::string& lesson_id) {
+  const std::filesystem::path lesson = lesson_id.empty() ? "" : find_lesson(lesson_id);
   check_display();
   qInstallMessageHandler(leave_on_fatal);
   int count = 1;
@@ -66,6 +68,9 @@ int show_window(const std::string& file) {
   if (!file.empty()) {
     model.open(file);
   }
+  if (!lesson.empty()) {
+    window.open_lesson(lesson);
+  }
   const int code = QApplication::exec();
   settings.setValue("geometry", window.saveGeometry());
   settings.setValue("layout", window.saveState());
@@ -77,8 +82,14 @@ int show_window(const std::string& file) {
 
 Command add_window_command(CLI::App& app) {
   const auto file = std::make_shared<std::string>();
-  app.add_option("FILE", *file, "Without a command: open the window, with this NC program")->type_name("");
-  return {&app, [file] { return show_window(*file); }};
+  const auto lesson = std::make_shared<std::string>();
+  CLI::Option* program =
+      app.add_option("FILE", *file, "Without a command: open the window, with this NC program")
+          ->type_name("");
+  app.add_option("--lesson", *lesson, "Open the window with a lesson, as 'feedscope lessons' lists them")
+      ->type_name("ID|FILE")
+      ->excludes(program);
+  return {&app, [file, lesson] { return show_window(*file, *lesson); }};
 }
 
 }  // namespace feedscope

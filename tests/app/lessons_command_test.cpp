@@ -73,6 +73,13 @@ TEST_F(LessonsCommand, WritesAHandOut) {
   EXPECT_EQ(run("lessons 8 --out -").out, contents(folder_ / "handout.html"));
 }
 
+#ifdef FEEDSCOPE_WITH_UI
+TEST_F(LessonsCommand, TheWindowOpensWithALesson) {
+  expect_wrong_use("--lesson small_circel", "did you mean '04_small_circle'?");
+  EXPECT_THAT(run("--lesson 4", no_display).err, HasSubstr("the window needs a display"));
+}
+#endif
+
 TEST_F(LessonsCommand, SaysWhatIsWrong) {
   expect_wrong_use("lessons nothing_like_it", "unknown lesson 'nothing_like_it': no id and no file");
   expect_wrong_use("lessons smal_circle", "did you mean '04_small_circle'?");

@@ -97,7 +97,8 @@ std::shared_ptr<const LessonDesk::OpenLesson> LessonDesk::read(const std::filesy
   return result;
 }
 
-void LessonDesk::open(const std::filesystem::path& file) {
+void LessonDesk::open(const std::filesystem::path& file, bool then_set_up) {
+  set_up_pending_ = then_set_up;
   if (progress_ != nullptr) {
     progress_->cancel();
   }
@@ -119,7 +120,11 @@ void LessonDesk::take_lesson() {
   view_pending_ = false;
   emit opened();
   emit question_changed();
-  measure();
+  if (std::exchange(set_up_pending_, false)) {
+    set_up_window();
+  } else {
+    measure();
+  }
 }
 
 QString LessonDesk::filled(const std::string& text) const {

@@ -32,8 +32,9 @@ class LessonDesk : public QObject {
   /// Reads the shipped lessons; listed() follows, failed() for a file that is faulty. Once is enough.
   void list();
   const std::vector<LessonEntry>& entries() const { return entries_; }
-  /// Reads a lesson and measures its numbers; opened() or failed() follows.
-  void open(const std::filesystem::path& file);
+  /// Reads a lesson and measures its numbers; opened() or failed() follows. `then_set_up`: the window, as
+  /// set_up_window() does.
+  void open(const std::filesystem::path& file, bool then_set_up = false);
   bool busy() const { return opening_.isRunning(); }
 
   /// Null until one is open.
@@ -86,6 +87,7 @@ class LessonDesk : public QObject {
   std::size_t question_ = 0;
   QString value_;
   bool view_pending_ = false;
+  bool set_up_pending_ = false;
   std::shared_ptr<Progress> progress_;
   QFutureWatcher<Catalogue> listing_;
   QFutureWatcher<std::shared_ptr<const OpenLesson>> opening_;

@@ -64,6 +64,12 @@ TEST_F(LessonDeskTest, SetsUpProgramRunsAndView) {
   EXPECT_EQ(view.count(), 1) << "once, when the first result is there";
 }
 
+TEST_F(LessonDeskTest, SetsUpTheWindowAtOnceIfAsked) {
+  desk.open(find_lesson("6"), true);
+  wait_for("3000 mm/min");
+  EXPECT_EQ(model.file().filename(), "lesson_short_blocks.nc");
+}
+
 TEST_F(LessonDeskTest, TheStartIsWrittenAsEditsOfTheMachineFile) {
   open("6");
   desk.set_up_window();
