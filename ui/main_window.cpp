@@ -16,7 +16,7 @@ namespace {
 
 constexpr QSize default_size(1280, 800);
 constexpr int program_width = 270;
-constexpr int setup_width = 340;
+constexpr int setup_width = 371;  // shows every command of the annotations
 constexpr int charts_height = 390;
 
 std::filesystem::path to_path(const QString& file) {

@@ -10,6 +10,7 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QTableView>
+#include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -124,21 +125,15 @@ QAction* AnnotationsView::add_action(const QString& text, const QString& tip, co
 }
 
 void AnnotationsView::make_layout() {
-  auto* bar = new QHBoxLayout;
-  bar->setSpacing(2);
-  for (QAction* action : actions_) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(action);
-    bar->addWidget(button);
-  }
-  bar->addStretch();
+  auto* bar = new QToolBar(this);  // gives way where the panel is narrow
+  bar->addActions(actions_);
   auto* style = new QHBoxLayout;
   style->addWidget(colour_);
   style->addWidget(size_);
   style->addWidget(hint_, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
-  layout->addLayout(bar);
+  layout->addWidget(bar);
   layout->addWidget(table_, 1);
   layout->addWidget(text_);
   layout->addLayout(style);
