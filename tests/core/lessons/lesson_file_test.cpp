@@ -169,6 +169,25 @@ TEST_F(LessonFile, TellsWhatIsNoLesson) {
               ThrowsMessage<InputError>(HasSubstr("02_tolerance_and_time")));
 }
 
+/// Cut off anywhere, or with one character too many, a lesson is read or refused with its place.
+TEST_F(LessonFile, BrokenFilesAreRefusedCleanly) {
+  const std::string good = good_lesson;
+  const auto try_to_read = [&](const std::string& text) {
+    const auto file = write(text);
+    try {
+      read_lesson(file);
+    } catch (const InputError& error) {
+      EXPECT_THAT(error.what(), StartsWith(file.string() + ":"));
+    }
+  };
+  for (std::size_t end = 0; end < good.size(); end += 13) {
+    try_to_read(good.substr(0, end));
+    for (const char* noise : {"\"", "[", "{", "=", "\xff"}) {
+      try_to_read(good.substr(0, end) + noise + good.substr(end));
+    }
+  }
+}
+
 TEST_F(LessonFile, AProgramBesideTheLessonComesFirst) {
   write("G1 X5 F1000\n", "mine.nc");
   const Lesson lesson = read_lesson(changed("lesson_right_angle.nc", "mine.nc"));
