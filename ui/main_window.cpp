@@ -1,5 +1,6 @@
 #include "ui/main_window.h"
 
+#include <QCloseEvent>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QMimeData>
@@ -40,6 +41,7 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
       annotations_(new AnnotationsView(model.annotations(), model.cursor(), this)),
       desk_(model),
       lessons_(new LessonView(desk_, this)),
+      session_(new WindowSession(*this, model)),
       palette_(new CommandPalette(this)),
       key_list_(new KeyList(this)) {
   setWindowTitle(tr("Feedscope"));
@@ -60,6 +62,10 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
     constexpr int shown_for = 8000;  // [ms]
     statusBar()->showMessage(message, shown_for);
   });
+  connect(session_, &WindowSession::file_changed, this, &MainWindow::show_title);
+  connect(session_, &WindowSession::failed, this, &MainWindow::show_failure);
+  connect(session_, &WindowSession::noticed, this,
+          [this](const QString& message) { diagnostics_->add_message(Severity::info, message); });
   connect(&model_.cursor(), &Cursor::changed, this, &MainWindow::show_cursor);
   connect(playback_, &PlaybackBar::loop_wanted, this, &MainWindow::loop_what_is_shown);
   connect(scene_, &SceneView::picked, &model_.cursor(), &Cursor::set_time);
@@ -157,8 +163,25 @@ void MainWindow::show_program() {
   diagnostics_->set_program(program);
   annotations_->set_toolpath(model_.shown_program().input.toolpath);
   scene_->scene().set_programmed(model_.shown_program().samples);
-  const QString name = QString::fromStdU16String(model_.file().filename().u16string());
+  show_title();
+}
+
+void MainWindow::show_title() {
+  const std::filesystem::path& shown = session_->file().empty() ? model_.file() : session_->file();
+  const QString name = QString::fromStdU16String(shown.filename().u16string());
   setWindowTitle(name.isEmpty() ? tr("Feedscope") : tr("%1 – Feedscope").arg(name));
+}
+
+void MainWindow::open(const std::filesystem::path& file) {
+  if (!session_->may_go()) {
+    return;
+  }
+  if (is_session_file(file)) {
+    session_->open(file);
+  } else {
+    session_->forget_file();
+    model_.open(file);
+  }
 }
 
 void MainWindow::show_run() {
@@ -279,8 +302,12 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  model_.open(to_path(event->mimeData()->urls().first().toLocalFile()));
+  open(to_path(event->mimeData()->urls().first().toLocalFile()));
   event->acceptProposedAction();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  event->setAccepted(session_->may_go());
 }
 
 }  // namespace feedscope::ui

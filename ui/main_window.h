@@ -18,6 +18,7 @@
 #include "ui/views/setup_view.h"
 #include "ui/views/slow_places_view.h"
 #include "ui/views/why_view.h"
+#include "ui/window_session.h"
 
 namespace feedscope::ui {
 
@@ -45,12 +46,16 @@ class MainWindow : public QMainWindow {
   CommandPalette& palette() { return *palette_; }
   /// Opens a lesson in its panel, and what it begins with in all others.
   void open_lesson(const std::filesystem::path& file);
+  WindowSession& session() { return *session_; }
+  /// A program or a session, by the end of its name; asks before what is not saved goes.
+  void open(const std::filesystem::path& file);
   /// Every command of the menus, in their order.
   QList<ListedAction> commands() const;
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
+  void closeEvent(QCloseEvent* event) override;
 
  private:
   void make_docks();
@@ -66,6 +71,7 @@ class MainWindow : public QMainWindow {
   void ask_for_machine();
   void save_machine();
   void show_program();
+  void show_title();
   void show_run();
   void show_cursor();
   void show_slow_place(double slowest, double from, double to);
@@ -93,6 +99,7 @@ class MainWindow : public QMainWindow {
   AnnotationsView* annotations_;
   LessonDesk desk_;
   LessonView* lessons_;
+  WindowSession* session_;
   CommandPalette* palette_;
   KeyList* key_list_;
   QDockWidget* charts_dock_ = nullptr;

@@ -107,7 +107,8 @@ void MainWindow::make_menus() {
 
 void MainWindow::make_file_menu() {
   QMenu* file = menuBar()->addMenu(tr("&File"));
-  QAction* open = add_action(file, tr("&Open program …"), QKeySequence::Open, tr("Open an NC program"));
+  QAction* open =
+      add_action(file, tr("&Open program …"), QKeySequence::Open, tr("Open an NC program or a session"));
   open->setIcon(style()->standardIcon(QStyle::SP_DialogOpenButton));
   connect(open, &QAction::triggered, this, &MainWindow::ask_for_program);
   QMenu* recent = file->addMenu(tr("Open &recent"));
@@ -127,10 +128,17 @@ void MainWindow::make_file_menu() {
     QSettings().setValue("reload_on_change", on);
   });
   file->addSeparator();
+  connect(add_action(file, tr("&Save session"), QKeySequence::Save,
+                     tr("Keep runs, views and annotations in one file")),
+          &QAction::triggered, session_, [this] { session_->save(); });
+  connect(add_action(file, tr("Save session &as …"), QKeySequence::SaveAs,
+                     tr("Keep runs, views and annotations in another file")),
+          &QAction::triggered, session_, [this] { session_->save(true); });
+  file->addSeparator();
   connect(add_action(file, tr("Open &machine file …"), QKeySequence(tr("Ctrl+M")),
                      tr("Use a machine of your own")),
           &QAction::triggered, this, &MainWindow::ask_for_machine);
-  connect(add_action(file, tr("&Save machine as …"), QKeySequence::SaveAs,
+  connect(add_action(file, tr("Save machine as …"), QKeySequence(tr("Ctrl+Shift+M")),
                      tr("Write the machine with all changes to a machine file")),
           &QAction::triggered, this, &MainWindow::save_machine);
   file->addSeparator();
@@ -144,7 +152,7 @@ void MainWindow::list_recent_files(QMenu* menu) {
     QAction* action = menu->addAction(QFileInfo(file).fileName());
     action->setToolTip(file);
     action->setStatusTip(file);
-    connect(action, &QAction::triggered, this, [this, file] { model_.open(to_path(file)); });
+    connect(action, &QAction::triggered, this, [this, file] { open(to_path(file)); });
   }
   if (menu->isEmpty()) {
     menu->addAction(tr("No program has been opened yet"))->setEnabled(false);
@@ -218,10 +226,11 @@ void MainWindow::set_theme(ThemeKind kind) {
 
 void MainWindow::ask_for_program() {
   const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open NC program"), QString::fromStdU16String(model_.file().parent_path().u16string()),
-      tr("NC programs (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)"));
+      this, tr("Open program or session"), QString::fromStdU16String(model_.file().parent_path().u16string()),
+      tr("NC programs and sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso "
+         "*.txt);;All files (*)"));
   if (!file.isEmpty()) {
-    model_.open(to_path(file));
+    open(to_path(file));
   }
 }
 

@@ -55,9 +55,10 @@ int show_window(const std::string& file, const std::string& lesson_id) {
 
   ui::Workbench model(shipped_machines(), make_setup({}));
   ui::MainWindow window(model, ui::default_backend());
-  QObject::connect(&model, &ui::Workbench::program_changed, [&model] {
+  QObject::connect(&model, &ui::Workbench::program_changed, [&model, &window] {
     if (model.program() != nullptr) {
-      ui::RecentFiles::add(QString::fromStdU16String(model.file().u16string()));
+      const auto& shown = window.session().file().empty() ? model.file() : window.session().file();
+      ui::RecentFiles::add(QString::fromStdU16String(shown.u16string()));
     }
   });
   QSettings settings;
@@ -65,11 +66,13 @@ int show_window(const std::string& file, const std::string& lesson_id) {
   window.restoreState(settings.value("layout").toByteArray());
   ui::restore_panel_states(window);
   window.show();
+  window.session().begin_keeping();
   if (!file.empty()) {
-    model.open(file);
-  }
-  if (!lesson.empty()) {
+    window.open(file);
+  } else if (!lesson.empty()) {
     window.open_lesson(lesson);
+  } else {
+    window.session().offer_left_behind();
   }
   const int code = QApplication::exec();
   settings.setValue("geometry", window.saveGeometry());
@@ -84,7 +87,7 @@ Command add_window_command(CLI::App& app) {
   const auto file = std::make_shared<std::string>();
   const auto lesson = std::make_shared<std::string>();
   CLI::Option* program =
-      app.add_option("FILE", *file, "Without a command: open the window, with this NC program")
+      app.add_option("FILE", *file, "Without a command: open the window, with this NC program or session")
           ->type_name("");
   app.add_option("--lesson", *lesson, "Open the window with a lesson, as 'feedscope lessons' lists them")
       ->type_name("ID|FILE")

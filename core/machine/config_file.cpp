@@ -133,14 +133,16 @@ const std::string& ConfigNode::need_text(const std::string& key, const std::stri
 }
 
 ConfigNode read_config_file(const fs::path& file, const std::string& what) {
-  const std::string text = read_text(file, what);
+  return parse_config(read_text(file, what), file.string());
+}
+
+ConfigNode parse_config(const std::string& text, const std::string& name) {
   try {
-    return ConfigBuilder(std::make_shared<const std::string>(file.string()))
-        .build(toml::parse(text, file.string()));
+    return ConfigBuilder(std::make_shared<const std::string>(name)).build(toml::parse(text, name));
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
     throw InputError(
-        fmt::format("{}:{}:{}: no TOML: {}", file.string(), begin.line, begin.column, error.description()));
+        fmt::format("{}:{}:{}: no TOML: {}", name, begin.line, begin.column, error.description()));
   }
 }
 

@@ -58,5 +58,7 @@ class ConfigNode {
 /// Reads a TOML file of at most 1 MiB. `what` for messages: "machine file". Throws InputError naming file and
 /// reason, for wrong syntax line and column too.
 ConfigNode read_config_file(const std::filesystem::path& file, const std::string& what);
+/// The same of a text; `name` stands for the file in messages.
+ConfigNode parse_config(const std::string& text, const std::string& name);
 
 }  // namespace feedscope

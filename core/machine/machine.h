@@ -56,6 +56,9 @@ void set_axis_limit(Machine& machine, char axis, std::string_view limit, double 
 /// missing key, wrong type, limit not above 0, number without source, syntax error, unreadable file.
 /// `model_settings`: specs beyond common_settings() that a [settings] table may hold.
 Machine read_machine(const std::filesystem::path& file, const std::vector<SettingSpec>& model_settings);
+/// The same of a text; `name` stands for the file in messages.
+Machine parse_machine(const std::string& text, const std::string& name,
+                      const std::vector<SettingSpec>& model_settings);
 /// As TOML that read_machine reads back to the same machine, bit for bit.
 std::string write_machine(const Machine& machine);
 

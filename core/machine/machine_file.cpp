@@ -132,6 +132,11 @@ Machine read_machine(const std::filesystem::path& file, const std::vector<Settin
   return MachineReader(model_settings).read(read_config_file(file, "machine file"));
 }
 
+Machine parse_machine(const std::string& text, const std::string& name,
+                      const std::vector<SettingSpec>& model_settings) {
+  return MachineReader(model_settings).read(parse_config(text, name));
+}
+
 std::string write_machine(const Machine& machine) {
   std::string out;
   out += fmt::format("id = {}\nname = {}\ncontrol = {}\nreference = {}\nmodel = {}\n", quoted(machine.id),

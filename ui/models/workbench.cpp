@@ -77,6 +77,15 @@ void Workbench::open(const std::filesystem::path& file) {
   read_file();
 }
 
+void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current) {
+  job_.cancel();
+  file_ = file;
+  program_ = {};
+  annotations_.replace({});
+  runs_.replace(std::move(runs), current);
+  open(file);
+}
+
 void Workbench::read_file() {
   working_on_ = runs_.current_item().id;
   working_setup_ = setup_.setup();

@@ -36,6 +36,8 @@ class Workbench : public QObject {
   void show(const Run& run);
   /// Reads a program and simulates every run of it.
   void open(const std::filesystem::path& file);
+  /// The same with other runs, at least one; their history goes.
+  void open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current);
   /// Reads the program again; the cursor stays at its line.
   void reload();
   void set_reload_on_change(bool on);

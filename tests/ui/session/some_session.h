@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ui/session/session.h"
+
+namespace feedscope::ui::test {
+
+/// Two runs, of which one is edited, and every kind of annotation; nothing as in a new session.
+inline Session some_session(const std::filesystem::path& program) {
+  Session session;
+  session.program = program;
+  session.program_hash = "0123abcd";
+  SetupState fine(make_setup({}));
+  fine.set("contour_tolerance_mm", 0.0123);
+  fine.set("program_tolerance", std::string("off"));
+  fine.set("X.jerk", 7.5);
+  session.runs = {{0, {}, QColor(0x00, 0x72, 0xb2), true, SetupState(make_setup({}))},
+                  {0, "fine", QColor(0xd5, 0x5e, 0x00), false, fine}};
+  session.current_run = 1;
+  session.cursor = 0.25;
+  session.scene.exaggeration = 100;
+  session.scene.colouring = Colouring::cause;
+  session.charts.abscissa = Abscissa::path_length;
+  session.charts.time = Interval{0.1, 0.4};
+  int segment = 0;
+  for (const AnnotationKind kind : annotation_kinds) {
+    Annotation annotation;
+    annotation.kind = kind;
+    annotation.place = {static_cast<std::uint32_t>(segment++), 0.1 + 0.2};
+    annotation.until = has_two_places(kind) ? ProgrammedPlace{9, 1} : annotation.place;
+    annotation.text = QStringLiteral("{feed}\nécart \"1\"");
+    annotation.offset = {-12.5, 33};
+    annotation.colour = QColor(1, 2, 3);
+    annotation.size = 14;
+    session.annotations.push_back(annotation);
+  }
+  session.layout = QByteArray("\x00\x01layout", 8);
+  session.theme = ThemeKind::dark;
+  session.program_font_size = 17;
+  return session;
+}
+
+}  // namespace feedscope::ui::test

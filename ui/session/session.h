@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "ui/annotations/annotation.h"
+#include "ui/charts/charts_state.h"
+#include "ui/models/run_list.h"
+#include "ui/scene/scene_state.h"
+#include "ui/theme/theme.h"
+
+namespace feedscope::ui {
+
+/// Everything that someone has set up around one program, as a session file keeps it.
+struct Session {
+  std::filesystem::path program;  ///< absolute; the file holds it relative to itself
+  QByteArray program_hash;        ///< SHA-256 of the program's bytes, in hex; empty: not known
+  std::vector<RunItem> runs;      ///< at least one
+  std::size_t current_run = 0;
+  double cursor = 0;  ///< time in the current run [s]
+  SceneState scene;
+  ChartsState charts;
+  std::vector<Annotation> annotations;
+  QByteArray layout;                     ///< of the docks, as QMainWindow::saveState; may be empty
+  std::optional<ThemeKind> theme;        ///< none: as the one who opens it likes it
+  std::optional<int> program_font_size;  ///< [pixels]
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,81 @@
+#include "ui/session/session_file.h"
+
+#include <QCryptographicHash>
+#include <QFile>
+#include <QJsonDocument>
+#include <QSaveFile>
+
+#include "core/base/error.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr qint64 largest_file = 64LL << 20;  // bytes; a session of a thousand annotations is a few hundred KB
+
+[[noreturn]] void fail(const QString& message) {
+  throw InputError(message.toStdString());
+}
+
+QString to_qstring(const std::filesystem::path& path) {
+  return QString::fromStdU16String(path.u16string());
+}
+
+/// "line 3, column 7" of a place in a text.
+QString place_of(const QByteArray& text, qsizetype offset) {
+  const QByteArray before = text.left(offset);
+  const qsizetype line = before.count('\n') + 1;
+  return QStringLiteral("line %1, column %2").arg(line).arg(offset - before.lastIndexOf('\n'));
+}
+
+QByteArray read_bytes(const QString& name) {
+  QFile file(name);
+  if (!file.open(QIODevice::ReadOnly)) {
+    fail(QStringLiteral("cannot read session '%1': %2").arg(name, file.errorString()));
+  }
+  if (file.size() > largest_file) {
+    fail(QStringLiteral("'%1' is larger than 64 MiB; that is no session").arg(name));
+  }
+  return file.readAll();
+}
+
+}  // namespace
+
+bool is_session_file(const std::filesystem::path& file) {
+  return file.extension() == session_suffix;
+}
+
+QByteArray session_bytes(const Session& session, const std::filesystem::path& folder) {
+  return QJsonDocument(to_json(session, folder)).toJson(QJsonDocument::Indented);
+}
+
+void write_session(const Session& session, const std::filesystem::path& file) {
+  const QByteArray bytes = session_bytes(session, std::filesystem::absolute(file).parent_path());
+  QSaveFile out(to_qstring(file));
+  if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit()) {
+    fail(QStringLiteral("cannot write session '%1': %2").arg(to_qstring(file), out.errorString()));
+  }
+}
+
+ReadSession read_session_file(const std::filesystem::path& file) {
+  const QString name = to_qstring(file);
+  const QByteArray bytes = read_bytes(name);
+  QJsonParseError error;
+  const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
+  if (error.error != QJsonParseError::NoError) {
+    fail(QStringLiteral("'%1' is no session: %2 (%3)")
+             .arg(name, error.errorString(), place_of(bytes, error.offset)));
+  }
+  try {
+    return read_session(document.object(), std::filesystem::absolute(file).parent_path(), shipped_machines());
+  } catch (const InputError& reason) {
+    fail(QStringLiteral("cannot use session '%1': %2").arg(name, QString::fromUtf8(reason.what())));
+  }
+}
+
+QByteArray hash_of(const std::filesystem::path& file) {
+  QFile in(to_qstring(file));
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  return in.open(QIODevice::ReadOnly) && hash.addData(&in) ? hash.result().toHex() : QByteArray();
+}
+
+}  // namespace feedscope::ui

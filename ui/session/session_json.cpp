@@ -1,0 +1,297 @@
+#include "ui/session/session_json.h"
+
+#include <QJsonArray>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "ui/models/scene_json.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr const char* format_name = "feedscope-session";
+constexpr int largest_text_size = 200;  // [points]
+
+[[noreturn]] void fail(const QString& message) {
+  throw InputError(message.toStdString());
+}
+
+QString to_qstring(const std::filesystem::path& path) {
+  return QString::fromStdU16String(path.generic_u16string());
+}
+
+std::filesystem::path to_path(const QString& text) {
+  return std::filesystem::path(text.toStdU16String());
+}
+
+/// Notes the keys of `json` that are not in `known`, with the nearest one that is.
+void note_unknown(const QJsonObject& json, const std::vector<std::string>& known, const QString& place,
+                  QStringList& notes) {
+  for (const QString& key : json.keys()) {
+    const std::string name = key.toStdString();
+    if (std::ranges::find(known, name) != known.end()) {
+      continue;
+    }
+    const std::string near = nearest_name(name, known);
+    notes.append(QStringLiteral("%1 has a key \"%2\" that is not known; it is left out%3")
+                     .arg(place, key,
+                          near.empty()
+                              ? QString()
+                              : QStringLiteral(" (did you mean \"%1\"?)").arg(QString::fromStdString(near))));
+  }
+}
+
+// ---- Runs
+
+QJsonValue to_json(const SettingValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? QJsonValue(*number)
+                           : QJsonValue(QString::fromStdString(std::get<std::string>(value)));
+}
+
+bool is_shipped(const Machine& machine, const MachineLibrary& machines) {
+  return std::ranges::find(machines.ids(), machine.id) != machines.ids().end() &&
+         machines.load(machine.id) == machine;
+}
+
+/// What differs from the machine's file: edits, and settings that a command line set.
+QJsonObject changes_of(const SetupState& state) {
+  QJsonObject changes;
+  const Settings plain = complete_settings(*state.file().model, state.file().machine);
+  for (const auto& [key, value] : state.file().settings.values()) {
+    if (!plain.has(key) || plain.values().at(key) != value) {
+      changes[QString::fromStdString(key)] = to_json(value);
+    }
+  }
+  for (const auto& [key, value] : state.edits()) {
+    changes[QString::fromStdString(key)] = to_json(value);
+  }
+  return changes;
+}
+
+QJsonObject to_json(const RunItem& run, const MachineLibrary& machines) {
+  const Machine& machine = run.setup.file().machine;
+  QJsonObject json{{"name", run.name},
+                   {"colour", run.colour.name()},
+                   {"visible", run.visible},
+                   {"model", QString::fromStdString(run.setup.file().model->info().id)},
+                   {"set", changes_of(run.setup)}};
+  if (is_shipped(machine, machines)) {
+    json["machine"] = QString::fromStdString(machine.id);
+  } else {
+    json["machine_file"] =
+        QJsonArray::fromStringList(QString::fromStdString(write_machine(machine)).split('\n'));
+  }
+  return json;
+}
+
+Machine read_machine_of(const QJsonObject& json, const MachineLibrary& machines, const QString& place) {
+  if (!json.contains("machine_file")) {
+    return machines.load(json["machine"].toString().toStdString());
+  }
+  const QString text = json["machine_file"].toVariant().toStringList().join('\n');
+  return parse_machine(text.toStdString(), (place + QStringLiteral(", machine_file")).toStdString(),
+                       all_model_settings());
+}
+
+SettingValue setting_of(const QJsonValue& json) {
+  return json.isString() ? SettingValue(json.toString().toStdString()) : SettingValue(json.toDouble());
+}
+
+RunItem read_run(const QJsonObject& json, const QString& place, const MachineLibrary& machines,
+                 QStringList& notes) {
+  note_unknown(json, {"name", "colour", "visible", "machine", "machine_file", "model", "set"}, place, notes);
+  try {
+    Setup file;
+    file.machine = read_machine_of(json, machines, place);
+    file.model =
+        &find_model(json["model"].toString(QString::fromStdString(file.machine.model)).toStdString());
+    file.settings = complete_settings(*file.model, file.machine);
+    RunItem run{0, json["name"].toString(), QColor(json["colour"].toString()), json["visible"].toBool(true),
+                SetupState(std::move(file))};
+    const QJsonObject set = json["set"].toObject();
+    for (auto entry = set.begin(); entry != set.end(); ++entry) {
+      run.setup.set(entry.key().toStdString(), setting_of(entry.value()));
+    }
+    if (!run.colour.isValid()) {
+      run.colour = QColor(Qt::darkBlue);
+    }
+    return run;
+  } catch (const InputError& error) {
+    fail(QStringLiteral("%1: %2").arg(place, QString::fromUtf8(error.what())));
+  }
+}
+
+// ---- Annotations
+
+QJsonObject to_json(const ProgrammedPlace& place) {
+  return {{"segment", static_cast<double>(place.segment)}, {"share", place.share}};
+}
+
+ProgrammedPlace read_place(const QJsonObject& json, const QString& place) {
+  const double segment = json["segment"].toDouble(-1);
+  const double share = json["share"].toDouble();
+  if (!(segment >= 0 && segment <= 4294967295.0 && segment == std::floor(segment))) {
+    fail(QStringLiteral("%1: \"segment\" must be a whole number from 0").arg(place));
+  }
+  if (!(share >= 0 && share <= 1)) {
+    fail(QStringLiteral("%1: \"share\" is %2; it must be from 0 to 1").arg(place).arg(share));
+  }
+  return {static_cast<std::uint32_t>(segment), share};
+}
+
+QJsonObject to_json(const Annotation& annotation) {
+  QJsonObject json{{"kind", annotation_key(annotation.kind)},
+                   {"place", to_json(annotation.place)},
+                   {"text", annotation.text},
+                   {"offset_px", QJsonArray{annotation.offset.x(), annotation.offset.y()}},
+                   {"colour", annotation.colour.name()},
+                   {"size_pt", annotation.size}};
+  if (has_two_places(annotation.kind)) {
+    json["until"] = to_json(annotation.until);
+  }
+  return json;
+}
+
+AnnotationKind read_kind(const QJsonValue& json, const QString& place) {
+  QStringList known;
+  for (const AnnotationKind kind : annotation_kinds) {
+    if (json.toString() == annotation_key(kind)) {
+      return kind;
+    }
+    known.append(annotation_key(kind));
+  }
+  fail(QStringLiteral("%1: \"kind\" is \"%2\"; it must be one of %3")
+           .arg(place, json.toString(), known.join(QStringLiteral(", "))));
+}
+
+Annotation read_annotation(const QJsonObject& json, const QString& place, QStringList& notes) {
+  note_unknown(json, {"kind", "place", "until", "text", "offset_px", "colour", "size_pt"}, place, notes);
+  Annotation annotation;
+  annotation.kind = read_kind(json["kind"], place);
+  annotation.place = read_place(json["place"].toObject(), place + QStringLiteral(", place"));
+  annotation.until = has_two_places(annotation.kind)
+                         ? read_place(json["until"].toObject(), place + QStringLiteral(", until"))
+                         : annotation.place;
+  annotation.text = json["text"].toString();
+  const QJsonArray offset = json["offset_px"].toArray();
+  if (offset.size() == 2) {
+    annotation.offset = {offset[0].toDouble(), offset[1].toDouble()};
+  }
+  if (const QColor colour(json["colour"].toString()); colour.isValid()) {
+    annotation.colour = colour;
+  }
+  annotation.size = json["size_pt"].toDouble(annotation.size);
+  if (!(annotation.size > 0 && annotation.size <= largest_text_size)) {
+    fail(QStringLiteral("%1: \"size_pt\" is %2; it must be above 0 and at most %3")
+             .arg(place)
+             .arg(annotation.size)
+             .arg(largest_text_size));
+  }
+  return annotation;
+}
+
+// ---- The whole
+
+void check_format(const QJsonObject& json) {
+  if (json["format"] != QLatin1String(format_name)) {
+    fail(QStringLiteral("it is no session of Feedscope: its \"format\" is not \"%1\"").arg(format_name));
+  }
+  const double version = json["version"].toDouble();
+  if (version > session_version) {
+    fail(QStringLiteral("it is of version %1, written by a newer Feedscope; this one reads up to version %2")
+             .arg(version)
+             .arg(session_version));
+  }
+  if (version != session_version) {
+    fail(QStringLiteral("its \"version\" is no whole number from 1 to %1").arg(session_version));
+  }
+}
+
+void read_window(const QJsonObject& json, Session& session, QStringList& notes) {
+  note_unknown(json, {"layout", "theme", "program_font_px"}, QStringLiteral("\"window\""), notes);
+  session.layout = QByteArray::fromBase64(json["layout"].toString().toLatin1());
+  if (json.contains("theme")) {
+    session.theme = json["theme"] == QLatin1String("dark") ? ThemeKind::dark : ThemeKind::light;
+  }
+  if (json["program_font_px"].isDouble()) {
+    session.program_font_size = json["program_font_px"].toInt();
+  }
+}
+
+}  // namespace
+
+QJsonObject to_json(const Session& session, const std::filesystem::path& folder) {
+  const MachineLibrary machines = shipped_machines();
+  QJsonArray runs;
+  for (const RunItem& run : session.runs) {
+    runs.append(to_json(run, machines));
+  }
+  QJsonArray annotations;
+  for (const Annotation& annotation : session.annotations) {
+    annotations.append(to_json(annotation));
+  }
+  const std::filesystem::path relative = session.program.lexically_relative(folder);
+  QJsonObject window;
+  if (!session.layout.isEmpty()) {
+    window["layout"] = QString::fromLatin1(session.layout.toBase64());
+  }
+  if (session.theme) {
+    window["theme"] = *session.theme == ThemeKind::dark ? "dark" : "light";
+  }
+  if (session.program_font_size) {
+    window["program_font_px"] = *session.program_font_size;
+  }
+  return {{"format", format_name},
+          {"version", session_version},
+          {"program", QJsonObject{{"file", to_qstring(relative.empty() ? session.program : relative)},
+                                  {"sha256", QString::fromLatin1(session.program_hash)}}},
+          {"runs", runs},
+          {"current_run", static_cast<int>(session.current_run)},
+          {"cursor_s", session.cursor},
+          {"view", to_json(session.scene)},
+          {"charts", to_json(session.charts)},
+          {"annotations", annotations},
+          {"window", window}};
+}
+
+ReadSession read_session(const QJsonObject& json, const std::filesystem::path& folder,
+                         const MachineLibrary& machines) {
+  check_format(json);
+  ReadSession read;
+  note_unknown(json,
+               {"format", "version", "program", "runs", "current_run", "cursor_s", "view", "charts",
+                "annotations", "window"},
+               QStringLiteral("the session"), read.notes);
+  Session& session = read.session;
+  const QJsonObject program = json["program"].toObject();
+  note_unknown(program, {"file", "sha256"}, QStringLiteral("\"program\""), read.notes);
+  if (program["file"].toString().isEmpty()) {
+    fail(QStringLiteral("it names no program: \"program\" has no \"file\""));
+  }
+  session.program = (folder / to_path(program["file"].toString())).lexically_normal();
+  session.program_hash = program["sha256"].toString().toLatin1();
+  int number = 0;
+  for (const QJsonValue& run : json["runs"].toArray()) {
+    session.runs.push_back(
+        read_run(run.toObject(), QStringLiteral("run %1").arg(++number), machines, read.notes));
+  }
+  if (session.runs.empty()) {
+    fail(QStringLiteral("it holds no run: \"runs\" is empty or missing"));
+  }
+  session.current_run = static_cast<std::size_t>(
+      std::clamp(json["current_run"].toInt(), 0, static_cast<int>(session.runs.size()) - 1));
+  session.cursor = json["cursor_s"].toDouble();
+  read_json(json["view"].toObject(), session.scene);
+  read_json(json["charts"].toObject(), session.charts);
+  number = 0;
+  for (const QJsonValue& annotation : json["annotations"].toArray()) {
+    session.annotations.push_back(
+        read_annotation(annotation.toObject(), QStringLiteral("annotation %1").arg(++number), read.notes));
+  }
+  read_window(json["window"].toObject(), session, read.notes);
+  return read;
+}
+
+}  // namespace feedscope::ui

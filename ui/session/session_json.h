@@ -1,0 +1,27 @@
+#pragma once
+
+#include <QJsonObject>
+#include <QStringList>
+
+#include "ui/session/session.h"
+
+namespace feedscope::ui {
+
+/// Of the files written now. One with a higher version is refused; a key that is missing has the value of a
+/// new session, so that a version lasts as long as no key changes its meaning.
+inline constexpr int session_version = 1;
+
+/// Paths relative to `folder`, where the session file is.
+QJsonObject to_json(const Session& session, const std::filesystem::path& folder);
+
+struct ReadSession {
+  Session session;
+  QStringList notes;  ///< for the user: keys that are not known, values that are not kept
+};
+
+/// Throws InputError naming key and value: no session, a newer version, a run on a machine, model or setting
+/// that is not known or out of bounds. `machines`: those that go by their id.
+ReadSession read_session(const QJsonObject& json, const std::filesystem::path& folder,
+                         const MachineLibrary& machines);
+
+}  // namespace feedscope::ui

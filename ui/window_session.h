@@ -1,0 +1,74 @@
+#pragma once
+
+#include <QObject>
+#include <QTimer>
+#include <filesystem>
+#include <optional>
+
+#include "ui/session/autosave.h"
+#include "ui/session/session_file.h"
+
+namespace feedscope::ui {
+
+class MainWindow;
+class Workbench;
+
+/// What the window shows, as a session file: opened, saved, kept every minute in case the process ends
+/// without having been asked to.
+class WindowSession : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Both outlive this. Nothing is kept before begin_keeping().
+  WindowSession(MainWindow& window, Workbench& model);
+
+  /// Everything as it is now.
+  Session capture() const;
+  /// Shows a session; what belongs to a simulated run follows when the run is there.
+  void show(const Session& session);
+
+  /// Reads and shows a session file. Asks for a program that is not where the session says, and whether to go
+  /// on with one that has changed since. What cannot be used goes to failed().
+  void open(const std::filesystem::path& file);
+  /// A program opened by itself: there is no session file any more.
+  void forget_file();
+  /// Asks for a name if there is none yet, or if `as_new`. False if nothing was written.
+  bool save(bool as_new = false);
+  /// True if runs or annotations differ from what was saved, or from the program as it was opened.
+  bool changed() const;
+  /// Asks whether to save what has changed. False: the user does not want to go on.
+  bool may_go();
+  const std::filesystem::path& file() const { return file_; }
+
+  void begin_keeping();
+  /// What a process that ended unexpectedly has left, if the user wants it back.
+  void offer_left_behind();
+
+ signals:
+  void file_changed();
+  /// For the user: what of the session could not be used, or what became of it.
+  void noticed(const QString& message);
+  void failed(const QString& message);
+
+ private:
+  void apply_to_run();
+  void keep();
+  bool find_program(Session& session);
+  bool accept_changed_program(const Session& session);
+  QByteArray essence() const;
+  const QByteArray& program_hash() const;
+  void show_file(const std::filesystem::path& file, const ReadSession& read);
+
+  MainWindow& window_;
+  Workbench& model_;
+  std::filesystem::path file_;
+  std::optional<Session> pending_;  ///< shown, but for what needs its simulated run
+  QByteArray saved_;                ///< essence() then; empty: of the program as it was opened
+  mutable std::shared_ptr<const Program> hashed_;
+  mutable QByteArray hash_;
+  std::optional<Autosave> autosave_;
+  QByteArray kept_;
+  QTimer keep_timer_;
+};
+
+}  // namespace feedscope::ui
