@@ -81,7 +81,7 @@
     </message>
     <message>
         <source>name of the run</source>
-        <translation>nom de l’essai</translation>
+        <translation>nom de la simulation</translation>
     </message>
     <message>
         <source>Text</source>

@@ -63,7 +63,7 @@ TEST(SessionJson, ShippedMachinesGoByTheirId) {
 
 TEST(SessionJson, AMachineOfTheUsersTravelsWithTheSession) {
   Session session = test::some_session("/a.nc");
-  Setup own = make_setup({});
+  feedscope::Setup own = make_setup({});
   own.machine.id = "workshop";
   own.machine.axes[1].jerk = 12345;
   session.runs[0].setup = SetupState(own);
