@@ -1889,10 +1889,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>&amp;Ouvrir un programme …</translation>
     </message>
     <message>
-        <source>Open an NC program</source>
-        <translation>Ouvrir un programme CN</translation>
-    </message>
-    <message>
         <source>Open &amp;recent</source>
         <translation>Programmes &amp;récents</translation>
     </message>
@@ -1923,10 +1919,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Use a machine of your own</source>
         <translation>Utiliser sa propre machine</translation>
-    </message>
-    <message>
-        <source>&amp;Save machine as …</source>
-        <translation>&amp;Enregistrer la machine sous …</translation>
     </message>
     <message>
         <source>Write the machine with all changes to a machine file</source>
@@ -2017,14 +2009,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Toutes les touches, et ce que fait la souris</translation>
     </message>
     <message>
-        <source>Open NC program</source>
-        <translation>Ouvrir un programme CN</translation>
-    </message>
-    <message>
-        <source>NC programs (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)</source>
-        <translation>Programmes CN (*.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
         <source>Open machine file</source>
         <translation>Ouvrir un fichier machine</translation>
     </message>
@@ -2063,6 +2047,42 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>L&amp;esson</source>
         <translation>L&amp;eçon</translation>
+    </message>
+    <message>
+        <source>Open an NC program or a session</source>
+        <translation>Ouvrir un programme CN ou une session</translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation>&amp;Enregistrer la session</translation>
+    </message>
+    <message>
+        <source>Keep runs, views and annotations in one file</source>
+        <translation>Garder simulations, vues et annotations dans un fichier</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as …</source>
+        <translation>Enregistrer la session &amp;sous …</translation>
+    </message>
+    <message>
+        <source>Keep runs, views and annotations in another file</source>
+        <translation>Garder simulations, vues et annotations dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>Save machine as …</source>
+        <translation>Enregistrer la machine sous …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation>Ctrl+Shift+M</translation>
+    </message>
+    <message>
+        <source>Open program or session</source>
+        <translation>Ouvrir un programme ou une session</translation>
+    </message>
+    <message>
+        <source>NC programs and sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)</source>
+        <translation>Programmes CN et sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -3155,6 +3175,65 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>The feed stands in the program: change its F words. Runs differ in machine, control and settings only.</source>
         <translation>L&apos;avance est dans le programme&#xa0;: modifier ses mots F. Les simulations ne diffèrent que par la machine, la commande et les réglages.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::WindowSession</name>
+    <message>
+        <source>Program not found</source>
+        <translation>Programme introuvable</translation>
+    </message>
+    <message>
+        <source>%1 is not there, on which the session was made. Show where the program is now.</source>
+        <translation>%1, sur lequel la session a été faite, n’est plus là. Indiquez où se trouve le programme maintenant.</translation>
+    </message>
+    <message>
+        <source>Where is %1?</source>
+        <translation>Où est %1 ?</translation>
+    </message>
+    <message>
+        <source>The session is not opened: its program %1 is not there.</source>
+        <translation>La session n’est pas ouverte : son programme %1 n’est pas là.</translation>
+    </message>
+    <message>
+        <source>Program changed</source>
+        <translation>Programme modifié</translation>
+    </message>
+    <message>
+        <source>%1 has changed since the session was saved. Annotations may stand elsewhere, and figures may differ. Open it all the same?</source>
+        <translation>%1 a changé depuis l’enregistrement de la session. Les annotations peuvent se trouver ailleurs et les valeurs différer. Ouvrir quand même ?</translation>
+    </message>
+    <message>
+        <source>There is nothing to save yet: open a program first.</source>
+        <translation>Il n’y a encore rien à enregistrer : ouvrez d’abord un programme.</translation>
+    </message>
+    <message>
+        <source>Save session as</source>
+        <translation>Enregistrer la session sous</translation>
+    </message>
+    <message>
+        <source>Feedscope sessions (*%1)</source>
+        <translation>Sessions Feedscope (*%1)</translation>
+    </message>
+    <message>
+        <source>Saved as %1.</source>
+        <translation>Enregistré sous %1.</translation>
+    </message>
+    <message>
+        <source>Save the session?</source>
+        <translation>Enregistrer la session ?</translation>
+    </message>
+    <message>
+        <source>Runs and annotations of %1 are not saved.</source>
+        <translation>Les simulations et annotations de %1 ne sont pas enregistrées.</translation>
+    </message>
+    <message>
+        <source>Bring back what was open?</source>
+        <translation>Rétablir ce qui était ouvert ?</translation>
+    </message>
+    <message>
+        <source>Feedscope ended unexpectedly. Bring back what was open then (%1)?</source>
+        <translation>Feedscope s’est arrêté de façon inattendue. Rétablir ce qui était ouvert alors (%1) ?</translation>
     </message>
 </context>
 <context>
