@@ -31,6 +31,7 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
       model_(model),
       program_(new ProgramPanel(this)),
       scene_(new SceneView(backend, this)),
+      scenes_(new SideBySide(model, *scene_, backend, this)),
       charts_(new ChartsPanel(model.cursor(), this)),
       setup_(new SetupView(model.setup(), this)),
       playback_(new PlaybackBar(model.cursor(), model.playback(), this)),
@@ -107,7 +108,7 @@ void MainWindow::make_docks() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addWidget(scene_, 1);
+  layout->addWidget(scenes_, 1);
   layout->addWidget(playback_);
   setCentralWidget(centre);
 

@@ -16,6 +16,7 @@
 #include "ui/views/runs_view.h"
 #include "ui/views/scene_view.h"
 #include "ui/views/setup_view.h"
+#include "ui/views/side_by_side.h"
 #include "ui/views/slow_places_view.h"
 #include "ui/views/why_view.h"
 #include "ui/window_session.h"
@@ -34,6 +35,7 @@ class MainWindow : public QMainWindow {
   ProgramView& program() { return program_->view(); }
   ProgramPanel& program_panel() { return *program_; }
   SceneView& scene() { return *scene_; }
+  SideBySide& scenes() { return *scenes_; }
   ChartsPanel& charts() { return *charts_; }
   SetupView& setup() { return *setup_; }
   PlaybackBar& playback() { return *playback_; }
@@ -89,6 +91,7 @@ class MainWindow : public QMainWindow {
   Workbench& model_;
   ProgramPanel* program_;
   SceneView* scene_;
+  SideBySide* scenes_;
   ChartsPanel* charts_;
   SetupView* setup_;
   PlaybackBar* playback_;

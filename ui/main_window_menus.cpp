@@ -165,6 +165,7 @@ void MainWindow::list_recent_files(QMenu* menu) {
 void MainWindow::make_view_menu() {
   QMenu* view = menuBar()->addMenu(tr("&View"));
   scene_->fill_menu(*view);
+  view->addActions(scenes_->panel_actions());
   connect(add_action(view, tr("Path of the c&harts"), QKeySequence(tr("Ctrl+9")),
                      tr("The 3D view shows the path between the ends of the charts")),
           &QAction::triggered, this, [this] {

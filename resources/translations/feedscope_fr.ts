@@ -2933,6 +2933,33 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
 </context>
 <context>
+    <name>feedscope::ui::SideBySide</name>
+    <message>
+        <source>Two views &amp;side by side</source>
+        <translation>Deux vues &amp;côte à côte</translation>
+    </message>
+    <message>
+        <source>Another run beside the current one, turned and coloured alike</source>
+        <translation>Une autre simulation à côté de la simulation courante, tournée et colorée de même</translation>
+    </message>
+    <message>
+        <source>Ctrl+8</source>
+        <translation>Ctrl+8</translation>
+    </message>
+    <message>
+        <source>The run in the view on the right</source>
+        <translation>La simulation dans la vue de droite</translation>
+    </message>
+    <message>
+        <source>Run in the second view</source>
+        <translation>Simulation dans la seconde vue</translation>
+    </message>
+    <message>
+        <source>Duplicate the run to compare (Ctrl+D)</source>
+        <translation>Dupliquez la simulation pour comparer (Ctrl+D)</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::SimulationJob</name>
     <message>
         <source>The program needs more memory than there is.</source>

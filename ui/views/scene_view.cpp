@@ -86,6 +86,7 @@ void SceneView::make_canvas(RenderBackend backend) {
 
 void SceneView::follow_scene() {
   overlay_->update();
+  emit changed();
   if (actions_ != nullptr) {
     actions_->follow_scene();
   }
@@ -97,6 +98,10 @@ QList<QAction*> SceneView::panel_actions() const {
 
 void SceneView::fill_menu(QMenu& menu) const {
   actions_->fill(menu);
+}
+
+void SceneView::add_to_bar(QWidget& widget) {
+  actions_->bar()->insertWidget(actions_->bar()->actions().value(0), &widget);
 }
 
 Pixel SceneView::pixel(const QPointF& place) const {

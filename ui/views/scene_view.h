@@ -50,6 +50,8 @@ class SceneView : public QWidget {
   QList<QAction*> panel_actions() const;
   /// Adds them to a menu, those that belong together as submenus.
   void fill_menu(QMenu& menu) const;
+  /// Puts a widget before the commands of the bar.
+  void add_to_bar(QWidget& widget);
   /// More for the context menu, which opens where the pointer is on the path: picked() comes first.
   void set_place_actions(const QList<QAction*>& actions) { place_actions_ = actions; }
 
@@ -66,6 +68,8 @@ class SceneView : public QWidget {
   void choose_visible_times();
 
  signals:
+  /// A new frame is needed: camera, colours, path.
+  void changed();
   /// A click, not a drag, on the executed path; `time` [s].
   void picked(double time);
   /// The charts are to show this range [s].
