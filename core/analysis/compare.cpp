@@ -88,7 +88,8 @@ std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,
 }
 
 std::vector<ComparedRun> compare_runs(const LoadedProgram& program, const std::vector<Setup>& setups,
-                                      Progress* progress) {
+                                      Progress* progress,
+                                      const std::function<void(std::size_t, const Run&)>& inspect) {
   Progress unwatched;
   Progress& whole = progress != nullptr ? *progress : unwatched;
   whole.report(0);
@@ -98,7 +99,11 @@ std::vector<ComparedRun> compare_runs(const LoadedProgram& program, const std::v
     try {
       Progress part(whole, 1 / static_cast<double>(setups.size()));
       part.report(0);
-      runs[i] = figures_of(simulate_run(program, setups[i], &part));
+      const Run done = simulate_run(program, setups[i], &part);
+      runs[i] = figures_of(done);
+      if (inspect) {
+        inspect(i, done);
+      }
       part.report(1);
     } catch (...) {
       errors[i] = std::current_exception();

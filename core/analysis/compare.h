@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -31,9 +32,11 @@ std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,
                                      const std::vector<std::string>& assignments = {});
 
 /// Runs `program` on every setup, as many at a time as there are processors, and gives the figures in the
-/// order of `setups`; the same as simulate_run one by one.
+/// order of `setups`; the same as simulate_run one by one. `inspect` sees every run before its trajectory is
+/// given up, with its place in `setups`, from several threads at a time.
 /// Throws Cancelled when stopped, else what the first run that failed threw.
 std::vector<ComparedRun> compare_runs(const LoadedProgram& program, const std::vector<Setup>& setups,
-                                      Progress* progress = nullptr);
+                                      Progress* progress = nullptr,
+                                      const std::function<void(std::size_t, const Run&)>& inspect = {});
 
 }  // namespace feedscope

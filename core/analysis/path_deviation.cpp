@@ -99,20 +99,25 @@ Vec3 PathDeviation::along_bisector(const Foot& foot) const {
   return std::copysign(std::sqrt(foot.squared) / cosine, foot.offset.dot(bisector)) * bisector;
 }
 
-PathDeviation::Result PathDeviation::operator()(const Vec3& position, double advance, std::uint32_t segment) {
-  if (toolpath_.segments.empty()) {
-    return {};
-  }
-  Foot best = foot_on(last_.segment, position);
+PathDeviation::Foot PathDeviation::follow(const Foot& from, const Vec3& position, double advance,
+                                          std::uint32_t segment) const {
+  Foot best = foot_on(from.segment, position);
   for (const std::size_t near : {std::size_t{segment}, std::size_t{segment} + 1}) {
     if (near < toolpath_.segments.size()) {
       improve(best, near, position);
     }
   }
   // The feet of two places are apart by at most the places' own distance and the two distances from the path.
-  search(best, Foot(best), 2 * (advance + std::sqrt(last_.squared)), position);
-  last_ = best;
-  return {best.offset, along_bisector(best)};
+  search(best, Foot(best), 2 * (advance + std::sqrt(from.squared)), position);
+  return best;
+}
+
+PathDeviation::Result PathDeviation::operator()(const Vec3& position, double advance, std::uint32_t segment) {
+  if (toolpath_.segments.empty()) {
+    return {};
+  }
+  last_ = follow(last_, position, advance, segment);
+  return {last_.offset, along_bisector(last_)};
 }
 
 }  // namespace feedscope

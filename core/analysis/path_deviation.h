@@ -16,6 +16,20 @@ class PathDeviation {
   /// `toolpath` must outlive this.
   explicit PathDeviation(const Toolpath& toolpath) : toolpath_(toolpath) {}
 
+  /// Of the programmed points the one that is nearest to a place.
+  struct Foot {
+    std::size_t segment = 0;
+    double s = 0;                ///< from the segment's start [mm]
+    Vec3 offset = Vec3::Zero();  ///< from the foot to the place [mm]
+    double squared = 0;          ///< length of the offset squared [mm2]
+  };
+
+  /// The nearest point of one segment.
+  Foot foot_on(std::size_t segment, const Vec3& position) const;
+  /// The foot of `position`, which lies `advance` of executed path away from the place of foot `from` [mm];
+  /// `segment`: as below. The toolpath has segments.
+  Foot follow(const Foot& from, const Vec3& position, double advance, std::uint32_t segment) const;
+
   /// Vectors to a place from the programmed path [mm].
   struct Result {
     Vec3 nearest = Vec3::Zero();  ///< from the nearest programmed point
@@ -29,14 +43,6 @@ class PathDeviation {
   Result operator()(const Vec3& position, double advance, std::uint32_t segment);
 
  private:
-  struct Foot {
-    std::size_t segment = 0;
-    double s = 0;  ///< from the segment's start [mm]
-    Vec3 offset = Vec3::Zero();
-    double squared = 0;
-  };
-
-  Foot foot_on(std::size_t segment, const Vec3& position) const;
   void improve(Foot& best, std::size_t segment, const Vec3& position) const;
   void search(Foot& best, const Foot& from, double reach, const Vec3& position) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/contour/contour_errors.h"
 #include "core/trajectory/part_walk.h"
 
 namespace feedscope {
@@ -173,12 +174,13 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
   for (const ExactSum& sum : by_cause) {
     summary.time_by_cause.push_back(sum.value());
   }
-  summary.max_contour_error = trajectory.compaction_error();
+  summary.max_contour_error = largest_contour_error(trajectory);
+  summary.max_corner_distance = trajectory.compaction_error();
   for (const FilteredMotion& motion : trajectory.motions()) {
-    summary.max_contour_error = std::max(summary.max_contour_error, motion.contour_error());
+    summary.max_corner_distance = std::max(summary.max_corner_distance, motion.contour_error());
   }
   for (std::size_t i = 0; i < trajectory.path().corner_count(); ++i) {
-    summary.max_contour_error = std::max(summary.max_contour_error, trajectory.path().corner(i).epsilon);
+    summary.max_corner_distance = std::max(summary.max_corner_distance, trajectory.path().corner(i).epsilon);
   }
   const double moving = summary.cycle_time - waiting.value();
   summary.mean_feed = moving > 0 ? trajectory.path_length() / moving : 0;

@@ -19,8 +19,11 @@ struct Summary {
   double cycle_time = 0;         ///< [s]
   double programmed_time = 0;    ///< programmed length over programmed feed, rapids, dwells [s]
   double mean_feed = 0;          ///< executed length over cycle time less dwells [mm/s]
-  double max_contour_error = 0;  ///< largest distance of a programmed corner from the executed path [mm]
-  double peak_feed = 0;          ///< [mm/s]
+  double max_contour_error = 0;  ///< as ContourErrors::largest: of the executed from the programmed path [mm]
+  /// Largest distance of a programmed corner, or of a point that compaction leaves out, from the executed
+  /// path: what a contour tolerance bounds [mm].
+  double max_corner_distance = 0;
+  double peak_feed = 0;  ///< [mm/s]
   std::array<AxisPeaks, 3> axes;
   std::vector<double> time_by_cause;  ///< by cause_index(); adds up to cycle_time [s]
   /// Of the time of ramp_down: by cause_index() of what sets the slower place ahead [s].

@@ -112,6 +112,7 @@ Json run_facts(const Machine& machine, const ModelInfo& model, const Settings& s
           {"programmed_time_s", finite(summary.programmed_time)},
           {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
           {"max_contour_error_mm", finite(summary.max_contour_error)},
+          {"max_corner_distance_mm", finite(summary.max_corner_distance)},
           {"peaks", peaks(summary)},
           {"time_by_cause_s", by_cause(summary.time_by_cause)},
           {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)}};

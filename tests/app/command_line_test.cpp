@@ -101,7 +101,7 @@ TEST_F(CommandLine, SimulateChangesToleranceSettingsAndLimits) {
       json::parse(run("simulate corner.nc --json - --set alpha=2 --set X.jerk=5 --set beta=1").out);
   EXPECT_EQ(report["settings"]["alpha"], 2);
   EXPECT_NEAR(report["peaks"]["axes"]["X"]["jerk_m_s3"].get<double>(), 5, 5);
-  EXPECT_NEAR(report["max_contour_error_mm"].get<double>(), 0.1, 1e-9);
+  EXPECT_NEAR(report["max_corner_distance_mm"].get<double>(), 0.1, 1e-9);
 }
 
 TEST_F(CommandLine, SimulateNotesAToleranceWithoutEffect) {

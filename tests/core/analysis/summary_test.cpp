@@ -157,15 +157,16 @@ TEST(Summary, LeavesDwellsOutOfTheMeanFeed) {
   EXPECT_DOUBLE_EQ(summary.time_by_cause[cause_index({CauseKind::dwell, -1})], 3);
 }
 
-TEST(Summary, TakesTheLargestContourErrorOfTheBlends) {
+TEST(Summary, TakesTheLargestOfTheBlends) {
   Toolpath toolpath;  // two right angles, where the distance of the corner is T (4 - alpha) sin(45) / 4
   toolpath.segments = {line_to(Vec3(4, 0, 0), 4, 50), line_to(Vec3(4, 4, 0), 4, 50),
                        line_to(Vec3(8, 4, 0), 4, 50)};
   TrajectoryBuilder builder(std::make_shared<const Toolpath>(toolpath), rapid_speed);
   builder.add_corner(ElementKind::blend, 0, 0.8, 1);
   builder.add_corner(ElementKind::blend, 1, 0.2, 0.3);
-  EXPECT_NEAR(summarise(builder.finish(), {}, rapid_speed).max_contour_error, 0.8 * 1.5 * std::sqrt(0.5) / 4,
-              1e-12);
+  const Summary summary = summarise(builder.finish(), {}, rapid_speed);
+  EXPECT_NEAR(summary.max_corner_distance, 0.8 * 1.5 * std::sqrt(0.5) / 4, 1e-12);
+  EXPECT_NEAR(summary.max_contour_error, 0.8 * 1.5 * 0.5 / 4, 1e-12);
 }
 
 TEST(Summary, OfNothingIsZero) {

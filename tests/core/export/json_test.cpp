@@ -37,6 +37,7 @@ struct Sample {
     summary.programmed_time = 3;
     summary.mean_feed = 0.5;
     summary.max_contour_error = 0.08;
+    summary.max_corner_distance = 0.11;
     summary.peak_feed = 1;
     summary.axes[1] = {2, 3000, 4000};
     summary.time_by_cause.assign(all_causes().size(), 0);
@@ -61,6 +62,7 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
     "programmed_time_s": 3.0,
     "mean_feed_mm_min": 30.0,
     "max_contour_error_mm": 0.08,
+    "max_corner_distance_mm": 0.11,
     "peaks": {"feed_mm_min": 60.0,
               "axes": {"X": {"velocity_mm_min": 0.0, "acceleration_m_s2": 0.0, "jerk_m_s3": 0.0},
                        "Y": {"velocity_mm_min": 120.0, "acceleration_m_s2": 3.0, "jerk_m_s3": 4.0},

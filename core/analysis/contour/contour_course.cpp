@@ -1,0 +1,217 @@
+#include "core/analysis/contour/contour_course.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "core/trajectory/part_walk.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double spans_a_filter_time = 8;
+constexpr int spans_of_corner = 4;
+constexpr int spans_of_block = 2;
+
+void divide(double from, double to, int spans, std::vector<double>& ends) {
+  for (int i = 0; i <= spans; ++i) {
+    ends.push_back(from + (to - from) * i / spans);
+  }
+}
+
+/// The block that is all that the filters see meanwhile; none if there are several.
+std::optional<std::size_t> block_seen(const FilteredMotion& motion, double from, double to) {
+  const PulseTrain& train = motion.train();
+  const double rounding = 1e-9 * train.delay();
+  const std::size_t first = train.block_at(from - motion.start() - train.delay() + rounding);
+  const std::size_t last = train.block_at(to - motion.start() - rounding);
+  const bool one = first == last || (first + 1 == last && last == train.size());
+  return one ? std::optional(first) : std::nullopt;
+}
+
+bool sees_one_line(const FilteredMotion& motion, double from, double to) {
+  const std::optional<std::size_t> block = block_seen(motion, from, to);
+  return block && motion.train().segment(*block).kind == SegmentKind::line;
+}
+
+}  // namespace
+
+ContourCourse::ContourCourse(const Trajectory& trajectory)
+    : trajectory_(trajectory),
+      plain_corners_(trajectory.path().empty() ||
+                     &trajectory.path().base() == trajectory.path().programmed().get()),
+      curve_element_(std::numeric_limits<std::uint32_t>::max()) {}
+
+const ElementCurve& ContourCourse::curve(std::uint32_t element) {
+  if (element != curve_element_) {
+    curve_ = trajectory_.path().curve(element);
+    curve_element_ = element;
+  }
+  return curve_;
+}
+
+void ContourCourse::nodes(std::uint32_t element, std::vector<double>& ends) {
+  ends.clear();
+  const BlendedPath& path = trajectory_.path();
+  switch (path.kind(element)) {
+    case ElementKind::filtered:
+      filtered_nodes(element, ends);
+      break;
+    case ElementKind::fitted:
+      for (const CourseKnot& knot : curve(element).course) {
+        if (!ends.empty()) {
+          ends.push_back((ends.back() + knot.s) / 2);
+        }
+        ends.push_back(knot.s);
+      }
+      break;
+    case ElementKind::blend:
+    case ElementKind::connecting_arc:
+      if (!plain_corners_) {
+        divide(0, path.kind(element) == ElementKind::blend ? 1 : path.length(element), spans_of_corner, ends);
+      }
+      break;
+    case ElementKind::line:
+      if (!plain_corners_) {
+        compacted_nodes(element, ends);
+      }
+      break;
+    case ElementKind::arc:
+    case ElementKind::dwell:
+      break;
+  }
+}
+
+void ContourCourse::filtered_nodes(std::uint32_t element, std::vector<double>& ends) {
+  const auto& pieces = trajectory_.pieces();
+  const FilteredMotion& motion = trajectory_.motion_of(element);
+  while (piece_ < pieces.size() && pieces[piece_].element < element) {
+    ++piece_;
+  }
+  for (; piece_ < pieces.size() && pieces[piece_].element == element; ++piece_) {
+    const double from = pieces[piece_].time;
+    const double to = trajectory_.piece_end(piece_);
+    if (!(to > from)) {
+      continue;
+    }
+    if (ends.empty()) {
+      ends.push_back(from);
+    }
+    divide_filtered(motion, from, to, ends);
+  }
+}
+
+/// Long parts are mostly steady: there the instants between which the motion is one polynomial are the ends.
+void ContourCourse::divide_filtered(const FilteredMotion& motion, double from, double to,
+                                    std::vector<double>& ends) {
+  constexpr double long_delays = 4;
+  const PulseTrain& train = motion.train();
+  const auto divide_evenly = [&](double begin, double end) {
+    const double share = (end - begin) / motion.filter_time() * spans_a_filter_time;
+    const int spans = sees_one_line(motion, begin, end) ? 1 : static_cast<int>(std::ceil(share));
+    for (int i = 1; i < spans; ++i) {
+      ends.push_back(begin + (end - begin) * i / spans);
+    }
+    ends.push_back(end);
+  };
+  if (to - from < long_delays * train.delay()) {
+    divide_evenly(from, to);
+    return;
+  }
+  const double least = 1e-9 * train.delay();
+  for (double begin = from; begin < to;) {
+    const double knot = motion.start() + filters_.next_knot(train, begin - motion.start());
+    const double end = to - knot > least ? std::max(knot, begin + least) : to;
+    if (filters_.is_settled()) {
+      ends.push_back(end);
+    } else {
+      divide_evenly(begin, end);
+    }
+    begin = end;
+  }
+}
+
+/// A chord may be several elements, one for some of its blocks each; of a single block it is the block
+/// itself.
+void ContourCourse::compacted_nodes(std::uint32_t element, std::vector<double>& ends) const {
+  const BlendedPath& path = trajectory_.path();
+  const auto blocks = static_cast<std::uint32_t>(path.programmed()->segments.size());
+  const std::uint32_t first = path.segment(element);
+  const std::size_t chord = path.base_segment(first);
+  std::uint32_t limit = blocks;
+  if (element + 1 < path.size()) {
+    const std::uint32_t next = path.segment(element + 1);
+    limit = path.in_corner(element + 1) ? next + 1 : next;
+  }
+  std::uint32_t end = first + 1;
+  while (end < limit && path.base_segment(end) == chord) {
+    ++end;
+  }
+  const bool several = end - first > 1 || (first > 0 && path.base_segment(first - 1) == chord) ||
+                       (end < blocks && path.base_segment(end) == chord);
+  if (several) {
+    divide(0, path.length(element), static_cast<int>(end - first) * spans_of_block, ends);
+  }
+}
+
+ContourCourse::Point ContourCourse::at(const CoursePlace& place) {
+  if (trajectory_.path().kind(place.element) == ElementKind::filtered) {
+    const FilteredMotion& motion = trajectory_.motion_of(place.element);
+    const Kinematics there = filters_.motion_at(motion.train(), place.u - motion.start());
+    return {there.position, there.velocity, there.acceleration, filters_.is_settled()};
+  }
+  const ElementCurve& here = curve(place.element);
+  const CurvePoint there = here.kind == ElementKind::blend ? here.blend.at(place.u) : here.at(place.u);
+  return {there.position, there.d1, there.d2, false};
+}
+
+/// On filtered motion the velocities of the pulses are at most F = largest_feed, so that the filters keep
+/// |p'''| <= 4 F/T1^2 (n = 2) and |p''''| <= 8 F/T1^3 (n = 3): the acceleration leaves the chord of its
+/// values by no more than that allows. On a blend it is linear in u, on an arc its amount is constant; a
+/// fitted course lies within 1e-6 mm of filtered motion, between whose knots curvature peaks little.
+double ContourCourse::bend_between(std::uint32_t element, double from, double to, double at_ends) const {
+  constexpr double between_knots = 0.25;
+  switch (trajectory_.path().kind(element)) {
+    case ElementKind::filtered: {
+      const PulseTrain& train = trajectory_.motion_of(element).train();
+      const double share = (to - from) / train.filter_time;
+      const double change = train.largest_feed / train.filter_time;
+      return train.filters == 2 ? 2 * change * share : change * share * share;
+    }
+    case ElementKind::fitted:
+      return between_knots * at_ends;
+    default:
+      return 0;
+  }
+}
+
+bool ContourCourse::sees_one_block(std::uint32_t element, double from, double to) const {
+  return trajectory_.path().kind(element) == ElementKind::filtered &&
+         block_seen(trajectory_.motion_of(element), from, to);
+}
+
+bool ContourCourse::is_on_one_line(std::uint32_t element, double from, double to) const {
+  return trajectory_.path().kind(element) == ElementKind::filtered &&
+         sees_one_line(trajectory_.motion_of(element), from, to);
+}
+
+double ContourCourse::path_length(const CoursePlace& at) {
+  const double start = trajectory_.path().s(at.element);
+  switch (trajectory_.path().kind(at.element)) {
+    case ElementKind::filtered:
+      return trajectory_.state(at.u).path_length;
+    case ElementKind::blend:
+      return start + curve(at.element).blend.length_to(at.u);
+    default:
+      return start + at.u;
+  }
+}
+
+double ContourCourse::time(const CoursePlace& at) {
+  return trajectory_.path().kind(at.element) == ElementKind::filtered
+             ? at.u
+             : trajectory_.state_at_path(path_length(at)).time;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <vector>
+
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// A place of an executed path: `u` counts on `element` as ContourCourse says.
+struct CoursePlace {
+  std::uint32_t element = 0;
+  double u = 0;
+};
+
+/// The executed path where it may leave the programmed one, as smooth spans whose bending is bounded.
+///
+/// `u` is the clock on filtered motion [s], the parameter of a cubic blend, else the path length from the
+/// element's start [mm].
+class ContourCourse {
+ public:
+  explicit ContourCourse(const Trajectory& trajectory);
+
+  /// Corners are rounded between programmed lines: what a corner deviates hangs on it alone.
+  bool has_plain_corners() const { return plain_corners_; }
+  /// Ends of the spans of `element`, in order; none where it follows the programmed path exactly, and on
+  /// plain corners. Elements in order: cost in the order of their pieces and blocks.
+  void nodes(std::uint32_t element, std::vector<double>& ends);
+  struct Point {
+    Vec3 position = Vec3::Zero();  ///< [mm]
+    Vec3 d1 = Vec3::Zero();        ///< derivatives by u
+    Vec3 d2 = Vec3::Zero();
+    bool steady = false;  ///< filtered motion of one pulse alone
+  };
+  Point at(const CoursePlace& place);
+  /// By how much the second derivative between two places of an element may exceed the larger of those at
+  /// the places, as a vector's length or as its part in any direction.
+  double bend_between(std::uint32_t element, double from, double to, double at_ends) const;
+  /// Whether all that the filters see between the two places is one programmed block.
+  bool sees_one_block(std::uint32_t element, double from, double to) const;
+  /// Whether between the two places the path is exactly one programmed line.
+  bool is_on_one_line(std::uint32_t element, double from, double to) const;
+  double path_length(const CoursePlace& at);  ///< executed, from the start [mm]
+  double time(const CoursePlace& at);         ///< [s]
+
+ private:
+  void filtered_nodes(std::uint32_t element, std::vector<double>& ends);
+  void divide_filtered(const FilteredMotion& motion, double from, double to, std::vector<double>& ends);
+  void compacted_nodes(std::uint32_t element, std::vector<double>& ends) const;
+  const ElementCurve& curve(std::uint32_t element);
+
+  const Trajectory& trajectory_;
+  bool plain_corners_;
+  std::size_t piece_ = 0;  ///< first that filtered_nodes() has not passed
+  std::uint32_t curve_element_;
+  ElementCurve curve_;
+  FilterWalk filters_;
+};
+
+}  // namespace feedscope

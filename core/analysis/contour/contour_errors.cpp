@@ -1,0 +1,144 @@
+#include "core/analysis/contour/contour_errors.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/analysis/contour/contour_histogram.h"
+#include "core/analysis/contour/worst_places.h"
+
+namespace feedscope {
+namespace {
+
+/// The corners of a path with plain corners, one by one and in closed form.
+class PlainCorners {
+ public:
+  explicit PlainCorners(const Trajectory& trajectory)
+      : path_(trajectory.path()), deviation_(programmed_path(trajectory)) {}
+
+  /// The corner whose element is the first of `element` and later ones.
+  std::size_t first_from(std::uint32_t element) const {
+    std::size_t first = 0;
+    std::size_t last = path_.corner_count();
+    while (first < last) {
+      const std::size_t middle = (first + last) / 2;
+      (path_.corner_element(middle) < element ? first = middle + 1 : last = middle);
+    }
+    return first;
+  }
+
+  double error(std::size_t corner) const {
+    const Corner laid = path_.corner(corner);
+    return laid.epsilon * std::cos(laid.turn / 2);
+  }
+
+  /// The place at `share` of the corner's parameter, or of its length.
+  ContourNode node(std::size_t corner, double share) const {
+    ContourNode node;
+    node.place.element = path_.corner_element(corner);
+    const ElementCurve curve = path_.curve(node.place.element);
+    const bool is_blend = curve.kind == ElementKind::blend;
+    node.place.u = is_blend ? share : share * curve.length;
+    const CurvePoint at = is_blend ? curve.blend.at(share) : curve.at(node.place.u);
+    node.point = {at.position, at.d1, at.d2, false};
+    const std::size_t before = path_.segment(node.place.element);
+    node.foot = deviation_.foot_on(before, at.position);
+    const PathDeviation::Foot after = deviation_.foot_on(before + 1, at.position);
+    if (after.squared < node.foot.squared) {
+      node.foot = after;
+    }
+    node.error = std::sqrt(node.foot.squared);
+    return node;
+  }
+
+ private:
+  const BlendedPath& path_;
+  PathDeviation deviation_;
+};
+
+class Analysis {
+ public:
+  Analysis(const Trajectory& trajectory, const ContourRequest& request, Progress* progress)
+      : trajectory_(trajectory),
+        request_(request),
+        progress_(progress),
+        first_(request.first_element),
+        last_(std::min<std::uint32_t>(request.last_element,
+                                      static_cast<std::uint32_t>(trajectory.path().size()))),
+        corners_(trajectory),
+        search_(trajectory) {}
+
+  ContourErrors run() {
+    ContourErrors errors;
+    if (first_ >= last_) {
+      return errors;
+    }
+    WorstPlaces worst(search_, request_.places);
+    if (search_.course().has_plain_corners()) {
+      const std::size_t end = corners_.first_from(last_);
+      for (std::size_t i = corners_.first_from(first_); i < end; ++i) {
+        if (worst.takes(corners_.error(i))) {
+          worst.add(corners_.node(i, 0.5));
+        }
+      }
+    }
+    search_.for_spans(first_, last_, progress_, [&](const ContourSpan& span) { worst.visit(span); });
+    worst.finish(errors, trajectory_);
+    if (request_.bins != ContourBins::none) {
+      errors.histogram = histogram(errors.largest);
+    }
+    return errors;
+  }
+
+ private:
+  ContourHistogram histogram(double largest) {
+    HistogramCounter counter(request_.bins, largest);
+    const bool sides = request_.bins == ContourBins::sides;
+    double counted = 0;
+    const auto count = [&](const ContourNode& from, const ContourNode& to) {
+      const double length = (to.point.position - from.point.position).norm();
+      counted += length;
+      counter.add(sides ? side_of(trajectory_, from) : from.error,
+                  sides ? side_of(trajectory_, to) : to.error, length);
+    };
+    if (search_.course().has_plain_corners()) {
+      constexpr int spans = 8;
+      const std::size_t end = corners_.first_from(last_);
+      for (std::size_t i = corners_.first_from(first_); i < end; ++i) {
+        ContourNode from = corners_.node(i, 0);
+        for (int k = 1; k <= spans; ++k) {
+          const ContourNode to = corners_.node(i, static_cast<double>(k) / spans);
+          count(from, to);
+          from = to;
+        }
+      }
+    }
+    ContourSearch again(trajectory_);
+    again.for_spans(first_, last_, progress_, [&](const ContourSpan& span) { count(span.from, span.to); });
+    const double whole = trajectory_.path().s(last_) - trajectory_.path().s(first_);
+    counter.add(0, 0, std::max(whole - counted, 0.0));
+    return counter.result();
+  }
+
+  const Trajectory& trajectory_;
+  const ContourRequest& request_;
+  Progress* progress_;
+  std::uint32_t first_;
+  std::uint32_t last_;
+  PlainCorners corners_;
+  ContourSearch search_;
+};
+
+}  // namespace
+
+ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest& request,
+                             Progress* progress) {
+  return Analysis(trajectory, request, progress).run();
+}
+
+double largest_contour_error(const Trajectory& trajectory) {
+  ContourRequest request;
+  request.places = 1;
+  return contour_errors(trajectory, request).largest;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// A place of the executed path that is far from the programmed one.
+struct ContourPlace {
+  double error = 0;                ///< distance from the nearest programmed point [mm]
+  double side = 0;                 ///< its part in XY across the programmed direction, as ContourErrors [mm]
+  double time = 0;                 ///< [s]
+  double path_length = 0;          ///< executed, from the start [mm]
+  std::uint32_t line = 0;          ///< source line that is executed
+  Vec3 position = Vec3::Zero();    ///< executed [mm]
+  Vec3 programmed = Vec3::Zero();  ///< the nearest programmed point [mm]
+};
+
+/// How much of the executed path has which error: `length[i]` [mm] between edges[i] and edges[i + 1] [mm].
+struct ContourHistogram {
+  std::vector<double> edges;
+  std::vector<double> length;
+};
+
+enum class ContourBins : std::uint8_t {
+  none,
+  sides,        ///< signed part in XY, in equal bins of 1, 2 or 5 times a power of ten around 0
+  amounts,      ///< distance, in equal bins of such a width from 0
+  logarithmic,  ///< distance, edges 1 2 5 10 20 ...; the first bin from 0
+};
+
+struct ContourRequest {
+  std::size_t places = 10;  ///< how many of the worst are wanted, at least 1
+  ContourBins bins = ContourBins::none;
+  /// Elements of the executed path that count; the end is cut to the path's.
+  std::uint32_t first_element = 0;
+  std::uint32_t last_element = UINT32_MAX;
+};
+
+/// Contour error of a run: how far the executed path is from the programmed one.
+///
+/// The side is positive where the executed path lies left of the programmed direction of travel, seen against
+/// Z: a corner that turns left is cut on its left side. It is 0 where the program moves along Z alone.
+struct ContourErrors {
+  double largest = 0;               ///< of all [mm]
+  double uncertainty = 0;           ///< by how much `largest` may be too small at most [mm]
+  std::vector<ContourPlace> worst;  ///< the largest first; between two of them the error halves at least
+  ContourHistogram histogram;       ///< if asked for
+};
+
+/// Exact: on corners that a model rounds between programmed lines in closed form, epsilon cos(turn/2) in the
+/// middle of the blend (its distance from both lines, epsilon being that from the corner); on filtered,
+/// fitted and compacted paths by halving spans whose bound is above the largest distance found (see
+/// ContourSearch), to 1e-6 mm. The nearest programmed point is looked for along the path as PathDeviation
+/// does, so that a neighbouring pass does not count.
+///
+/// Linear in the elements. Throws Cancelled.
+ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest& request = {},
+                             Progress* progress = nullptr);
+
+/// The largest alone [mm]: what contour_errors() says, for less.
+double largest_contour_error(const Trajectory& trajectory);
+
+}  // namespace feedscope

@@ -1,0 +1,203 @@
+#include "core/analysis/contour/contour_search.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace feedscope {
+namespace {
+
+/// Largest value of the lower one of two straight lines from 0 to 1; the first is the lower one at 0, the
+/// second at 1.
+double largest_of_lower(double first_from, double first_to, double second_from, double second_to) {
+  const double before = std::max(second_from - first_from, 0.0);
+  const double after = std::max(first_to - second_to, 0.0);
+  const double crossing = before + after > 0 ? before / (before + after) : 0;
+  return std::max({first_from, second_to, first_from + crossing * (first_to - first_from)});
+}
+
+}  // namespace
+
+const Toolpath& programmed_path(const Trajectory& trajectory) {
+  static const Toolpath none;
+  return trajectory.path().empty() ? none : *trajectory.path().programmed();
+}
+
+ContourSearch::ContourSearch(const Trajectory& trajectory)
+    : trajectory_(trajectory), course_(trajectory), deviation_(programmed_path(trajectory)) {}
+
+double ContourSearch::sagitta(const ContourNode& from, const ContourNode& to) const {
+  const double bend = std::max(from.point.d2.norm(), to.point.d2.norm());
+  const double step = to.place.u - from.place.u;
+  return (bend + course_.bend_between(to.place.element, from.place.u, to.place.u, bend)) * step * step / 8;
+}
+
+ContourNode ContourSearch::node(const CoursePlace& at, const ContourNode& before) {
+  ContourNode node;
+  node.place = at;
+  node.point = course_.at(at);
+  const double chord = (node.point.position - before.point.position).norm();
+  const double bow = course_.is_on_one_line(at.element, before.place.u, at.u) ? 0 : 2 * sagitta(before, node);
+  node.foot = deviation_.follow(before.foot, node.point.position, chord + bow,
+                                trajectory_.path().segment(at.element));
+  node.error = std::sqrt(node.foot.squared);
+  return node;
+}
+
+/// How much the second derivative of the distance from a line falls below 0.
+double ContourSearch::bend_from_line(const PathDeviation::Foot& at_from, const PathDeviation::Foot& at_to,
+                                     const ContourSpan& span) const {
+  const double from = std::sqrt(at_from.squared);
+  const double to = std::sqrt(at_to.squared);
+  const ElementKind kind = trajectory_.path().kind(span.from.place.element);
+  constexpr double least_cosine = 0.9;
+  if (kind == ElementKind::connecting_arc || !(at_from.offset.dot(at_to.offset) > least_cosine * from * to)) {
+    return std::max(span.from.point.d2.norm(), span.to.point.d2.norm());
+  }
+  return std::max(
+      {-at_from.offset.dot(span.from.point.d2) / from, -at_to.offset.dot(span.to.point.d2) / to, 0.0});
+}
+
+/// The largest second derivative of the distance from the axis of a flat arc; between the ends its own
+/// derivative (3 p' p'' - 3 r' r'' + (p - c) p''')/r counts, p''' the mean one.
+double ContourSearch::bend_from_arc(const Arc& arc, const ContourSpan& span) const {
+  const Vec3 axis = arc.x.cross(arc.y);
+  const double step = span.to.place.u - span.from.place.u;
+  const Vec3 d3 = (span.to.point.d2 - span.from.point.d2) / step;
+  double bend = 0;
+  double change = 0;
+  for (const ContourNode* node : {&span.from, &span.to}) {
+    const auto in_plane = [&](const Vec3& v) -> Vec3 { return v - v.dot(axis) * axis; };
+    const Vec3 out = in_plane(node->point.position - arc.center);
+    const Vec3 d1 = in_plane(node->point.d1);
+    const Vec3 d2 = in_plane(node->point.d2);
+    const double r = out.norm();
+    const double dr = out.dot(d1) / r;
+    const double ddr = (d1.squaredNorm() - dr * dr + out.dot(d2)) / r;
+    bend = std::max(bend, std::abs(ddr));
+    change = std::max(change, std::abs(3 * d1.dot(d2) - 3 * dr * ddr + out.dot(d3)) / r);
+  }
+  return bend + change * step / 2;
+}
+
+double ContourSearch::rise_above_chord(std::size_t index, const PathDeviation::Foot& at_from,
+                                       const PathDeviation::Foot& at_to, const ContourSpan& span) const {
+  const Toolpath& path = programmed_path(trajectory_);
+  const Segment& segment = path.segments[index];
+  const double step = span.to.place.u - span.from.place.u;
+  const auto rise = [&](double bend) {
+    return (bend + course_.bend_between(span.to.place.element, span.from.place.u, span.to.place.u, bend)) *
+           step * step / 8;
+  };
+  if (segment.kind != SegmentKind::arc) {
+    return rise(bend_from_line(at_from, at_to, span));
+  }
+  const Arc& arc = path.arcs[static_cast<std::size_t>(segment.arc)];
+  const auto is_inside = [&](const PathDeviation::Foot& foot) {
+    return foot.s > 0 && foot.s < segment.length;
+  };
+  if (arc.rise.isZero() && is_inside(at_from) && is_inside(at_to)) {
+    return rise(bend_from_arc(arc, span));
+  }
+  const double chord = (span.to.point.position - span.from.point.position).norm();
+  const double gap = std::sqrt(std::max(at_from.squared, at_to.squared));
+  const double sag = sagitta(span.from, span.to);
+  const double nearest = 1 / arc.curvature() - gap - chord - sag;
+  return nearest > 0 ? sag + chord * chord / 8 / nearest : std::numeric_limits<double>::infinity();
+}
+
+/// On one arc at a constant speed the filters draw another arc, at the same distance everywhere.
+bool ContourSearch::is_steady(const ContourSpan& span) const {
+  constexpr double same = 1e-9;
+  return span.from.point.steady && span.to.point.steady && std::abs(span.from.error - span.to.error) < same &&
+         course_.sees_one_block(span.to.place.element, span.from.place.u, span.to.place.u);
+}
+
+double ContourSearch::bound_of(const ContourSpan& span) const {
+  const ContourNode& from = span.from;
+  const ContourNode& to = span.to;
+  const std::size_t first = from.foot.segment;
+  const std::size_t second = to.foot.segment;
+  const double chord = (to.point.position - from.point.position).norm();
+  const double never_above = (from.error + to.error + chord) / 2 + sagitta(from, to);
+  if (first == second) {
+    if (course_.is_on_one_line(to.place.element, from.place.u, to.place.u) || is_steady(span)) {
+      return std::max(from.error, to.error);
+    }
+    return std::min(std::max(from.error, to.error) + rise_above_chord(first, from.foot, to.foot, span),
+                    never_above);
+  }
+  const PathDeviation::Foot first_at_to = deviation_.foot_on(first, to.point.position);
+  const PathDeviation::Foot second_at_from = deviation_.foot_on(second, from.point.position);
+  const double lower = largest_of_lower(from.error, std::sqrt(first_at_to.squared),
+                                        std::sqrt(second_at_from.squared), to.error);
+  const double rise = std::max(rise_above_chord(first, from.foot, first_at_to, span),
+                               rise_above_chord(second, second_at_from, to.foot, span));
+  return std::min(lower + rise, never_above);
+}
+
+ContourNode ContourSearch::first_node(const CoursePlace& at) {
+  ContourNode near;
+  near.place = at;
+  near.point = course_.at(at);
+  near.foot = deviation_.foot_on(trajectory_.path().segment(at.element), near.point.position);
+  return node(at, near);
+}
+
+void ContourSearch::for_spans(std::uint32_t first, std::uint32_t last, Progress* progress,
+                              const std::function<void(const ContourSpan&)>& visit) {
+  ProgressSteps steps(progress, std::max<std::size_t>(last - first, 1));
+  ContourSpan span;
+  bool goes_on = false;  // from the element before, which was not exact
+  for (std::uint32_t element = first; element < last; ++element) {
+    steps.at(element - first);
+    course_.nodes(element, ends_);
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      const CoursePlace at{element, ends_[i]};
+      if (i == 0 && !goes_on) {
+        span.to = first_node(at);
+      } else if (i == 0) {
+        span.to.place = at;
+        span.to.point = course_.at(at);
+      } else {
+        span.from = span.to;
+        span.to = node(at, span.from);
+        span.bound = bound_of(span);
+        visit(span);
+      }
+    }
+    goes_on = !ends_.empty();
+  }
+}
+
+double ContourSearch::largest_in(std::vector<ContourSpan>& spans, ContourNode& best) {
+  std::size_t halvings = 1000 + 16 * spans.size();
+  double left = 0;
+  while (!spans.empty()) {
+    const ContourSpan span = spans.back();
+    spans.pop_back();
+    if (span.bound <= best.error + precision) {
+      continue;
+    }
+    const double middle = (span.from.place.u + span.to.place.u) / 2;
+    if (halvings == 0 || !(middle > span.from.place.u && middle < span.to.place.u)) {
+      left = std::max(left, span.bound);
+      continue;
+    }
+    --halvings;
+    const ContourNode half = node({span.from.place.element, middle}, span.from);
+    if (half.error > best.error) {
+      best = half;
+    }
+    ContourSpan first{span.from, half, 0};
+    ContourSpan second{half, span.to, 0};
+    first.bound = std::min(bound_of(first), span.bound);
+    second.bound = std::min(bound_of(second), span.bound);
+    const bool second_first = second.bound > first.bound;  // the more promising half is looked at first
+    spans.push_back(second_first ? first : second);
+    spans.push_back(second_first ? second : first);
+  }
+  return std::max(left, best.error + precision);
+}
+
+}  // namespace feedscope

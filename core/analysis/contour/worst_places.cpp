@@ -1,0 +1,114 @@
+#include "core/analysis/contour/worst_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope {
+namespace {
+
+bool is_worse(const ContourNode& a, const ContourNode& b) {
+  return a.error > b.error;
+}
+
+}  // namespace
+
+double side_of(const Trajectory& trajectory, const ContourNode& node) {
+  const Toolpath& path = programmed_path(trajectory);
+  const Segment& segment = path.segments[node.foot.segment];
+  const Vec3 along = segment.kind == SegmentKind::arc
+                         ? path.arcs[static_cast<std::size_t>(segment.arc)].at(node.foot.s).d1
+                         : path.tangent_at_start(node.foot.segment);
+  const double in_plane = std::hypot(along.x(), along.y());
+  constexpr double upright = 1e-9;
+  const Vec3& offset = node.foot.offset;
+  return in_plane > upright ? (along.x() * offset.y() - along.y() * offset.x()) / in_plane : 0.0;
+}
+
+void WorstPlaces::visit(const ContourSpan& span) {
+  const bool goes_on = open_ && span.from.place.element <= last_element_ + 1;
+  const bool has_halved = low_ < best_.error / 2 && span.to.error > 2 * low_;
+  if (open_ && (!goes_on || (has_halved && span.to.error > ContourSearch::precision))) {
+    close();
+  }
+  if (!open_) {
+    open_ = true;
+    best_ = span.from;
+    low_ = span.from.error;
+  }
+  if (span.to.error > best_.error) {
+    best_ = span.to;
+    low_ = span.to.error;
+  }
+  low_ = std::min(low_, span.to.error);
+  last_element_ = span.to.place.element;
+  if (span.bound > best_.error + ContourSearch::precision) {
+    hopeful_.push_back(span);
+    prune();
+  }
+}
+
+/// Keeps what may hold a farther place; where that are too many they are looked into at once.
+void WorstPlaces::prune() {
+  constexpr std::size_t many = 512;
+  if (hopeful_.size() < many) {
+    return;
+  }
+  std::erase_if(hopeful_, [this](const ContourSpan& span) {
+    return span.bound <= best_.error + ContourSearch::precision;
+  });
+  if (hopeful_.size() > many / 2) {
+    highest_ = std::max(highest_, search_.largest_in(hopeful_, best_));
+  }
+}
+
+bool WorstPlaces::takes(double error) const {
+  return worst_.size() < most_ ? error > ContourSearch::precision
+                               : error > worst_.front().error + ContourSearch::precision;
+}
+
+void WorstPlaces::add(const ContourNode& place) {
+  highest_ = std::max(highest_, place.error);
+  if (worst_.size() == most_) {
+    std::ranges::pop_heap(worst_, is_worse);
+    worst_.pop_back();
+  }
+  worst_.push_back(place);
+  std::ranges::push_heap(worst_, is_worse);
+}
+
+void WorstPlaces::close() {
+  double bound = best_.error;
+  for (const ContourSpan& span : hopeful_) {
+    bound = std::max(bound, span.bound);
+  }
+  if (takes(bound)) {
+    highest_ = std::max(highest_, search_.largest_in(hopeful_, best_));
+    if (takes(best_.error)) {
+      add(best_);
+    }
+  }
+  hopeful_.clear();
+  open_ = false;
+}
+
+void WorstPlaces::finish(ContourErrors& errors, const Trajectory& trajectory) {
+  if (open_) {
+    close();
+  }
+  std::ranges::sort(worst_, is_worse);
+  for (const ContourNode& node : worst_) {
+    ContourPlace place;
+    place.error = node.error;
+    place.side = side_of(trajectory, node);
+    place.path_length = search_.course().path_length(node.place);
+    place.time = search_.course().time(node.place);
+    place.line = trajectory.line_of(node.place.element);
+    place.position = node.point.position;
+    place.programmed = node.point.position - node.foot.offset;
+    errors.worst.push_back(place);
+  }
+  errors.largest = worst_.empty() ? 0 : worst_.front().error;
+  errors.uncertainty = std::max(highest_ - errors.largest, 0.0);
+}
+
+}  // namespace feedscope

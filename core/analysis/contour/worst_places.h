@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "core/analysis/contour/contour_errors.h"
+#include "core/analysis/contour/contour_search.h"
+
+namespace feedscope {
+
+/// Part of the offset of a place in XY across the programmed direction, positive to the left [mm].
+double side_of(const Trajectory& trajectory, const ContourNode& node);
+
+/// Cuts a run where its distance from the programmed path has at least halved and doubled again, and keeps
+/// the worst places of these stretches.
+class WorstPlaces {
+ public:
+  WorstPlaces(ContourSearch& search, std::size_t most) : search_(search), most_(most) {}
+
+  /// The next span in order.
+  void visit(const ContourSpan& span);
+  /// Whether a place of that error would be kept.
+  bool takes(double error) const;
+  /// A place that is known to be the worst of its stretch.
+  void add(const ContourNode& place);
+  /// Writes what was found.
+  void finish(ContourErrors& errors, const Trajectory& trajectory);
+
+ private:
+  void close();
+  void prune();
+
+  ContourSearch& search_;
+  std::size_t most_;
+  std::vector<ContourNode> worst_;  ///< heap, the least first
+  double highest_ = 0;              ///< no place of the run is farther away [mm]
+  bool open_ = false;
+  std::uint32_t last_element_ = 0;
+  ContourNode best_;                  ///< of the stretch
+  double low_ = 0;                    ///< least error since then [mm]
+  std::vector<ContourSpan> hopeful_;  ///< spans of the stretch that may hold a farther place
+};
+
+}  // namespace feedscope

@@ -1,0 +1,201 @@
+#include "core/analysis/study/operations.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <numeric>
+
+#include "core/analysis/contour/contour_errors.h"
+#include "core/analysis/study/heading.h"
+#include "core/base/error.h"
+#include "core/trajectory/part_walk.h"
+
+namespace feedscope {
+namespace {
+
+/// A line from which on another tool works.
+struct ToolLine {
+  std::uint32_t line;
+  std::string tool;
+};
+
+/// Where M6 brings in the tool asked for last; in a program without M6 where a tool is asked for.
+std::vector<ToolLine> tool_lines(const Program& program) {
+  std::vector<ToolLine> asked;
+  std::vector<ToolLine> in;
+  std::string next;
+  for (std::uint32_t line = 1; line <= program.source->line_count(); ++line) {
+    const ToolWords words = tool_words(program.source->utf8_line(line));
+    const bool known =
+        std::ranges::any_of(program.tools, [&](const ToolChange& tool) { return tool.name == words.tool; });
+    if (known) {
+      next = words.tool;
+      asked.push_back({line, next});
+    }
+    if (words.comes_in && !next.empty()) {
+      in.push_back({line, next});
+    }
+  }
+  return in.empty() ? asked : in;
+}
+
+std::vector<Operation> by_tool(const LoadedProgram& program) {
+  const Toolpath& path = *program.toolpath;
+  const std::vector<ToolLine> lines = tool_lines(*program.program);
+  std::vector<Operation> operations{{"start", 0, 0, 0}};
+  std::string tool;
+  for (std::uint32_t i = 0; i < path.segments.size(); ++i) {
+    const auto after = std::ranges::upper_bound(lines, path.segments[i].line, {}, &ToolLine::line);
+    if (after != lines.begin() && std::prev(after)->tool != tool) {
+      tool = std::prev(after)->tool;
+      operations.push_back({fmt::format("tool {}", tool), 0, i, 0});
+    }
+  }
+  return operations;
+}
+
+/// Lines with headings and what they say, in order of the lines.
+struct Heading {
+  std::uint32_t line;
+  std::string title;
+};
+
+std::vector<Heading> headings_of(const SourceText& text) {
+  std::vector<Heading> headings;
+  for (std::uint32_t line = 1; line <= text.line_count(); ++line) {
+    if (std::optional<std::string> title = operation_heading(text.utf8_line(line))) {
+      headings.push_back({line, std::move(*title)});
+    }
+  }
+  return headings;
+}
+
+/// The title of the comments (last_line_before, line): of the last run the first with a letter.
+const Heading* title_between(const std::vector<Heading>& headings, std::uint32_t after,
+                             std::uint32_t before) {
+  const auto end = std::ranges::lower_bound(headings, before, {}, &Heading::line);
+  const Heading* title = nullptr;
+  for (auto it = end; it != headings.begin();) {
+    --it;
+    if (it->line <= after || (title != nullptr && std::next(it)->line != it->line + 1)) {
+      break;
+    }
+    if (title == nullptr || !it->title.empty()) {
+      title = &*it;
+    }
+  }
+  return title;
+}
+
+std::vector<Operation> by_comment(const LoadedProgram& program) {
+  const Toolpath& path = *program.toolpath;
+  const std::vector<Heading> headings = headings_of(*program.program->source);
+  std::vector<Operation> operations{{"start", 0, 0, 0}};
+  std::uint32_t before = 0;
+  for (std::uint32_t i = 0; i < path.segments.size(); ++i) {
+    const std::uint32_t line = path.segments[i].line;
+    if (line == before) {
+      continue;
+    }
+    const std::uint32_t after = line > before ? before : line - 1;  // a loop came back
+    if (const Heading* title = title_between(headings, after, line)) {
+      operations.push_back(
+          {title->title.empty() ? fmt::format("line {}", title->line) : title->title, title->line, i, 0});
+    }
+    before = line;
+  }
+  return operations;
+}
+
+/// Position of the largest time; the last cause for none.
+std::size_t largest_of(const std::vector<double>& times) {
+  return static_cast<std::size_t>(std::ranges::max_element(times) - times.begin());
+}
+
+}  // namespace
+
+OperationSplit operation_split(const std::string& name) {
+  if (name == "tool") {
+    return OperationSplit::tool;
+  }
+  if (name == "comment") {
+    return OperationSplit::comment;
+  }
+  const std::string near = nearest_name(name, {"tool", "comment"});
+  throw InputError(fmt::format("operations cannot be told apart by '{}'; {}choose tool or comment", name,
+                               near.empty() ? "" : fmt::format("did you mean '{}'? ", near)));
+}
+
+std::vector<Operation> split_operations(const LoadedProgram& program, OperationSplit split) {
+  if (split == OperationSplit::none) {
+    return {};
+  }
+  std::vector<Operation> operations = split == OperationSplit::tool ? by_tool(program) : by_comment(program);
+  const auto end = static_cast<std::uint32_t>(program.toolpath->segments.size());
+  for (std::size_t i = 0; i < operations.size(); ++i) {
+    operations[i].last = i + 1 < operations.size() ? operations[i + 1].first : end;
+    if (operations[i].line == 0 && operations[i].first < end) {
+      operations[i].line = program.toolpath->segments[operations[i].first].line;
+    }
+  }
+  std::erase_if(operations, [](const Operation& operation) { return operation.first >= operation.last; });
+  return operations;
+}
+
+std::vector<OperationFigures> figures_of(const std::vector<Operation>& operations,
+                                         const Trajectory& trajectory) {
+  std::vector<OperationFigures> figures(operations.size());
+  std::vector<std::vector<double>> by_cause(operations.size(), std::vector<double>(all_causes().size(), 0.0));
+  std::vector<std::uint32_t> first_element(operations.size() + 1,
+                                           static_cast<std::uint32_t>(trajectory.path().size()));
+  std::size_t of = 0;
+  for (std::uint32_t element = 0; element < trajectory.path().size(); ++element) {
+    const std::uint32_t segment = trajectory.path().segment(element);
+    while (of < operations.size() && operations[of].first <= segment) {
+      first_element[of++] = element;
+    }
+  }
+  of = 0;
+  const BlendedPath& path = trajectory.path();
+  for (PartWalk walk(trajectory); !walk.done() && !operations.empty(); walk.next()) {
+    const Part& part = walk.part();
+    while (of + 1 < operations.size() && first_element[of + 1] <= part.element) {
+      ++of;
+    }
+    figures[of].time += part.duration;
+    by_cause[of][cause_index(trajectory.slower_place(part.piece).kind == part.cause.kind
+                                 ? part.cause
+                                 : trajectory.slower_place(part.piece))] += part.duration;
+    if (!trajectory.is_rapid(part.element) && path.kind(part.element) != ElementKind::dwell) {
+      figures[of].cutting_time += part.duration;
+    }
+  }
+  for (std::size_t i = 0; i < operations.size(); ++i) {
+    for (std::uint32_t element = first_element[i]; element < first_element[i + 1]; ++element) {
+      figures[i].cutting_length += trajectory.is_rapid(element) ? 0 : path.length(element);
+    }
+    const std::size_t cause = largest_of(by_cause[i]);
+    figures[i].cause = all_causes()[cause];
+    figures[i].cause_time = by_cause[i][cause];
+    figures[i].contour_error =
+        contour_errors(trajectory, {1, ContourBins::none, first_element[i], first_element[i + 1]}).largest;
+  }
+  return figures;
+}
+
+std::vector<CauseShare> limiting_causes(const Summary& summary) {
+  std::vector<CauseShare> shares;
+  for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
+    const bool slows = all_causes()[i].kind == CauseKind::ramp_down;
+    const double own = slows ? 0 : summary.time_by_cause[i];
+    const double ahead = i < summary.time_by_slower_place.size() ? summary.time_by_slower_place[i] : 0;
+    if (own + ahead > 0) {
+      shares.push_back({all_causes()[i], (own + ahead) / summary.cycle_time});
+    }
+  }
+  std::ranges::stable_sort(shares, std::greater(), &CauseShare::share);
+  return shares;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,151 @@
+#include "core/analysis/study/study.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+bool contains(const std::vector<std::string>& words, const std::string& word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+void check_keys(const StudyRequest& request) {
+  for (std::size_t i = 0; i < request.sweeps.size(); ++i) {
+    const std::string& key = request.sweeps[i].key;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (request.sweeps[k].key == key) {
+        throw InputError(fmt::format("'{}' is swept twice; write all its values into one sweep", key));
+      }
+    }
+    for (const std::string& assignment : request.assignments) {
+      if (assigned_key(assignment) == key) {
+        throw InputError(
+            fmt::format("'{}' is swept and set to a value, too; leave '{}' out", key, assignment));
+      }
+    }
+    if (key == "tolerance" && !request.tolerances.empty()) {
+      throw InputError("the tolerance is swept and given, too; leave --tolerance out");
+    }
+  }
+}
+
+std::vector<std::string> models_that_know(const StudyRequest& request) {
+  std::vector<std::string> models = request.models;
+  if (models.empty()) {
+    for (const ControlModel* model : all_models()) {
+      models.push_back(model->info().id);
+    }
+  }
+  const std::vector<std::string> asked = models;
+  std::vector<std::string> known;
+  for (const std::string& model : asked) {
+    for (const std::string& key : sweep_keys(find_model(model))) {
+      if (!contains(known, key)) {
+        known.push_back(key);
+      }
+    }
+  }
+  for (const Sweep& sweep : request.sweeps) {
+    std::erase_if(models, [&](const std::string& model) {
+      return !contains(sweep_keys(find_model(model)), sweep.key);
+    });
+    if (models.empty()) {
+      const std::string near = nearest_name(sweep.key, known);
+      throw InputError(fmt::format(
+          "sweep of '{}': none of the models {} knows it; {}there are {}", sweep.key, fmt::join(asked, ", "),
+          near.empty() || near == sweep.key ? "" : fmt::format("did you mean '{}'? ", near),
+          fmt::join(known, ", ")));
+    }
+  }
+  return models;
+}
+
+std::size_t combinations(const std::vector<Sweep>& sweeps) {
+  std::size_t count = 1;
+  for (const Sweep& sweep : sweeps) {
+    count *= sweep.values.size();
+    if (count > most_study_runs) {
+      break;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+std::vector<StudySetup> setups_to_study(const StudyRequest& request) {
+  check_keys(request);
+  const std::vector<Setup> bases =
+      setups_to_compare(request.machines, models_that_know(request), request.tolerances, request.assignments);
+  const std::size_t count = combinations(request.sweeps);
+  if (count * bases.size() > most_study_runs) {
+    throw InputError(fmt::format("the sweeps ask for more than {} runs; take fewer values", most_study_runs));
+  }
+  std::vector<StudySetup> setups;
+  for (const Setup& base : bases) {
+    for (std::size_t i = 0; i < count; ++i) {
+      StudySetup one{base, {}};
+      std::size_t rest = i;
+      for (const Sweep& sweep : request.sweeps) {
+        one.swept.push_back(sweep.values[rest % sweep.values.size()]);
+        rest /= sweep.values.size();
+        apply_swept(sweep.key, one.swept.back(), one.setup);
+      }
+      setups.push_back(std::move(one));
+    }
+  }
+  return setups;
+}
+
+Study run_study(const LoadedProgram& program, const StudyRequest& request, Progress* progress) {
+  Study study;
+  study.sweeps = request.sweeps;
+  study.within = request.within;
+  study.operations = split_operations(program, request.split);
+  const std::vector<StudySetup> setups = setups_to_study(request);
+  std::vector<Setup> plain;
+  for (const StudySetup& one : setups) {
+    plain.push_back(one.setup);
+  }
+  study.runs.resize(setups.size());
+  const auto keep_operations = [&](std::size_t i, const Run& run) {
+    study.runs[i].operations = figures_of(study.operations, *run.trajectory);
+  };
+  std::vector<ComparedRun> figures = compare_runs(program, plain, progress, keep_operations);
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    static_cast<ComparedRun&>(study.runs[i]) = std::move(figures[i]);
+    study.runs[i].swept = setups[i].swept;
+  }
+  return study;
+}
+
+std::vector<std::span<const StudyRun>> Study::curves() const {
+  const std::size_t length = sweeps.empty() ? 1 : sweeps.front().values.size();
+  std::vector<std::span<const StudyRun>> curves;
+  for (std::size_t first = 0; first + length <= runs.size(); first += length) {
+    curves.emplace_back(runs.data() + first, length);
+  }
+  return curves;
+}
+
+const StudyRun* fastest(std::span<const StudyRun> runs, std::optional<double> within) {
+  constexpr double rounding = 1e-9;  // mm
+  const StudyRun* best = nullptr;
+  for (const StudyRun& run : runs) {
+    const bool keeps = !within || run.summary.max_contour_error <= *within + rounding;
+    const auto rank = [](const StudyRun& of) {
+      return std::pair(of.summary.cycle_time, of.summary.max_contour_error);
+    };
+    if (keeps && (best == nullptr || rank(run) < rank(*best))) {
+      best = &run;
+    }
+  }
+  return best;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,149 @@
+#include "core/analysis/study/sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+constexpr const char* tolerance_key = "tolerance";
+constexpr const char* form =
+    "write KEY=FROM:TO:logN, KEY=FROM:TO:linN or KEY=A,B,C, as in "
+    "tolerance=0.005:0.1:log12";
+
+[[noreturn]] void refuse(const std::string& text, const std::string& reason) {
+  throw InputError(fmt::format("sweep '{}': {}; {}", text, reason, form));
+}
+
+double number_in(const std::string& text, std::string_view word) {
+  SettingSpec any;
+  any.key = fmt::format("sweep '{}'", text);
+  any.minimum = -std::numeric_limits<double>::infinity();
+  return std::get<double>(parse_setting(any, word));
+}
+
+std::vector<std::string_view> split(std::string_view text, char at) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(at, begin), text.size());
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return parts;
+}
+
+double rounded(double value) {
+  constexpr int digits = 5;
+  return std::stod(fmt::format("{:.{}g}", value, digits));
+}
+
+Sweep range(const std::string& text, const std::string& key, const std::vector<std::string_view>& parts) {
+  if (parts.size() != 3) {
+    refuse(text, fmt::format("a range has three parts, here are {}", parts.size()));
+  }
+  const std::string_view steps = parts[2];
+  const bool logarithmic = steps.starts_with("log");
+  if (!logarithmic && !steps.starts_with("lin")) {
+    refuse(text, fmt::format("'{}' is neither logN nor linN", steps));
+  }
+  const double count = number_in(text, steps.substr(3));
+  if (!(count >= 2 && count <= static_cast<double>(most_sweep_values) && count == std::floor(count))) {
+    refuse(text, fmt::format("{} values; there must be a whole number from 2 to {}", steps.substr(3),
+                             most_sweep_values));
+  }
+  return make_sweep(key, number_in(text, parts[0]), number_in(text, parts[1]),
+                    static_cast<std::size_t>(count), logarithmic);
+}
+
+}  // namespace
+
+Sweep make_sweep(const std::string& key, double from, double to, std::size_t count, bool logarithmic) {
+  const std::string text = fmt::format("{}={}:{}:{}{}", key, from, to, logarithmic ? "log" : "lin", count);
+  if (!(std::isfinite(from) && std::isfinite(to)) || from == to) {
+    refuse(text, fmt::format("from {} to {} is no range", from, to));
+  }
+  if (logarithmic && !(from > 0 && to > 0)) {
+    refuse(text, fmt::format("equal ratios need ends above 0, here is {}", std::min(from, to)));
+  }
+  if (count < 2 || count > most_sweep_values) {
+    refuse(text, fmt::format("{} values; there must be 2 to {}", count, most_sweep_values));
+  }
+  Sweep sweep{key, {from}, logarithmic};
+  for (std::size_t i = 1; i + 1 < count; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(count - 1);
+    const double value =
+        rounded(logarithmic ? from * std::pow(to / from, share) : from + (to - from) * share);
+    if (value != sweep.values.back()) {
+      sweep.values.push_back(value);
+    }
+  }
+  if (sweep.values.back() != to) {
+    sweep.values.push_back(to);
+  }
+  return sweep;
+}
+
+Sweep parse_sweep(const std::string& text) {
+  const auto equals = text.find('=');
+  if (equals == std::string::npos || equals == 0) {
+    refuse(text, "there is no KEY=");
+  }
+  const std::string key = text.substr(0, equals);
+  const std::string_view values = std::string_view(text).substr(equals + 1);
+  if (values.find(':') != std::string_view::npos) {
+    return range(text, key, split(values, ':'));
+  }
+  Sweep sweep{key, {}, false};
+  for (const std::string_view word : split(values, ',')) {
+    const double value = number_in(text, word);
+    if (std::ranges::find(sweep.values, value) != sweep.values.end()) {
+      refuse(text, fmt::format("{} stands there twice", value));
+    }
+    sweep.values.push_back(value);
+  }
+  if (sweep.values.size() > most_sweep_values) {
+    refuse(text, fmt::format("{} values; at most {} are possible", sweep.values.size(), most_sweep_values));
+  }
+  return sweep;
+}
+
+std::vector<std::string> sweep_keys(const ControlModel& model) {
+  std::vector<std::string> keys = assignable_keys(model);
+  const bool reads_tolerance = std::ranges::find(keys, "contour_tolerance_mm") != keys.end();
+  if (reads_tolerance) {
+    keys.insert(keys.begin(), tolerance_key);
+  }
+  return keys;
+}
+
+std::string sweep_unit(const std::string& key) {
+  if (key == tolerance_key) {
+    return "mm";
+  }
+  std::vector<SettingSpec> specs = common_settings();
+  std::ranges::copy(all_model_settings(), std::back_inserter(specs));
+  for (const char axis : axis_names) {
+    for (SettingSpec limit : axis_limit_specs()) {
+      limit.key = fmt::format("{}.{}", axis, limit.key);
+      specs.push_back(std::move(limit));
+    }
+  }
+  const auto spec = std::ranges::find(specs, key, &SettingSpec::key);
+  return spec == specs.end() ? "" : spec->unit;
+}
+
+void apply_swept(const std::string& key, double value, Setup& setup) {
+  const bool tolerance = key == tolerance_key;
+  const std::string name = tolerance ? "contour_tolerance_mm" : key;
+  apply_setting(fmt::format("{}={}", name, value), *setup.model, setup.machine, setup.settings);
+  if (tolerance) {
+    setup.settings.set("program_tolerance", "off");
+  }
+}
+
+}  // namespace feedscope

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/analysis/run.h"
+
+namespace feedscope {
+
+/// Values that one setting takes one after the other.
+struct Sweep {
+  std::string key;             ///< "tolerance", an axis limit ("X.jerk") or a model setting
+  std::vector<double> values;  ///< ascending or as given, each once; in the unit of the key
+  bool logarithmic = false;    ///< equal ratios rather than equal steps
+};
+
+/// Most values of one sweep, and most runs of a study.
+inline constexpr std::size_t most_sweep_values = 1000;
+inline constexpr std::size_t most_study_runs = 10'000;
+
+/// Reads KEY=FROM:TO:logN, KEY=FROM:TO:linN, or KEY=A,B,C. Values of a range are rounded to 5 digits, its
+/// ends are as given. Throws InputError naming text, value and bound.
+Sweep parse_sweep(const std::string& text);
+/// N values from `from` to `to`. Throws InputError as parse_sweep.
+Sweep make_sweep(const std::string& key, double from, double to, std::size_t count, bool logarithmic);
+
+/// What models know: "tolerance", then assignable_keys().
+std::vector<std::string> sweep_keys(const ControlModel& model);
+/// Unit of a key's values, "" for a plain number or an unknown key.
+std::string sweep_unit(const std::string& key);
+
+/// Sets `key` of a setup: the tolerance as --tolerance does, which replaces the program's own, else as --set
+/// does. Throws InputError naming key, value, bounds and the nearest key.
+void apply_swept(const std::string& key, double value, Setup& setup);
+
+}  // namespace feedscope
