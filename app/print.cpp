@@ -165,8 +165,11 @@ std::string summary_text(const Run& run) {
   figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
   figures.add({"mean feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.mean_feed))});
   figures.add({"peak feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.peak_feed))});
-  figures.add({"contour error", fmt::format("at most {:.4f} mm, {} corner blends", s.max_contour_error,
-                                            run.trajectory->blend_count())});
+  const std::string where =
+      s.max_contour_error > 0 ? fmt::format(" (line {}, at {:.3f} s)", s.worst_place.line, s.worst_place.time)
+                              : "";
+  figures.add({"contour error", fmt::format("at most {:.4f} mm{}, {} corner blends", s.max_contour_error,
+                                            where, run.trajectory->blend_count())});
   return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + "\nTime by limiting cause\n" +
          cause_table(s);
 }

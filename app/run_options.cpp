@@ -15,11 +15,15 @@ SetupRequest RunOptions::request() const {
   return request;
 }
 
-double parse_tolerance(const std::string& text) {
+double parse_length(const std::string& text, const std::string& option) {
   SettingSpec number;
-  number.key = "--tolerance";
+  number.key = option;
   number.unit = "mm";
   return std::get<double>(parse_setting(number, text));
+}
+
+double parse_tolerance(const std::string& text) {
+  return parse_length(text, "--tolerance");
 }
 
 ReadOptions ProgramOptions::reading() const {

@@ -32,6 +32,8 @@ struct RunOptions : ProgramOptions {
   SetupRequest request() const;
 };
 
+/// Reads a length [mm] of `option`. Throws InputError if it is no number or below 0.
+double parse_length(const std::string& text, const std::string& option);
 /// Reads a --tolerance [mm]. Throws InputError if it is no number or below 0.
 double parse_tolerance(const std::string& text);
 

@@ -14,6 +14,7 @@
 
 #include "core/base/error.h"
 #include "ui/charts/comparison_chart.h"
+#include "ui/charts/study_chart.h"
 #include "ui/language/core_texts.h"
 #include "ui/main_window.h"
 #include "ui/theme/theme.h"
@@ -198,6 +199,17 @@ Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRu
   const int natural = natural_comparison_height(chart.bars(), comparison_width, chart.font());
   const PictureSize size =
       wanted.value_or(PictureSize{comparison_width, std::min(natural, largest_picture_side)});
+  chart.resize(size.width, size.height);
+  return grab(chart, size);
+}
+
+Picture draw_study(const LoadedProgram& program, const Study& study,
+                   const std::vector<std::string>& assignments, std::optional<PictureSize> wanted) {
+  const OffscreenApplication application;
+  StudyChart chart;
+  chart.set_study(file_name(*program.program), comparison_details(program, assignments), study_curves(study));
+  chart.ensurePolished();
+  const PictureSize size = wanted.value_or(PictureSize{chart.sizeHint().width(), chart.sizeHint().height()});
   chart.resize(size.width, size.height);
   return grab(chart, size);
 }

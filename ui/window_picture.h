@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/analysis/compare.h"
+#include "core/analysis/study/study.h"
 #include "ui/scene/picture.h"
 #include "ui/theme/theme.h"
 
@@ -40,5 +41,8 @@ void check_comparison_size(std::span<const Setup> setups, std::optional<PictureS
 /// is `wanted`. `assignments`: what was set for all of them.
 Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRun> runs,
                         const std::vector<std::string>& assignments, std::optional<PictureSize> wanted);
+/// A study with a sweep as curves (StudyChart); 960 x 640 pixels unless a size is `wanted`.
+Picture draw_study(const LoadedProgram& program, const Study& study,
+                   const std::vector<std::string>& assignments, std::optional<PictureSize> wanted);
 
 }  // namespace feedscope::ui

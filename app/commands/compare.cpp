@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -9,11 +10,15 @@
 #include "app/commands/command.h"
 #include "app/comparison_text.h"
 #include "app/exit_codes.h"
+#include "app/merge_text.h"
 #include "app/output_file.h"
 #include "app/print.h"
 #include "app/run_options.h"
+#include "app/study_text.h"
 #include "app/watch.h"
+#include "core/base/error.h"
 #include "core/export/export.h"
+#include "core/export/merge.h"
 #ifdef FEEDSCOPE_WITH_UI
 #include "app/picture_size.h"
 #include "ui/window_picture.h"
@@ -27,6 +32,10 @@ struct CompareOptions : ProgramOptions {
   std::vector<std::string> models;
   std::vector<std::string> tolerances;  // as typed, mm
   std::vector<std::string> set;
+  std::vector<std::string> sweeps;  // as typed
+  std::string within;               // as typed, mm
+  std::string operations;           // as typed
+  std::vector<std::string> merge;   // JSON files
   std::string csv;
   std::string json;
   std::string png;
@@ -36,33 +45,49 @@ struct CompareOptions : ProgramOptions {
 /// A file that was asked for, and what goes into it.
 struct Result {
   std::string name;
-  std::function<std::string(const LoadedProgram&, const std::vector<ComparedRun>&)> contents;
+  std::function<std::string(const LoadedProgram&, const Study&)> contents;
 };
 
+std::vector<ComparedRun> plain_runs(const Study& study) {
+  return {study.runs.begin(), study.runs.end()};
+}
+
+/// Whether there is more to write than compare has without --sweep, --within and --operations.
+bool is_plain(const Study& study) {
+  return study.sweeps.empty() && !study.within && study.operations.empty();
+}
+
 #ifdef FEEDSCOPE_WITH_UI
-Result picture(const CompareOptions& options, const std::vector<Setup>& setups) {
+Result picture(const CompareOptions& options, const StudyRequest& request, const std::vector<Setup>& setups) {
   std::optional<ui::PictureSize> size;
   if (!options.size.empty()) {
     size = parse_picture_size(options.size);
   }
+  if (!request.sweeps.empty()) {
+    return {options.png, [&options, size](const LoadedProgram& program, const Study& study) {
+              return ui::to_png(ui::draw_study(program, study, options.set, size));
+            }};
+  }
   ui::check_comparison_size(setups, size);
-  return {options.png, [&options, size](const LoadedProgram& program, const std::vector<ComparedRun>& runs) {
-            return ui::to_png(ui::draw_comparison(program, runs, options.set, size));
+  return {options.png, [&options, size](const LoadedProgram& program, const Study& study) {
+            return ui::to_png(ui::draw_comparison(program, plain_runs(study), options.set, size));
           }};
 }
 #endif
 
-std::vector<Result> results_of(const CompareOptions& options,
+std::vector<Result> results_of(const CompareOptions& options, [[maybe_unused]] const StudyRequest& request,
                                [[maybe_unused]] const std::vector<Setup>& setups) {
   std::vector<Result> results{
       {options.csv,
-       [](const LoadedProgram&, const std::vector<ComparedRun>& runs) { return comparison_csv(runs); }},
-      {options.json, [](const LoadedProgram& program, const std::vector<ComparedRun>& runs) {
-         return comparison_json(program, runs);
+       [](const LoadedProgram&, const Study& study) {
+         return is_plain(study) ? comparison_csv(plain_runs(study)) : study_csv(study);
+       }},
+      {options.json, [](const LoadedProgram& program, const Study& study) {
+         return is_plain(study) ? comparison_json(program, plain_runs(study)) : study_json(program, study);
        }}};
 #ifdef FEEDSCOPE_WITH_UI
   if (!options.png.empty()) {
-    results.push_back(picture(options, setups));
+    results.push_back(picture(options, request, setups));
   }
 #endif
   std::erase_if(results, [](const Result& result) { return result.name.empty(); });
@@ -84,9 +109,9 @@ class ResultFiles {
     }
   }
 
-  void write(const LoadedProgram& program, const std::vector<ComparedRun>& runs) {
+  void write(const LoadedProgram& program, const Study& study) {
     for (std::size_t i = 0; i < results_.size(); ++i) {
-      files_[i]->stream() << results_[i].contents(program, runs);
+      files_[i]->stream() << results_[i].contents(program, study);
     }
     for (const auto& file : files_) {
       file->commit();
@@ -101,29 +126,100 @@ class ResultFiles {
   bool to_standard_output_ = false;
 };
 
-int compare(const CompareOptions& options) {
-  std::vector<double> tolerances;
+StudyRequest request_of(const CompareOptions& options) {
+  StudyRequest request{options.machines, options.models, {}, options.set, {}, {}, {}};
   for (const std::string& text : options.tolerances) {
-    tolerances.push_back(parse_tolerance(text));
+    request.tolerances.push_back(parse_tolerance(text));
   }
-  const std::vector<Setup> setups =
-      setups_to_compare(options.machines, options.models, tolerances, options.set);
+  for (const std::string& text : options.sweeps) {
+    request.sweeps.push_back(parse_sweep(text));
+  }
+  if (!options.within.empty()) {
+    request.within = parse_length(options.within, "--within");
+  }
+  if (!options.operations.empty()) {
+    request.split = operation_split(options.operations);
+  }
+  return request;
+}
+
+std::string text_of(const CompareOptions& options, const LoadedProgram& program, const Study& study) {
+  if (!study.sweeps.empty()) {
+    return study_text(program, study, options.set);
+  }
+  std::string text = comparison_text(program, plain_runs(study), options.set);
+  if (study.within) {
+    text += "\n" + fastest_text(study);
+  }
+  for (const StudyRun& run : study.runs) {
+    if (!run.operations.empty()) {
+      text += fmt::format("\nOperations: {} on {}\n{}", run.setup.model->info().id, run.setup.machine.name,
+                          operations_text(study, run));
+    }
+  }
+  return text;
+}
+
+/// Opens the files before the work begins, and writes all or none.
+int merge(const CompareOptions& options) {
+  std::vector<NamedText> files;
+  for (const std::string& name : options.merge) {
+    files.push_back({name, SourceText::from_file(name).text()});
+    check_outputs(name, {options.csv, options.json});
+  }
+  const MergedComparison merged = merge_comparisons(files);
+  std::vector<std::pair<std::unique_ptr<OutputFile>, std::string>> results;
+  if (!options.csv.empty()) {
+    results.emplace_back(std::make_unique<OutputFile>(options.csv), merged_csv(merged));
+  }
+  if (!options.json.empty()) {
+    results.emplace_back(std::make_unique<OutputFile>(options.json), merged_json(merged));
+  }
+  for (const auto& [file, text] : results) {
+    file->stream() << text;
+  }
+  for (const auto& [file, text] : results) {
+    file->commit();
+  }
+  if (options.csv != "-" && options.json != "-") {
+    fmt::print("{}", merge_text(merged));
+  }
+  return exit_code::done;
+}
+
+int compare(const CompareOptions& options) {
+  if (!options.merge.empty()) {
+    if (!options.file.empty()) {
+      throw InputError(fmt::format("--merge takes JSON files only, not the program '{}'", options.file));
+    }
+    return merge(options);
+  }
+  if (options.file.empty()) {
+    throw InputError("no program given; name one, or the results of others with --merge");
+  }
+  const StudyRequest request = request_of(options);
+  std::vector<Setup> setups;
+  for (StudySetup& one : setups_to_study(request)) {
+    setups.push_back(std::move(one.setup));
+  }
   const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.file));
-  ResultFiles files(options.file, results_of(options, setups));
+  ResultFiles files(options.file, results_of(options, request, setups));
   LoadedProgram program;
-  std::vector<ComparedRun> runs;
+  Study study;
   {
     Watch watch;
     program = load_program(source, watch.stage("reading"), options.reading());
-    runs = compare_runs(program, setups, watch.stage("simulating"));
+    study = run_study(program, request, watch.stage("simulating"));
   }
-  files.write(program, runs);
-  if (!tolerances.empty()) {
+  files.write(program, study);
+  const bool replaces_tolerance =
+      std::ranges::any_of(request.sweeps, [](const Sweep& sweep) { return sweep.key == "tolerance"; });
+  if (!request.tolerances.empty() || replaces_tolerance) {
     note_replaced_tolerance(*program.toolpath);
   }
   print_diagnostics(*program.program);
   if (!files.to_standard_output()) {
-    fmt::print("{}", comparison_text(program, runs, options.set));
+    fmt::print("{}", text_of(options, program, study));
   }
   return has_errors(program.program->diagnostics) ? exit_code::program_errors : exit_code::done;
 }
@@ -144,14 +240,26 @@ Command add_compare_command(CLI::App& app) {
   add_list("--tolerance", options->tolerances, "Contour tolerance in mm [the machine's own]")
       ->type_name("MM");
   add_set_option(*command, options->set);
+  command->get_option("FILE")->required(false);
+  add_list("--sweep", options->sweeps,
+           "Study a setting: tolerance=0.005:0.1:log12, X.jerk=10:50:lin5, filters=2,3")
+      ->type_name("KEY=RANGE");
+  command
+      ->add_option("--within", options->within, "Bound of the contour error in mm: which run is the fastest?")
+      ->type_name("MM");
+  command->add_option("--operations", options->operations, "Figures by operation: tool or comment")
+      ->type_name("tool|comment");
+  command->add_option("--merge", options->merge, "Merge what --json wrote for several programs; no FILE then")
+      ->type_name("JSON");
   command->add_option("--csv", options->csv, "Write the figures, one row a run; - for standard output")
       ->type_name("FILE");
   command->add_option("--json", options->json, "Write figures and messages; - for standard output")
       ->type_name("FILE");
 #ifdef FEEDSCOPE_WITH_UI
-  CLI::Option* png =
-      command->add_option("--png", options->png, "Draw the runs as bars; - for standard output")
-          ->type_name("FILE");
+  CLI::Option* png = command
+                         ->add_option("--png", options->png,
+                                      "Draw the runs as bars, a sweep as curves; - for standard output")
+                         ->type_name("FILE");
   command
       ->add_option("--size", options->size, "Width and height of the picture [1280 and what the runs need]")
       ->type_name("WxH")

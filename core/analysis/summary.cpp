@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/analysis/contour/contour_errors.h"
 #include "core/trajectory/part_walk.h"
 
 namespace feedscope {
@@ -174,7 +173,13 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
   for (const ExactSum& sum : by_cause) {
     summary.time_by_cause.push_back(sum.value());
   }
-  summary.max_contour_error = largest_contour_error(trajectory);
+  ContourRequest worst;
+  worst.places = 1;
+  const ContourErrors errors = contour_errors(trajectory, worst);
+  summary.max_contour_error = errors.largest;
+  if (!errors.worst.empty()) {
+    summary.worst_place = errors.worst.front();
+  }
   summary.max_corner_distance = trajectory.compaction_error();
   for (const FilteredMotion& motion : trajectory.motions()) {
     summary.max_corner_distance = std::max(summary.max_corner_distance, motion.contour_error());

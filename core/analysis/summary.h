@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "core/analysis/contour/contour_errors.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
 
@@ -23,7 +24,8 @@ struct Summary {
   /// Largest distance of a programmed corner, or of a point that compaction leaves out, from the executed
   /// path: what a contour tolerance bounds [mm].
   double max_corner_distance = 0;
-  double peak_feed = 0;  ///< [mm/s]
+  ContourPlace worst_place;  ///< where max_contour_error is; of a run that leaves the path nowhere all 0
+  double peak_feed = 0;      ///< [mm/s]
   std::array<AxisPeaks, 3> axes;
   std::vector<double> time_by_cause;  ///< by cause_index(); adds up to cycle_time [s]
   /// Of the time of ramp_down: by cause_index() of what sets the slower place ahead [s].

@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cctype>
+#include <iterator>
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/export/csv_field.h"
 #include "core/export/export.h"
 
 namespace feedscope {
@@ -14,23 +17,9 @@ std::string number(double value) {
   return fmt::format("{:.11g}", value + 0.0);
 }
 
-/// Quoted where a comma, a quote or a line end would break the row.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) {
-    return text;
-  }
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted += c;
-    if (c == '"') {
-      quoted += c;
-    }
-  }
-  return quoted + '"';
-}
-
 /// Positions in all_causes() of the causes that any of the runs has.
-std::vector<std::size_t> causes_of(std::span<const ComparedRun> runs) {
+template <typename Runs>
+std::vector<std::size_t> causes_of(const Runs& runs) {
   std::vector<std::size_t> causes;
   for (std::size_t i = 0; i < all_causes().size(); ++i) {
     for (const ComparedRun& run : runs) {
@@ -69,7 +58,7 @@ std::vector<std::string> header(const std::vector<std::size_t>& causes) {
 std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::size_t>& causes) {
   const Summary& summary = run.summary;
   const std::optional<double> tolerance = contour_tolerance(run.setup);
-  std::vector<std::string> row{field(run.setup.machine.id),
+  std::vector<std::string> row{csv_field(run.setup.machine.id),
                                run.setup.model->info().id,
                                tolerance ? number(*tolerance) : "",
                                number(summary.cycle_time),
@@ -95,6 +84,71 @@ std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::s
   return row;
 }
 
+std::vector<std::string> study_columns(const Study& study) {
+  std::vector<std::string> columns;
+  for (const Sweep& sweep : study.sweeps) {
+    columns.push_back(csv_field("setting_" + sweep.key));
+  }
+  for (const char* name : {"within_bound", "fastest", "limiting_cause", "limiting_share"}) {
+    columns.emplace_back(name);
+  }
+  if (!study.operations.empty()) {
+    for (const char* name : {"operation", "operation_line", "cutting_length_mm"}) {
+      columns.emplace_back(name);
+    }
+  }
+  return columns;
+}
+
+std::string bound_text(std::optional<double> within, double error) {
+  constexpr double rounding = 1e-9;  // mm
+  return within ? (error <= *within + rounding ? "1" : "0") : "";
+}
+
+/// The columns of study_columns() up to the operations.
+std::vector<std::string> study_cells(const Study& study, const StudyRun& run, bool is_fastest) {
+  std::vector<std::string> cells;
+  for (const double value : run.swept) {
+    cells.push_back(number(value));
+  }
+  cells.push_back(bound_text(study.within, run.summary.max_contour_error));
+  cells.emplace_back(is_fastest ? "1" : "0");
+  const std::vector<CauseShare> causes = limiting_causes(run.summary);
+  cells.push_back(causes.empty() ? "" : cause_key(causes.front().cause));
+  cells.push_back(causes.empty() ? "" : number(causes.front().share));
+  return cells;
+}
+
+/// A row of one operation, from that of its run.
+std::vector<std::string> operation_row(const Study& study, const StudyRun& run, std::size_t i,
+                                       const std::vector<std::string>& titles, std::vector<std::string> row) {
+  const Operation& operation = study.operations[i];
+  const OperationFigures& figures = run.operations[i];
+  const auto put = [&](const std::string& title, std::string text) {
+    row[static_cast<std::size_t>(std::ranges::find(titles, title) - titles.begin())] = std::move(text);
+  };
+  for (std::size_t column = 3; column < row.size(); ++column) {
+    const std::string& title = titles[column];
+    if (!title.starts_with("setting_") && title != "fastest") {
+      row[column].clear();
+    }
+  }
+  put("cycle_time_s", number(figures.time));
+  put("mean_feed_mm_min", number(units::to_mm_min(figures.mean_feed())));
+  put("max_contour_error_mm", number(figures.contour_error));
+  put("within_bound", bound_text(study.within, figures.contour_error));
+  put("limiting_cause", cause_key(figures.cause));
+  put("limiting_share", figures.time > 0 ? number(figures.cause_time / figures.time) : "");
+  put("operation", csv_field(operation.title));
+  put("operation_line", fmt::format("{}", operation.line));
+  put("cutting_length_mm", number(figures.cutting_length));
+  return row;
+}
+
+void append(std::vector<std::string>& row, std::vector<std::string> more) {
+  std::ranges::move(more, std::back_inserter(row));
+}
+
 }  // namespace
 
 std::string comparison_csv(std::span<const ComparedRun> runs) {
@@ -102,6 +156,26 @@ std::string comparison_csv(std::span<const ComparedRun> runs) {
   std::string text = fmt::format("{}\n", fmt::join(header(causes), ","));
   for (const ComparedRun& run : runs) {
     text += fmt::format("{}\n", fmt::join(row_of(run, causes), ","));
+  }
+  return text;
+}
+
+std::string study_csv(const Study& study) {
+  const std::vector<std::size_t> causes = causes_of(study.runs);
+  std::vector<std::string> titles = header(causes);
+  append(titles, study_columns(study));
+  std::string text = fmt::format("{}\n", fmt::join(titles, ","));
+  for (const auto& curve : study.curves()) {
+    const StudyRun* best = fastest(curve, study.within);
+    for (const StudyRun& run : curve) {
+      std::vector<std::string> row = row_of(run, causes);
+      append(row, study_cells(study, run, &run == best));
+      row.resize(titles.size());
+      text += fmt::format("{}\n", fmt::join(row, ","));
+      for (std::size_t i = 0; i < run.operations.size(); ++i) {
+        text += fmt::format("{}\n", fmt::join(operation_row(study, run, i, titles, row), ","));
+      }
+    }
   }
   return text;
 }

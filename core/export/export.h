@@ -6,6 +6,7 @@
 
 #include "core/analysis/compare.h"
 #include "core/analysis/program_facts.h"
+#include "core/analysis/study/study.h"
 #include "core/analysis/summary.h"
 #include "core/machine/machine.h"
 #include "core/models/control_model.h"
@@ -46,6 +47,17 @@ std::string comparison_json(const LoadedProgram& program, std::span<const Compar
 /// for every axis its peaks (vx_mm_min,ax_m_s2,jx_m_s3) and their share of the limits (vx_share,...), and
 /// time_CAUSE_s for every cause that any run has.
 std::string comparison_csv(std::span<const ComparedRun> runs);
+
+/// A study as JSON: what comparison_json writes, per run also swept{key: value}, fastest (of its curve,
+/// within the bound), limiting_share{cause: share of the cycle time} as limiting_causes(), operations[] where
+/// they were asked for, and sweeps[{key, unit, values}], within_mm.
+std::string study_json(const LoadedProgram& program, const Study& study);
+/// A study as CSV: the columns of comparison_csv, then setting_KEY for every sweep, within_bound (0, 1, empty
+/// without a bound), fastest (0, 1), limiting_cause, limiting_share; where operations were asked for also
+/// operation, operation_line, cutting_length_mm: every run has a row of its own, in which these are empty,
+/// and one for each operation, in which cycle_time_s, mean_feed_mm_min, max_contour_error_mm and limiting_
+/// are those of the operation and the other figures are empty.
+std::string study_csv(const Study& study);
 
 /// What `check` found as JSON: program{file, lines, blocks, segments, arcs, dwells, path_mm, rapid_mm,
 /// dwell_s, feed_mm_min{min, max}, bounds} and diagnostics as in simulation_json.

@@ -91,6 +91,18 @@ Json peaks(const Summary& summary) {
   return {{"feed_mm_min", finite(units::to_mm_min(summary.peak_feed))}, {"axes", axes}};
 }
 
+/// Null for a run that leaves the programmed path nowhere.
+Json contour_place(const Summary& summary) {
+  if (!(summary.max_contour_error > 0)) {
+    return nullptr;
+  }
+  const ContourPlace& place = summary.worst_place;
+  return {{"line", place.line},
+          {"time_s", finite(place.time)},
+          {"position_mm", vector(place.position)},
+          {"side_mm", finite(place.side)}};
+}
+
 /// `seconds` by cause_index(); those without time are left out.
 Json by_cause(const std::vector<double>& seconds) {
   Json times = Json::object();
@@ -113,6 +125,7 @@ Json run_facts(const Machine& machine, const ModelInfo& model, const Settings& s
           {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
           {"max_contour_error_mm", finite(summary.max_contour_error)},
           {"max_corner_distance_mm", finite(summary.max_corner_distance)},
+          {"max_contour_error_at", contour_place(summary)},
           {"peaks", peaks(summary)},
           {"time_by_cause_s", by_cause(summary.time_by_cause)},
           {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)}};
@@ -142,21 +155,86 @@ std::string simulation_json(const Report& report) {
   return text_of(json);
 }
 
+namespace {
+
+Json run_json(const ComparedRun& run) {
+  Json json = run_facts(run.setup.machine, run.setup.model->info(), run.setup.settings, run.summary);
+  json["against_cam"] = finite(run.against_cam());
+  json["path_mm"] = finite(run.path_length);
+  json["blends"] = run.blends;
+  json["limits"] = {{"axes", axis_limits(run.setup.machine)}};
+  json["elapsed"] = {{"simulate_s", run.simulate_time}};
+  return json;
+}
+
+Json with_runs(const LoadedProgram& program, Json runs) {
+  return {{"program", program_facts(*program.program, *program.toolpath)},
+          {"runs", std::move(runs)},
+          {"diagnostics", diagnostics(*program.program)},
+          {"elapsed", {{"read_s", program.read_time}}}};
+}
+
+Json operations_json(const Study& study, const StudyRun& run) {
+  Json list = Json::array();
+  for (std::size_t i = 0; i < run.operations.size(); ++i) {
+    const OperationFigures& figures = run.operations[i];
+    list.push_back({{"title", study.operations[i].title},
+                    {"line", study.operations[i].line},
+                    {"time_s", finite(figures.time)},
+                    {"cutting_length_mm", finite(figures.cutting_length)},
+                    {"mean_feed_mm_min", finite(units::to_mm_min(figures.mean_feed()))},
+                    {"max_contour_error_mm", finite(figures.contour_error)},
+                    {"limiting_cause", cause_key(figures.cause)},
+                    {"limiting_time_s", finite(figures.cause_time)}});
+  }
+  return list;
+}
+
+Json limits_json(const StudyRun& run) {
+  Json causes = Json::object();
+  for (const CauseShare& cause : limiting_causes(run.summary)) {
+    causes[cause_key(cause.cause)] = finite(cause.share);
+  }
+  return causes;
+}
+
+}  // namespace
+
 std::string comparison_json(const LoadedProgram& program, std::span<const ComparedRun> runs) {
   Json list = Json::array();
   for (const ComparedRun& run : runs) {
-    Json json = run_facts(run.setup.machine, run.setup.model->info(), run.setup.settings, run.summary);
-    json["against_cam"] = finite(run.against_cam());
-    json["path_mm"] = finite(run.path_length);
-    json["blends"] = run.blends;
-    json["limits"] = {{"axes", axis_limits(run.setup.machine)}};
-    json["elapsed"] = {{"simulate_s", run.simulate_time}};
-    list.push_back(std::move(json));
+    list.push_back(run_json(run));
   }
-  return text_of({{"program", program_facts(*program.program, *program.toolpath)},
-                  {"runs", std::move(list)},
-                  {"diagnostics", diagnostics(*program.program)},
-                  {"elapsed", {{"read_s", program.read_time}}}});
+  return text_of(with_runs(program, std::move(list)));
+}
+
+std::string study_json(const LoadedProgram& program, const Study& study) {
+  Json list = Json::array();
+  for (const auto& curve : study.curves()) {
+    const StudyRun* best = fastest(curve, study.within);
+    for (const StudyRun& run : curve) {
+      Json json = run_json(run);
+      Json swept = Json::object();
+      for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
+        swept[study.sweeps[i].key] = run.swept[i];
+      }
+      json["swept"] = std::move(swept);
+      json["fastest"] = &run == best;
+      json["limiting_share"] = limits_json(run);
+      if (!study.operations.empty()) {
+        json["operations"] = operations_json(study, run);
+      }
+      list.push_back(std::move(json));
+    }
+  }
+  Json json = with_runs(program, std::move(list));
+  Json sweeps = Json::array();
+  for (const Sweep& sweep : study.sweeps) {
+    sweeps.push_back({{"key", sweep.key}, {"unit", sweep_unit(sweep.key)}, {"values", sweep.values}});
+  }
+  json["sweeps"] = std::move(sweeps);
+  json["within_mm"] = study.within ? Json(*study.within) : Json(nullptr);
+  return text_of(json);
 }
 
 std::string check_json(const Program& program, const ProgramFacts& facts) {

@@ -135,10 +135,4 @@ ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest&
   return Analysis(trajectory, request, progress).run();
 }
 
-double largest_contour_error(const Trajectory& trajectory) {
-  ContourRequest request;
-  request.places = 1;
-  return contour_errors(trajectory, request).largest;
-}
-
 }  // namespace feedscope

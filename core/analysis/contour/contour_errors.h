@@ -61,7 +61,4 @@ struct ContourErrors {
 ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest& request = {},
                              Progress* progress = nullptr);
 
-/// The largest alone [mm]: what contour_errors() says, for less.
-double largest_contour_error(const Trajectory& trajectory);
-
 }  // namespace feedscope

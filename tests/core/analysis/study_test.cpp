@@ -97,7 +97,8 @@ TEST(StudySetups, RefuseWhatNoModelKnowsAndWhatStandsTwice) {
     }
     return std::string();
   };
-  EXPECT_THAT(message(request_of({"X.jerck=1,2"}, {"essid"})), AllOf(HasSubstr("X.jerck"), HasSubstr("X.jerk")));
+  EXPECT_THAT(message(request_of({"X.jerck=1,2"}, {"essid"})),
+              AllOf(HasSubstr("X.jerck"), HasSubstr("X.jerk")));
   EXPECT_THAT(message(request_of({"tolerance=1,2"}, {"cam"})), HasSubstr("none of the models cam"));
   EXPECT_THAT(message(request_of({"alpha=1,2", "alpha=3"}, {"essid"})), HasSubstr("swept twice"));
   EXPECT_THAT(message(request_of({"tolerance=0.1,20"}, {"essid"})), HasSubstr("10"));
@@ -107,7 +108,8 @@ TEST(StudySetups, RefuseWhatNoModelKnowsAndWhatStandsTwice) {
   StudyRequest given = request_of({"tolerance=0.1,0.2"}, {"essid"});
   given.tolerances = {0.1};
   EXPECT_THAT(message(given), HasSubstr("leave --tolerance out"));
-  EXPECT_THAT(message(request_of({"alpha=1:3:lin1000", "beta=0.1:1:lin1000"}, {"essid"})), HasSubstr("10000"));
+  EXPECT_THAT(message(request_of({"alpha=1:3:lin1000", "beta=0.1:1:lin1000"}, {"essid"})),
+              HasSubstr("10000"));
 }
 
 TEST(Study, FindsTheFastestWithinABound) {
@@ -144,8 +146,8 @@ TEST(Study, CausesAddUpToTheCycleTime) {
 TEST(Study, IsStoppedByItsProgress) {
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(
-      run_study(program_of("G1 X20 F3000\n"), request_of({"X.jerk=5,50"}, {"essid"}), &progress), Cancelled);
+  EXPECT_THROW(run_study(program_of("G1 X20 F3000\n"), request_of({"X.jerk=5,50"}, {"essid"}), &progress),
+               Cancelled);
 }
 
 std::vector<std::string> titles(const std::vector<Operation>& operations) {
@@ -157,8 +159,8 @@ std::vector<std::string> titles(const std::vector<Operation>& operations) {
 }
 
 TEST(Operations, OfToolsBeginWhereTheToolComesIn) {
-  const LoadedProgram program = program_of(
-      "G0 X1\nT1 M6\nT2\nG1 X10 F500\nX20\nM6 (T7)\nG1 Y10\nT1\nY20\nM6\nG1 X0\n");
+  const LoadedProgram program =
+      program_of("G0 X1\nT1 M6\nT2\nG1 X10 F500\nX20\nM6 (T7)\nG1 Y10\nT1\nY20\nM6\nG1 X0\n");
   const auto operations = split_operations(program, OperationSplit::tool);
   EXPECT_THAT(titles(operations), ElementsAre("start", "tool 1", "tool 2", "tool 1"));
   EXPECT_EQ(operations[1].line, 4u);
@@ -170,14 +172,16 @@ TEST(Operations, OfToolsWithoutM6BeginWhereTheyAreAskedFor) {
   EXPECT_THAT(titles(split_operations(program_of("T1\nG1 X1 F100\nT2\nX2\n"), OperationSplit::tool)),
               ElementsAre("tool 1", "tool 2"));
   const auto heidenhain = load_program(std::make_shared<const SourceText>(
-      "part.h", "0 BEGIN PGM A MM\n1 TOOL CALL 5 Z S1000\n2 L X+10 R0 F500\n3 TOOL CALL 6 Z S1000\n"
-                "4 L X+20\n5 END PGM A MM\n"));
+      "part.h",
+      "0 BEGIN PGM A MM\n1 TOOL CALL 5 Z S1000\n2 L X+10 R0 F500\n3 TOOL CALL 6 Z S1000\n"
+      "4 L X+20\n5 END PGM A MM\n"));
   EXPECT_THAT(titles(split_operations(heidenhain, OperationSplit::tool)), ElementsAre("tool 5", "tool 6"));
 }
 
 TEST(Operations, OfCommentsHaveTheirLastHeading) {
   const LoadedProgram program = program_of(
-      "(part 7)\n(by post 3)\nG21\nN10 (----)\nN20 (rough pocket)\nN30 (TOOL 1)\nN40 G1 X10 F500 (no heading)\n"
+      "(part 7)\n(by post 3)\nG21\nN10 (----)\nN20 (rough pocket)\nN30 (TOOL 1)\nN40 G1 X10 F500 (no "
+      "heading)\n"
       "X20\n(finish)\nY10\nY20\n");
   const auto operations = split_operations(program, OperationSplit::comment);
   EXPECT_THAT(titles(operations), ElementsAre("rough pocket", "finish"));
@@ -201,8 +205,8 @@ TEST(Operations, KnowTheHeadingsOfTheDialects) {
 }
 
 TEST(Operations, AddUpToTheRun) {
-  const LoadedProgram program = program_of(
-      "G0 Z5\n(one)\nG1 X20 F3000\nY20\nX0\n(two)\nG0 Z9\nG1 X9 Y9 F6000\nX0 Y0\nG4 P1\n");
+  const LoadedProgram program =
+      program_of("G0 Z5\n(one)\nG1 X20 F3000\nY20\nX0\n(two)\nG0 Z9\nG1 X9 Y9 F6000\nX0 Y0\nG4 P1\n");
   StudyRequest request = request_of({"tolerance=0.05,0.1"}, {"essid", "ward", "msaddek"});
   request.split = OperationSplit::comment;
   const Study study = run_study(program, request);

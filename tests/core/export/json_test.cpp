@@ -38,6 +38,7 @@ struct Sample {
     summary.mean_feed = 0.5;
     summary.max_contour_error = 0.08;
     summary.max_corner_distance = 0.11;
+    summary.worst_place = {0.08, -0.05, 0.5, 7, 4, {1, 2, 3}, {1, 2, 2.92}};
     summary.peak_feed = 1;
     summary.axes[1] = {2, 3000, 4000};
     summary.time_by_cause.assign(all_causes().size(), 0);
@@ -63,6 +64,7 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
     "mean_feed_mm_min": 30.0,
     "max_contour_error_mm": 0.08,
     "max_corner_distance_mm": 0.11,
+    "max_contour_error_at": {"line": 4, "time_s": 0.5, "position_mm": [1.0, 2.0, 3.0], "side_mm": -0.05},
     "peaks": {"feed_mm_min": 60.0,
               "axes": {"X": {"velocity_mm_min": 0.0, "acceleration_m_s2": 0.0, "jerk_m_s3": 0.0},
                        "Y": {"velocity_mm_min": 120.0, "acceleration_m_s2": 3.0, "jerk_m_s3": 4.0},

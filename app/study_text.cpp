@@ -1,0 +1,175 @@
+#include "app/study_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/print.h"
+#include "core/base/clock_text.h"
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+std::string value_text(const Sweep& sweep, double value) {
+  const std::string unit = sweep_unit(sweep.key);
+  return unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, unit);
+}
+
+std::string setting_text(const Study& study, const StudyRun& run) {
+  std::vector<std::string> parts;
+  for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
+    parts.push_back(fmt::format("{} {}", study.sweeps[i].key, value_text(study.sweeps[i], run.swept[i])));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+/// "essid on Spinner MVC 850, X.jerk 20 m/s3": what the runs of a curve have in common.
+std::string curve_title(const Study& study, const StudyRun& run) {
+  std::string title = fmt::format("{} on {}", run.setup.model->info().id, run.setup.machine.name);
+  const bool sweeps_tolerance =
+      std::ranges::any_of(study.sweeps, [](const Sweep& sweep) { return sweep.key == "tolerance"; });
+  if (const auto tolerance = contour_tolerance(run.setup); tolerance && !sweeps_tolerance) {
+    title += fmt::format(", tolerance {} mm", *tolerance);
+  }
+  for (std::size_t i = 1; i < study.sweeps.size(); ++i) {
+    title += fmt::format(", {} {}", study.sweeps[i].key, value_text(study.sweeps[i], run.swept[i]));
+  }
+  return title;
+}
+
+std::string share_text(const CauseShare& cause) {
+  return fmt::format("{:.0f} % {}", 100 * cause.share, cause_title(cause.cause));
+}
+
+std::string main_causes(const StudyRun& run) {
+  constexpr std::size_t most = 3;
+  constexpr double shown = 0.05;
+  std::vector<std::string> parts;
+  for (const CauseShare& cause : limiting_causes(run.summary)) {
+    if (parts.size() == most || (!parts.empty() && cause.share < shown)) {
+      break;
+    }
+    parts.push_back(share_text(cause));
+  }
+  return parts.empty() ? "nothing" : fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string curve_table(const Study& study, std::span<const StudyRun> curve, const StudyRun* best) {
+  TextTable table;
+  const Sweep& sweep = study.sweeps.front();
+  const std::string unit = sweep_unit(sweep.key);
+  table.add({"", sweep.key, "cycle time", "h:mm:ss", "mean feed", "contour error", "limited most by"});
+  table.add({"", unit.empty() ? "" : fmt::format("[{}]", unit), "[s]", "", "[mm/min]", "[mm]", ""});
+  for (const StudyRun& run : curve) {
+    const Summary& summary = run.summary;
+    const std::vector<CauseShare> causes = limiting_causes(summary);
+    table.add({&run == best ? "*" : "", fmt::format("{}", run.swept.front()),
+               fmt::format("{:.3f}", summary.cycle_time), clock_text(summary.cycle_time),
+               fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
+               fmt::format("{:.4f}", summary.max_contour_error),
+               causes.empty() ? "" : share_text(causes.front())});
+  }
+  return table.text("lrrrrrl");
+}
+
+const StudyRun& least_error(std::span<const StudyRun> runs) {
+  return *std::ranges::min_element(runs, {},
+                                   [](const StudyRun& run) { return run.summary.max_contour_error; });
+}
+
+std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
+  const StudyRun* best = fastest(runs, study.within);
+  if (best == nullptr) {
+    const StudyRun& least = least_error(runs);
+    return fmt::format("No setting keeps a contour error of {} mm; the least is {:.4f} mm at {}.",
+                       *study.within, least.summary.max_contour_error, setting_text(study, least));
+  }
+  const Summary& summary = best->summary;
+  std::string where;
+  if (summary.max_contour_error > 0) {
+    where = fmt::format(" (line {}, at {:.3f} s)", summary.worst_place.line, summary.worst_place.time);
+  }
+  return fmt::format("Fastest{}: {} with {}, contour error {:.4f} mm{}.",
+                     study.within ? fmt::format(" within {} mm", *study.within) : "",
+                     setting_text(study, *best), time_text(summary.cycle_time), summary.max_contour_error,
+                     where);
+}
+
+std::string ends_text(const Study& study, std::span<const StudyRun> curve) {
+  const Sweep& sweep = study.sweeps.front();
+  std::string text = fmt::format("At {} {} the time is due to {}", sweep.key,
+                                 value_text(sweep, curve.front().swept.front()), main_causes(curve.front()));
+  if (curve.size() > 1) {
+    text += fmt::format("; at {} to {}", value_text(sweep, curve.back().swept.front()),
+                        main_causes(curve.back()));
+  }
+  return text + ".";
+}
+
+}  // namespace
+
+std::string operations_text(const Study& study, const StudyRun& run) {
+  TextTable table;
+  table.add(
+      {"line", "operation", "time", "share", "cutting", "mean feed", "contour error", "limited most by"});
+  table.add({"", "", "[s]", "[%]", "[mm]", "[mm/min]", "[mm]", ""});
+  constexpr std::size_t longest_title = 40;
+  for (std::size_t i = 0; i < run.operations.size(); ++i) {
+    const OperationFigures& figures = run.operations[i];
+    const std::string& title = study.operations[i].title;
+    table.add({fmt::format("{}", study.operations[i].line),
+               title.size() > longest_title ? title.substr(0, longest_title - 3) + "..." : title,
+               fmt::format("{:.3f}", figures.time),
+               fmt::format("{:.0f}", 100 * figures.time / std::max(run.summary.cycle_time, 1e-12)),
+               fmt::format("{:.1f}", figures.cutting_length),
+               fmt::format("{:.1f}", units::to_mm_min(figures.mean_feed())),
+               fmt::format("{:.4f}", figures.contour_error),
+               figures.time > 0 ? share_text({figures.cause, figures.cause_time / figures.time}) : ""});
+  }
+  return table.text("rlrrrrrl");
+}
+
+std::string fastest_text(const Study& study) {
+  const StudyRun* best = fastest(study.runs, study.within);
+  if (best == nullptr) {
+    const StudyRun& least = least_error(study.runs);
+    return fmt::format("No run keeps a contour error of {} mm; the least is {:.4f} mm: {}.\n", *study.within,
+                       least.summary.max_contour_error, curve_title(study, least));
+  }
+  return fmt::format("Fastest within {} mm: {}, {}.\n", *study.within, curve_title(study, *best),
+                     time_text(best->summary.cycle_time));
+}
+
+std::string study_text(const LoadedProgram& program, const Study& study,
+                       const std::vector<std::string>& assignments) {
+  std::string text =
+      fmt::format("{}, path {:.3f} mm", program.program->source->name(), program.toolpath->length());
+  if (!assignments.empty()) {
+    text += fmt::format(", with {}", fmt::join(assignments, " "));
+  }
+  text += "\n";
+  const auto curves = study.curves();
+  for (const auto& curve : curves) {
+    const StudyRun* best = fastest(curve, study.within);
+    text +=
+        fmt::format("\n{}\n{}{}\n{}\n", curve_title(study, curve.front()), curve_table(study, curve, best),
+                    wrapped(optimum_text(study, curve), 0), wrapped(ends_text(study, curve), 0));
+    if (!study.operations.empty()) {
+      const StudyRun& shown = best != nullptr ? *best : least_error(curve);
+      text +=
+          fmt::format("\nOperations at {}\n{}", setting_text(study, shown), operations_text(study, shown));
+    }
+  }
+  if (curves.size() > 1) {
+    const StudyRun* best = fastest(study.runs, study.within);
+    text += best == nullptr ? fmt::format("\n{}\n", optimum_text(study, study.runs))
+                            : fmt::format("\nOf all: {}. {}\n", curve_title(study, *best),
+                                          optimum_text(study, study.runs));
+  }
+  return text;
+}
+
+}  // namespace feedscope

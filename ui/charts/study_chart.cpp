@@ -1,0 +1,350 @@
+#include "ui/charts/study_chart.h"
+
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "ui/charts/chart_colors.h"
+#include "ui/scene/ticks.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr int text_size = 12;
+constexpr int title_size = 15;
+constexpr double margin = 14;
+constexpr double tick_room = 58;
+constexpr double gap = 26;
+constexpr double marker = 4.5;
+constexpr double near_marker = 9;
+constexpr double micrometres = 1000;
+
+/// Okabe and Ito's hues that stand out on white.
+constexpr std::array<QColor, 7> curve_colors{
+    QColor(0x00, 0x72, 0xb2), QColor(0xd5, 0x5e, 0x00), QColor(0x00, 0x9e, 0x73), QColor(0xcc, 0x79, 0xa7),
+    QColor(0xb0, 0x83, 0x00), QColor(0x3a, 0x95, 0xc8), QColor(0x00, 0x00, 0x00)};
+
+QFont sized(QFont font, int pixels, bool bold = false) {
+  font.setPixelSize(pixels);
+  font.setBold(bold);
+  return font;
+}
+
+/// Round, square, triangle, diamond: told apart without colour.
+QPainterPath marker_shape(std::size_t curve, const QPointF& at, double radius) {
+  QPainterPath path;
+  switch (curve % 4) {
+    case 0:
+      path.addEllipse(at, radius, radius);
+      break;
+    case 1:
+      path.addRect(
+          QRectF(at.x() - radius, at.y() - radius, 2 * radius, 2 * radius).adjusted(0.5, 0.5, -0.5, -0.5));
+      break;
+    case 2:
+      path.addPolygon(QPolygonF({at + QPointF(0, -radius * 1.2), at + QPointF(radius * 1.1, radius * 0.8),
+                                 at + QPointF(-radius * 1.1, radius * 0.8)}));
+      path.closeSubpath();
+      break;
+    default:
+      path.addPolygon(QPolygonF({at + QPointF(0, -radius * 1.3), at + QPointF(radius * 1.3, 0),
+                                 at + QPointF(0, radius * 1.3), at + QPointF(-radius * 1.3, 0)}));
+      path.closeSubpath();
+  }
+  return path;
+}
+
+QString number(double value, int digits = 4) {
+  return QLocale().toString(value, 'g', digits);
+}
+
+/// 1, 2 and 5 times powers of ten in [from, to].
+std::vector<double> log_ticks(double from, double to) {
+  std::vector<double> ticks;
+  for (double tick = round_up_125(from * (1 - 1e-9)); tick <= to * (1 + 1e-9);
+       tick = round_up_125(tick * 1.01)) {
+    ticks.push_back(tick);
+  }
+  return ticks;
+}
+
+}  // namespace
+
+StudyCurves study_curves(const Study& study) {
+  StudyCurves shown;
+  shown.within = study.within;
+  if (study.sweeps.empty()) {
+    return shown;
+  }
+  const Sweep& first = study.sweeps.front();
+  shown.key = QString::fromStdString(first.key);
+  shown.unit = QString::fromStdString(sweep_unit(first.key));
+  shown.logarithmic = first.logarithmic;
+  for (const auto& runs : study.curves()) {
+    StudyCurve curve;
+    const Setup& setup = runs.front().setup;
+    curve.name = QString::fromStdString(setup.model->info().id + ", " + setup.machine.id);
+    for (std::size_t i = 1; i < study.sweeps.size(); ++i) {
+      curve.name += QStringLiteral(", %1 %2").arg(QString::fromStdString(study.sweeps[i].key),
+                                                  number(runs.front().swept[i]));
+    }
+    const StudyRun* best = fastest(runs, study.within);
+    for (const StudyRun& run : runs) {
+      if (&run == best) {
+        curve.fastest = curve.points.size();
+      }
+      curve.points.push_back({run.swept.front(), run.summary.cycle_time, run.summary.max_contour_error});
+    }
+    shown.curves.push_back(std::move(curve));
+  }
+  return shown;
+}
+
+/// Plots one above the other over one axis.
+struct StudyChart::Layout {
+  QRectF head;
+  std::vector<QRectF> legend;
+  QRectF time;
+  QRectF error;
+  double from = 0;  ///< of the setting, its logarithm where that is the axis
+  double to = 1;
+  bool logarithmic = false;
+  double most_time = 1;
+  double most_error = 1;  ///< [mm]
+
+  double x(double value) const {
+    const double at = logarithmic ? std::log(value) : value;
+    return time.left() + (to > from ? (at - from) / (to - from) : 0.5) * time.width();
+  }
+  QPointF place(const StudyPoint& point, bool is_error) const {
+    const QRectF& plot = is_error ? error : time;
+    const double share = is_error ? point.error / most_error : point.time / most_time;
+    return {x(point.value), plot.bottom() - share * plot.height()};
+  }
+};
+
+StudyChart::StudyChart(QWidget* parent) : QWidget(parent) {
+  setFont(sized(font(), text_size));
+}
+
+void StudyChart::set_study(const QString& title, const QString& details, StudyCurves study) {
+  title_ = title;
+  details_ = details;
+  study_ = std::move(study);
+  update();
+}
+
+QSize StudyChart::minimumSizeHint() const {
+  return {420, 320};
+}
+
+QSize StudyChart::sizeHint() const {
+  return {960, 640};
+}
+
+StudyChart::Layout StudyChart::lay_out() const {
+  Layout layout;
+  layout.logarithmic = study_.logarithmic;
+  const QFontMetricsF metrics(font());
+  const double line = metrics.height();
+  layout.head =
+      QRectF(margin, margin - 4, width() - 2 * margin, QFontMetricsF(sized(font(), title_size)).height());
+  double x = margin;
+  double y = layout.head.bottom() + 6;
+  for (const StudyCurve& curve : study_.curves) {
+    const double room = metrics.horizontalAdvance(curve.name) + 34;
+    if (x > margin && x + room > width() - margin) {
+      x = margin;
+      y += line + 2;
+    }
+    layout.legend.emplace_back(x, y, room, line);
+    x += room;
+  }
+  const double top = y + (study_.curves.empty() ? 0 : line) + line + 12;
+  const double bottom = height() - margin - 2 * line - 8;
+  const double room = std::max(bottom - top - line - gap, 40.0);
+  const double left = margin + tick_room;
+  layout.time = QRectF(left, top, std::max(width() - left - 2 * margin, 40.0), room * 0.5);
+  layout.error = QRectF(left, layout.time.bottom() + gap + line, layout.time.width(), room * 0.5);
+  double from = std::numeric_limits<double>::infinity();
+  double to = -from;
+  double time = 0;
+  double error = study_.within.value_or(0);
+  for (const StudyCurve& curve : study_.curves) {
+    for (const StudyPoint& point : curve.points) {
+      const double at = layout.logarithmic ? std::log(point.value) : point.value;
+      from = std::min(from, at);
+      to = std::max(to, at);
+      time = std::max(time, point.time);
+      error = std::max(error, point.error);
+    }
+  }
+  if (from <= to) {
+    const double pad = (to - from) * 0.04;
+    layout.from = from - pad;
+    layout.to = to + pad;
+  }
+  constexpr double head_room = 1.08;
+  layout.most_time = time > 0 ? time * head_room : 1;
+  layout.most_error = error > 0 ? error * head_room : 1e-3;
+  return layout;
+}
+
+void StudyChart::paintEvent(QPaintEvent*) {
+  const Layout layout = lay_out();
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.fillRect(rect(), Qt::white);
+  draw_head(painter, layout);
+  draw_plot(painter, layout, false);
+  draw_plot(painter, layout, true);
+  draw_settings_axis(painter, layout);
+}
+
+void StudyChart::draw_head(QPainter& painter, const Layout& layout) const {
+  const QFont bold = sized(font(), title_size, true);
+  painter.setFont(bold);
+  painter.setPen(text_color);
+  painter.drawText(layout.head, Qt::AlignLeft | Qt::AlignVCenter, title_);
+  const double left = layout.head.left() + QFontMetricsF(bold).horizontalAdvance(title_) + 12;
+  painter.setFont(font());
+  const QRectF rest(left, layout.head.top(), layout.head.right() - left, layout.head.height());
+  painter.drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
+                   QFontMetricsF(font()).elidedText(details_, Qt::ElideRight, rest.width()));
+  for (std::size_t i = 0; i < layout.legend.size(); ++i) {
+    const QRectF& entry = layout.legend[i];
+    const QColor color = curve_colors[i % curve_colors.size()];
+    painter.setPen(QPen(color, 2));
+    painter.drawLine(QPointF(entry.left(), entry.center().y()),
+                     QPointF(entry.left() + 18, entry.center().y()));
+    painter.fillPath(marker_shape(i, QPointF(entry.left() + 9, entry.center().y()), marker), color);
+    painter.setPen(text_color);
+    painter.drawText(entry.adjusted(23, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, study_.curves[i].name);
+  }
+}
+
+void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_error) const {
+  const QRectF& plot = is_error ? layout.error : layout.time;
+  const double most = is_error ? layout.most_error * micrometres : layout.most_time;
+  const double line = QFontMetricsF(font()).height();
+  painter.setFont(sized(font(), text_size, true));
+  painter.setPen(text_color);
+  painter.drawText(QRectF(margin, plot.top() - line - 6, plot.right() - margin, line),
+                   Qt::AlignLeft | Qt::AlignVCenter,
+                   is_error ? tr("Largest contour error [µm]") : tr("Cycle time [s]"));
+  painter.setFont(font());
+  constexpr int most_ticks = 6;
+  const Ticks ticks = round_ticks(0, most, most_ticks);
+  for (std::size_t i = 0; i < ticks.values.size(); ++i) {
+    const double y = std::round(plot.bottom() - ticks.values[i] / most * plot.height()) + 0.5;
+    painter.setPen(QPen(i == 0 ? axis_color : grid_color, 1));
+    painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+    painter.setPen(text_color);
+    painter.drawText(QRectF(margin, y - line / 2, tick_room - 8, line), Qt::AlignRight | Qt::AlignVCenter,
+                     QLocale().toString(ticks.values[i], 'f',
+                                        int(QString::fromStdString(ticks.labels[i]).section('.', 1).size())));
+  }
+  if (is_error && study_.within) {
+    const double y = plot.bottom() - *study_.within * micrometres / most * plot.height();
+    painter.setPen(QPen(text_color, 1.4, Qt::DashLine));
+    painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
+    painter.drawText(QRectF(plot.left() + 6, y - line - 2, plot.width(), line),
+                     Qt::AlignLeft | Qt::AlignVCenter,
+                     tr("bound %1 µm").arg(number(*study_.within * micrometres)));
+  }
+  for (std::size_t i = 0; i < study_.curves.size(); ++i) {
+    draw_curve(painter, layout, i, is_error);
+  }
+}
+
+void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t index, bool is_error) const {
+  const StudyCurve& curve = study_.curves[index];
+  const QColor color = curve_colors[index % curve_colors.size()];
+  QPolygonF line;
+  for (const StudyPoint& point : curve.points) {
+    line.append(layout.place(point, is_error));
+  }
+  painter.setPen(QPen(color, 1.8));
+  painter.drawPolyline(line);
+  for (const QPointF& at : line) {
+    painter.fillPath(marker_shape(index, at, marker), color);
+  }
+  if (!curve.fastest) {
+    return;
+  }
+  const StudyPoint& best = curve.points[*curve.fastest];
+  const QPointF at = layout.place(best, is_error);
+  painter.setPen(QPen(text_color, 1.8));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(at, 2 * marker, 2 * marker);
+  const QString text = is_error ? tr("%1 µm").arg(number(best.error * micrometres))
+                                : tr("%1 s at %2").arg(number(best.time, 5), number(best.value));
+  const QFontMetricsF metrics(font());
+  const double room = metrics.horizontalAdvance(text) + 4;
+  const bool to_the_left = at.x() + 3 * marker + room > layout.time.right();
+  const QRectF label(to_the_left ? at.x() - 3 * marker - room : at.x() + 3 * marker,
+                     at.y() - metrics.height() - 3, room, metrics.height());
+  painter.fillRect(label, QColor(255, 255, 255, 210));
+  painter.drawText(label, (to_the_left ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, text);
+}
+
+void StudyChart::draw_settings_axis(QPainter& painter, const Layout& layout) const {
+  const double line = QFontMetricsF(font()).height();
+  painter.setFont(font());
+  const QRectF& plot = layout.error;
+  std::vector<double> ticks;
+  if (layout.logarithmic) {
+    ticks = log_ticks(std::exp(layout.from), std::exp(layout.to));
+  } else {
+    ticks = round_ticks(layout.from, layout.to, 8).values;
+  }
+  double free = plot.left() - 40;
+  for (const double tick : ticks) {
+    const double x = std::round(layout.x(tick)) + 0.5;
+    painter.setPen(QPen(grid_color, 1));
+    painter.drawLine(QPointF(x, layout.time.top()), QPointF(x, layout.time.bottom()));
+    painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom() + 4));
+    const QString text = number(tick);
+    const double room = QFontMetricsF(font()).horizontalAdvance(text);
+    if (x - room / 2 > free) {
+      painter.setPen(text_color);
+      painter.drawText(QRectF(x - room / 2 - 2, plot.bottom() + 6, room + 4, line), Qt::AlignCenter, text);
+      free = x + room / 2 + 6;
+    }
+  }
+  painter.setPen(text_color);
+  const QString name = study_.key == QStringLiteral("tolerance") ? tr("Contour tolerance") : study_.key;
+  painter.drawText(QRectF(plot.left(), plot.bottom() + 8 + line, plot.width(), line), Qt::AlignCenter,
+                   study_.unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, study_.unit));
+}
+
+std::optional<StudyChart::Hit> StudyChart::run_at(const QPointF& place) const {
+  const Layout layout = lay_out();
+  std::optional<Hit> nearest;
+  double least = near_marker;
+  for (std::size_t c = 0; c < study_.curves.size(); ++c) {
+    for (std::size_t p = 0; p < study_.curves[c].points.size(); ++p) {
+      for (const bool is_error : {false, true}) {
+        const double distance = QLineF(layout.place(study_.curves[c].points[p], is_error), place).length();
+        if (distance <= least) {
+          least = distance;
+          nearest = Hit{c, p};
+        }
+      }
+    }
+  }
+  return nearest;
+}
+
+void StudyChart::mousePressEvent(QMouseEvent* event) {
+  if (const std::optional<Hit> hit = run_at(event->position())) {
+    emit run_clicked(hit->curve, hit->point);
+  }
+  QWidget::mousePressEvent(event);
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+#include <vector>
+
+#include "core/analysis/study/study.h"
+
+namespace feedscope::ui {
+
+/// One run of a study in a StudyChart.
+struct StudyPoint {
+  double value = 0;  ///< of the swept setting, in its unit
+  double time = 0;   ///< cycle time [s]
+  double error = 0;  ///< largest contour error [mm]
+};
+
+struct StudyCurve {
+  QString name;
+  std::vector<StudyPoint> points;
+  std::optional<std::size_t> fastest;  ///< within the bound
+};
+
+/// What a StudyChart shows.
+struct StudyCurves {
+  QString key;   ///< of the setting
+  QString unit;  ///< "" for a plain number
+  bool logarithmic = false;
+  std::optional<double> within;  ///< bound of the contour error [mm]
+  std::vector<StudyCurve> curves;
+};
+
+StudyCurves study_curves(const Study& study);
+
+/// Cycle time and, below it over the same axis, contour error against a setting; the bound as a dashed line,
+/// the fastest run of each curve within it ringed and labelled. Curves differ in colour and in marker.
+class StudyChart : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit StudyChart(QWidget* parent = nullptr);
+  void set_study(const QString& title, const QString& details, StudyCurves study);
+  const StudyCurves& study() const { return study_; }
+  /// The run whose marker is at most a few pixels away: number of its curve and of its point.
+  struct Hit {
+    std::size_t curve = 0;
+    std::size_t point = 0;
+  };
+  std::optional<Hit> run_at(const QPointF& place) const;
+  QSize minimumSizeHint() const override;
+  QSize sizeHint() const override;
+
+ signals:
+  void run_clicked(std::size_t curve, std::size_t point);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+
+ private:
+  struct Layout;
+  Layout lay_out() const;
+  void draw_head(QPainter& painter, const Layout& layout) const;
+  void draw_plot(QPainter& painter, const Layout& layout, bool is_error) const;
+  void draw_settings_axis(QPainter& painter, const Layout& layout) const;
+  void draw_curve(QPainter& painter, const Layout& layout, std::size_t index, bool is_error) const;
+
+  QString title_;
+  QString details_;
+  StudyCurves study_;
+};
+
+}  // namespace feedscope::ui
