@@ -114,7 +114,7 @@ TEST(StudySetups, RefuseWhatNoModelKnowsAndWhatStandsTwice) {
 
 TEST(Study, FindsTheFastestWithinABound) {
   const LoadedProgram program = program_of("G1 X20 F3000\nY20\nX40\nY40\n");
-  StudyRequest request = request_of({"tolerance=0.005:0.08:log5"}, {"essid"});
+  StudyRequest request = request_of({"tolerance=0.005:0.08:log5"}, {"ward"});
   request.within = 0.02;
   const Study study = run_study(program, request);
   ASSERT_EQ(study.curves().size(), 1u);
@@ -123,7 +123,7 @@ TEST(Study, FindsTheFastestWithinABound) {
     EXPECT_LT(curve[i].summary.cycle_time, curve[i - 1].summary.cycle_time);
     EXPECT_GT(curve[i].summary.max_contour_error, curve[i - 1].summary.max_contour_error);
   }
-  const StudyRun* best = fastest(curve, study.within);  // right angles: 0.8 rho cos 45, or 0.6 rho
+  const StudyRun* best = fastest(curve, study.within);
   ASSERT_NE(best, nullptr);
   EXPECT_LE(best->summary.max_contour_error, 0.02);
   EXPECT_GT((best + 1)->summary.max_contour_error, 0.02);
