@@ -200,9 +200,9 @@ void StudyChart::paintEvent(QPaintEvent*) {
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), Qt::white);
   draw_head(painter, layout);
+  draw_settings_axis(painter, layout);
   draw_plot(painter, layout, false);
   draw_plot(painter, layout, true);
-  draw_settings_axis(painter, layout);
 }
 
 void StudyChart::draw_head(QPainter& painter, const Layout& layout) const {
@@ -286,8 +286,9 @@ void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t
   const QFontMetricsF metrics(font());
   const double room = metrics.horizontalAdvance(text) + 4;
   const bool to_the_left = at.x() + 3 * marker + room > layout.time.right();
-  const QRectF label(to_the_left ? at.x() - 3 * marker - room : at.x() + 3 * marker,
-                     at.y() - metrics.height() - 3, room, metrics.height());
+  const double top = is_error ? at.y() + 2 * marker + 2 : at.y() - metrics.height() - 3;  // off the curve
+  const QRectF label(to_the_left ? at.x() - 3 * marker - room : at.x() + 3 * marker, top, room,
+                     metrics.height());
   painter.fillRect(label, QColor(255, 255, 255, 210));
   painter.drawText(label, (to_the_left ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, text);
 }
