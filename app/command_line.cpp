@@ -101,6 +101,7 @@ int run_checked(int argc, char** argv) {
                                 add_models_command(app),   add_lessons_command(app)};
 #ifdef FEEDSCOPE_WITH_UI
   commands.push_back(add_render_command(app));
+  commands.push_back(add_report_command(app));
   commands.push_back(add_window_command(app));
   app.require_subcommand(0, 1);
 #else

@@ -1,12 +1,32 @@
 #pragma once
 
+#include <map>
+#include <optional>
 #include <string>
+
+#include <QSizeF>
 
 #include "ui/scene/picture.h"
 
 namespace feedscope {
 
+/// Views of --camera.
+inline const std::map<std::string, ui::StandardView> camera_views{{"iso", ui::StandardView::iso},
+                                                                  {"top", ui::StandardView::top},
+                                                                  {"front", ui::StandardView::front},
+                                                                  {"right", ui::StandardView::right}};
+
 /// Reads a --size, "800x600". Throws InputError if it is none or a side is out of bounds.
 ui::PictureSize parse_picture_size(const std::string& text);
+
+/// A --size that may be a sheet of paper.
+struct PageSize {
+  ui::PictureSize pixels;
+  std::optional<QSizeF> paper;  ///< [mm]; none: pixels were asked for
+};
+
+/// Reads "800x600", or a sheet: "A4" lying, "A4-portrait" upright; A2 to A6, Letter. `dpi`: pixels an inch of
+/// sheets. Throws InputError if it is none or a side is out of bounds.
+PageSize parse_page_size(const std::string& text, double dpi);
 
 }  // namespace feedscope

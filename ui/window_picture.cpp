@@ -1,58 +1,24 @@
 #include "ui/window_picture.h"
 
 #include <QApplication>
-#include <QFont>
 #include <QImage>
-#include <QLabel>
 #include <QLocale>
 #include <QStringList>
-#include <QVBoxLayout>
 #include <algorithm>
-#include <cstdio>
-#include <memory>
 #include <vector>
 
 #include "core/base/error.h"
 #include "ui/charts/comparison_chart.h"
 #include "ui/charts/study_chart.h"
-#include "ui/language/core_texts.h"
 #include "ui/main_window.h"
-#include "ui/theme/theme.h"
+#include "ui/report/charts_page.h"
+#include "ui/theme/offscreen_application.h"
 
 namespace feedscope::ui {
 
 namespace {
 
 constexpr int comparison_width = 1280;
-
-void print_only_failures(QtMsgType type, const QMessageLogContext&, const QString& message) {
-  if (type == QtCriticalMsg || type == QtFatalMsg) {
-    std::fprintf(stderr, "%s\n", qUtf8Printable(message));
-  }
-}
-
-/// A QApplication without display, unless the process has one.
-class OffscreenApplication {
- public:
-  explicit OffscreenApplication(ThemeKind theme = ThemeKind::light) {
-    QLocale::setDefault(QLocale::c());
-    if (QApplication::instance() == nullptr) {
-      qputenv("QT_QPA_PLATFORM", "offscreen");
-      qInstallMessageHandler(print_only_failures);  // the platform warns of what pictures do not need
-      application_ = std::make_unique<QApplication>(count_, arguments_);
-    }
-    apply_theme(theme);
-    QFont font = QApplication::font();
-    font.setFamily(QStringLiteral("DejaVu Sans"));  // in every package list, as the system's font is not
-    QApplication::setFont(font);
-  }
-
- private:
-  int count_ = 1;
-  char name_[10] = "feedscope";
-  char* arguments_[2] = {name_, nullptr};
-  std::unique_ptr<QApplication> application_;
-};
 
 void check_size(PictureSize size, const QSize& least) {
   if (size.width < least.width() || size.height < least.height()) {
@@ -101,18 +67,6 @@ Picture grab(QWidget& widget, PictureSize size) {
   return picture;
 }
 
-QString file_name(const Program& program) {
-  return QString::fromStdString(program.source->name()).section('/', -1);
-}
-
-QString title_of(const Run& run) {
-  const QString file = file_name(*run.input.program);
-  const QString time = QLocale().toString(run.trajectory->duration(), 'f', 3);
-  return MainWindow::tr("<b>%1</b> &nbsp; %2 · %3 · %4 s")
-      .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
-           core_text(run.setup.model->info().title).toHtmlEscaped(), time);
-}
-
 QString comparison_details(const LoadedProgram& program, const std::vector<std::string>& assignments) {
   const QString length = QLocale().toString(program.toolpath->length(), 'f', 3);
   const QString path = ComparisonChart::tr("path length %1 mm").arg(length);
@@ -126,7 +80,7 @@ QString comparison_details(const LoadedProgram& program, const std::vector<std::
 }  // namespace
 
 Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
-  const OffscreenApplication application(look.theme);
+  const OffscreenApplication application(look.theme, look.pixel_ratio);
   Workbench model(shipped_machines(), run.setup);
   model.show(run);
   MainWindow window(model, RenderBackend::software);
@@ -148,25 +102,9 @@ Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
 
 Picture draw_charts(const Run& run, PictureSize size) {
   const OffscreenApplication application;
-  QWidget page;
-  Cursor cursor;
-  auto* title = new QLabel(title_of(run), &page);
-  title->setContentsMargins(8, 6, 8, 2);
-  title->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  auto* charts = new ChartsPanel(cursor, &page);
-  charts->hide_controls();
-  auto* layout = new QVBoxLayout(&page);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(title);
-  layout->addWidget(charts, 1);
-  charts->set_limits(run.setup.machine.axes);
-  charts->set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory), false);
-  page.setAttribute(Qt::WA_DontShowOnScreen);
-  page.resize(size.width, size.height);
-  page.show();
-  QApplication::processEvents();
-  charts->refresh();
+  ChartsPage page;
+  page.set_run(run);
+  page.prepare({size.width, size.height});
   return grab(page, size);
 }
 
@@ -193,7 +131,7 @@ Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRu
                         const std::vector<std::string>& assignments, std::optional<PictureSize> wanted) {
   const OffscreenApplication application;
   ComparisonChart chart;
-  chart.set_comparison(file_name(*program.program), comparison_details(program, assignments),
+  chart.set_comparison(program_file_name(*program.program), comparison_details(program, assignments),
                        comparison_bars(runs));
   chart.ensurePolished();
   const int natural = natural_comparison_height(chart.bars(), comparison_width, chart.font());

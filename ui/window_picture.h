@@ -26,6 +26,7 @@ class Workbench;
 struct WindowLook {
   StandardView view = StandardView::iso;  ///< of the 3D view
   ThemeKind theme = ThemeKind::light;
+  double pixel_ratio = 1;  ///< pixels to a unit of the size
   /// What a user would do before looking; the picture waits for the simulations that follow.
   std::function<void(MainWindow&, Workbench&)> prepare = {};
 };

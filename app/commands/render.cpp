@@ -1,6 +1,10 @@
-#include <functional>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "app/commands/command.h"
@@ -8,89 +12,216 @@
 #include "app/output_file.h"
 #include "app/picture_size.h"
 #include "app/print.h"
-#include "app/run_options.h"
-#include "app/watch.h"
-#include "ui/scene/picture.h"
+#include "app/several_runs.h"
+#include "core/base/error.h"
+#include "ui/report/pictures.h"
+#include "ui/theme/offscreen_application.h"
 #include "ui/window_picture.h"
 
 namespace feedscope {
 namespace {
 
-const std::map<std::string, ui::StandardView> cameras{{"iso", ui::StandardView::iso},
-                                                      {"top", ui::StandardView::top},
-                                                      {"front", ui::StandardView::front},
-                                                      {"right", ui::StandardView::right}};
+enum class View { scene, charts, window, sheet };
 
 struct RenderOptions {
-  RunOptions run;
+  SeveralRunsOptions runs;
   std::string view = "3d";
-  std::string size = "1280x960";
+  std::string size;  ///< as typed
+  std::optional<double> dpi;
+  double scale = 1;
   std::string camera = "iso";
   std::string theme = "light";
+  std::string format;
+  bool transparent = false;
+  std::string title;
   std::string out;
 };
 
+const std::map<std::string, View> views{
+    {"3d", View::scene}, {"charts", View::charts}, {"window", View::window}, {"sheet", View::sheet}};
 const std::map<std::string, ui::ThemeKind> themes{{"light", ui::ThemeKind::light},
                                                   {"dark", ui::ThemeKind::dark}};
+const std::map<std::string, ui::PictureFormat> formats{
+    {"png", ui::PictureFormat::png}, {"svg", ui::PictureFormat::svg}, {"pdf", ui::PictureFormat::pdf}};
 
-using Draw = std::function<ui::Picture(const Run&, ui::PictureSize, const ui::WindowLook&)>;
+constexpr double default_dpi = 300;
+constexpr double units_per_inch = 96;
 
-const std::map<std::string, Draw> views{
-    {"3d", [](const Run& run, ui::PictureSize size,
-              const ui::WindowLook& look) { return ui::draw_run(run, size, look.view); }},
-    {"charts",
-     [](const Run& run, ui::PictureSize size, const ui::WindowLook&) { return ui::draw_charts(run, size); }},
-    {"window", [](const Run& run, ui::PictureSize size, const ui::WindowLook& look) {
-       return ui::draw_window(run, size, look);
-     }}};
+/// By --format, else the ending of --out; a name without any becomes a PNG picture.
+ui::PictureFormat format_of(const RenderOptions& options) {
+  std::string ending = options.format;
+  if (ending.empty()) {
+    ending = std::filesystem::path(options.out).extension().string();
+    ending = ending.empty() ? "png" : ending.substr(1);
+    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  }
+  const auto found = formats.find(ending);
+  if (found == formats.end()) {
+    throw InputError(
+        fmt::format("--out '{}' ends in no format that can be written; there are .png, .svg and "
+                    ".pdf, or add --format",
+                    options.out));
+  }
+  return found->second;
+}
+
+ui::PictureRequest request_of(const RenderOptions& options) {
+  const ui::PictureFormat format = format_of(options);
+  const bool sheet = views.at(options.view) == View::sheet;
+  const std::string size = !options.size.empty() ? options.size : sheet ? "A4" : "1280x960";
+  const double dpi = options.dpi.value_or(default_dpi);
+  const PageSize page = parse_page_size(size, dpi);
+  const bool by_dots = page.paper.has_value() || format != ui::PictureFormat::png;
+  if (options.dpi && !by_dots) {
+    throw InputError(
+        fmt::format("--dpi says nothing about {} pixels; give --size as a sheet (A4, A3-portrait, "
+                    "Letter) or write .svg or .pdf",
+                    size));
+  }
+  ui::PictureRequest request;
+  request.format = format;
+  request.paper = page.paper;
+  request.theme = themes.at(options.theme);
+  request.transparent = options.transparent;
+  const double pixels_a_unit = page.paper ? options.scale * dpi / units_per_inch : options.scale;
+  request.size = QSizeF(page.pixels.width, page.pixels.height) / pixels_a_unit;
+  request.pixel_ratio =
+      page.paper || format == ui::PictureFormat::png ? pixels_a_unit : options.scale * dpi / units_per_inch;
+  return request;
+}
+
+void check_runs(const RenderOptions& options, const std::vector<AskedRun>& runs) {
+  if (views.at(options.view) == View::window && runs.size() > 1) {
+    throw InputError(
+        fmt::format("--view window shows one run, and {} were asked for; give one machine, model and "
+                    "tolerance, or take --view sheet",
+                    runs.size()));
+  }
+  if (views.at(options.view) == View::window && options.transparent) {
+    throw InputError(
+        "--transparent: the window has no transparent background; take --view 3d, charts or sheet");
+  }
+}
+
+std::string window_file(const ui::ReportInput& input, const RenderOptions& options,
+                        const ui::PictureRequest& request) {
+  ui::WindowLook look{camera_views.at(options.camera), request.theme};
+  look.pixel_ratio = request.pixel_ratio;
+  const QSize size = request.size.toSize();
+  const ui::Picture picture = ui::draw_window(input.run().shown->run, {size.width(), size.height()}, look);
+  if (request.format == ui::PictureFormat::png && !request.paper) {
+    return ui::to_png(picture);
+  }
+  const ui::OffscreenApplication application(request.theme);
+  const QImage image(picture.rgb.data(), picture.size.width, picture.size.height, 3 * picture.size.width,
+                     QImage::Format_RGB888);
+  return ui::image_file(image, request, input.heading());
+}
+
+std::string picture_file(const ui::ReportInput& input, const RenderOptions& options,
+                         const ui::PictureRequest& request) {
+  const View view = views.at(options.view);
+  if (view == View::window) {
+    return window_file(input, options, request);
+  }
+  const ui::OffscreenApplication application(request.theme);
+  return view == View::scene    ? ui::scene_file(input, request)
+         : view == View::charts ? ui::charts_file(input, request)
+                                : ui::sheet_file(input, request);
+}
+
+/// The command as the foot of a sheet names it.
+QString command_of(const RenderOptions& options) {
+  std::string text = fmt::format("feedscope render {} --view {}", options_text(options.runs), options.view);
+  const auto add = [&](const char* name, const std::string& value) {
+    text += value.empty() ? "" : fmt::format(" {} {}", name, quoted(value));
+  };
+  add("--size", options.size);
+  add("--title", options.title);
+  add("--camera", options.camera == "iso" ? "" : options.camera);
+  return QString::fromStdString(text);
+}
+
+void note_unused_tolerances(const RenderOptions& options, const std::vector<AskedRun>& runs) {
+  for (const AskedRun& run : runs) {
+    if (!options.runs.tolerances.empty() && !contour_tolerance(run.setup)) {
+      fmt::print(stderr, "feedscope: note: model '{}' does not read a contour tolerance\n",
+                 run.setup.model->info().id);
+    }
+  }
+}
 
 int render(const RenderOptions& options) {
-  const ui::PictureSize size = parse_picture_size(options.size);
-  const Setup setup = make_setup(options.run.request());
-  note_unused_tolerance(options.run, setup);
-  check_outputs(options.run.file, {options.out});
-  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.run.file));
+  const ui::PictureRequest request = request_of(options);
+  const std::vector<AskedRun> runs = asked_runs(options.runs);
+  check_runs(options, runs);
+  note_unused_tolerances(options, runs);
+  check_outputs(options.runs.file, {options.out});
+  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
   OutputFile out(options.out);
-  Run run;
+  ui::ReportInput input;
   {
     Watch watch;
-    const LoadedProgram program = load_program(source, watch.stage("reading"), options.run.reading());
-    run = simulate_run(program, setup, watch.stage("simulating"));
+    input = simulate_runs(options.runs, runs, source, watch);
   }
-  out.stream() << ui::to_png(
-      views.at(options.view)(run, size, {cameras.at(options.camera), themes.at(options.theme)}));
+  input.scene.view = camera_views.at(options.camera);
+  input.title = QString::fromStdString(options.title);
+  input.commands = {command_of(options)};
+  out.stream() << picture_file(input, options, request);
   out.commit();
-  if (!options.run.tolerance.empty()) {
-    note_replaced_tolerance(*run.input.toolpath);
+  if (!options.runs.tolerances.empty()) {
+    note_replaced_tolerance(*input.program().toolpath);
   }
-  print_diagnostics(*run.input.program);
-  return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+  const Program& program = *input.program().program;
+  print_diagnostics(program);
+  return has_errors(program.diagnostics) ? exit_code::program_errors : exit_code::done;
+}
+
+void add_size_options(CLI::App& command, RenderOptions& options) {
+  command
+      .add_option(
+          "--size", options.size,
+          "Width and height in pixels, or a sheet of paper: A4 (lying), A4-portrait, A2 to A6, Letter "
+          "[1280x960; A4 for a sheet]")
+      ->type_name("WxH|PAPER");
+  command
+      .add_option("--dpi", options.dpi,
+                  "Pixels an inch of paper, and of what is no vector in SVG and PDF [300]")
+      ->check(CLI::Range(36.0, 1200.0))
+      ->type_name("N");
+  command.add_option("--scale", options.scale, "Size of text and lines")
+      ->check(CLI::Range(0.25, 8.0))
+      ->type_name("S")
+      ->capture_default_str();
 }
 
 }  // namespace
 
 Command add_render_command(CLI::App& app) {
   const auto options = std::make_shared<RenderOptions>();
-  CLI::App* command =
-      app.add_subcommand("render", "Draw an NC program and its motion as a PNG picture; needs no display");
-  add_run_options(*command, options->run);
-  command->add_option("--view", options->view, "What to draw: 3d, charts, window")
+  CLI::App* command = app.add_subcommand(
+      "render", "Draw an NC program and its motion as a PNG, SVG or PDF picture; needs no display");
+  add_several_runs_options(*command, options->runs);
+  command->add_option("--view", options->view, "What to draw: 3d, charts, window, sheet")
       ->check(CLI::IsMember(views))
       ->type_name("VIEW")
       ->capture_default_str();
-  command->add_option("--size", options->size, "Width and height in pixels")
-      ->type_name("WxH")
-      ->capture_default_str();
+  add_size_options(*command, *options);
   command->add_option("--camera", options->camera, "Where to look from: iso, top, front, right")
-      ->check(CLI::IsMember(cameras))
+      ->check(CLI::IsMember(camera_views))
       ->type_name("CAMERA")
       ->capture_default_str();
-  command->add_option("--theme", options->theme, "Colours of the window: light, dark")
+  command->add_option("--theme", options->theme, "Colours: light, dark")
       ->check(CLI::IsMember(themes))
       ->type_name("THEME")
       ->capture_default_str();
+  command->add_option("--format", options->format, "png, svg or pdf [the ending of --out]")
+      ->check(CLI::IsMember(formats))
+      ->type_name("FORMAT");
+  command->add_flag("--transparent", options->transparent, "Nothing behind what is drawn");
+  command->add_option("--title", options->title, "Title of a sheet [the program's name]")->type_name("TEXT");
   command->add_option("--out", options->out, "The picture to write; - for standard output")
-      ->type_name("FILE.png")
+      ->type_name("FILE.png|svg|pdf")
       ->required();
   return {command, [options] { return render(*options); }};
 }

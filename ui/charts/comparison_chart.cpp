@@ -128,8 +128,12 @@ QSize ComparisonChart::minimumSizeHint() const {
 }
 
 void ComparisonChart::paintEvent(QPaintEvent*) {
-  const ComparisonLayout layout = lay_out(bars_, size(), font());
   QPainter painter(this);
+  draw(painter);
+}
+
+void ComparisonChart::draw(QPainter& painter) const {
+  const ComparisonLayout layout = lay_out(bars_, size(), font());
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), Qt::white);
   draw_title(painter, layout);

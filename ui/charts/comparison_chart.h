@@ -18,6 +18,8 @@ class ComparisonChart : public QWidget {
   /// `title`: the program; `details`: what else holds for all runs, behind the title.
   void set_comparison(const QString& title, const QString& details, ComparisonBars bars);
   const ComparisonBars& bars() const { return bars_; }
+  /// At the size that the chart has.
+  void draw(QPainter& painter) const;
 
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;

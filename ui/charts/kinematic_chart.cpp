@@ -112,7 +112,7 @@ void KinematicChart::apply_colours() {
 
 int KinematicChart::column_count() const {
   const int width = std::max(1, viewport()->width() - plot_left_margin - plot_right_margin);
-  return static_cast<int>(std::lround(width * devicePixelRatioF()));
+  return static_cast<int>(std::lround(width * devicePixelRatioF() * resolution_));
 }
 
 void KinematicChart::set_limits(std::vector<LimitLine> limits) {

@@ -44,6 +44,8 @@ class KinematicChart : public QChartView {
   const ChartSpec& spec() const { return spec_; }
   /// Pixel columns of the plot, as the screen has them.
   int column_count() const;
+  /// For pictures: so many columns to a pixel of the screen.
+  void set_resolution(double columns) { resolution_ = columns; }
   void set_limits(std::vector<LimitLine> limits);
   void show_curve(std::size_t curve, bool shown);
   bool curve_shown(std::size_t curve) const { return shown_[curve]; }
@@ -127,6 +129,7 @@ class KinematicChart : public QChartView {
   QPointF pressed_at_;
   QPointF dragged_to_;
   Drag drag_ = Drag::none;
+  double resolution_ = 1;
 };
 
 }  // namespace feedscope::ui

@@ -23,6 +23,10 @@ QString value_text(const SettingValue& value) {
 
 }  // namespace
 
+QColor run_colour(std::size_t number) {
+  return QColor(run_colours[number % run_colours.size()]);
+}
+
 QString run_title(const RunItem& item) {
   if (!item.name.isEmpty()) {
     return item.name;

@@ -24,6 +24,9 @@ struct RunItem {
   bool operator==(const RunItem&) const = default;
 };
 
+/// Colours of runs that nobody has coloured, by their number: told apart with every kind of colour vision.
+QColor run_colour(std::size_t number);
+
 /// The name of a run, or else model, tolerance and what is changed: "essid, 0.05 mm, X.jerk 20".
 QString run_title(const RunItem& item);
 

@@ -70,7 +70,7 @@ class PathScene::Impl {
   Vec2 display(const Pixel& pixel) const { return {pixel[0], height() - pixel[1]}; }
   Projection projection() const { return camera.projection(width(), height()); }
   Annotations annotations() const {
-    return {layers.entries(), layers.key(), look.run, look.exaggeration, look.colours, &texts};
+    return {layers.entries(), layers.key(), look.run, look.exaggeration, look.colours, &texts, transparent};
   }
   ScreenLayout layout() const { return screen_layout(width(), height(), scale, annotations()); }
   ScreenRectangle room() const {
@@ -132,8 +132,9 @@ class PathScene::Impl {
   }
 
   void apply_colours() {
-    const Rgb& background = colours().background;
+    const Rgb background = transparent ? Rgb{} : colours().background;
     behind->SetBackground(background[0], background[1], background[2]);
+    behind->SetBackgroundAlpha(transparent ? 0 : 1);
     tool_drawn.set_colour(colours().tool);
     apply_look();
   }
@@ -204,6 +205,7 @@ class PathScene::Impl {
   SceneTexts texts;
   SceneFrame frame = frame_around({});
   bool grid = true;
+  bool transparent = false;
   bool moving = false;
   double scale = 1;
   std::array<double, 5> fitted_in{};
@@ -320,6 +322,11 @@ bool PathScene::grid() const {
 
 void PathScene::set_background(Background background) {
   impl_->look.colours = &scene_colours(background);
+  impl_->apply_colours();
+}
+
+void PathScene::set_transparent(bool transparent) {
+  impl_->transparent = transparent;
   impl_->apply_colours();
 }
 

@@ -69,6 +69,9 @@ class PathScene {
   void set_grid(bool shown);
   bool grid() const;
   void set_background(Background background);
+  /// Nothing is drawn behind: what is not covered has no opacity in the pixels of the window, and colours are
+  /// multiplied by their opacity.
+  void set_transparent(bool transparent);
   void set_texts(SceneTexts texts);
   /// Size of text and lines; 1 suits 96 dots an inch.
   void set_scale(double scale);

@@ -114,7 +114,9 @@ void draw_legend(Canvas& canvas, const ScreenLayout& layout, const Annotations& 
   const double k = layout.scale;
   const double width = layout.width - layout.panel_width;
   const SceneColours& colours = *annotations.colours;
-  canvas.rectangle({0, layout.height - layout.legend_height}, {width, layout.height}, colours.background);
+  if (!annotations.transparent) {
+    canvas.rectangle({0, layout.height - layout.legend_height}, {width, layout.height}, colours.background);
+  }
   for_each_cell(legend(annotations), width, k, colours, [&](const Entry& entry, double x, int row) {
     const double y = layout.height - (row - 0.5) * row_height * k - 4 * k;
     entry.sample(canvas, {x, y}, {x + sample_width * k, y}, k);
@@ -158,7 +160,9 @@ void draw_annotations(Canvas& canvas, const ScreenLayout& layout, const Annotati
                       const Projection& projection, double millimetre) {
   const double k = layout.scale;
   const double left = layout.width - layout.panel_width;
-  canvas.rectangle({left, 0}, {layout.width, layout.height}, annotations.colours->background);
+  if (!annotations.transparent) {
+    canvas.rectangle({left, 0}, {layout.width, layout.height}, annotations.colours->background);
+  }
   draw_legend(canvas, layout, annotations);
   if (!projection.perspective()) {
     draw_scale_bar(canvas, {left + panel_margin * k, 20 * k}, layout.panel_width - 2 * panel_margin * k,

@@ -31,6 +31,7 @@ struct Annotations {
   double exaggeration = 1;  ///< of deviations
   const SceneColours* colours = nullptr;
   const SceneTexts* texts = nullptr;
+  bool transparent = false;  ///< nothing is put behind legend and panel
 };
 
 /// The parts of the window: legend above, panel on the right, and the rest for the path.

@@ -1,0 +1,137 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "app/commands/command.h"
+#include "app/exit_codes.h"
+#include "app/output_file.h"
+#include "app/picture_size.h"
+#include "app/print.h"
+#include "app/several_runs.h"
+#include "core/base/error.h"
+#include "ui/report/report.h"
+#include "ui/theme/offscreen_application.h"
+
+namespace feedscope {
+namespace {
+
+struct ReportOptions {
+  SeveralRunsOptions runs;
+  std::string out;
+  std::string format;
+  std::string page;  ///< template file
+  std::string title;
+  std::string author;
+  std::string date;
+  std::string camera = "iso";
+};
+
+const std::map<std::string, ui::ReportFormat> formats{{"pdf", ui::ReportFormat::pdf},
+                                                      {"html", ui::ReportFormat::html}};
+
+ui::ReportFormat format_of(const ReportOptions& options) {
+  std::string ending = options.format;
+  if (ending.empty()) {
+    ending = std::filesystem::path(options.out).extension().string();
+    ending = ending == ".htm" ? "html" : ending.substr(std::min<std::size_t>(1, ending.size()));
+  }
+  const auto found = formats.find(ending);
+  if (found == formats.end()) {
+    throw InputError(fmt::format(
+        "--out '{}' does not say what to write; end it in .pdf or .html, or add --format", options.out));
+  }
+  return found->second;
+}
+
+QDateTime date_of(const std::string& text) {
+  if (text.empty()) {
+    return {};
+  }
+  const QDate date = QDate::fromString(QString::fromStdString(text), Qt::ISODate);
+  if (!date.isValid()) {
+    throw InputError(fmt::format("--date '{}' is no date; give year, month and day, as 2025-01-31", text));
+  }
+  return {date, QTime(0, 0), Qt::UTC};
+}
+
+/// The command of the report, then one for each run alone.
+QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun>& runs) {
+  std::string whole = "feedscope report " + options_text(options.runs);
+  const auto add = [&](const char* name, const std::string& value) {
+    whole += value.empty() ? "" : fmt::format(" {} {}", name, quoted(value));
+  };
+  add("--title", options.title);
+  add("--author", options.author);
+  add("--date", options.date);
+  add("--camera", options.camera == "iso" ? "" : options.camera);
+  add("--template", options.page);
+  add("--format", options.format);
+  add("--out", options.out);
+  QStringList commands{QString::fromStdString(whole)};
+  for (const AskedRun& run : runs) {
+    commands.append(QString::fromStdString(
+        fmt::format("feedscope simulate {} {}", quoted(options.runs.file), run.options)));
+  }
+  return commands;
+}
+
+int report(const ReportOptions& options) {
+  const ui::ReportFormat format = format_of(options);
+  const QDateTime date = date_of(options.date);
+  const std::vector<AskedRun> runs = asked_runs(options.runs);
+  check_outputs(options.runs.file, {options.out});
+  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
+  const ui::ReportTemplate page = ui::load_report_template(QString::fromStdString(options.page));
+  OutputFile out(options.out);
+  ui::ReportInput input;
+  {
+    Watch watch;
+    input = simulate_runs(options.runs, runs, source, watch);
+    input.title = QString::fromStdString(options.title);
+    input.author = QString::fromStdString(options.author);
+    input.date = date;
+    input.scene.view = camera_views.at(options.camera);
+    input.commands = commands_of(options, runs);
+    const ui::OffscreenApplication application;
+    out.stream() << ui::make_report(input, page, format, watch.stage("drawing"));
+  }
+  out.commit();
+  if (!options.runs.tolerances.empty()) {
+    note_replaced_tolerance(*input.program().toolpath);
+  }
+  const Program& program = *input.program().program;
+  print_diagnostics(program);
+  return has_errors(program.diagnostics) ? exit_code::program_errors : exit_code::done;
+}
+
+}  // namespace
+
+Command add_report_command(CLI::App& app) {
+  const auto options = std::make_shared<ReportOptions>();
+  CLI::App* command =
+      app.add_subcommand("report", "Write a report of one or more runs of a program; needs no display");
+  add_several_runs_options(*command, options->runs);
+  command->add_option("--out", options->out, "The report to write; - for standard output")
+      ->type_name("FILE.pdf|FILE.html")
+      ->required();
+  command->add_option("--format", options->format, "pdf or html [the ending of --out]")
+      ->check(CLI::IsMember(formats))
+      ->type_name("FORMAT");
+  command->add_option("--template", options->page, "A page of your own; see resources/report/README.md")
+      ->type_name("FILE.html");
+  command->add_option("--title", options->title, "Title [the program's name]")->type_name("TEXT");
+  command->add_option("--author", options->author, "Who made the report")->type_name("TEXT");
+  command
+      ->add_option("--date", options->date, "Date of the report [none, so that it can be made again alike]")
+      ->type_name("YYYY-MM-DD");
+  command->add_option("--camera", options->camera, "Where to look from: iso, top, front, right")
+      ->check(CLI::IsMember(camera_views))
+      ->type_name("CAMERA")
+      ->capture_default_str();
+  return {command, [options] { return report(*options); }};
+}
+
+}  // namespace feedscope

@@ -1,0 +1,152 @@
+#include "app/several_runs.h"
+
+#include <fmt/format.h>
+
+#include <QtConcurrent/QtConcurrentMap>
+#include <algorithm>
+#include <exception>
+#include <memory>
+#include <numeric>
+
+#include "core/analysis/compare.h"
+
+namespace feedscope {
+namespace {
+
+/// Those that a model of `models` takes.
+std::vector<std::string> taken_by_any(const std::vector<std::string>& models,
+                                      std::vector<std::string> assignments) {
+  std::erase_if(assignments, [&](const std::string& assignment) {
+    return std::ranges::none_of(models, [&](const std::string& model) {
+      const std::vector<std::string> keys = assignable_keys(find_model(model));
+      return std::ranges::find(keys, assigned_key(assignment)) != keys.end();
+    });
+  });
+  return assignments;
+}
+
+std::string options_of(const SeveralRunsOptions& asked, const std::string& machine, const Setup& setup) {
+  const std::string& model = setup.model->info().id;
+  std::string text =
+      fmt::format("--machine {} --model {}", quoted(machine.empty() ? default_machine : machine), model);
+  const std::optional<double> tolerance = contour_tolerance(setup);
+  if (!asked.tolerances.empty() && tolerance) {
+    text += fmt::format(" --tolerance {}", *tolerance);
+  }
+  for (const std::string& assignment : taken_by_any({model}, asked.set)) {
+    text += fmt::format(" --set {}", quoted(assignment));
+  }
+  return text;
+}
+
+void add_asked(std::string& text, const char* option, const std::vector<std::string>& values) {
+  for (const std::string& value : values) {
+    text += fmt::format(" {} {}", option, quoted(value));
+  }
+}
+
+}  // namespace
+
+void add_several_runs_options(CLI::App& command, SeveralRunsOptions& values) {
+  add_program_options(command, values);
+  const auto add_list = [&](const char* name, std::vector<std::string>& list, const std::string& text) {
+    return command.add_option(name, list, text + "; repeat for more runs")->allow_extra_args(false);
+  };
+  add_list("--machine", values.machines, fmt::format("Machine id or machine file [{}]", default_machine))
+      ->type_name("ID|FILE");
+  add_list("--model", values.models, "Control model [the machine's own]")->type_name("ID");
+  add_list("--tolerance", values.tolerances,
+           "Contour tolerance in mm, instead of the program's own [or else the machine's]")
+      ->type_name("MM");
+  add_set_option(command, values.set);
+}
+
+std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options) {
+  std::vector<double> tolerances;
+  for (const std::string& text : options.tolerances) {
+    tolerances.push_back(parse_tolerance(text));
+  }
+  std::vector<AskedRun> runs;
+  std::vector<std::string> all_used = options.models;
+  const MachineLibrary library = shipped_machines();
+  for (const std::string& machine :
+       options.machines.empty() ? std::vector<std::string>{""} : options.machines) {
+    const std::vector<std::string> models =
+        options.models.empty() ? std::vector{library.load(machine.empty() ? default_machine : machine).model}
+                               : options.models;
+    all_used.insert(all_used.end(), models.begin(), models.end());
+    for (Setup& setup : setups_to_compare({machine}, models, tolerances, taken_by_any(models, options.set))) {
+      const std::string text = options_of(options, machine, setup);
+      runs.push_back({std::move(setup), text});
+    }
+  }
+  if (taken_by_any(all_used, options.set).size() < options.set.size()) {
+    setups_to_compare(options.machines, all_used, {}, options.set);  // says which key nobody knows
+  }
+  return runs;
+}
+
+std::string quoted(const std::string& text) {
+  const bool plain = !text.empty() && std::ranges::all_of(text, [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+           std::string_view("-_./=,+:@%").find(c) != std::string_view::npos;
+  });
+  if (plain) {
+    return text;
+  }
+  std::string word = "'";
+  for (const char c : text) {
+    word += c == '\'' ? "'\\''" : std::string(1, c);
+  }
+  return word + "'";
+}
+
+std::string options_text(const SeveralRunsOptions& options) {
+  std::string text = quoted(options.file);
+  if (!options.dialect.empty()) {
+    text += " --dialect " + options.dialect;
+  }
+  if (options.skip_deleted) {
+    text += " --skip-deleted";
+  }
+  const ProgramOptions usual;
+  if (options.repeat_limit != usual.repeat_limit) {
+    text += fmt::format(" --repeat-limit {}", options.repeat_limit);
+  }
+  if (options.call_depth != usual.call_depth) {
+    text += fmt::format(" --call-depth {}", options.call_depth);
+  }
+  add_asked(text, "--machine", options.machines);
+  add_asked(text, "--model", options.models);
+  add_asked(text, "--tolerance", options.tolerances);
+  add_asked(text, "--set", options.set);
+  return text;
+}
+
+ui::ReportInput simulate_runs(const SeveralRunsOptions& options, const std::vector<AskedRun>& runs,
+                              std::shared_ptr<const SourceText> source, Watch& watch) {
+  const LoadedProgram program = load_program(std::move(source), watch.stage("reading"), options.reading());
+  Progress& whole = *watch.stage("simulating");
+  std::vector<std::shared_ptr<const ui::ShownRun>> shown(runs.size());
+  std::vector<std::exception_ptr> errors(runs.size());
+  std::vector<std::size_t> order(runs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  QtConcurrent::blockingMap(order, [&](std::size_t i) {
+    try {
+      Progress part(whole, 1 / static_cast<double>(runs.size()));
+      shown[i] = ui::make_shown(simulate_run(program, runs[i].setup, &part), &part);
+    } catch (...) {
+      errors[i] = std::current_exception();
+    }
+  });
+  for (const std::exception_ptr& error : errors) {
+    if (error) {
+      std::rethrow_exception(error);
+    }
+  }
+  ui::ReportInput input;
+  input.runs = ui::report_runs(shown);
+  return input;
+}
+
+}  // namespace feedscope

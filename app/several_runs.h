@@ -1,0 +1,42 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "app/run_options.h"
+#include "app/watch.h"
+#include "ui/report/report_input.h"
+
+namespace feedscope {
+
+/// A program and the runs that a picture or a report shows: --machine, --model, --tolerance once or more, and
+/// --set for all of them. Every machine with every model and every tolerance; without --model each machine's
+/// own.
+struct SeveralRunsOptions : ProgramOptions {
+  std::vector<std::string> machines;
+  std::vector<std::string> models;
+  std::vector<std::string> tolerances;  ///< as typed, mm
+  std::vector<std::string> set;
+};
+
+/// One of these runs, and how people would ask for it alone.
+struct AskedRun {
+  Setup setup;
+  std::string options;  ///< "--machine ID --model ID ...", quoted for a shell
+};
+
+/// Adds them to a command; `values` must live as long as the command.
+void add_several_runs_options(CLI::App& command, SeveralRunsOptions& values);
+/// Throws InputError as setups_to_compare.
+std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options);
+/// The options of all of them as they were given, quoted for a shell; the program in front.
+std::string options_text(const SeveralRunsOptions& options);
+/// `text` as one word of a shell line.
+std::string quoted(const std::string& text);
+
+/// Reads the program and simulates the runs, as many at a time as there are processors. Throws Cancelled.
+ui::ReportInput simulate_runs(const SeveralRunsOptions& options, const std::vector<AskedRun>& runs,
+                              std::shared_ptr<const SourceText> source, Watch& watch);
+
+}  // namespace feedscope

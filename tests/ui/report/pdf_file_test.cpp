@@ -1,0 +1,63 @@
+#include "ui/report/pdf_file.h"
+
+#include <gmock/gmock.h>
+
+#include <QBuffer>
+#include <QPainter>
+#include <QPdfWriter>
+
+#include "tests/ui/report/pdf_reading.h"
+
+namespace feedscope::ui {
+namespace {
+
+std::string three_pages() {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  QPainter painter(&writer);
+  for (int page = 0; page < 3; ++page) {
+    if (page > 0) {
+      writer.newPage();
+    }
+    painter.drawText(1000, 1000, QStringLiteral("page"));
+  }
+  painter.end();
+  return buffer.data().toStdString();
+}
+
+TEST(PdfFile, BookmarksAreReadBackAsATree) {
+  const std::string pdf = finished_pdf(
+      three_pages(), {"Title · ü",
+                      "Somebody",
+                      {},
+                      {{1, "one", 0, 50}, {3, "deep", 0, 60}, {2, "part", 1, 10}, {1, "two", 2, 0}}});
+  test::PdfReading reading(pdf);
+  const auto bookmarks = reading.bookmarks();
+  ASSERT_EQ(bookmarks.size(), 4U);
+  const std::vector<std::tuple<int, std::string, int>> expected{
+      {1, "one", 0}, {2, "deep", 0}, {2, "part", 1}, {1, "two", 2}};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(std::tuple(bookmarks[i].level, bookmarks[i].title, bookmarks[i].page), expected[i]);
+  }
+  EXPECT_EQ(reading.info("/Title"), "Title · ü");
+  EXPECT_EQ(reading.info("/Author"), "Somebody");
+  EXPECT_EQ(reading.page_count(), 3U);
+}
+
+TEST(PdfFile, HoldsNoTimeUnlessAskedFor) {
+  const std::string pdf = finished_pdf(three_pages(), {"t", {}, {}, {}});
+  EXPECT_EQ(test::PdfReading(pdf).info("/CreationDate"), "");
+  EXPECT_EQ(test::PdfReading(pdf).info("/Author"), "");
+  const std::string dated = finished_pdf(three_pages(), {"t", {}, "D:20250131000000Z", {}});
+  EXPECT_EQ(test::PdfReading(dated).info("/CreationDate"), "D:20250131000000Z");
+}
+
+TEST(PdfFile, TheSamePagesGiveTheSameBytes) {
+  const PdfProperties properties{"t", {}, {}, {{1, "one", 0, 0}}};
+  const std::string pages = three_pages();
+  EXPECT_EQ(finished_pdf(pages, properties), finished_pdf(pages, properties));
+}
+
+}  // namespace
+}  // namespace feedscope::ui

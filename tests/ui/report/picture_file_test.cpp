@@ -1,0 +1,131 @@
+#include "ui/report/picture_file.h"
+
+#include <gmock/gmock.h>
+
+#include <QFont>
+#include <QImage>
+#include <QPainter>
+#include <QPainterPath>
+#include <QSvgRenderer>
+
+#include "tests/ui/report/pdf_reading.h"
+
+namespace feedscope::ui {
+namespace {
+
+/// A clipped red square from 10, 10 to 50, 50, a translucent circle, a picture, a dashed line and a text.
+void paint(QPainter& painter) {
+  painter.save();
+  painter.setClipRect(QRectF(0, 0, 50, 50));
+  painter.fillRect(QRectF(10, 10, 200, 200), Qt::red);
+  painter.restore();
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0, 0, 255, 128));
+  painter.drawEllipse(QRectF(100, 20, 40, 40));
+  QImage image(2, 2, QImage::Format_ARGB32);
+  image.fill(Qt::green);
+  painter.drawImage(QRectF(20, 70, 20, 20), image);
+  painter.setPen(QPen(Qt::black, 2, Qt::DashLine));
+  painter.drawLine(QPointF(60, 80), QPointF(190, 80));
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPixelSize(20);
+  painter.setFont(font);
+  painter.translate(150, 50);
+  painter.drawText(QPointF(0, 0), QStringLiteral("Hé"));
+}
+
+PictureSpec spec_of(PictureFormat format) {
+  PictureSpec spec;
+  spec.format = format;
+  spec.size = {200, 100};
+  spec.title = QStringLiteral("a < b");
+  return spec;
+}
+
+std::string made(const PictureSpec& spec) {
+  return make_picture(spec, paint);
+}
+
+QImage drawn_svg(const std::string& svg) {
+  QSvgRenderer renderer(QByteArray::fromStdString(svg));
+  EXPECT_TRUE(renderer.isValid());
+  QImage image(200, 100, QImage::Format_ARGB32_Premultiplied);
+  image.fill(Qt::transparent);
+  QPainter painter(&image);
+  renderer.render(&painter);
+  return image;
+}
+
+std::size_t dark_pixels(const QImage& image, const QRect& room) {
+  std::size_t dark = 0;
+  for (int y = room.top(); y <= room.bottom(); ++y) {
+    for (int x = room.left(); x <= room.right(); ++x) {
+      dark += qAlpha(image.pixel(x, y)) > 128 && qGray(image.pixel(x, y)) < 80 ? 1 : 0;
+    }
+  }
+  return dark;
+}
+
+TEST(PictureFile, PngHasThePixelsAskedForAndTheirSizeOnPaper) {
+  PictureSpec spec = spec_of(PictureFormat::png);
+  spec.scale = 3;
+  QImage image = QImage::fromData(QByteArray::fromStdString(made(spec)));
+  EXPECT_EQ(image.size(), QSize(600, 300));
+  EXPECT_EQ(image.pixelColor(60, 60), QColor(Qt::red));
+  EXPECT_EQ(image.pixelColor(160, 60), QColor(Qt::white));
+  spec.paper = QSizeF(50.8, 25.4);
+  image = QImage::fromData(QByteArray::fromStdString(made(spec)));
+  EXPECT_EQ(image.dotsPerMeterX(), 11811);  // 600 pixels on two inches
+}
+
+TEST(PictureFile, ATransparentPngIsEmptyWhereNothingIsDrawn) {
+  PictureSpec spec = spec_of(PictureFormat::png);
+  spec.transparent = true;
+  const QImage image = QImage::fromData(QByteArray::fromStdString(made(spec)));
+  EXPECT_EQ(image.pixelColor(0, 0).alpha(), 0);
+  EXPECT_EQ(image.pixelColor(20, 20), QColor(Qt::red));
+  EXPECT_EQ(image.pixelColor(120, 40).alpha(), 128);
+}
+
+TEST(PictureFile, SvgShowsTheSameWithoutAnyFont) {
+  PictureSpec spec = spec_of(PictureFormat::svg);
+  spec.transparent = true;
+  const std::string svg = made(spec);
+  EXPECT_THAT(svg, testing::Not(testing::HasSubstr("<text")));
+  EXPECT_THAT(svg, testing::HasSubstr("<title>a &lt; b</title>"));
+  const QImage image = drawn_svg(svg);
+  EXPECT_EQ(image.pixelColor(20, 20), QColor(Qt::red));
+  EXPECT_EQ(image.pixelColor(30, 80), QColor(Qt::green));
+  EXPECT_NEAR(image.pixelColor(120, 40).alpha(), 128, 2);
+  EXPECT_EQ(image.pixelColor(0, 0).alpha(), 0);
+  EXPECT_EQ(image.pixelColor(60, 30).alpha(), 0) << "clipped";
+  EXPECT_GT(dark_pixels(image, {150, 30, 40, 25}), 30U) << "the text";
+  EXPECT_GT(dark_pixels(image, {60, 78, 130, 4}), 60U) << "the line";
+}
+
+TEST(PictureFile, SvgOnPaperIsMeasuredInMillimetres) {
+  PictureSpec spec = spec_of(PictureFormat::svg);
+  spec.paper = QSizeF(297, 148.5);
+  EXPECT_THAT(made(spec), testing::HasSubstr("width=\"297mm\" height=\"148.5mm\" viewBox=\"0 0 200 100\""));
+}
+
+TEST(PictureFile, PdfHasOnePageOfTheSizeWithItsFontsInside) {
+  PictureSpec spec = spec_of(PictureFormat::pdf);
+  spec.paper = QSizeF(297, 148.5);
+  const std::string bytes = made(spec);
+  test::PdfReading pdf(bytes);
+  EXPECT_EQ(pdf.page_count(), 1U);
+  EXPECT_NEAR(pdf.page_size(0).first, 297 / 25.4 * 72, 1);
+  EXPECT_NEAR(pdf.page_size(0).second, 148.5 / 25.4 * 72, 1);
+  EXPECT_EQ(pdf.info("/Title"), "a < b");
+  EXPECT_TRUE(pdf.fonts_embedded());
+}
+
+TEST(PictureFile, TheSamePaintingGivesTheSameBytes) {
+  for (const PictureFormat format : {PictureFormat::png, PictureFormat::svg, PictureFormat::pdf}) {
+    EXPECT_EQ(made(spec_of(format)), made(spec_of(format)));
+  }
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "tests/ui/run_fixture.h"
+#include "ui/report/report_input.h"
+
+namespace feedscope::test {
+
+/// One program on one machine with two tolerances.
+inline ui::ReportInput two_runs(const std::string& name = "test.nc") {
+  const auto source = std::make_shared<const SourceText>(name, small_program);
+  const LoadedProgram program = load_program(source);
+  std::vector<std::shared_ptr<const ui::ShownRun>> shown;
+  for (const double tolerance : {0.01, 0.05}) {
+    shown.push_back(ui::make_shown(simulate_run(program, make_setup({"", "essid", tolerance, {}}))));
+  }
+  ui::ReportInput input;
+  input.runs = ui::report_runs(shown);
+  input.commands = {"feedscope report test.nc"};
+  return input;
+}
+
+}  // namespace feedscope::test

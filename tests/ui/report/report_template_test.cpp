@@ -1,0 +1,85 @@
+#include "ui/report/report_template.h"
+
+#include <gmock/gmock.h>
+
+#include "core/base/error.h"
+#include "ui/report/report.h"
+
+namespace feedscope::ui {
+namespace {
+
+const QStringList known{"title", "comparison_table", "notes"};
+
+QString fill(const QString& text, const QString& notes = {}) {
+  return ReportTemplate(text, "page.html", known).filled([&](const QString& name) {
+    return name == "notes" ? notes : '<' + name + '>';
+  });
+}
+
+std::string refusal(const QString& text) {
+  try {
+    const ReportTemplate page(text, "page.html", known);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ReportTemplate, PutsBlocksInPlaceOfPlaceholders) {
+  EXPECT_EQ(fill("a {{title}} b {{ title }} {single} c"), "a <title> b <title> {single} c");
+  EXPECT_EQ(fill("{{comparison_table}}"), "<comparison_table>");
+  EXPECT_EQ(fill(""), "");
+  EXPECT_EQ(fill("a{{! a remark }}b"), "ab");
+}
+
+TEST(ReportTemplate, LeavesOutASectionWhoseBlockIsEmpty) {
+  const QString page = "a{{#notes}}<h2>{{title}}</h2>{{notes}}{{/notes}}b";
+  EXPECT_EQ(fill(page), "ab");
+  EXPECT_EQ(fill(page, "N"), "a<h2><title></h2>Nb");
+  EXPECT_EQ(fill("{{#notes}}a{{#title}}b{{/title}}c{{/notes}}d"), "d");
+  EXPECT_EQ(fill("{{#title}}a{{#notes}}b{{/notes}}c{{/title}}d"), "acd");
+}
+
+TEST(ReportTemplate, AsksForEachBlockOnce) {
+  int asked = 0;
+  const ReportTemplate page("{{#title}}{{title}}{{title}}{{/title}}", "page.html", known);
+  EXPECT_EQ(page.filled([&](const QString&) { return QString::number(++asked); }), "11");
+  EXPECT_EQ(page.placeholders(), QStringList{"title"});
+}
+
+TEST(ReportTemplate, NamesFileLineAndNearestPlaceholder) {
+  EXPECT_EQ(refusal("one\ntwo {{comparision_table}}\n"),
+            "page.html:2: unknown placeholder '{{comparision_table}}'; did you mean '{{comparison_table}}'?");
+  EXPECT_THAT(refusal("{{qwertyuiop}}"), testing::HasSubstr("there are title, comparison_table, notes"));
+  EXPECT_THAT(refusal("{{#titel}}"), testing::HasSubstr("did you mean '{{title}}'?"));
+}
+
+TEST(ReportTemplate, RefusesWhatIsNotClosed) {
+  EXPECT_EQ(refusal("\n\n{{title"), "page.html:3: '{{' without '}}'");
+  EXPECT_EQ(refusal("{{#notes}}\n"),
+            "page.html:1: section '{{#notes}}' is not closed; write '{{/notes}}' behind it");
+  EXPECT_EQ(refusal("{{/notes}}"), "page.html:1: '{{/notes}}' closes no section");
+  EXPECT_EQ(refusal("{{#notes}}{{/title}}"),
+            "page.html:1: '{{/title}}' closes no section; '{{#notes}}' is open");
+}
+
+TEST(ReportTemplate, TheShippedOneHoldsEveryBlock) {
+  EXPECT_THAT(load_report_template().placeholders(),
+              testing::UnorderedElementsAreArray(report_placeholders()));
+}
+
+TEST(ReportTemplate, TheReadmeNamesEveryPlaceholder) {
+  const QString readme = read_template(QStringLiteral(FEEDSCOPE_SOURCE_DIR "/resources/report/README.md"));
+  for (const QString& name : report_placeholders()) {
+    EXPECT_TRUE(readme.contains('`' + name + '`')) << name.toStdString();
+  }
+}
+
+TEST(ReportTemplate, NamesAFileThatCannotBeRead) {
+  EXPECT_THAT(
+      [] { load_report_template("nowhere/page.html"); },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr("cannot read the template 'nowhere/page.html'")));
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,103 @@
+#include "ui/report/sheet.h"
+
+#include <gmock/gmock.h>
+
+#include <QImage>
+#include <QSvgRenderer>
+
+#include "core/base/error.h"
+#include "tests/ui/report/pdf_reading.h"
+#include "tests/ui/report/report_fixture.h"
+#include "ui/report/pictures.h"
+#include "ui/report/scene_picture.h"
+
+namespace feedscope::ui {
+namespace {
+
+PictureRequest request_of(PictureFormat format, const QSizeF& size) {
+  PictureRequest request;
+  request.format = format;
+  request.size = size;
+  return request;
+}
+
+TEST(Sheet, OpensInEveryFormatLyingAndUpright) {
+  const ReportInput input = test::two_runs();
+  for (const QSizeF& size : {QSizeF(1123, 794), QSizeF(794, 1123)}) {
+    const std::string png = sheet_file(input, request_of(PictureFormat::png, size));
+    EXPECT_EQ(QImage::fromData(QByteArray::fromStdString(png)).size(), size.toSize());
+    const std::string svg = sheet_file(input, request_of(PictureFormat::svg, size));
+    EXPECT_TRUE(QSvgRenderer(QByteArray::fromStdString(svg)).isValid());
+    const std::string pdf = sheet_file(input, request_of(PictureFormat::pdf, size));
+    test::PdfReading reading(pdf);
+    EXPECT_EQ(reading.page_count(), 1U);
+    EXPECT_TRUE(reading.fonts_embedded());
+  }
+}
+
+TEST(Sheet, TooSmallASizeIsAnErrorThatNamesTheLeast) {
+  EXPECT_THAT(
+      [] {
+        sheet_file(test::two_runs(), request_of(PictureFormat::png, {600, 400}));
+      },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr("at least 880")));
+}
+
+TEST(ScenePicture, ATransparentOneHasNothingBehindThePath) {
+  const ReportInput input = test::two_runs();
+  ScenePicture picture(input, 0, ThemeKind::light, true);
+  const QImage image = picture.image({400, 300}, {});
+  EXPECT_EQ(image.pixelColor(2, 298).alpha(), 0);
+  EXPECT_EQ(image.pixelColor(398, 298).alpha(), 0);
+  int opaque = 0;
+  int between = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const int alpha = image.pixelColor(x, y).alpha();
+      opaque += alpha == 255 ? 1 : 0;
+      between += alpha > 0 && alpha < 255 ? 1 : 0;
+    }
+  }
+  EXPECT_GT(opaque, 500);
+  EXPECT_GT(between, 100) << "edges are smooth";
+}
+
+TEST(ScenePicture, AnnotationsArePaintedOverTheViewWithItsProjection) {
+  ReportInput input = test::two_runs();
+  Pixel start{};
+  int calls = 0;
+  input.annotations = [&](const SceneCanvas& canvas) {
+    ++calls;
+    start = canvas.scene.pixel_of({0, 0, 0});
+    EXPECT_EQ(canvas.size, QSizeF(400, 300));
+    EXPECT_EQ(canvas.pixel_ratio, 2);
+  };
+  PictureRequest request = request_of(PictureFormat::png, {400, 300});
+  request.pixel_ratio = 2;
+  scene_file(input, request);
+  EXPECT_EQ(calls, 1);
+  EXPECT_GT(start[0], 0);
+  EXPECT_LT(start[0], 800);
+}
+
+TEST(ScenePicture, RefusesMorePixelsThanCanBeDrawn) {
+  const ReportInput input = test::two_runs();
+  ScenePicture picture(input, 0, ThemeKind::light);
+  EXPECT_THAT(
+      [&] {
+        picture.image({4000, 300}, {3, 1});
+      },
+      testing::ThrowsMessage<InputError>(testing::HasSubstr("12000 x 900")));
+}
+
+TEST(ReportRuns, AreNamedByWhatTellsThemApart) {
+  const ReportInput input = test::two_runs();
+  EXPECT_EQ(input.runs[0].name, "essid, 0.01 mm");
+  EXPECT_EQ(input.runs[1].name, "essid, 0.05 mm");
+  EXPECT_NE(input.runs[0].colour, input.runs[1].colour);
+  const auto same = report_runs({input.runs[0].shown, input.runs[0].shown});
+  EXPECT_NE(same[0].name, same[1].name);
+}
+
+}  // namespace
+}  // namespace feedscope::ui

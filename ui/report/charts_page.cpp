@@ -1,0 +1,105 @@
+#include "ui/report/charts_page.h"
+
+#include <QApplication>
+#include <QLabel>
+#include <QLocale>
+#include <QPainter>
+#include <QTextDocument>
+#include <QVBoxLayout>
+
+#include "ui/language/core_texts.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+QString title_of(const Run& run) {
+  const QString file = program_file_name(*run.input.program);
+  const QString time = QLocale().toString(run.trajectory->duration(), 'f', 3);
+  return QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4 s")
+      .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
+           core_text(run.setup.model->info().title).toHtmlEscaped(), time);
+}
+
+}  // namespace
+
+ChartsPage::ChartsPage() : title_(new QLabel(this)), charts_(new ChartsPanel(cursor_, this)) {
+  title_->setContentsMargins(8, 6, 8, 2);
+  title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+  charts_->hide_controls();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(title_);
+  layout->addWidget(charts_, 1);
+  setAttribute(Qt::WA_DontShowOnScreen);
+}
+
+void ChartsPage::set_run(const Run& run) {
+  title_->setText(title_of(run));
+  charts_->set_limits(run.setup.machine.axes);
+  charts_->set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory), false);
+}
+
+void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
+  const ShownRun& shown = *input.runs[row].shown;
+  title_->setText(title_of(shown.run));
+  charts_->set_limits(shown.run.setup.machine.axes);
+  charts_->set_run(shown.run.trajectory, shown.envelope, false);
+  std::vector<RunOverlay> others;
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    if (i != row) {
+      const ReportRun& other = input.runs[i];
+      others.push_back({other.shown->run.trajectory, other.shown->envelope, other.colour, other.name});
+    }
+  }
+  charts_->set_overlays(std::move(others));
+  charts_->restore(input.charts);
+}
+
+void ChartsPage::hide_title() {
+  title_->hide();
+}
+
+void ChartsPage::set_background(const QColor& colour) {
+  QPalette colours = palette();
+  colours.setColor(QPalette::Window, colour);
+  setPalette(colours);
+}
+
+void ChartsPage::prepare(const QSize& size, double resolution) {
+  for (std::size_t i = 0; i < chart_count; ++i) {
+    charts_->chart(i).set_resolution(resolution);
+  }
+  resize(size);
+  show();
+  QApplication::processEvents();
+  charts_->refresh();
+  QApplication::processEvents();  // Qt Charts lays its axes out with the next turn of the event loop
+}
+
+void ChartsPage::draw(QPainter& painter, bool background) {
+  if (background) {
+    painter.fillRect(rect(), palette().color(QPalette::Window));
+  }
+  if (title_->isVisibleTo(this)) {
+    QTextDocument text;
+    text.setDefaultFont(title_->font());
+    text.setDocumentMargin(0);
+    text.setDefaultStyleSheet(
+        QStringLiteral("body { color: %1 }").arg(palette().color(QPalette::WindowText).name()));
+    text.setHtml(QStringLiteral("<body>%1</body>").arg(title_->text()));
+    const QRect room = title_->contentsRect().translated(title_->pos());
+    painter.save();
+    painter.setClipRect(room);
+    painter.translate(room.topLeft());
+    text.drawContents(&painter);
+    painter.restore();
+  }
+  painter.save();
+  painter.translate(charts_->pos());
+  charts_->draw(painter);
+  painter.restore();
+}
+
+}  // namespace feedscope::ui

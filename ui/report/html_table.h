@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+namespace feedscope::ui {
+
+/// `text` for HTML, with "<wbr>" where a long word may be broken.
+QString html_text(const QString& text);
+QString html_text(const std::string& text);
+
+/// A table of a report, as HTML that browsers and QTextDocument lay out alike.
+class HtmlTable {
+ public:
+  /// `sides`: 'l', 'r' or 'c' for each column. `widths`: in percent, 0 where the contents decide; may be
+  /// empty.
+  explicit HtmlTable(std::string sides, std::vector<int> widths = {});
+
+  /// Cells are HTML. Heads stand first and are repeated on each page.
+  void add_head(const QStringList& cells);
+  /// A head over several columns each: text and how many.
+  void add_group_head(const std::vector<std::pair<QString, int>>& groups);
+  void add(const QStringList& cells);
+  bool empty() const { return rows_.isEmpty(); }
+  QString html() const;
+
+ private:
+  QString cell(const char* tag, std::size_t column, const QString& text, int span = 1) const;
+
+  std::string sides_;
+  std::vector<int> widths_;
+  QString heads_;
+  QString rows_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QString>
+#include <string>
+#include <vector>
+
+namespace feedscope::ui {
+
+/// A place that the outline of a PDF file names.
+struct PdfBookmark {
+  int level = 1;  ///< 1: the outermost
+  QString title;
+  int page = 0;    ///< from 0
+  double top = 0;  ///< of the place, from the page's upper edge [points]
+};
+
+struct PdfProperties {
+  QString title;
+  QString author;
+  QString date;  ///< of creation, as PDF files write it: "D:20250131120000Z"; empty: none
+  std::vector<PdfBookmark> outline;
+};
+
+/// While it lives, hash tables that are made have one order: QPdfWriter numbers its fonts by one.
+class StableOrder {
+ public:
+  StableOrder();
+  ~StableOrder();
+  StableOrder(const StableOrder&) = delete;
+  StableOrder& operator=(const StableOrder&) = delete;
+};
+
+/// The file that QPdfWriter made, with title, author and bookmarks; without the time it was made unless that
+/// is asked for, and with an identifier that follows from the contents: the same pages give the same bytes.
+std::string finished_pdf(const std::string& pdf, const PdfProperties& properties);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QColor>
+#include <QSizeF>
+#include <QString>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+class QPainter;
+
+namespace feedscope::ui {
+
+enum class PictureFormat : std::uint8_t { png, svg, pdf };
+
+/// A picture to be painted, and the file that it becomes.
+struct PictureSpec {
+  PictureFormat format = PictureFormat::png;
+  QSizeF size;  ///< what the painter sees, in units of 1/96 inch before `scale`
+  /// Pixels of a PNG file to a unit. In SVG and PDF files, pixels of what is a raster in any case.
+  double scale = 1;
+  /// Size on paper [mm] for SVG and PDF; none: 96 units an inch.
+  std::optional<QSizeF> paper;
+  bool transparent = false;  ///< else filled with `background` first
+  QColor background = Qt::white;
+  QString title;  ///< of SVG and PDF files
+};
+
+/// The bytes of the file; the same painting gives the same bytes.
+std::string make_picture(const PictureSpec& spec, const std::function<void(QPainter&)>& paint);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QImage>
+#include <optional>
+#include <string>
+
+#include "ui/report/picture_file.h"
+#include "ui/report/report_input.h"
+
+namespace feedscope::ui {
+
+/// The file that a picture becomes, and how it looks.
+struct PictureRequest {
+  PictureFormat format = PictureFormat::png;
+  QSizeF size;                  ///< what is laid out [1/96 inch]
+  double pixel_ratio = 1;       ///< pixels of rasters to a unit
+  std::optional<QSizeF> paper;  ///< [mm] for SVG and PDF; none: 96 units an inch
+  ThemeKind theme = ThemeKind::light;
+  bool transparent = false;
+};
+
+/// Programmed and executed path of the current run with the annotations: a raster, the annotations vectors
+/// where the format has them. All of these give the file's bytes, need a QApplication with the theme, and
+/// throw InputError where the size is out of bounds.
+std::string scene_file(const ReportInput& input, const PictureRequest& request);
+/// Charts of the current run as vectors, the other runs behind.
+std::string charts_file(const ReportInput& input, const PictureRequest& request);
+/// paint_sheet().
+std::string sheet_file(const ReportInput& input, const PictureRequest& request);
+/// A picture that is there already: of the window.
+std::string image_file(const QImage& image, const PictureRequest& request, const QString& title);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,115 @@
+#include "ui/report/report.h"
+
+#include <functional>
+#include <vector>
+
+#include "ui/report/report_html.h"
+#include "ui/report/report_pdf.h"
+#include "ui/report/report_pictures.h"
+#include "ui/report/report_tables.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+/// Not empty in HTML files only: for what pages of paper do without.
+const QString screen_section = QStringLiteral("screen");
+
+QString commands_block(const ReportInput& input) {
+  QString html;
+  for (const QString& command : input.commands) {
+    html += QStringLiteral("<p class=\"command\">%1</p>\n").arg(command.toHtmlEscaped());
+  }
+  return html;
+}
+
+QString date_text(const ReportInput& input) {
+  return input.date.isValid() ? input.date.toString(QStringLiteral("yyyy-MM-dd")) : QString();
+}
+
+struct Block {
+  const char* name;
+  std::function<QString(const ReportInput&, ReportPictures&)> make;
+};
+
+/// What needs no pictures.
+auto plain(QString (*block)(const ReportInput&)) {
+  return [block](const ReportInput& input, ReportPictures&) { return block(input); };
+}
+
+/// What a single run has no use for.
+template <class Make>
+auto for_several(Make make) {
+  return [make](const ReportInput& input, ReportPictures& pictures) {
+    return input.runs.size() > 1 ? make(input, pictures) : QString();
+  };
+}
+
+const std::vector<Block>& blocks() {
+  static const std::vector<Block> list{
+      {"title", plain([](const ReportInput& input) { return input.heading().toHtmlEscaped(); })},
+      {"author", plain([](const ReportInput& input) { return input.author.toHtmlEscaped(); })},
+      {"date", plain(date_text)},
+      {"program", plain([](const ReportInput& input) {
+         return program_file_name(*input.program().program).toHtmlEscaped();
+       })},
+      {"machine", plain([](const ReportInput& input) {
+         return QString::fromStdString(input.run().shown->run.setup.machine.name).toHtmlEscaped();
+       })},
+      {"run", plain([](const ReportInput& input) { return input.run().name.toHtmlEscaped(); })},
+      {"version", plain([](const ReportInput&) { return QStringLiteral(FEEDSCOPE_VERSION); })},
+      {"summary", plain(summary_block)},
+      {"comparison_table", plain(comparison_block)},
+      {"comparison_bars", for_several(bars_block)},
+      {"peaks_table", plain(peaks_block)},
+      {"causes_table", plain(causes_block)},
+      {"differing_settings", plain(differing_settings_block)},
+      {"view", view_block},
+      {"cause_view", cause_view_block},
+      {"charts", charts_block},
+      {"slow_places", plain(slow_places_block)},
+      {"slow_place_views", slow_place_views_block},
+      {"notes", plain(notes_block)},
+      {"program_facts", plain(program_facts_block)},
+      {"messages", plain(messages_block)},
+      {"machines", plain(machines_block)},
+      {"settings", plain(settings_block)},
+      {"models", plain(models_block)},
+      {"commands", plain(commands_block)}};
+  return list;
+}
+
+}  // namespace
+
+QStringList report_placeholders() {
+  QStringList names;
+  for (const Block& block : blocks()) {
+    names.append(QString::fromLatin1(block.name));
+  }
+  names.append(screen_section);
+  return names;
+}
+
+ReportTemplate load_report_template(const QString& file) {
+  const QString name = file.isEmpty() ? shipped_template() : file;
+  return {read_template(name), name, report_placeholders()};
+}
+
+std::string make_report(const ReportInput& input, const ReportTemplate& page, ReportFormat format,
+                        Progress* progress) {
+  ReportPictures pictures(progress);
+  const QString html = page.filled([&](const QString& name) {
+    if (name == screen_section) {
+      return format == ReportFormat::html ? name : QString();
+    }
+    for (const Block& block : blocks()) {
+      if (name == QLatin1String(block.name)) {
+        return block.make(input, pictures);
+      }
+    }
+    return QString();
+  });
+  return format == ReportFormat::pdf ? report_pdf(html, pictures, input) : report_html(html, pictures);
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QString>
+#include <cstdint>
+#include <string>
+
+#include "ui/report/report_input.h"
+#include "ui/report/report_template.h"
+
+namespace feedscope::ui {
+
+enum class ReportFormat : std::uint8_t { pdf, html };
+
+/// Every placeholder that a template may hold; resources/report/README.md says what each becomes.
+QStringList report_placeholders();
+
+/// The shipped template for "", else the one in `file`. Throws InputError as read_template and
+/// ReportTemplate.
+ReportTemplate load_report_template(const QString& file = {});
+
+/// The bytes of the report; needs a QApplication. The same input and template give the same bytes. Throws
+/// Cancelled if `progress` is cancelled.
+std::string make_report(const ReportInput& input, const ReportTemplate& page, ReportFormat format,
+                        Progress* progress = nullptr);
+
+}  // namespace feedscope::ui

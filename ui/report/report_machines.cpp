@@ -1,0 +1,239 @@
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "core/base/geometry.h"
+#include "ui/report/html_table.h"
+#include "ui/report/report_numbers.h"
+#include "ui/report/report_tables.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr std::size_t runs_a_table = 4;
+
+QString value_text(const SettingValue& value) {
+  const auto* number = std::get_if<double>(&value);
+  return number != nullptr ? significant(*number, 8) : html_text(std::get<std::string>(value));
+}
+
+/// "X, Y: Essid 2019, table 2" or, assumed, the same in italics.
+QString source_text(const Machine& machine, const std::string& key) {
+  const auto found = machine.provenance.find(key);
+  if (found == machine.provenance.end()) {
+    return {};
+  }
+  const QString source = html_text(found->second.source);
+  return found->second.assumed ? QStringLiteral("<i>assumed: %1</i>").arg(source) : source;
+}
+
+bool assumed(const Machine& machine, const std::string& key) {
+  const auto found = machine.provenance.find(key);
+  return found != machine.provenance.end() && found->second.assumed;
+}
+
+std::string axis_key(char axis, const std::string& limit) {
+  return std::string(1, axis) + "." + limit;
+}
+
+/// Sources of a limit, those of several axes together where they are the same.
+QString axis_sources(const Machine& machine, const std::string& limit) {
+  std::vector<std::pair<QString, QString>> sources;  // axes, source
+  for (const char axis : axis_names) {
+    const QString source = source_text(machine, axis_key(axis, limit));
+    const auto same = std::ranges::find(sources, source, &std::pair<QString, QString>::second);
+    if (same != sources.end()) {
+      same->first += QStringLiteral(" %1").arg(QChar(axis));
+    } else {
+      sources.emplace_back(QString(QChar(axis)), source);
+    }
+  }
+  if (sources.size() == 1) {
+    return sources.front().second;
+  }
+  QStringList lines;
+  for (const auto& [axes, source] : sources) {
+    lines.append(QStringLiteral("%1: %2").arg(axes, source));
+  }
+  return lines.join(QStringLiteral("<br/>"));
+}
+
+QString axis_table(const Machine& machine) {
+  HtmlTable table("lrrrll", {18, 9, 9, 9, 9, 46});
+  table.add_head({QStringLiteral("Limit"), QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z"),
+                  QStringLiteral("Unit"), QStringLiteral("Source")});
+  for (const SettingSpec& spec : axis_limit_specs()) {
+    QStringList cells{html_text(spec.title)};
+    for (const char axis : axis_names) {
+      const QString value = significant(axis_limit(machine, axis, spec.key), 8);
+      cells.append(assumed(machine, axis_key(axis, spec.key)) ? QStringLiteral("<i>%1</i>").arg(value)
+                                                              : value);
+    }
+    cells.append(unit_text(spec.unit));
+    cells.append(axis_sources(machine, spec.key));
+    table.add(cells);
+  }
+  return table.html();
+}
+
+std::map<std::string, SettingSpec> specs_of_all_settings() {
+  std::map<std::string, SettingSpec> specs;
+  for (const SettingSpec& spec : common_settings()) {
+    specs.emplace(spec.key, spec);
+  }
+  for (const SettingSpec& spec : all_model_settings()) {
+    specs.emplace(spec.key, spec);
+  }
+  return specs;
+}
+
+QString setting_title(const std::map<std::string, SettingSpec>& specs, const std::string& key) {
+  const auto found = specs.find(key);
+  return html_text(found == specs.end() ? key : found->second.title);
+}
+
+QString setting_unit(const std::map<std::string, SettingSpec>& specs, const std::string& key) {
+  const auto found = specs.find(key);
+  return found == specs.end() ? QString() : unit_text(found->second.unit);
+}
+
+QString control_table(const Machine& machine) {
+  const std::map<std::string, SettingSpec> specs = specs_of_all_settings();
+  HtmlTable table("lrll", {31, 14, 9, 46});
+  table.add_head(
+      {QStringLiteral("Control"), QStringLiteral("Value"), QStringLiteral("Unit"), QStringLiteral("Source")});
+  for (const auto& [key, value] : machine.settings.values()) {
+    const QString text = value_text(value);
+    table.add({setting_title(specs, key),
+               assumed(machine, key) ? QStringLiteral("<i>%1</i>").arg(text) : text, setting_unit(specs, key),
+               source_text(machine, key)});
+  }
+  return table.empty() ? QString() : table.html();
+}
+
+/// What people may ask for, as rows of a table: its name and a value for each run, "" where it does not
+/// count.
+struct SettingRow {
+  QString title;
+  QString unit;
+  std::vector<QString> values;
+  bool differs() const { return std::ranges::adjacent_find(values, std::not_equal_to()) != values.end(); }
+};
+
+SettingRow row_of(const ReportInput& input, const QString& title, const QString& unit, const auto& value) {
+  SettingRow row{title, unit, {}};
+  for (const ReportRun& run : input.runs) {
+    row.values.push_back(value(run.shown->run.setup));
+  }
+  return row;
+}
+
+std::vector<SettingRow> identity_rows(const ReportInput& input) {
+  return {row_of(input, QStringLiteral("Machine"), {},
+                 [](const Setup& setup) { return html_text(setup.machine.name); }),
+          row_of(input, QStringLiteral("Model"), {},
+                 [](const Setup& setup) { return html_text(setup.model->info().id); })};
+}
+
+std::vector<SettingRow> limit_rows(const ReportInput& input) {
+  std::vector<SettingRow> rows;
+  for (const SettingSpec& spec : axis_limit_specs()) {
+    for (const char axis : axis_names) {
+      rows.push_back(row_of(
+          input, QStringLiteral("%1 of %2").arg(html_text(spec.title), QString(QChar(axis))),
+          unit_text(spec.unit),
+          [&](const Setup& setup) { return significant(axis_limit(setup.machine, axis, spec.key), 8); }));
+    }
+  }
+  return rows;
+}
+
+std::vector<SettingRow> setting_rows(const ReportInput& input) {
+  const std::map<std::string, SettingSpec> specs = specs_of_all_settings();
+  std::set<std::string> keys;
+  for (const ReportRun& run : input.runs) {
+    for (const auto& [key, value] : run.shown->run.setup.settings.values()) {
+      keys.insert(key);
+    }
+  }
+  std::vector<SettingRow> rows;
+  for (const std::string& key : keys) {
+    rows.push_back(
+        row_of(input, setting_title(specs, key), setting_unit(specs, key), [&](const Setup& setup) {
+          const auto found = setup.settings.values().find(key);
+          return found == setup.settings.values().end() ? QStringLiteral("–") : value_text(found->second);
+        }));
+  }
+  return rows;
+}
+
+/// A column a run, in as many tables as the runs need.
+QString rows_table(const ReportInput& input, const std::vector<SettingRow>& rows, bool mark_differing) {
+  QString html;
+  const std::size_t count = input.runs.size();
+  for (std::size_t first = 0; first < count && !rows.empty(); first += runs_a_table) {
+    const std::size_t end = std::min(count, first + runs_a_table);
+    const int share = static_cast<int>(60 / (end - first));
+    std::vector<int> widths{30, 10};
+    widths.resize(2 + end - first, share);
+    HtmlTable table("ll" + std::string(end - first, 'r'), widths);
+    QStringList head{QStringLiteral("Setting"), QStringLiteral("Unit")};
+    for (std::size_t i = first; i < end; ++i) {
+      head.append(run_label(input.runs[i]));
+    }
+    table.add_head(head);
+    for (const SettingRow& row : rows) {
+      QStringList cells{row.title, row.unit};
+      for (std::size_t i = first; i < end; ++i) {
+        const bool marked = mark_differing && row.differs();
+        cells.append(marked ? QStringLiteral("<b>%1</b>").arg(row.values[i]) : row.values[i]);
+      }
+      table.add(cells);
+    }
+    html += table.html();
+  }
+  return html;
+}
+
+}  // namespace
+
+QString machines_block(const ReportInput& input) {
+  QString html;
+  std::vector<const Machine*> done;
+  for (const ReportRun& run : input.runs) {
+    const Machine& machine = run.shown->run.setup.machine;
+    if (std::ranges::any_of(done, [&](const Machine* other) { return *other == machine; })) {
+      continue;
+    }
+    done.push_back(&machine);
+    const QString control =
+        machine.control.empty() ? QString() : QStringLiteral(", %1").arg(html_text(machine.control));
+    html += QStringLiteral("<h3>%1%2</h3>\n<p class=\"small\">%3</p>\n")
+                .arg(html_text(machine.name), control, html_text(machine.reference));
+    html += axis_table(machine);
+    html += QStringLiteral("<p class=\"gap\"></p>\n") + control_table(machine);
+  }
+  return html;
+}
+
+QString differing_settings_block(const ReportInput& input) {
+  std::vector<SettingRow> rows;
+  for (std::vector<SettingRow> (*part)(const ReportInput&) : {identity_rows, limit_rows, setting_rows}) {
+    for (SettingRow& row : part(input)) {
+      if (row.differs()) {
+        rows.push_back(std::move(row));
+      }
+    }
+  }
+  return rows_table(input, rows, false);
+}
+
+QString settings_block(const ReportInput& input) {
+  std::vector<SettingRow> rows = identity_rows(input);
+  std::ranges::move(setting_rows(input), std::back_inserter(rows));
+  return rows_table(input, rows, true);
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,42 @@
+#include "ui/report/report_numbers.h"
+
+#include <QLocale>
+#include <QRegularExpression>
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope::ui {
+
+QString fixed(double value, int decimals) {
+  const QString text = QLocale::c().toString(value, 'f', decimals);
+  const bool zero = text.startsWith('-') && !text.contains(QRegularExpression(QStringLiteral("[1-9]")));
+  return zero ? text.mid(1) : text;
+}
+
+QString significant(double value, int digits) {
+  const double size = std::abs(value);
+  constexpr double plain_from = 1e-5;
+  constexpr double plain_to = 1e12;
+  if (size != 0 && (size < plain_from || size >= plain_to)) {
+    return QLocale::c().toString(value, 'g', digits);
+  }
+  const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
+  QString text = QLocale::c().toString(value, 'f', std::max(0, digits - before));
+  if (text.contains('.')) {
+    while (text.endsWith('0')) {
+      text.chop(1);
+    }
+    if (text.endsWith('.')) {
+      text.chop(1);
+    }
+  }
+  return text;
+}
+
+QString unit_text(const std::string& unit) {
+  return QString::fromStdString(unit)
+      .replace(QStringLiteral("s2"), QStringLiteral("s²"))
+      .replace(QStringLiteral("s3"), QStringLiteral("s³"));
+}
+
+}  // namespace feedscope::ui

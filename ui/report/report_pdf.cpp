@@ -1,0 +1,165 @@
+#include "ui/report/report_pdf.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QBuffer>
+#include <QPainter>
+#include <QPdfWriter>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextObjectInterface>
+#include <cmath>
+
+#include "ui/report/page_breaks.h"
+#include "ui/report/pdf_file.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+// A4 in units of 1/96 inch.
+constexpr double page_width = 210 / 25.4 * 96;
+constexpr double page_height = 297 / 25.4 * 96;
+constexpr double margin_top = 62;
+constexpr double margin_bottom = 60;
+constexpr double margin_side = (page_width - report_width) / 2;
+constexpr double contents_height = page_height - margin_top - margin_bottom;
+constexpr int resolution = 1200;
+constexpr double raster_ratio = 300.0 / 96;  // 300 dots an inch
+
+/// Pictures of the report where the text has them.
+class PictureHandler : public QObject, public QTextObjectInterface {
+  Q_OBJECT
+  Q_INTERFACES(QTextObjectInterface)
+
+ public:
+  explicit PictureHandler(const ReportPictures& pictures) : pictures_(pictures) {}
+
+  QSizeF intrinsicSize(QTextDocument*, int, const QTextFormat& format) override {
+    const QTextImageFormat image = format.toImageFormat();
+    return {image.width(), image.height()};
+  }
+  void drawObject(QPainter* painter, const QRectF& place, QTextDocument*, int,
+                  const QTextFormat& format) override {
+    const auto found = pictures_.all().find(format.toImageFormat().name().section(':', 1));
+    if (found == pictures_.all().end()) {
+      return;
+    }
+    painter->save();
+    painter->translate(place.topLeft());
+    painter->setClipRect(QRectF(QPointF(), found->second.size), Qt::IntersectClip);
+    pictures_.paint(found->first, *painter, raster_ratio);
+    painter->restore();
+  }
+
+ private:
+  const ReportPictures& pictures_;
+};
+
+QFont report_font() {
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPixelSize(11);
+  font.setHintingPreference(QFont::PreferNoHinting);
+  return font;
+}
+
+void draw_margins(QPainter& painter, const ReportInput& input, int page, int pages) {
+  QFont font = report_font();
+  font.setPixelSize(9);
+  painter.setFont(font);
+  painter.setPen(QColor(0x6a, 0x70, 0x78));
+  const QFontMetricsF metrics(font);
+  const auto line = [&](double top, const QString& left, const QString& right) {
+    const QRectF room(margin_side, top, report_width, metrics.height());
+    const double used = metrics.horizontalAdvance(right) + 20;
+    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
+                     metrics.elidedText(left, Qt::ElideMiddle, report_width - used));
+    painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, right);
+  };
+  if (page > 0) {
+    line(margin_top - 30, input.heading(),
+         input.date.isValid() ? input.date.toString(QStringLiteral("yyyy-MM-dd")) : QString());
+  }
+  line(page_height - margin_bottom + 22,
+       QStringLiteral("Feedscope %1").arg(QStringLiteral(FEEDSCOPE_VERSION)),
+       QStringLiteral("page %1 of %2").arg(page + 1).arg(pages));
+  painter.setPen(QPen(QColor(0xc8, 0xcd, 0xd2), 0.6));
+  const double rule = page_height - margin_bottom + 16;
+  painter.drawLine(QPointF(margin_side, rule), QPointF(margin_side + report_width, rule));
+}
+
+void draw_page(QPainter& painter, QTextDocument& document, int page) {
+  const QRectF part(0, page * contents_height, report_width, contents_height);
+  painter.save();
+  painter.translate(margin_side, margin_top - part.top());
+  painter.setClipRect(part);
+  QAbstractTextDocumentLayout::PaintContext context;
+  context.clip = part;
+  context.palette.setColor(QPalette::Text, Qt::black);
+  document.documentLayout()->draw(&painter, context);
+  painter.restore();
+}
+
+std::vector<PdfBookmark> bookmarks_of(const QTextDocument& document) {
+  std::vector<PdfBookmark> bookmarks;
+  for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+    const int level = block.blockFormat().headingLevel();
+    if (level > 0 && !block.text().trimmed().isEmpty()) {
+      const double top = document.documentLayout()->blockBoundingRect(block).top();
+      const int page = static_cast<int>(top / contents_height);
+      const double on_page = margin_top + top - page * contents_height;
+      bookmarks.push_back(
+          {level, block.text().remove(QChar(0x200b)).simplified(), page, (on_page - 6) * 0.75});
+    }
+  }
+  return bookmarks;
+}
+
+void fill(QTextDocument& document, PictureHandler& handler, QString html) {
+  document.setDefaultFont(report_font());
+  document.setUseDesignMetrics(true);
+  document.setDocumentMargin(0);
+  document.documentLayout()->registerHandler(QTextFormat::ImageObject, &handler);
+  QTextOption option;
+  option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+  document.setDefaultTextOption(option);
+  document.setHtml(html.replace(QStringLiteral("<wbr>"), QStringLiteral("&#8203;")));
+  document.setPageSize({report_width, contents_height});
+}
+
+}  // namespace
+
+std::string report_pdf(const QString& html, const ReportPictures& pictures, const ReportInput& input) {
+  const StableOrder order;
+  PictureHandler handler(pictures);
+  QTextDocument document;
+  fill(document, handler, html);
+  keep_together(document, contents_height);
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  QPdfWriter writer(&buffer);
+  writer.setResolution(resolution);
+  writer.setPageSize(QPageSize(QPageSize::A4));
+  writer.setPageMargins({});
+  QPainter painter(&writer);
+  painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing |
+                         QPainter::LosslessImageRendering);
+  constexpr double unit = resolution / 96.0;
+  painter.scale(unit, unit);
+  const int pages = document.pageCount();
+  for (int page = 0; page < pages; ++page) {
+    if (page > 0) {
+      writer.newPage();
+    }
+    draw_page(painter, document, page);
+    draw_margins(painter, input, page, pages);
+  }
+  painter.end();
+  const QString date =
+      input.date.isValid() ? input.date.toUTC().toString(QStringLiteral("'D:'yyyyMMddHHmmss'Z'")) : QString();
+  return finished_pdf(buffer.data().toStdString(),
+                      {input.heading(), input.author, date, bookmarks_of(document)});
+}
+
+}  // namespace feedscope::ui
+
+#include "report_pdf.moc"

@@ -1,0 +1,268 @@
+#include "ui/report/report_pictures.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "core/base/units.h"
+#include "ui/charts/comparison_chart.h"
+#include "ui/models/why_text.h"
+#include "ui/report/charts_page.h"
+#include "ui/report/html_table.h"
+#include "ui/report/report_numbers.h"
+#include "ui/report/report_tables.h"
+#include "ui/report/scene_picture.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr std::size_t most_places = 8;  // in the table
+constexpr std::size_t most_close_ups = 6;
+constexpr std::size_t most_charts = 6;
+constexpr int close_ups_a_row = 2;
+
+QString figure(const QString& picture, const QString& caption) {
+  return QStringLiteral(
+             "<table class=\"figure\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1"
+             "<p class=\"caption\">%2</p></td></tr></table>\n")
+      .arg(picture, caption);
+}
+
+ReportPicture scene_picture(const ReportInput& input, SceneLook look, const QSizeF& size) {
+  ReportInput seen = input;
+  seen.scene = std::move(look);
+  return {size, true, [seen, size](QPainter& painter, double pixel_ratio) {
+            ScenePicture picture(seen, seen.current, ThemeKind::light);
+            picture.paint(painter, QRectF(QPointF(), size), {pixel_ratio, 0.8}, seen.annotations);
+          }};
+}
+
+/// Places that lose time alike, as the turns of a pocket do.
+struct AlikePlaces {
+  SlowPlace worst;
+  std::size_t count = 0;
+  double loss = 0;  ///< of all of them [s]
+};
+
+bool alike(const SlowPlace& a, const SlowPlace& b) {
+  constexpr double tolerance = 0.03;
+  const auto near = [](double x, double y) { return std::abs(x - y) <= tolerance * std::max(x, y); };
+  return a.cause == b.cause && near(a.loss, b.loss) && near(a.feed, b.feed) &&
+         near(a.programmed_feed, b.programmed_feed);
+}
+
+/// Those that lose most together, the worst first.
+std::vector<AlikePlaces> worst_places(const ReportInput& input, std::size_t most) {
+  constexpr std::size_t most_kinds = 200;  // told apart; the rest loses less
+  std::vector<SlowPlace> places = input.run().shown->slow_places->places;
+  std::ranges::stable_sort(places, std::greater(), &SlowPlace::loss);
+  std::erase_if(places, [](const SlowPlace& place) { return !(place.loss > 0); });
+  std::vector<AlikePlaces> kinds;
+  for (const SlowPlace& place : places) {
+    const auto found =
+        std::ranges::find_if(kinds, [&](const AlikePlaces& kind) { return alike(kind.worst, place); });
+    if (found != kinds.end()) {
+      ++found->count;
+      found->loss += place.loss;
+    } else if (kinds.size() < most_kinds) {
+      kinds.push_back({place, 1, place.loss});
+    }
+  }
+  std::ranges::stable_sort(kinds, std::greater(), &AlikePlaces::loss);
+  kinds.resize(std::min(kinds.size(), most));
+  return kinds;
+}
+
+QString lines_text(const AlikePlaces& places) {
+  const SlowPlace& place = places.worst;
+  const QString lines = place.first_line == place.last_line
+                            ? QString::number(place.first_line)
+                            : QStringLiteral("%1 – %2").arg(place.first_line).arg(place.last_line);
+  return places.count > 1 ? QStringLiteral("%1 and %2 alike").arg(lines).arg(places.count - 1) : lines;
+}
+
+/// A place that is flat is seen from above, others as the whole.
+StandardView view_of(const Run& run, const SlowPlace& place) {
+  constexpr int samples = 50;
+  Bounds bounds;
+  for (int i = 0; i <= samples; ++i) {
+    bounds.add(run.trajectory->state(place.from + (place.to - place.from) * i / samples).position);
+  }
+  const Vec3 size = bounds.max - bounds.min;
+  return size.z() <= 0.05 * std::max(size.x(), size.y()) ? StandardView::top : StandardView::iso;
+}
+
+ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const QSizeF& size) {
+  ReportInput seen = input;
+  seen.scene.camera.reset();
+  seen.scene.view = view_of(input.run().shown->run, place);
+  seen.scene.colouring = Colouring::feed;
+  return {size, true, [seen, size, place](QPainter& painter, double pixel_ratio) {
+            ScenePicture picture(seen, seen.current, ThemeKind::light);
+            const SceneScale scale{pixel_ratio, 0.68};
+            picture.prepare(size, scale);
+            picture.scene().fit_times(place.from, place.to);
+            picture.scene().zoom(0.7, {size.width() * pixel_ratio / 2, size.height() * pixel_ratio / 2});
+            picture.scene().set_highlight(std::array{place.from, place.to});
+            picture.scene().set_hover(picture.scene().drawn_at(place.slowest));
+            picture.paint(painter, QRectF(QPointF(), size), scale, seen.annotations);
+          }};
+}
+
+}  // namespace
+
+QString ReportPictures::add(const QString& name, ReportPicture picture, const QString& description) {
+  const QSizeF size = picture.size;
+  pictures_.insert_or_assign(name, std::move(picture));
+  return QStringLiteral("<img src=\"picture:%1\" width=\"%2\" height=\"%3\" alt=\"%4\"/>")
+      .arg(name)
+      .arg(size.width())
+      .arg(size.height())
+      .arg(description.toHtmlEscaped());
+}
+
+void ReportPictures::paint(const QString& name, QPainter& painter, double pixel_ratio) const {
+  const auto found = pictures_.find(name);
+  if (found == pictures_.end()) {
+    return;
+  }
+  if (progress_ != nullptr) {
+    progress_->report(std::min(1.0, static_cast<double>(painted_++) / static_cast<double>(pictures_.size())));
+  }
+  found->second.paint(painter, pixel_ratio);
+}
+
+QString view_block(const ReportInput& input, ReportPictures& pictures) {
+  const QString name = html_text(input.run().name);
+  const QString caption =
+      input.scene.exaggeration > 1
+          ? QStringLiteral("Executed path of %1; deviations drawn %2 times as large as they are.")
+                .arg(name, significant(input.scene.exaggeration, 4))
+          : QStringLiteral("Programmed and executed path of %1.").arg(name);
+  return figure(pictures.add(QStringLiteral("view"), scene_picture(input, input.scene, {report_width, 400}),
+                             QStringLiteral("3D view")),
+                caption);
+}
+
+QString cause_view_block(const ReportInput& input, ReportPictures& pictures) {
+  SceneLook look = input.scene;
+  look.colouring = Colouring::cause;
+  return figure(
+      pictures.add(QStringLiteral("causes"), scene_picture(input, look, {report_width, 400}),
+                   QStringLiteral("3D view by limiting cause")),
+      QStringLiteral("What limits the feed of %1 along the path.").arg(html_text(input.run().name)));
+}
+
+QString charts_block(const ReportInput& input, ReportPictures& pictures) {
+  QString html;
+  const QSizeF size(report_width, 430);
+  constexpr double shrunk = 0.84;  // the charts are laid out larger
+  for (std::size_t i = 0; i < std::min(input.runs.size(), most_charts); ++i) {
+    const auto paint = [input, i, size](QPainter& painter, double pixel_ratio) {
+      ChartsPage page;
+      page.set_runs(input, i);
+      page.hide_title();
+      page.set_background(Qt::white);
+      page.prepare((size / shrunk).toSize(), std::max(1.0, shrunk * pixel_ratio));
+      painter.scale(shrunk, shrunk);
+      page.draw(painter, false);
+    };
+    html += figure(pictures.add(QStringLiteral("charts%1").arg(i), {size, false, paint},
+                                QStringLiteral("Charts of %1").arg(input.runs[i].name)),
+                   QStringLiteral("Feed with what limits it, acceleration and jerk of %1.")
+                       .arg(html_text(input.runs[i].name)));
+  }
+  return html;
+}
+
+QString bars_block(const ReportInput& input, ReportPictures& pictures) {
+  std::vector<ComparedRun> runs;
+  for (const ReportRun& run : input.runs) {
+    const Run& done = run.shown->run;
+    runs.push_back(
+        {done.setup, done.summary, done.trajectory->path_length(), done.trajectory->blend_count(), 0});
+  }
+  auto chart = std::make_shared<ComparisonChart>();
+  constexpr double shrunk = 0.72;
+  const int width = static_cast<int>(report_width / shrunk);
+  chart->set_comparison({}, {}, comparison_bars(runs));
+  chart->ensurePolished();
+  chart->resize(width, natural_comparison_height(chart->bars(), width, chart->font()));
+  const QSizeF size(report_width, chart->height() * shrunk);
+  return figure(pictures.add(QStringLiteral("bars"),
+                             {size, false,
+                              [chart](QPainter& painter, double) {
+                                painter.scale(shrunk, shrunk);
+                                chart->draw(painter);
+                              }},
+                             QStringLiteral("Cycle times by limiting cause")),
+                QStringLiteral("Cycle times by limiting cause; the dashed line is the programmed time."));
+}
+
+QString slow_places_block(const ReportInput& input) {
+  const Run& run = input.run().shown->run;
+  const SlowPlaces& found = *input.run().shown->slow_places;
+  HtmlTable table("rlrrl", {5, 19, 9, 16, 51});
+  table.add_head({QStringLiteral("No."), QStringLiteral("Lines"), QStringLiteral("Lost [s]"),
+                  QStringLiteral("Feed [mm/min]"), QStringLiteral("Why")});
+  int number = 0;
+  double listed = 0;
+  for (const AlikePlaces& places : worst_places(input, most_places)) {
+    const SlowPlace& place = places.worst;
+    const Explanation why = explain(run, run.trajectory->state(place.slowest));
+    const QString cause = WhyText::cause(place.cause).toHtmlEscaped();
+    table.add(
+        {QString::number(++number), lines_text(places), fixed(places.loss, 3),
+         QStringLiteral("%1 of %2")
+             .arg(fixed(units::to_mm_min(place.feed), 0), fixed(units::to_mm_min(place.programmed_feed), 0)),
+         QStringLiteral("<b>%1.</b> %2").arg(cause, WhyText::sentence(why).toHtmlEscaped())});
+    listed += places.loss;
+  }
+  if (table.empty()) {
+    return {};
+  }
+  return table.html() +
+         QStringLiteral(
+             "<p class=\"caption\">%1 places lose %2 s against the programmed feed; the %3 listed lose "
+             "%4 s of it. “Why” is said of the slowest instant.</p>\n")
+             .arg(found.count)
+             .arg(fixed(found.loss, 3))
+             .arg(number)
+             .arg(fixed(listed, 3));
+}
+
+QString slow_place_views_block(const ReportInput& input, ReportPictures& pictures) {
+  const std::vector<AlikePlaces> places = worst_places(input, most_close_ups);
+  constexpr double gap = 12;
+  const QSizeF size((report_width - (close_ups_a_row - 1) * gap) / close_ups_a_row, 215);
+  QString html;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t column = i % close_ups_a_row;
+    html += column == 0 ? QStringLiteral("<tr>") : QString();
+    const QString number = QString::number(i + 1);
+    html +=
+        QStringLiteral("<td width=\"50%\">%1<p class=\"caption\">%2: lines %3, %4 s lost</p></td>")
+            .arg(pictures.add(QStringLiteral("place%1").arg(number), close_up(input, places[i].worst, size),
+                              QStringLiteral("Close-up of place %1").arg(number)),
+                 number, lines_text(places[i]), fixed(places[i].loss, 3));
+    const bool last = column + 1 == close_ups_a_row || i + 1 == places.size();
+    html += last ? QStringLiteral("</tr>\n") : QString();
+  }
+  return html.isEmpty() ? html
+                        : QStringLiteral(
+                              "<table class=\"figure\" width=\"100%\" cellspacing=\"0\" "
+                              "cellpadding=\"0\">\n%1</table>\n")
+                              .arg(html);
+}
+
+QString notes_block(const ReportInput& input) {
+  QString html;
+  for (const QString& note : input.notes) {
+    html += QStringLiteral("<li>%1</li>\n").arg(html_text(note).replace('\n', QStringLiteral("<br/>")));
+  }
+  return html.isEmpty() ? html : QStringLiteral("<ol>\n%1</ol>\n").arg(html);
+}
+
+}  // namespace feedscope::ui

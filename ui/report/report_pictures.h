@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QSizeF>
+#include <QString>
+#include <functional>
+#include <map>
+
+#include "ui/report/report_input.h"
+
+class QPainter;
+
+namespace feedscope::ui {
+
+/// A picture of a report: painted into a rectangle from 0, 0, rasters with `pixel_ratio` pixels to a unit.
+struct ReportPicture {
+  QSizeF size;  ///< units of 1/96 inch
+  bool raster = false;
+  std::function<void(QPainter&, double pixel_ratio)> paint;
+};
+
+/// The pictures that the blocks of a report name, by these names.
+class ReportPictures {
+ public:
+  explicit ReportPictures(Progress* progress = nullptr) : progress_(progress) {}
+  /// Adds a picture and gives the HTML that shows it.
+  QString add(const QString& name, ReportPicture picture, const QString& description);
+  const std::map<QString, ReportPicture>& all() const { return pictures_; }
+  /// Paints one of them; throws Cancelled. A name that is none paints nothing.
+  void paint(const QString& name, QPainter& painter, double pixel_ratio) const;
+
+ private:
+  Progress* progress_;
+  mutable std::size_t painted_ = 0;
+  std::map<QString, ReportPicture> pictures_;
+};
+
+/// Width of what stands between the margins of a report [1/96 inch].
+inline constexpr double report_width = 672;
+
+// Blocks with pictures as HTML.
+
+/// The current run in 3D, with the annotations, coloured as the input says.
+QString view_block(const ReportInput& input, ReportPictures& pictures);
+/// The same from the same place, coloured by limiting cause.
+QString cause_view_block(const ReportInput& input, ReportPictures& pictures);
+/// Feed with its causes, acceleration and jerk of every run.
+QString charts_block(const ReportInput& input, ReportPictures& pictures);
+/// The runs as bars by limiting cause.
+QString bars_block(const ReportInput& input, ReportPictures& pictures);
+/// The places that lose most time, and why.
+QString slow_places_block(const ReportInput& input);
+/// Close-ups of the same places.
+QString slow_place_views_block(const ReportInput& input, ReportPictures& pictures);
+/// The annotations as a list; empty without any.
+QString notes_block(const ReportInput& input);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,230 @@
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/units.h"
+#include "ui/charts/cause_strip.h"
+#include "ui/models/texts.h"
+#include "ui/report/html_table.h"
+#include "ui/report/report_numbers.h"
+#include "ui/report/report_tables.h"
+#include "ui/scene/cause_colour.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr std::size_t runs_a_table = 4;
+constexpr double least_named_share = 0.0005;  // of a cycle time; below, 0.0 % would stand there
+
+const Summary& summary_of(const ReportRun& run) {
+  return run.shown->run.summary;
+}
+
+double against_programmed(const Summary& summary) {
+  return summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
+}
+
+QString micrometres(double millimetres) {
+  return significant(1000 * millimetres, millimetres < 0.1 ? 3 : 4);
+}
+
+QString percent(double share, int decimals) {
+  return std::isfinite(share) ? fixed(100 * share, decimals) : QStringLiteral("–");
+}
+
+QString difference_to_first(const Summary& summary, const Summary& first) {
+  if (&summary == &first || !(first.cycle_time > 0)) {
+    return QStringLiteral("–");
+  }
+  const double change = summary.cycle_time / first.cycle_time - 1;
+  return (change < 0 ? QStringLiteral("−") : QStringLiteral("+")) + percent(std::abs(change), 1);
+}
+
+QString main_causes(const Summary& summary) {
+  constexpr std::size_t most = 3;
+  QStringList parts;
+  for (const auto& [kind, time] : time_by_kind(summary)) {
+    if (parts.size() < static_cast<qsizetype>(most) && time > 0.02 * summary.cycle_time) {
+      parts.append(
+          QStringLiteral("%1 (%2 %)").arg(cause_kind_name(kind), percent(time / summary.cycle_time, 0)));
+    }
+  }
+  return parts.join(QStringLiteral(", "));
+}
+
+QString one_run_sentence(const ReportRun& run) {
+  const Summary& summary = summary_of(run);
+  return QStringLiteral(
+             "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "
+             "%6 mm/min; the path comes within <b>%7 µm</b> of the programmed corners.")
+      .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name), clock_text(summary.cycle_time),
+           significant(against_programmed(summary), 3), clock_text(summary.programmed_time),
+           fixed(units::to_mm_min(summary.mean_feed), 0), micrometres(summary.max_contour_error));
+}
+
+QString fastest_sentence(const ReportInput& input) {
+  const auto time = [](const ReportRun& run) { return summary_of(run).cycle_time; };
+  const ReportRun& fastest = *std::ranges::min_element(input.runs, {}, time);
+  const ReportRun& slowest = *std::ranges::max_element(input.runs, {}, time);
+  if (!(time(slowest) > time(fastest))) {
+    return QStringLiteral("All runs take %1.").arg(clock_text(time(fastest)));
+  }
+  return QStringLiteral(
+             "<b>%1</b> is the fastest of %2 runs: <b>%3</b> at a contour error of %4 µm, "
+             "<b>%5 % less time</b> than %6 (%7, %8 µm).")
+      .arg(html_text(fastest.name))
+      .arg(input.runs.size())
+      .arg(clock_text(time(fastest)), micrometres(summary_of(fastest).max_contour_error),
+           percent(1 - time(fastest) / time(slowest), 1), html_text(slowest.name), clock_text(time(slowest)),
+           micrometres(summary_of(slowest).max_contour_error));
+}
+
+using Peak = double AxisPeaks::*;
+using Limit = double AxisLimits::*;
+
+struct AxisQuantity {
+  const char* name;
+  Peak peak;
+  Limit limit;
+  double (*convert)(double);
+  const char* unit;
+};
+constexpr AxisQuantity quantities[] = {
+    {"Velocity", &AxisPeaks::velocity, &AxisLimits::velocity, units::to_m_min, "m/min"},
+    {"Acceleration", &AxisPeaks::acceleration, &AxisLimits::acceleration, units::to_m, "m/s²"},
+    {"Jerk", &AxisPeaks::jerk, &AxisLimits::jerk, units::to_m, "m/s³"}};
+
+QString swatch(CauseKind kind) {
+  const Rgb rgb = cause_colour(kind);
+  const QColor colour =
+      QColor::fromRgbF(static_cast<float>(rgb[0]), static_cast<float>(rgb[1]), static_cast<float>(rgb[2]));
+  return QStringLiteral("<span style=\"color:%1\">■</span>&nbsp;").arg(colour.name());
+}
+
+/// Causes that take time in any run, the longest of all runs together first.
+std::vector<std::size_t> listed_causes(const ReportInput& input) {
+  std::vector<double> shares(all_causes().size(), 0);
+  for (const ReportRun& run : input.runs) {
+    const Summary& summary = summary_of(run);
+    for (std::size_t i = 0; i < shares.size() && summary.cycle_time > 0; ++i) {
+      shares[i] = std::max(shares[i], summary.time_by_cause[i] / summary.cycle_time);
+    }
+  }
+  std::vector<std::size_t> order(shares.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&](std::size_t i) { return !(shares[i] >= least_named_share); });
+  std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return shares[i]; });
+  return order;
+}
+
+QString causes_table(const ReportInput& input, const std::vector<std::size_t>& causes, std::size_t first,
+                     std::size_t end) {
+  HtmlTable table("l" + [&] {
+    std::string sides;
+    for (std::size_t i = first; i < end; ++i) {
+      sides += "rr";
+    }
+    return sides;
+  }());
+  std::vector<std::pair<QString, int>> groups{{QStringLiteral("Limited by"), 1}};
+  QStringList units{QString()};
+  for (std::size_t i = first; i < end; ++i) {
+    groups.emplace_back(run_label(input.runs[i]), 2);
+    units << QStringLiteral("s") << QStringLiteral("%");
+  }
+  table.add_group_head(groups);
+  table.add_head(units);
+  for (const std::size_t cause : causes) {
+    QStringList cells{swatch(all_causes()[cause].kind) + html_text(cause_name(all_causes()[cause]))};
+    for (std::size_t i = first; i < end; ++i) {
+      const Summary& summary = summary_of(input.runs[i]);
+      const double time = summary.time_by_cause[cause];
+      cells << (time > 0 ? fixed(time, 3) : QStringLiteral("–"))
+            << (time > 0 ? percent(time / summary.cycle_time, 1) : QStringLiteral("–"));
+    }
+    table.add(cells);
+  }
+  return table.html();
+}
+
+}  // namespace
+
+std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary) {
+  std::vector<std::pair<CauseKind, double>> kinds;
+  for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
+    const CauseKind kind = all_causes()[i].kind;
+    if (kinds.empty() || kinds.back().first != kind) {
+      kinds.emplace_back(kind, 0);
+    }
+    kinds.back().second += summary.time_by_cause[i];
+  }
+  std::erase_if(kinds, [](const auto& entry) { return !(entry.second > 0); });
+  std::ranges::stable_sort(kinds, std::greater(), &std::pair<CauseKind, double>::second);
+  return kinds;
+}
+
+QString summary_block(const ReportInput& input) {
+  QString html = QStringLiteral("<p>%1</p>\n")
+                     .arg(input.runs.size() > 1 ? fastest_sentence(input) : one_run_sentence(input.run()));
+  const QString causes = main_causes(summary_of(input.run()));
+  if (!causes.isEmpty()) {
+    html += QStringLiteral("<p>Most of the time of %1 is limited by: %2.</p>\n")
+                .arg(html_text(input.run().name), html_text(causes));
+  }
+  return html;
+}
+
+QString comparison_block(const ReportInput& input) {
+  HtmlTable table("lrrrrrrr", {27, 12, 10, 10, 10, 10, 11, 10});
+  table.add_head({QStringLiteral("Run"), QStringLiteral("Cycle time [s]"),
+                  QStringLiteral("× pro-<br/>grammed"), QStringLiteral("To first [%]"),
+                  QStringLiteral("Mean feed [mm/min]"), QStringLiteral("Peak feed [mm/min]"),
+                  QStringLiteral("Contour error [µm]"), QStringLiteral("Corner blends")});
+  for (const ReportRun& run : input.runs) {
+    const Summary& summary = summary_of(run);
+    table.add(
+        {run_label(run), QStringLiteral("<b>%1</b>").arg(fixed(summary.cycle_time, 3)),
+         fixed(against_programmed(summary), 3), difference_to_first(summary, summary_of(input.runs.front())),
+         fixed(units::to_mm_min(summary.mean_feed), 0), fixed(units::to_mm_min(summary.peak_feed), 0),
+         micrometres(summary.max_contour_error), QString::number(run.shown->run.trajectory->blend_count())});
+  }
+  return table.html();
+}
+
+QString peaks_block(const ReportInput& input) {
+  HtmlTable table("lrrrrrrrrr", {28, 8, 8, 8, 8, 8, 8, 8, 8, 8});
+  std::vector<std::pair<QString, int>> groups{{QStringLiteral("Run"), 1}};
+  QStringList axes{QString()};
+  for (const AxisQuantity& quantity : quantities) {
+    groups.emplace_back(
+        QStringLiteral("%1 [%2]").arg(QString::fromUtf8(quantity.name), QString::fromUtf8(quantity.unit)), 3);
+    axes << QStringLiteral("X") << QStringLiteral("Y") << QStringLiteral("Z");
+  }
+  table.add_group_head(groups);
+  table.add_head(axes);
+  for (const ReportRun& run : input.runs) {
+    QStringList cells{run_label(run) + QStringLiteral("<br/><span class=\"muted\">of the limit</span>")};
+    for (const AxisQuantity& quantity : quantities) {
+      for (std::size_t i = 0; i < axis_names.size(); ++i) {
+        const double peak = summary_of(run).axes[i].*quantity.peak;
+        const double limit = run.shown->run.setup.machine.axes[i].*quantity.limit;
+        cells.append(QStringLiteral("%1<br/><span class=\"muted\">%2 %</span>")
+                         .arg(significant(quantity.convert(peak), 3), percent(peak / limit, 0)));
+      }
+    }
+    table.add(cells);
+  }
+  return table.html();
+}
+
+QString causes_block(const ReportInput& input) {
+  const std::vector<std::size_t> causes = listed_causes(input);
+  QString html;
+  for (std::size_t first = 0; first < input.runs.size() && !causes.empty(); first += runs_a_table) {
+    html += causes_table(input, causes, first, std::min(input.runs.size(), first + runs_a_table));
+  }
+  return html;
+}
+
+}  // namespace feedscope::ui

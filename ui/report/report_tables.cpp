@@ -1,0 +1,122 @@
+#include "ui/report/report_tables.h"
+
+#include <QCryptographicHash>
+#include <cmath>
+
+#include "core/analysis/program_facts.h"
+#include "core/base/units.h"
+#include "ui/models/texts.h"
+#include "ui/report/html_table.h"
+#include "ui/report/report_numbers.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr qsizetype most_ranges = 40;  // of path control that are listed
+
+QString extent_text(double from, double to) {
+  return std::isfinite(from) && std::isfinite(to)
+             ? QStringLiteral("%1 to %2 mm").arg(fixed(from, 3), fixed(to, 3))
+             : QStringLiteral("not programmed");
+}
+
+QString tools_text(const Program& program) {
+  QStringList names;
+  for (const ToolChange& tool : program.tools) {
+    names.append(QStringLiteral("%1 (line %2)").arg(html_text(tool.name)).arg(tool.line));
+  }
+  return names.isEmpty() ? QStringLiteral("none named") : names.join(QStringLiteral(", "));
+}
+
+QString lines_text(std::uint32_t first, std::uint32_t last) {
+  return first == last ? QStringLiteral("line %1").arg(first)
+                       : QStringLiteral("lines %1 to %2").arg(first).arg(last);
+}
+
+QString path_control_text(const ProgramFacts& facts) {
+  QStringList lines;
+  for (const PathControlRange& range : facts.path_control) {
+    if (lines.size() == most_ranges) {
+      lines.append(QStringLiteral("and %1 more").arg(facts.path_control.size() - lines.size()));
+      break;
+    }
+    lines.append(QStringLiteral("%1: %2").arg(lines_text(range.first_line, range.last_line),
+                                              html_text(describe(range.control))));
+  }
+  return lines.isEmpty() ? QStringLiteral("as the machine") : lines.join(QStringLiteral("<br/>"));
+}
+
+QString severity_text(Severity severity) {
+  return QString::fromUtf8(to_string(severity).data(), static_cast<qsizetype>(to_string(severity).size()));
+}
+
+}  // namespace
+
+QString program_facts_block(const ReportInput& input) {
+  const Program& program = *input.program().program;
+  const ProgramFacts facts = facts_of(program, *input.program().toolpath);
+  HtmlTable table("ll", {24, 76});
+  const auto add = [&](const char* name, const QString& value) {
+    table.add({QString::fromUtf8(name), value});
+  };
+  add("File", html_text(program.source->name()));
+  add("Language", html_text(std::string(info_of(program.dialect).title)));
+  add("Size", QStringLiteral("%1 lines, %2 blocks run").arg(facts.lines).arg(program.block_count));
+  add("Segments", QStringLiteral("%1: %2 lines, %3 arcs, %4 dwells")
+                      .arg(facts.segments)
+                      .arg(facts.segments - facts.arcs - facts.dwells)
+                      .arg(facts.arcs)
+                      .arg(facts.dwells));
+  for (int axis = 0; axis < 3; ++axis) {
+    table.add({QStringLiteral("Extent of %1").arg(QChar(axis_names[static_cast<std::size_t>(axis)])),
+               extent_text(facts.bounds.min[axis], facts.bounds.max[axis])});
+  }
+  add("Path length", QStringLiteral("%1 mm, %2 mm of it rapid")
+                         .arg(fixed(facts.path_length, 3), fixed(facts.rapid_length, 3)));
+  if (facts.dwells > 0) {
+    add("Dwells", clock_text(facts.dwell_time));
+  }
+  add("Programmed feeds", facts.largest_feed > 0
+                              ? QStringLiteral("%1 to %2 mm/min")
+                                    .arg(significant(units::to_mm_min(facts.least_feed), 6),
+                                         significant(units::to_mm_min(facts.largest_feed), 6))
+                              : QStringLiteral("none"));
+  add("Tools", tools_text(program));
+  if (program.call_count > 0) {
+    add("Subprogram calls", QString::number(program.call_count));
+  }
+  add("Path control", path_control_text(facts));
+  const std::string_view text = program.source->text();
+  add("SHA-256",
+      html_text(QString::fromLatin1(
+          QCryptographicHash::hash(QByteArrayView(text.data(), static_cast<qsizetype>(text.size())),
+                                   QCryptographicHash::Sha256)
+              .toHex())));
+  return table.html();
+}
+
+QString messages_block(const ReportInput& input) {
+  constexpr std::size_t most = 50;
+  const std::vector<Diagnostic>& messages = input.program().program->diagnostics;
+  HtmlTable table("lrl", {12, 10, 78});
+  table.add_head({QStringLiteral("Severity"), QStringLiteral("Line"), QStringLiteral("Message")});
+  for (const Diagnostic& message : messages) {
+    if (&message - messages.data() == most) {
+      table.add({{}, {}, QStringLiteral("and %1 more").arg(messages.size() - most)});
+      break;
+    }
+    const QString hint =
+        message.hint.empty() ? QString() : QStringLiteral(" (%1)").arg(html_text(message.hint));
+    const QString line = message.line == 0 ? QString() : QString::number(message.line);
+    table.add({severity_text(message.severity), line, html_text(message.message) + hint});
+  }
+  return table.empty() ? QString() : table.html();
+}
+
+QString run_label(const ReportRun& run) {
+  return QStringLiteral("<span style=\"color:%1\">■</span>&nbsp;%2")
+      .arg(run.colour.name(), html_text(run.name));
+}
+
+}  // namespace feedscope::ui

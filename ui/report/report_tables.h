@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QString>
+#include <utility>
+#include <vector>
+
+#include "ui/report/report_input.h"
+
+namespace feedscope::ui {
+
+// Blocks of a report as HTML. Numbers have a decimal point and the units of people; all texts are escaped.
+
+/// What the program holds: dialect, blocks, path, extents, feeds, tools, path control by lines.
+QString program_facts_block(const ReportInput& input);
+/// Messages of the reader; empty if there are none.
+QString messages_block(const ReportInput& input);
+/// Limits and settings of each machine with the source of every number; assumed ones in italics.
+QString machines_block(const ReportInput& input);
+/// What is not the same in all runs; empty for one run.
+QString differing_settings_block(const ReportInput& input);
+/// Every setting that the models read, for each run.
+QString settings_block(const ReportInput& input);
+/// The models: title, reference, what they do and what they promise with the settings of the runs.
+QString models_block(const ReportInput& input);
+
+/// One or two sentences with the main figures.
+QString summary_block(const ReportInput& input);
+/// Cycle time, feeds and contour error of each run.
+QString comparison_block(const ReportInput& input);
+/// Largest velocity, acceleration and jerk of each axis against its limits.
+QString peaks_block(const ReportInput& input);
+/// Time by limiting cause.
+QString causes_block(const ReportInput& input);
+
+/// How long each kind of limit rules a run [s], the longest first; those that never do are left out.
+std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary);
+
+/// A run's name after a square of its colour.
+QString run_label(const ReportRun& run);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <QString>
+#include <QStringList>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace feedscope::ui {
+
+/// A page with placeholders in double braces, "{{comparison_table}}", which become blocks of a report. What
+/// stands between "{{#notes}}" and "{{/notes}}" is left out where the block is empty. "{{!" begins a remark.
+class ReportTemplate {
+ public:
+  /// `name` is what messages call the template. Throws InputError with name, line and the nearest known
+  /// placeholder: a placeholder not in `known`, braces or a section not closed.
+  ReportTemplate(QString text, QString name, const QStringList& known);
+
+  /// The page with blocks for placeholders; each block is asked for once.
+  QString filled(const std::function<QString(const QString&)>& block) const;
+  /// The placeholders that occur, without repetition, in their order.
+  QStringList placeholders() const;
+
+ private:
+  enum class Kind { text, block, begin, end };
+  struct Part {
+    Kind kind = Kind::text;
+    QString text;  ///< as it is, or the placeholder's name
+  };
+
+  struct Open {
+    QString name;       ///< of a section that has begun
+    std::string place;  ///< file and line
+  };
+
+  void add(const QString& word, const std::string& place, const QStringList& known, std::vector<Open>& open);
+
+  std::vector<Part> parts_;
+};
+
+/// The template that is shipped, or the one in `file`. Throws InputError where it cannot be read, or is
+/// larger than any template.
+QString read_template(const QString& file);
+/// Where the shipped one lies.
+QString shipped_template();
+
+}  // namespace feedscope::ui

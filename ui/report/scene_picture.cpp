@@ -1,0 +1,119 @@
+#include "ui/report/scene_picture.h"
+
+#include <fmt/format.h>
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <QPainter>
+#include <cmath>
+#include <cstring>
+
+#include "core/base/error.h"
+#include "ui/scene/picture.h"
+#include "ui/scene/render_window.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+Rgb rgb_of(const QColor& colour) {
+  return {colour.redF(), colour.greenF(), colour.blueF()};
+}
+
+std::vector<OverlayRun> overlays_of(const ReportInput& input, std::size_t row) {
+  std::vector<OverlayRun> overlays;
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    if (i != row) {
+      const ReportRun& run = input.runs[i];
+      overlays.push_back({run.shown->samples, rgb_of(run.colour), run.name.toStdString()});
+    }
+  }
+  return overlays;
+}
+
+QSize pixels_of(const QSizeF& size, double ratio) {
+  const QSize pixels(static_cast<int>(std::lround(size.width() * ratio)),
+                     static_cast<int>(std::lround(size.height() * ratio)));
+  for (const int side : {pixels.width(), pixels.height()}) {
+    if (side < 1 || side > largest_picture_side) {
+      throw InputError(
+          fmt::format("the 3D view would have {} x {} pixels, and each side may have 1 to {}; take a smaller "
+                      "--size, --scale or --dpi",
+                      pixels.width(), pixels.height(), largest_picture_side));
+    }
+  }
+  return pixels;
+}
+
+}  // namespace
+
+ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind theme, bool transparent)
+    : window_(make_render_window(RenderBackend::software)), theme_(theme), transparent_(transparent) {
+  const ReportRun& run = input.runs[row];
+  const SceneLook& look = input.scene;
+  scene_.set_background(theme == ThemeKind::dark ? Background::dark : Background::light);
+  scene_.set_transparent(transparent);
+  scene_.set_programmed(run.shown->run.input.toolpath);
+  scene_.set_executed(run.shown->run.trajectory, run.shown->samples);
+  if (look.overlays) {
+    scene_.set_overlays(overlays_of(input, row));
+  }
+  scene_.set_run_colour(rgb_of(run.colour));
+  scene_.set_colouring(look.colouring);
+  scene_.set_exaggeration(look.exaggeration);
+  scene_.set_tool(look.tool);
+  scene_.set_grid(look.grid);
+  if (transparent) {
+    window_->SetAlphaBitPlanes(1);
+  }
+  scene_.attach(*window_);
+  scene_.set_standard_view(look.view);
+  if (look.camera) {
+    scene_.set_camera(*look.camera);
+  }
+}
+
+ScenePicture::~ScenePicture() {
+  scene_.detach();
+}
+
+void ScenePicture::prepare(const QSizeF& size, const SceneScale& scale) {
+  const QSize pixels = pixels_of(size, scale.pixel_ratio);
+  scene_.set_scale(scale.text_scale * scale.pixel_ratio);
+  window_->SetSize(pixels.width(), pixels.height());
+}
+
+QImage ScenePicture::image(const QSizeF& size, const SceneScale& scale) {
+  prepare(size, scale);
+  const QSize pixels = pixels_of(size, scale.pixel_ratio);
+  window_->Render();
+  const vtkNew<vtkUnsignedCharArray> data;
+  window_->GetRGBACharPixelData(0, 0, pixels.width() - 1, pixels.height() - 1, 0, data);
+  QImage image(pixels, transparent_ ? QImage::Format_RGBA8888_Premultiplied : QImage::Format_RGBX8888);
+  const auto row = static_cast<std::size_t>(pixels.width()) * 4;
+  for (int y = 0; y < pixels.height(); ++y) {
+    std::memcpy(image.scanLine(pixels.height() - 1 - y),
+                data->GetPointer(0) + static_cast<std::size_t>(y) * row, row);
+  }
+  return image;
+}
+
+void ScenePicture::paint(QPainter& painter, const QRectF& asked, const SceneScale& scale,
+                         const AnnotationPainter& annotations) {
+  const auto snapped = [&](double value) {
+    return std::round(value * scale.pixel_ratio) / scale.pixel_ratio;
+  };
+  const QPointF corner(snapped(asked.left()), snapped(asked.top()));
+  const QRectF place(corner, QPointF(snapped(asked.right()), snapped(asked.bottom())));  // whole pixels
+  painter.drawImage(place, image(place.size(), scale));
+  if (annotations) {
+    painter.save();
+    painter.translate(place.topLeft());
+    painter.setClipRect(QRectF(QPointF(), place.size()), Qt::IntersectClip);
+    annotations({painter, scene_, place.size(), scale.pixel_ratio, scale.text_scale, theme_});
+    painter.restore();
+  }
+}
+
+}  // namespace feedscope::ui

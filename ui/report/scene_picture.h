@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vtkSmartPointer.h>
+
+#include <QImage>
+#include <QRectF>
+
+#include "ui/report/report_input.h"
+
+class vtkGenericOpenGLRenderWindow;
+
+namespace feedscope::ui {
+
+/// How large a 3D view is drawn.
+struct SceneScale {
+  double pixel_ratio = 1;  ///< pixels to a unit of the painter
+  double text_scale = 1;   ///< size of text and lines, 1 for 96 units an inch
+};
+
+/// A run in 3D for pictures, drawn in software without a display.
+class ScenePicture {
+ public:
+  /// Run `row` of `input`, with the look that the input has. Throws what make_render_window() throws.
+  ScenePicture(const ReportInput& input, std::size_t row, ThemeKind theme, bool transparent = false);
+  ~ScenePicture();
+  ScenePicture(const ScenePicture&) = delete;
+  ScenePicture& operator=(const ScenePicture&) = delete;
+
+  PathScene& scene() { return scene_; }
+  /// Gives the scene its window's size, so that what is fitted now fits the picture. Throws as image().
+  void prepare(const QSizeF& size, const SceneScale& scale);
+  /// The scene as it is now. Throws InputError if a side is too long for software OpenGL.
+  QImage image(const QSizeF& size, const SceneScale& scale);
+  /// The same as part of a larger picture, the annotations above it as vectors.
+  void paint(QPainter& painter, const QRectF& place, const SceneScale& scale,
+             const AnnotationPainter& annotations);
+
+ private:
+  PathScene scene_;
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
+  ThemeKind theme_;
+  bool transparent_;
+};
+
+}  // namespace feedscope::ui

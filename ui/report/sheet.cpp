@@ -1,0 +1,296 @@
+#include "ui/report/sheet.h"
+
+#include <fmt/format.h>
+
+#include <QAbstractTextDocumentLayout>
+#include <QApplication>
+#include <QPainter>
+#include <QTextDocument>
+#include <algorithm>
+
+#include "core/analysis/program_facts.h"
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "ui/charts/cause_strip.h"
+#include "ui/models/texts.h"
+#include "ui/report/charts_page.h"
+#include "ui/report/html_table.h"
+#include "ui/report/report_numbers.h"
+#include "ui/report/report_tables.h"
+#include "ui/report/scene_picture.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr double margin = 38;
+constexpr double gap = 14;
+constexpr double title_height = 58;
+constexpr double figures_height = 50;
+constexpr double footer_height = 16;
+constexpr std::size_t most_runs = 12;          // in the table
+constexpr QSizeF enough_for_charts(640, 400);  // smaller ones are laid out larger and shrunk
+
+struct Colours {
+  QColor title, text, muted, rule, tile, paper;
+};
+
+Colours colours_of(ThemeKind theme) {
+  return theme == ThemeKind::dark ? Colours{"#9cc7f0", "#e3e6e9", "#a0a6ad", "#4a4f55", "#2d3136", "#1b1d20"}
+                                  : Colours{"#16324f", "#22262a", "#5a6068", "#c8cdd2", "#f1f4f7", "#ffffff"};
+}
+
+QFont font_of(double pixels, bool bold = false) {
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPixelSize(static_cast<int>(pixels));
+  font.setBold(bold);
+  font.setHintingPreference(QFont::PreferNoHinting);
+  return font;
+}
+
+class SheetPainter {
+ public:
+  SheetPainter(QPainter& painter, const QSizeF& size, const ReportInput& input, const SheetLook& look)
+      : painter_(painter), size_(size), input_(input), look_(look), colours_(colours_of(look.theme)) {}
+
+  void paint() {
+    if (!look_.transparent) {
+      painter_.fillRect(QRectF(QPointF(), size_), colours_.paper);
+    }
+    const QRectF page = QRectF(QPointF(), size_).adjusted(margin, margin - 6, -margin, -margin + 6);
+    draw_title({page.left(), page.top(), page.width(), title_height});
+    draw_figures({page.left(), page.top() + title_height + 4, page.width(), figures_height});
+    draw_footer({page.left(), page.bottom() - footer_height, page.width(), footer_height});
+    const double top = page.top() + title_height + figures_height + gap;
+    const QRectF room(page.left(), top, page.width(), page.bottom() - footer_height - 8 - top);
+    size_.width() >= size_.height() ? lie(room) : stand(room);
+  }
+
+ private:
+  /// View and texts side by side, charts below.
+  void lie(const QRectF& room) {
+    const double upper = 0.5 * room.height();
+    const double left = 0.60 * room.width();
+    draw_view({room.left(), room.top(), left, upper});
+    draw_html({room.left() + left + gap, room.top(), room.width() - left - gap, upper},
+              table_html() + facts_html() + causes_html());
+    draw_charts({room.left(), room.top() + upper + gap, room.width(), room.height() - upper - gap});
+  }
+
+  /// View, charts and texts one above the other.
+  void stand(const QRectF& room) {
+    constexpr double below_table = 150;
+    const double table = 40 + 22 * static_cast<double>(std::min(input_.runs.size(), most_runs + 1));
+    const double lower = std::min(table + below_table, 0.36 * room.height());
+    const double each = (room.height() - lower - 2 * gap) / 2;
+    draw_view({room.left(), room.top(), room.width(), each});
+    draw_charts({room.left(), room.top() + each + gap, room.width(), each});
+    const double top = room.top() + 2 * (each + gap);
+    const double table_height = lower - below_table;
+    draw_html({room.left(), top, room.width(), table_height}, table_html());
+    const double half = (room.width() - gap) / 2;
+    draw_html({room.left(), top + table_height, half, below_table}, facts_html());
+    draw_html({room.left() + half + gap, top + table_height, half, below_table}, causes_html());
+  }
+
+  void write(const QRectF& room, const QFont& font, const QColor& colour, Qt::Alignment side,
+             const QString& text) {
+    painter_.setFont(font);
+    painter_.setPen(colour);
+    painter_.drawText(room, side | Qt::AlignVCenter | Qt::TextDontClip,
+                      QFontMetricsF(font).elidedText(text, Qt::ElideMiddle, room.width()));
+  }
+
+  void draw_title(const QRectF& room) {
+    const Setup& setup = input_.run().shown->run.setup;
+    write({room.left(), room.top(), room.width(), 30}, font_of(22, true), colours_.title, Qt::AlignLeft,
+          input_.heading());
+    QStringList right;
+    for (const QString& part :
+         {input_.author,
+          input_.date.isValid() ? input_.date.toString(QStringLiteral("yyyy-MM-dd")) : QString()}) {
+      if (!part.isEmpty()) {
+        right.append(part);
+      }
+    }
+    const QString told = right.join(QStringLiteral(" · "));
+    const QFont small = font_of(11);
+    const double used = told.isEmpty() ? 0 : QFontMetricsF(small).horizontalAdvance(told) + 20;
+    QStringList left{program_file_name(*input_.program().program),
+                     QString::fromStdString(setup.machine.name)};
+    if (!setup.machine.control.empty()) {
+      left.append(QString::fromStdString(setup.machine.control));
+    }
+    left.append(input_.run().name);
+    const double line = room.top() + 32;
+    write({room.left(), line, room.width() - used, 18}, small, colours_.muted, Qt::AlignLeft,
+          left.join(QStringLiteral(" · ")));
+    write({room.left(), line, room.width(), 18}, small, colours_.muted, Qt::AlignRight, told);
+    painter_.setPen(QPen(colours_.rule, 1));
+    painter_.drawLine(room.bottomLeft(), room.bottomRight());
+  }
+
+  void draw_figures(const QRectF& room) {
+    const Summary& summary = input_.run().shown->run.summary;
+    const double ratio = summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
+    const std::pair<QString, QString> figures[] = {
+        {QStringLiteral("cycle time"), clock_text(summary.cycle_time)},
+        {QStringLiteral("× programmed time"), significant(ratio, 3)},
+        {QStringLiteral("mean feed, mm/min"), fixed(units::to_mm_min(summary.mean_feed), 0)},
+        {QStringLiteral("peak feed, mm/min"), fixed(units::to_mm_min(summary.peak_feed), 0)},
+        {QStringLiteral("contour error, µm"), significant(1000 * summary.max_contour_error, 3)}};
+    const double width = (room.width() - 4 * 8) / 5;
+    double left = room.left();
+    for (const auto& [name, value] : figures) {
+      const QRectF tile(left, room.top(), width, room.height());
+      painter_.setPen(Qt::NoPen);
+      painter_.setBrush(colours_.tile);
+      painter_.drawRoundedRect(tile, 4, 4);
+      painter_.setBrush(Qt::NoBrush);
+      write({left + 12, tile.top() + 6, width - 20, 22}, font_of(16, true), colours_.text, Qt::AlignLeft,
+            value);
+      write({left + 12, tile.top() + 29, width - 20, 14}, font_of(10), colours_.muted, Qt::AlignLeft, name);
+      left += width + 8;
+    }
+  }
+
+  void draw_footer(const QRectF& room) {
+    write(room, font_of(9), colours_.muted, Qt::AlignLeft, input_.commands.value(0));
+    write(room, font_of(9), colours_.muted, Qt::AlignRight,
+          input_.commands.isEmpty() ? QStringLiteral("Feedscope %1").arg(QStringLiteral(FEEDSCOPE_VERSION))
+                                    : QString());
+  }
+
+  void draw_view(const QRectF& room) {
+    ScenePicture picture(input_, input_.current, look_.theme, look_.transparent);
+    picture.paint(painter_, room, {look_.pixel_ratio, 0.85}, input_.annotations);
+    draw_frame(room);
+  }
+
+  void draw_charts(const QRectF& room) {
+    ChartsPage page;
+    page.set_runs(input_, input_.current);
+    page.hide_title();
+    page.set_background(colours_.paper);
+    const double shrunk =
+        std::min({1.0, room.height() / enough_for_charts.height(), room.width() / enough_for_charts.width()});
+    page.prepare((room.size() / shrunk).toSize(), shrunk * look_.pixel_ratio);
+    painter_.save();
+    painter_.translate(room.topLeft());
+    painter_.scale(shrunk, shrunk);
+    page.draw(painter_, false);
+    painter_.restore();
+    draw_frame(room);
+  }
+
+  void draw_frame(const QRectF& room) {
+    painter_.setPen(QPen(colours_.rule, 1));
+    painter_.setBrush(Qt::NoBrush);
+    painter_.drawRect(room);
+  }
+
+  QString table_html() const {
+    HtmlTable table("lrrrr", {40, 17, 13, 15, 15});
+    table.add_head({QStringLiteral("Run"), QStringLiteral("Cycle time [s]"), QStringLiteral("To first [%]"),
+                    QStringLiteral("Mean feed [mm/min]"), QStringLiteral("Contour error [µm]")});
+    const double first = input_.runs.front().shown->run.summary.cycle_time;
+    for (std::size_t i = 0; i < std::min(input_.runs.size(), most_runs); ++i) {
+      const Summary& summary = input_.runs[i].shown->run.summary;
+      const double change = first > 0 ? 100 * (summary.cycle_time / first - 1) : 0;
+      const QString sign = change < 0 ? QStringLiteral("−") : QStringLiteral("+");
+      table.add({run_label(input_.runs[i]), fixed(summary.cycle_time, 3),
+                 i == 0 ? QStringLiteral("–") : sign + fixed(std::abs(change), 1),
+                 fixed(units::to_mm_min(summary.mean_feed), 0),
+                 significant(1000 * summary.max_contour_error, 3)});
+    }
+    if (input_.runs.size() > most_runs) {
+      table.add({QStringLiteral("and %1 more").arg(input_.runs.size() - most_runs)});
+    }
+    return table.html();
+  }
+
+  QString facts_html() const {
+    const Program& program = *input_.program().program;
+    const ProgramFacts facts = facts_of(program, *input_.program().toolpath);
+    HtmlTable table("ll", {30, 70});
+    table.add(
+        {QStringLiteral("Program"),
+         QStringLiteral("%1 blocks, path %2 mm").arg(program.block_count).arg(fixed(facts.path_length, 1))});
+    if (facts.largest_feed > 0) {
+      table.add({QStringLiteral("Programmed feed"),
+                 QStringLiteral("%1 to %2 mm/min")
+                     .arg(significant(units::to_mm_min(facts.least_feed), 6),
+                          significant(units::to_mm_min(facts.largest_feed), 6))});
+    }
+    const ModelInfo& model = input_.run().shown->run.setup.model->info();
+    table.add({QStringLiteral("Control model"), html_text(model.title)});
+    return table.html();
+  }
+
+  /// What limits the current run most.
+  QString causes_html() const {
+    constexpr qsizetype most = 5;
+    const Summary& summary = input_.run().shown->run.summary;
+    HtmlTable table("lrr", {64, 18, 18});
+    table.add_head({QStringLiteral("%1 is limited by").arg(html_text(input_.run().name)), QStringLiteral("s"),
+                    QStringLiteral("%")});
+    qsizetype rows = 0;
+    for (const auto& [kind, time] : time_by_kind(summary)) {
+      if (rows++ < most) {
+        table.add(
+            {html_text(cause_kind_name(kind)), fixed(time, 2), fixed(100 * time / summary.cycle_time, 1)});
+      }
+    }
+    return table.empty() ? QString() : table.html();
+  }
+
+  /// Made smaller where it would not fit.
+  void draw_html(const QRectF& room, const QString& contents) {
+    QTextDocument document;
+    document.setDefaultFont(font_of(11));
+    document.setUseDesignMetrics(true);
+    document.setDocumentMargin(0);
+    document.setDefaultStyleSheet(
+        QStringLiteral("body { color: %1 } table.data { border-collapse: collapse; margin-bottom: 8px }"
+                       "th { font-size: 9px; color: %2; border-bottom: 1px solid %3 }"
+                       "td { font-size: 10px; border-bottom: 1px solid %3 }")
+            .arg(colours_.text.name(), colours_.muted.name(), colours_.rule.name()));
+    QString html = QStringLiteral("<body>%1</body>").arg(contents);
+    document.setHtml(html.replace(QStringLiteral("<wbr>"), QStringLiteral("&#8203;")));
+    document.setTextWidth(room.width());
+    const double shrunk = std::min(1.0, room.height() / document.size().height());
+    if (shrunk < 1) {
+      document.setTextWidth(room.width() / shrunk);
+    }
+    painter_.save();
+    painter_.translate(room.topLeft());
+    const double fitted = std::min(1.0, room.height() / document.size().height());
+    painter_.scale(std::min(shrunk, fitted), std::min(shrunk, fitted));
+    QAbstractTextDocumentLayout::PaintContext context;
+    context.palette.setColor(QPalette::Text, colours_.text);
+    document.documentLayout()->draw(&painter_, context);
+    painter_.restore();
+  }
+
+  QPainter& painter_;
+  QSizeF size_;
+  const ReportInput& input_;
+  SheetLook look_;
+  Colours colours_;
+};
+
+}  // namespace
+
+void paint_sheet(QPainter& painter, const QSizeF& size, const ReportInput& input, const SheetLook& look) {
+  const double longer = std::max(size.width(), size.height());
+  const double shorter = std::min(size.width(), size.height());
+  if (longer < least_sheet.width() || shorter < least_sheet.height()) {
+    throw InputError(
+        fmt::format("a sheet of {:.0f} x {:.0f} units is too small; it needs at least {:.0f} on its "
+                    "longer and {:.0f} on its shorter side: take a larger --size or a smaller --scale",
+                    size.width(), size.height(), least_sheet.width(), least_sheet.height()));
+  }
+  SheetPainter(painter, size, input, look).paint();
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,298 @@
+#include "ui/report/svg_device.h"
+
+#include <QBuffer>
+#include <QImage>
+#include <QPaintEngine>
+#include <QPainterPath>
+#include <QPen>
+#include <QPixmap>
+#include <cmath>
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr int dots_per_inch = 96;
+
+/// Thousandths of a unit, without zeros behind.
+QByteArray number(double value) {
+  const double rounded = std::round(value * 1000) / 1000;
+  return QByteArray::number(rounded == 0 ? 0.0 : rounded, 'g', 10);
+}
+
+/// As QPainterPath::addRect makes it.
+bool is_rectangle(const QPainterPath& path) {
+  if (path.elementCount() != 5) {
+    return false;
+  }
+  for (int i = 1; i < 5; ++i) {
+    if (path.elementAt(i).type != QPainterPath::LineToElement) {
+      return false;
+    }
+  }
+  const auto at = [&](int i) { return QPointF(path.elementAt(i)); };
+  return at(0) == at(4) && at(0).y() == at(1).y() && at(1).x() == at(2).x() && at(2).y() == at(3).y() &&
+         at(3).x() == at(0).x();
+}
+
+QByteArray path_data(const QPainterPath& path) {
+  if (is_rectangle(path)) {
+    const QPointF corner = path.elementAt(0);
+    const QPointF opposite = path.elementAt(2);
+    return 'M' + number(corner.x()) + ' ' + number(corner.y()) + 'H' + number(opposite.x()) + 'V' +
+           number(opposite.y()) + 'H' + number(corner.x()) + 'z';
+  }
+  QByteArray data;
+  for (int i = 0; i < path.elementCount(); ++i) {
+    const QPainterPath::Element& element = path.elementAt(i);
+    data += element.isMoveTo() ? "M" : element.isLineTo() ? "L" : element.isCurveTo() ? "C" : " ";
+    data += number(element.x) + ' ' + number(element.y);
+  }
+  return data;
+}
+
+QByteArray colour_of(const char* name, const QColor& colour) {
+  QByteArray text = QByteArray(" ") + name + "=\"" + colour.name().toLatin1() + '"';
+  if (colour.alpha() < 255) {
+    text += QByteArray(" ") + name + "-opacity=\"" + number(colour.alphaF()) + '"';
+  }
+  return text;
+}
+
+QByteArray transform_of(const QTransform& t) {
+  if (t.isIdentity()) {
+    return {};
+  }
+  QByteArray text = " transform=\"matrix(";
+  for (const double value : {t.m11(), t.m12(), t.m21(), t.m22(), t.dx()}) {
+    text += QByteArray::number(value, 'g', 8) + ' ';
+  }
+  return text + QByteArray::number(t.dy(), 'g', 8) + ")\"";
+}
+
+QByteArray fill_of(const QBrush& brush) {
+  return brush.style() == Qt::NoBrush ? QByteArray(" fill=\"none\"") : colour_of("fill", brush.color());
+}
+
+QByteArray stroke_of(const QPen& pen) {
+  if (pen.style() == Qt::NoPen) {
+    return {};
+  }
+  const double width = pen.widthF() > 0 ? pen.widthF() : 1;
+  QByteArray text = colour_of("stroke", pen.color()) + " stroke-width=\"" + number(width) + '"';
+  if (pen.isCosmetic()) {
+    text += " vector-effect=\"non-scaling-stroke\"";
+  }
+  text += pen.capStyle() == Qt::RoundCap    ? " stroke-linecap=\"round\""
+          : pen.capStyle() == Qt::SquareCap ? " stroke-linecap=\"square\""
+                                            : "";
+  text += pen.joinStyle() == Qt::RoundJoin   ? " stroke-linejoin=\"round\""
+          : pen.joinStyle() == Qt::BevelJoin ? " stroke-linejoin=\"bevel\""
+                                             : "";
+  if (pen.style() != Qt::SolidLine) {
+    QByteArray dashes;
+    for (const double dash : pen.dashPattern()) {
+      dashes += (dashes.isEmpty() ? "" : ",") + number(dash * width);
+    }
+    text += " stroke-dasharray=\"" + dashes + '"';
+  }
+  return text;
+}
+
+}  // namespace
+
+/// Text is left to QPaintEngine, which fills its outlines.
+class SvgDevice::Engine : public QPaintEngine {
+ public:
+  explicit Engine(QByteArray head) : QPaintEngine(features), head_(std::move(head)) {}
+
+  bool begin(QPaintDevice*) override {
+    body_.clear();
+    clips_.clear();
+    group_.clear();
+    return true;
+  }
+  bool end() override {
+    close();
+    return true;
+  }
+  Type type() const override { return User; }
+  void updateState(const QPaintEngineState&) override {}
+
+  void drawPath(const QPainterPath& path) override {
+    const QPen pen = painter()->pen();
+    const bool even = path.fillRule() == Qt::OddEvenFill;
+    const Clipped shown = clipped(path, pen);
+    if (!shown.path.isEmpty()) {
+      add(fill_of(painter()->brush()) + (even ? " fill-rule=\"evenodd\"" : "") + stroke_of(pen),
+          "<path d=\"" + path_data(shown.path) + "\"/>", shown.clip);
+    }
+  }
+  void drawPolygon(const QPointF* points, int count, PolygonDrawMode mode) override {
+    QPainterPath path;
+    path.setFillRule(mode == WindingMode ? Qt::WindingFill : Qt::OddEvenFill);
+    for (int i = 0; i < count; ++i) {
+      i == 0 ? path.moveTo(points[i]) : path.lineTo(points[i]);
+    }
+    if (mode != PolylineMode) {
+      path.closeSubpath();
+      drawPath(path);
+      return;
+    }
+    const Clipped shown = clipped(path, painter()->pen());
+    add(" fill=\"none\"" + stroke_of(painter()->pen()), "<path d=\"" + path_data(path) + "\"/>", shown.clip);
+  }
+  void drawPixmap(const QRectF& target, const QPixmap& pixmap, const QRectF& source) override {
+    drawImage(target, pixmap.toImage(), source, Qt::AutoColor);
+  }
+  void drawImage(const QRectF& target, const QImage& image, const QRectF& source,
+                 Qt::ImageConversionFlags) override {
+    QBuffer png;
+    png.open(QIODevice::WriteOnly);
+    image.copy(source.toRect()).save(&png, "PNG");
+    add({},
+        "<image x=\"" + number(target.x()) + "\" y=\"" + number(target.y()) + "\" width=\"" +
+            number(target.width()) + "\" height=\"" + number(target.height()) +
+            "\" preserveAspectRatio=\"none\" xlink:href=\"data:image/png;base64," + png.data().toBase64() +
+            "\"/>",
+        true);
+  }
+
+  QByteArray file() const {
+    QByteArray clips;
+    for (qsizetype i = 0; i < clips_.size(); ++i) {
+      clips += "<clipPath id=\"c" + QByteArray::number(i) + "\"><path d=\"" + clips_[i] + "\"/></clipPath>\n";
+    }
+    return head_ + (clips.isEmpty() ? "" : "<defs>\n" + clips + "</defs>\n") + body_ + "</svg>\n";
+  }
+
+ private:
+  static constexpr PaintEngineFeatures features{PrimitiveTransform | PixmapTransform | PainterPaths |
+                                                AlphaBlend | ConstantOpacity | Antialiasing |
+                                                PaintOutsidePaintEvent};
+
+  /// A shape, and whether it must be clipped.
+  struct Clipped {
+    QPainterPath path;
+    bool clip = false;
+  };
+
+  /// Within a rectangle shapes are cut where that is simple: some readers of SVG files know no clips.
+  Clipped clipped(const QPainterPath& path, const QPen& pen) const {
+    if (!painter()->hasClipping()) {
+      return {path, false};
+    }
+    const QPainterPath clip = painter()->clipPath();
+    const bool stroked = pen.style() != Qt::NoPen;
+    const double reach = stroked ? std::max(1.0, pen.widthF()) : 0;
+    const QRectF room = clip.boundingRect();
+    if (is_rectangle(clip) && room.contains(path.controlPointRect().adjusted(-reach, -reach, reach, reach))) {
+      return {path, false};
+    }
+    if (!is_rectangle(clip) || stroked) {
+      return {path, true};
+    }
+    if (!is_rectangle(path)) {
+      return {path.intersected(clip), false};
+    }
+    QPainterPath part;
+    if (const QRectF common = path.boundingRect() & room; !common.isEmpty()) {
+      part.addRect(common);
+    }
+    return {part, false};
+  }
+
+  /// Neighbours with the same clip and style share a group.
+  void add(const QByteArray& style, const QByteArray& element, bool may_be_cut) {
+    const double opacity = painter()->opacity();
+    const int clip = may_be_cut ? clip_now() : -1;
+    QByteArray clipped;
+    if (clip >= 0) {
+      clipped = " clip-path=\"url(#c" + QByteArray::number(clip) + ")\"";
+    }
+    const QByteArray drawn = "<g" + style + transform_of(painter()->combinedTransform()) + '>';
+    const QByteArray group = clipped.isEmpty() ? drawn : "<g" + clipped + '>' + drawn;
+    if (opacity < 1) {
+      close();
+      body_ += "<g opacity=\"" + number(opacity) + "\">" + group + element + "</g></g>" +
+               (clipped.isEmpty() ? "" : "</g>") + '\n';
+      return;
+    }
+    if (group != group_) {
+      close();
+      body_ += group + '\n';
+      group_ = group;
+    }
+    body_ += element + '\n';
+  }
+
+  void close() {
+    body_ += QByteArray("</g>").repeated(group_.count('<')) + (group_.isEmpty() ? "" : "\n");
+    group_.clear();
+  }
+
+  /// The index of the clip that is set; -1: none.
+  int clip_now() {
+    if (!painter()->hasClipping()) {
+      return -1;
+    }
+    const QPainterPath path = painter()->combinedTransform().map(painter()->clipPath());
+    const QByteArray data = path_data(path);
+    qsizetype index = clips_.indexOf(data);
+    if (index < 0) {
+      index = clips_.size();
+      clips_.append(data);
+    }
+    return static_cast<int>(index);
+  }
+
+  QByteArray head_;
+  QByteArray body_;
+  QByteArray group_;  ///< that is open
+  QList<QByteArray> clips_;
+};
+
+SvgDevice::SvgDevice(QSizeF size, const QString& title, const QString& width, const QString& height)
+    : size_(size) {
+  engine_ = std::make_unique<Engine>(
+      QStringLiteral("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+                     "xmlns:xlink=\"http://www.w3.org/1999/xlink\" "
+                     "width=\"%1\" height=\"%2\" viewBox=\"0 0 %3 %4\">\n<title>%5</title>\n")
+          .arg(width, height, QString::fromLatin1(number(size.width())),
+               QString::fromLatin1(number(size.height())), title.toHtmlEscaped())
+          .toUtf8());
+}
+
+SvgDevice::~SvgDevice() = default;
+
+QPaintEngine* SvgDevice::paintEngine() const {
+  return engine_.get();
+}
+
+QByteArray SvgDevice::svg() const {
+  return engine_->file();
+}
+
+int SvgDevice::metric(PaintDeviceMetric metric) const {
+  switch (metric) {
+    case PdmWidth:
+      return static_cast<int>(std::ceil(size_.width()));
+    case PdmHeight:
+      return static_cast<int>(std::ceil(size_.height()));
+    case PdmWidthMM:
+      return static_cast<int>(std::lround(size_.width() / dots_per_inch * 25.4));
+    case PdmHeightMM:
+      return static_cast<int>(std::lround(size_.height() / dots_per_inch * 25.4));
+    case PdmDpiX:
+    case PdmDpiY:
+    case PdmPhysicalDpiX:
+    case PdmPhysicalDpiY:
+      return dots_per_inch;
+    case PdmDevicePixelRatio:
+      return 1;
+    default:
+      return QPaintDevice::metric(metric);
+  }
+}
+
+}  // namespace feedscope::ui
