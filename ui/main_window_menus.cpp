@@ -14,6 +14,7 @@
 #include "ui/models/panel_action.h"
 #include "ui/models/recent_files.h"
 #include "ui/views/setup_bar.h"
+#include "ui/window_pictures.h"
 
 namespace feedscope::ui {
 
@@ -141,6 +142,13 @@ void MainWindow::make_file_menu() {
   connect(add_action(file, tr("Save machine as …"), QKeySequence(tr("Ctrl+Shift+M")),
                      tr("Write the machine with all changes to a machine file")),
           &QAction::triggered, this, &MainWindow::save_machine);
+  file->addSeparator();
+  auto* pictures = new WindowPictures(*this);
+  file->addMenu(tr("Save &picture"))->addActions(pictures->save_actions());
+  file->addMenu(tr("&Copy picture"))->addActions(pictures->copy_actions());
+  connect(pictures, &WindowPictures::failed, this, &MainWindow::show_failure);
+  connect(pictures, &WindowPictures::saved, this,
+          [this](const QString& message) { statusBar()->showMessage(message); });
   file->addSeparator();
   connect(add_action(file, tr("&Quit"), QKeySequence::Quit, tr("Leave Feedscope")), &QAction::triggered, this,
           &QWidget::close);

@@ -12,6 +12,7 @@
 #include "ui/charts/study_chart.h"
 #include "ui/main_window.h"
 #include "ui/report/charts_page.h"
+#include "ui/report/picture_file.h"
 #include "ui/theme/offscreen_application.h"
 
 namespace feedscope::ui {
@@ -56,15 +57,7 @@ void settle(const QWidget& window) {
 Picture grab(QWidget& widget, PictureSize size) {
   check_size(size, widget.minimumSizeHint().expandedTo(widget.minimumSize()));
   QApplication::processEvents();  // Qt Charts lays its axes out with the next turn of the event loop
-  const QImage image = widget.grab().toImage().convertToFormat(QImage::Format_RGB888);
-  const auto row = static_cast<std::size_t>(image.width()) * 3;
-  Picture picture{{image.width(), image.height()}, {}};
-  picture.rgb.reserve(row * static_cast<std::size_t>(image.height()));
-  for (int y = 0; y < image.height(); ++y) {
-    const uchar* line = image.constScanLine(y);
-    picture.rgb.insert(picture.rgb.end(), line, line + row);
-  }
-  return picture;
+  return picture_of(widget.grab().toImage());
 }
 
 QString comparison_details(const LoadedProgram& program, const std::vector<std::string>& assignments) {

@@ -164,7 +164,7 @@ int render(const RenderOptions& options) {
     Watch watch;
     input = simulate_runs(options.runs, runs, source, watch);
   }
-  input.scene.view = camera_views.at(options.camera);
+  input.view = camera_views.at(options.camera);
   input.title = QString::fromStdString(options.title);
   input.commands = {command_of(options)};
   out.stream() << picture_file(input, options, request);

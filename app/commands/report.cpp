@@ -93,7 +93,7 @@ int report(const ReportOptions& options) {
     input.title = QString::fromStdString(options.title);
     input.author = QString::fromStdString(options.author);
     input.date = date;
-    input.scene.view = camera_views.at(options.camera);
+    input.view = camera_views.at(options.camera);
     input.commands = commands_of(options, runs);
     const ui::OffscreenApplication application;
     out.stream() << ui::make_report(input, page, format, watch.stage("drawing"));

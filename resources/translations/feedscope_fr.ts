@@ -2048,10 +2048,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Enregistrer la machine sous</translation>
     </message>
     <message>
-        <source>&lt;b&gt;%1&lt;/b&gt; &amp;nbsp; %2 · %3 · %4 s</source>
-        <translation>&lt;b&gt;%1&lt;/b&gt; &amp;nbsp; %2 · %3 · %4&#xa0;s</translation>
-    </message>
-    <message>
         <source>Annotations</source>
         <translation>Annotations</translation>
     </message>
@@ -2110,6 +2106,14 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>NC programs and sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)</source>
         <translation>Programmes CN et sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save &amp;picture</source>
+        <translation>Enregistrer l’&amp;image</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>&amp;Copier l’image</translation>
     </message>
 </context>
 <context>
@@ -3229,6 +3233,65 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>The feed stands in the program: change its F words. Runs differ in machine, control and settings only.</source>
         <translation>L&apos;avance est dans le programme&#xa0;: modifier ses mots F. Les simulations ne diffèrent que par la machine, la commande et les réglages.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::WindowPictures</name>
+    <message>
+        <source>&amp;3D view</source>
+        <translation>Vue &amp;3D</translation>
+    </message>
+    <message>
+        <source>Save the 3D view with its annotations as PNG, SVG or PDF</source>
+        <translation>Enregistrer la vue 3D et ses annotations en PNG, SVG ou PDF</translation>
+    </message>
+    <message>
+        <source>Copy the 3D view with its annotations to the clipboard</source>
+        <translation>Copier la vue 3D et ses annotations dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation>Ctrl+Shift+P</translation>
+    </message>
+    <message>
+        <source>&amp;Charts</source>
+        <translation>&amp;Graphiques</translation>
+    </message>
+    <message>
+        <source>Save the charts as PNG, SVG or PDF</source>
+        <translation>Enregistrer les graphiques en PNG, SVG ou PDF</translation>
+    </message>
+    <message>
+        <source>Copy the charts to the clipboard</source>
+        <translation>Copier les graphiques dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenêtre</translation>
+    </message>
+    <message>
+        <source>Save all of the window as PNG, SVG or PDF</source>
+        <translation>Enregistrer toute la fenêtre en PNG, SVG ou PDF</translation>
+    </message>
+    <message>
+        <source>Copy all of the window to the clipboard</source>
+        <translation>Copier toute la fenêtre dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>%1 …</source>
+        <translation>%1 …</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <source>Picture (*.png);;Drawing (*.svg);;Document (*.pdf)</source>
+        <translation>Image (*.png);;Dessin (*.svg);;Document (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 has been written</source>
+        <translation>%1 a été écrit</translation>
     </message>
 </context>
 <context>

@@ -62,6 +62,57 @@ TEST_F(RenderCommand, WritesAPictureOfTheSizeAskedFor) {
   }
 }
 
+TEST_F(RenderCommand, WritesEveryViewInEveryFormat) {
+  for (const std::string view : {"3d", "charts", "window", "sheet"}) {
+    const std::string size = view == "window" ? "--size 1280x800" : "--size A4 --dpi 72";
+    for (const std::string format : {"png", "svg", "pdf"}) {
+      const Result result = run("corner.nc --view " + view + " " + size + " --out " + view + "." + format);
+      EXPECT_EQ(result.code, 0) << view << format << result.err;
+      const std::string start = format == "png" ? "\x89PNG" : format == "svg" ? "<?xml" : "%PDF-";
+      std::ostringstream bytes;
+      bytes << std::ifstream(folder_ / (view + "." + format), std::ios::binary).rdbuf();
+      EXPECT_THAT(bytes.str(), testing::StartsWith(start));
+    }
+  }
+}
+
+TEST_F(RenderCommand, PaperHasItsPixels) {
+  ASSERT_EQ(run("corner.nc --size A4 --dpi 100 --out lying.png").code, 0);
+  ASSERT_EQ(run("corner.nc --size A4-portrait --dpi 100 --out upright.png").code, 0);
+  const auto lying = read_png((folder_ / "lying.png").string());
+  const auto upright = read_png((folder_ / "upright.png").string());
+  EXPECT_EQ(lying.size.width, 1169);
+  EXPECT_EQ(lying.size.height, 827);
+  EXPECT_EQ(upright.size.width, lying.size.height);
+}
+
+TEST_F(RenderCommand, ScaleMakesTextLargerNotThePicture) {
+  for (const std::string view : {"3d", "charts"}) {
+    ASSERT_EQ(run("corner.nc --view " + view + " --size 1200x900 --out plain.png").code, 0);
+    ASSERT_EQ(run("corner.nc --view " + view + " --size 1200x900 --scale 1.5 --out large.png").code, 0);
+    const auto plain = read_png((folder_ / "plain.png").string());
+    const auto large = read_png((folder_ / "large.png").string());
+    EXPECT_EQ(large.size.width, 1200);
+    EXPECT_NE(large.rgb, plain.rgb);
+  }
+}
+
+TEST_F(RenderCommand, SeveralRunsShareAPictureButNotAWindow) {
+  EXPECT_EQ(run("corner.nc --view sheet --size 1200x900 --tolerance 0.01 --tolerance 0.05 --out a.png").code,
+            0);
+  expect_wrong_use("corner.nc --view window --tolerance 0.01 --tolerance 0.05 --out b.png", "shows one run");
+}
+
+TEST_F(RenderCommand, RefusesWhatDoesNotFitTogether) {
+  expect_wrong_use("corner.nc --out a.jpg", "'a.jpg' ends in no format");
+  expect_wrong_use("corner.nc --size 800x600 --dpi 300 --out a.png", "--dpi says nothing");
+  expect_wrong_use("corner.nc --size A4 --dpi 1000 --out a.png", "smaller --dpi");
+  expect_wrong_use("corner.nc --size A4-potrait --out a.png", "did you mean 'A4-portrait'");
+  expect_wrong_use("corner.nc --view window --transparent --out a.png", "no transparent background");
+  expect_wrong_use("corner.nc --view sheet --size 400x300 --out a.png", "at least 880");
+  EXPECT_FALSE(fs::exists(folder_ / "a.png"));
+}
+
 TEST_F(RenderCommand, WritesToStandardOutput) {
   EXPECT_EQ(run("corner.nc --size 200x100 --out - > piped.png").code, 0);
   EXPECT_EQ(read_png((folder_ / "piped.png").string()).size.width, 200);

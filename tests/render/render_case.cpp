@@ -1,6 +1,7 @@
 // Draws one case without a display and compares it with its baseline.
 //   render_case FOLDER MODEL PICTURE WxH RESULTS
-// FOLDER holds program.nc and baseline_PICTURE.png (a camera, charts, dark_charts, comparison or window);
+// FOLDER holds program.nc and baseline_PICTURE.png (a camera, charts, dark_charts, comparison, sheet or
+// window);
 // RESULTS is where the pictures of a failure are left.
 #include <cstdio>
 #include <exception>
@@ -14,7 +15,9 @@
 #include "tests/render/charts_picture.h"
 #include "tests/ui/comparison_fixture.h"
 #include "tests/ui/run_fixture.h"
+#include "ui/report/pictures.h"
 #include "ui/scene/picture.h"
+#include "ui/theme/offscreen_application.h"
 #include "ui/views/scene_texts.h"
 #include "ui/window_picture.h"
 
@@ -78,6 +81,28 @@ ui::Picture draw_comparison(const Run& run, ui::PictureSize size) {
   return ui::draw_comparison(run.input, usual_compared_runs(), {"alpha=2", "X.jerk=5"}, size);
 }
 
+/// Two tolerances on one page to hand out.
+ui::Picture draw_sheet(const Run& run, ui::PictureSize size) {
+  const ui::OffscreenApplication application;
+  std::vector<std::shared_ptr<const ui::ShownRun>> runs{ui::make_shown(run)};
+  Setup loose = run.setup;
+  loose.settings.set("contour_tolerance_mm", 0.5);
+  runs.push_back(ui::make_shown(simulate_run(run.input, loose)));
+  ui::ReportInput input;
+  input.runs = ui::report_runs(runs);
+  input.title = QStringLiteral("A sheet of two runs");
+  input.author = QStringLiteral("Feedscope's tests");
+  ui::Annotation note;
+  note.place = {1, 0.5};
+  note.text = QStringLiteral("{feed}\n{cause}");
+  note.offset = QPointF(70, -40);
+  input.annotations = {note};
+  input.commands = {QStringLiteral("feedscope render test.nc --view sheet")};
+  ui::PictureRequest request;
+  request.size = QSizeF(size.width, size.height);
+  return ui::picture_of(QImage::fromData(QByteArray::fromStdString(ui::sheet_file(input, request))));
+}
+
 const std::map<std::string, Draw> pictures{
     {"ratio", coloured_by(ui::Colouring::feed_ratio)},
     {"acceleration", coloured_by(ui::Colouring::acceleration)},
@@ -97,6 +122,7 @@ const std::map<std::string, Draw> pictures{
     {"charts", ui::draw_charts},
     {"dark_charts", draw_dark_charts},
     {"comparison", draw_comparison},
+    {"sheet", draw_sheet},
     {"window", [](const Run& run, ui::PictureSize size) { return ui::draw_window(run, size, {}); }}};
 
 std::string contents(const fs::path& file) {

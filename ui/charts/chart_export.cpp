@@ -100,6 +100,12 @@ std::vector<double> sample_times(const Interval& range, double step) {
   return times;
 }
 
+void write_whole_file(const QString& file, const QByteArray& bytes) {
+  AtomicFile target(file);
+  target.write(bytes.constData(), bytes.size());
+  target.commit();
+}
+
 void save_png(const QString& file, QSize size, double scale, const DrawPicture& draw) {
   QImage image((QSizeF(size) * scale).toSize(), QImage::Format_RGB32);
   image.setDevicePixelRatio(scale);
@@ -110,9 +116,7 @@ void save_png(const QString& file, QSize size, double scale, const DrawPicture& 
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   image.save(&buffer, "PNG");
-  AtomicFile target(file);
-  target.write(buffer.data().constData(), buffer.size());
-  target.commit();
+  write_whole_file(file, buffer.data());
 }
 
 void save_svg(const QString& file, QSize size, const QString& title, const DrawPicture& draw) {
@@ -126,9 +130,7 @@ void save_svg(const QString& file, QSize size, const QString& title, const DrawP
   QPainter painter(&generator);
   draw(painter);
   painter.end();
-  AtomicFile target(file);
-  target.write(buffer.data().constData(), buffer.size());
-  target.commit();
+  write_whole_file(file, buffer.data());
 }
 
 }  // namespace feedscope::ui

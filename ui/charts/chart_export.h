@@ -1,5 +1,6 @@
 #pragma once
 
+#include <QByteArray>
 #include <QSize>
 #include <QString>
 #include <functional>
@@ -20,6 +21,9 @@ void save_csv(const QString& file, const Trajectory& trajectory, std::span<const
 /// Times from one instant to another, `step` apart, and the other instant itself [s]. Throws InputError if
 /// they are more than 20 million.
 std::vector<double> sample_times(const Interval& range, double step);
+
+/// Bytes that are there already.
+void write_whole_file(const QString& file, const QByteArray& bytes);
 
 using DrawPicture = std::function<void(QPainter&)>;
 /// `size` in logical pixels, `scale` pixels of the file to each.

@@ -54,7 +54,7 @@ void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
     }
   }
   charts_->set_overlays(std::move(others));
-  charts_->restore(input.charts);
+  charts_->set_state(input.charts);
 }
 
 void ChartsPage::hide_title() {

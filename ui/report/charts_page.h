@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QJsonObject>
 #include <QWidget>
 
 #include "ui/charts/charts_panel.h"

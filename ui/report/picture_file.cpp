@@ -8,7 +8,6 @@
 
 #include "ui/report/pdf_file.h"
 #include "ui/report/svg_device.h"
-#include "ui/scene/picture.h"
 
 namespace feedscope::ui {
 
@@ -30,17 +29,6 @@ void paint_on(QPainter& painter, const PictureSpec& spec, const Paint& paint) {
     painter.fillRect(QRectF(QPointF(), spec.size), spec.background);
   }
   paint(painter);
-}
-
-Picture picture_of(const QImage& image) {
-  const QImage rgb = image.convertToFormat(QImage::Format_RGB888);
-  const auto row = static_cast<std::size_t>(rgb.width()) * 3;
-  Picture picture{{rgb.width(), rgb.height()}, {}};
-  for (int y = 0; y < rgb.height(); ++y) {
-    const uchar* line = rgb.constScanLine(y);
-    picture.rgb.insert(picture.rgb.end(), line, line + row);
-  }
-  return picture;
 }
 
 std::string png_of(const PictureSpec& spec, const Paint& paint) {
@@ -99,6 +87,17 @@ std::string pdf_of(const PictureSpec& spec, const Paint& paint) {
 }
 
 }  // namespace
+
+Picture picture_of(const QImage& image) {
+  const QImage rgb = image.convertToFormat(QImage::Format_RGB888);
+  const auto row = static_cast<std::size_t>(rgb.width()) * 3;
+  Picture picture{{rgb.width(), rgb.height()}, {}};
+  for (int y = 0; y < rgb.height(); ++y) {
+    const uchar* line = rgb.constScanLine(y);
+    picture.rgb.insert(picture.rgb.end(), line, line + row);
+  }
+  return picture;
+}
 
 std::string make_picture(const PictureSpec& spec, const Paint& paint) {
   switch (spec.format) {

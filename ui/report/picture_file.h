@@ -8,6 +8,9 @@
 #include <optional>
 #include <string>
 
+#include "ui/scene/picture.h"
+
+class QImage;
 class QPainter;
 
 namespace feedscope::ui {
@@ -26,6 +29,9 @@ struct PictureSpec {
   QColor background = Qt::white;
   QString title;  ///< of SVG and PDF files
 };
+
+/// Without its transparency.
+Picture picture_of(const QImage& image);
 
 /// The bytes of the file; the same painting gives the same bytes.
 std::string make_picture(const PictureSpec& spec, const std::function<void(QPainter&)>& paint);

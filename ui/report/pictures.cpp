@@ -29,7 +29,7 @@ std::string scene_file(const ReportInput& input, const PictureRequest& request) 
   const QSize whole = request.size.toSize();
   const SceneScale scale{request.pixel_ratio, request.paper ? 1 : scale_for({whole.width(), whole.height()})};
   return make_picture(spec_of(request, input.heading()), [&](QPainter& painter) {
-    picture.paint(painter, QRectF(QPointF(), request.size), scale, input.annotations);
+    picture.paint(painter, QRectF(QPointF(), request.size), scale);
   });
 }
 

@@ -8,6 +8,7 @@
 #include <QTextDocument>
 #include <QTextObjectInterface>
 #include <cmath>
+#include <exception>
 
 #include "ui/report/page_breaks.h"
 #include "ui/report/pdf_file.h"
@@ -41,18 +42,30 @@ class PictureHandler : public QObject, public QTextObjectInterface {
   void drawObject(QPainter* painter, const QRectF& place, QTextDocument*, int,
                   const QTextFormat& format) override {
     const auto found = pictures_.all().find(format.toImageFormat().name().section(':', 1));
-    if (found == pictures_.all().end()) {
+    if (found == pictures_.all().end() || failure_) {
       return;
     }
     painter->save();
     painter->translate(place.topLeft());
     painter->setClipRect(QRectF(QPointF(), found->second.size), Qt::IntersectClip);
-    pictures_.paint(found->first, *painter, raster_ratio);
+    try {
+      pictures_.paint(found->first, *painter, raster_ratio);
+    } catch (...) {
+      failure_ = std::current_exception();  // QTextDocument passes no exceptions on
+    }
     painter->restore();
+  }
+
+  /// Throws what painting a picture threw.
+  void check() const {
+    if (failure_) {
+      std::rethrow_exception(failure_);
+    }
   }
 
  private:
   const ReportPictures& pictures_;
+  std::exception_ptr failure_;
 };
 
 QFont report_font() {
@@ -151,6 +164,7 @@ std::string report_pdf(const QString& html, const ReportPictures& pictures, cons
       writer.newPage();
     }
     draw_page(painter, document, page);
+    handler.check();
     draw_margins(painter, input, page, pages);
   }
   painter.end();

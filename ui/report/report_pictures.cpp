@@ -30,12 +30,11 @@ QString figure(const QString& picture, const QString& caption) {
       .arg(picture, caption);
 }
 
-ReportPicture scene_picture(const ReportInput& input, SceneLook look, const QSizeF& size) {
-  ReportInput seen = input;
-  seen.scene = std::move(look);
+/// The current run in 3D. `seen`: the input, with what is to be seen of it.
+ReportPicture scene_picture(const ReportInput& seen, const QSizeF& size) {
   return {size, true, [seen, size](QPainter& painter, double pixel_ratio) {
-            ScenePicture picture(seen, seen.current, ThemeKind::light);
-            picture.paint(painter, QRectF(QPointF(), size), {pixel_ratio, 0.8}, seen.annotations);
+            ScenePicture(seen, seen.current, ThemeKind::light)
+                .paint(painter, QRectF(QPointF(), size), {pixel_ratio, 0.8});
           }};
 }
 
@@ -96,9 +95,9 @@ StandardView view_of(const Run& run, const SlowPlace& place) {
 
 ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const QSizeF& size) {
   ReportInput seen = input;
-  seen.scene.camera.reset();
-  seen.scene.view = view_of(input.run().shown->run, place);
+  seen.view = view_of(input.run().shown->run, place);
   seen.scene.colouring = Colouring::feed;
+  seen.scene.exaggeration = 1;
   return {size, true, [seen, size, place](QPainter& painter, double pixel_ratio) {
             ScenePicture picture(seen, seen.current, ThemeKind::light);
             const SceneScale scale{pixel_ratio, 0.68};
@@ -107,7 +106,7 @@ ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const Q
             picture.scene().zoom(0.7, {size.width() * pixel_ratio / 2, size.height() * pixel_ratio / 2});
             picture.scene().set_highlight(std::array{place.from, place.to});
             picture.scene().set_hover(picture.scene().drawn_at(place.slowest));
-            picture.paint(painter, QRectF(QPointF(), size), scale, seen.annotations);
+            picture.paint(painter, QRectF(QPointF(), size), scale);
           }};
 }
 
@@ -141,16 +140,16 @@ QString view_block(const ReportInput& input, ReportPictures& pictures) {
           ? QStringLiteral("Executed path of %1; deviations drawn %2 times as large as they are.")
                 .arg(name, significant(input.scene.exaggeration, 4))
           : QStringLiteral("Programmed and executed path of %1.").arg(name);
-  return figure(pictures.add(QStringLiteral("view"), scene_picture(input, input.scene, {report_width, 400}),
+  return figure(pictures.add(QStringLiteral("view"), scene_picture(input, {report_width, 400}),
                              QStringLiteral("3D view")),
                 caption);
 }
 
 QString cause_view_block(const ReportInput& input, ReportPictures& pictures) {
-  SceneLook look = input.scene;
-  look.colouring = Colouring::cause;
+  ReportInput seen = input;
+  seen.scene.colouring = Colouring::cause;
   return figure(
-      pictures.add(QStringLiteral("causes"), scene_picture(input, look, {report_width, 400}),
+      pictures.add(QStringLiteral("causes"), scene_picture(seen, {report_width, 400}),
                    QStringLiteral("3D view by limiting cause")),
       QStringLiteral("What limits the feed of %1 along the path.").arg(html_text(input.run().name)));
 }
@@ -259,7 +258,13 @@ QString slow_place_views_block(const ReportInput& input, ReportPictures& picture
 
 QString notes_block(const ReportInput& input) {
   QString html;
-  for (const QString& note : input.notes) {
+  if (input.annotations.empty()) {
+    return html;
+  }
+  ReportInput seen = input;
+  seen.view = StandardView::iso;  // all of the path, and so all annotations
+  for (const QString& note :
+       ScenePicture(seen, seen.current, ThemeKind::light).annotation_texts({800, 600}, {})) {
     html += QStringLiteral("<li>%1</li>\n").arg(html_text(note).replace('\n', QStringLiteral("<br/>")));
   }
   return html.isEmpty() ? html : QStringLiteral("<ol>\n%1</ol>\n").arg(html);

@@ -49,28 +49,25 @@ QSize pixels_of(const QSizeF& size, double ratio) {
 }  // namespace
 
 ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind theme, bool transparent)
-    : window_(make_render_window(RenderBackend::software)), theme_(theme), transparent_(transparent) {
+    : input_(input),
+      row_(row),
+      window_(make_render_window(RenderBackend::software)),
+      theme_(theme),
+      transparent_(transparent) {
   const ReportRun& run = input.runs[row];
-  const SceneLook& look = input.scene;
   scene_.set_background(theme == ThemeKind::dark ? Background::dark : Background::light);
   scene_.set_transparent(transparent);
   scene_.set_programmed(run.shown->run.input.toolpath);
   scene_.set_executed(run.shown->run.trajectory, run.shown->samples);
-  if (look.overlays) {
-    scene_.set_overlays(overlays_of(input, row));
-  }
+  scene_.set_overlays(overlays_of(input, row));
   scene_.set_run_colour(rgb_of(run.colour));
-  scene_.set_colouring(look.colouring);
-  scene_.set_exaggeration(look.exaggeration);
-  scene_.set_tool(look.tool);
-  scene_.set_grid(look.grid);
   if (transparent) {
     window_->SetAlphaBitPlanes(1);
   }
   scene_.attach(*window_);
-  scene_.set_standard_view(look.view);
-  if (look.camera) {
-    scene_.set_camera(*look.camera);
+  set_scene_state(scene_, input.scene);
+  if (input.view) {
+    scene_.set_standard_view(*input.view);
   }
 }
 
@@ -99,21 +96,43 @@ QImage ScenePicture::image(const QSizeF& size, const SceneScale& scale) {
   return image;
 }
 
-void ScenePicture::paint(QPainter& painter, const QRectF& asked, const SceneScale& scale,
-                         const AnnotationPainter& annotations) {
+AnnotatedView ScenePicture::annotated(const QSizeF& size, const SceneScale& scale) const {
+  const ReportRun& run = input_.runs[row_];
+  return {scene_,
+          *run.shown->run.trajectory,
+          size * scale.pixel_ratio,
+          scale.text_scale * scale.pixel_ratio,
+          theme_ == ThemeKind::dark ? Background::dark : Background::light,
+          run.name};
+}
+
+void ScenePicture::paint(QPainter& painter, const QRectF& asked, const SceneScale& scale) {
   const auto snapped = [&](double value) {
     return std::round(value * scale.pixel_ratio) / scale.pixel_ratio;
   };
   const QPointF corner(snapped(asked.left()), snapped(asked.top()));
   const QRectF place(corner, QPointF(snapped(asked.right()), snapped(asked.bottom())));  // whole pixels
   painter.drawImage(place, image(place.size(), scale));
-  if (annotations) {
-    painter.save();
-    painter.translate(place.topLeft());
-    painter.setClipRect(QRectF(QPointF(), place.size()), Qt::IntersectClip);
-    annotations({painter, scene_, place.size(), scale.pixel_ratio, scale.text_scale, theme_});
-    painter.restore();
+  if (input_.annotations.empty()) {
+    return;
   }
+  const AnnotatedView view = annotated(place.size(), scale);
+  painter.save();
+  painter.setClipRect(place, Qt::IntersectClip);
+  painter.translate(place.topLeft());
+  painter.scale(1 / scale.pixel_ratio, 1 / scale.pixel_ratio);
+  draw_annotations(painter, place_annotations(input_.annotations, view), view);
+  painter.restore();
+}
+
+QStringList ScenePicture::annotation_texts(const QSizeF& size, const SceneScale& scale) {
+  prepare(size, scale);
+  scene_.fit();
+  QStringList texts;
+  for (const PlacedAnnotation& placed : place_annotations(input_.annotations, annotated(size, scale))) {
+    texts.append(placed.lines.join('\n'));
+  }
+  return texts;
 }
 
 }  // namespace feedscope::ui

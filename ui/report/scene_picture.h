@@ -5,6 +5,7 @@
 #include <QImage>
 #include <QRectF>
 
+#include "ui/annotations/annotation_picture.h"
 #include "ui/report/report_input.h"
 
 class vtkGenericOpenGLRenderWindow;
@@ -20,7 +21,8 @@ struct SceneScale {
 /// A run in 3D for pictures, drawn in software without a display.
 class ScenePicture {
  public:
-  /// Run `row` of `input`, with the look that the input has. Throws what make_render_window() throws.
+  /// Run `row` of `input`, which outlives this, with the look that the input has. Throws what
+  /// make_render_window() throws.
   ScenePicture(const ReportInput& input, std::size_t row, ThemeKind theme, bool transparent = false);
   ~ScenePicture();
   ScenePicture(const ScenePicture&) = delete;
@@ -32,11 +34,16 @@ class ScenePicture {
   /// The scene as it is now. Throws InputError if a side is too long for software OpenGL.
   QImage image(const QSizeF& size, const SceneScale& scale);
   /// The same as part of a larger picture, the annotations above it as vectors.
-  void paint(QPainter& painter, const QRectF& place, const SceneScale& scale,
-             const AnnotationPainter& annotations);
+  void paint(QPainter& painter, const QRectF& place, const SceneScale& scale);
+  /// What the annotations say, those in the picture.
+  QStringList annotation_texts(const QSizeF& size, const SceneScale& scale);
 
  private:
+  AnnotatedView annotated(const QSizeF& size, const SceneScale& scale) const;
+
   PathScene scene_;
+  const ReportInput& input_;
+  std::size_t row_;
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_;
   ThemeKind theme_;
   bool transparent_;

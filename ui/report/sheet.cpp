@@ -163,7 +163,7 @@ class SheetPainter {
 
   void draw_view(const QRectF& room) {
     ScenePicture picture(input_, input_.current, look_.theme, look_.transparent);
-    picture.paint(painter_, room, {look_.pixel_ratio, 0.85}, input_.annotations);
+    picture.paint(painter_, room, {look_.pixel_ratio, 0.85});
     draw_frame(room);
   }
 

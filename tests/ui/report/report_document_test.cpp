@@ -79,7 +79,7 @@ TEST(Report, HtmlHoldsEveryPictureInside) {
 TEST(Report, NamesAndTextsAreEscaped) {
   ReportInput input = test::two_runs("<i>&.nc");
   input.title = "<script>";
-  input.notes = {"a <b> note"};
+  input.annotations = {test::note("a <b> note")};
   const std::string html = filled(input, "{{title}}{{program}}{{notes}}{{program_facts}}");
   EXPECT_THAT(html, HasSubstr("&lt;script&gt;"));
   EXPECT_THAT(html, HasSubstr("&lt;i&gt;&amp;.nc"));

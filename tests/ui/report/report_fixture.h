@@ -19,4 +19,12 @@ inline ui::ReportInput two_runs(const std::string& name = "test.nc") {
   return input;
 }
 
+/// A callout half way along the first corner's second line.
+inline ui::Annotation note(const QString& text) {
+  ui::Annotation annotation;
+  annotation.place = {1, 0.5};
+  annotation.text = text;
+  return annotation;
+}
+
 }  // namespace feedscope::test

@@ -62,22 +62,35 @@ TEST(ScenePicture, ATransparentOneHasNothingBehindThePath) {
   EXPECT_GT(between, 100) << "edges are smooth";
 }
 
-TEST(ScenePicture, AnnotationsArePaintedOverTheViewWithItsProjection) {
+TEST(ScenePicture, AnnotationsArePaintedOverTheViewAtEverySize) {
   ReportInput input = test::two_runs();
-  Pixel start{};
-  int calls = 0;
-  input.annotations = [&](const SceneCanvas& canvas) {
-    ++calls;
-    start = canvas.scene.pixel_of({0, 0, 0});
-    EXPECT_EQ(canvas.size, QSizeF(400, 300));
-    EXPECT_EQ(canvas.pixel_ratio, 2);
-  };
-  PictureRequest request = request_of(PictureFormat::png, {400, 300});
-  request.pixel_ratio = 2;
-  scene_file(input, request);
-  EXPECT_EQ(calls, 1);
-  EXPECT_GT(start[0], 0);
-  EXPECT_LT(start[0], 800);
+  PictureRequest request = request_of(PictureFormat::png, {600, 450});
+  for (const double ratio : {1.0, 2.0}) {
+    request.pixel_ratio = ratio;
+    input.annotations.clear();
+    const QImage plain = QImage::fromData(QByteArray::fromStdString(scene_file(input, request)));
+    input.annotations = {test::note("{feed}")};
+    const QImage noted = QImage::fromData(QByteArray::fromStdString(scene_file(input, request)));
+    QRect changed;
+    for (int y = 0; y < plain.height(); ++y) {
+      for (int x = 0; x < plain.width(); ++x) {
+        if (plain.pixel(x, y) != noted.pixel(x, y)) {
+          changed |= QRect(x, y, 1, 1);
+        }
+      }
+    }
+    EXPECT_GT(changed.width(), 60 * ratio);
+    EXPECT_LT(changed.width(), 200 * ratio);
+    EXPECT_LT(changed.height(), 120 * ratio);
+  }
+}
+
+TEST(ScenePicture, AnnotationsAreVectorsWhereTheFormatHasThem) {
+  ReportInput input = test::two_runs();
+  const PictureRequest request = request_of(PictureFormat::svg, {600, 450});
+  const std::string plain = scene_file(input, request);
+  input.annotations = {test::note("here")};
+  EXPECT_GT(scene_file(input, request).size(), plain.size() + 300);
 }
 
 TEST(ScenePicture, RefusesMorePixelsThanCanBeDrawn) {

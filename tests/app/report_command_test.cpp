@@ -1,0 +1,85 @@
+#include "tests/app/command_line.h"
+
+namespace feedscope::test {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class ReportCommand : public CommandLine {
+ protected:
+  Result report(const std::string& arguments) const { return run("report " + arguments, no_display); }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      names.push_back(entry.path().filename().string());
+    }
+    return names;
+  }
+};
+
+TEST_F(ReportCommand, WritesPdfAndHtmlOfSeveralRuns) {
+  const Result pdf = report("corner.nc --tolerance 0.01 --tolerance 0.05 --title Corner --out r.pdf");
+  EXPECT_EQ(pdf.code, 0) << pdf.err;
+  EXPECT_EQ(pdf.err, "");
+  EXPECT_THAT(contents(folder_ / "r.pdf"), StartsWith("%PDF-"));
+  EXPECT_EQ(report("corner.nc --tolerance 0.01 --tolerance 0.05 --title Corner --out r.html").code, 0);
+  const std::string html = contents(folder_ / "r.html");
+  EXPECT_THAT(html, HasSubstr("<h1>Corner</h1>"));
+  EXPECT_THAT(html, HasSubstr("feedscope report corner.nc --tolerance 0.01 --tolerance 0.05 --title Corner "
+                              "--out r.html"));
+  EXPECT_THAT(html, HasSubstr("feedscope simulate corner.nc --machine spinner-mvc850 --model essid "
+                              "--tolerance 0.05"));
+  EXPECT_THAT(html, HasSubstr("essid, 0.05 mm"));
+}
+
+TEST_F(ReportCommand, TheSameCallGivesTheSameBytes) {
+  for (const std::string out : {"r.pdf", "r.html"}) {
+    ASSERT_EQ(report("corner.nc --out " + out).code, 0);
+    const std::string first = contents(folder_ / out);
+    ASSERT_EQ(report("corner.nc --out " + out).code, 0);
+    EXPECT_TRUE(contents(folder_ / out) == first) << out;
+  }
+}
+
+TEST_F(ReportCommand, CommandsOfAReportRun) {
+  write("it's a part.nc", "G1 X20 F3000\nY20\n");
+  ASSERT_EQ(report("\"it's a part.nc\" --set alpha=2 --out r.html").code, 0);
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("feedscope simulate 'it'\\''s a part.nc' --machine"));
+}
+
+TEST_F(ReportCommand, FillsATemplateOfOnesOwn) {
+  write("own.html", "<h1>{{title}}</h1>{{comparison_table}}");
+  ASSERT_EQ(report("corner.nc --template own.html --out r.html").code, 0);
+  EXPECT_THAT(contents(folder_ / "r.html"), StartsWith("<h1>corner.nc</h1><table"));
+  write("wrong.html", "\n{{charst}}\n");
+  expect_wrong_use("report corner.nc --template wrong.html --out s.html",
+                   "wrong.html:2: unknown placeholder '{{charst}}'; did you mean '{{charts}}'?");
+  EXPECT_FALSE(fs::exists(folder_ / "s.html"));
+}
+
+TEST_F(ReportCommand, WritesTheRestOfAProgramWithErrors) {
+  const Result result = report("wrong.nc --out r.html");
+  EXPECT_EQ(result.code, 1);
+  EXPECT_THAT(result.err, HasSubstr("wrong.nc:2:"));
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("Messages of the reader"));
+}
+
+TEST_F(ReportCommand, WrongUseLeavesNothingBehind) {
+  const std::vector<std::string> before = files();
+  expect_wrong_use("report corner.nc --out r.txt", "end it in .pdf or .html");
+  expect_wrong_use("report corner.nc --out nowhere/r.pdf", "cannot write 'nowhere/r.pdf'");
+  expect_wrong_use("report corner.nc --date yesterday --out r.pdf", "--date 'yesterday' is no date");
+  expect_wrong_use("report corner.nc --set alpah=2 --out r.pdf", "did you mean 'alpha'?");
+  expect_wrong_use("report corner.nc --format pdf --out /dev/full", "cannot write '/dev/full'");
+  expect_wrong_use("report missing.nc --out r.pdf", "missing.nc");
+  std::vector<std::string> after = files();
+  std::erase(after, "stderr");
+  std::vector<std::string> expected = before;
+  std::erase(expected, "stderr");
+  EXPECT_THAT(after, testing::UnorderedElementsAreArray(expected));
+}
+
+}  // namespace
+}  // namespace feedscope::test

@@ -1,0 +1,69 @@
+#include "ui/window_pictures.h"
+
+#include <gmock/gmock.h>
+
+#include <QApplication>
+#include <QClipboard>
+#include <QDir>
+#include <QFile>
+#include <QSvgRenderer>
+#include <QTemporaryDir>
+
+#include "core/base/error.h"
+#include "tests/ui/run_fixture.h"
+#include "ui/main_window.h"
+
+namespace feedscope::ui {
+namespace {
+
+using Part = WindowPictures::Part;
+
+class WindowPicturesTest : public testing::Test {
+ protected:
+  WindowPicturesTest()
+      : model_(shipped_machines(), make_setup({})),
+        window_(model_, RenderBackend::software),
+        pictures_(window_) {
+    window_.resize(1200, 800);
+    window_.show();
+    model_.show(test::simulate_text(test::small_program));
+    QApplication::processEvents();
+  }
+
+  QByteArray saved(Part part, const QString& name) const {
+    const QString file = folder_.filePath(name);
+    pictures_.save(part, file);
+    QFile input(file);
+    EXPECT_TRUE(input.open(QIODevice::ReadOnly));
+    return input.readAll();
+  }
+
+  QTemporaryDir folder_;
+  Workbench model_;
+  MainWindow window_;
+  WindowPictures pictures_;
+};
+
+TEST_F(WindowPicturesTest, EveryPartIsSavedInEveryFormat) {
+  for (const Part part : {Part::scene, Part::charts, Part::window}) {
+    EXPECT_FALSE(QImage::fromData(saved(part, "a.png")).isNull());
+    EXPECT_TRUE(QSvgRenderer(saved(part, "a.svg")).isValid());
+    EXPECT_TRUE(saved(part, "a.PDF").startsWith("%PDF-"));
+  }
+  EXPECT_EQ(QImage::fromData(saved(Part::window, "a.png")).size(), window_.size());
+  EXPECT_EQ(QImage::fromData(saved(Part::scene, "a.png")).size(), window_.scene().canvas().size());
+}
+
+TEST_F(WindowPicturesTest, APictureIsCopiedToTheClipboard) {
+  pictures_.copy_actions().front()->trigger();
+  EXPECT_EQ(QApplication::clipboard()->image().size(), window_.scene().canvas().size());
+}
+
+TEST_F(WindowPicturesTest, NothingIsLeftWhereAFileCannotBeWritten) {
+  EXPECT_THAT([&] { pictures_.save(Part::scene, folder_.filePath("nowhere/a.png")); },
+              testing::ThrowsMessage<InputError>(testing::HasSubstr("cannot write")));
+  EXPECT_TRUE(QDir(folder_.path()).isEmpty());
+}
+
+}  // namespace
+}  // namespace feedscope::ui
