@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/base/geometry.h"
+#include "ui/models/setup_state.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
@@ -32,10 +33,6 @@ QString source_text(const Machine& machine, const std::string& key) {
 bool assumed(const Machine& machine, const std::string& key) {
   const auto found = machine.provenance.find(key);
   return found != machine.provenance.end() && found->second.assumed;
-}
-
-std::string axis_key(char axis, const std::string& limit) {
-  return std::string(1, axis) + "." + limit;
 }
 
 /// Sources of a limit, those of several axes together where they are the same.

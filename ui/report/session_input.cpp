@@ -1,0 +1,19 @@
+#include "ui/report/session_input.h"
+
+namespace feedscope::ui {
+
+ReportInput report_input(const Session& session,
+                         const std::vector<std::shared_ptr<const ShownRun>>& results) {
+  ReportInput input;
+  for (std::size_t i = 0; i < session.runs.size(); ++i) {
+    input.runs.push_back({results[i], run_title(session.runs[i]), session.runs[i].colour});
+  }
+  input.current = session.current_run;
+  input.scene = session.scene;
+  input.view.reset();
+  input.charts = session.charts;
+  input.annotations = session.annotations;
+  return input;
+}
+
+}  // namespace feedscope::ui
