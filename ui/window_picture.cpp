@@ -138,7 +138,8 @@ Picture draw_study(const LoadedProgram& program, const Study& study,
                    const std::vector<std::string>& assignments, std::optional<PictureSize> wanted) {
   const OffscreenApplication application;
   StudyChart chart;
-  chart.set_study(file_name(*program.program), comparison_details(program, assignments), study_curves(study));
+  chart.set_study(program_file_name(*program.program), comparison_details(program, assignments),
+                  study_curves(study));
   chart.ensurePolished();
   const PictureSize size = wanted.value_or(PictureSize{chart.sizeHint().width(), chart.sizeHint().height()});
   chart.resize(size.width, size.height);

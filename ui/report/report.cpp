@@ -69,6 +69,7 @@ const std::vector<Block>& blocks() {
       {"charts", charts_block},
       {"slow_places", plain(slow_places_block)},
       {"slow_place_views", slow_place_views_block},
+      {"contour_places", plain(contour_places_block)},
       {"notes", plain(notes_block)},
       {"program_facts", plain(program_facts_block)},
       {"messages", plain(messages_block)},
