@@ -110,9 +110,7 @@ void keep_row(const QTextDocument& document, QTextTable& table, int row, double 
   }
 }
 
-}  // namespace
-
-void keep_together(QTextDocument& document, double height) {
+void keep_all(const QTextDocument& document, double height) {
   bool after_heading = false;
   const QTextTable* done = nullptr;
   for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
@@ -128,8 +126,16 @@ void keep_together(QTextDocument& document, double height) {
     }
     done = table;
   }
-  document.markContentsDirty(0,
-                             document.characterCount());  // what was laid out in parts is painted with gaps
+}
+
+}  // namespace
+
+void keep_together(QTextDocument& document, double height) {
+  constexpr int passes = 2;  // laid out as a whole, places differ a little from those laid out in parts
+  for (int pass = 0; pass < passes; ++pass) {
+    keep_all(document, height);
+    document.markContentsDirty(0, document.characterCount());  // painting would leave gaps between the parts
+  }
 }
 
 }  // namespace feedscope::ui
