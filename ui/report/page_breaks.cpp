@@ -88,6 +88,15 @@ void keep_heading(const QTextDocument& document, const QTextBlock& heading, doub
   }
 }
 
+void pad(QTextTable& table, int row, double padding) {
+  for (int column = 0; column < table.columns(); ++column) {
+    QTextTableCell cell = table.cellAt(row, column);
+    QTextTableCellFormat format = cell.format().toTableCellFormat();
+    format.setTopPadding(padding);
+    cell.setFormat(format);
+  }
+}
+
 /// Moves a row that a page's end would cut to the next page: QTextDocument breaks pages between the lines of
 /// cells, so that room above them moves them all.
 void keep_row(const QTextDocument& document, QTextTable& table, int row, double height) {
@@ -102,11 +111,14 @@ void keep_row(const QTextDocument& document, QTextTable& table, int row, double 
     table.setFormat(format);
     return;
   }
-  for (int column = 0; column < table.columns(); ++column) {
-    QTextTableCell cell = table.cellAt(row, column);
-    QTextTableCellFormat format = cell.format().toTableCellFormat();
-    format.setTopPadding(std::max(format.topPadding(), table.format().cellPadding()) + end - extent.top);
-    cell.setFormat(format);
+  const double before = table.cellAt(row, 0).format().toTableCellFormat().topPadding();
+  const double usual = std::max(before, table.format().cellPadding());
+  for (const double share : {0.1, 0.3, 0.6, 1.0}) {  // as little as does: it stays above the row
+    pad(table, row, usual + share * (end - extent.top));
+    const Extent now = extent_of(document, table, row);
+    if (page_at(now.top, height) == page_at(now.bottom - 0.5, height)) {
+      return;
+    }
   }
 }
 
