@@ -12,8 +12,9 @@
 #include "app/output_file.h"
 #include "app/picture_size.h"
 #include "app/print.h"
-#include "app/several_runs.h"
+#include "app/session_runs.h"
 #include "core/base/error.h"
+#include "ui/main_window.h"
 #include "ui/report/pictures.h"
 #include "ui/theme/offscreen_application.h"
 #include "ui/window_picture.h"
@@ -29,8 +30,8 @@ struct RenderOptions {
   std::string size;  ///< as typed
   std::optional<double> dpi;
   double scale = 1;
-  std::string camera = "iso";
-  std::string theme = "light";
+  std::string camera;  ///< "": iso, or the session's
+  std::string theme;   ///< "": light, or the session's
   std::string format;
   bool transparent = false;
   std::string title;
@@ -65,6 +66,17 @@ ui::PictureFormat format_of(const RenderOptions& options) {
   return found->second;
 }
 
+ui::ThemeKind theme_of(const RenderOptions& options, const std::optional<ui::Session>& session) {
+  if (!options.theme.empty()) {
+    return themes.at(options.theme);
+  }
+  return session ? session->theme.value_or(ui::ThemeKind::light) : ui::ThemeKind::light;
+}
+
+ui::StandardView camera_of(const RenderOptions& options) {
+  return camera_views.at(options.camera.empty() ? "iso" : options.camera);
+}
+
 ui::PictureRequest request_of(const RenderOptions& options) {
   const ui::PictureFormat format = format_of(options);
   const bool sheet = views.at(options.view) == View::sheet;
@@ -81,7 +93,6 @@ ui::PictureRequest request_of(const RenderOptions& options) {
   ui::PictureRequest request;
   request.format = format;
   request.paper = page.paper;
-  request.theme = themes.at(options.theme);
   request.transparent = options.transparent;
   const double pixels_a_unit = page.paper ? options.scale * dpi / units_per_inch : options.scale;
   request.size = QSizeF(page.pixels.width, page.pixels.height) / pixels_a_unit;
@@ -104,8 +115,11 @@ void check_runs(const RenderOptions& options, const std::vector<AskedRun>& runs)
 }
 
 std::string window_file(const ui::ReportInput& input, const RenderOptions& options,
-                        const ui::PictureRequest& request) {
-  ui::WindowLook look{camera_views.at(options.camera), request.theme};
+                        const std::optional<ui::Session>& session, const ui::PictureRequest& request) {
+  ui::WindowLook look{camera_of(options), request.theme};
+  if (session) {
+    look.prepare = [&](ui::MainWindow& window, ui::Workbench&) { window.session().show(*session); };
+  }
   look.pixel_ratio = request.pixel_ratio;
   const QSize size = request.size.toSize();
   const ui::Picture picture = ui::draw_window(input.run().shown->run, {size.width(), size.height()}, look);
@@ -119,10 +133,10 @@ std::string window_file(const ui::ReportInput& input, const RenderOptions& optio
 }
 
 std::string picture_file(const ui::ReportInput& input, const RenderOptions& options,
-                         const ui::PictureRequest& request) {
+                         const std::optional<ui::Session>& session, const ui::PictureRequest& request) {
   const View view = views.at(options.view);
   if (view == View::window) {
-    return window_file(input, options, request);
+    return window_file(input, options, session, request);
   }
   const ui::OffscreenApplication application(request.theme);
   return view == View::scene    ? ui::scene_file(input, request)
@@ -152,22 +166,31 @@ void note_unused_tolerances(const RenderOptions& options, const std::vector<Aske
 }
 
 int render(const RenderOptions& options) {
-  const ui::PictureRequest request = request_of(options);
-  const std::vector<AskedRun> runs = asked_runs(options.runs);
+  const std::optional<ui::Session> session = asked_session(options.runs);
+  ui::PictureRequest request = request_of(options);
+  request.theme = theme_of(options, session);
+  const std::vector<AskedRun> runs = session ? std::vector<AskedRun>() : asked_runs(options.runs);
   check_runs(options, runs);
   note_unused_tolerances(options, runs);
   check_outputs(options.runs.file, {options.out});
-  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
+  if (session) {
+    check_outputs(session->program.string(), {options.out});
+  }
+  const auto source =
+      session ? nullptr : std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
   OutputFile out(options.out);
   ui::ReportInput input;
   {
     Watch watch;
-    input = simulate_runs(options.runs, runs, source, watch);
+    input = session ? simulate_session(*session, options.runs, watch)
+                    : simulate_runs(options.runs, runs, source, watch);
   }
-  input.view = camera_views.at(options.camera);
+  if (!session || !options.camera.empty()) {
+    input.view = camera_of(options);
+  }
   input.title = QString::fromStdString(options.title);
   input.commands = {command_of(options)};
-  out.stream() << picture_file(input, options, request);
+  out.stream() << picture_file(input, options, session, request);
   out.commit();
   if (!options.runs.tolerances.empty()) {
     note_replaced_tolerance(*input.program().toolpath);
@@ -207,14 +230,14 @@ Command add_render_command(CLI::App& app) {
       ->type_name("VIEW")
       ->capture_default_str();
   add_size_options(*command, *options);
-  command->add_option("--camera", options->camera, "Where to look from: iso, top, front, right")
+  command
+      ->add_option("--camera", options->camera,
+                   "Where to look from: iso, top, front, right [iso, or the session's]")
       ->check(CLI::IsMember(camera_views))
-      ->type_name("CAMERA")
-      ->capture_default_str();
-  command->add_option("--theme", options->theme, "Colours: light, dark")
+      ->type_name("CAMERA");
+  command->add_option("--theme", options->theme, "Colours: light, dark [light, or the session's]")
       ->check(CLI::IsMember(themes))
-      ->type_name("THEME")
-      ->capture_default_str();
+      ->type_name("THEME");
   command->add_option("--format", options->format, "png, svg or pdf [the ending of --out]")
       ->check(CLI::IsMember(formats))
       ->type_name("FORMAT");

@@ -10,7 +10,7 @@
 #include "app/output_file.h"
 #include "app/picture_size.h"
 #include "app/print.h"
-#include "app/several_runs.h"
+#include "app/session_runs.h"
 #include "core/base/error.h"
 #include "ui/report/report.h"
 #include "ui/theme/offscreen_application.h"
@@ -26,7 +26,7 @@ struct ReportOptions {
   std::string title;
   std::string author;
   std::string date;
-  std::string camera = "iso";
+  std::string camera;  ///< "": iso, or the session's
 };
 
 const std::map<std::string, ui::ReportFormat> formats{{"pdf", ui::ReportFormat::pdf},
@@ -81,19 +81,27 @@ QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun
 int report(const ReportOptions& options) {
   const ui::ReportFormat format = format_of(options);
   const QDateTime date = date_of(options.date);
-  const std::vector<AskedRun> runs = asked_runs(options.runs);
+  const std::optional<ui::Session> session = asked_session(options.runs);
+  const std::vector<AskedRun> runs = session ? std::vector<AskedRun>() : asked_runs(options.runs);
   check_outputs(options.runs.file, {options.out});
-  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
+  if (session) {
+    check_outputs(session->program.string(), {options.out});
+  }
+  const auto source =
+      session ? nullptr : std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
   const ui::ReportTemplate page = ui::load_report_template(QString::fromStdString(options.page));
   OutputFile out(options.out);
   ui::ReportInput input;
   {
     Watch watch;
-    input = simulate_runs(options.runs, runs, source, watch);
+    input = session ? simulate_session(*session, options.runs, watch)
+                    : simulate_runs(options.runs, runs, source, watch);
     input.title = QString::fromStdString(options.title);
     input.author = QString::fromStdString(options.author);
     input.date = date;
-    input.view = camera_views.at(options.camera);
+    if (!session || !options.camera.empty()) {
+      input.view = camera_views.at(options.camera.empty() ? "iso" : options.camera);
+    }
     input.commands = commands_of(options, runs);
     const ui::OffscreenApplication application;
     out.stream() << ui::make_report(input, page, format, watch.stage("drawing"));
@@ -127,10 +135,11 @@ Command add_report_command(CLI::App& app) {
   command
       ->add_option("--date", options->date, "Date of the report [none, so that it can be made again alike]")
       ->type_name("YYYY-MM-DD");
-  command->add_option("--camera", options->camera, "Where to look from: iso, top, front, right")
+  command
+      ->add_option("--camera", options->camera,
+                   "Where to look from: iso, top, front, right [iso, or the session's]")
       ->check(CLI::IsMember(camera_views))
-      ->type_name("CAMERA")
-      ->capture_default_str();
+      ->type_name("CAMERA");
   return {command, [options] { return report(*options); }};
 }
 

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/command_line.h"
@@ -13,6 +14,12 @@ using testing::Each;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
+
+/// Where sentences break into lines hangs on the lengths of numbers.
+std::string in_one_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
 
 /// `compare` with --sweep, --within, --operations and --merge.
 class StudyCommand : public CommandLine {
@@ -31,12 +38,12 @@ TEST_F(StudyCommand, SaysTheFastestWithinTheBoundAndWhatLimitsAtBothEnds) {
   EXPECT_EQ(result.code, 0);
   EXPECT_EQ(result.err, "");
   EXPECT_THAT(
-      result.out,
+      in_one_line(result.out),
       AllOf(HasSubstr("ward on Spinner MVC 850"), HasSubstr("Fastest within 0.03 mm: tolerance 0.04 mm"),
             HasSubstr("contour error 0.0283 mm"), HasSubstr("At tolerance 0.01 mm the time is due to"),
             HasSubstr("; at 0.16 mm to")));
   EXPECT_THAT(
-      run("compare corner.nc --model essid --sweep tolerance=0.1,0.2 --within 0.001").out,
+      in_one_line(run("compare corner.nc --model essid --sweep tolerance=0.1,0.2 --within 0.001").out),
       HasSubstr("No setting keeps a contour error of 0.001 mm; the least is 0.0566 mm at tolerance 0.1 mm"));
 }
 
@@ -78,7 +85,7 @@ TEST_F(StudyCommand, WritesCsvRowsOfRunsAndOperations) {
   EXPECT_THAT(lines[2], HasSubstr(",rough,1,"));
   EXPECT_THAT(lines[3], HasSubstr(",\"\"\"fine\"\", 2\",4,"));
   EXPECT_THAT(run("compare two.nc --model essid --sweep tolerance=0.02,0.04 --operations comment").out,
-              AllOf(HasSubstr("Operations at tolerance 0.04 mm"), HasSubstr("rough")));
+              AllOf(HasSubstr("Operations at tolerance 0.02 mm"), HasSubstr("rough")));
 }
 
 TEST_F(StudyCommand, RefusesWhatCannotBeStudied) {

@@ -1,0 +1,68 @@
+#include "app/session_runs.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "ui/report/session_input.h"
+#include "ui/session/session_file.h"
+
+namespace feedscope {
+namespace {
+
+void refuse_runs(const SeveralRunsOptions& options) {
+  const std::pair<const char*, bool> asked[] = {{"--machine", !options.machines.empty()},
+                                                {"--model", !options.models.empty()},
+                                                {"--tolerance", !options.tolerances.empty()},
+                                                {"--set", !options.set.empty()}};
+  for (const auto& [option, given] : asked) {
+    if (given) {
+      throw InputError(
+          fmt::format("{} does not go with session '{}', which has its own runs; give the NC "
+                      "program instead, or change the session in the window",
+                      option, options.file));
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<ui::Session> asked_session(const SeveralRunsOptions& options) {
+  if (!ui::is_session_file(options.file)) {
+    return std::nullopt;
+  }
+  refuse_runs(options);
+  ui::ReadSession read = ui::read_session_file(options.file);
+  for (const QString& note : read.notes) {
+    fmt::print(stderr, "feedscope: note: {}: {}\n", options.file, note.toStdString());
+  }
+  const std::filesystem::path& program = read.session.program;
+  if (!std::filesystem::exists(program)) {
+    throw InputError(
+        fmt::format("the program of session '{}' is not there: '{}'; put it there, or open the "
+                    "session in the window and show where it is",
+                    options.file, program.string()));
+  }
+  if (!read.session.program_hash.isEmpty() && ui::hash_of(program) != read.session.program_hash) {
+    fmt::print(stderr,
+               "feedscope: note: '{}' has changed since session '{}' was saved; annotations may stand "
+               "elsewhere\n",
+               program.string(), options.file);
+  }
+  return read.session;
+}
+
+ui::ReportInput simulate_session(const ui::Session& session, const SeveralRunsOptions& options,
+                                 Watch& watch) {
+  std::vector<AskedRun> runs;
+  for (const ui::RunItem& run : session.runs) {
+    runs.push_back({run.setup.setup(), {}});
+  }
+  const auto source = std::make_shared<const SourceText>(SourceText::from_file(session.program));
+  std::vector<std::shared_ptr<const ui::ShownRun>> shown;
+  for (const ui::ReportRun& run : simulate_runs(options, runs, source, watch).runs) {
+    shown.push_back(run.shown);
+  }
+  return ui::report_input(session, shown);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,73 @@
+#include "tests/app/command_line.h"
+
+namespace feedscope::test {
+namespace {
+
+using testing::HasSubstr;
+
+/// `render` and `report` of a session.
+class SessionCommand : public CommandLine {
+ protected:
+  void SetUp() override {
+    write("part.nc", "G1 X20 F3000\nY20\nX40\n");
+    write("part.feedscope", session("part.nc", ""));
+  }
+
+  static std::string session(const std::string& program, const std::string& hash) {
+    return R"({"format": "feedscope-session", "version": 1,
+      "program": {"file": ")" +
+           program + R"(", "sha256": ")" + hash + R"("},
+      "runs": [{"machine": "spinner-mvc850", "model": "essid", "name": "wide", "colour": "#0072b2",
+                "set": {"contour_tolerance_mm": 0.05}},
+               {"machine": "huron-kx10", "model": "msaddek", "colour": "#d55e00", "set": {}}],
+      "annotations": [{"kind": "callout", "place": {"segment": 1, "share": 0}, "text": "second side"}]})";
+  }
+  Result quiet(const std::string& arguments) const { return run(arguments, no_display); }
+};
+
+TEST_F(SessionCommand, EveryViewIsDrawnAndTheSameElsewhere) {
+  fs::create_directories(folder_ / "elsewhere");
+  fs::copy(folder_ / "part.nc", folder_ / "elsewhere" / "part.nc");
+  fs::copy(folder_ / "part.feedscope", folder_ / "elsewhere" / "part.feedscope");
+  for (const std::string view : {"3d", "charts", "window"}) {
+    const std::string options = " --view " + view + " --size 1280x800 --out ";
+    const Result here = quiet("render part.feedscope" + options + "a.png");
+    ASSERT_EQ(here.code, 0) << here.err;
+    ASSERT_EQ(quiet("render elsewhere/part.feedscope" + options + "b.png").code, 0);
+    EXPECT_TRUE(contents(folder_ / "a.png") == contents(folder_ / "b.png")) << view;
+  }
+}
+
+TEST_F(SessionCommand, TheReportHasItsRunsByName) {
+  const Result result = quiet("report part.feedscope --out r.html");
+  ASSERT_EQ(result.code, 0) << result.err;
+  const std::string html = contents(folder_ / "r.html");
+  EXPECT_THAT(html, HasSubstr("wide"));
+  EXPECT_THAT(html, HasSubstr("msaddek"));
+  EXPECT_THAT(html, HasSubstr("feedscope report part.feedscope"));
+}
+
+TEST_F(SessionCommand, AChangedProgramIsSaidAndTheRestGoesOn) {
+  write("part.feedscope", session("part.nc", "0123"));
+  const Result result = quiet("render part.feedscope --out a.png");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.err, HasSubstr("has changed since session 'part.feedscope' was saved"));
+}
+
+TEST_F(SessionCommand, WhatCannotBeUsedIsNamedAndWritesNothing) {
+  expect_wrong_use("render part.feedscope --model cam --out a.png", "--model does not go with session");
+  write("part.feedscope", session("gone.nc", ""));
+  expect_wrong_use("render part.feedscope --out a.png", "gone.nc");
+  write("part.feedscope", "{\n\"format\" 1}");
+  expect_wrong_use("report part.feedscope --out a.pdf", "line 2");
+  EXPECT_FALSE(fs::exists(folder_ / "a.png"));
+  EXPECT_FALSE(fs::exists(folder_ / "a.pdf"));
+}
+
+TEST_F(SessionCommand, ItsProgramIsNeverWrittenOver) {
+  expect_wrong_use("render part.feedscope --format png --out part.nc", "it is the program itself");
+  EXPECT_THAT(contents(folder_ / "part.nc"), HasSubstr("G1 X20"));
+}
+
+}  // namespace
+}  // namespace feedscope::test
