@@ -1497,33 +1497,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
 </context>
 <context>
-    <name>feedscope::ui::StudyChart</name>
-    <message>
-        <source>Largest contour error [µm]</source>
-        <translation>Plus grande erreur de contour [µm]</translation>
-    </message>
-    <message>
-        <source>Cycle time [s]</source>
-        <translation>Temps de cycle [s]</translation>
-    </message>
-    <message>
-        <source>bound %1 µm</source>
-        <translation>borne %1 µm</translation>
-    </message>
-    <message>
-        <source>%1 µm</source>
-        <translation>%1&#xa0;µm</translation>
-    </message>
-    <message>
-        <source>%1 s at %2</source>
-        <translation>%1&#xa0;s à %2</translation>
-    </message>
-    <message>
-        <source>Contour tolerance</source>
-        <translation>Tolérance de contour</translation>
-    </message>
-</context>
-<context>
     <name>feedscope::ui::ComparisonChart</name>
     <message>
         <source>%1 %</source>
@@ -3130,6 +3103,33 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>%1 mm/min</source>
         <translation>%1&#xa0;mm/min</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::StudyChart</name>
+    <message>
+        <source>Largest contour error [µm]</source>
+        <translation>Plus grande erreur de contour [µm]</translation>
+    </message>
+    <message>
+        <source>Cycle time [s]</source>
+        <translation>Temps de cycle [s]</translation>
+    </message>
+    <message>
+        <source>bound %1 µm</source>
+        <translation>borne %1 µm</translation>
+    </message>
+    <message>
+        <source>%1 µm</source>
+        <translation>%1&#xa0;µm</translation>
+    </message>
+    <message>
+        <source>%1 s at %2</source>
+        <translation>%1&#xa0;s à %2</translation>
+    </message>
+    <message>
+        <source>Contour tolerance</source>
+        <translation>Tolérance de contour</translation>
     </message>
 </context>
 <context>
