@@ -1,7 +1,6 @@
 #include "core/analysis/programmed_place.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace feedscope {
 namespace {
@@ -12,12 +11,24 @@ struct Stretch {
   double end = 0;
 };
 
+/// First element of `path` whose segment is not before `segment`; as many as there are if none is.
+std::size_t first_element_from(const BlendedPath& path, std::uint64_t segment) {
+  std::size_t low = 0;
+  std::size_t high = path.size();
+  while (low < high) {
+    const std::size_t middle = low + (high - low) / 2;
+    if (path.segment(middle) < segment) {
+      low = middle + 1;
+    } else {
+      high = middle;
+    }
+  }
+  return low;
+}
+
 Stretch stretch_of(const BlendedPath& path, std::uint32_t segment) {
-  const auto elements = std::views::iota(std::size_t{0}, path.size());
-  const auto of = [&path](std::size_t element) { return path.segment(element); };
-  const auto [first, last] = std::ranges::equal_range(elements, segment, {}, of);
-  return {path.s(static_cast<std::size_t>(first - elements.begin())),
-          path.s(static_cast<std::size_t>(last - elements.begin()))};
+  return {path.s(first_element_from(path, segment)),
+          path.s(first_element_from(path, std::uint64_t{segment} + 1))};
 }
 
 }  // namespace
