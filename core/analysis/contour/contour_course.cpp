@@ -119,7 +119,8 @@ void ContourCourse::divide_filtered(const FilteredMotion& motion, double from, d
     divide_evenly(from, to);
     return;
   }
-  const double least = 1e-9 * train.delay();
+  // Far from the program's start a clock cannot tell shorter steps from none.
+  const double least = std::max(1e-9 * train.delay(), 8 * std::numeric_limits<double>::epsilon() * to);
   for (double begin = from; begin < to;) {
     const double knot = motion.start() + filters_.next_knot(train, begin - motion.start());
     const double end = to - knot > least ? std::max(knot, begin + least) : to;
