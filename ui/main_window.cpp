@@ -40,6 +40,7 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
       runs_(new RunsView(model.runs(), this)),
       why_(new WhyView(model.cursor(), this)),
       annotations_(new AnnotationsView(model.annotations(), model.cursor(), this)),
+      study_(new StudyView(model, this)),
       desk_(model),
       lessons_(new LessonView(desk_, this)),
       session_(new WindowSession(*this, model)),
@@ -144,6 +145,13 @@ void MainWindow::make_docks() {
   QDockWidget* slow = add_dock("slow-places", tr("Slow places"), slow_places_, Qt::BottomDockWidgetArea);
   tabifyDockWidget(charts_dock_, slow);
   tabifyDockWidget(charts_dock_, diagnostics_dock_);
+  QDockWidget* study = add_dock("study", tr("Study"), study_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(charts_dock_, study);
+  study->hide();
+  connect(study_, &StudyView::attention_wanted, study, [study] {
+    study->show();
+    study->raise();
+  });
   charts_dock_->raise();
   resizeDocks({program, setup}, {program_width, setup_width}, Qt::Horizontal);
   resizeDocks({charts_dock_}, {charts_height}, Qt::Vertical);

@@ -18,6 +18,7 @@
 #include "ui/views/setup_view.h"
 #include "ui/views/side_by_side.h"
 #include "ui/views/slow_places_view.h"
+#include "ui/views/study_view.h"
 #include "ui/views/why_view.h"
 #include "ui/window_session.h"
 
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
   RunsView& runs() { return *runs_; }
   WhyView& why() { return *why_; }
   AnnotationsView& annotations() { return *annotations_; }
+  StudyView& study() { return *study_; }
   LessonView& lessons() { return *lessons_; }
   CommandPalette& palette() { return *palette_; }
   /// Opens a lesson in its panel, and what it begins with in all others.
@@ -100,6 +102,7 @@ class MainWindow : public QMainWindow {
   RunsView* runs_;
   WhyView* why_;
   AnnotationsView* annotations_;
+  StudyView* study_;
   LessonDesk desk_;
   LessonView* lessons_;
   WindowSession* session_;

@@ -73,6 +73,7 @@ void MainWindow::make_menus() {
   for (const QAction* action : runs_->panel_actions()) {
     connect(action, &QAction::triggered, runs_dock_, &QDockWidget::raise);
   }
+  runs->addActions(study_->panel_actions());
   runs->addSeparator();
   connect(add_action(runs, tr("&Cancel simulation"), Qt::Key_Escape, tr("Stop reading or simulating")),
           &QAction::triggered, &model_, &Workbench::cancel);

@@ -2088,6 +2088,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>&amp;Copy picture</source>
         <translation>&amp;Copier l’image</translation>
     </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::PlaybackBar</name>
@@ -3130,6 +3134,191 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Contour tolerance</source>
         <translation>Tolérance de contour</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::StudyJob</name>
+    <message>
+        <source>The program needs more memory than there is.</source>
+        <translation>Le programme demande plus de mémoire qu’il n’y en a.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::StudyTable</name>
+    <message>
+        <source>%1 % %2</source>
+        <translation>%1 % %2</translation>
+    </message>
+    <message>
+        <source>The fastest within the bound</source>
+        <translation>La plus rapide dans la limite</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Valeur</translation>
+    </message>
+    <message>
+        <source>Value [%1]</source>
+        <translation>Valeur [%1]</translation>
+    </message>
+    <message>
+        <source>Cycle time</source>
+        <translation>Temps de cycle</translation>
+    </message>
+    <message>
+        <source>Feed [mm/min]</source>
+        <translation>Avance [mm/min]</translation>
+    </message>
+    <message>
+        <source>Error [µm]</source>
+        <translation>Erreur [µm]</translation>
+    </message>
+    <message>
+        <source>Limited most by</source>
+        <translation>Limitée surtout par</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::StudyView</name>
+    <message>
+        <source>&amp;Logarithmic</source>
+        <translation>&amp;Logarithmique</translation>
+    </message>
+    <message>
+        <source>Error at &amp;most</source>
+        <translation>Erreur d’au &amp;plus</translation>
+    </message>
+    <message>
+        <source>&amp;Study</source>
+        <translation>É&amp;tudier</translation>
+    </message>
+    <message>
+        <source>&amp;Make it a run</source>
+        <translation>En &amp;faire une simulation</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <source>First value of the setting, in its unit</source>
+        <translation>Première valeur du réglage, dans son unité</translation>
+    </message>
+    <message>
+        <source>Last value of the setting, in its unit</source>
+        <translation>Dernière valeur du réglage, dans son unité</translation>
+    </message>
+    <message>
+        <source>How many values</source>
+        <translation>Combien de valeurs</translation>
+    </message>
+    <message>
+        <source>Equal ratios from value to value, not equal steps</source>
+        <translation>Rapports égaux d’une valeur à l’autre, et non des pas égaux</translation>
+    </message>
+    <message>
+        <source> µm</source>
+        <translation> µm</translation>
+    </message>
+    <message>
+        <source>Only runs whose contour error keeps this bound [µm] compete for the fastest</source>
+        <translation>Seules les simulations dont l’erreur de contour respecte cette limite [µm] concourent pour la plus rapide</translation>
+    </message>
+    <message>
+        <source>The setting that changes from run to run</source>
+        <translation>Le réglage qui change d’une simulation à l’autre</translation>
+    </message>
+    <message>
+        <source>Setting</source>
+        <translation>Réglage</translation>
+    </message>
+    <message>
+        <source>Results of the study</source>
+        <translation>Résultats de l’étude</translation>
+    </message>
+    <message>
+        <source>Add the run of the chosen value to the runs</source>
+        <translation>Ajouter aux simulations celle de la valeur choisie</translation>
+    </message>
+    <message>
+        <source>&amp;Study a setting …</source>
+        <translation>É&amp;tudier un réglage …</translation>
+    </message>
+    <message>
+        <source>Cycle time and contour error over a range of a setting</source>
+        <translation>Temps de cycle et erreur de contour sur une plage d’un réglage</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+T</source>
+        <translation>Ctrl+Shift+T</translation>
+    </message>
+    <message>
+        <source>Copy the picture of the study</source>
+        <translation>Copier l’image de l’étude</translation>
+    </message>
+    <message>
+        <source>The curves of the study to the clipboard</source>
+        <translation>Les courbes de l’étude dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Save the study as CSV …</source>
+        <translation>Enregistrer l’étude en CSV …</translation>
+    </message>
+    <message>
+        <source>The figures, one row a run</source>
+        <translation>Les valeurs, une ligne par simulation</translation>
+    </message>
+    <message>
+        <source>There is no study to save yet.</source>
+        <translation>Il n’y a pas encore d’étude à enregistrer.</translation>
+    </message>
+    <message>
+        <source>Save the study</source>
+        <translation>Enregistrer l’étude</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 ne peut pas être écrit : %2.</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>à</translation>
+    </message>
+    <message>
+        <source>Open a program first.</source>
+        <translation>Ouvrez d’abord un programme.</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Simulating %1 runs …</source>
+        <translation>Simulation de %1 valeurs …</translation>
+    </message>
+    <message>
+        <source>Which value of a setting is the fastest, and what does it cost in contour error?</source>
+        <translation>Quelle valeur d’un réglage est la plus rapide, et que coûte-t-elle en erreur de contour ?</translation>
+    </message>
+    <message>
+        <source>No value keeps the bound of %1 µm.</source>
+        <translation>Aucune valeur ne respecte la limite de %1 µm.</translation>
+    </message>
+    <message>
+        <source>Fastest: %1 %2 with %3, contour error %4 µm. %5</source>
+        <translation>La plus rapide : %1 %2 avec %3, erreur de contour %4 µm. %5</translation>
+    </message>
+    <message>
+        <source>At the first value %1, at the last %2.</source>
+        <translation>À la première valeur %1, à la dernière %2.</translation>
     </message>
 </context>
 <context>

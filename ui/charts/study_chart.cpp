@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "ui/charts/chart_colors.h"
 #include "ui/scene/ticks.h"
@@ -227,6 +228,17 @@ void StudyChart::draw_head(QPainter& painter, const Layout& layout) const {
   }
 }
 
+QString StudyChart::bound_text() const {
+  return tr("bound %1 µm").arg(number(*study_.within * micrometres));
+}
+
+QRectF StudyChart::bound_label(const Layout& layout) const {
+  const QFontMetricsF metrics(font());
+  const double y = layout.error.bottom() - *study_.within / layout.most_error * layout.error.height();
+  return {layout.error.left() + 6, y - metrics.height() - 2, metrics.horizontalAdvance(bound_text()) + 4,
+          metrics.height()};
+}
+
 void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_error) const {
   const QRectF& plot = is_error ? layout.error : layout.time;
   const double most = is_error ? layout.most_error * micrometres : layout.most_time;
@@ -252,13 +264,12 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
     const double y = plot.bottom() - *study_.within * micrometres / most * plot.height();
     painter.setPen(QPen(text_color, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
-    painter.drawText(QRectF(plot.left() + 6, y - line - 2, plot.width(), line),
-                     Qt::AlignLeft | Qt::AlignVCenter,
-                     tr("bound %1 µm").arg(number(*study_.within * micrometres)));
+    painter.drawText(bound_label(layout), Qt::AlignLeft | Qt::AlignVCenter, bound_text());
   }
   for (std::size_t i = 0; i < study_.curves.size(); ++i) {
     draw_curve(painter, layout, i, is_error);
   }
+  draw_labels(painter, layout, is_error);
 }
 
 void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t index, bool is_error) const {
@@ -273,24 +284,64 @@ void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t
   for (const QPointF& at : line) {
     painter.fillPath(marker_shape(index, at, marker), color);
   }
-  if (!curve.fastest) {
-    return;
+  if (curve.fastest) {
+    painter.setPen(QPen(text_color, 1.8));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(line[static_cast<qsizetype>(*curve.fastest)], 2 * marker, 2 * marker);
   }
-  const StudyPoint& best = curve.points[*curve.fastest];
-  const QPointF at = layout.place(best, is_error);
-  painter.setPen(QPen(text_color, 1.8));
-  painter.setBrush(Qt::NoBrush);
-  painter.drawEllipse(at, 2 * marker, 2 * marker);
-  const QString text = is_error ? tr("%1 µm").arg(number(best.error * micrometres))
-                                : tr("%1 s at %2").arg(number(best.time, 5), number(best.value));
+}
+
+QRectF StudyChart::free_label(const Layout& layout, const QPointF& at, const QSizeF& size, bool is_error,
+                              const std::vector<QRectF>& taken) const {
+  const QRectF& plot = is_error ? layout.error : layout.time;
+  QRectF best;
+  int least = std::numeric_limits<int>::max();
+  for (const double rows : {-1.2, 0.2, -2.2, 1.2, -0.5}) {
+    for (const double left : {at.x() + 3 * marker, at.x() - 3 * marker - size.width()}) {
+      const double below = rows > 0 ? 2 * marker : 0;
+      const QRectF label(QPointF(left, at.y() + rows * size.height() + below), size);
+      constexpr int out_of_plot = 1000;
+      constexpr int on_a_label = 100;
+      int faults = plot.contains(label) ? 0 : out_of_plot;
+      for (const QRectF& other : taken) {
+        faults += other.intersects(label) ? on_a_label : 0;
+      }
+      for (const StudyCurve& curve : study_.curves) {
+        for (std::size_t i = 0; i < curve.points.size(); ++i) {
+          const QPointF point = layout.place(curve.points[i], is_error);
+          const QPointF middle = i == 0 ? point : (point + layout.place(curve.points[i - 1], is_error)) / 2;
+          faults += label.contains(point) || label.contains(middle) ? 1 : 0;
+        }
+      }
+      if (faults < least) {
+        least = faults;
+        best = label;
+      }
+    }
+  }
+  return best;
+}
+
+void StudyChart::draw_labels(QPainter& painter, const Layout& layout, bool is_error) const {
   const QFontMetricsF metrics(font());
-  const double room = metrics.horizontalAdvance(text) + 4;
-  const bool to_the_left = at.x() + 3 * marker + room > layout.time.right();
-  const double top = is_error ? at.y() + 2 * marker + 2 : at.y() - metrics.height() - 3;  // off the curve
-  const QRectF label(to_the_left ? at.x() - 3 * marker - room : at.x() + 3 * marker, top, room,
-                     metrics.height());
-  painter.fillRect(label, QColor(255, 255, 255, 210));
-  painter.drawText(label, (to_the_left ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter, text);
+  std::vector<QRectF> taken;
+  if (is_error && study_.within) {
+    taken.push_back(bound_label(layout));
+  }
+  for (const StudyCurve& curve : study_.curves) {
+    if (!curve.fastest) {
+      continue;
+    }
+    const StudyPoint& best = curve.points[*curve.fastest];
+    const QString text = is_error ? tr("%1 µm").arg(number(best.error * micrometres))
+                                  : tr("%1 s at %2").arg(number(best.time, 5), number(best.value));
+    const QSizeF size(metrics.horizontalAdvance(text) + 4, metrics.height());
+    const QRectF label = free_label(layout, layout.place(best, is_error), size, is_error, taken);
+    painter.fillRect(label, QColor(255, 255, 255, 210));
+    painter.setPen(text_color);
+    painter.drawText(label, Qt::AlignCenter, text);
+    taken.push_back(label);
+  }
 }
 
 void StudyChart::draw_settings_axis(QPainter& painter, const Layout& layout) const {

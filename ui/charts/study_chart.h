@@ -64,6 +64,14 @@ class StudyChart : public QWidget {
   void draw_plot(QPainter& painter, const Layout& layout, bool is_error) const;
   void draw_settings_axis(QPainter& painter, const Layout& layout) const;
   void draw_curve(QPainter& painter, const Layout& layout, std::size_t index, bool is_error) const;
+  /// Above the line of the bound, where there is one.
+  QRectF bound_label(const Layout& layout) const;
+  QString bound_text() const;
+  /// Names the fastest run of each curve.
+  void draw_labels(QPainter& painter, const Layout& layout, bool is_error) const;
+  /// Beside a marker, where it hides the least.
+  QRectF free_label(const Layout& layout, const QPointF& at, const QSizeF& size, bool is_error,
+                    const std::vector<QRectF>& taken) const;
 
   QString title_;
   QString details_;

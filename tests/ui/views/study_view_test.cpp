@@ -1,0 +1,103 @@
+#include "ui/views/study_view.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLocale>
+#include <QSpinBox>
+#include <QTableView>
+#include <QTest>
+
+#include "tests/ui/run_fixture.h"
+
+namespace feedscope::ui {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int patience = 60000;  // [ms]
+
+class StudyViewTest : public testing::Test {
+ protected:
+  StudyViewTest() {
+    QLocale::setDefault(QLocale::c());
+    view.resize(900, 400);
+    view.show();
+  }
+  void open() {
+    const LoadedProgram input =
+        load_program(std::make_shared<const SourceText>("test.nc", test::small_program));
+    model.show(simulate_run(input, make_setup({})));
+  }
+  void study(const char* key, double from, double to, int count) {
+    view.key()->setCurrentIndex(view.key()->findData(QString::fromLatin1(key)));
+    view.from()->setValue(from);
+    view.to()->setValue(to);
+    view.count()->setValue(count);
+    view.run();
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !view.busy(); }, patience));
+  }
+
+  Workbench model{shipped_machines(), make_setup({})};
+  StudyView view{model};
+};
+
+TEST_F(StudyViewTest, TheResultsAreThoseOfSimulatingEachValue) {
+  const QAbstractItemModelTester tester(view.table()->model(),
+                                        QAbstractItemModelTester::FailureReportingMode::Fatal);
+  open();
+  study("tolerance", 0.01, 0.04, 3);
+  ASSERT_EQ(view.chart()->study().curves.size(), 1U);
+  const StudyCurve& curve = view.chart()->study().curves[0];
+  ASSERT_EQ(curve.points.size(), 3U);
+  for (const StudyPoint& point : curve.points) {
+    SetupRequest request;
+    request.tolerance = point.value;
+    const Summary alone = simulate_run(model.shown_program().input, make_setup(request)).summary;
+    EXPECT_EQ(point.time, alone.cycle_time) << point.value;
+    EXPECT_EQ(point.error, alone.max_contour_error) << point.value;
+  }
+  EXPECT_EQ(view.table()->model()->rowCount(), 3);
+  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("Fastest: tolerance"));
+}
+
+TEST_F(StudyViewTest, AnyValueBecomesARun) {
+  open();
+  study("X.jerk", 5, 20, 3);
+  view.make_run(2);
+  EXPECT_EQ(model.runs().items().size(), 2U);
+  EXPECT_EQ(std::get<double>(model.setup().state().value("X.jerk")), 20);
+  view.make_run(7);  // there is no such row
+  EXPECT_EQ(model.runs().items().size(), 2U);
+}
+
+TEST_F(StudyViewTest, WithoutAProgramOrWithAWrongRangeItSaysSo) {
+  view.run();
+  EXPECT_FALSE(view.busy());
+  open();
+  view.from()->setValue(0);  // no logarithm
+  view.run();
+  EXPECT_FALSE(view.busy());
+  EXPECT_EQ(view.table()->model()->rowCount(), 0);
+}
+
+TEST_F(StudyViewTest, KeysFollowTheModelAndHaveRangesOfTheirOwn) {
+  EXPECT_GE(view.key()->findData("alpha"), 0);
+  model.choose_model("cam");
+  EXPECT_LT(view.key()->findData("alpha"), 0);
+  view.key()->setCurrentIndex(view.key()->findData("X.jerk"));
+  EXPECT_LT(view.from()->value(), view.to()->value());
+}
+
+TEST_F(StudyViewTest, EndingWhileItRunsIsClean) {
+  open();
+  view.count()->setValue(500);
+  view.run();
+  EXPECT_TRUE(view.busy());
+}
+
+}  // namespace
+}  // namespace feedscope::ui

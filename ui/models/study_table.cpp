@@ -1,0 +1,97 @@
+#include "ui/models/study_table.h"
+
+#include <QFont>
+#include <QLocale>
+#include <utility>
+
+#include "core/base/units.h"
+#include "ui/language/core_texts.h"
+#include "ui/models/texts.h"
+
+namespace feedscope::ui {
+
+QString main_cause_text(const Summary& summary) {
+  const std::vector<CauseShare> causes = limiting_causes(summary);
+  return causes.empty()
+             ? QString()
+             : StudyTable::tr("%1 % %2").arg(QLocale().toString(100 * causes.front().share, 'f', 0),
+                                             core_text(cause_title(causes.front().cause)));
+}
+
+void StudyTable::set_study(std::shared_ptr<const Study> study) {
+  beginResetModel();
+  study_ = std::move(study);
+  endResetModel();
+}
+
+int StudyTable::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() || study_ == nullptr ? 0 : static_cast<int>(study_->runs.size());
+}
+
+int StudyTable::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : columns;
+}
+
+QVariant StudyTable::data(const QModelIndex& index, int role) const {
+  if (!index.isValid() || index.row() >= rowCount()) {
+    return {};
+  }
+  const StudyRun& run = study_->runs[static_cast<std::size_t>(index.row())];
+  const bool best = &run == fastest(study_->runs, study_->within);
+  switch (role) {
+    case Qt::DisplayRole:
+      return index.column() == cycle_time && best ? QStringLiteral("★ ") + text(run, cycle_time)
+                                                  : text(run, index.column());
+    case Qt::TextAlignmentRole:
+      return QVariant::fromValue((index.column() == cause ? Qt::AlignLeft : Qt::AlignRight) |
+                                 Qt::AlignVCenter);
+    case Qt::FontRole: {
+      QFont font;
+      font.setBold(best);
+      return font;
+    }
+    case Qt::ToolTipRole:
+      return best ? tr("The fastest within the bound") : QVariant();
+    default:
+      return {};
+  }
+}
+
+QString StudyTable::text(const StudyRun& run, int column) const {
+  const QLocale locale;
+  const Summary& summary = run.summary;
+  switch (column) {
+    case value:
+      return locale.toString(run.swept.front(), 'g', 5);
+    case cycle_time:
+      return clock_text(summary.cycle_time);
+    case mean_feed:
+      return locale.toString(units::to_mm_min(summary.mean_feed), 'f', 0);
+    case contour_error:
+      return locale.toString(1000 * summary.max_contour_error, 'f', 1);
+    default:
+      return main_cause_text(summary);
+  }
+}
+
+QVariant StudyTable::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
+    return {};
+  }
+  const QString unit =
+      study_ == nullptr ? QString() : QString::fromStdString(sweep_unit(study_->sweeps.front().key));
+  switch (section) {
+    case value:
+      return unit.isEmpty() ? tr("Value") : tr("Value [%1]").arg(unit);
+    case cycle_time:
+      return tr("Cycle time");
+    case mean_feed:
+      return tr("Feed [mm/min]");
+    case contour_error:
+      return tr("Error [µm]");
+    default:
+      return tr("Limited most by");
+  }
+}
+
+}  // namespace feedscope::ui

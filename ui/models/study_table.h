@@ -1,0 +1,36 @@
+#pragma once
+
+#include <QAbstractTableModel>
+#include <memory>
+
+#include "core/analysis/study/study.h"
+
+namespace feedscope::ui {
+
+/// The runs of a study of one setting as rows; the fastest within the bound is marked.
+class StudyTable : public QAbstractTableModel {
+  Q_OBJECT
+
+ public:
+  enum Column { value, cycle_time, mean_feed, contour_error, cause, columns };
+
+  using QAbstractTableModel::QAbstractTableModel;
+
+  /// Null for none.
+  void set_study(std::shared_ptr<const Study> study);
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  QString text(const StudyRun& run, int column) const;
+
+  std::shared_ptr<const Study> study_;
+};
+
+/// What takes most of the time of a run: "49 % jerk of axis X".
+QString main_cause_text(const Summary& summary);
+
+}  // namespace feedscope::ui

@@ -1,0 +1,306 @@
+#include "ui/views/study_view.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QCheckBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSaveFile>
+#include <QSplitter>
+#include <QTableView>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/export/export.h"
+#include "ui/models/panel_action.h"
+#include "ui/models/texts.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr int row_height = 22;
+constexpr int usual_count = 12;
+constexpr double usual_bound = 10;  // [um]
+const std::string tolerance = "tolerance";
+
+/// "contour_tolerance_mm" of the setup, by which a sweep calls it too.
+std::string setting_of(const std::string& key) {
+  return key == tolerance ? "contour_tolerance_mm" : key;
+}
+
+SetupState with_value(SetupState setup, const std::string& key, double value) {
+  setup.set(setting_of(key), value);
+  if (key == tolerance) {
+    setup.set("program_tolerance", std::string("off"));
+  }
+  return setup;
+}
+
+}  // namespace
+
+StudyView::StudyView(Workbench& model, QWidget* parent)
+    : QWidget(parent),
+      model_(model),
+      studied_(model.setup().state()),
+      results_(new StudyTable(this)),
+      key_(new QComboBox(this)),
+      from_(new QDoubleSpinBox(this)),
+      to_(new QDoubleSpinBox(this)),
+      count_(new QSpinBox(this)),
+      logarithmic_(new QCheckBox(tr("&Logarithmic"), this)),
+      bounded_(new QCheckBox(tr("Error at &most"), this)),
+      bound_(new QDoubleSpinBox(this)),
+      run_(new QPushButton(tr("&Study"), this)),
+      adopt_(new QPushButton(tr("&Make it a run"), this)),
+      progress_(new QProgressBar(this)),
+      verdict_(new QLabel(this)),
+      chart_(new StudyChart(this)),
+      table_(new QTableView(this)) {
+  make_fields();
+  make_actions();
+  make_layout();
+  connect(run_, &QPushButton::clicked, this, [this] { busy() ? job_.cancel() : run(); });
+  connect(adopt_, &QPushButton::clicked, this, [this] { make_run(table_->currentIndex().row()); });
+  connect(key_, &QComboBox::currentIndexChanged, this, &StudyView::propose_range);
+  connect(chart_, &StudyChart::run_clicked, this,
+          [this](std::size_t, std::size_t point) { table_->selectRow(static_cast<int>(point)); });
+  connect(table_, &QTableView::doubleClicked, this,
+          [this](const QModelIndex& index) { make_run(index.row()); });
+  connect(&job_, &StudyJob::progressed, this,
+          [this](double fraction) { progress_->setValue(static_cast<int>(100 * fraction)); });
+  connect(&job_, &StudyJob::finished, this, &StudyView::take);
+  connect(&job_, &StudyJob::cancelled, this, [this] {
+    show_idle();
+    verdict_->setText(tr("Cancelled."));
+  });
+  connect(&job_, &StudyJob::failed, this, [this](const QString& message) {
+    show_idle();
+    verdict_->setText(message);
+  });
+  connect(&model_.setup(), &SetupEdit::keys_changed, this, &StudyView::list_keys);
+  list_keys();
+  show_idle();
+}
+
+void StudyView::make_fields() {
+  constexpr double largest_value = 1e9;
+  for (QDoubleSpinBox* end : {from_, to_}) {
+    end->setDecimals(5);
+    end->setRange(0, largest_value);
+    end->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+  }
+  from_->setToolTip(tr("First value of the setting, in its unit"));
+  to_->setToolTip(tr("Last value of the setting, in its unit"));
+  count_->setRange(2, static_cast<int>(most_sweep_values));
+  count_->setValue(usual_count);
+  count_->setToolTip(tr("How many values"));
+  logarithmic_->setChecked(true);
+  logarithmic_->setToolTip(tr("Equal ratios from value to value, not equal steps"));
+  bound_->setRange(0, 1000);
+  bound_->setDecimals(1);
+  bound_->setValue(usual_bound);
+  bound_->setSuffix(tr(" µm"));
+  bounded_->setChecked(true);
+  bounded_->setToolTip(tr("Only runs whose contour error keeps this bound [µm] compete for the fastest"));
+  bound_->setToolTip(bounded_->toolTip());
+  connect(bounded_, &QCheckBox::toggled, bound_, &QWidget::setEnabled);
+  key_->setToolTip(tr("The setting that changes from run to run"));
+  key_->setAccessibleName(tr("Setting"));
+  verdict_->setWordWrap(true);
+  table_->setModel(results_);
+  table_->setAccessibleName(tr("Results of the study"));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(row_height);
+  table_->horizontalHeader()->setHighlightSections(false);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  adopt_->setToolTip(tr("Add the run of the chosen value to the runs"));
+}
+
+void StudyView::make_actions() {
+  actions_.append(make_action(this, tr("&Study a setting …"),
+                              tr("Cycle time and contour error over a range of a setting"),
+                              QKeySequence(tr("Ctrl+Shift+T")), [this] { emit attention_wanted(); }));
+  actions_.append(make_action(this, tr("Copy the picture of the study"),
+                              tr("The curves of the study to the clipboard"), {},
+                              [this] { QApplication::clipboard()->setPixmap(chart_->grab()); }));
+  actions_.append(
+      make_action(this, tr("Save the study as CSV …"), tr("The figures, one row a run"), {}, [this] {
+        if (study_ == nullptr) {
+          verdict_->setText(tr("There is no study to save yet."));
+          return;
+        }
+        const QString file =
+            QFileDialog::getSaveFileName(this, tr("Save the study"), {}, tr("Tables (*.csv)"));
+        const std::string text = study_csv(*study_);
+        QSaveFile out(file);
+        const auto size = static_cast<qint64>(text.size());
+        if (!file.isEmpty() &&
+            (!out.open(QIODevice::WriteOnly) || out.write(text.data(), size) != size || !out.commit())) {
+          verdict_->setText(tr("%1 cannot be written: %2.").arg(file, out.errorString()));
+        }
+      }));
+}
+
+void StudyView::make_layout() {
+  auto* bar = new QHBoxLayout;
+  bar->setContentsMargins(4, 4, 4, 0);
+  bar->addWidget(key_);
+  for (const auto& [text, field] : {std::pair<QString, QWidget*>{tr("from"), from_}, {tr("to"), to_}}) {
+    bar->addWidget(new QLabel(text, this));
+    bar->addWidget(field);
+  }
+  bar->addWidget(count_);
+  bar->addWidget(logarithmic_);
+  bar->addStretch();
+  auto* below = new QHBoxLayout;
+  below->setContentsMargins(4, 0, 4, 0);
+  below->addWidget(bounded_);
+  below->addWidget(bound_);
+  below->addWidget(run_);
+  below->addWidget(adopt_);
+  below->addWidget(progress_, 1);
+  below->addStretch();
+  verdict_->setContentsMargins(4, 0, 4, 0);
+  auto* results = new QSplitter(this);
+  results->addWidget(chart_);
+  results->addWidget(table_);
+  results->setSizes({500, 400});
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addLayout(bar);
+  layout->addLayout(below);
+  layout->addWidget(verdict_);
+  layout->addWidget(results, 1);
+}
+
+/// Numbers alone: a choice has no range.
+void StudyView::list_keys() {
+  const SetupState& setup = model_.setup().state();
+  const QString chosen = key_->currentData().toString();
+  const QSignalBlocker quiet(key_);
+  key_->clear();
+  for (const std::string& key : sweep_keys(*setup.file().model)) {
+    const bool known = key != tolerance || setup.file().settings.has(setting_of(key));
+    if (!known || (key != tolerance && setting_of(tolerance) == key)) {
+      continue;
+    }
+    const SettingSpec spec = setup.spec(setting_of(key));
+    if (spec.choices.empty()) {
+      const QString unit = QString::fromStdString(sweep_unit(key));
+      const QString name = QString::fromStdString(key);
+      key_->addItem(unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit), name);
+    }
+  }
+  key_->setCurrentIndex(std::max(0, key_->findData(chosen)));
+  propose_range();
+}
+
+void StudyView::propose_range() {
+  const std::string key = key_->currentData().toString().toStdString();
+  if (key == tolerance) {
+    from_->setValue(0.005);
+    to_->setValue(0.1);
+    return;
+  }
+  if (key.empty()) {
+    return;
+  }
+  const SetupState& setup = model_.setup().state();
+  const SettingSpec spec = setup.spec(key);
+  const double value = std::get<double>(setup.value(key));
+  const auto bounded = [&](double end) { return std::clamp(end, spec.minimum, spec.maximum); };
+  constexpr double each_way = 4;
+  from_->setValue(bounded(value / each_way));
+  to_->setValue(bounded(value * each_way));
+}
+
+void StudyView::run() {
+  if (model_.program() == nullptr) {
+    verdict_->setText(tr("Open a program first."));
+    return;
+  }
+  const std::string key = key_->currentData().toString().toStdString();
+  try {
+    StudyJobRequest request{model_.shown_program().input, model_.setup().setup(),
+                            make_sweep(key, from_->value(), to_->value(),
+                                       static_cast<std::size_t>(count_->value()), logarithmic_->isChecked()),
+                            bounded_->isChecked() ? std::optional(bound_->value() / 1000) : std::nullopt};
+    studied_ = model_.setup().state();
+    job_.start(request);
+  } catch (const InputError& error) {
+    verdict_->setText(QString::fromUtf8(error.what()));
+    return;
+  }
+  progress_->setValue(0);
+  progress_->show();
+  run_->setText(tr("&Cancel"));
+  verdict_->setText(tr("Simulating %1 runs …").arg(count_->value()));
+}
+
+void StudyView::take(std::shared_ptr<const Study> study) {
+  study_ = std::move(study);
+  results_->set_study(study_);
+  StudyCurves curves = study_curves(*study_);
+  chart_->set_study(QString::fromStdU16String(model_.file().filename().u16string()), {}, std::move(curves));
+  const StudyRun* best = fastest(study_->runs, study_->within);
+  if (best != nullptr) {
+    table_->selectRow(static_cast<int>(best - study_->runs.data()));
+  }
+  show_idle();
+  verdict_->setText(verdict());
+}
+
+QString StudyView::verdict() const {
+  if (study_ == nullptr) {
+    return tr("Which value of a setting is the fastest, and what does it cost in contour error?");
+  }
+  const QLocale locale;
+  const StudyRun* best = fastest(study_->runs, study_->within);
+  if (best == nullptr) {
+    return tr("No value keeps the bound of %1 µm.").arg(locale.toString(1000 * *study_->within, 'f', 1));
+  }
+  const QString key = QString::fromStdString(study_->sweeps.front().key);
+  const QString unit = QString::fromStdString(sweep_unit(study_->sweeps.front().key));
+  return tr("Fastest: %1 %2 with %3, contour error %4 µm. %5")
+      .arg(key, (locale.toString(best->swept.front(), 'g', 5) + ' ' + unit).trimmed(),
+           clock_text(best->summary.cycle_time),
+           locale.toString(1000 * best->summary.max_contour_error, 'f', 1), ends_text());
+}
+
+QString StudyView::ends_text() const {
+  return tr("At the first value %1, at the last %2.")
+      .arg(main_cause_text(study_->runs.front().summary), main_cause_text(study_->runs.back().summary));
+}
+
+void StudyView::make_run(int row) {
+  if (study_ == nullptr || row < 0 || row >= static_cast<int>(study_->runs.size())) {
+    return;
+  }
+  const double value = study_->runs[static_cast<std::size_t>(row)].swept.front();
+  model_.runs().duplicate_as(model_.runs().current(),
+                             with_value(studied_, study_->sweeps.front().key, value));
+}
+
+void StudyView::show_idle() {
+  progress_->hide();
+  run_->setText(tr("&Study"));
+  adopt_->setEnabled(study_ != nullptr);
+  if (study_ == nullptr) {
+    verdict_->setText(verdict());
+  }
+}
+
+}  // namespace feedscope::ui

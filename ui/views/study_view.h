@@ -1,0 +1,81 @@
+#pragma once
+
+#include <QList>
+#include <QWidget>
+
+#include "ui/charts/study_chart.h"
+#include "ui/models/study_job.h"
+#include "ui/models/study_table.h"
+#include "ui/models/workbench.h"
+
+class QAction;
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTableView;
+
+namespace feedscope::ui {
+
+/// A setting of the current run over a range: cycle time and contour error against it as curves and table,
+/// the fastest value within a bound, what limits at both ends; any of the values becomes a run.
+class StudyView : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// `model` outlives this.
+  explicit StudyView(Workbench& model, QWidget* parent = nullptr);
+
+  /// Simulates the study that the fields describe, or says what is wrong with them.
+  void run();
+  /// Adds the run of a row of the results to the runs, as the current one.
+  void make_run(int row);
+  bool busy() const { return job_.busy(); }
+
+  QComboBox* key() { return key_; }
+  QDoubleSpinBox* from() { return from_; }
+  QDoubleSpinBox* to() { return to_; }
+  QSpinBox* count() { return count_; }
+  StudyChart* chart() { return chart_; }
+  QTableView* table() { return table_; }
+  QString verdict() const;
+  QList<QAction*> panel_actions() const { return actions_; }
+
+ signals:
+  void attention_wanted();
+
+ private:
+  void make_fields();
+  void make_actions();
+  void make_layout();
+  void list_keys();
+  void propose_range();
+  void take(std::shared_ptr<const Study> study);
+  void show_idle();
+  QString ends_text() const;
+
+  Workbench& model_;
+  StudyJob job_;
+  std::shared_ptr<const Study> study_;
+  SetupState studied_;  ///< setup of the run that study_ is of
+  StudyTable* results_;
+  QComboBox* key_;
+  QDoubleSpinBox* from_;
+  QDoubleSpinBox* to_;
+  QSpinBox* count_;
+  QCheckBox* logarithmic_;
+  QCheckBox* bounded_;
+  QDoubleSpinBox* bound_;
+  QPushButton* run_;
+  QPushButton* adopt_;
+  QProgressBar* progress_;
+  QLabel* verdict_;
+  StudyChart* chart_;
+  QTableView* table_;
+  QList<QAction*> actions_;
+};
+
+}  // namespace feedscope::ui
