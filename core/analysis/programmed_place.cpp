@@ -31,24 +31,37 @@ Stretch stretch_of(const BlendedPath& path, std::uint32_t segment) {
           path.s(first_element_from(path, std::uint64_t{segment} + 1))};
 }
 
+ProgrammedPlace place_within(const BlendedPath& path, std::uint32_t segment, double s) {
+  const auto [begin, end] = stretch_of(path, segment);
+  return {segment, end > begin ? std::clamp((s - begin) / (end - begin), 0.0, 1.0) : 0.0};
+}
+
 }  // namespace
+
+ProgrammedPlace programmed_place(const BlendedPath& path, double s) {
+  if (path.empty()) {
+    return {};
+  }
+  return place_within(path, path.segment(path.element_at(std::clamp(s, 0.0, path.length()))), s);
+}
+
+double path_length_of(const BlendedPath& path, const ProgrammedPlace& place) {
+  const auto [begin, end] = stretch_of(path, place.segment);
+  return begin + place.share * (end - begin);
+}
 
 ProgrammedPlace programmed_place(const Trajectory& trajectory, double time) {
   if (trajectory.pieces().empty()) {
     return {};
   }
   const State state = trajectory.state(time);
-  const std::uint32_t segment = trajectory.path().segment(state.element);
-  const auto [begin, end] = stretch_of(trajectory.path(), segment);
-  return {segment, end > begin ? std::clamp((state.path_length - begin) / (end - begin), 0.0, 1.0) : 0.0};
+  return place_within(trajectory.path(), trajectory.path().segment(state.element), state.path_length);
 }
 
 double time_of(const Trajectory& trajectory, const ProgrammedPlace& place) {
-  if (trajectory.pieces().empty()) {
-    return 0;
-  }
-  const auto [begin, end] = stretch_of(trajectory.path(), place.segment);
-  return trajectory.state_at_path(begin + place.share * (end - begin)).time;
+  return trajectory.pieces().empty()
+             ? 0
+             : trajectory.state_at_path(path_length_of(trajectory.path(), place)).time;
 }
 
 }  // namespace feedscope

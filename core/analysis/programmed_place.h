@@ -15,6 +15,12 @@ struct ProgrammedPlace {
   bool operator==(const ProgrammedPlace&) const = default;
 };
 
+/// The place at path length `s` of an executed path, clamped to it [mm]; the earlier segment at a border.
+ProgrammedPlace programmed_place(const BlendedPath& path, double s);
+
+/// Path length at which an executed path is at `place` [mm], as time_of().
+double path_length_of(const BlendedPath& path, const ProgrammedPlace& place);
+
 /// The place under way at `time` [s], clamped to the run. The origin of an empty trajectory.
 ProgrammedPlace programmed_place(const Trajectory& trajectory, double time);
 
