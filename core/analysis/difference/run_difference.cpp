@@ -1,0 +1,141 @@
+#include "core/analysis/difference/run_difference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/analysis/difference/course_walk.h"
+#include "core/analysis/difference/nearest_place.h"
+
+namespace feedscope {
+namespace {
+
+void check(const Trajectory& run, const Trajectory& reference) {
+  if (run.pieces().empty() || reference.pieces().empty()) {
+    throw std::invalid_argument("two runs are compared place by place, and one of them does not move");
+  }
+  const std::size_t segments = run.path().programmed()->segments.size();
+  if (segments != reference.path().programmed()->segments.size()) {
+    throw std::invalid_argument("two runs are compared place by place, and they are of different programs");
+  }
+}
+
+/// The parts of a run, found by times in order.
+class PartFinder {
+ public:
+  explicit PartFinder(const Trajectory& trajectory)
+      : trajectory_(trajectory), walk_(trajectory), part_(walk_.part()) {}
+
+  /// The part at `time`; the earlier one at a border.
+  const Part& at(double time) {
+    while (time > part_.time + part_.duration) {
+      walk_.next();
+      if (walk_.done()) {
+        break;
+      }
+      part_ = walk_.part();
+    }
+    return part_;
+  }
+  double tau(double time) const { return std::clamp(time - part_.time, 0.0, part_.duration); }
+  Vec3 position(double time) {
+    at(time);
+    return PartMotion(trajectory_, part_, &filters_).kinematics(tau(time)).position;
+  }
+
+ private:
+  const Trajectory& trajectory_;
+  PartWalk walk_;
+  Part part_;
+  FilterWalk filters_;
+};
+
+/// Two runs at the same place, for places in order.
+class TwoCourses {
+ public:
+  TwoCourses(const Trajectory& run, const Trajectory& reference)
+      : lengths_(lengths_before(*run.path().programmed())),
+        run_(run, lengths_),
+        reference_(reference, lengths_) {}
+
+  /// `time` of the run.
+  void go_to(double time) {
+    while (time > run_.span().end_time() && run_.next()) {
+    }
+    const ProgressSpan& here = run_.span();
+    const double tau = std::clamp(time - here.time, 0.0, here.duration);
+    const double offset = here.offset_at(tau);
+    place_ = here.begin + offset;
+    while ((reference_.span().end < place_ ||
+            (reference_.span().end <= place_ && reference_.span().segment < here.segment)) &&
+           reference_.next()) {
+    }
+    const ProgressSpan& there = reference_.span();
+    reference_time_ = there.time;
+    if (here.dwell && there.dwell && here.segment == there.segment) {
+      reference_time_ += here.duration > 0 ? tau / here.duration * there.duration : there.duration;
+    } else if (here.same_law(there)) {
+      reference_time_ += tau;
+    } else {
+      reference_time_ += there.tau_at(here.begin == there.begin ? offset : place_ - there.begin);
+    }
+  }
+  double place() const { return place_; }  ///< programmed path length [mm]
+  double reference_time() const { return reference_time_; }
+
+ private:
+  std::vector<double> lengths_;
+  CourseWalk run_;
+  CourseWalk reference_;
+  double place_ = 0;
+  double reference_time_ = 0;
+};
+
+/// What is lost on the stretches beside each place, by their length.
+std::vector<float> paces(const std::vector<double>& lost, const std::vector<double>& places) {
+  constexpr double a_jump = 1e-6;  // shorter stretches tell nothing but rounding [mm]
+  std::vector<float> pace(lost.size());
+  const auto has_length = [&](std::size_t from) { return places[from + 1] - places[from] > a_jump; };
+  for (std::size_t i = 0; i < lost.size(); ++i) {
+    const std::size_t from = i > 0 && has_length(i - 1) ? i - 1 : i;
+    const std::size_t to = i + 1 < lost.size() && has_length(i) ? i + 1 : i;
+    if (to > from) {
+      pace[i] = static_cast<float>((lost[to] - lost[from]) / (places[to] - places[from]));
+    }
+  }
+  return pace;
+}
+
+}  // namespace
+
+RunDifference compare_places(const Trajectory& run, const Trajectory& reference,
+                             std::span<const double> times, Progress* progress) {
+  check(run, reference);
+  RunDifference difference;
+  difference.lost.reserve(times.size());
+  difference.distance.reserve(times.size());
+  difference.reference_time.reserve(times.size());
+  std::vector<double> places;
+  places.reserve(times.size());
+  TwoCourses courses(run, reference);
+  PartFinder run_parts(run);
+  PartFinder reference_parts(reference);
+  NearestPlace nearest(reference);
+  ProgressSteps steps(progress, times.size());
+  for (const double asked : times) {
+    const double time = std::clamp(asked, 0.0, run.duration());
+    courses.go_to(time);
+    places.push_back(courses.place());
+    difference.reference_time.push_back(courses.reference_time());
+    difference.lost.push_back(time - courses.reference_time());
+    const double then = courses.reference_time();
+    const Part& part = reference_parts.at(then);
+    difference.distance.push_back(
+        static_cast<float>(nearest.distance(run_parts.position(time), part, reference_parts.tau(then))));
+    steps.at(places.size());
+  }
+  difference.pace = paces(difference.lost, places);
+  return difference;
+}
+
+}  // namespace feedscope
