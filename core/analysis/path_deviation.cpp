@@ -46,7 +46,7 @@ PathDeviation::Foot PathDeviation::foot_on(std::size_t index, const Vec3& positi
   const Segment& segment = toolpath_.segments[index];
   Foot foot{index, 0, {}, 0};
   if (segment.kind == SegmentKind::arc) {
-    const Arc& arc = toolpath_.arcs[static_cast<std::size_t>(segment.arc)];
+    const Arc& arc = toolpath_.arc_of(segment);
     foot.s = nearest_on_arc(arc, position);
     foot.offset = position - arc.at(foot.s).position;
   } else {

@@ -41,7 +41,7 @@ ProgramFacts facts_of(const Program& program, const Toolpath& toolpath) {
   for (const Segment& segment : toolpath.segments) {
     facts.path_length += segment.length;
     facts.rapid_length += segment.rapid ? segment.length : 0;
-    facts.dwell_time += segment.dwell;
+    facts.dwell_time += segment.kind == SegmentKind::dwell ? toolpath.dwell_of(segment) : 0;
     facts.arcs += segment.kind == SegmentKind::arc ? 1 : 0;
     facts.dwells += segment.kind == SegmentKind::dwell ? 1 : 0;
     if (segment.feed > 0) {

@@ -48,7 +48,7 @@ double time_at_axes_speed(const Toolpath& toolpath, std::size_t index, const Vec
     return segment.length /
            axes_speed((segment.end - toolpath.start_of(index)) / segment.length, rapid_speed);
   }
-  const Arc& arc = toolpath.arcs[static_cast<std::size_t>(segment.arc)];
+  const Arc& arc = toolpath.arc_of(segment);
   const double step = segment.length / arc_time_samples;
   double time = 0;
   for (int i = 0; i < arc_time_samples; ++i) {
@@ -62,7 +62,7 @@ double programmed_time(const Toolpath& toolpath, const Vec3& rapid_speed) {
   for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
     const Segment& segment = toolpath.segments[i];
     if (segment.kind == SegmentKind::dwell) {
-      time.add(segment.dwell);
+      time.add(toolpath.dwell_of(segment));
     } else if (!segment.rapid && segment.feed > 0) {
       time.add(segment.length / segment.feed);
     } else {

@@ -157,7 +157,7 @@ ElementCurve BlendedPath::curve(std::size_t i) const {
       break;
     }
     case ElementKind::arc:
-      curve.arc = base().arcs[static_cast<std::size_t>(base().segments[segment].arc)];
+      curve.arc = base().arc_of(base().segments[segment]);
       break;
     case ElementKind::filtered:
       curve.direction =

@@ -24,7 +24,7 @@ Cause by_axis(CauseKind kind, AxisBound bound) {
 }
 
 const Arc& arc_of(const Toolpath& toolpath, std::size_t i) {
-  return toolpath.arcs[static_cast<std::size_t>(toolpath.segments[i].arc)];
+  return toolpath.arc_of(toolpath.segments[i]);
 }
 
 Vec3 direction_of(const Toolpath& toolpath, std::size_t i) {

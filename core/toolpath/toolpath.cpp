@@ -48,7 +48,7 @@ Vec3 tangent(const Toolpath& toolpath, std::size_t i, bool at_end) {
     case SegmentKind::line:
       return (segment.end - toolpath.start_of(i)) / segment.length;
     case SegmentKind::arc: {
-      const Arc& arc = toolpath.arcs[static_cast<std::size_t>(segment.arc)];
+      const Arc& arc = toolpath.arc_of(segment);
       return arc.at(at_end ? segment.length : 0).d1;
     }
     case SegmentKind::dwell:
@@ -102,14 +102,15 @@ Toolpath build_toolpath(const Program& program) {
       case Motion::dwell:
         segment.kind = SegmentKind::dwell;
         segment.end = position;
-        segment.dwell = block.dwell;
+        segment.index = static_cast<std::int32_t>(toolpath.dwells.size());
+        toolpath.dwells.push_back(block.dwell);
         break;
       case Motion::arc: {
         const Arc arc =
             arc_between(position, block.target, program.arcs[static_cast<std::size_t>(block.arc)]);
         arc.extend(toolpath.bounds);
         segment.kind = SegmentKind::arc;
-        segment.arc = static_cast<std::int32_t>(toolpath.arcs.size());
+        segment.index = static_cast<std::int32_t>(toolpath.arcs.size());
         segment.length = arc.length();
         toolpath.arcs.push_back(arc);
         break;

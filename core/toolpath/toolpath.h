@@ -16,24 +16,29 @@ struct Segment {
   Vec3 end;                        ///< [mm]
   double length = 0;               ///< > 0; 0 for a dwell [mm]
   double feed = 0;                 ///< programmed [mm/s]; 0 for rapids and dwells
-  double dwell = 0;                ///< [s], dwells only
   std::uint32_t line = 0;          ///< 1-based line of the block
-  std::int32_t arc = -1;           ///< index into Toolpath::arcs, arcs only
+  std::int32_t index = -1;         ///< arcs: into Toolpath::arcs; dwells: into Toolpath::dwells
   std::uint16_t path_control = 0;  ///< index into Toolpath::path_controls
   SegmentKind kind = SegmentKind::line;
   bool rapid = false;
 };
+static_assert(sizeof(Segment) == 56);
 
 /// The programmed path: contiguous, in programmed order.
 struct Toolpath {
   Vec3 start = Vec3::Zero();  ///< [mm]
   std::vector<Segment> segments;
   std::vector<Arc> arcs;
+  std::vector<double> dwells;                             ///< times [s]
   std::vector<PathControl> path_controls{PathControl()};  ///< the first is the machine's
   Bounds bounds;  ///< as Program::bounds, arcs with their full extent [mm]
 
   const Vec3& start_of(std::size_t i) const { return i == 0 ? start : segments[i - 1].end; }
   const PathControl& path_control_of(std::size_t i) const { return path_controls[segments[i].path_control]; }
+  /// Of an arc segment of this path.
+  const Arc& arc_of(const Segment& segment) const { return arcs[static_cast<std::size_t>(segment.index)]; }
+  /// Time of a dwell of this path [s].
+  double dwell_of(const Segment& segment) const { return dwells[static_cast<std::size_t>(segment.index)]; }
   Vec3 tangent_at_start(std::size_t i) const;  ///< unit; zero for a dwell
   Vec3 tangent_at_end(std::size_t i) const;    ///< unit; zero for a dwell
   double length() const;                       ///< sum of the segments [mm]

@@ -57,7 +57,7 @@ struct PulseTrain {
   double duration() const { return end() + delay(); }              ///< of the smoothed motion [s]
   const Segment& segment(std::size_t block) const { return path->segments[first + block]; }
   /// Of a block that is one.
-  const Arc& arc(std::size_t block) const { return path->arcs[static_cast<std::size_t>(segment(block).arc)]; }
+  const Arc& arc(std::size_t block) const { return path->arc_of(segment(block)); }
   const Vec3& point(std::size_t block) const { return path->start_of(first + block); }  ///< its start [mm]
 
   /// From the heights of the pulses and the start of the next block.

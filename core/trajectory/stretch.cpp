@@ -63,7 +63,8 @@ void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progres
     steps.at(first);
     if (toolpath.segments[first].kind == SegmentKind::dwell) {
       const std::uint32_t element = builder.add_segment(static_cast<std::uint32_t>(first));
-      builder.add_piece({0, 0, 0, 0, 0, element, {CauseKind::dwell}}, toolpath.segments[first].dwell);
+      builder.add_piece({0, 0, 0, 0, 0, element, {CauseKind::dwell}},
+                        toolpath.dwell_of(toolpath.segments[first]));
     } else {
       run(range, steps);
     }

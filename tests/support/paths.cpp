@@ -39,9 +39,17 @@ void append_arc(Toolpath& path, const Vec3& center, double sweep, double feed) {
   Segment segment = make_segment(path, arc.at(arc.length()).position, feed);
   segment.kind = SegmentKind::arc;
   segment.length = arc.length();
-  segment.arc = static_cast<std::int32_t>(path.arcs.size());
+  segment.index = static_cast<std::int32_t>(path.arcs.size());
   path.arcs.push_back(arc);
   path.segments.push_back(segment);
+}
+
+void append_dwell(Toolpath& path, double time) {
+  Segment dwell = make_segment(path, last_point(path), 0);
+  dwell.kind = SegmentKind::dwell;
+  dwell.index = static_cast<std::int32_t>(path.dwells.size());
+  path.dwells.push_back(time);
+  path.segments.push_back(dwell);
 }
 
 Toolpath polyline(const std::vector<Vec3>& points, double feed) {

@@ -16,6 +16,8 @@ Toolpath polyline(const std::vector<Vec3>& points, double feed);
 void append_line(Toolpath& path, const Vec3& end, double feed);
 /// Flat arc in XY about `center`, counter-clockwise for sweep > 0 [rad].
 void append_arc(Toolpath& path, const Vec3& center, double sweep, double feed);
+/// Waits for `time` [s].
+void append_dwell(Toolpath& path, double time);
 
 /// `count` arcs of `sweep` [rad], counter-clockwise, that begin in the direction `from` [rad] seen from the
 /// first centre, at the origin; their radii grow from `radius` by `step` [mm] and they join tangentially.

@@ -13,9 +13,7 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) 
   }
   const auto spans_of = [&](const Segment& segment, double spacing) {
     const double wanted =
-        segment.kind == SegmentKind::arc
-            ? spans_of_arc(toolpath.arcs[static_cast<std::size_t>(segment.arc)], segment.length)
-            : 1.0;
+        segment.kind == SegmentKind::arc ? spans_of_arc(toolpath.arc_of(segment), segment.length) : 1.0;
     return spans(wanted, segment.length, spacing);
   };
   std::size_t wanted = 1;
@@ -38,7 +36,7 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) 
     const double span = segment.length / static_cast<double>(count);
     sampler.add(toolpath.start_of(i), kind, span);
     for (std::size_t k = 1; k < count; ++k) {
-      const Arc& arc = toolpath.arcs[static_cast<std::size_t>(segment.arc)];
+      const Arc& arc = toolpath.arc_of(segment);
       sampler.add(arc.at(span * static_cast<double>(k)).position, kind, span);
     }
   }

@@ -92,7 +92,7 @@ double ContourSearch::rise_above_chord(std::size_t index, const PathDeviation::F
   if (segment.kind != SegmentKind::arc) {
     return rise(bend_from_line(at_from, at_to, span));
   }
-  const Arc& arc = path.arcs[static_cast<std::size_t>(segment.arc)];
+  const Arc& arc = path.arc_of(segment);
   const auto is_inside = [&](const PathDeviation::Foot& foot) {
     return foot.s > 0 && foot.s < segment.length;
   };

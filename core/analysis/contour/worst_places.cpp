@@ -15,9 +15,8 @@ bool is_worse(const ContourNode& a, const ContourNode& b) {
 double side_of(const Trajectory& trajectory, const ContourNode& node) {
   const Toolpath& path = programmed_path(trajectory);
   const Segment& segment = path.segments[node.foot.segment];
-  const Vec3 along = segment.kind == SegmentKind::arc
-                         ? path.arcs[static_cast<std::size_t>(segment.arc)].at(node.foot.s).d1
-                         : path.tangent_at_start(node.foot.segment);
+  const Vec3 along = segment.kind == SegmentKind::arc ? path.arc_of(segment).at(node.foot.s).d1
+                                                      : path.tangent_at_start(node.foot.segment);
   const double in_plane = std::hypot(along.x(), along.y());
   constexpr double upright = 1e-9;
   const Vec3& offset = node.foot.offset;

@@ -38,10 +38,10 @@ std::size_t ElementLimits::block(std::uint32_t element) const {
 
 const Arc* ElementLimits::programmed_arc(std::uint32_t element) const {
   const Toolpath& path = *path_.programmed();
-  const std::int32_t arc = path.segments[path_.segment(element)].arc;
+  const Segment& segment = path.segments[path_.segment(element)];
   const ElementKind kind = path_.kind(element);
   const bool runs_on_it = kind == ElementKind::arc || kind == ElementKind::filtered;
-  return arc >= 0 && runs_on_it ? &path.arcs[static_cast<std::size_t>(arc)] : nullptr;
+  return segment.kind == SegmentKind::arc && runs_on_it ? &path.arc_of(segment) : nullptr;
 }
 
 bool ElementLimits::accelerates_by_jumps(std::uint32_t element) const {

@@ -37,7 +37,7 @@ Trajectory CamModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, 
     const SpeedBound programmed = programmed_speed(toolpath, i, velocity);
     const std::uint32_t index = builder.add_segment(static_cast<std::uint32_t>(i));
     if (segment.kind == SegmentKind::dwell) {
-      builder.add_piece({0, 0, 0, 0, 0, index, {CauseKind::dwell}}, segment.dwell);
+      builder.add_piece({0, 0, 0, 0, 0, index, {CauseKind::dwell}}, toolpath.dwell_of(segment));
     } else {
       builder.add_piece({0, 0, programmed.value, 0, 0, index, programmed.cause},
                         segment.length / programmed.value);

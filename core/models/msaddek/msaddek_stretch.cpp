@@ -73,7 +73,7 @@ MotionLimits MsaddekRunner::static_limits(std::size_t segment) const {
   MotionLimits limits = segment_limits(path, segment, axes_);
   limits.speed.lower(path.segments[segment].length / settings_.period, {CauseKind::interpolation_period});
   if (path.segments[segment].kind == SegmentKind::arc) {
-    const Arc& arc = path.arcs[static_cast<std::size_t>(path.segments[segment].arc)];
+    const Arc& arc = path.arc_of(path.segments[segment]);
     lower_by_curvature(limits.speed, arc.curvature());
   }
   return limits;

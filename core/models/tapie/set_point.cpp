@@ -102,8 +102,7 @@ MotionLimits SetPointRule::limits(const Toolpath& toolpath, std::size_t i) const
   const Segment& segment = toolpath.segments[i];
   MotionLimits limits = segment_limits(toolpath, i, axes);
   if (segment.kind == SegmentKind::arc) {
-    const SteadyPlace place =
-        steady_place(toolpath.arcs[static_cast<std::size_t>(segment.arc)], axes, control_jerk);
+    const SteadyPlace place = steady_place(toolpath.arc_of(segment), axes, control_jerk);
     const AxisBound drive = axis_speed(toolpath, i, axes.velocity);
     SpeedBound speed = programmed_speed(toolpath, i, axes.velocity);
     speed.lower(place.control_jerk, {CauseKind::curvilinear_jerk});

@@ -17,21 +17,13 @@ using testing::line_to;
 
 const Vec3 axis_speed(500, 250, 100);
 
-Segment dwell_at(const Vec3& place, double time, std::uint32_t line) {
-  Segment dwell;
-  dwell.kind = SegmentKind::dwell;
-  dwell.end = place;
-  dwell.dwell = time;
-  dwell.line = line;
-  return dwell;
-}
-
 /// Lines 2, 4, 2 and 2 of 10, 20, 10 and 5 mm at 10 mm/s, then 3 s of waiting in line 7.
 Trajectory loop_and_dwell() {
   Toolpath toolpath;
   toolpath.segments = {line_to(Vec3(10, 0, 0), 10, 10, 2), line_to(Vec3(30, 0, 0), 20, 10, 4),
-                       line_to(Vec3(40, 0, 0), 10, 10, 2), line_to(Vec3(45, 0, 0), 5, 10, 2),
-                       dwell_at(Vec3(45, 0, 0), 3, 7)};
+                       line_to(Vec3(40, 0, 0), 10, 10, 2), line_to(Vec3(45, 0, 0), 5, 10, 2)};
+  testing::append_dwell(toolpath, 3);
+  toolpath.segments.back().line = 7;
   return testing::trajectory_of(
       toolpath, {{{0, 0, 10, 0, 0, 0, {}}, 4.5}, {{0, 0, 0, 0, 0, 4, {CauseKind::dwell}}, 3}}, axis_speed);
 }

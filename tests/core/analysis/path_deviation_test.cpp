@@ -54,7 +54,7 @@ TEST(PathDeviation, IsTheShortestWayFromAHelix) {
   segment.end = helix.at(helix.length()).position;
   segment.length = helix.length();
   segment.kind = SegmentKind::arc;
-  segment.arc = 0;
+  segment.index = 0;
   path.segments = {segment};
   PathDeviation deviation(path);
   std::mt19937 random(1);
@@ -129,10 +129,9 @@ TEST(PathDeviation, IsNoneOnThePathItself) {
     for (std::size_t i = 0; i < path.segments.size(); ++i) {
       const Segment& segment = path.segments[i];
       for (const double u : {0.0, 0.3, 0.7, 1.0}) {
-        const Vec3 place =
-            segment.kind == SegmentKind::arc
-                ? path.arcs[static_cast<std::size_t>(segment.arc)].at(u * segment.length).position
-                : Vec3(path.start_of(i) + u * (segment.end - path.start_of(i)));
+        const Vec3 place = segment.kind == SegmentKind::arc
+                               ? path.arc_of(segment).at(u * segment.length).position
+                               : Vec3(path.start_of(i) + u * (segment.end - path.start_of(i)));
         EXPECT_LT(deviation(place, segment.length / 2, static_cast<std::uint32_t>(i)).nearest.norm(), 1e-7)
             << "round " << round << ", segment " << i << ", " << u;
       }

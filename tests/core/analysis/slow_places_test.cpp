@@ -116,11 +116,9 @@ TEST(SlowPlaces, SeesADipInsideAPiece) {
 
 TEST(SlowPlaces, ADwellIsNoLoss) {
   Toolpath toolpath;
-  Segment dwell;
-  dwell.kind = SegmentKind::dwell;
-  dwell.end = Vec3(50, 0, 0);
-  dwell.line = 2;
-  toolpath.segments = {line_to(Vec3(50, 0, 0), 50, 50, 1), dwell, line_to(Vec3(100, 0, 0), 50, 50, 3)};
+  toolpath.segments = {line_to(Vec3(50, 0, 0), 50, 50, 1)};
+  testing::append_dwell(toolpath, 3);
+  toolpath.segments.push_back(line_to(Vec3(100, 0, 0), 50, 50, 3));
   const SlowPlaces found =
       find_slow_places(testing::trajectory_of(toolpath,
                                               {{{0, 0, 50, 0, 0, 0, {}}, 1},

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "tests/core/analysis/hand_made_run.h"
+#include "tests/support/paths.h"
 
 namespace feedscope {
 namespace {
@@ -82,7 +83,7 @@ TEST(Summary, FindsTheCentripetalPeaksOfACircle) {
   toolpath.arcs = {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::Zero(), 10, 2 * std::numbers::pi}};
   Segment circle = line_to(toolpath.start, toolpath.arcs[0].length(), 50);
   circle.kind = SegmentKind::arc;
-  circle.arc = 0;
+  circle.index = 0;
   toolpath.segments = {circle};
   const Summary summary =
       summarise(trajectory_of(toolpath, {{{0, 0, 50, 0, 0, 0, {}}, circle.length / 50}}), {}, rapid_speed);
@@ -122,12 +123,11 @@ TEST(Summary, CountsRapidsAtTheAxesSpeedAndDwellsInTheProgrammedTime) {
   Toolpath toolpath;
   Segment rapid = line_to(Vec3(30, 40, 0), 50, 0);  // Y limits: 250 / 0.8 = 312.5 mm/s
   rapid.rapid = true;
-  Segment dwell;
-  dwell.kind = SegmentKind::dwell;
-  dwell.end = rapid.end;
-  dwell.dwell = 1.5;
   const Segment without_feed = line_to(Vec3(30, 40, 20), 20, 0);  // Z limits: 100 mm/s
-  toolpath.segments = {rapid, dwell, without_feed, line_to(Vec3(130, 40, 20), 100, 25)};
+  toolpath.segments = {rapid};
+  testing::append_dwell(toolpath, 1.5);
+  toolpath.segments.push_back(without_feed);
+  toolpath.segments.push_back(line_to(Vec3(130, 40, 20), 100, 25));
   EXPECT_DOUBLE_EQ(summarise({}, toolpath, rapid_speed).programmed_time, 50 / 312.5 + 1.5 + 0.2 + 4);
 }
 
@@ -139,17 +139,14 @@ TEST(Summary, TakesTheAxesSpeedAlongAnArcWithoutFeed) {
   toolpath.arcs = {{Vec3::Zero(), Vec3::UnitX(), Vec3::UnitY(), Vec3::Zero(), 10, std::numbers::pi / 2}};
   Segment arc = line_to(Vec3(0, 10, 0), toolpath.arcs[0].length(), 0);
   arc.kind = SegmentKind::arc;
-  arc.arc = 0;
+  arc.index = 0;
   toolpath.segments = {arc};
   EXPECT_NEAR(summarise({}, toolpath, Vec3::Constant(100)).programmed_time, 0.1 * std::numbers::sqrt2, 1e-4);
 }
 
 TEST(Summary, LeavesDwellsOutOfTheMeanFeed) {
   Toolpath toolpath = one_line(Vec3(10, 0, 0));
-  Segment dwell;
-  dwell.kind = SegmentKind::dwell;
-  dwell.end = Vec3(10, 0, 0);
-  toolpath.segments.push_back(dwell);
+  testing::append_dwell(toolpath, 3);
   const Summary summary = summarise(
       trajectory_of(toolpath, {{{0, 0, 5, 0, 0, 0, {}}, 2}, {{0, 0, 0, 0, 0, 1, {CauseKind::dwell}}, 3}}), {},
       rapid_speed);

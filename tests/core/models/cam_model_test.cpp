@@ -27,11 +27,7 @@ TEST(CamModel, TakesLengthOverProgrammedFeed) {
 TEST(CamModel, RunsRapidsAtTheAxesAndWaitsAtDwells) {
   Toolpath path = testing::polyline({{0, 0, 0}, {0, 100, 0}}, 0);
   path.segments[0].rapid = true;
-  Segment dwell;
-  dwell.kind = SegmentKind::dwell;
-  dwell.end = path.segments[0].end;
-  dwell.dwell = 1.5;
-  path.segments.push_back(dwell);
+  testing::append_dwell(path, 1.5);
   const Trajectory trajectory = run(path);
   EXPECT_NEAR(trajectory.duration(), 100 / units::from_m_min(20) + 1.5, 1e-12);
   EXPECT_EQ(trajectory.state(0.1).cause.kind, CauseKind::rapid);

@@ -154,11 +154,7 @@ TEST(EssidModel, ATangentArcIsPassedWithoutAStop) {
 
 TEST(EssidModel, RapidsAndDwellsAreStops) {
   Toolpath path = testing::polyline({{0, 0, 0}, {10, 0, 0}}, 50);
-  Segment dwell;
-  dwell.kind = SegmentKind::dwell;
-  dwell.end = Vec3(10, 0, 0);
-  dwell.dwell = 0.5;
-  path.segments.push_back(dwell);
+  testing::append_dwell(path, 0.5);
   testing::append_line(path, Vec3(20, 0, 0), 50);
   const double moves = 2 * run(testing::polyline({{0, 0, 0}, {10, 0, 0}}, 50)).duration();
   EXPECT_NEAR(run(path).duration(), moves + 0.5, 1e-9);

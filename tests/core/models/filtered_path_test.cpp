@@ -1,10 +1,12 @@
 #include "core/models/optimal/filtered_path.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
+#include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/trajectory/part_walk.h"
 #include "tests/support/motion_checks.h"
@@ -12,6 +14,9 @@
 
 namespace feedscope {
 namespace {
+
+using ::testing::AllOf;
+using ::testing::HasSubstr;
 
 Trajectory ward_run(const Toolpath& path, double filters = 3) {
   const ControlModel& ward = find_model("ward");
@@ -104,13 +109,25 @@ TEST(FilteredPath, ManyBlocksShorterThanRoundingAllowsAreLaidTogether) {
   expect_close_everywhere(run, 100);
 }
 
+TEST(FilteredPath, RefusesWhatTurnsAboutTooOftenAndNamesTheLine) {
+  constexpr double turns = 40'000;
+  Toolpath path;
+  path.start = Vec3(1, 0, 0);
+  testing::append_arc(path, Vec3::Zero(), turns * 2 * units::pi, 50);
+  path.segments.back().line = 12;
+  const Trajectory run = ward_run(path);
+  try {
+    fitted(run);
+    FAIL() << "laid";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("path of ward takes more than 202000 curves"),
+                                    HasSubstr("up to line 12"), HasSubstr("choose the path of another model")));
+  }
+}
+
 TEST(FilteredPath, KeepsDwells) {
   Toolpath toolpath = testing::polyline({{0, 0, 0}, {10, 0, 0}}, 50);
-  Segment dwell;
-  dwell.kind = SegmentKind::dwell;
-  dwell.dwell = 0.25;
-  dwell.end = toolpath.segments.back().end;
-  toolpath.segments.push_back(dwell);
+  testing::append_dwell(toolpath, 0.25);
   testing::append_line(toolpath, Vec3(10, 10, 0), 50);
   const BlendedPath path = fitted(ward_run(toolpath));
   ASSERT_EQ(path.size(), 3U);

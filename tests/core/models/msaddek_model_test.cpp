@@ -174,11 +174,7 @@ TEST(MsaddekModel, TakesEmptyProgramsDwellsAndSingleBlocks) {
   for (const char* law : {"static", "dynamic"}) {
     EXPECT_EQ(run(Toolpath{}, settings_for(law, 5)).duration(), 0);
     Toolpath path = testing::polyline({{0, 0, 0}, {1e-6, 0, 0}}, 0);
-    Segment dwell = path.segments.back();
-    dwell.kind = SegmentKind::dwell;
-    dwell.length = 0;
-    dwell.dwell = 1.5;
-    path.segments.push_back(dwell);
+    testing::append_dwell(path, 1.5);
     const Trajectory trajectory = run(path, settings_for(law, 5));
     EXPECT_GT(trajectory.duration(), 1.5);
     EXPECT_LT(trajectory.duration(), 1.51);

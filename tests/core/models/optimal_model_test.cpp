@@ -147,11 +147,7 @@ TEST(OptimalModel, SlowsALineDownToItsArc) {
 
 TEST(OptimalModel, StopsAtKinksReversalsAndDwellsOnly) {
   Toolpath path = testing::polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {10, 5, 0}}, 50);
-  Segment dwell;
-  dwell.kind = SegmentKind::dwell;
-  dwell.dwell = 0.25;
-  dwell.end = path.segments.back().end;
-  path.segments.push_back(dwell);
+  testing::append_dwell(path, 0.25);
   testing::append_line(path, Vec3(10, 0, 0), 50);
   const auto line = [](double length) { return length / 50 + 0.05; };
   EXPECT_NEAR(optimal_run(path).duration(), 2 * line(10) + 2 * line(5) + 0.25, 1e-9);

@@ -257,7 +257,7 @@ TEST(TapieModel, ACircleInThePlaneOfZUsesTheJerkOfZ) {
   path.arcs.push_back(arc);
   Segment segment;
   segment.kind = SegmentKind::arc;
-  segment.arc = 0;
+  segment.index = 0;
   segment.end = arc.at(arc.length()).position;
   segment.length = arc.length();
   segment.feed = from_m_min(24);

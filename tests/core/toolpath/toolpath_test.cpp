@@ -36,7 +36,7 @@ TEST(Toolpath, BlocksThatDoNotMoveVanishButDwellsAndFullCirclesStay) {
   const Toolpath path = path_of("G1 X0 F100\nG91 X1\nX0\nG4 P1.5\nG2 I1\n");
   ASSERT_EQ(path.segments.size(), 3U);
   EXPECT_EQ(path.segments[1].kind, SegmentKind::dwell);
-  EXPECT_EQ(path.segments[1].dwell, 1.5);
+  EXPECT_EQ(path.dwell_of(path.segments[1]), 1.5);
   EXPECT_EQ(path.segments[1].length, 0);
   EXPECT_EQ(path.tangent_at_start(1), Vec3::Zero());
   EXPECT_NEAR(path.segments[2].length, 2 * pi, 1e-12);
