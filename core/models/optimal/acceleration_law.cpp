@@ -22,6 +22,15 @@ constexpr double full_load = 1 + 1e-6;
 /// Relative difference below which x counts as the ceiling.
 constexpr double at_ceiling = 1e-9;
 
+/// Cells of a curve that one piece runs over at most.
+constexpr std::size_t most_joined = 32;
+
+/// Of constant jerk from speed `v0` to `v1` over `length` in `time`.
+LawPoint joined_motion(double v0, double v1, double length, double time) {
+  const double off = v0 + v1 - 2 * length / time;
+  return {0, v0, (v1 - v0 - 3 * off) / time, 6 * off / (time * time)};
+}
+
 }  // namespace
 
 AccelerationLaw::AccelerationLaw(const Toolpath& toolpath, const AxisVectors& axes, int fineness,
@@ -31,6 +40,7 @@ AccelerationLaw::AccelerationLaw(const Toolpath& toolpath, const AxisVectors& ax
 void AccelerationLaw::run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps) {
   const TrajectoryBuilder::Mark start = builder_.mark();
   excess_ = 1;
+  tried_ = most_joined;
   cells_.clear();
   double x = 0;
   std::uint32_t next = first;
@@ -142,21 +152,70 @@ std::size_t AccelerationLaw::reach_back_from(std::size_t lowered, std::size_t do
 /// Lays the motion over the first `count` cells, from `x`; returns x at their end.
 double AccelerationLaw::add_motion(std::size_t count, double x) {
   builder_.reserve_for_path(3 * count, cells_.empty() ? 0 : cells_[0].element);
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count;) {
     const LawCell& cell = cells_[i];
-    const CellRun& run = runs_[i];
+    const double end = runs_[i].x;
+    std::size_t next = i + 1;
     if (cell.straight) {
-      add_phases(i, x, run.x, {cell.ceiling.value, cell.acceleration, cell.acceleration});
-    } else if (run.steady) {
-      add_phases(i, x, run.x, cells_.phases(i, x, run.x));
+      add_phases(i, x, end, {cell.ceiling.value, cell.acceleration, cell.acceleration});
+    } else if (runs_[i].steady) {
+      add_phases(i, x, end, cells_.phases(i, x, end));
     } else {
-      builder_.add_piece(
-          {0, cell.offset, std::sqrt(x), run.begin, run.jerk, cell.element, cause_of(i, x, run)}, run.time);
-      excess_ = std::max(excess_, run.load);
+      next = i + add_curved(i, count, x);
     }
-    x = run.x;
+    x = runs_[next - 1].x;
+    i = next;
   }
   return x;
+}
+
+/// How many of the cells from curved cell `i`, limited by `cause`, on one piece may run over.
+std::size_t AccelerationLaw::joinable(std::size_t i, std::size_t count, Cause cause) const {
+  const LawCell& cell = cells_[i];
+  std::size_t last = i + 1;
+  if (builder_.path().kind(cell.element) != ElementKind::fitted) {  // whose curves end with cells
+    const auto goes_on = [&] {
+      return cells_[last].element == cell.element && !cells_[last].straight && !runs_[last].steady &&
+             cause_of(last, runs_[last - 1].x, runs_[last]) == cause;
+    };
+    while (last < std::min(count, i + tried_) && goes_on()) {
+      ++last;
+    }
+  }
+  return last - i;
+}
+
+/// Lays one piece of constant jerk over curved cell `i`, where it begins with `x`, and those behind it that
+/// it passes in the same time within the limits. Returns the number of cells.
+std::size_t AccelerationLaw::add_curved(std::size_t i, std::size_t count, double x) {
+  const LawCell& cell = cells_[i];
+  const CellRun& run = runs_[i];
+  LawPoint from{0, std::sqrt(x), run.begin, run.jerk};
+  double time = run.time;
+  double load = run.load;
+  const Cause cause = cause_of(i, x, run);
+  const std::size_t most = joinable(i, count, cause);
+  std::size_t joined = most;
+  for (; joined > 1; joined = (joined + 1) / 2) {
+    double length = 0;
+    double whole = 0;
+    for (std::size_t k = i; k < i + joined; ++k) {
+      length += cells_[k].length;
+      whole += runs_[k].time;
+    }
+    const LawPoint motion = joined_motion(from.v, std::sqrt(runs_[i + joined - 1].x), length, whole);
+    const double joined_load = cells_.load_of(i, i + joined, motion, whole, full_load);
+    if (joined_load <= full_load) {
+      from = motion;
+      time = whole;
+      load = joined_load;
+      break;
+    }
+  }
+  tried_ = joined < most ? joined : std::min(2 * tried_, most_joined);
+  builder_.add_piece({0, cell.offset, from.v, from.a, from.j, cell.element, cause}, time);
+  excess_ = std::max(excess_, load);
+  return joined;
 }
 
 /// Accelerates, keeps its speed and decelerates from `x0` to `x1`.

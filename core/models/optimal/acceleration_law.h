@@ -36,6 +36,8 @@ class AccelerationLaw {
   std::size_t reach_back_from(std::size_t lowered, std::size_t done);
   std::size_t settled_cells() const;
   double add_motion(std::size_t count, double x);
+  std::size_t joinable(std::size_t i, std::size_t count, Cause cause) const;
+  std::size_t add_curved(std::size_t i, std::size_t count, double x);
   void add_phases(std::size_t i, double x0, double x1, const Phases& phases);
   Cause cause_of(std::size_t i, double x0, const CellRun& run) const;
 
@@ -47,6 +49,7 @@ class AccelerationLaw {
   std::vector<std::uint32_t> lowered_;  ///< cells, in order
   double end_ = 0;                      ///< x that the window may end with [mm2/s2]
   double excess_ = 1;                   ///< largest load of a cell
+  std::size_t tried_ = 1;               ///< cells that the next piece of a curve is tried over
 };
 
 }  // namespace feedscope

@@ -9,6 +9,9 @@ namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
+/// As of CellRule: with four, one node of which lies on the crest of a blend's curvature, laws are no faster.
+constexpr int least_cells = 3;
+
 Vec3 inverse_of(const Vec3& limits) {
   return limits.unaryExpr([](double limit) { return limit > 0 ? 1 / limit : 0; });
 }
@@ -26,6 +29,7 @@ LawCells::LawCells(const Toolpath& toolpath, const AxisVectors& axes, int finene
       share_of_velocity_(inverse_of(axes.velocity)) {
   rule_.fineness = fineness;
   rule_.acceleration = axes.acceleration;
+  rule_.least = least_cells;
 }
 
 void LawCells::add_element(const BlendedPath& path, std::uint32_t index) {
@@ -199,8 +203,8 @@ Phases LawCells::phases(std::size_t i, double x0, double x1) const {
   const LawCell& cell = cells_[i];
   const auto of_ends = [&](const auto& from, const auto& to) {
     const double ceiling = std::min({cell.ceiling.value, from.largest_x().value, to.largest_x().value});
-    const double crest = std::min(ceiling, x0 + 2 * from.highest(x0) * cell.length);
-    const double low = std::min(x0, x1);
+    const auto [low, high] = std::minmax(x0, x1);
+    const double crest = std::max(std::min(ceiling, x0 + 2 * from.highest(x0) * cell.length), high);
     Phases phases{crest, infinite, infinite};
     const auto leads_over = [&](const auto& range) {
       phases.gain = std::min({phases.gain, range.highest(low), range.highest(crest)});
@@ -209,7 +213,7 @@ Phases LawCells::phases(std::size_t i, double x0, double x1) const {
              x0 <= x1 + 2 * phases.loss * cell.length;
     };
     const bool leads =
-        std::max(x0, x1) <= ceiling && leads_over(to) && leads_over(from) && leads_over(place(cell, 1).range);
+        high <= ceiling && leads_over(to) && leads_over(from) && leads_over(place(cell, 1).range);
     return leads ? phases : Phases{crest, 0, 0};
   };
   return with_ends(cell, of_ends);
@@ -250,6 +254,28 @@ double LawCells::load(const LawCell& cell, double x0, const CellRun& run, bool b
   const double largest_x = std::max({x0, x[0], x[1], x[2], x[3]});
   return std::max({begins_within ? 0 : at_begin, largest[0], largest[1], largest[2], largest[3],
                    cell.share * largest_x / cell.ceiling.value});
+}
+
+double LawCells::load_of(std::size_t first, std::size_t last, const LawPoint& from, double time,
+                         double most) const {
+  const double turn = from.j > 0 ? std::clamp(-from.a / from.j, 0.0, time) : 0;
+  if (advance(from, turn).v < std::min(from.v, advance(from, time).v) / 2) {
+    return infinite;
+  }
+  double largest = 0;
+  LawPoint at = from;
+  for (std::size_t i = first; i < last && largest <= most; ++i) {
+    const LawCell& cell = cells_[i];
+    at.q = 0;
+    CellRun run;
+    run.begin = at.a;
+    run.jerk = at.j;
+    run.time = i + 1 < last ? time_to_reach(at, cell.length, time) : time;
+    largest = std::max(largest, load(cell, at.v * at.v, run, false));
+    at = advance(at, run.time);
+    time -= run.time;
+  }
+  return largest <= most ? largest : infinite;
 }
 
 void LawCells::lower(std::size_t i, double load) {

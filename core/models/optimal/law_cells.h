@@ -4,6 +4,7 @@
 
 #include "core/models/optimal/acceleration_range.h"
 #include "core/models/optimal/path_cells.h"
+#include "core/trajectory/piece.h"
 
 namespace feedscope {
 
@@ -62,6 +63,10 @@ class LawCells {
   CellRun run(std::size_t i, double x0, double highest) const;
   /// What constant accelerations a curved cell allows all over; `gain` is 0 if they do not lead to `x1`.
   Phases phases(std::size_t i, double x0, double x1) const;
+
+  /// Largest load on the curved cells [first, last) of one element, passed in `time` by one piece of constant
+  /// jerk; infinite where it is more than `most` or the piece turns back.
+  double load_of(std::size_t first, std::size_t last, const LawPoint& from, double time, double most) const;
 
   /// From now on curved cell `i` keeps at both ends what is allowed anywhere on it, and in between as well,
   /// the limits being linear in x and u; where that is done already, less, by its `load`.

@@ -43,7 +43,6 @@ double cells_of_change(double length, double limit, const CellRule& rule) {
 /// Least number of cells for a curve of `length` whose largest curvature vector is about `curvature` [1/mm].
 int least_cells(double length, double curvature, const CellRule& rule) {
   constexpr double few = 2;
-  constexpr double least = 4;
   constexpr double slight = 1e-3;
   const double acceleration = rule.acceleration.minCoeff();
   const double limit = square_limit(curvature, rule);
@@ -51,7 +50,7 @@ int least_cells(double length, double curvature, const CellRule& rule) {
   const double bend = 4 * curvature / length;  // what the curvature changes by, by path length, on a blend
   if (curvature * limit > slight * acceleration ||
       bend * limit * std::sqrt(limit) > slight * rule.jerk.minCoeff()) {
-    count = std::max(cells_of_change(length, limit, rule), least);
+    count = std::max(cells_of_change(length, limit, rule), static_cast<double>(rule.least));
   }
   return rule.fineness * static_cast<int>(count);
 }

@@ -34,6 +34,7 @@ struct CellRule {
   Vec3 acceleration;  ///< fewer cells where turning at `speed` asks for next to nothing of these [mm/s2]
   Vec3 jerk = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< the same [mm/s3]
   double speed = 0;                                                     ///< [mm/s]
+  int least = 4;  ///< cells of a curve that asks for more
 };
 
 /// Length of element `index` [mm], rounded so that it does not hang on how far from the path's beginning it
