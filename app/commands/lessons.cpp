@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <memory>
 #include <sstream>
+#include <vector>
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
@@ -12,6 +14,10 @@
 #include "core/base/error.h"
 #include "core/lessons/handout.h"
 #include "core/lessons/lesson_runs.h"
+#ifdef FEEDSCOPE_WITH_UI
+#include "ui/report/paged_pdf.h"
+#include "ui/theme/offscreen_application.h"
+#endif
 
 namespace feedscope {
 namespace {
@@ -151,6 +157,31 @@ int check_lessons(const std::string& id) {
   return failed > 0 ? exit_code::claim_fails : exit_code::done;
 }
 
+/// The hand-out as the ending of `out` asks for it.
+std::string handout(const std::string& out, const Lesson& lesson, const WrittenNumbers& numbers) {
+  const std::string html = handout_html(lesson, numbers);
+#ifdef FEEDSCOPE_WITH_UI
+  if (out.ends_with(".pdf")) {
+    const ui::OffscreenApplication application;
+    return ui::paged_pdf(QString::fromStdString(html), ui::ReportPictures(),
+                         {QString::fromStdString(lesson.title), {}, {}});
+  }
+#endif
+  return html;
+}
+
+void check_ending(const std::string& out) {
+  std::vector<std::string> endings{".html"};
+#ifdef FEEDSCOPE_WITH_UI
+  endings.insert(endings.begin(), ".pdf");
+#endif
+  const auto fits = [&](const std::string& ending) { return out.ends_with(ending); };
+  if (!out.empty() && out != "-" && std::none_of(endings.begin(), endings.end(), fits)) {
+    throw InputError(
+        fmt::format("no kind of hand-out: '{}' must end in {}", out, fmt::join(endings, " or ")));
+  }
+}
+
 int run_lessons(const LessonsOptions& options) {
   if (options.id.empty() && !options.out.empty()) {
     throw InputError("--out writes one lesson: give its ID ('feedscope lessons' lists them)");
@@ -162,9 +193,7 @@ int run_lessons(const LessonsOptions& options) {
     list_lessons();
     return exit_code::done;
   }
-  if (!options.out.empty() && options.out != "-" && !options.out.ends_with(".html")) {
-    throw InputError(fmt::format("hand-outs are HTML: '{}' must end in .html", options.out));
-  }
+  check_ending(options.out);
   const std::filesystem::path file = find_lesson(options.id);
   const Lesson lesson = read_lesson(file);
   std::unique_ptr<OutputFile> out;
@@ -178,7 +207,7 @@ int run_lessons(const LessonsOptions& options) {
     numbers = LessonRuns(lesson).numbers(watch.stage("simulating"));
   }
   if (out != nullptr) {
-    out->stream() << handout_html(lesson, numbers);
+    out->stream() << handout(options.out, lesson, numbers);
     out->commit();
   } else {
     show_lesson(lesson, numbers);
@@ -195,8 +224,8 @@ Command add_lessons_command(CLI::App& app) {
   CLI::Option* check = command->add_flag(
       "--check", options->check,
       "Simulate what the lesson claims (without ID: all lessons) and say what does not hold (exit code 1)");
-  command->add_option("--out", options->out, "Write a hand-out to print (HTML); - for standard output")
-      ->type_name("FILE")
+  command->add_option("--out", options->out, "Write a hand-out to print; - for standard output (HTML)")
+      ->type_name("FILE.pdf|FILE.html")
       ->excludes(check);
   return {command, [options] { return run_lessons(*options); }};
 }

@@ -10,22 +10,27 @@
 namespace feedscope {
 namespace {
 
+// Lengths in px, which are 1/96 inch on paper: page layouts that know no mm read this as well.
 constexpr const char* style = R"(
 @page { size: A4; margin: 20mm 18mm; }
-body { font: 11pt/1.45 "DejaVu Sans", "Noto Sans", Arial, sans-serif; color: #111; max-width: 174mm; margin: 0 auto; }
-h1 { font-size: 19pt; line-height: 1.2; margin: 0 0 2mm; }
-h2 { font-size: 13pt; margin: 7mm 0 2mm; break-after: avoid; }
-p, ul, ol { margin: 0 0 2.5mm; }
-code { font-family: "DejaVu Sans Mono", monospace; font-size: 0.9em; }
+body { font-family: "DejaVu Sans", "Noto Sans", Arial, sans-serif; font-size: 14px; line-height: 145%; color: #111; max-width: 660px; margin: 0; }
+h1 { font-size: 25px; line-height: 120%; margin: 0 0 8px; }
+h2 { font-size: 17px; margin: 26px 0 8px; break-after: avoid; }
+p, ul, ol { margin: 0 0 10px; }
+code { font-family: "DejaVu Sans Mono", monospace; font-size: 12px; }
 .learn { font-style: italic; }
-table.setup { border-collapse: collapse; margin: 3mm 0; }
-table.setup th { text-align: left; font-weight: normal; color: #555; padding: 0.5mm 5mm 0.5mm 0; vertical-align: top; }
-.question { break-inside: avoid; border-left: 0.8mm solid #0b5fa5; padding-left: 4mm; margin: 5mm 0; }
-.hint { color: #555; font-size: 10pt; }
-.lines { border-bottom: 0.2mm solid #999; height: 8mm; }
-.answers { break-before: page; }
+table.setup { border-collapse: collapse; margin: 11px 0; }
+table.setup td { padding: 2px 19px 2px 0; vertical-align: top; }
+.name { color: #555; }
+table.question { border-collapse: collapse; width: 100%; margin: 19px 0; }
+table.question td { break-inside: avoid; }
+.question h2 { margin-top: 0; }
+.hint { color: #555; font-size: 13px; }
+table.lines { border-collapse: collapse; width: 100%; }
+table.lines td { border-bottom: 1px solid #999; height: 30px; font-size: 17px; }
+h1.answers { break-before: page; page-break-before: always; }
 .answer { break-inside: avoid; }
-footer { margin-top: 8mm; border-top: 0.2mm solid #999; font-size: 9pt; color: #555; padding-top: 2mm; }
+.footer { margin-top: 30px; border-top: 1px solid #999; font-size: 12px; color: #555; padding-top: 8px; }
 )";
 
 std::string escaped(const std::string& text) {
@@ -49,7 +54,7 @@ std::string escaped(const std::string& text) {
 }
 
 std::string row(const std::string& name, const std::string& value) {
-  return fmt::format("<tr><th>{}</th><td>{}</td></tr>\n", escaped(name), escaped(value));
+  return fmt::format("<tr><td class=\"name\">{}</td><td>{}</td></tr>\n", escaped(name), escaped(value));
 }
 
 std::string setup_table(const Lesson& lesson) {
@@ -69,8 +74,9 @@ std::string setup_table(const Lesson& lesson) {
 }
 
 std::string question_html(const Question& question, std::size_t number, const WrittenNumbers& numbers) {
-  std::string html = fmt::format("<div class=\"question\">\n<h2>Question {}</h2>\n{}", number,
-                                 html_of(filled(question.text, numbers)));
+  std::string html =
+      fmt::format("<table class=\"question\" width=\"100%\"><tr><td>\n<h2>Question {}</h2>\n{}", number,
+                  html_of(filled(question.text, numbers)));
   if (!question.with.empty()) {
     html += fmt::format("<p><b>First set</b> <code>{}</code></p>\n",
                         escaped(fmt::format("{}", fmt::join(question.with, ", "))));
@@ -84,10 +90,11 @@ std::string question_html(const Question& question, std::size_t number, const Wr
         fmt::format("<div class=\"hint\">{}</div>\n", html_of("*Hint:* " + filled(question.hint, numbers)));
   }
   constexpr int lines = 3;
+  html += "<table class=\"lines\" width=\"100%\">\n";
   for (int i = 0; i < lines; ++i) {
-    html += "<div class=\"lines\"></div>\n";
+    html += "<tr><td>&nbsp;</td></tr>\n";
   }
-  return html + "</div>\n";
+  return html + "</table>\n</td></tr></table>\n";
 }
 
 }  // namespace
@@ -107,7 +114,7 @@ std::string handout_html(const Lesson& lesson, const WrittenNumbers& numbers) {
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     html += question_html(lesson.questions[i], i + 1, numbers);
   }
-  html += "<section class=\"answers\">\n<h1>Answers</h1>\n";
+  html += "<h1 class=\"answers\">Answers</h1>\n";
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     html += fmt::format("<div class=\"answer\">\n<h2>Question {}</h2>\n{}</div>\n", i + 1,
                         html_of(filled(lesson.questions[i].answer, numbers)));
@@ -117,9 +124,9 @@ std::string handout_html(const Lesson& lesson, const WrittenNumbers& numbers) {
     html += fmt::format("<li>{}</li>\n", escaped(source));
   }
   return html +
-         "</ul>\n</section>\n<footer>Feedscope. Every number of the simulation on these pages was simulated "
-         "when "
-         "they were made.</footer>\n</body>\n</html>\n";
+         "</ul>\n<p class=\"footer\">Every number of the simulation on these pages was simulated by "
+         "Feedscope "
+         "when they were made.</p>\n</body>\n</html>\n";
 }
 
 }  // namespace feedscope

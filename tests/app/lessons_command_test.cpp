@@ -6,6 +6,7 @@ namespace {
 using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
+using testing::StartsWith;
 
 class LessonsCommand : public CommandLine {
  protected:
@@ -74,6 +75,14 @@ TEST_F(LessonsCommand, WritesAHandOut) {
 }
 
 #ifdef FEEDSCOPE_WITH_UI
+TEST_F(LessonsCommand, WritesAHandOutOnPages) {
+  EXPECT_EQ(run("lessons 8 --out handout.pdf").code, 0);
+  const std::string pdf = contents(folder_ / "handout.pdf");
+  EXPECT_THAT(pdf, StartsWith("%PDF-"));
+  run("lessons 8 --out again.pdf");
+  EXPECT_EQ(contents(folder_ / "again.pdf"), pdf);
+}
+
 TEST_F(LessonsCommand, TheWindowOpensWithALesson) {
   expect_wrong_use("--lesson small_circel", "did you mean '04_small_circle'?");
   EXPECT_THAT(run("--lesson 4", no_display).err, HasSubstr("the window needs a display"));

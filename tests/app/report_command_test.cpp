@@ -6,6 +6,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
+using testing::UnorderedElementsAreArray;
 
 class ReportCommand : public CommandLine {
  protected:
@@ -32,6 +33,24 @@ TEST_F(ReportCommand, WritesPdfAndHtmlOfSeveralRuns) {
   EXPECT_THAT(html, HasSubstr("feedscope simulate corner.nc --machine spinner-mvc850 --model essid "
                               "--tolerance 0.05"));
   EXPECT_THAT(html, HasSubstr("essid, 0.05 mm"));
+}
+
+TEST_F(ReportCommand, LeavesNothingHalfWrittenOnAFullDisk) {
+  // No file may grow beyond a block of 512 bytes, as if the disk were full there.
+  const std::string full = "trap '' XFSZ; ulimit -f 1; ";
+  ASSERT_EQ(run("--version").code, 0);  // leaves the file of what is said
+  for (const std::string call :
+       {"simulate corner.nc --csv full", "simulate corner.nc --json full", "compare corner.nc --csv full",
+        "compare corner.nc --png full", "render corner.nc --view 3d --format png --out full",
+        "render corner.nc --view charts --format svg --out full",
+        "render corner.nc --view sheet --format pdf --out full", "report corner.nc --format pdf --out full",
+        "report corner.nc --format html --out full", "lessons 1 --out full.html", "lessons 1 --out full.pdf"}) {
+    const std::vector<std::string> before = files();
+    const Result result = run(call, full + no_display);
+    EXPECT_EQ(result.code, 2) << call;
+    EXPECT_THAT(result.err, HasSubstr("cannot write 'full")) << call;
+    EXPECT_THAT(files(), UnorderedElementsAreArray(before)) << call;
+  }
 }
 
 TEST_F(ReportCommand, TheSameCallGivesTheSameBytes) {

@@ -3,8 +3,8 @@
 #include <functional>
 #include <vector>
 
+#include "ui/report/paged_pdf.h"
 #include "ui/report/report_html.h"
-#include "ui/report/report_pdf.h"
 #include "ui/report/report_pictures.h"
 #include "ui/report/report_tables.h"
 
@@ -110,7 +110,8 @@ std::string make_report(const ReportInput& input, const ReportTemplate& page, Re
     }
     return QString();
   });
-  return format == ReportFormat::pdf ? report_pdf(html, pictures, input) : report_html(html, pictures);
+  return format == ReportFormat::pdf ? paged_pdf(html, pictures, {input.heading(), input.author, input.date})
+                                     : report_html(html, pictures);
 }
 
 }  // namespace feedscope::ui

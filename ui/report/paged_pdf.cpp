@@ -1,4 +1,4 @@
-#include "ui/report/report_pdf.h"
+#include "ui/report/paged_pdf.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
@@ -68,15 +68,15 @@ class PictureHandler : public QObject, public QTextObjectInterface {
   std::exception_ptr failure_;
 };
 
-QFont report_font() {
+QFont page_font() {
   QFont font(QStringLiteral("DejaVu Sans"));
   font.setPixelSize(11);
   font.setHintingPreference(QFont::PreferNoHinting);
   return font;
 }
 
-void draw_margins(QPainter& painter, const ReportInput& input, int page, int pages) {
-  QFont font = report_font();
+void draw_margins(QPainter& painter, const PageTexts& texts, int page, int pages) {
+  QFont font = page_font();
   font.setPixelSize(9);
   painter.setFont(font);
   painter.setPen(QColor(0x6a, 0x70, 0x78));
@@ -89,8 +89,8 @@ void draw_margins(QPainter& painter, const ReportInput& input, int page, int pag
     painter.drawText(room, Qt::AlignRight | Qt::AlignVCenter, right);
   };
   if (page > 0) {
-    line(margin_top - 30, input.heading(),
-         input.date.isValid() ? input.date.toString(QStringLiteral("yyyy-MM-dd")) : QString());
+    line(margin_top - 30, texts.title,
+         texts.date.isValid() ? texts.date.toString(QStringLiteral("yyyy-MM-dd")) : QString());
   }
   line(page_height - margin_bottom + 22,
        QStringLiteral("Feedscope %1").arg(QStringLiteral(FEEDSCOPE_VERSION)),
@@ -128,7 +128,7 @@ std::vector<PdfBookmark> bookmarks_of(const QTextDocument& document) {
 }
 
 void fill(QTextDocument& document, PictureHandler& handler, QString html) {
-  document.setDefaultFont(report_font());
+  document.setDefaultFont(page_font());
   document.setUseDesignMetrics(true);
   document.setDocumentMargin(0);
   document.documentLayout()->registerHandler(QTextFormat::ImageObject, &handler);
@@ -141,7 +141,7 @@ void fill(QTextDocument& document, PictureHandler& handler, QString html) {
 
 }  // namespace
 
-std::string report_pdf(const QString& html, const ReportPictures& pictures, const ReportInput& input) {
+std::string paged_pdf(const QString& html, const ReportPictures& pictures, const PageTexts& texts) {
   const StableOrder order;
   PictureHandler handler(pictures);
   QTextDocument document;
@@ -165,15 +165,14 @@ std::string report_pdf(const QString& html, const ReportPictures& pictures, cons
     }
     draw_page(painter, document, page);
     handler.check();
-    draw_margins(painter, input, page, pages);
+    draw_margins(painter, texts, page, pages);
   }
   painter.end();
   const QString date =
-      input.date.isValid() ? input.date.toUTC().toString(QStringLiteral("'D:'yyyyMMddHHmmss'Z'")) : QString();
-  return finished_pdf(buffer.data().toStdString(),
-                      {input.heading(), input.author, date, bookmarks_of(document)});
+      texts.date.isValid() ? texts.date.toUTC().toString(QStringLiteral("'D:'yyyyMMddHHmmss'Z'")) : QString();
+  return finished_pdf(buffer.data().toStdString(), {texts.title, texts.author, date, bookmarks_of(document)});
 }
 
 }  // namespace feedscope::ui
 
-#include "report_pdf.moc"
+#include "paged_pdf.moc"

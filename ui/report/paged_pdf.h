@@ -1,0 +1,22 @@
+#pragma once
+
+#include <QDateTime>
+#include <QString>
+#include <string>
+
+#include "ui/report/report_pictures.h"
+
+namespace feedscope::ui {
+
+/// What the pages of a document have in common.
+struct PageTexts {
+  QString title;   ///< of the file, and on top of every page but the first
+  QString author;  ///< of the file
+  QDateTime date;  ///< invalid: none is written
+};
+
+/// `html` laid out on pages of A4 with title, page numbers and bookmarks from its headings. Headings stay
+/// with what follows them, and rows of tables on one page where they fit on one.
+std::string paged_pdf(const QString& html, const ReportPictures& pictures, const PageTexts& texts);
+
+}  // namespace feedscope::ui
