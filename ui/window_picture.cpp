@@ -85,7 +85,7 @@ Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
   if (look.prepare) {
     look.prepare(window, model);
   }
-  while (model.busy() || window.why().busy()) {
+  while (model.busy() || window.busy()) {
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
   settle(window);

@@ -44,7 +44,8 @@ TEST_F(ReportCommand, LeavesNothingHalfWrittenOnAFullDisk) {
         "compare corner.nc --png full", "render corner.nc --view 3d --format png --out full",
         "render corner.nc --view charts --format svg --out full",
         "render corner.nc --view sheet --format pdf --out full", "report corner.nc --format pdf --out full",
-        "report corner.nc --format html --out full", "lessons 1 --out full.html", "lessons 1 --out full.pdf"}) {
+        "report corner.nc --format html --out full", "lessons 1 --out full.html",
+        "lessons 1 --out full.pdf"}) {
     const std::vector<std::string> before = files();
     const Result result = run(call, full + no_display);
     EXPECT_EQ(result.code, 2) << call;

@@ -2,13 +2,16 @@
 //   window_case PROGRAM MODEL PANEL THEME WxH BASELINE RESULTS
 // PANEL is the name of a dock, or film for a strip of playback; THEME light or dark. Leaves with 77 where
 // PROGRAM is absent.
+#include <QAction>
 #include <QDockWidget>
+#include <array>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <string>
 
 #include "core/base/error.h"
+#include "core/lessons/lesson.h"
 #include "tests/render/baseline.h"
 #include "ui/main_window.h"
 #include "ui/window_picture.h"
@@ -36,6 +39,29 @@ void raise(ui::MainWindow& window, const std::string& panel) {
   dock->raise();
 }
 
+/// A callout at the cursor, and a marked stretch of `duration` before it [s].
+void add_annotations(ui::MainWindow& window, ui::Workbench& bench, double duration) {
+  const double time = bench.cursor().state().time;
+  window.annotations().set_stretch([=] { return std::array<double, 2>{time - duration, time}; });
+  for (const ui::AnnotationKind kind : {ui::AnnotationKind::region, ui::AnnotationKind::callout}) {
+    window.annotations().panel_actions()[static_cast<int>(kind)]->trigger();
+  }
+}
+
+/// Does with a panel what it is for.
+void use(const std::string& panel, ui::MainWindow& window, ui::Workbench& bench) {
+  constexpr double marked = 0.1;  // of the cycle time
+  if (panel == "why") {
+    window.why().try_remedies();  // not only once the cursor has rested
+  } else if (panel == "study") {
+    window.study().run();
+  } else if (panel == "annotations") {
+    add_annotations(window, bench, marked * bench.shown()->run.trajectory->duration());
+  } else if (panel == "lesson") {
+    window.open_lesson(find_lesson("small_circle"));
+  }
+}
+
 /// The window with the cursor at a share of the cycle time.
 ui::Picture draw_at(const Run& run, const std::string& panel, ui::ThemeKind theme, ui::PictureSize size,
                     double share) {
@@ -47,9 +73,7 @@ ui::Picture draw_at(const Run& run, const std::string& panel, ui::ThemeKind them
     raise(window, "machine");
     raise(window, panel);
     bench.cursor().set_time(share * bench.shown()->run.trajectory->duration());
-    if (panel == "why") {
-      window.why().try_remedies();  // not only once the cursor has rested
-    }
+    use(panel, window, bench);
   };
   return ui::draw_window(run, size, look);
 }

@@ -9,8 +9,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/charts/chart_colors.h"
 #include "ui/scene/ticks.h"
+#include "ui/theme/theme.h"
 
 namespace feedscope::ui {
 namespace {
@@ -24,10 +24,19 @@ constexpr double marker = 4.5;
 constexpr double near_marker = 9;
 constexpr double micrometres = 1000;
 
-/// Okabe and Ito's hues that stand out on white.
-constexpr std::array<QColor, 7> curve_colors{
-    QColor(0x00, 0x72, 0xb2), QColor(0xd5, 0x5e, 0x00), QColor(0x00, 0x9e, 0x73), QColor(0xcc, 0x79, 0xa7),
-    QColor(0xb0, 0x83, 0x00), QColor(0x3a, 0x95, 0xc8), QColor(0x00, 0x00, 0x00)};
+/// Okabe and Ito's hues that stand out on white, and on dark.
+using Hues = std::array<QColor, 7>;
+constexpr Hues light_hues{QColor(0x00, 0x72, 0xb2), QColor(0xd5, 0x5e, 0x00), QColor(0x00, 0x9e, 0x73),
+                          QColor(0xcc, 0x79, 0xa7), QColor(0xb0, 0x83, 0x00), QColor(0x3a, 0x95, 0xc8),
+                          QColor(0x00, 0x00, 0x00)};
+constexpr Hues dark_hues{QColor(0x56, 0xb4, 0xe9), QColor(0xff, 0x8a, 0x3d), QColor(0x2f, 0xc9, 0x9b),
+                         QColor(0xe8, 0xa3, 0xc9), QColor(0xf0, 0xb4, 0x2e), QColor(0x9f, 0xd6, 0xf5),
+                         QColor(0xf0, 0xf0, 0xf0)};
+
+QColor hue(std::size_t curve, const QPalette& palette) {
+  const Hues& hues = theme_of(palette) == ThemeKind::dark ? dark_hues : light_hues;
+  return hues[curve % hues.size()];
+}
 
 QFont sized(QFont font, int pixels, bool bold = false) {
   font.setPixelSize(pixels);
@@ -199,7 +208,7 @@ void StudyChart::paintEvent(QPaintEvent*) {
   const Layout layout = lay_out();
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), Qt::white);
+  painter.fillRect(rect(), theme_colours(palette()).plot);
   draw_head(painter, layout);
   draw_settings_axis(painter, layout);
   draw_plot(painter, layout, false);
@@ -209,7 +218,7 @@ void StudyChart::paintEvent(QPaintEvent*) {
 void StudyChart::draw_head(QPainter& painter, const Layout& layout) const {
   const QFont bold = sized(font(), title_size, true);
   painter.setFont(bold);
-  painter.setPen(text_color);
+  painter.setPen(theme_colours(palette()).text);
   painter.drawText(layout.head, Qt::AlignLeft | Qt::AlignVCenter, title_);
   const double left = layout.head.left() + QFontMetricsF(bold).horizontalAdvance(title_) + 12;
   painter.setFont(font());
@@ -218,12 +227,12 @@ void StudyChart::draw_head(QPainter& painter, const Layout& layout) const {
                    QFontMetricsF(font()).elidedText(details_, Qt::ElideRight, rest.width()));
   for (std::size_t i = 0; i < layout.legend.size(); ++i) {
     const QRectF& entry = layout.legend[i];
-    const QColor color = curve_colors[i % curve_colors.size()];
+    const QColor color = hue(i, palette());
     painter.setPen(QPen(color, 2));
     painter.drawLine(QPointF(entry.left(), entry.center().y()),
                      QPointF(entry.left() + 18, entry.center().y()));
     painter.fillPath(marker_shape(i, QPointF(entry.left() + 9, entry.center().y()), marker), color);
-    painter.setPen(text_color);
+    painter.setPen(theme_colours(palette()).text);
     painter.drawText(entry.adjusted(23, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter, study_.curves[i].name);
   }
 }
@@ -244,7 +253,7 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
   const double most = is_error ? layout.most_error * micrometres : layout.most_time;
   const double line = QFontMetricsF(font()).height();
   painter.setFont(sized(font(), text_size, true));
-  painter.setPen(text_color);
+  painter.setPen(theme_colours(palette()).text);
   painter.drawText(QRectF(margin, plot.top() - line - 6, plot.right() - margin, line),
                    Qt::AlignLeft | Qt::AlignVCenter,
                    is_error ? tr("Largest contour error [µm]") : tr("Cycle time [s]"));
@@ -253,16 +262,16 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
   const Ticks ticks = round_ticks(0, most, most_ticks);
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
     const double y = std::round(plot.bottom() - ticks.values[i] / most * plot.height()) + 0.5;
-    painter.setPen(QPen(i == 0 ? axis_color : grid_color, 1));
+    painter.setPen(QPen(i == 0 ? theme_colours(palette()).frame : theme_colours(palette()).grid, 1));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
-    painter.setPen(text_color);
+    painter.setPen(theme_colours(palette()).text);
     painter.drawText(QRectF(margin, y - line / 2, tick_room - 8, line), Qt::AlignRight | Qt::AlignVCenter,
                      QLocale().toString(ticks.values[i], 'f',
                                         int(QString::fromStdString(ticks.labels[i]).section('.', 1).size())));
   }
   if (is_error && study_.within) {
     const double y = plot.bottom() - *study_.within * micrometres / most * plot.height();
-    painter.setPen(QPen(text_color, 1.4, Qt::DashLine));
+    painter.setPen(QPen(theme_colours(palette()).text, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
     painter.drawText(bound_label(layout), Qt::AlignLeft | Qt::AlignVCenter, bound_text());
   }
@@ -274,7 +283,7 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
 
 void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t index, bool is_error) const {
   const StudyCurve& curve = study_.curves[index];
-  const QColor color = curve_colors[index % curve_colors.size()];
+  const QColor color = hue(index, palette());
   QPolygonF line;
   for (const StudyPoint& point : curve.points) {
     line.append(layout.place(point, is_error));
@@ -285,7 +294,7 @@ void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t
     painter.fillPath(marker_shape(index, at, marker), color);
   }
   if (curve.fastest) {
-    painter.setPen(QPen(text_color, 1.8));
+    painter.setPen(QPen(theme_colours(palette()).text, 1.8));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(line[static_cast<qsizetype>(*curve.fastest)], 2 * marker, 2 * marker);
   }
@@ -337,8 +346,10 @@ void StudyChart::draw_labels(QPainter& painter, const Layout& layout, bool is_er
                                   : tr("%1 s at %2").arg(number(best.time, 5), number(best.value));
     const QSizeF size(metrics.horizontalAdvance(text) + 4, metrics.height());
     const QRectF label = free_label(layout, layout.place(best, is_error), size, is_error, taken);
-    painter.fillRect(label, QColor(255, 255, 255, 210));
-    painter.setPen(text_color);
+    QColor behind = theme_colours(palette()).plot;
+    behind.setAlpha(210);
+    painter.fillRect(label, behind);
+    painter.setPen(theme_colours(palette()).text);
     painter.drawText(label, Qt::AlignCenter, text);
     taken.push_back(label);
   }
@@ -357,18 +368,18 @@ void StudyChart::draw_settings_axis(QPainter& painter, const Layout& layout) con
   double free = plot.left() - 40;
   for (const double tick : ticks) {
     const double x = std::round(layout.x(tick)) + 0.5;
-    painter.setPen(QPen(grid_color, 1));
+    painter.setPen(QPen(theme_colours(palette()).grid, 1));
     painter.drawLine(QPointF(x, layout.time.top()), QPointF(x, layout.time.bottom()));
     painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom() + 4));
     const QString text = number(tick);
     const double room = QFontMetricsF(font()).horizontalAdvance(text);
     if (x - room / 2 > free) {
-      painter.setPen(text_color);
+      painter.setPen(theme_colours(palette()).text);
       painter.drawText(QRectF(x - room / 2 - 2, plot.bottom() + 6, room + 4, line), Qt::AlignCenter, text);
       free = x + room / 2 + 6;
     }
   }
-  painter.setPen(text_color);
+  painter.setPen(theme_colours(palette()).text);
   const QString name = study_.key == QStringLiteral("tolerance") ? tr("Contour tolerance") : study_.key;
   painter.drawText(QRectF(plot.left(), plot.bottom() + 8 + line, plot.width(), line), Qt::AlignCenter,
                    study_.unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, study_.unit));
