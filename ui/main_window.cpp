@@ -84,6 +84,7 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
   connect(why_, &WhyView::time_chosen, &model_.cursor(), &Cursor::set_time);
   connect(why_, &WhyView::run_wanted, this,
           [this](const SetupState& setup) { model_.runs().duplicate_as(model_.runs().current(), setup); });
+  connect(scenes_, &SideBySide::mode_changed, this, &MainWindow::show_other_runs);
   scene_->annotations().set_annotations(&model_.annotations());
   scene_->set_place_actions(annotations_->panel_actions());
   annotations_->set_stretch([this] { return chosen_times(); });
@@ -196,7 +197,7 @@ void MainWindow::open(const std::filesystem::path& file) {
 void MainWindow::show_run() {
   const auto shown = model_.shown();
   const bool any = shown != nullptr;
-  scene_->scene().set_executed(any ? shown->run.trajectory : nullptr, any ? shown->samples : nullptr);
+  scenes_->show_current();
   scene_->annotations().set_run(any ? shown->run.trajectory : nullptr,
                                 run_title(model_.runs().current_item()));
   charts_->set_limits(model_.setup().setup().machine.axes);
@@ -224,7 +225,9 @@ void MainWindow::show_other_runs() {
     const RunItem& item = runs.items()[row];
     if (row != runs.current() && item.visible && result != nullptr) {
       in_charts.push_back({result->run.trajectory, result->envelope, item.colour, run_title(item)});
-      in_scene.push_back({result->samples, rgb(item.colour), run_title(item).toStdString()});
+      if (scenes_->mode() != ScenesMode::split) {  // where the other run has its half
+        in_scene.push_back({result->samples, rgb(item.colour), run_title(item).toStdString()});
+      }
     }
   }
   charts_->set_overlays(std::move(in_charts));

@@ -49,7 +49,7 @@ class MainWindow : public QMainWindow {
   LessonView& lessons() { return *lessons_; }
   CommandPalette& palette() { return *palette_; }
   /// Whether a panel is still working at what it shows, the run itself apart.
-  bool busy() const { return why_->busy() || study_->busy() || desk_.busy(); }
+  bool busy() const { return why_->busy() || study_->busy() || desk_.busy() || scenes_->comparison().busy(); }
   /// Opens a lesson in its panel, and what it begins with in all others.
   void open_lesson(const std::filesystem::path& file);
   WindowSession& session() { return *session_; }

@@ -47,6 +47,7 @@ Session WindowSession::capture() const {
   session.current_run = model_.runs().current();
   session.cursor = model_.cursor().valid() ? model_.cursor().state().time : 0;
   session.scene = window_.scene().state();
+  session.scenes = window_.scenes().state();
   session.charts = window_.charts().state();
   session.annotations = model_.annotations().items();
   session.layout = window_.saveState();
@@ -72,6 +73,7 @@ void WindowSession::apply_to_run() {
   }
   const Session session = *std::exchange(pending_, std::nullopt);
   window_.scene().set_state(session.scene);
+  window_.scenes().set_state(session.scenes);
   window_.charts().set_state(session.charts);
   model_.cursor().set_time(session.cursor);
 }

@@ -30,8 +30,10 @@ struct RenderOptions {
   std::string size;  ///< as typed
   std::optional<double> dpi;
   double scale = 1;
-  std::string camera;  ///< "": iso, or the session's
-  std::string theme;   ///< "": light, or the session's
+  std::string camera;            ///< "": iso, or the session's
+  std::string colour;            ///< key of a colouring; "": feed, or the session's
+  std::optional<int> reference;  ///< number of a run, from 1
+  std::string theme;             ///< "": light, or the session's
   std::string format;
   bool transparent = false;
   std::string title;
@@ -47,6 +49,12 @@ const std::map<std::string, ui::PictureFormat> formats{
 
 constexpr double default_dpi = 300;
 constexpr double units_per_inch = 96;
+
+std::vector<std::string> colouring_keys() {
+  std::vector<std::string> keys;
+  std::ranges::transform(ui::all_colourings, std::back_inserter(keys), ui::colouring_key);
+  return keys;
+}
 
 /// By --format, else the ending of --out; a name without any becomes a PNG picture.
 ui::PictureFormat format_of(const RenderOptions& options) {
@@ -108,6 +116,11 @@ void check_runs(const RenderOptions& options, const std::vector<AskedRun>& runs)
                     "tolerance, or take --view sheet",
                     runs.size()));
   }
+  const bool coloured = views.at(options.view) == View::scene || views.at(options.view) == View::sheet;
+  if (!options.colour.empty() && !coloured) {
+    throw InputError(
+        fmt::format("--colour says nothing about --view {}; take --view 3d or sheet", options.view));
+  }
   if (views.at(options.view) == View::window && options.transparent) {
     throw InputError(
         "--transparent: the window has no transparent background; take --view 3d, charts or sheet");
@@ -144,6 +157,29 @@ std::string picture_file(const ui::ReportInput& input, const RenderOptions& opti
                                 : ui::sheet_file(input, request);
 }
 
+void set_colours(const RenderOptions& options, ui::ReportInput& input) {
+  if (!options.colour.empty()) {
+    input.scene.colouring = *std::ranges::find(ui::all_colourings, options.colour, ui::colouring_key);
+  }
+  const auto count = static_cast<int>(input.runs.size());
+  if (ui::needs_reference(input.scene.colouring) && count < 2) {
+    throw InputError(
+        fmt::format("--colour {} compares two runs, and there is one; give another --tolerance, --model or "
+                    "--machine",
+                    ui::colouring_key(input.scene.colouring)));
+  }
+  if (!options.reference) {
+    return;
+  }
+  if (*options.reference < 1 || *options.reference > count) {
+    throw InputError(
+        fmt::format("--reference {} is no run; there are {}, counted from 1 in the order of the "
+                    "options",
+                    *options.reference, count));
+  }
+  input.reference = static_cast<std::size_t>(*options.reference - 1);
+}
+
 /// The command as the foot of a sheet names it.
 QString command_of(const RenderOptions& options) {
   std::string text = fmt::format("feedscope render {} --view {}", options_text(options.runs), options.view);
@@ -153,6 +189,8 @@ QString command_of(const RenderOptions& options) {
   add("--size", options.size);
   add("--title", options.title);
   add("--camera", options.camera == "iso" ? "" : options.camera);
+  add("--colour", options.colour);
+  add("--reference", options.reference ? std::to_string(*options.reference) : "");
   return QString::fromStdString(text);
 }
 
@@ -188,6 +226,7 @@ int render(const RenderOptions& options) {
   if (!session || !options.camera.empty()) {
     input.view = camera_of(options);
   }
+  set_colours(options, input);
   input.title = QString::fromStdString(options.title);
   input.commands = {command_of(options)};
   out.stream() << picture_file(input, options, session, request);
@@ -235,6 +274,18 @@ Command add_render_command(CLI::App& app) {
                    "Where to look from: iso, top, front, right [iso, or the session's]")
       ->check(CLI::IsMember(camera_views))
       ->type_name("CAMERA");
+  command
+      ->add_option(
+          "--colour", options->colour,
+          "What the colour of the path shows: " + fmt::format("{}", fmt::join(colouring_keys(), ", ")) +
+              "; time_lost and path_distance compare the first run with another one [feed, or the "
+              "session's]")
+      ->check(CLI::IsMember(colouring_keys()))
+      ->type_name("COLOUR");
+  command
+      ->add_option("--reference", options->reference,
+                   "The run that --colour time_lost and path_distance compare with [the first other one]")
+      ->type_name("N");
   command->add_option("--theme", options->theme, "Colours: light, dark [light, or the session's]")
       ->check(CLI::IsMember(themes))
       ->type_name("THEME");

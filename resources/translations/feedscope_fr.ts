@@ -229,6 +229,62 @@
         <source>Time %1 s</source>
         <translation>Temps %1&#xa0;s</translation>
     </message>
+    <message>
+        <source>Time lost or won</source>
+        <translation>Temps perdu ou gagné</translation>
+    </message>
+    <message>
+        <source>Distance to the other run</source>
+        <translation>Distance à l&apos;autre simulation</translation>
+    </message>
+    <message>
+        <source>Time lost or won against %1</source>
+        <translation>Temps perdu ou gagné face à %1</translation>
+    </message>
+    <message>
+        <source>Distance from %1</source>
+        <translation>Distance à %1</translation>
+    </message>
+    <message>
+        <source>lost</source>
+        <translation>perdu</translation>
+    </message>
+    <message>
+        <source>won</source>
+        <translation>gagné</translation>
+    </message>
+    <message>
+        <source>Against %1:</source>
+        <translation>Face à %1&#xa0;:</translation>
+    </message>
+    <message>
+        <source>lost here: %1 ms/mm</source>
+        <translation>perdu ici&#xa0;: %1&#xa0;ms/mm</translation>
+    </message>
+    <message>
+        <source>won here: %1 ms/mm</source>
+        <translation>gagné ici&#xa0;: %1&#xa0;ms/mm</translation>
+    </message>
+    <message>
+        <source>feed %1, there %2 mm/min</source>
+        <translation>avance %1, là-bas %2&#xa0;mm/min</translation>
+    </message>
+    <message>
+        <source>lost since the start: %1 s</source>
+        <translation>perdu depuis le début&#xa0;: %1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>won since the start: %1 s</source>
+        <translation>gagné depuis le début&#xa0;: %1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>here after %1 s, there after %2 s</source>
+        <translation>ici après %1&#xa0;s, là-bas après %2&#xa0;s</translation>
+    </message>
+    <message>
+        <source>paths %1 µm apart</source>
+        <translation>trajectoires écartées de %1&#xa0;µm</translation>
+    </message>
 </context>
 <context>
     <name>WhyText</name>
@@ -2806,6 +2862,14 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>Deviation</source>
         <translation>Écart</translation>
     </message>
+    <message>
+        <source>Colour the path by this, against another run</source>
+        <translation>Colorer la trajectoire selon cela, face à une autre simulation</translation>
+    </message>
+    <message>
+        <source>There is no other run to compare with: duplicate the run (Ctrl+D) and change the copy</source>
+        <translation>Il n&apos;y a pas d&apos;autre simulation à comparer&#xa0;: dupliquez la simulation (Ctrl+D) et modifiez la copie</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SceneView</name>
@@ -2966,6 +3030,58 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>Duplicate the run to compare (Ctrl+D)</source>
         <translation>Dupliquez la simulation pour comparer (Ctrl+D)</translation>
     </message>
+    <message>
+        <source>Compare &amp;with</source>
+        <translation>Comparer &amp;avec</translation>
+    </message>
+    <message>
+        <source>One view split in t&amp;wo</source>
+        <translation>Une vue partagée en &amp;deux</translation>
+    </message>
+    <message>
+        <source>The current run left of a line that is dragged, another one right of it</source>
+        <translation>La simulation courante à gauche d&apos;une ligne que l&apos;on déplace, une autre à droite</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+8</source>
+        <translation>Ctrl+Shift+8</translation>
+    </message>
+    <message>
+        <source>Line to the &amp;left</source>
+        <translation>Ligne vers la &amp;gauche</translation>
+    </message>
+    <message>
+        <source>Less of the current run in the split view</source>
+        <translation>Moins de la simulation courante dans la vue partagée</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Left</source>
+        <translation>Ctrl+Shift+Left</translation>
+    </message>
+    <message>
+        <source>Line to the ri&amp;ght</source>
+        <translation>Ligne vers la d&amp;roite</translation>
+    </message>
+    <message>
+        <source>More of the current run in the split view</source>
+        <translation>Plus de la simulation courante dans la vue partagée</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Right</source>
+        <translation>Ctrl+Shift+Right</translation>
+    </message>
+    <message>
+        <source>The run that time lost and distances are told against</source>
+        <translation>La simulation à laquelle se rapportent temps perdu et distances</translation>
+    </message>
+    <message>
+        <source>The run beside it, or the first other one</source>
+        <translation>La simulation voisine, ou la première autre</translation>
+    </message>
+    <message>
+        <source>against %1</source>
+        <translation>face à %1</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SimulationJob</name>
@@ -3052,6 +3168,17 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Go back to the listed place before</source>
         <translation>Revenir à l&apos;endroit précédent de la liste</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::SplitHandle</name>
+    <message>
+        <source>Drag to see more of one run or of the other</source>
+        <translation>Déplacer pour voir plus d&apos;une simulation ou de l&apos;autre</translation>
+    </message>
+    <message>
+        <source>Line between the two runs</source>
+        <translation>Ligne entre les deux simulations</translation>
     </message>
 </context>
 <context>

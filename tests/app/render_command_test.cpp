@@ -76,6 +76,24 @@ TEST_F(RenderCommand, WritesEveryViewInEveryFormat) {
   }
 }
 
+TEST_F(RenderCommand, ColoursTheFirstRunAgainstAnother) {
+  const std::string runs = "corner.nc --tolerance 0.01 --tolerance 0.05 --tolerance 0.1 --size 400x300 ";
+  const auto picture = [&](const std::string& options) {
+    const Result result = run(runs + options + " --out a.png");
+    EXPECT_EQ(result.code, 0) << result.err;
+    return read_png((folder_ / "a.png").string()).rgb;
+  };
+  const auto lost = picture("--colour time_lost");
+  EXPECT_EQ(lost, picture("--colour time_lost --reference 2"));
+  EXPECT_NE(lost, picture("--colour time_lost --reference 3"));
+  EXPECT_NE(lost, picture("--colour path_distance"));
+  EXPECT_EQ(picture(""), picture("--colour feed"));
+  expect_wrong_use("corner.nc --colour time_lost --out a.png", "compares two runs, and there is one");
+  expect_wrong_use(runs + "--colour time_lost --reference 4 --out a.png", "--reference 4 is no run");
+  expect_wrong_use("corner.nc --view charts --colour feed --out a.png", "says nothing about --view charts");
+  EXPECT_EQ(run("corner.nc --colour blue --out a.png").code, 2);
+}
+
 TEST_F(RenderCommand, PaperHasItsPixels) {
   ASSERT_EQ(run("corner.nc --size A4 --dpi 100 --out lying.png").code, 0);
   ASSERT_EQ(run("corner.nc --size A4-portrait --dpi 100 --out upright.png").code, 0);

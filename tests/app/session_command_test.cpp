@@ -38,6 +38,33 @@ TEST_F(SessionCommand, EveryViewIsDrawnAndTheSameElsewhere) {
   }
 }
 
+/// The window with two views or a split one comes out as it was saved, in another folder too; what is
+/// compared is seen in the picture.
+TEST_F(SessionCommand, ComparedRunsAreDrawnAndTheSameElsewhere) {
+  fs::create_directories(folder_ / "elsewhere");
+  fs::copy(folder_ / "part.nc", folder_ / "elsewhere" / "part.nc");
+  std::vector<std::string> pictures;
+  for (const std::string compare : {R"({"mode": "one"})", R"({"mode": "side_by_side", "other_run": 1})",
+                                    R"({"mode": "split", "split": 0.4, "reference_run": 0})"}) {
+    std::string text = session("part.nc", "");
+    text.insert(text.find("\"runs\""),
+                "\"view\": {\"colouring\": \"time_lost\"}, \"compare\": " + compare + ",\n");
+    write("part.feedscope", text);
+    fs::copy(folder_ / "part.feedscope", folder_ / "elsewhere" / "part.feedscope",
+             fs::copy_options::overwrite_existing);
+    const std::string options = " --view window --size 1280x800 --out ";
+    const Result here = quiet("render part.feedscope" + options + "a.png");
+    ASSERT_EQ(here.code, 0) << here.err;
+    EXPECT_EQ(here.err, "");
+    ASSERT_EQ(quiet("render elsewhere/part.feedscope" + options + "b.png").code, 0);
+    EXPECT_TRUE(contents(folder_ / "a.png") == contents(folder_ / "b.png")) << compare;
+    pictures.push_back(contents(folder_ / "a.png"));
+  }
+  EXPECT_NE(pictures[0], pictures[1]);
+  EXPECT_NE(pictures[0], pictures[2]);
+  EXPECT_NE(pictures[1], pictures[2]);
+}
+
 TEST_F(SessionCommand, TheReportHasItsRunsByName) {
   const Result result = quiet("report part.feedscope --out r.html");
   ASSERT_EQ(result.code, 0) << result.err;

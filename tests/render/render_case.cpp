@@ -77,6 +77,20 @@ void look_from_near(ui::PathScene& scene, const Run& run) {
   scene.set_cursor(run.trajectory->state(0.6 * run.trajectory->duration()));
 }
 
+/// Coloured against a run with a wider tolerance.
+Draw compared_by(ui::Colouring colouring, ui::Background background) {
+  return scene_with([colouring, background](ui::PathScene& scene, const Run& run) {
+    Setup loose = run.setup;
+    loose.settings.set("contour_tolerance_mm", 0.5);
+    const Run other = simulate_run(run.input, loose);
+    scene.set_executed(run.trajectory, std::make_shared<const ui::SampledPath>(
+                                           ui::sample_compared(*run.trajectory, *other.trajectory)));
+    scene.set_comparison("essid, 0.5 mm", nullptr);
+    scene.set_colouring(colouring);
+    scene.set_background(background);
+  });
+}
+
 ui::Picture draw_comparison(const Run& run, ui::PictureSize size) {
   return ui::draw_comparison(run.input, usual_compared_runs(), {"alpha=2", "X.jerk=5"}, size);
 }
@@ -110,6 +124,9 @@ const std::map<std::string, Draw> pictures{
     {"jerk", coloured_by(ui::Colouring::jerk)},
     {"error", coloured_by(ui::Colouring::contour_error)},
     {"cause", coloured_by(ui::Colouring::cause)},
+    {"lost", compared_by(ui::Colouring::time_lost, ui::Background::light)},
+    {"lost_dark", compared_by(ui::Colouring::time_lost, ui::Background::dark)},
+    {"distance", compared_by(ui::Colouring::path_distance, ui::Background::light)},
     {"exaggerated", scene_with([](ui::PathScene& scene, const Run&) { scene.set_exaggeration(50); })},
     {"overlays", scene_with(add_overlays)},
     {"measured", scene_with(add_measurement)},

@@ -1,7 +1,7 @@
 // Draws the window with one of its panels in front, without a display, and compares it with a baseline.
 //   window_case PROGRAM MODEL PANEL THEME WxH BASELINE RESULTS
-// PANEL is the name of a dock, or film for a strip of playback; THEME light or dark. Leaves with 77 where
-// PROGRAM is absent.
+// PANEL is the name of a dock, film for a strip of playback, split or beside for two runs in the 3D view;
+// THEME light or dark. Leaves with 77 where PROGRAM is absent.
 #include <QAction>
 #include <QDockWidget>
 #include <array>
@@ -28,6 +28,18 @@ void add_runs(ui::Workbench& model) {
     setup.set("contour_tolerance_mm", tolerance);
     model.runs().duplicate_as(model.runs().current(), setup);
   }
+}
+
+/// A run with 10 um and one with 50 um in one view or in two, coloured by what either loses against the
+/// other.
+void compare_runs(ui::MainWindow& window, ui::Workbench& model, ui::ScenesMode mode) {
+  model.set_tolerance(0.05);
+  ui::SetupState setup = model.setup().state();
+  setup.set("contour_tolerance_mm", 0.01);
+  model.runs().duplicate_as(model.runs().current(), setup);
+  window.scene().scene().set_colouring(ui::Colouring::time_lost);
+  window.scene().scene().set_standard_view(ui::StandardView::top);
+  window.scenes().set_mode(mode);
 }
 
 void raise(ui::MainWindow& window, const std::string& panel) {
@@ -71,7 +83,11 @@ ui::Picture draw_at(const Run& run, const std::string& panel, ui::ThemeKind them
       add_runs(bench);
     }
     raise(window, "machine");
-    raise(window, panel);
+    if (panel == "split" || panel == "beside") {
+      compare_runs(window, bench, panel == "split" ? ui::ScenesMode::split : ui::ScenesMode::side_by_side);
+    } else {
+      raise(window, panel);
+    }
     bench.cursor().set_time(share * bench.shown()->run.trajectory->duration());
     use(panel, window, bench);
   };

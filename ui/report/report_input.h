@@ -28,6 +28,8 @@ struct ReportInput {
   std::vector<ReportRun> runs;  ///< of one program, at least one
   std::size_t current = 0;      ///< the one that 3D view, charts and worst places show
   SceneState scene;             ///< how the 3D view looks
+  /// Run that the colours of `scene` compare with; none: the first other one than what is shown.
+  std::optional<std::size_t> reference;
   /// Looks from there at the whole path, instead of with the camera of `scene`.
   std::optional<StandardView> view = StandardView::iso;
   std::vector<Annotation> annotations;

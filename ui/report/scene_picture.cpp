@@ -10,6 +10,7 @@
 #include <cstring>
 
 #include "core/base/error.h"
+#include "ui/models/run_comparison.h"
 #include "ui/scene/picture.h"
 #include "ui/scene/render_window.h"
 
@@ -58,7 +59,7 @@ ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind 
   scene_.set_background(theme == ThemeKind::dark ? Background::dark : Background::light);
   scene_.set_transparent(transparent);
   scene_.set_programmed(run.shown->run.input.toolpath);
-  scene_.set_executed(run.shown->run.trajectory, run.shown->samples);
+  scene_.set_executed(run.shown->run.trajectory, samples());
   scene_.set_overlays(overlays_of(input, row));
   scene_.set_run_colour(rgb_of(run.colour));
   if (transparent) {
@@ -69,6 +70,21 @@ ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind 
   if (input.view) {
     scene_.set_standard_view(*input.view);
   }
+}
+
+/// Of the run; compared with another one if the colours need that.
+std::shared_ptr<const SampledPath> ScenePicture::samples() {
+  const ShownRun& shown = *input_.runs[row_].shown;
+  const auto reference = needs_reference(input_.scene.colouring)
+                             ? reference_row(input_.runs.size(), row_, input_.reference, std::nullopt)
+                             : std::nullopt;
+  if (!reference || shown.run.trajectory->pieces().empty()) {
+    return shown.samples;
+  }
+  const ReportRun& other = input_.runs[*reference];
+  scene_.set_comparison(other.name.toStdString(), nullptr);
+  return std::make_shared<const SampledPath>(
+      sample_compared(*shown.run.trajectory, *other.shown->run.trajectory));
 }
 
 ScenePicture::~ScenePicture() {

@@ -39,6 +39,7 @@ class ScenePicture {
   QStringList annotation_texts(const QSizeF& size, const SceneScale& scale);
 
  private:
+  std::shared_ptr<const SampledPath> samples();
   AnnotatedView annotated(const QSizeF& size, const SceneScale& scale) const;
 
   PathScene scene_;

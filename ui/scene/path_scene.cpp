@@ -293,6 +293,14 @@ void PathScene::set_run_colour(const Rgb& colour) {
   }
 }
 
+void PathScene::set_comparison(const std::string& reference, std::shared_ptr<const SampledPath> alike) {
+  if (reference != impl_->look.reference || alike != impl_->look.alike) {
+    impl_->look.reference = reference;
+    impl_->look.alike = std::move(alike);
+    impl_->apply_look();
+  }
+}
+
 void PathScene::set_exaggeration(double factor) {
   impl_->look.exaggeration = std::clamp(factor, 1.0, largest_exaggeration);
   impl_->apply_look();
@@ -392,16 +400,10 @@ void PathScene::zoom(double factor, const Pixel& about) {
 }
 
 void PathScene::zoom_to_box(const Pixel& corner, const Pixel& opposite) {
-  const ScreenRectangle room = impl_->room();
   const Vec2 low = impl_->display(corner).cwiseMin(impl_->display(opposite));
   const Vec2 high = impl_->display(corner).cwiseMax(impl_->display(opposite));
-  constexpr double smallest = 4;  // [pixels]
-  const Vec2 size = (high - low).cwiseMax(smallest);
-  const Vec2 middle = (low + high) / 2;
-  const Vec2 shift = (room.low + room.high) / 2 - middle;
-  pan({shift.x(), -shift.y()});
-  const Vec2 centre = (room.low + room.high) / 2;
-  zoom((room.high - room.low).cwiseQuotient(size).minCoeff(), {centre.x(), impl_->height() - centre.y()});
+  impl_->camera.zoom_to_box({low, high}, impl_->room(), impl_->width(), impl_->height());
+  impl_->changed();
 }
 
 void PathScene::set_moving(bool moving) {

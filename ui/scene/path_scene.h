@@ -60,6 +60,10 @@ class PathScene {
   Colouring colouring() const;
   /// Colour of the executed path for Colouring::run.
   void set_run_colour(const Rgb& colour);
+  /// `reference`: name of the run that the samples of the executed path are compared with (sample_compared).
+  /// `alike`: a path in another scene whose colours are to mean the same, so that the scale holds both; null:
+  /// none.
+  void set_comparison(const std::string& reference, std::shared_ptr<const SampledPath> alike);
   /// How much larger than they are deviations from the programmed path are drawn: 1 to 1000, clamped.
   void set_exaggeration(double factor);
   double exaggeration() const;

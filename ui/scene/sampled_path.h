@@ -3,8 +3,10 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "core/base/progress.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
 
@@ -22,8 +24,11 @@ enum class Quantity : std::uint8_t {
   tangential_jerk,          ///< [mm/s3]
   jerk,                     ///< length of the vector [mm/s3]
   contour_error,            ///< distance from the nearest programmed point [mm]
+  time_lost,                ///< against another run, below 0: won [s/mm]
+  path_distance,            ///< from the path that another run executes [mm]
 };
-inline constexpr std::size_t quantity_count = 7;
+inline constexpr std::size_t quantity_count = 9;
+inline constexpr std::size_t own_quantity_count = 7;  ///< that need no other run
 
 /// 8 bits of mantissa: what colours can show.
 using Stored = Eigen::bfloat16;
@@ -58,13 +63,16 @@ struct SampledPath {
   std::vector<SpanBox> boxes;              ///< of an executed path
 
   // Empty for a programmed path. Where a value jumps, two points lie in one place.
-  std::vector<double> times;                               ///< [s]
-  std::array<std::vector<Stored>, quantity_count> values;  ///< by Quantity
-  std::vector<CauseKind> causes;                           ///< limiting cause
-  std::vector<StoredVector> deviations;                    ///< PathDeviation::Result::along_bisector [mm]
+  std::vector<double> times;  ///< [s]
+  std::array<std::vector<Stored>, quantity_count>
+      values;                            ///< by Quantity; those against another run may be empty
+  std::vector<CauseKind> causes;         ///< limiting cause
+  std::vector<StoredVector> deviations;  ///< PathDeviation::Result::along_bisector [mm]
+  std::vector<float> lost;               ///< RunDifference::lost [s]; empty without another run
 
   std::size_t size() const { return positions.size(); }
   bool executed() const { return !times.empty(); }
+  bool compared() const { return !lost.empty(); }
   Vec3 position(std::size_t i) const { return origin + positions[i].cast<double>(); }
   Vec3 deviation(std::size_t i) const {
     return {double(float(deviations[i][0])), double(float(deviations[i][1])),
@@ -83,8 +91,16 @@ inline constexpr std::size_t default_max_points = 2'000'000;
 SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points = default_max_points);
 
 /// The executed path: arcs every 3 degrees, blends in 24 spans, and wherever the feed changes by some 1/24 of
-/// its peak. Linear in the pieces. Safe to call off the GUI thread.
-SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points);
+/// its peak. Linear in the pieces. Safe to call off the GUI thread. `also_at`: times at which there are
+/// points too where the spacing allows, rising [s].
+SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points,
+                            std::span<const double> also_at = {});
+
+/// The executed path of a run with what it does unlike a reference run of the same program. It has points
+/// where the reference changes its feed, too, unless both have so many that they are close enough. Linear;
+/// safe to call off the GUI thread. Throws what compare_places() throws.
+SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference,
+                            Progress* progress = nullptr);
 
 /// Levels of detail of `path`: all points; then, if it has many, what is left in views in which some spacing
 /// is less than a pixel, each level at most half of the one before; the last one small enough to be drawn

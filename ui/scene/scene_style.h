@@ -41,6 +41,12 @@ struct SceneTexts {
   std::string tangential_jerk = "Tangential jerk";
   std::string jerk = "Jerk";
   std::string contour_error = "Contour error";
+  std::string time_lost = "Time lost or won";
+  std::string path_distance = "Distance to the other run";
+  std::string time_lost_against = "Time lost or won against %1";  ///< %1: the other run
+  std::string path_distance_from = "Distance from %1";            ///< %1: the other run
+  std::string lost = "lost";
+  std::string won = "won";
   std::string cause = "Limiting cause";
   /// Short names of the standard views, in the order of StandardView.
   std::array<std::string, 7> views{"iso", "top", "front", "right", "bottom", "back", "left"};

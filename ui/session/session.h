@@ -9,6 +9,7 @@
 #include "ui/annotations/annotation.h"
 #include "ui/charts/charts_state.h"
 #include "ui/models/run_list.h"
+#include "ui/models/scenes_state.h"
 #include "ui/scene/scene_state.h"
 #include "ui/theme/theme.h"
 
@@ -22,6 +23,7 @@ struct Session {
   std::size_t current_run = 0;
   double cursor = 0;  ///< time in the current run [s]
   SceneState scene;
+  ScenesState scenes;
   ChartsState charts;
   std::vector<Annotation> annotations;
   QByteArray layout;                     ///< of the docks, as QMainWindow::saveState; may be empty

@@ -251,6 +251,7 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
           {"current_run", static_cast<int>(session.current_run)},
           {"cursor_s", session.cursor},
           {"view", to_json(session.scene)},
+          {"compare", to_json(session.scenes)},
           {"charts", to_json(session.charts)},
           {"annotations", annotations},
           {"window", window}};
@@ -261,8 +262,8 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   check_format(json);
   ReadSession read;
   note_unknown(json,
-               {"format", "version", "program", "runs", "current_run", "cursor_s", "view", "charts",
-                "annotations", "window"},
+               {"format", "version", "program", "runs", "current_run", "cursor_s", "view", "compare",
+                "charts", "annotations", "window"},
                QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();
@@ -284,6 +285,9 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
       std::clamp(json["current_run"].toInt(), 0, static_cast<int>(session.runs.size()) - 1));
   session.cursor = json["cursor_s"].toDouble();
   read_json(json["view"].toObject(), session.scene);
+  note_unknown(json["compare"].toObject(), {"mode", "other_run", "split", "reference_run"},
+               QStringLiteral("\"compare\""), read.notes);
+  read_json(json["compare"].toObject(), session.scenes);
   read_json(json["charts"].toObject(), session.charts);
   number = 0;
   for (const QJsonValue& annotation : json["annotations"].toArray()) {

@@ -76,6 +76,24 @@ void SceneActions::make_colourings() {
     add_option(colouring_, title, tr("Colour the path by this"), static_cast<int>(colouring),
                [this, colouring] { view_.scene().set_colouring(colouring); });
   }
+  colouring_.menu->setToolTipsVisible(true);
+  set_comparable(false);
+}
+
+void SceneActions::set_comparable(bool comparable) {
+  for (QAction* option : colouring_.group->actions()) {
+    if (needs_reference(static_cast<Colouring>(option->data().toInt()))) {
+      option->setEnabled(comparable);
+      option->setToolTip(comparable ? tr("Colour the path by this, against another run")
+                                    : tr("There is no other run to compare with: duplicate the run (Ctrl+D) "
+                                         "and change the copy"));
+    }
+  }
+}
+
+void SceneActions::add_comparison_menu(QMenu& menu) {
+  colouring_.menu->addSeparator();
+  colouring_.menu->addMenu(&menu);
 }
 
 void SceneActions::make_exaggerations() {

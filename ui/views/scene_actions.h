@@ -29,6 +29,10 @@ class SceneActions : public QObject {
   void fill(QMenu& menu) const;
   /// The scene may have changed: checks, sizes and the bar's words say what it shows.
   void follow_scene();
+  /// Whether there is another run to compare with; without one these colourings say what to do.
+  void set_comparable(bool comparable);
+  /// Which run that is, below the colourings.
+  void add_comparison_menu(QMenu& menu);
 
  private:
   struct Choice {

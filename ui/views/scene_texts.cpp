@@ -40,6 +40,12 @@ SceneTexts scene_texts() {
   texts.tangential_jerk = Scene::tr("Tangential jerk").toStdString();
   texts.jerk = Scene::tr("Jerk").toStdString();
   texts.contour_error = Scene::tr("Contour error").toStdString();
+  texts.time_lost = Scene::tr("Time lost or won").toStdString();
+  texts.path_distance = Scene::tr("Distance to the other run").toStdString();
+  texts.time_lost_against = Scene::tr("Time lost or won against %1").toStdString();
+  texts.path_distance_from = Scene::tr("Distance from %1").toStdString();
+  texts.lost = Scene::tr("lost").toStdString();
+  texts.won = Scene::tr("won").toStdString();
   texts.cause = Scene::tr("Limiting cause").toStdString();
   texts.views = {Scene::tr("iso").toStdString(),    Scene::tr("top").toStdString(),
                  Scene::tr("front").toStdString(),  Scene::tr("right").toStdString(),
@@ -59,6 +65,24 @@ QString hover_text(const State& state, double contour_error) {
       Scene::tr("Limited by: %1").arg(cause),
       Scene::tr("Contour error %1 µm").arg(number(1000 * contour_error, 1))};
   return lines.join('\n');
+}
+
+QString comparison_text(const PlaceComparison& place) {
+  const auto lost_or_won = [](double value, const QString& lost, const QString& won, double factor,
+                              int decimals) {
+    return (value < 0 ? won : lost).arg(number(std::abs(value) * factor, decimals));
+  };
+  return QStringList{
+      Scene::tr("Against %1:").arg(place.reference),
+      lost_or_won(place.pace, Scene::tr("lost here: %1 ms/mm"), Scene::tr("won here: %1 ms/mm"), 1000, 3),
+      Scene::tr("feed %1, there %2 mm/min")
+          .arg(number(units::to_mm_min(place.feed), 0), number(units::to_mm_min(place.reference_feed), 0)),
+      lost_or_won(place.lost, Scene::tr("lost since the start: %1 s"), Scene::tr("won since the start: %1 s"),
+                  1, 3),
+      Scene::tr("here after %1 s, there after %2 s")
+          .arg(number(place.time, 3), number(place.time - place.lost, 3)),
+      Scene::tr("paths %1 µm apart").arg(number(1000 * place.distance, 1))}
+      .join('\n');
 }
 
 std::vector<std::string> measurement_lines(const State& from, const State& to) {

@@ -100,8 +100,20 @@ void SceneView::fill_menu(QMenu& menu) const {
   actions_->fill(menu);
 }
 
+void SceneView::hide_bar() {
+  actions_->bar()->hide();
+}
+
 void SceneView::add_to_bar(QWidget& widget) {
   actions_->bar()->insertWidget(actions_->bar()->actions().value(0), &widget);
+}
+
+void SceneView::set_comparable(bool comparable) {
+  actions_->set_comparable(comparable);
+}
+
+void SceneView::add_comparison_menu(QMenu& menu) {
+  actions_->add_comparison_menu(menu);
 }
 
 Pixel SceneView::pixel(const QPointF& place) const {
@@ -312,8 +324,11 @@ void SceneView::hover() {
   const auto state = time ? scene_.state_at(*time) : std::nullopt;
   scene_.set_hover(time ? std::optional(scene_.drawn_at(*time)) : std::nullopt);
   if (state) {
-    QToolTip::showText(canvas_->mapToGlobal(last_.toPoint()),
-                       hover_text(*state, scene_.contour_error_at(*time)), canvas_);
+    QStringList lines{hover_text(*state, scene_.contour_error_at(*time))};
+    if (const QString more = hover_more_ ? hover_more_(*time) : QString(); !more.isEmpty()) {
+      lines.append(more);
+    }
+    QToolTip::showText(canvas_->mapToGlobal(last_.toPoint()), lines.join('\n'), canvas_);
   } else {
     QToolTip::hideText();
   }

@@ -6,6 +6,7 @@
 #include <QTimer>
 #include <QWidget>
 #include <array>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -50,8 +51,15 @@ class SceneView : public QWidget {
   QList<QAction*> panel_actions() const;
   /// Adds them to a menu, those that belong together as submenus.
   void fill_menu(QMenu& menu) const;
+  /// The commands stay, without a bar.
+  void hide_bar();
   /// Puts a widget before the commands of the bar.
   void add_to_bar(QWidget& widget);
+  /// Whether there is another run to compare with, and the menu that says which.
+  void set_comparable(bool comparable);
+  void add_comparison_menu(QMenu& menu);
+  /// More lines for what the mouse tells of a time of the executed path.
+  void set_hover_more(std::function<QString(double time)> more) { hover_more_ = std::move(more); }
   /// More for the context menu, which opens where the pointer is on the path: picked() comes first.
   void set_place_actions(const QList<QAction*>& actions) { place_actions_ = actions; }
 
@@ -108,6 +116,7 @@ class SceneView : public QWidget {
   AnnotationOverlay* overlay_ = nullptr;
   SceneActions* actions_ = nullptr;
   QList<QAction*> place_actions_;
+  std::function<QString(double)> hover_more_;
   QTimer hover_timer_;
   QTimer rest_timer_;
   Drag drag_ = Drag::none;

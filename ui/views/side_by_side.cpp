@@ -1,38 +1,51 @@
 #include "ui/views/side_by_side.h"
 
+#include <QActionGroup>
 #include <QComboBox>
 #include <QHBoxLayout>
+#include <QMenu>
 #include <QSignalBlocker>
 #include <QSplitter>
-#include <QVBoxLayout>
+#include <QTimer>
 #include <utility>
 
 #include "core/analysis/programmed_place.h"
 #include "ui/models/panel_action.h"
+#include "ui/views/annotation_overlay.h"
+#include "ui/views/split_overlay.h"
 
 namespace feedscope::ui {
+namespace {
+
+bool same_but_fitted(SceneState a, const SceneState& b) {
+  a.camera.fitted = b.camera.fitted;
+  return a == b;
+}
+
+}  // namespace
 
 SideBySide::SideBySide(Workbench& model, SceneView& first, RenderBackend backend, QWidget* parent)
     : QWidget(parent),
       model_(model),
       first_(first),
       backend_(backend),
+      comparison_(model.runs()),
+      first_run_(first, model.runs(), comparison_),
       splitter_(new QSplitter(this)),
-      action_(make_action(this, tr("Two views &side by side"),
-                          tr("Another run beside the current one, turned and coloured alike"),
-                          QKeySequence(tr("Ctrl+8")))) {
-  action_->setCheckable(true);
-  connect(action_, &QAction::toggled, this, &SideBySide::set_on);
+      references_(new QMenu(tr("Compare &with"), this)) {
   splitter_->setChildrenCollapsible(false);
   splitter_->addWidget(&first_);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(splitter_);
+  make_actions();
+  make_comparison_menu();
   connect(&first_, &SceneView::changed, this, [this] {
     if (second_ != nullptr) {
       link(first_, *second_);
     }
   });
+  connect(&first_run_, &SceneRun::changed, this, &SideBySide::colour_alike);
   for (const auto signal : {&RunList::list_changed, &RunList::current_changed}) {
     connect(&model_.runs(), signal, this, &SideBySide::list_runs);
   }
@@ -42,45 +55,163 @@ SideBySide::SideBySide(Workbench& model, SceneView& first, RenderBackend backend
   connect(&model_.cursor(), &Cursor::changed, this, &SideBySide::show_cursor);
 }
 
-void SideBySide::set_on(bool on) {
-  if (on != this->on()) {
-    on ? open() : close();
-    action_->setChecked(on);
+SideBySide::~SideBySide() {
+  close();
+}
+
+void SideBySide::make_actions() {
+  beside_ = add_mode(ScenesMode::side_by_side, tr("Two views &side by side"),
+                     tr("Another run beside the current one, turned and coloured alike"),
+                     QKeySequence(tr("Ctrl+8")));
+  across_ = add_mode(ScenesMode::split, tr("One view split in t&wo"),
+                     tr("The current run left of a line that is dragged, another one right of it"),
+                     QKeySequence(tr("Ctrl+Shift+8")));
+  const auto add_step = [this](const QString& text, const QString& tip, const QKeySequence& key, int steps) {
+    QAction* action = make_action(this, text, tip, key);
+    connect(action, &QAction::triggered, this, [this, steps] {
+      if (split_ != nullptr) {
+        split_->step(steps);
+      }
+    });
+    actions_.append(action);
+  };
+  add_step(tr("Line to the &left"), tr("Less of the current run in the split view"),
+           QKeySequence(tr("Ctrl+Shift+Left")), -1);
+  add_step(tr("Line to the ri&ght"), tr("More of the current run in the split view"),
+           QKeySequence(tr("Ctrl+Shift+Right")), 1);
+}
+
+QAction* SideBySide::add_mode(ScenesMode mode, const QString& text, const QString& tip,
+                              const QKeySequence& key) {
+  QAction* action = make_action(this, text, tip, key);
+  action->setCheckable(true);
+  connect(action, &QAction::toggled, this, [this, mode](bool on) {
+    set_mode(on ? mode : mode_ == mode ? ScenesMode::one : mode_);
+  });
+  actions_.append(action);
+  return action;
+}
+
+void SideBySide::make_comparison_menu() {
+  references_->setToolTip(tr("The run that time lost and distances are told against"));
+  connect(references_, &QMenu::aboutToShow, this, &SideBySide::list_references);
+  first_.add_comparison_menu(*references_);
+  list_references();
+}
+
+/// Only when it is opened: other lists of commands hold its actions meanwhile.
+void SideBySide::list_references() {
+  references_->clear();
+  delete references_->findChild<QActionGroup*>();
+  auto* group = new QActionGroup(references_);
+  const auto add = [&](const QString& text, int id) {
+    QAction* action = references_->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(comparison_.chosen() == id);
+    group->addAction(action);
+    connect(action, &QAction::triggered, this, [this, id] { comparison_.choose(id); });
+  };
+  add(tr("The run beside it, or the first other one"), 0);
+  for (const RunItem& run : model_.runs().items()) {
+    add(run_title(run), run.id);
   }
 }
 
+void SideBySide::set_mode(ScenesMode mode) {
+  if (mode != mode_) {
+    close();
+    mode_ = mode;
+    if (mode_ != ScenesMode::one) {
+      open();
+    }
+    emit mode_changed();
+  }
+  beside_->setChecked(mode_ == ScenesMode::side_by_side);
+  across_->setChecked(mode_ == ScenesMode::split);
+}
+
+ScenesState SideBySide::state() const {
+  const RunList& runs = model_.runs();
+  const auto row_of = [&](int id) {
+    const std::size_t row = runs.row_of(id);
+    return row < runs.items().size() ? std::optional(row) : std::nullopt;
+  };
+  return {mode_, row_of(other_), share_, row_of(comparison_.chosen())};
+}
+
+void SideBySide::set_state(const ScenesState& state) {
+  const std::vector<RunItem>& items = model_.runs().items();
+  const auto id_of = [&](std::optional<std::size_t> row) {
+    return row && *row < items.size() ? items[*row].id : 0;
+  };
+  other_ = id_of(state.other);
+  share_ = state.split;
+  comparison_.choose(id_of(state.reference));
+  set_mode(state.mode);
+  if (split_ != nullptr) {
+    split_->set_share(share_);
+  }
+  list_runs();
+}
+
 void SideBySide::open() {
-  side_ = new QWidget(splitter_);
-  second_ = new SceneView(backend_, side_);
-  choice_ = new QComboBox(side_);
-  choice_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  choice_->setMinimumContentsLength(12);
-  choice_->setToolTip(tr("The run in the view on the right"));
-  choice_->setAccessibleName(tr("Run in the second view"));
-  second_->add_to_bar(*choice_);
-  auto* layout = new QVBoxLayout(side_);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(second_);
-  splitter_->addWidget(side_);
-  const int half = splitter_->width() / 2;
-  splitter_->setSizes({half, half});
-  connect(choice_, &QComboBox::currentIndexChanged, this, &SideBySide::show_run);
+  second_ = new SceneView(backend_, this);
+  second_->set_state(first_.state());  // before anything of it is handed on to the first one
+  make_choice(second_);
+  if (mode_ == ScenesMode::side_by_side) {
+    second_->add_to_bar(*choice_);
+    splitter_->addWidget(second_);
+    const int half = splitter_->width() / 2;
+    splitter_->setSizes({half, half});
+  } else {
+    split_ = std::make_unique<SplitOverlay>(first_, second_, choice_, share_);
+    connect(split_.get(), &SplitOverlay::share_changed, this, [this](double share) { share_ = share; });
+    // The canvas and what is fitted to it follow first.
+    connect(split_.get(), &SplitOverlay::resized, this, &SideBySide::follow_size, Qt::QueuedConnection);
+    connect(split_.get(), &SplitOverlay::painted, this, &SideBySide::follow_frame, Qt::QueuedConnection);
+  }
+  second_->add_comparison_menu(*references_);
+  second_run_ = std::make_unique<SceneRun>(*second_, model_.runs(), comparison_);
+  connect(second_run_.get(), &SceneRun::changed, this, &SideBySide::colour_alike);
+  AnnotationOverlay& annotations = second_->annotations();
+  annotations.set_annotations(&model_.annotations());
+  connect(&annotations, &AnnotationOverlay::edit_wanted, &first_.annotations(),
+          &AnnotationOverlay::edit_wanted);
   connect(second_, &SceneView::changed, this, [this] { link(*second_, first_); });
   connect(second_, &SceneView::picked, this, [this](double time) {
-    if (shown_ != nullptr && model_.cursor().valid()) {
+    const auto& shown = second_run_->shown();
+    if (shown != nullptr && model_.cursor().valid()) {
       model_.cursor().set_time(
-          time_of(*model_.cursor().trajectory(), programmed_place(*shown_->run.trajectory, time)));
+          time_of(*model_.cursor().trajectory(), programmed_place(*shown->run.trajectory, time)));
     }
   });
   list_runs();
   link(first_, *second_);
 }
 
+void SideBySide::make_choice(QWidget* parent) {
+  choice_ = new QComboBox(parent);
+  choice_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  choice_->setMinimumContentsLength(12);
+  choice_->setToolTip(tr("The run in the view on the right"));
+  choice_->setAccessibleName(tr("Run in the second view"));
+  connect(choice_, &QComboBox::activated, this, [this] {
+    other_ = choice_->currentData().toInt();
+    show_run();
+  });
+}
+
 void SideBySide::close() {
-  shown_.reset();
-  second_ = nullptr;
+  second_run_.reset();
   choice_ = nullptr;
-  delete std::exchange(side_, nullptr);
+  SceneView* view = std::exchange(second_, nullptr);
+  if (split_ != nullptr) {
+    split_.reset();  // the view with it
+  } else {
+    delete view;
+  }
+  comparison_.set_beside(0);
+  first_run_.set_alike(nullptr);
 }
 
 /// All runs but the current one; the one that was chosen stays, else the first.
@@ -88,67 +219,128 @@ void SideBySide::list_runs() {
   if (second_ == nullptr) {
     return;
   }
-  const int chosen = choice_->currentData().toInt();
-  {
-    const QSignalBlocker quiet(choice_);
-    choice_->clear();
-    const RunList& runs = model_.runs();
-    for (std::size_t row = 0; row < runs.items().size(); ++row) {
-      if (row != runs.current()) {
-        choice_->addItem(run_title(runs.items()[row]), runs.items()[row].id);
-      }
+  choice_->clear();
+  const RunList& runs = model_.runs();
+  for (std::size_t row = 0; row < runs.items().size(); ++row) {
+    if (row != runs.current()) {
+      const RunItem& run = runs.items()[row];
+      QPixmap colour(12, 12);
+      colour.fill(run.colour);
+      choice_->addItem(QIcon(colour), run_title(run), run.id);
     }
-    if (choice_->count() == 0) {
-      choice_->addItem(tr("Duplicate the run to compare (Ctrl+D)"), 0);
-    }
-    choice_->setCurrentIndex(std::max(0, choice_->findData(chosen)));
   }
+  if (choice_->count() == 0) {
+    choice_->addItem(tr("Duplicate the run to compare (Ctrl+D)"), 0);
+  }
+  choice_->setCurrentIndex(std::max(0, choice_->findData(other_)));
   show_run();
 }
 
-std::size_t SideBySide::other_row() const {
-  return model_.runs().row_of(choice_->currentData().toInt());
+void SideBySide::show_current() {
+  first_run_.show(model_.runs().current_item().id);
 }
 
 void SideBySide::show_run() {
-  const RunList& runs = model_.runs();
-  const std::size_t row = other_row();
-  const auto result = row < runs.items().size() ? runs.result(row) : nullptr;
-  if (result == shown_ && shown_ != nullptr) {
-    return;
-  }
-  shown_ = result;
-  const bool any = shown_ != nullptr;
+  const int id = choice_->currentData().toInt();
+  comparison_.set_beside(id);
   linking_ = true;
+  const RunList& runs = model_.runs();
   PathScene& scene = second_->scene();
   scene.set_programmed(model_.shown_program().samples);
-  scene.set_executed(any ? shown_->run.trajectory : nullptr, any ? shown_->samples : nullptr);
+  if (const std::size_t row = runs.row_of(id); row < runs.items().size()) {
+    const QColor& colour = runs.items()[row].colour;
+    scene.set_run_colour({colour.redF(), colour.greenF(), colour.blueF()});
+  }
+  second_run_->show(id);
+  const auto& shown = second_run_->shown();
+  second_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr, choice_->currentText());
   linking_ = false;
+  colour_alike();
   link(first_, *second_);
   show_cursor();
 }
 
+void SideBySide::colour_alike() {
+  if (second_run_ != nullptr) {
+    first_run_.set_alike(second_run_->samples());
+    second_run_->set_alike(first_run_.samples());
+  }
+  show_names();
+}
+
+void SideBySide::show_names() {
+  if (split_ == nullptr) {
+    return;
+  }
+  const RunItem& current = model_.runs().current_item();
+  split_->set_left_name(run_title(current), current.colour);
+  // That the halves are compared with each other goes without saying.
+  const auto against = [&](const SceneRun& run, const QString& beside) {
+    const QString& name = run.reference_name();
+    return name.isEmpty() || name == beside ? QString() : tr("against %1").arg(name);
+  };
+  split_->set_notes(against(first_run_, choice_->currentText()),
+                    second_run_ != nullptr ? against(*second_run_, run_title(current)) : QString());
+}
+
 void SideBySide::show_cursor() {
-  if (second_ == nullptr) {
+  if (second_ == nullptr || second_run_ == nullptr) {
     return;
   }
   const Cursor& cursor = model_.cursor();
-  if (shown_ == nullptr || !cursor.valid()) {
+  const auto& shown = second_run_->shown();
+  if (shown == nullptr || !cursor.valid()) {
     second_->scene().set_cursor(std::nullopt);
     return;
   }
-  const Trajectory& trajectory = *shown_->run.trajectory;
+  const Trajectory& trajectory = *shown->run.trajectory;
   const ProgrammedPlace place = programmed_place(*cursor.trajectory(), cursor.state().time);
   second_->scene().set_cursor(trajectory.state(time_of(trajectory, place)));
 }
 
 void SideBySide::link(SceneView& from, SceneView& to) {
-  if (linking_ || from.state() == to.state()) {
+  if (linking_) {
     return;
   }
   linking_ = true;
-  to.set_state(from.state());
+  if (split_ != nullptr) {
+    link_halves(&from == &first_);
+  } else if (from.state() != to.state()) {
+    to.set_state(from.state());
+  }
   linking_ = false;
+}
+
+/// In a split view both see the same, pixel by pixel: it is the first one that fits, and only what it shows
+/// is handed on.
+void SideBySide::link_halves(bool from_first) {
+  SceneState wanted = from_first ? first_.state() : second_->state();
+  if (wanted.camera.fitted) {
+    if (!from_first) {
+      first_.set_state(wanted);
+    }
+    first_.scene().fit();
+    wanted = first_.state();
+  } else if (!from_first && !same_but_fitted(first_.state(), wanted)) {
+    first_.set_state(wanted);
+  }
+  wanted.camera.fitted = false;
+  if (second_->state() != wanted) {
+    second_->set_state(wanted);
+  }
+}
+
+/// The first view may have been fitted anew while it was drawn.
+void SideBySide::follow_frame() {
+  if (split_ != nullptr && !same_but_fitted(first_.state(), second_->state())) {
+    link(first_, *second_);
+  }
+}
+
+void SideBySide::follow_size() {
+  if (split_ != nullptr) {
+    link(first_, *second_);
+  }
 }
 
 }  // namespace feedscope::ui

@@ -2,50 +2,84 @@
 
 #include <QList>
 #include <QWidget>
+#include <memory>
 
+#include "ui/models/scenes_state.h"
 #include "ui/models/workbench.h"
-#include "ui/views/scene_view.h"
+#include "ui/views/scene_run.h"
 
 class QComboBox;
+class QMenu;
 class QSplitter;
 
 namespace feedscope::ui {
 
-/// The 3D view of the current run and, if wanted, that of another one beside it: turned, coloured and
-/// enlarged alike, the tool of both at the same place of the program.
+class SplitOverlay;
+
+/// The 3D view of the current run and, if wanted, that of another one: beside it, or over the right part of
+/// it behind a line that is dragged. Both are turned, coloured and enlarged alike, the tool of both at the
+/// same place of the program; colours may say how one differs from the other.
 class SideBySide : public QWidget {
   Q_OBJECT
 
  public:
   /// `first` shows the current run and becomes a part of this. `model` outlives this.
   SideBySide(Workbench& model, SceneView& first, RenderBackend backend, QWidget* parent = nullptr);
+  ~SideBySide() override;
 
-  void set_on(bool on);
-  bool on() const { return second_ != nullptr; }
+  /// The current run or its result is another one.
+  void show_current();
+  void set_mode(ScenesMode mode);
+  ScenesMode mode() const { return mode_; }
+  ScenesState state() const;
+  void set_state(const ScenesState& state);
   /// Null while there is one view alone.
   SceneView* second() { return second_; }
+  /// Null unless the view is split.
+  SplitOverlay* split() { return split_.get(); }
   /// Which run stands beside the current one.
   QComboBox* choice() { return choice_; }
-  QList<QAction*> panel_actions() const { return {action_}; }
+  RunComparison& comparison() { return comparison_; }
+  QList<QAction*> panel_actions() const { return actions_; }
+
+ signals:
+  void mode_changed();
 
  private:
+  void make_actions();
+  QAction* add_mode(ScenesMode mode, const QString& text, const QString& tip, const QKeySequence& key);
+  void make_comparison_menu();
+  void list_references();
   void open();
   void close();
+  void make_choice(QWidget* parent);
   void list_runs();
   void show_run();
   void show_cursor();
+  void show_names();
+  void colour_alike();
   void link(SceneView& from, SceneView& to);
-  std::size_t other_row() const;
+  void link_halves(bool from_first);
+  void follow_size();
+  void follow_frame();
 
   Workbench& model_;
   SceneView& first_;
   RenderBackend backend_;
+  RunComparison comparison_;
+  SceneRun first_run_;
   QSplitter* splitter_;
-  QAction* action_;
-  QWidget* side_ = nullptr;  ///< the second view with the choice of its run
+  QMenu* references_;
+  QList<QAction*> actions_;
+  QAction* beside_ = nullptr;
+  QAction* across_ = nullptr;
+  ScenesMode mode_ = ScenesMode::one;
+  double share_ = 0.5;
   SceneView* second_ = nullptr;
+  std::unique_ptr<SceneRun> second_run_;
   QComboBox* choice_ = nullptr;
-  std::shared_ptr<const ShownRun> shown_;  ///< in the second view
+  std::unique_ptr<SplitOverlay> split_;
+  int other_ = 0;  ///< id of the run that was chosen to stand beside; 0: the first other one
   bool linking_ = false;
 };
 

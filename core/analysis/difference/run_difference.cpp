@@ -108,6 +108,19 @@ std::vector<float> paces(const std::vector<double>& lost, const std::vector<doub
 
 }  // namespace
 
+std::vector<double> times_at_places(const Trajectory& run, const Trajectory& other,
+                                    std::span<const double> times) {
+  check(run, other);
+  TwoCourses courses(run, other);
+  std::vector<double> there;
+  there.reserve(times.size());
+  for (const double time : times) {
+    courses.go_to(std::clamp(time, 0.0, run.duration()));
+    there.push_back(courses.reference_time());
+  }
+  return there;
+}
+
 RunDifference compare_places(const Trajectory& run, const Trajectory& reference,
                              std::span<const double> times, Progress* progress) {
   check(run, reference);

@@ -30,4 +30,8 @@ struct RunDifference {
 RunDifference compare_places(const Trajectory& run, const Trajectory& reference,
                              std::span<const double> times, Progress* progress = nullptr);
 
+/// When `other` is where `run` is at `times` [s], as above.
+std::vector<double> times_at_places(const Trajectory& run, const Trajectory& other,
+                                    std::span<const double> times);
+
 }  // namespace feedscope

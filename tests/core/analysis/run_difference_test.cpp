@@ -111,6 +111,8 @@ TEST(RunDifference, WaitsAreComparedWithWaits) {
   Toolpath path = one_line(10);
   Segment wait = line_to(Vec3(10, 0, 0), 0, 100, 2);
   wait.kind = SegmentKind::dwell;
+  wait.index = 0;
+  path.dwells = {1};
   path.segments.push_back(wait);
   path.segments.push_back(line_to(Vec3(20, 0, 0), 10, 100, 3));
   const auto with_dwell = [&](double feed, double dwell) {

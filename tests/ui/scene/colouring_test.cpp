@@ -73,6 +73,42 @@ TEST(ColourKey, OfContourErrorTakesMicrometresOrMillimetres) {
   EXPECT_TRUE(none.has_scale()) << "no error is shown as the lowest of a micrometre";
 }
 
+TEST(ColourKey, AgainstNoOtherRunHasNoScale) {
+  for (const Colouring colouring : {Colouring::time_lost, Colouring::path_distance}) {
+    ASSERT_TRUE(needs_reference(colouring));
+    EXPECT_FALSE(colour_key(executed(), colouring).has_scale());
+    const Rgb blue{0, 0, 1};
+    const SampledPath path = executed();
+    for (const Rgba& colour : point_colours(path, colour_key(path, colouring), Background::light, blue)) {
+      EXPECT_EQ(colour, (Rgba{0, 0, 255, 255}));
+    }
+  }
+}
+
+TEST(ColourKey, OfTimeLostIsNeutralAtZeroAndAsFarOnBothSides) {
+  const ColourKey key =
+      colour_key(with_values(Quantity::time_lost, {-0.002, 0, 0.0015}), Colouring::time_lost);
+  EXPECT_EQ(key.scale.unit, "ms/mm");
+  EXPECT_TRUE(key.scale.diverging);
+  EXPECT_DOUBLE_EQ(key.scale.high, 2);
+  EXPECT_DOUBLE_EQ(key.scale.low, -2);
+  EXPECT_NEAR(key.scale.position(0), 0.5, 1e-12);
+  const ColourKey same = colour_key(with_values(Quantity::time_lost, {0, 1e-12, 0}), Colouring::time_lost);
+  EXPECT_TRUE(same.has_scale()) << "rounding is drawn as no time lost, not as the ends of a scale";
+  EXPECT_NEAR(same.scale.position(1e-12), 0.5, 1e-6);
+}
+
+TEST(ColourKey, OfTwoPathsHoldsBoth) {
+  const SampledPath small = with_values(Quantity::path_distance, {0, 0.004});
+  const SampledPath large = with_values(Quantity::path_distance, {0, 4});
+  for (const auto& key : {colour_key(small, large, Colouring::path_distance),
+                          colour_key(large, small, Colouring::path_distance)}) {
+    EXPECT_EQ(key.scale.unit, "mm");
+    EXPECT_NEAR(key.scale.high, 4, 0.2);
+  }
+  EXPECT_EQ(colour_key(small, executed(), Colouring::path_distance).scale.unit, "µm");
+}
+
 TEST(ColourKey, OfCausesSharesTheTimeOfTheCuts) {
   const ColourKey key = colour_key(executed(), Colouring::cause);
   ASSERT_FALSE(key.causes.empty());

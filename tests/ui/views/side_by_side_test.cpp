@@ -3,10 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <QAction>
+#include <QApplication>
 #include <QComboBox>
+#include <QMenu>
+#include <QMouseEvent>
+#include <QTest>
 
 #include "tests/ui/run_fixture.h"
 #include "ui/main_window.h"
+#include "ui/views/split_overlay.h"
 
 namespace feedscope::ui {
 namespace {
@@ -26,6 +31,16 @@ class SideBySideTest : public testing::Test {
       model.runs().set_result(item.id, make_shown(simulate_run(input, item.setup.setup())));
     }
     views.panel_actions()[0]->trigger();
+  }
+
+  void wait_for_comparison() {
+    while (views.comparison().busy()) {
+      QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+  }
+  static void drag(QWidget& widget, const QPoint& place, Qt::MouseButtons buttons) {
+    QMouseEvent move(QEvent::MouseMove, place, widget.mapToGlobal(place), Qt::NoButton, buttons, {});
+    QApplication::sendEvent(&widget, &move);
   }
 
   Workbench model{shipped_machines(), make_setup({})};
@@ -57,6 +72,132 @@ TEST_F(SideBySideTest, APlacePickedOnTheRightIsThatOfTheProgram) {
   const double time = other.duration() / 2;
   emit views.second()->picked(time);
   EXPECT_EQ(model.cursor().state().line, other.state(time).line);
+}
+
+TEST_F(SideBySideTest, ColoursSayHowEachDiffersFromTheOne) {
+  PathScene& left = window.scene().scene();
+  left.set_colouring(Colouring::time_lost);
+  wait_for_comparison();
+  const auto path = views.comparison().samples(1);
+  const auto other = views.comparison().samples(0);
+  ASSERT_NE(path, nullptr);
+  ASSERT_NE(other, nullptr);
+  EXPECT_NEAR(double{path->lost.back()}, -double{other->lost.back()}, 1e-6);
+  EXPECT_EQ(views.second()->state().colouring, Colouring::time_lost);
+  // Chosen: both are compared with it, but not it with itself.
+  views.comparison().choose(model.runs().items()[0].id);
+  EXPECT_EQ(views.comparison().reference_of(1), 0U);
+  EXPECT_EQ(views.comparison().reference_of(0), 1U);
+  // With one run alone there is nothing to compare.
+  model.runs().remove(0);
+  EXPECT_EQ(left.colouring(), Colouring::feed);
+}
+
+TEST_F(SideBySideTest, WithOneRunTheComparingColoursSayWhatToDo) {
+  const auto option = [&](const QString& text) -> QAction* {
+    for (QAction* action : window.scene().panel_actions()) {
+      if (action->text() == text) {
+        return action;
+      }
+    }
+    return nullptr;
+  };
+  QAction* lost = option(QStringLiteral("Time lost or won"));
+  ASSERT_NE(lost, nullptr);
+  EXPECT_TRUE(lost->isEnabled());
+  lost->trigger();
+  EXPECT_EQ(window.scene().scene().colouring(), Colouring::time_lost);
+  model.runs().remove(1);
+  EXPECT_FALSE(lost->isEnabled());
+  EXPECT_TRUE(lost->toolTip().contains(QStringLiteral("Ctrl+D")));
+}
+
+TEST_F(SideBySideTest, TheSplitIsDraggedAndMovedByKeys) {
+  views.set_mode(ScenesMode::split);
+  ASSERT_NE(views.split(), nullptr);
+  EXPECT_FALSE(views.panel_actions()[0]->isChecked());
+  EXPECT_TRUE(views.panel_actions()[1]->isChecked());
+  QApplication::processEvents();
+  SplitHandle& handle = views.split()->handle();
+  const double width = window.scene().canvas().width();
+  const QPoint middle = handle.rect().center();
+  QTest::mousePress(&handle, Qt::LeftButton, {}, middle);
+  drag(handle, middle + QPoint(-100, 30), Qt::LeftButton);
+  QTest::mouseRelease(&handle, Qt::LeftButton, {}, handle.rect().center());
+  EXPECT_NEAR(views.split()->share(), 0.5 - 100 / width, 2 / width);
+  EXPECT_NEAR(handle.geometry().center().x(), width / 2 - 100, 2);
+  drag(handle, middle + QPoint(50, 0), Qt::NoButton);  // no button is down
+  EXPECT_NEAR(views.split()->share(), 0.5 - 100 / width, 2 / width);
+  const double before = views.split()->share();
+  QTest::keyClick(&handle, Qt::Key_Right);
+  EXPECT_GT(views.split()->share(), before);
+  views.panel_actions()[2]->trigger();
+  EXPECT_NEAR(views.split()->share(), before, 1e-12);
+  QTest::keyClick(&handle, Qt::Key_End);
+  EXPECT_EQ(views.split()->share(), 1);
+  QTest::keyClick(&handle, Qt::Key_Home);
+  EXPECT_EQ(views.split()->share(), 0);
+  EXPECT_EQ(views.state().split, 0);
+}
+
+/// The camera of both is the same, whatever legends and scales take of the room.
+TEST_F(SideBySideTest, BothHalvesOfTheSplitShowAPlaceAtTheSamePixel) {
+  views.set_mode(ScenesMode::split);
+  const auto expect_same = [&] {
+    for (int i = 0; i < 5; ++i) {
+      QApplication::processEvents();
+    }
+    ASSERT_EQ(views.second()->canvas().size(), window.scene().canvas().size());
+    for (const Vec3& place : {Vec3(0, 0, 0), Vec3(40, 15, 0), Vec3(60, 60, 0)}) {
+      const Pixel left = window.scene().scene().pixel_of(place);
+      const Pixel right = views.second()->scene().pixel_of(place);
+      EXPECT_NEAR(left[0], right[0], 0.01);
+      EXPECT_NEAR(left[1], right[1], 0.01);
+    }
+  };
+  expect_same();
+  window.resize(1500, 950);
+  expect_same();
+  window.scene().scene().set_standard_view(StandardView::top);
+  expect_same();
+  views.second()->scene().orbit({40, -30});
+  expect_same();
+  views.second()->scene().fit();
+  expect_same();
+  EXPECT_TRUE(window.scene().state().camera.fitted) << "it goes on to follow the window's size";
+  window.scene().scene().set_colouring(Colouring::cause);
+  wait_for_comparison();
+  expect_same();
+}
+
+TEST_F(SideBySideTest, TheSessionKeepsWhatIsCompared) {
+  views.set_mode(ScenesMode::split);
+  views.split()->set_share(0.25);
+  views.comparison().choose(model.runs().items()[0].id);
+  const ScenesState state = window.session().capture().scenes;
+  EXPECT_EQ(state.mode, ScenesMode::split);
+  EXPECT_EQ(state.split, 0.25);
+  EXPECT_EQ(state.reference, 0U);
+  views.set_state({});
+  EXPECT_EQ(views.second(), nullptr);
+  EXPECT_EQ(views.comparison().chosen(), 0);
+  views.set_state(state);
+  EXPECT_EQ(views.state(), state);
+  EXPECT_EQ(views.split()->share(), 0.25);
+}
+
+/// A second view begins as the first one is, whatever it had to compare with when it came.
+TEST_F(SideBySideTest, TheFirstViewStaysAsItIsWhenASecondOneComes) {
+  for (const ScenesMode mode : {ScenesMode::side_by_side, ScenesMode::split}) {
+    views.set_mode(ScenesMode::one);
+    window.scene().scene().set_colouring(Colouring::time_lost);
+    wait_for_comparison();
+    window.scene().scene().orbit({25, 15});
+    const SceneState before = window.scene().state();
+    views.set_mode(mode);
+    EXPECT_EQ(window.scene().state(), before);
+    EXPECT_EQ(views.second()->state().colouring, Colouring::time_lost);
+  }
 }
 
 TEST_F(SideBySideTest, OffLeavesOneView) {

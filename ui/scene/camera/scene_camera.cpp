@@ -164,6 +164,15 @@ void SceneCamera::pan(const Vec2& shift, int width, int height) {
   apply();
 }
 
+void SceneCamera::zoom_to_box(const ScreenRectangle& box, const ScreenRectangle& room, int width,
+                              int height) {
+  constexpr double smallest = 4;  // [pixels]
+  const Vec2 size = (box.high - box.low).cwiseMax(smallest);
+  const Vec2 centre = (room.low + room.high) / 2;
+  pan(centre - (box.low + box.high) / 2, width, height);
+  zoom((room.high - room.low).cwiseQuotient(size).minCoeff(), centre, width, height);
+}
+
 void SceneCamera::zoom(double factor, const Vec2& about, int width, int height) {
   const Projection view = projection(width, height);
   const double before = half_height_;

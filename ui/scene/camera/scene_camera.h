@@ -58,6 +58,8 @@ class SceneCamera {
   void orbit(double azimuth, double elevation, const Vec3& pivot);
   /// Moves what is shown by `shift` pixels.
   void pan(const Vec2& shift, int width, int height);
+  /// What is in `box` [pixels] fills `room`.
+  void zoom_to_box(const ScreenRectangle& box, const ScreenRectangle& room, int width, int height);
   /// Enlarges by `factor`, with what is at `about` [pixels] staying there.
   void zoom(double factor, const Vec2& about, int width, int height);
   void set_perspective(bool perspective);

@@ -48,11 +48,23 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Te
   return lines;
 }
 
+std::string title_of(const Annotations& annotations) {
+  const ColourKey& key = annotations.key;
+  if (key.reference.empty()) {
+    return colouring_title(key.colouring, *annotations.texts);
+  }
+  std::string title = key.colouring == Colouring::time_lost ? annotations.texts->time_lost_against
+                                                            : annotations.texts->path_distance_from;
+  if (const std::size_t place = title.find("%1"); place != std::string::npos) {
+    title.replace(place, 2, key.reference);
+  }
+  return title;
+}
+
 std::vector<std::string> title_lines(const Annotations& annotations, double scale) {
   const TextStyle style = title_style(scale, *annotations.colours);
   const ColourKey& key = annotations.key;
-  std::vector<std::string> lines =
-      wrapped(colouring_title(key.colouring, *annotations.texts), 1.3 * narrowest * scale, style);
+  std::vector<std::string> lines = wrapped(title_of(annotations), 1.3 * narrowest * scale, style);
   if (key.has_scale()) {
     const std::string unit = "(" + key.scale.unit + ")";
     if (!lines.empty() &&
@@ -121,6 +133,20 @@ void draw_bar(Canvas& canvas, const Annotations& annotations, const Vec2& low, d
       label = "≤ " + label;
     }
     canvas.text(label, {right + 8 * k, y}, style);
+  }
+  if (scale.beyond && scale.high - ticks.values.back() >= ticks.step / 2) {
+    const auto end_label = [&](const char* sign, double value) {
+      return annotations.texts->localised(fmt::format("{} {:.6g}", sign, value));
+    };
+    canvas.text(end_label("≥", scale.high), {right + 8 * k, high}, style);
+    if (scale.diverging) {
+      canvas.text(end_label("≤", scale.low), {right + 8 * k, low.y()}, style);
+    }
+  }
+  if (annotations.key.colouring == Colouring::time_lost) {
+    const double inside = (panel_text_pixels + 3) * k;
+    canvas.text(annotations.texts->lost, {right + 8 * k, high - inside}, style);
+    canvas.text(annotations.texts->won, {right + 8 * k, low.y() + inside}, style);
   }
 }
 

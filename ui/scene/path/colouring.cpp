@@ -37,7 +37,10 @@ Scaled scaled(Colouring colouring) {
     case Colouring::jerk:
       return {1e-3, "m/s³"};
     case Colouring::contour_error:
+    case Colouring::path_distance:
       return {1e3, "µm"};
+    case Colouring::time_lost:
+      return {1e3, "ms/mm", true};
     case Colouring::cause:
     case Colouring::run:
       break;
@@ -47,6 +50,7 @@ Scaled scaled(Colouring colouring) {
 
 Quantity quantity_of(Colouring colouring) {
   static_assert(static_cast<int>(Colouring::contour_error) == static_cast<int>(Quantity::contour_error));
+  static_assert(static_cast<int>(Colouring::path_distance) == static_cast<int>(Quantity::path_distance));
   return static_cast<Quantity>(colouring);
 }
 
@@ -106,15 +110,19 @@ ColourScale scale_of(const SampledPath& path, Colouring colouring) {
     scale.high = 100;
     return scale;
   }
+  if (path.values[static_cast<std::size_t>(quantity_of(colouring))].empty()) {
+    return scale;  // no other run to compare with
+  }
   const Peaks peaks = peaks_of(path, colouring);
   scale.beyond = peaks.usual > 0 && peaks.all > far_beyond * peaks.usual;
   scale.high = round_end((scale.beyond ? peaks.usual : peaks.all) * scale.factor);
-  constexpr double nanometre = 1e-3;  // rounding, no contour error [um]
-  if (colouring == Colouring::contour_error && scale.high < nanometre) {
+  constexpr double rounding = 1e-3;  // no contour error [um], no time lost [ms/mm]
+  const bool length = colouring == Colouring::contour_error || colouring == Colouring::path_distance;
+  if ((length || colouring == Colouring::time_lost) && scale.high < rounding) {
     scale.high = 1;
   }
   constexpr double micrometres = 1000;
-  if (colouring == Colouring::contour_error && scale.high > micrometres) {
+  if (length && scale.high > micrometres) {
     scale.unit = "mm";
     scale.factor /= micrometres;
     scale.high /= micrometres;
@@ -150,9 +158,17 @@ Rgba to_bytes(const Rgb& colour) {
 }  // namespace
 
 std::string colouring_key(Colouring colouring) {
-  constexpr std::array keys{"feed",          "feed_ratio",      "tangential_acceleration",
-                            "acceleration",  "tangential_jerk", "jerk",
-                            "contour_error", "cause",           "run"};
+  constexpr std::array keys{"feed",
+                            "feed_ratio",
+                            "tangential_acceleration",
+                            "acceleration",
+                            "tangential_jerk",
+                            "jerk",
+                            "contour_error",
+                            "time_lost",
+                            "path_distance",
+                            "cause",
+                            "run"};
   return keys.at(static_cast<std::size_t>(colouring));
 }
 
@@ -172,6 +188,10 @@ std::string colouring_title(Colouring colouring, const SceneTexts& texts) {
       return texts.jerk;
     case Colouring::contour_error:
       return texts.contour_error;
+    case Colouring::time_lost:
+      return texts.time_lost;
+    case Colouring::path_distance:
+      return texts.path_distance;
     case Colouring::cause:
       return texts.cause;
     case Colouring::run:
@@ -181,7 +201,7 @@ std::string colouring_title(Colouring colouring, const SceneTexts& texts) {
 }
 
 ColourKey colour_key(const SampledPath& path, Colouring colouring) {
-  ColourKey key{colouring, {}, {}};
+  ColourKey key{colouring, {}, {}, {}};
   if (!path.executed() || colouring == Colouring::run) {
     return key;
   }
@@ -190,6 +210,20 @@ ColourKey colour_key(const SampledPath& path, Colouring colouring) {
   } else {
     key.scale = scale_of(path, colouring);
   }
+  return key;
+}
+
+ColourKey colour_key(const SampledPath& path, const SampledPath& other, Colouring colouring) {
+  ColourKey key = colour_key(path, colouring);
+  const ColourScale second = colour_key(other, colouring).scale;
+  if (!key.has_scale() || !(second.high > second.low)) {
+    return key;
+  }
+  const bool beyond = key.scale.beyond || second.beyond;
+  if (second.high / second.factor > key.scale.high / key.scale.factor) {
+    key.scale = second;
+  }
+  key.scale.beyond = beyond;
   return key;
 }
 

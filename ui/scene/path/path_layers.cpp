@@ -135,9 +135,11 @@ void PathLayers::set_look(const PathLook& look) {
 }
 
 void PathLayers::recolour() {
-  key_ = {look_.colouring, {}, {}};
+  key_ = {look_.colouring, {}, {}, {}};
   if (executed_) {
-    key_ = colour_key(executed_->samples(), look_.colouring);
+    const SampledPath& path = executed_->samples();
+    key_ = look_.alike ? colour_key(path, *look_.alike, look_.colouring) : colour_key(path, look_.colouring);
+    key_.reference = needs_reference(look_.colouring) ? look_.reference : std::string();
     executed_->set_colours(point_colours(executed_->samples(), key_, look_.colours->kind, look_.run));
   }
   for (const Layer& layer : layers_) {
@@ -148,6 +150,14 @@ void PathLayers::recolour() {
       }
     }
   }
+}
+
+LegendEntries PathLayers::entries() const {
+  LegendEntries shown = entries_;
+  if (needs_reference(look_.colouring)) {
+    shown.overlays.clear();
+  }
+  return shown;
 }
 
 void PathLayers::set_highlight(std::optional<std::array<double, 2>> range) {
@@ -285,7 +295,8 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
 
   for (Layer& layer : layers_) {
     const bool emphasis = layer.role == Role::blend_edge || layer.discs;
-    const bool shown = (!emphasis || (edges && !moving)) && (layer.role != Role::range || range_);
+    const bool shown = (!emphasis || (edges && !moving)) && (layer.role != Role::range || range_) &&
+                       (layer.role != Role::overlay || !needs_reference(look_.colouring));
     const std::size_t level = layer.path != nullptr ? level_of(layer.path->samples()) : 0;
     for (std::size_t i = 0; i < layer.actors.size(); ++i) {
       if (shown && i == level && !layer.actors[i]) {

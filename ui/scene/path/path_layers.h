@@ -32,10 +32,12 @@ struct PathLook {
   Rgb run{0.0, 0.447, 0.698};  ///< colour of Colouring::run
   double exaggeration = 1;     ///< factor of the deviation from the programmed path
   const SceneColours* colours = &scene_colours(Background::light);
+  std::string reference;                     ///< name of the run that the executed path is compared with
+  std::shared_ptr<const SampledPath> alike;  ///< a path coloured by the same scale, elsewhere; may be null
 };
 
 /// The lines of a run: rapids dashed, programmed path thin, executed path coloured, blends wide with an edge,
-/// other runs thin, a range of time underlaid.
+/// other runs thin unless the colours compare with one, a range of time underlaid.
 ///
 /// Where lines would cover the picture they get thinner, and blends lose their edge, until one zooms in.
 /// Paths of many points are drawn without what is smaller than a pixel, and coarser while the view moves.
@@ -53,7 +55,7 @@ class PathLayers {
   void place(const SceneFrame& frame, const Projection& view, double scale, bool moving);
 
   /// What place() has made visible.
-  const LegendEntries& entries() const { return entries_; }
+  LegendEntries entries() const;
   /// What the colours mean.
   const ColourKey& key() const { return key_; }
   const PathLook& look() const { return look_; }

@@ -245,6 +245,15 @@ double value_at(const PickablePath& path, Quantity quantity, double time) {
   return std::lerp(path.samples->value(quantity, at.before), path.samples->value(quantity, at.after), at.u);
 }
 
+std::optional<double> lost_at(const PickablePath& path, double time) {
+  if (path.samples == nullptr || !path.samples->compared()) {
+    return std::nullopt;
+  }
+  const Instant at = instant(path.samples->times, time);
+  const std::vector<float>& lost = path.samples->lost;
+  return std::lerp(double{lost[at.before]}, double{lost[at.after]}, at.u);
+}
+
 Vec3 deviation_at(const PickablePath& path, double time) {
   if (path.samples == nullptr || path.samples->deviations.empty()) {
     return Vec3::Zero();

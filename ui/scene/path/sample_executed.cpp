@@ -15,8 +15,11 @@ constexpr double spans_a_filter_time = 8;
 /// Counts and draws the samples of one trajectory.
 class ExecutedSampling {
  public:
-  ExecutedSampling(const Trajectory& trajectory, std::size_t max_points)
-      : trajectory_(trajectory), max_points_(max_points), deviation_(programmed_of(trajectory)) {
+  ExecutedSampling(const Trajectory& trajectory, std::size_t max_points, std::span<const double> also_at)
+      : trajectory_(trajectory),
+        max_points_(max_points),
+        also_at_(also_at),
+        deviation_(programmed_of(trajectory)) {
     for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
       const Part& part = walk.part();
       if (part.law != Law::parameter && !trajectory.is_rapid(part.element)) {
@@ -54,7 +57,9 @@ class ExecutedSampling {
       const double span = advance_of(last) / static_cast<double>(count);
       const PartMotion motion = walk.motion();
       for (std::size_t k = 0; k < count; ++k) {
-        add(path, sampler, motion, last, step * static_cast<double>(k), span);
+        const double tau = step * static_cast<double>(k);
+        add(path, sampler, motion, last, tau, span);
+        add_asked(path, sampler, motion, last, {tau, k + 1 < count ? tau + step : last.duration}, span);
       }
     }
     Sampler all(path, 0);
@@ -66,6 +71,24 @@ class ExecutedSampling {
   }
 
  private:
+  struct Between {
+    double from, to;  ///< from the start of a part [s]
+  };
+
+  /// The points that were asked for between two others of one part, `span` mm from each other.
+  void add_asked(SampledPath& path, Sampler& sampler, const PartMotion& motion, const Part& part,
+                 const Between& taus, double span) {
+    const double least = 1e-3 * (taus.to - taus.from);
+    for (; !also_at_.empty() && also_at_.front() < part.time + taus.to - least;
+         also_at_ = also_at_.subspan(1)) {
+      const double tau = also_at_.front() - part.time;
+      if (tau > taus.from + least) {
+        advanced_ = 0;
+        add(path, sampler, motion, part, tau, span);
+      }
+    }
+  }
+
   static const Toolpath& programmed_of(const Trajectory& trajectory) {
     static const Toolpath nothing;
     return trajectory.path().programmed() ? *trajectory.path().programmed() : nothing;
@@ -166,8 +189,8 @@ class ExecutedSampling {
     path.times.reserve(points);
     path.causes.reserve(points);
     path.deviations.reserve(points);
-    for (auto& values : path.values) {
-      values.reserve(points);
+    for (std::size_t quantity = 0; quantity < own_quantity_count; ++quantity) {
+      path.values[quantity].reserve(points);
     }
   }
 
@@ -221,16 +244,18 @@ class ExecutedSampling {
 
   const Trajectory& trajectory_;
   std::size_t max_points_;
-  double top_speed_ = 0;  ///< [mm/s]
-  double top_jerk_ = 0;   ///< along the path [mm/s3]
+  std::span<const double> also_at_;  ///< those that are still to come [s]
+  double top_speed_ = 0;             ///< [mm/s]
+  double top_jerk_ = 0;              ///< along the path [mm/s3]
   PathDeviation deviation_;
   double advanced_ = 0;  ///< path length since the last point that was kept [mm]
 };
 
 }  // namespace
 
-SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points) {
-  return ExecutedSampling(trajectory, max_points).run();
+SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points,
+                            std::span<const double> also_at) {
+  return ExecutedSampling(trajectory, max_points, also_at).run();
 }
 
 }  // namespace feedscope::ui

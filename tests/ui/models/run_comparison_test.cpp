@@ -1,0 +1,96 @@
+#include "ui/models/run_comparison.h"
+
+#include <gtest/gtest.h>
+
+#include <QCoreApplication>
+
+#include "tests/ui/run_fixture.h"
+#include "ui/models/scenes_state.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr std::nullopt_t none = std::nullopt;
+
+TEST(ReferenceRow, IsNeverTheRunItself) {
+  EXPECT_EQ(reference_row(1, 0, none, none), none);
+  EXPECT_EQ(reference_row(1, 0, 0, 0), none);
+  EXPECT_EQ(reference_row(3, 0, none, none), 1U);
+  EXPECT_EQ(reference_row(3, 2, none, none), 0U);
+  EXPECT_EQ(reference_row(3, 1, 2, 0), 2U) << "the chosen one comes first";
+  EXPECT_EQ(reference_row(3, 2, 2, 1), 1U) << "then the one beside";
+  EXPECT_EQ(reference_row(3, 0, 7, none), 1U) << "one that is gone is none";
+}
+
+class RunComparisonTest : public testing::Test {
+ protected:
+  RunComparisonTest() {
+    const LoadedProgram input =
+        load_program(std::make_shared<const SourceText>("test.nc", test::small_program));
+    SetupState fine = runs.items()[0].setup;
+    fine.set("contour_tolerance_mm", 0.005);
+    runs.duplicate_as(0, fine);
+    for (const RunItem& item : runs.items()) {
+      runs.set_result(item.id, make_shown(simulate_run(input, item.setup.setup())));
+    }
+  }
+  void wait() {
+    while (comparison.busy()) {
+      QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+    }
+  }
+
+  RunList runs{make_setup({})};
+  RunComparison comparison{runs};
+};
+
+TEST_F(RunComparisonTest, MakesThePathOnceAndSaysWhenItIsThere) {
+  int ready = 0;
+  QObject::connect(&comparison, &RunComparison::ready, [&] { ++ready; });
+  EXPECT_EQ(comparison.samples(1), nullptr);
+  EXPECT_EQ(comparison.samples(1), nullptr);
+  wait();
+  EXPECT_EQ(ready, 1);
+  const auto samples = comparison.samples(1);
+  ASSERT_NE(samples, nullptr);
+  EXPECT_NEAR(double{samples->lost.back()},
+              runs.result(1)->run.trajectory->duration() - runs.result(0)->run.trajectory->duration(), 1e-6);
+  EXPECT_EQ(comparison.samples(1), samples);
+}
+
+TEST_F(RunComparisonTest, FollowsTheChoiceAndForgetsRunsThatAreGone) {
+  comparison.choose(runs.items()[1].id);
+  EXPECT_EQ(comparison.reference_of(0), 1U);
+  EXPECT_EQ(comparison.reference_of(1), 0U);
+  comparison.samples(0);
+  runs.remove(1);
+  EXPECT_EQ(comparison.chosen(), 0);
+  EXPECT_EQ(comparison.reference_of(0), none);
+  EXPECT_EQ(comparison.samples(0), nullptr);
+  EXPECT_FALSE(comparison.busy());
+}
+
+TEST_F(RunComparisonTest, GoesWhileBusy) {
+  auto short_lived = std::make_unique<RunComparison>(runs);
+  short_lived->samples(0);
+  short_lived->samples(1);
+  short_lived.reset();
+  QCoreApplication::processEvents();
+}
+
+TEST(ScenesState, SurvivesJsonAndKeepsWhatIsMissingOrWrong) {
+  const ScenesState state{ScenesMode::split, 2, 0.3, 1};
+  ScenesState read;
+  read_json(to_json(state), read);
+  EXPECT_EQ(read, state);
+  read_json({}, read);
+  EXPECT_EQ(read, state);
+  read_json({{"mode", "four"}, {"split", 1.5}, {"other_run", -1}, {"reference_run", 0.5}}, read);
+  EXPECT_EQ(read, state);
+  ScenesState plain;
+  read_json(to_json(ScenesState()), plain);
+  EXPECT_EQ(plain, ScenesState());
+}
+
+}  // namespace
+}  // namespace feedscope::ui

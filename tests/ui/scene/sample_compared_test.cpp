@@ -1,0 +1,64 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "core/analysis/difference/run_difference.h"
+#include "core/analysis/run.h"
+#include "ui/scene/sampled_path.h"
+
+namespace feedscope::ui {
+namespace {
+
+LoadedProgram read(const char* text) {
+  return load_program(std::make_shared<const SourceText>("test.nc", text));
+}
+
+std::shared_ptr<const Trajectory> run_with(const LoadedProgram& program, const std::string& model,
+                                           double tolerance) {
+  return simulate_run(program,
+                      make_setup({.machine = {}, .model = model, .tolerance = tolerance, .assignments = {}}))
+      .trajectory;
+}
+
+constexpr const char* corners = "G1 F6000 X50\nY50\nX100 Y0\nG4 P0.5\nG1 X150\nG0 X0\n";
+
+TEST(SampleCompared, HoldsTheDifferencesAtItsPoints) {
+  const LoadedProgram program = read(corners);
+  const auto fine = run_with(program, "essid", 0.005);
+  const auto coarse = run_with(program, "essid", 0.1);
+  const SampledPath path = sample_compared(*fine, *coarse);
+  ASSERT_TRUE(path.compared());
+  ASSERT_EQ(path.lost.size(), path.size());
+  const RunDifference difference = compare_places(*fine, *coarse, path.times);
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    EXPECT_NEAR(double{path.lost[i]}, difference.lost[i], 1e-6) << i;
+    EXPECT_NEAR(path.value(Quantity::time_lost, i), double{difference.pace[i]},
+                0.004 * std::abs(double{difference.pace[i]}) + 1e-12);
+  }
+  EXPECT_NEAR(double{path.lost.back()}, fine->duration() - coarse->duration(), 1e-6);
+  EXPECT_FALSE(sample_executed(*fine).compared());
+}
+
+/// A run at one feed has two points on a line; where the other one brakes there must be more.
+TEST(SampleCompared, HasPointsWhereTheOtherRunChangesItsFeed) {
+  const LoadedProgram program = read(corners);
+  const auto level = run_with(program, "cam", 0.01);
+  const auto real = run_with(program, "essid", 0.01);
+  const std::size_t alone = sample_executed(*level).size();
+  const SampledPath path = sample_compared(*level, *real);
+  EXPECT_GT(path.size(), alone + 50);
+  EXPECT_TRUE(std::ranges::is_sorted(path.times));
+  EXPECT_EQ(path.deviations.size(), path.size());
+  EXPECT_LT(double{path.lost.back()}, 0);  // nothing is as fast as the program
+}
+
+TEST(SampleCompared, OfRunsOfOtherProgramsIsRefused) {
+  const auto run = run_with(read(corners), "cam", 0.01);
+  const auto other = run_with(read("G1 X10 F100\n"), "cam", 0.01);
+  EXPECT_THROW(sample_compared(*run, *other), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace feedscope::ui

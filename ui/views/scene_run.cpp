@@ -1,0 +1,96 @@
+#include "ui/views/scene_run.h"
+
+#include <QScopedValueRollback>
+
+#include "ui/scene/path/pick.h"
+#include "ui/views/scene_texts.h"
+
+namespace feedscope::ui {
+
+SceneRun::SceneRun(SceneView& view, RunList& runs, RunComparison& comparison, QObject* parent)
+    : QObject(parent), view_(view), runs_(runs), comparison_(comparison) {
+  connect(&view_, &SceneView::changed, this, [this] {
+    if (needs_reference(view_.scene().colouring()) != compares_) {
+      follow();
+    }
+  });
+  connect(&comparison_, &RunComparison::ready, this, &SceneRun::follow);
+  connect(&comparison_, &RunComparison::reference_changed, this, &SceneRun::follow);
+  connect(&runs_, &RunList::list_changed, this, &SceneRun::follow_runs);
+  for (const auto signal : {&RunList::item_changed, &RunList::result_changed}) {
+    connect(&runs_, signal, this, &SceneRun::follow_runs);
+  }
+  view_.set_hover_more([this](double time) { return hover_text(time); });
+  follow_runs();
+}
+
+void SceneRun::show(int id) {
+  id_ = id;
+  follow();
+}
+
+void SceneRun::set_alike(std::shared_ptr<const SampledPath> samples) {
+  if (samples != alike_) {
+    alike_ = std::move(samples);
+    view_.scene().set_comparison(reference_name_.toStdString(), alike_);
+  }
+}
+
+void SceneRun::follow_runs() {
+  view_.set_comparable(runs_.items().size() > 1);
+  follow();
+}
+
+void SceneRun::follow() {
+  if (following_) {
+    return;
+  }
+  const QScopedValueRollback<bool> guard(following_, true);
+  PathScene& scene = view_.scene();
+  const std::size_t row = runs_.row_of(id_);
+  const bool known = row < runs_.items().size();
+  const auto before = samples_;
+  const QString name_before = reference_name_;
+  const auto run_before = shown_;
+  shown_ = known ? runs_.result(row) : nullptr;
+  samples_ = shown_ != nullptr ? shown_->samples : nullptr;
+  reference_.reset();
+  reference_name_.clear();
+  if (needs_reference(scene.colouring()) && runs_.items().size() < 2) {
+    scene.set_colouring(Colouring::feed);
+  }
+  compares_ = needs_reference(scene.colouring());
+  const auto reference = compares_ && known ? comparison_.reference_of(row) : std::nullopt;
+  if (reference) {
+    reference_name_ = run_title(runs_.items()[*reference]);
+    if (const auto compared = comparison_.samples(row)) {
+      samples_ = compared;
+      reference_ = runs_.result(*reference);
+    }
+  }
+  if (samples_ != before || shown_ != run_before) {
+    scene.set_executed(shown_ != nullptr ? shown_->run.trajectory : nullptr, samples_);
+  }
+  scene.set_comparison(reference_name_.toStdString(), alike_);
+  if (samples_ != before || reference_name_ != name_before) {
+    emit changed();
+  }
+}
+
+QString SceneRun::hover_text(double time) const {
+  if (!compares_ || reference_ == nullptr || shown_ == nullptr) {
+    return {};
+  }
+  const PickablePath path{samples_.get(), &samples_->positions, &samples_->boxes};
+  PlaceComparison place;
+  place.reference = reference_name_;
+  place.time = time;
+  place.lost = lost_at(path, time).value_or(0);
+  place.pace = value_at(path, Quantity::time_lost, time);
+  place.distance = value_at(path, Quantity::path_distance, time);
+  place.feed = shown_->run.trajectory->state(time).speed;
+  place.reference_feed = reference_->run.trajectory->state(time - place.lost).speed;
+  return comparison_text(place);
+}
+
+}  // namespace feedscope::ui
