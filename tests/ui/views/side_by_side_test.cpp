@@ -8,6 +8,7 @@
 #include <QMenu>
 #include <QMouseEvent>
 #include <QTest>
+#include <QToolTip>
 
 #include "tests/ui/run_fixture.h"
 #include "ui/main_window.h"
@@ -91,6 +92,35 @@ TEST_F(SideBySideTest, ColoursSayHowEachDiffersFromTheOne) {
   // With one run alone there is nothing to compare.
   model.runs().remove(0);
   EXPECT_EQ(left.colouring(), Colouring::feed);
+}
+
+TEST_F(SideBySideTest, TheMouseTellsBothRuns) {
+  views.set_mode(ScenesMode::one);
+  PathScene& scene = window.scene().scene();
+  scene.set_colouring(Colouring::time_lost);
+  wait_for_comparison();
+  QApplication::processEvents();
+  QWidget& canvas = window.scene().canvas();
+  const double time = 0.6 * model.runs().result(1)->run.trajectory->duration();
+  const auto told = [&](bool both) {
+    const Pixel pixel = scene.pixel_of(scene.drawn_at(time));
+    QTest::mouseMove(&canvas, QPoint(5, 5));
+    QTest::mouseMove(&canvas, QPointF(pixel[0], pixel[1]).toPoint());
+    const auto arrived = [both] {
+      const QString text = QToolTip::text();
+      return text.contains(QStringLiteral("Line ")) && text.contains(QStringLiteral("Against ")) == both;
+    };
+    return QTest::qWaitFor(arrived, 3000);
+  };
+  ASSERT_TRUE(told(true)) << QToolTip::text().toStdString();
+  const QString text = QToolTip::text();
+  EXPECT_TRUE(text.contains(run_title(model.runs().items()[0]))) << text.toStdString();
+  for (const QString& part : {QStringLiteral("ms/mm"), QStringLiteral("since the start"),
+                              QStringLiteral("there after"), QStringLiteral("µm apart")}) {
+    EXPECT_TRUE(text.contains(part)) << text.toStdString();
+  }
+  scene.set_colouring(Colouring::feed);
+  EXPECT_TRUE(told(false)) << "nothing is compared: " << QToolTip::text().toStdString();
 }
 
 TEST_F(SideBySideTest, WithOneRunTheComparingColoursSayWhatToDo) {
