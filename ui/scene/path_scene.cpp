@@ -11,9 +11,9 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "ui/scene/draw/annotations.h"
 #include "ui/scene/draw/axes_box.h"
 #include "ui/scene/draw/axes_cube.h"
+#include "ui/scene/draw/captions.h"
 #include "ui/scene/draw/pointers.h"
 #include "ui/scene/path/pick.h"
 
@@ -69,10 +69,10 @@ class PathScene::Impl {
   int height() const { return window != nullptr ? std::max(1, window->GetSize()[1]) : 1; }
   Vec2 display(const Pixel& pixel) const { return {pixel[0], height() - pixel[1]}; }
   Projection projection() const { return camera.projection(width(), height()); }
-  Annotations annotations() const {
+  Captions captions() const {
     return {layers.entries(), layers.key(), look.run, look.exaggeration, look.colours, &texts, transparent};
   }
-  ScreenLayout layout() const { return screen_layout(width(), height(), scale, annotations()); }
+  ScreenLayout layout() const { return screen_layout(width(), height(), scale, captions()); }
   ScreenRectangle room() const {
     const ScreenLayout screen = layout();
     return {screen.low(), screen.high()};
@@ -161,7 +161,7 @@ class PathScene::Impl {
       draw_start_marker(over, view.to_display(frame.to_scene(path->origin)), scale, colours());
     }
     draw_pointers(view);
-    draw_annotations(over, layout(), annotations(), view, view.scale / frame.unit);
+    draw_captions(over, layout(), captions(), view, view.scale / frame.unit);
     cube().draw(over, scale, colours(), texts);
     over.end();
   }

@@ -48,23 +48,23 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Te
   return lines;
 }
 
-std::string title_of(const Annotations& annotations) {
-  const ColourKey& key = annotations.key;
+std::string title_of(const Captions& captions) {
+  const ColourKey& key = captions.key;
   if (key.reference.empty()) {
-    return colouring_title(key.colouring, *annotations.texts);
+    return colouring_title(key.colouring, *captions.texts);
   }
-  std::string title = key.colouring == Colouring::time_lost ? annotations.texts->time_lost_against
-                                                            : annotations.texts->path_distance_from;
+  std::string title = key.colouring == Colouring::time_lost ? captions.texts->time_lost_against
+                                                            : captions.texts->path_distance_from;
   if (const std::size_t place = title.find("%1"); place != std::string::npos) {
     title.replace(place, 2, key.reference);
   }
   return title;
 }
 
-std::vector<std::string> title_lines(const Annotations& annotations, double scale) {
-  const TextStyle style = title_style(scale, *annotations.colours);
-  const ColourKey& key = annotations.key;
-  std::vector<std::string> lines = wrapped(title_of(annotations), 1.3 * narrowest * scale, style);
+std::vector<std::string> title_lines(const Captions& captions, double scale) {
+  const TextStyle style = title_style(scale, *captions.colours);
+  const ColourKey& key = captions.key;
+  std::vector<std::string> lines = wrapped(title_of(captions), 1.3 * narrowest * scale, style);
   if (key.has_scale()) {
     const std::string unit = "(" + key.scale.unit + ")";
     if (!lines.empty() &&
@@ -86,31 +86,31 @@ struct CauseRow {
   Rgb colour{};
 };
 
-std::vector<CauseRow> cause_rows(const Annotations& annotations, double width, double scale) {
-  const TextStyle style = cause_style(scale, *annotations.colours);
+std::vector<CauseRow> cause_rows(const Captions& captions, double width, double scale) {
+  const TextStyle style = cause_style(scale, *captions.colours);
   std::vector<CauseRow> rows;
-  for (const CauseShare& cause : annotations.key.causes) {
+  for (const CauseShare& cause : captions.key.causes) {
     const double percent = 100 * cause.share;
     const std::string share =
-        annotations.texts->localised(percent < 0.1 ? "< 0.1 %" : fmt::format("{:.1f} %", percent));
-    rows.push_back({wrapped(annotations.texts->name_of(cause.kind) + " " + share, width, style),
-                    cause_colour(cause.kind, annotations.colours->kind)});
+        captions.texts->localised(percent < 0.1 ? "< 0.1 %" : fmt::format("{:.1f} %", percent));
+    rows.push_back({wrapped(captions.texts->name_of(cause.kind) + " " + share, width, style),
+                    cause_colour(cause.kind, captions.colours->kind)});
   }
   return rows;
 }
 
-double draw_title(Canvas& canvas, const Annotations& annotations, Vec2 place, double scale) {
-  const TextStyle style = title_style(scale, *annotations.colours);
-  for (const std::string& line : title_lines(annotations, scale)) {
+double draw_title(Canvas& canvas, const Captions& captions, Vec2 place, double scale) {
+  const TextStyle style = title_style(scale, *captions.colours);
+  for (const std::string& line : title_lines(captions, scale)) {
     canvas.text(line, place, style);
     place.y() -= line_height * scale;
   }
   return place.y();
 }
 
-void draw_bar(Canvas& canvas, const Annotations& annotations, const Vec2& low, double high, double k) {
-  const ColourScale& scale = annotations.key.scale;
-  const SceneColours& colours = *annotations.colours;
+void draw_bar(Canvas& canvas, const Captions& captions, const Vec2& low, double high, double k) {
+  const ColourScale& scale = captions.key.scale;
+  const SceneColours& colours = *captions.colours;
   const double right = low.x() + bar_width * k;
   constexpr int bands = colour_map_size / 2;
   const double height = high - low.y();
@@ -124,7 +124,7 @@ void draw_bar(Canvas& canvas, const Annotations& annotations, const Vec2& low, d
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
     const double y = low.y() + height * (ticks.values[i] - scale.low) / (scale.high - scale.low);
     canvas.line({right, y}, {right + 4 * k, y}, k, colours.frame);
-    std::string label = annotations.texts->localised(ticks.labels[i]);
+    std::string label = captions.texts->localised(ticks.labels[i]);
     const bool at_end = scale.high - ticks.values[i] < ticks.step / 2;
     const bool at_start = ticks.values[i] - scale.low < ticks.step / 2;
     if (scale.beyond && at_end) {
@@ -136,24 +136,24 @@ void draw_bar(Canvas& canvas, const Annotations& annotations, const Vec2& low, d
   }
   if (scale.beyond && scale.high - ticks.values.back() >= ticks.step / 2) {
     const auto end_label = [&](const char* sign, double value) {
-      return annotations.texts->localised(fmt::format("{} {:.6g}", sign, value));
+      return captions.texts->localised(fmt::format("{} {:.6g}", sign, value));
     };
     canvas.text(end_label("≥", scale.high), {right + 8 * k, high}, style);
     if (scale.diverging) {
       canvas.text(end_label("≤", scale.low), {right + 8 * k, low.y()}, style);
     }
   }
-  if (annotations.key.colouring == Colouring::time_lost) {
+  if (captions.key.colouring == Colouring::time_lost) {
     const double inside = (panel_text_pixels + 3) * k;
-    canvas.text(annotations.texts->lost, {right + 8 * k, high - inside}, style);
-    canvas.text(annotations.texts->won, {right + 8 * k, low.y() + inside}, style);
+    canvas.text(captions.texts->lost, {right + 8 * k, high - inside}, style);
+    canvas.text(captions.texts->won, {right + 8 * k, low.y() + inside}, style);
   }
 }
 
-void draw_causes(Canvas& canvas, const Annotations& annotations, Vec2 place, double lowest, double width,
+void draw_causes(Canvas& canvas, const Captions& captions, Vec2 place, double lowest, double width,
                  double scale) {
-  const TextStyle style = cause_style(scale, *annotations.colours);
-  for (const CauseRow& row : cause_rows(annotations, width - 1.6 * swatch * scale, scale)) {
+  const TextStyle style = cause_style(scale, *captions.colours);
+  for (const CauseRow& row : cause_rows(captions, width - 1.6 * swatch * scale, scale)) {
     const double height = (static_cast<double>(row.lines.size()) * cause_line_height + cause_gap) * scale;
     if (place.y() - height < lowest) {
       return;
@@ -170,29 +170,29 @@ void draw_causes(Canvas& canvas, const Annotations& annotations, Vec2 place, dou
 
 }  // namespace
 
-double colour_panel_width(const Annotations& annotations, int width, double scale) {
+double colour_panel_width(const Captions& captions, int width, double scale) {
   double content = narrowest * scale;
-  if (has_panel(annotations.key)) {
-    const TextStyle style = title_style(scale, *annotations.colours);
-    for (const std::string& line : title_lines(annotations, scale)) {
+  if (has_panel(captions.key)) {
+    const TextStyle style = title_style(scale, *captions.colours);
+    for (const std::string& line : title_lines(captions, scale)) {
       content = std::max(content, Canvas::text_size(line, style).x());
     }
   }
-  if (!annotations.key.causes.empty()) {
+  if (!captions.key.causes.empty()) {
     content = std::max(content, widest_causes * scale);
   }
   return std::min(content + 2 * panel_margin * scale, largest_share * width);
 }
 
-void draw_colour_panel(Canvas& canvas, const Annotations& annotations, const Vec2& low, const Vec2& high,
+void draw_colour_panel(Canvas& canvas, const Captions& captions, const Vec2& low, const Vec2& high,
                        double scale) {
-  if (!has_panel(annotations.key)) {
+  if (!has_panel(captions.key)) {
     return;
   }
   const double left = low.x() + panel_margin * scale;
   const double width = high.x() - low.x() - 2 * panel_margin * scale;
-  const double title = line_height * scale * static_cast<double>(title_lines(annotations, scale).size());
-  const bool causes = !annotations.key.causes.empty();
+  const double title = line_height * scale * static_cast<double>(title_lines(captions, scale).size());
+  const bool causes = !captions.key.causes.empty();
   const double room = high.y() - 16 * scale - title - low.y();
   if (room < 36 * scale) {
     return;
@@ -200,11 +200,11 @@ void draw_colour_panel(Canvas& canvas, const Annotations& annotations, const Vec
   // A scale stands above what is below the panel, causes hang from the top.
   const double content = causes ? room : std::min(room - 10 * scale, longest_bar * scale);
   const double top = causes ? high.y() - 16 * scale : low.y() + content + title + 14 * scale;
-  const double below_title = draw_title(canvas, annotations, {left, top}, scale);
+  const double below_title = draw_title(canvas, captions, {left, top}, scale);
   if (causes) {
-    draw_causes(canvas, annotations, {left, below_title - 4 * scale}, low.y(), width, scale);
+    draw_causes(canvas, captions, {left, below_title - 4 * scale}, low.y(), width, scale);
   } else {
-    draw_bar(canvas, annotations, {left, low.y()}, low.y() + content, scale);
+    draw_bar(canvas, captions, {left, low.y()}, low.y() + content, scale);
   }
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/scene/draw/annotations.h"
+#include "ui/scene/draw/captions.h"
 
 namespace feedscope::ui {
 
@@ -8,11 +8,11 @@ inline constexpr double panel_text_pixels = 13;
 inline constexpr double panel_margin = 12;
 
 /// What the panel that says what the colours mean needs beside a scene `width` pixels wide.
-double colour_panel_width(const Annotations& annotations, int width, double scale);
+double colour_panel_width(const Captions& captions, int width, double scale);
 
 /// Scale with title, unit and values, or limiting causes with their shares of the time, between two corners
 /// of the window; what does not fit is left out.
-void draw_colour_panel(Canvas& canvas, const Annotations& annotations, const Vec2& low, const Vec2& high,
+void draw_colour_panel(Canvas& canvas, const Captions& captions, const Vec2& low, const Vec2& high,
                        double scale);
 
 }  // namespace feedscope::ui

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "ui/scene/camera/projection.h"
-#include "ui/scene/draw/annotations.h"
+#include "ui/scene/draw/captions.h"
 #include "ui/scene/path/colouring.h"
 #include "ui/scene/path/drawn_path.h"
 

@@ -24,7 +24,7 @@ struct LegendEntries {
 };
 
 /// What is written beside the path.
-struct Annotations {
+struct Captions {
   LegendEntries entries;
   ColourKey key;
   Rgb run{};                ///< colour of the run, for Colouring::run
@@ -45,12 +45,12 @@ struct ScreenLayout {
   Vec2 high() const { return {width - panel_width - 10 * scale, height - legend_height - 8 * scale}; }
 };
 
-ScreenLayout screen_layout(int width, int height, double scale, const Annotations& annotations);
+ScreenLayout screen_layout(int width, int height, double scale, const Captions& captions);
 
 /// Draws legend and panel: what the colours mean, and a bar of round length (in a perspective view true in
 /// the middle of the view only, and left out). `millimetre`: pixels a mm.
-void draw_annotations(Canvas& canvas, const ScreenLayout& layout, const Annotations& annotations,
-                      const Projection& projection, double millimetre);
+void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& captions,
+                   const Projection& projection, double millimetre);
 
 /// Where the path starts.
 void draw_start_marker(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours);

@@ -1,4 +1,4 @@
-#include "ui/scene/draw/annotations.h"
+#include "ui/scene/draw/captions.h"
 
 #include <fmt/format.h>
 
@@ -25,15 +25,15 @@ struct Entry {
 };
 
 /// A short line in the colours of the path.
-void draw_path_sample(Canvas& canvas, const Annotations& annotations, const Vec2& from, const Vec2& to,
+void draw_path_sample(Canvas& canvas, const Captions& captions, const Vec2& from, const Vec2& to,
                       double width) {
-  if (!annotations.key.has_scale()) {
+  if (!captions.key.has_scale()) {
     canvas.line(from, to, width,
-                annotations.key.colouring == Colouring::run ? annotations.run : annotations.colours->text);
+                captions.key.colouring == Colouring::run ? captions.run : captions.colours->text);
     double done = 0;
-    for (const CauseShare& cause : annotations.key.causes) {
+    for (const CauseShare& cause : captions.key.causes) {
       canvas.line(from + done * (to - from), from + (done + cause.share) * (to - from), width,
-                  cause_colour(cause.kind, annotations.colours->kind));
+                  cause_colour(cause.kind, captions.colours->kind));
       done += cause.share;
     }
     return;
@@ -41,22 +41,22 @@ void draw_path_sample(Canvas& canvas, const Annotations& annotations, const Vec2
   constexpr int parts = 16;
   for (int i = 0; i < parts; ++i) {
     canvas.line(from + (to - from) * i / parts, from + (to - from) * (i + 1) / parts, width,
-                scale_colour(annotations.key.scale, (i + 0.5) / parts, annotations.colours->kind));
+                scale_colour(captions.key.scale, (i + 0.5) / parts, captions.colours->kind));
   }
 }
 
-std::string exaggeration_text(const Annotations& annotations) {
-  std::string text = annotations.texts->exaggerated;
+std::string exaggeration_text(const Captions& captions) {
+  std::string text = captions.texts->exaggerated;
   if (const std::size_t place = text.find("%1"); place != std::string::npos) {
-    text.replace(place, 2, annotations.texts->localised(fmt::format("{:.6g}", annotations.exaggeration)));
+    text.replace(place, 2, captions.texts->localised(fmt::format("{:.6g}", captions.exaggeration)));
   }
   return text;
 }
 
-std::vector<Entry> legend(const Annotations& annotations) {
-  const LegendEntries& entries = annotations.entries;
-  const SceneColours& colours = *annotations.colours;
-  const SceneTexts& texts = *annotations.texts;
+std::vector<Entry> legend(const Captions& captions) {
+  const LegendEntries& entries = captions.entries;
+  const SceneColours& colours = *captions.colours;
+  const SceneTexts& texts = *captions.texts;
   std::vector<Entry> list;
   const auto solid = [](double width, Rgb colour) {
     return [width, colour](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
@@ -73,20 +73,20 @@ std::vector<Entry> legend(const Annotations& annotations) {
   }
   if (entries.executed) {
     list.push_back({texts.executed, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
-                      draw_path_sample(canvas, annotations, from, to, 2.6 * scale);
+                      draw_path_sample(canvas, captions, from, to, 2.6 * scale);
                     }});
   }
   if (entries.blend) {
     list.push_back({texts.blend, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
                       canvas.line(from, to, 7 * scale, colours.blend_edge);
-                      draw_path_sample(canvas, annotations, from, to, 4.4 * scale);
+                      draw_path_sample(canvas, captions, from, to, 4.4 * scale);
                     }});
   }
   for (const auto& overlay : entries.overlays) {
     list.push_back({overlay.name, solid(1.8, overlay.colour)});
   }
-  if (annotations.exaggeration != 1) {
-    list.push_back({exaggeration_text(annotations), solid(0, colours.text)});
+  if (captions.exaggeration != 1) {
+    list.push_back({exaggeration_text(captions), solid(0, colours.text)});
   }
   return list;
 }
@@ -110,14 +110,14 @@ int for_each_cell(const std::vector<Entry>& entries, double width, double scale,
   return row;
 }
 
-void draw_legend(Canvas& canvas, const ScreenLayout& layout, const Annotations& annotations) {
+void draw_legend(Canvas& canvas, const ScreenLayout& layout, const Captions& captions) {
   const double k = layout.scale;
   const double width = layout.width - layout.panel_width;
-  const SceneColours& colours = *annotations.colours;
-  if (!annotations.transparent) {
+  const SceneColours& colours = *captions.colours;
+  if (!captions.transparent) {
     canvas.rectangle({0, layout.height - layout.legend_height}, {width, layout.height}, colours.background);
   }
-  for_each_cell(legend(annotations), width, k, colours, [&](const Entry& entry, double x, int row) {
+  for_each_cell(legend(captions), width, k, colours, [&](const Entry& entry, double x, int row) {
     const double y = layout.height - (row - 0.5) * row_height * k - 4 * k;
     entry.sample(canvas, {x, y}, {x + sample_width * k, y}, k);
     canvas.text(entry.text, {x + (sample_width + 7) * k, y}, text_style(k, colours));
@@ -125,13 +125,13 @@ void draw_legend(Canvas& canvas, const ScreenLayout& layout, const Annotations& 
 }
 
 void draw_scale_bar(Canvas& canvas, const Vec2& low, double width, double millimetre, double scale,
-                    const Annotations& annotations) {
+                    const Captions& captions) {
   const double longest = width / millimetre;  // [mm]
   double length = round_up_125(longest);
   if (length > longest * (1 + 1e-9)) {
     length = round_up_125(longest / 2.5);
   }
-  const SceneColours& colours = *annotations.colours;
+  const SceneColours& colours = *captions.colours;
   const double pixels = length * millimetre;
   const Vec2 left = low;
   const Vec2 right = low + Vec2(pixels, 0);
@@ -141,34 +141,33 @@ void draw_scale_bar(Canvas& canvas, const Vec2& low, double width, double millim
   canvas.line(right - tick, right + tick, 2 * scale, colours.text);
   TextStyle style = text_style(scale, colours);
   style.vertical = -1;
-  canvas.text(annotations.texts->localised(fmt::format("{:.15g} mm", length)), left + Vec2(0, 7 * scale),
-              style);
+  canvas.text(captions.texts->localised(fmt::format("{:.15g} mm", length)), left + Vec2(0, 7 * scale), style);
 }
 
 }  // namespace
 
-ScreenLayout screen_layout(int width, int height, double scale, const Annotations& annotations) {
+ScreenLayout screen_layout(int width, int height, double scale, const Captions& captions) {
   ScreenLayout layout{double(width), double(height), scale, 0, 0};
-  layout.panel_width = colour_panel_width(annotations, width, scale);
-  const int rows = for_each_cell(legend(annotations), width - layout.panel_width, scale, *annotations.colours,
+  layout.panel_width = colour_panel_width(captions, width, scale);
+  const int rows = for_each_cell(legend(captions), width - layout.panel_width, scale, *captions.colours,
                                  [](const Entry&, double, int) {});
   layout.legend_height = rows * row_height * scale + (rows > 0 ? 8 * scale : 0);
   return layout;
 }
 
-void draw_annotations(Canvas& canvas, const ScreenLayout& layout, const Annotations& annotations,
-                      const Projection& projection, double millimetre) {
+void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& captions,
+                   const Projection& projection, double millimetre) {
   const double k = layout.scale;
   const double left = layout.width - layout.panel_width;
-  if (!annotations.transparent) {
-    canvas.rectangle({left, 0}, {layout.width, layout.height}, annotations.colours->background);
+  if (!captions.transparent) {
+    canvas.rectangle({left, 0}, {layout.width, layout.height}, captions.colours->background);
   }
-  draw_legend(canvas, layout, annotations);
+  draw_legend(canvas, layout, captions);
   if (!projection.perspective()) {
     draw_scale_bar(canvas, {left + panel_margin * k, 20 * k}, layout.panel_width - 2 * panel_margin * k,
-                   millimetre, k, annotations);
+                   millimetre, k, captions);
   }
-  draw_colour_panel(canvas, annotations, {left, 160 * k}, {layout.width, layout.height}, k);
+  draw_colour_panel(canvas, captions, {left, 160 * k}, {layout.width, layout.height}, k);
 }
 
 void draw_start_marker(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours) {
