@@ -9,6 +9,7 @@
 #include "app/print.h"
 #include "app/run_options.h"
 #include "app/watch.h"
+#include "core/export/contour.h"
 #include "core/export/export.h"
 
 namespace feedscope {
@@ -20,6 +21,8 @@ struct SimulateOptions {
   std::string step;  // as typed, s
   std::string json;
   std::string blends;
+  std::string contour;
+  std::size_t contour_places = 20;
 };
 
 std::optional<double> parse_step(const std::string& text) {
@@ -43,17 +46,21 @@ double default_step(const Setup& setup) {
   return 0.001;
 }
 
-std::string json_of(const Run& run) {
+std::string json_of(const Run& run, const ContourReport* contour) {
   return simulation_json({*run.input.program, *run.input.toolpath, run.setup.machine, run.setup.model->info(),
-                          run.setup.settings, run.summary, run.input.read_time, run.simulate_time});
+                          run.setup.settings, run.summary, run.input.read_time, run.simulate_time, contour});
 }
 
 /// The outputs that were asked for, opened before the work begins and moved to their place after it.
 class Results {
  public:
   explicit Results(const SimulateOptions& options)
-      : csv_(open(options.csv)), json_(open(options.json)), blends_(open(options.blends)) {
-    for (const std::string* name : {&options.csv, &options.json, &options.blends}) {
+      : places_(options.contour_places),
+        csv_(open(options.csv)),
+        json_(open(options.json)),
+        blends_(open(options.blends)),
+        contour_(open(options.contour)) {
+    for (const std::string* name : {&options.csv, &options.json, &options.blends, &options.contour}) {
       to_standard_output_ = to_standard_output_ || *name == "-";
     }
   }
@@ -62,13 +69,18 @@ class Results {
     if (csv_) {
       write_csv(csv_->stream(), *run.trajectory, step, watch.stage("writing"));
     }
+    std::optional<ContourReport> contour;
+    if (contour_) {
+      contour = contour_report(run, places_, watch.stage("contour error"));
+      contour_->stream() << contour_places_csv(*contour);
+    }
     if (json_) {
-      json_->stream() << json_of(run);
+      json_->stream() << json_of(run, contour ? &*contour : nullptr);
     }
     if (blends_) {
       write_blends(blends_->stream(), *run.trajectory);
     }
-    for (const auto* file : {&csv_, &json_, &blends_}) {
+    for (const auto* file : {&csv_, &json_, &blends_, &contour_}) {
       if (*file) {
         (*file)->commit();
       }
@@ -82,9 +94,11 @@ class Results {
     return name.empty() ? nullptr : std::make_unique<OutputFile>(name);
   }
 
+  std::size_t places_;
   std::unique_ptr<OutputFile> csv_;
   std::unique_ptr<OutputFile> json_;
   std::unique_ptr<OutputFile> blends_;
+  std::unique_ptr<OutputFile> contour_;
   bool to_standard_output_ = false;
 };
 
@@ -92,7 +106,7 @@ int simulate(const SimulateOptions& options) {
   const Setup setup = make_setup(options.run.request());
   note_unused_tolerance(options.run, setup);
   const double step = parse_step(options.step).value_or(default_step(setup));
-  check_outputs(options.run.file, {options.csv, options.json, options.blends});
+  check_outputs(options.run.file, {options.csv, options.json, options.blends, options.contour});
   const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.run.file));
   Results results(options);
   Run run;
@@ -131,6 +145,16 @@ Command add_simulate_command(CLI::App& app) {
       ->add_option("--blends", options->blends,
                    "Write the inserted corner blends as CSV; - for standard output")
       ->type_name("FILE");
+  command
+      ->add_option(
+          "--contour", options->contour,
+          "Write the places farthest from the programmed path as CSV, and add them and a histogram of "
+          "the contour error to --json; - for standard output")
+      ->type_name("FILE");
+  command->add_option("--contour-places", options->contour_places, "How many of these places [20]")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+      ->needs("--contour")
+      ->type_name("N");
   return {command, [options] { return simulate(*options); }};
 }
 

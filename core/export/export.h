@@ -14,6 +14,8 @@
 
 namespace feedscope {
 
+struct ContourReport;
+
 /// Samples as CSV, columns of DESIGN section 4; one row each `step` [s] and one for the very end.
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress = nullptr);
 /// The same with a row at each of `times` [s], ascending, clamped to the run.
@@ -30,11 +32,16 @@ struct Report {
   const ModelInfo& model;
   const Settings& settings;
   const Summary& summary;
-  double read_time = 0;      ///< wall clock [s]
-  double simulate_time = 0;  ///< wall clock [s]
+  double read_time = 0;                    ///< wall clock [s]
+  double simulate_time = 0;                ///< wall clock [s]
+  const ContourReport* contour = nullptr;  ///< null: its keys are left out
 };
 
-/// The run as JSON, keys of DESIGN section 4, indented, newline at the end.
+/// The run as JSON, keys of DESIGN section 4, indented, newline at the end. With a contour report also
+/// contour_places[{line, block, time_s, path_mm, error_mm, side_mm, tolerance_mm, at, length_mm, turn_deg,
+/// radius_mm, inside, position_mm[3], programmed_mm[3], feed_mm_min, programmed_feed_mm_min, cause}], keys as
+/// contour_places_csv() has columns and absent where those are empty, and contour_histogram{distance{
+/// edges_mm[], length_mm[]}, side{...}}.
 std::string simulation_json(const Report& report);
 
 /// Several runs of a program as JSON: program, diagnostics and elapsed{read_s} as in simulation_json, and

@@ -1,7 +1,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/analysis/contour/contour_histogram.h"
+#include "core/analysis/contour/contour_report.h"
 #include "core/base/units.h"
+#include "core/export/contour_words.h"
 #include "core/export/export.h"
 
 namespace feedscope {
@@ -145,11 +148,63 @@ std::string text_of(const Json& json) {
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+Json place_json(const ContourFinding& finding) {
+  const ContourPlace& place = finding.place;
+  const ContourSpot& spot = finding.spot;
+  Json json{{"line", place.line}};
+  if (!finding.block.empty()) {
+    json["block"] = finding.block;
+  }
+  json["time_s"] = place.time;
+  json["path_mm"] = place.path_length;
+  json["error_mm"] = place.error;
+  json["side_mm"] = place.side;
+  if (finding.tolerance) {
+    json["tolerance_mm"] = *finding.tolerance;
+  }
+  json["at"] = contour_word(spot.kind);
+  json["length_mm"] = spot.length;
+  if (spot.kind == ContourSpot::Kind::corner) {
+    json["turn_deg"] = units::to_deg(spot.turn);
+  }
+  if (spot.kind == ContourSpot::Kind::arc) {
+    json["radius_mm"] = spot.radius;
+  }
+  if (spot.kind != ContourSpot::Kind::line) {
+    json["inside"] = spot.inside;
+  }
+  json["position_mm"] = vector(place.position);
+  json["programmed_mm"] = vector(place.programmed);
+  json["feed_mm_min"] = units::to_mm_min(finding.feed);
+  json["programmed_feed_mm_min"] = units::to_mm_min(finding.programmed_feed);
+  json["cause"] = cause_key(finding.cause);
+  return json;
+}
+
+Json histogram_json(const ContourReport& report, ContourBins bins) {
+  const ContourHistogram histogram = histogram_of(report.spread, bins, report.largest);
+  return {{"edges_mm", histogram.edges}, {"length_mm", histogram.length}};
+}
+
+Json contour_json(const ContourReport& report) {
+  Json places = Json::array();
+  for (const ContourFinding& finding : report.worst) {
+    places.push_back(place_json(finding));
+  }
+  return {{"contour_places", std::move(places)},
+          {"contour_histogram",
+           {{"distance", histogram_json(report, ContourBins::amounts)},
+            {"side", histogram_json(report, ContourBins::sides)}}}};
+}
+
 }  // namespace
 
 std::string simulation_json(const Report& report) {
   Json json{{"program", program_facts(report.program, report.toolpath)}};
   json.update(run_facts(report.machine, report.model, report.settings, report.summary));
+  if (report.contour != nullptr) {
+    json.update(contour_json(*report.contour));
+  }
   json["diagnostics"] = diagnostics(report.program);
   json["elapsed"] = {{"read_s", report.read_time}, {"simulate_s", report.simulate_time}};
   return text_of(json);

@@ -85,6 +85,33 @@ TEST_F(CommandLine, SimulateWritesItsFiles) {
   EXPECT_EQ(std::distance(fs::directory_iterator(folder_), {}), 6) << "a temporary file was left behind";
 }
 
+TEST_F(CommandLine, SimulateListsTheWorstContourErrors) {
+  const Result result = run("simulate corner.nc --contour places.csv --json a.json --tolerance 0.05");
+  EXPECT_EQ(result.code, 0);
+  const json report = json::parse(contents(folder_ / "a.json"));
+  ASSERT_EQ(report["contour_places"].size(), 1U);
+  const json& place = report["contour_places"][0];
+  EXPECT_EQ(place["error_mm"], report["max_contour_error_mm"]);
+  EXPECT_EQ(place["at"], "corner");
+  EXPECT_NEAR(place["turn_deg"].get<double>(), 90, 1e-9);
+  EXPECT_EQ(place["tolerance_mm"], 0.05);
+  EXPECT_TRUE(place["inside"]);
+  for (const char* kind : {"distance", "side"}) {
+    const json& histogram = report["contour_histogram"][kind];
+    EXPECT_EQ(histogram["edges_mm"].size(), histogram["length_mm"].size() + 1);
+  }
+  const std::string csv = contents(folder_ / "places.csv");
+  EXPECT_THAT(csv, AllOf(StartsWith("rank,line,block,"), HasSubstr("\n1,1,"), HasSubstr(",corner,")));
+  EXPECT_EQ(std::ranges::count(csv, '\n'), 2);
+}
+
+TEST_F(CommandLine, SimulateKnowsNoPlacesUnlessAsked) {
+  const json report = json::parse(run("simulate corner.nc --json -").out);
+  EXPECT_FALSE(report.contains("contour_places"));
+  EXPECT_EQ(run("simulate corner.nc --contour-places 3").code, 2);
+  EXPECT_EQ(run("simulate corner.nc --contour - --contour-places 0").code, 2);
+}
+
 TEST_F(CommandLine, SimulateTakesTheInterpolationPeriodAsStep) {
   EXPECT_THAT(run("simulate corner.nc --csv -").out, HasSubstr("\n0.001,"));
   EXPECT_THAT(run("simulate corner.nc --csv - --model cam --machine mikron-ucp710").out,

@@ -83,40 +83,55 @@ class Analysis {
     }
     search_.for_spans(first_, last_, progress_, [&](const ContourSpan& span) { worst.visit(span); });
     worst.finish(errors, trajectory_);
-    if (request_.bins != ContourBins::none) {
-      errors.histogram = histogram(errors.largest);
+    if (request_.bins != ContourBins::none || request_.spread) {
+      count_lengths(errors);
     }
     return errors;
   }
 
  private:
-  ContourHistogram histogram(double largest) {
-    HistogramCounter counter(request_.bins, largest);
+  void count_lengths(ContourErrors& errors) {
+    HistogramCounter histogram(request_.bins, errors.largest);
+    SpreadCounter spread(errors.largest);
     const bool sides = request_.bins == ContourBins::sides;
     double counted = 0;
     const auto count = [&](const ContourNode& from, const ContourNode& to) {
       const double length = (to.point.position - from.point.position).norm();
+      const double side_from = side_of(trajectory_, from);
+      const double side_to = side_of(trajectory_, to);
       counted += length;
-      counter.add(sides ? side_of(trajectory_, from) : from.error,
-                  sides ? side_of(trajectory_, to) : to.error, length);
+      histogram.add(sides ? side_from : from.error, sides ? side_to : to.error, length);
+      spread.add(from.error, to.error, side_from, side_to, length);
     };
     if (search_.course().has_plain_corners()) {
-      constexpr int spans = 8;
-      const std::size_t end = corners_.first_from(last_);
-      for (std::size_t i = corners_.first_from(first_); i < end; ++i) {
-        ContourNode from = corners_.node(i, 0);
-        for (int k = 1; k <= spans; ++k) {
-          const ContourNode to = corners_.node(i, static_cast<double>(k) / spans);
-          count(from, to);
-          from = to;
-        }
-      }
+      count_corners(count);
     }
     ContourSearch again(trajectory_);
     again.for_spans(first_, last_, progress_, [&](const ContourSpan& span) { count(span.from, span.to); });
     const double whole = trajectory_.path().s(last_) - trajectory_.path().s(first_);
-    counter.add(0, 0, std::max(whole - counted, 0.0));
-    return counter.result();
+    const double exact = std::max(whole - counted, 0.0);
+    histogram.add(0, 0, exact);
+    spread.add(0, 0, 0, 0, exact);
+    errors.histogram = histogram.result();
+    if (request_.spread) {
+      errors.spread = spread.result();
+    }
+  }
+
+  template <typename Count>
+  void count_corners(const Count& count) {
+    constexpr int spans = 8;
+    const std::size_t end = corners_.first_from(last_);
+    ProgressSteps steps(progress_, end);
+    for (std::size_t i = corners_.first_from(first_); i < end; ++i) {
+      steps.at(i);
+      ContourNode from = corners_.node(i, 0);
+      for (int k = 1; k <= spans; ++k) {
+        const ContourNode to = corners_.node(i, static_cast<double>(k) / spans);
+        count(from, to);
+        from = to;
+      }
+    }
   }
 
   const Trajectory& trajectory_;

@@ -15,6 +15,7 @@ struct ContourPlace {
   double time = 0;                 ///< [s]
   double path_length = 0;          ///< executed, from the start [mm]
   std::uint32_t line = 0;          ///< source line that is executed
+  std::uint32_t segment = 0;       ///< of the programmed path, that `programmed` lies on
   Vec3 position = Vec3::Zero();    ///< executed [mm]
   Vec3 programmed = Vec3::Zero();  ///< the nearest programmed point [mm]
 };
@@ -23,6 +24,16 @@ struct ContourPlace {
 struct ContourHistogram {
   std::vector<double> edges;
   std::vector<double> length;
+};
+
+/// The same in steps so fine that histograms with other edges can be summed up from them.
+struct ContourSpread {
+  double step = 0;             ///< a power of ten, at most 1/400 of the largest error [mm]
+  std::vector<double> right;   ///< length [mm] with a signed part in XY from -(i + 1) * step to -i * step
+  std::vector<double> left;    ///< from i * step to (i + 1) * step; also what follows the path exactly
+  std::vector<double> amount;  ///< length [mm] by distance, from i * step to (i + 1) * step
+  /// Share of the deviation that lies in XY across the programmed direction, 0 to 1, weighed by length.
+  double in_plane = 0;
 };
 
 enum class ContourBins : std::uint8_t {
@@ -38,6 +49,7 @@ struct ContourRequest {
   /// Elements of the executed path that count; the end is cut to the path's.
   std::uint32_t first_element = 0;
   std::uint32_t last_element = UINT32_MAX;
+  bool spread = false;  ///< whether ContourErrors::spread is wanted
 };
 
 /// Contour error of a run: how far the executed path is from the programmed one.
@@ -49,6 +61,7 @@ struct ContourErrors {
   double uncertainty = 0;           ///< by how much `largest` may be too small at most [mm]
   std::vector<ContourPlace> worst;  ///< the largest first; between two of them the error halves at least
   ContourHistogram histogram;       ///< if asked for
+  ContourSpread spread;             ///< if asked for
 };
 
 /// Exact: on corners that a model rounds between programmed lines in closed form, epsilon cos(turn/2) in the

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 
 namespace feedscope {
 namespace {
@@ -54,6 +56,12 @@ std::vector<double> edges_of(ContourBins bins, double largest) {
   return edges;
 }
 
+/// The largest power of ten that is at most 1/400 of it: a half of every width of equal bins is a multiple.
+double spread_step(double largest) {
+  constexpr double steps_to_the_top = 400;
+  return std::pow(10, std::floor(std::log10(std::max(largest, least) / steps_to_the_top)));
+}
+
 }  // namespace
 
 HistogramCounter::HistogramCounter(ContourBins bins, double largest) {
@@ -84,6 +92,85 @@ void HistogramCounter::add(double from, double to, double length) {
     const double end = i == last ? high : histogram_.edges[i + 1];
     histogram_.length[i] += length * (end - begin) / (high - low);
   }
+}
+
+SpreadCounter::Line::Line(double first, double step, std::size_t bins)
+    : first_(first), step_(step), single_(bins, 0.0), change_(bins + 1, 0.0) {}
+
+void SpreadCounter::Line::add(double from, double to, double length) {
+  const auto [low, high] = std::minmax(from, to);
+  const auto bin_of = [this](double value) {
+    const double bin = std::floor((value - first_) / step_);
+    return static_cast<std::size_t>(std::clamp(bin, 0.0, static_cast<double>(single_.size() - 1)));
+  };
+  const std::size_t begin = bin_of(low);
+  const std::size_t end = bin_of(high);
+  if (begin == end) {
+    single_[begin] += length;
+    return;
+  }
+  const double by_value = length / (high - low);
+  single_[begin] += by_value * (first_ + static_cast<double>(begin + 1) * step_ - low);
+  single_[end] += by_value * (high - first_ - static_cast<double>(end) * step_);
+  change_[begin + 1] += by_value * step_;
+  change_[end] -= by_value * step_;
+}
+
+std::vector<double> SpreadCounter::Line::lengths() const {
+  std::vector<double> lengths = single_;
+  const double whole = std::accumulate(change_.begin(), change_.end(), 0.0,
+                                       [](double sum, double change) { return sum + std::abs(change); });
+  constexpr double rounding = 1e-12;
+  double between = 0;
+  for (std::size_t i = 0; i < lengths.size(); ++i) {
+    between += change_[i];
+    lengths[i] += between > rounding * whole ? between : 0;
+  }
+  return lengths;
+}
+
+SpreadCounter::SpreadCounter(double largest)
+    : SpreadCounter(
+          spread_step(largest),
+          static_cast<std::size_t>(std::ceil(std::max(largest, least) / spread_step(largest))) + 1) {}
+
+SpreadCounter::SpreadCounter(double step, std::size_t bins)
+    : step_(step), amount_(0, step, bins), side_(-step * static_cast<double>(bins), step, 2 * bins) {}
+
+void SpreadCounter::add(double from, double to, double side_from, double side_to, double length) {
+  amount_.add(from, to, length);
+  side_.add(side_from, side_to, length);
+  deviation_ += (from + to) / 2 * length;
+  deviation_in_xy_ += (std::abs(side_from) + std::abs(side_to)) / 2 * length;
+}
+
+ContourSpread SpreadCounter::result() const {
+  ContourSpread spread;
+  spread.step = step_;
+  spread.amount = amount_.lengths();
+  const std::vector<double> sides = side_.lengths();
+  const auto middle = sides.begin() + std::ssize(sides) / 2;
+  spread.left.assign(middle, sides.end());
+  spread.right.assign(std::make_reverse_iterator(middle), sides.rend());
+  spread.in_plane = deviation_ > 0 ? deviation_in_xy_ / deviation_ : 0;
+  return spread;
+}
+
+ContourHistogram histogram_of(const ContourSpread& spread, ContourBins bins, double largest) {
+  HistogramCounter counter(bins, largest);
+  const auto sum_up = [&](const std::vector<double>& lengths, double sign) {
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      const double middle = sign * (static_cast<double>(i) + 0.5) * spread.step;
+      counter.add(middle, middle, lengths[i]);
+    }
+  };
+  if (bins == ContourBins::sides) {
+    sum_up(spread.right, -1);
+    sum_up(spread.left, 1);
+  } else {
+    sum_up(spread.amount, 1);
+  }
+  return counter.result();
 }
 
 }  // namespace feedscope

@@ -18,4 +18,40 @@ class HistogramCounter {
   ContourHistogram histogram_;
 };
 
+/// Fills a spread whose step follows from the largest error [mm].
+class SpreadCounter {
+ public:
+  explicit SpreadCounter(double largest);
+  /// Path of `length` on which the distance goes from one value to the other, and its side likewise [mm].
+  void add(double from, double to, double side_from, double side_to, double length);
+  ContourSpread result() const;
+
+ private:
+  /// Length by value in equal bins: what is spread evenly over many costs as much as over one.
+  class Line {
+   public:
+    Line(double first, double step, std::size_t bins);
+    void add(double from, double to, double length);
+    std::vector<double> lengths() const;
+
+   private:
+    double first_;
+    double step_;
+    std::vector<double> single_;  ///< [mm]
+    std::vector<double> change_;  ///< of the length in each bin from one to the next [mm]
+  };
+
+  SpreadCounter(double step, std::size_t bins);
+
+  double step_;
+  Line amount_;
+  Line side_;
+  double deviation_ = 0;        ///< sum of distance times length [mm2]
+  double deviation_in_xy_ = 0;  ///< [mm2]
+};
+
+/// The histogram with equal bins that `bins` names, edges fit for errors up to `largest` [mm], which is that
+/// of the spread's run or at least 200 of its steps; what is beyond counts in the outermost bins.
+ContourHistogram histogram_of(const ContourSpread& spread, ContourBins bins, double largest);
+
 }  // namespace feedscope

@@ -95,13 +95,16 @@ void WorstPlaces::finish(ContourErrors& errors, const Trajectory& trajectory) {
     close();
   }
   std::ranges::sort(worst_, is_worse);
+  constexpr double rounding = 1e-12;  // [mm]
   for (const ContourNode& node : worst_) {
     ContourPlace place;
     place.error = node.error;
-    place.side = side_of(trajectory, node);
+    const double side = side_of(trajectory, node);
+    place.side = std::abs(side) > rounding ? side : 0;
     place.path_length = search_.course().path_length(node.place);
     place.time = search_.course().time(node.place);
     place.line = trajectory.line_of(node.place.element);
+    place.segment = static_cast<std::uint32_t>(node.foot.segment);
     place.position = node.point.position;
     place.programmed = node.point.position - node.foot.offset;
     errors.worst.push_back(place);

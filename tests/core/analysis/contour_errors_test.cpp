@@ -6,6 +6,7 @@
 #include <numeric>
 #include <random>
 
+#include "core/analysis/contour/contour_histogram.h"
 #include "core/analysis/path_deviation.h"
 #include "core/trajectory/part_walk.h"
 #include "tests/support/paths.h"
@@ -212,6 +213,35 @@ TEST(ContourErrors, BinsHaveRoundEdges) {
   EXPECT_NEAR(edges[edges.size() - 2], 0.02, 1e-15);
   EXPECT_NEAR(edges[edges.size() - 3], 0.01, 1e-15);
   EXPECT_NEAR(edges[1], 5e-6, 1e-18);
+}
+
+TEST(ContourErrors, SpreadsAddUpToTheHistogramsOfTheirRun) {
+  std::mt19937 random(11);
+  const Toolpath path = random_path(random, 60);
+  for (const char* model : {"essid", "ward", "msaddek"}) {
+    const Trajectory trajectory = run(path, model, 0.02);
+    for (const ContourBins bins : {ContourBins::sides, ContourBins::amounts}) {
+      const ContourErrors errors = contour_errors(trajectory, {.bins = bins, .spread = true});
+      EXPECT_LE(400 * errors.spread.step, errors.largest * (1 + 1e-9));
+      const ContourHistogram summed = histogram_of(errors.spread, bins, errors.largest);
+      ASSERT_EQ(summed.edges, errors.histogram.edges);
+      for (std::size_t i = 0; i < summed.length.size(); ++i) {
+        EXPECT_NEAR(summed.length[i], errors.histogram.length[i], 1e-9 * trajectory.path_length())
+            << model << " bin " << i;
+      }
+      const ContourHistogram coarser = histogram_of(errors.spread, bins, 7 * errors.largest);
+      EXPECT_NEAR(std::accumulate(coarser.length.begin(), coarser.length.end(), 0.0),
+                  trajectory.path_length(), 1e-3 * trajectory.path_length());
+    }
+  }
+}
+
+TEST(ContourErrors, SpreadsTellWhetherTheDeviationLiesInXy) {
+  const auto in_plane = [](const Toolpath& path) {
+    return contour_errors(run(path, "essid", 0.05), {.spread = true}).spread.in_plane;
+  };
+  EXPECT_NEAR(in_plane(corner(1)), 1, 1e-9);
+  EXPECT_NEAR(in_plane(polyline({{0, 0, 0}, {20, 0, 0}, {30, 0, 10}}, 50)), 0, 1e-9);
 }
 
 TEST(ContourErrors, CanBeStopped) {

@@ -1,0 +1,160 @@
+#include "core/analysis/contour/contour_report.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "core/analysis/contour/contour_search.h"
+#include "core/blend/path_rules.h"
+#include "core/program/text/block_number.h"
+
+namespace feedscope {
+namespace {
+
+/// One end of a block where it meets a neighbour.
+struct Junction {
+  double distance = 0;  ///< of the place's programmed point along the block [mm]
+  Vec3 in = Vec3::Zero();
+  Vec3 out = Vec3::Zero();
+};
+
+double turn_of(const Junction& junction) {
+  return std::atan2(junction.in.cross(junction.out).norm(), junction.in.dot(junction.out));
+}
+
+/// The nearest programmed point of an evenly cut corner of `turn` is error tan(turn / 2) before its end.
+bool is_of_corner(const Junction& junction, double error) {
+  constexpr double least_turn = 1e-3;  // [rad]
+  constexpr double uneven = 2;
+  const double turn = turn_of(junction);
+  return turn > least_turn && junction.distance <= uneven * error * std::tan(std::min(turn / 2, 1.5));
+}
+
+double distance_along(const Toolpath& path, std::size_t segment, const Vec3& point) {
+  const Segment& block = path.segments[segment];
+  const double chord = (point - path.start_of(segment)).norm();
+  if (block.kind != SegmentKind::arc) {
+    return chord;
+  }
+  const Arc& arc = path.arc_of(block);
+  const Vec3 from = point - arc.center;
+  double angle = std::atan2(from.dot(arc.y), from.dot(arc.x));
+  const double whole_turn = 2 * std::acos(-1.0);
+  angle = angle < -1e-9 ? angle + whole_turn : angle;
+  if (arc.rise.squaredNorm() > 0) {  // several turns: the one whose height is nearest
+    const double height = from.dot(arc.rise) / arc.rise.squaredNorm();
+    angle += whole_turn * std::round((height - angle) / whole_turn);
+  }
+  return std::clamp(angle, 0.0, arc.sweep) * arc.length_per_radian();
+}
+
+bool moves(const Toolpath& path, std::size_t segment) {
+  return segment < path.segments.size() && path.segments[segment].kind != SegmentKind::dwell;
+}
+
+/// Whether the run is held to a tolerance, or at least told one.
+bool reads_tolerance(const Setup& setup) {
+  return contour_tolerance(setup) && setup.model->guarantees(setup.settings).contour > 0;
+}
+
+/// The tolerance of a place: in a corner the smaller one of both blocks.
+double tolerance_at(const PathRules& rules, const Toolpath& path, const ContourPlace& place,
+                    const ContourSpot& spot) {
+  const double own = rules.tolerance(place.segment);
+  if (spot.kind != ContourSpot::Kind::corner) {
+    return own;
+  }
+  const bool at_end = 2 * distance_along(path, place.segment, place.programmed) > spot.length;
+  const std::size_t other = at_end ? place.segment + 1 : place.segment - 1;
+  return std::min(own, rules.tolerance(other));
+}
+
+/// Places that are as bad stand in the order of the program.
+void order(std::vector<ContourFinding>& findings) {
+  constexpr double as_bad = 1e-5;  // [mm]
+  const auto key = [](const ContourFinding& finding) {
+    return std::pair(-std::round(finding.place.error / as_bad), finding.place.time);
+  };
+  std::ranges::sort(findings, std::ranges::less(), key);
+}
+
+std::optional<std::array<double, 2>> tolerance_range(const PathRules& rules, const Toolpath& path) {
+  std::optional<std::array<double, 2>> range;
+  for (std::size_t i = 0; i < path.segments.size(); ++i) {
+    if (moves(path, i) && !path.segments[i].rapid) {
+      const double tolerance = rules.tolerance(i);
+      range = range ? std::array{std::min((*range)[0], tolerance), std::max((*range)[1], tolerance)}
+                    : std::array{tolerance, tolerance};
+    }
+  }
+  return range;
+}
+
+}  // namespace
+
+ContourSpot contour_spot(const Toolpath& programmed, const ContourPlace& place) {
+  const Segment& block = programmed.segments[place.segment];
+  ContourSpot spot;
+  spot.length = block.length;
+  const Vec3 offset = place.position - place.programmed;
+  const double along = distance_along(programmed, place.segment, place.programmed);
+  Junction junction{std::numeric_limits<double>::infinity(), {}, {}};
+  if (moves(programmed, place.segment + 1)) {
+    junction = {block.length - along, programmed.tangent_at_end(place.segment),
+                programmed.tangent_at_start(place.segment + 1)};
+  }
+  if (place.segment > 0 && moves(programmed, place.segment - 1) && along < junction.distance) {
+    junction = {along, programmed.tangent_at_end(place.segment - 1),
+                programmed.tangent_at_start(place.segment)};
+  }
+  if (std::isfinite(junction.distance) && is_of_corner(junction, place.error)) {
+    spot.kind = ContourSpot::Kind::corner;
+    spot.turn = turn_of(junction);
+    spot.inside = offset.dot(junction.out - junction.in) > 0;
+  } else if (block.kind == SegmentKind::arc) {
+    const Arc& arc = programmed.arc_of(block);
+    const Vec3 inwards = arc.at(std::clamp(along, 0.0, arc.length())).d2;
+    spot.kind = ContourSpot::Kind::arc;
+    spot.radius = arc.radius;
+    spot.inside = offset.dot(inwards) > 0;
+  }
+  return spot;
+}
+
+ContourReport contour_report(const Run& run, std::size_t places, Progress* progress) {
+  const Trajectory& trajectory = *run.trajectory;
+  const Toolpath& programmed = programmed_path(trajectory);
+  const ContourErrors errors =
+      contour_errors(trajectory, {.places = places, .bins = ContourBins::none, .spread = true}, progress);
+  ContourReport report{errors.largest, {}, errors.spread, std::nullopt};
+  std::optional<PathRules> rules;
+  if (reads_tolerance(run.setup)) {
+    rules.emplace(programmed, run.setup.settings);
+    report.tolerance = tolerance_range(*rules, programmed);
+  }
+  for (const ContourPlace& place : errors.worst) {
+    const State state = trajectory.state(place.time);
+    ContourFinding finding{place,
+                           contour_spot(programmed, place),
+                           block_number(run.input.program->source->line(place.line)),
+                           state.speed,
+                           state.programmed_feed,
+                           state.cause,
+                           std::nullopt};
+    if (rules) {
+      finding.tolerance = tolerance_at(*rules, programmed, place, finding.spot);
+    }
+    report.worst.push_back(std::move(finding));
+  }
+  order(report.worst);
+  return report;
+}
+
+bool keeps_tolerance(double error, double tolerance) {
+  constexpr double fitted = 1e-4;  // models that search for it stop there
+  return error <= tolerance * (1 + fitted) + ContourSearch::precision;
+}
+
+}  // namespace feedscope

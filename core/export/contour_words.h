@@ -1,0 +1,20 @@
+#pragma once
+
+#include "core/analysis/contour/contour_report.h"
+
+namespace feedscope {
+
+/// As files name it.
+inline const char* contour_word(ContourSpot::Kind kind) {
+  switch (kind) {
+    case ContourSpot::Kind::arc:
+      return "arc";
+    case ContourSpot::Kind::corner:
+      return "corner";
+    case ContourSpot::Kind::line:
+      break;
+  }
+  return "line";
+}
+
+}  // namespace feedscope
