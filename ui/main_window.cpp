@@ -41,6 +41,7 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
       why_(new WhyView(model.cursor(), this)),
       annotations_(new AnnotationsView(model.annotations(), model.cursor(), this)),
       study_(new StudyView(model, this)),
+      contour_(new ContourView(model, this)),
       desk_(model),
       lessons_(new LessonView(desk_, this)),
       session_(new WindowSession(*this, model)),
@@ -80,7 +81,15 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
   connect(&program(), &ProgramView::caret_moved, this,
           [this] { diagnostics_->set_place(program().caret()); });
   connect(diagnostics_, &DiagnosticsView::place_chosen, program_, &ProgramPanel::go_to);
-  connect(slow_places_, &SlowPlacesView::place_chosen, this, &MainWindow::show_slow_place);
+  connect(slow_places_, &SlowPlacesView::place_chosen, this, &MainWindow::show_place);
+  connect(contour_, &ContourView::failed, this, &MainWindow::show_failure);
+  connect(contour_, &ContourView::place_chosen, this,
+          [this](double time, double from, double to, bool close_up) {
+            show_place(time, from, to);
+            if (close_up) {
+              scene_->zoom_to_times(from, to);
+            }
+          });
   connect(why_, &WhyView::time_chosen, &model_.cursor(), &Cursor::set_time);
   connect(why_, &WhyView::run_wanted, this,
           [this](const SetupState& setup) { model_.runs().duplicate_as(model_.runs().current(), setup); });
@@ -152,6 +161,14 @@ void MainWindow::make_docks() {
   connect(study_, &StudyView::attention_wanted, study, [study] {
     study->show();
     study->raise();
+  });
+  QDockWidget* contour = add_dock("contour", tr("Contour error"), contour_, Qt::BottomDockWidgetArea);
+  tabifyDockWidget(charts_dock_, contour);
+  contour->hide();
+  connect(contour, &QDockWidget::visibilityChanged, contour_, &ContourView::set_on_screen);
+  connect(contour_, &ContourView::attention_wanted, contour, [contour] {
+    contour->show();
+    contour->raise();
   });
   charts_dock_->raise();
   resizeDocks({program, setup}, {program_width, setup_width}, Qt::Horizontal);
@@ -292,8 +309,8 @@ void MainWindow::show_cursor() {
   slow_places_->set_time(cursor.valid() ? cursor.state().time : 0);
 }
 
-void MainWindow::show_slow_place(double slowest, double from, double to) {
-  model_.cursor().set_time(slowest);
+void MainWindow::show_place(double time, double from, double to) {
+  model_.cursor().set_time(time);
   ViewRange& range = charts_->range();
   const Trajectory& trajectory = *model_.shown()->run.trajectory;
   const double around = to - from;  // as much before and behind

@@ -9,6 +9,7 @@
 #include "ui/theme/theme.h"
 #include "ui/views/annotations_view.h"
 #include "ui/views/command_palette.h"
+#include "ui/views/contour_view.h"
 #include "ui/views/diagnostics_view.h"
 #include "ui/views/lesson_view.h"
 #include "ui/views/playback_bar.h"
@@ -46,10 +47,13 @@ class MainWindow : public QMainWindow {
   WhyView& why() { return *why_; }
   AnnotationsView& annotations() { return *annotations_; }
   StudyView& study() { return *study_; }
+  ContourView& contour() { return *contour_; }
   LessonView& lessons() { return *lessons_; }
   CommandPalette& palette() { return *palette_; }
   /// Whether a panel is still working at what it shows, the run itself apart.
-  bool busy() const { return why_->busy() || study_->busy() || desk_.busy() || scenes_->comparison().busy(); }
+  bool busy() const {
+    return why_->busy() || study_->busy() || contour_->busy() || desk_.busy() || scenes_->comparison().busy();
+  }
   /// Opens a lesson in its panel, and what it begins with in all others.
   void open_lesson(const std::filesystem::path& file);
   WindowSession& session() { return *session_; }
@@ -80,7 +84,8 @@ class MainWindow : public QMainWindow {
   void show_title();
   void show_run();
   void show_cursor();
-  void show_slow_place(double slowest, double from, double to);
+  /// Cursor and charts at a place that lasts from one time to another [s].
+  void show_place(double time, double from, double to);
   void show_other_runs();
   void show_lesson(const LessonWindow& look);
   void raise_lessons();
@@ -105,6 +110,7 @@ class MainWindow : public QMainWindow {
   WhyView* why_;
   AnnotationsView* annotations_;
   StudyView* study_;
+  ContourView* contour_;
   LessonDesk desk_;
   LessonView* lessons_;
   WindowSession* session_;

@@ -74,6 +74,7 @@ void MainWindow::make_menus() {
     connect(action, &QAction::triggered, runs_dock_, &QDockWidget::raise);
   }
   runs->addActions(study_->panel_actions());
+  runs->addActions(contour_->panel_actions());
   runs->addSeparator();
   connect(add_action(runs, tr("&Cancel simulation"), Qt::Key_Escape, tr("Stop reading or simulating")),
           &QAction::triggered, &model_, &Workbench::cancel);
@@ -96,6 +97,7 @@ void MainWindow::make_menus() {
 
   QMenu* go = menuBar()->addMenu(tr("&Go"));
   go->addActions(slow_places_->panel_actions());
+  go->addActions(contour_->step_actions());
   go->addActions(diagnostics_->panel_actions());
 
   make_view_menu();

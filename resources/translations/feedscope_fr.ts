@@ -109,6 +109,104 @@
     </message>
 </context>
 <context>
+    <name>Contour</name>
+    <message>
+        <source>inside</source>
+        <translation>intérieur</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>extérieur</translation>
+    </message>
+    <message>
+        <source>The tolerances of the program, %1 to %2 µm, are kept at all listed places.</source>
+        <translation>Les tolérances du programme, de %1 à %2&#xa0;µm, sont tenues à tous les endroits de la liste.</translation>
+    </message>
+    <message>
+        <source>The tolerances of the program, %1 to %2 µm, are exceeded at listed places.</source>
+        <translation>Les tolérances du programme, de %1 à %2&#xa0;µm, sont dépassées à des endroits de la liste.</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of %1 µm is kept.</source>
+        <translation>La tolérance de contour de %1&#xa0;µm est tenue.</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of %1 µm is exceeded by %2 µm.</source>
+        <translation>La tolérance de contour de %1&#xa0;µm est dépassée de %2&#xa0;µm.</translation>
+    </message>
+    <message>
+        <source>left</source>
+        <translation>gauche</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>droite</translation>
+    </message>
+    <message>
+        <source>Corner of %1°, %2</source>
+        <translation>Angle de %1°, %2</translation>
+    </message>
+    <message>
+        <source>Arc R %1 mm, %2</source>
+        <translation>Arc R %1&#xa0;mm, %2</translation>
+    </message>
+    <message>
+        <source>Line of %1 mm</source>
+        <translation>Droite de %1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>The programmed path is followed exactly: no contour error.</source>
+        <translation>La trajectoire programmée est suivie exactement&#xa0;: aucune erreur de contour.</translation>
+    </message>
+    <message>
+        <source>Largest contour error %1 µm, in line %2 at %3.</source>
+        <translation>Plus grande erreur de contour %1&#xa0;µm, à la ligne %2, à %3.</translation>
+    </message>
+    <message>
+        <source>No contour tolerance rules it.</source>
+        <translation>Aucune tolérance de contour ne la borne.</translation>
+    </message>
+    <message>
+        <source>90 % of the path is within %1 µm, 99 % within %2 µm.</source>
+        <translation>90&#xa0;% de la trajectoire à moins de %1&#xa0;µm, 99&#xa0;% à moins de %2&#xa0;µm.</translation>
+    </message>
+    <message>
+        <source>The largest error lies across Z, so that left and right do not show it.</source>
+        <translation>La plus grande erreur est selon Z&#xa0;: gauche et droite ne la montrent pas.</translation>
+    </message>
+</context>
+<context>
+    <name>ContourPlot</name>
+    <message>
+        <source>: %1 µm</source>
+        <translation>&#xa0;: %1&#xa0;µm</translation>
+    </message>
+    <message>
+        <source>Path length [mm]</source>
+        <translation>Longueur de trajectoire [mm]</translation>
+    </message>
+    <message>
+        <source>Contour error [µm]</source>
+        <translation>Erreur de contour [µm]</translation>
+    </message>
+    <message>
+        <source>◂ left of the path</source>
+        <translation>◂ à gauche de la trajectoire</translation>
+    </message>
+    <message>
+        <source>right of the path ▸</source>
+        <translation>à droite de la trajectoire ▸</translation>
+    </message>
+    <message>
+        <source>tolerance %1 µm ▸</source>
+        <translation>tolérance %1&#xa0;µm ▸</translation>
+    </message>
+    <message>
+        <source>tolerance %1 µm</source>
+        <translation>tolérance %1&#xa0;µm</translation>
+    </message>
+</context>
+<context>
     <name>LineFinder</name>
     <message>
         <source>At character %1: %2</source>
@@ -1580,6 +1678,231 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::ContourChart</name>
+    <message>
+        <source>Histogram of the contour error</source>
+        <translation>Histogramme de l&apos;erreur de contour</translation>
+    </message>
+    <message>
+        <source>%1 to %2 µm from the programmed path</source>
+        <translation>De %1 à %2&#xa0;µm de la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>At most %1 µm left or right of the programmed path</source>
+        <translation>Au plus %1&#xa0;µm à gauche ou à droite de la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>%1 to %2 µm left of the programmed path</source>
+        <translation>De %1 à %2&#xa0;µm à gauche de la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>%1 to %2 µm right of the programmed path</source>
+        <translation>De %1 à %2&#xa0;µm à droite de la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm of the path</source>
+        <translation>%1&#xa0;: %2&#xa0;mm de la trajectoire</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ContourPlacesModel</name>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>%1 µm from the programmed path at %2, X %3 Y %4 Z %5 mm.</source>
+        <translation>À %1&#xa0;µm de la trajectoire programmée à %2, X %3 Y %4 Z %5&#xa0;mm.</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of %1 µm is exceeded here.</source>
+        <translation>La tolérance de contour de %1&#xa0;µm est dépassée ici.</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of %1 µm is kept here.</source>
+        <translation>La tolérance de contour de %1&#xa0;µm est tenue ici.</translation>
+    </message>
+    <message>
+        <source>Rank by contour error</source>
+        <translation>Rang par erreur de contour</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>N°</translation>
+    </message>
+    <message>
+        <source>Line of the program, and the block&apos;s number</source>
+        <translation>Ligne du programme, et numéro du bloc</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Distance of the executed path from the programmed one</source>
+        <translation>Distance de la trajectoire exécutée à la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>Error [µm]</source>
+        <translation>Erreur [µm]</translation>
+    </message>
+    <message>
+        <source>Share of the contour tolerance that rules there</source>
+        <translation>Part de la tolérance de contour en vigueur à cet endroit</translation>
+    </message>
+    <message>
+        <source>Used [%]</source>
+        <translation>Utilisé [%]</translation>
+    </message>
+    <message>
+        <source>Side of the programmed path in XY, seen in its direction: left is where G41 puts the tool</source>
+        <translation>Côté de la trajectoire programmée dans XY, vu dans son sens&#xa0;: la gauche est là où G41 met l&apos;outil</translation>
+    </message>
+    <message>
+        <source>Side</source>
+        <translation>Côté</translation>
+    </message>
+    <message>
+        <source>What the programmed path is there</source>
+        <translation>Ce qu&apos;est la trajectoire programmée à cet endroit</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Où</translation>
+    </message>
+    <message>
+        <source>Achieved and programmed feed there</source>
+        <translation>Avance atteinte et programmée à cet endroit</translation>
+    </message>
+    <message>
+        <source>Feed [mm/min]</source>
+        <translation>Avance [mm/min]</translation>
+    </message>
+    <message>
+        <source>What limits the feed there</source>
+        <translation>Ce qui limite l&apos;avance à cet endroit</translation>
+    </message>
+    <message>
+        <source>Limited by</source>
+        <translation>Limité par</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ContourView</name>
+    <message>
+        <source>&amp;Left and right</source>
+        <translation>&amp;Gauche et droite</translation>
+    </message>
+    <message>
+        <source>Close-&amp;up</source>
+        <translation>Gros &amp;plan</translation>
+    </message>
+    <message>
+        <source>Tell the sides of the path in XY apart; else the distance alone</source>
+        <translation>Distinguer les côtés de la trajectoire dans XY&#xa0;; sinon la distance seule</translation>
+    </message>
+    <message>
+        <source>The 3D view shows the chosen place from near</source>
+        <translation>La vue 3D montre de près l&apos;endroit choisi</translation>
+    </message>
+    <message>
+        <source>Places farthest from the programmed path</source>
+        <translation>Endroits les plus éloignés de la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>Contour &amp;error …</source>
+        <translation>&amp;Erreur de contour …</translation>
+    </message>
+    <message>
+        <source>How far the executed path is from the programmed one, and where</source>
+        <translation>De combien la trajectoire exécutée s&apos;écarte de la trajectoire programmée, et où</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
+    <message>
+        <source>Copy the picture of the contour error</source>
+        <translation>Copier l&apos;image de l&apos;erreur de contour</translation>
+    </message>
+    <message>
+        <source>The histogram to the clipboard</source>
+        <translation>L&apos;histogramme dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Copy the worst contour errors</source>
+        <translation>Copier les plus grandes erreurs de contour</translation>
+    </message>
+    <message>
+        <source>The list to the clipboard, as CSV with units</source>
+        <translation>La liste dans le presse-papiers, en CSV avec unités</translation>
+    </message>
+    <message>
+        <source>Save the worst contour errors as CSV …</source>
+        <translation>Enregistrer les plus grandes erreurs de contour en CSV …</translation>
+    </message>
+    <message>
+        <source>One row a place, with units</source>
+        <translation>Une ligne par endroit, avec unités</translation>
+    </message>
+    <message>
+        <source>Save the worst contour errors</source>
+        <translation>Enregistrer les plus grandes erreurs de contour</translation>
+    </message>
+    <message>
+        <source>Save the histogram of the contour error as CSV …</source>
+        <translation>Enregistrer l&apos;histogramme de l&apos;erreur de contour en CSV …</translation>
+    </message>
+    <message>
+        <source>Path length by contour error, one column a run, with units</source>
+        <translation>Longueur de trajectoire par erreur de contour, une colonne par simulation, avec unités</translation>
+    </message>
+    <message>
+        <source>Save the histogram of the contour error</source>
+        <translation>Enregistrer l&apos;histogramme de l&apos;erreur de contour</translation>
+    </message>
+    <message>
+        <source>Next contour error</source>
+        <translation>Erreur de contour suivante</translation>
+    </message>
+    <message>
+        <source>Go on to the next listed place that is far from the programmed path</source>
+        <translation>Aller au prochain endroit de la liste qui s&apos;écarte de la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>Previous contour error</source>
+        <translation>Erreur de contour précédente</translation>
+    </message>
+    <message>
+        <source>Go back to the listed place before</source>
+        <translation>Revenir à l&apos;endroit précédent de la liste</translation>
+    </message>
+    <message>
+        <source>How far the executed path is from the programmed one: open a program.</source>
+        <translation>De combien la trajectoire exécutée s&apos;écarte de la trajectoire programmée&#xa0;: ouvrir un programme.</translation>
+    </message>
+    <message>
+        <source>Comparing the executed with the programmed path …</source>
+        <translation>Comparaison de la trajectoire exécutée avec la trajectoire programmée …</translation>
+    </message>
+    <message>
+        <source>The program needs more memory than there is.</source>
+        <translation>Le programme demande plus de mémoire qu&apos;il n&apos;y en a.</translation>
+    </message>
+    <message>
+        <source>There is no contour error to save yet: open the panel with a program.</source>
+        <translation>Il n&apos;y a pas encore d&apos;erreur de contour à enregistrer&#xa0;: ouvrir le panneau avec un programme.</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::DiagnosticsModel</name>
     <message>
         <source>Line</source>
@@ -2147,6 +2470,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Study</source>
         <translation>Étude</translation>
+    </message>
+    <message>
+        <source>Contour error</source>
+        <translation>Erreur de contour</translation>
     </message>
 </context>
 <context>

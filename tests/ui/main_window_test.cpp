@@ -264,6 +264,23 @@ TEST_F(MainWindowTest, NextSlowPlaceMovesTheCursorAndZoomsTheCharts) {
   EXPECT_LT(range.upper() - range.lower(), duration());
 }
 
+TEST_F(MainWindowTest, NextContourErrorBringsItsPanelUpAndMovesCursorChartsAndView) {
+  model.cursor().set_time(0);
+  window.activateWindow();
+  QTest::keyClick(&window, Qt::Key_F6);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return model.cursor().state().time > 0; }, patience));
+  EXPECT_TRUE(window.contour().isVisible());
+  const ContourPlacesModel& places = window.contour().places();
+  const ContourPlace& next = places.finding(places.next_row(0, true)).place;
+  EXPECT_NEAR(model.cursor().state().time, next.time, 1e-9);
+  EXPECT_EQ(window.program().current_line(), model.cursor().state().line);
+  const ViewRange& range = window.charts().range();
+  EXPECT_LT(range.upper() - range.lower(), duration());
+  const CameraState camera = window.scene().scene().camera();
+  EXPECT_LT((camera.focal - next.position).norm(), 30 * next.error);
+  EXPECT_LT(camera.height, 200 * next.error);
+}
+
 TEST_F(MainWindowTest, NextMessageGoesToItsPlace) {
   open("G21 G90 F1000\nG1 X5\nG1 Xabc\nX7\n");
   window.activateWindow();

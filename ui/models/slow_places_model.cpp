@@ -3,12 +3,12 @@
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
+#include "ui/models/next_place.h"
 
 namespace feedscope::ui {
 
@@ -47,25 +47,8 @@ const SlowPlace& SlowPlacesModel::place(int row) const {
 }
 
 int SlowPlacesModel::next_row(double time, bool forward) const {
-  constexpr double same_time = 1e-9;  // [s]
-  const double infinity = std::numeric_limits<double>::infinity();
-  const double sign = forward ? 1 : -1;
-  int next = -1;
-  int first = -1;
-  double next_ahead = infinity;
-  double first_ahead = infinity;
-  for (int row = 0; row < rowCount(); ++row) {
-    const double ahead = sign * (place(row).slowest - time);
-    if (ahead > same_time && ahead < next_ahead) {
-      next = row;
-      next_ahead = ahead;
-    }
-    if (ahead < first_ahead) {
-      first = row;
-      first_ahead = ahead;
-    }
-  }
-  return next >= 0 ? next : first;
+  return next_place(
+      rowCount(), [this](int row) { return place(row).slowest; }, time, forward);
 }
 
 double SlowPlacesModel::listed_loss() const {

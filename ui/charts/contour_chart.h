@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QWidget>
+
+#include "ui/charts/contour_plot.h"
+
+namespace feedscope::ui {
+
+/// A ContourPlot on screen; what is under the pointer is said in a tip.
+class ContourChart : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit ContourChart(QWidget* parent = nullptr);
+
+  void set_curves(ContourCurves curves);
+  const ContourCurves& curves() const { return curves_; }
+  /// Of a place of the chart; empty where nothing is.
+  QString tip_at(const QPointF& place) const;
+
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
+
+ protected:
+  bool event(QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  ContourPlot plot() const;
+
+  ContourCurves curves_;
+};
+
+}  // namespace feedscope::ui

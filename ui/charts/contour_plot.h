@@ -1,0 +1,83 @@
+#pragma once
+
+#include <QColor>
+#include <QFont>
+#include <QRectF>
+#include <QString>
+#include <array>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/analysis/contour/contour_histogram.h"
+#include "ui/theme/theme.h"
+
+class QPainter;
+
+namespace feedscope::ui {
+
+/// A run of a ContourPlot.
+struct ContourCurve {
+  QString name;
+  QColor colour;
+  double largest = 0;  ///< contour error [mm]
+  ContourSpread spread;
+};
+
+/// What a ContourPlot shows. The first run is filled, the others are outlines.
+struct ContourCurves {
+  std::vector<ContourCurve> runs;
+  /// Left and right of the programmed path in XY, left to the left; else the distance alone.
+  bool sides = false;
+  std::optional<std::array<double, 2>> tolerance;  ///< least and largest of the first run [mm]
+
+  double largest() const;  ///< of all runs [mm]
+  /// The largest that the histograms hold: sides leave out what lies across Z [mm].
+  double extent() const;
+  /// With edges that suit all runs.
+  ContourHistogram histogram(std::size_t run) const;
+};
+
+/// Path length by contour error as bars. The length is on a logarithmic axis: most of a path follows the
+/// program closely, and what matters are the few millimetres that do not.
+class ContourPlot {
+ public:
+  /// Laid out in `area`; `curves` outlives this.
+  ContourPlot(const ContourCurves& curves, const QRectF& area, const QFont& font,
+              const ThemeColours& colours);
+
+  void draw(QPainter& painter) const;
+  /// The bin under a place of the plot.
+  std::optional<std::size_t> bin_at(const QPointF& place) const;
+  const ContourHistogram& histogram(std::size_t run) const { return histograms_[run]; }
+  const QRectF& plot() const { return plot_; }
+
+ private:
+  void lay_out_legend(const QRectF& area);
+  void choose_scales();
+  double x(double error) const;   ///< of a signed error [mm]
+  double y(double length) const;  ///< [mm]
+  void draw_legend(QPainter& painter) const;
+  void draw_lengths(QPainter& painter) const;
+  void draw_errors(QPainter& painter) const;
+  void draw_sides(QPainter& painter) const;
+  void draw_bars(QPainter& painter) const;
+  void draw_outline(QPainter& painter, std::size_t run) const;
+  void draw_tolerance(QPainter& painter) const;
+  QString entry_text(std::size_t run, double room) const;
+  /// The line under the plot's `row` beneath its lower edge.
+  QRectF below(double rows) const;
+
+  const ContourCurves& curves_;
+  QFont font_;
+  const ThemeColours& colours_;
+  double line_;                               ///< height of a line of text
+  std::vector<ContourHistogram> histograms_;  ///< of all runs, the same edges
+  std::vector<QRectF> legend_;
+  QRectF plot_;
+  double most_error_ = 1;      ///< at the end of the axis [mm]
+  double least_length_ = 0.1;  ///< a power of ten [mm]
+  double most_length_ = 1;
+};
+
+}  // namespace feedscope::ui

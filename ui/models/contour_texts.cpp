@@ -1,0 +1,116 @@
+#include "ui/models/contour_texts.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/base/units.h"
+#include "ui/models/texts.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+struct Contour {
+  Q_DECLARE_TR_FUNCTIONS(Contour)
+};
+
+QString in_or_out(const ContourSpot& spot) {
+  return spot.inside ? Contour::tr("inside") : Contour::tr("outside");
+}
+
+/// Of the whole run.
+QString tolerance_sentence(const ContourReport& report) {
+  const auto [least, largest] = *report.tolerance;
+  if (least != largest) {
+    const bool kept = std::ranges::all_of(report.worst, [](const ContourFinding& finding) {
+      return !finding.tolerance || keeps_tolerance(finding.place.error, *finding.tolerance);
+    });
+    return kept ? Contour::tr("The tolerances of the program, %1 to %2 µm, are kept at all listed places.")
+                      .arg(micrometres_text(least), micrometres_text(largest))
+                : Contour::tr("The tolerances of the program, %1 to %2 µm, are exceeded at listed places.")
+                      .arg(micrometres_text(least), micrometres_text(largest));
+  }
+  if (keeps_tolerance(report.largest, largest)) {
+    return Contour::tr("The contour tolerance of %1 µm is kept.").arg(micrometres_text(largest));
+  }
+  return Contour::tr("The contour tolerance of %1 µm is exceeded by %2 µm.")
+      .arg(micrometres_text(largest), micrometres_text(report.largest - largest));
+}
+
+}  // namespace
+
+QString micrometres_text(double mm) {
+  const double value = 1000 * mm;
+  const int decimals = value >= 9.995 ? 1 : value >= 0.9995 ? 2 : 3;
+  return QLocale().toString(value, 'f', decimals);
+}
+
+QString line_text(const ContourFinding& finding) {
+  const QString line = QLocale().toString(finding.place.line);
+  return finding.block.empty() ? line
+                               : QStringLiteral("%1 (%2)").arg(line, QString::fromStdString(finding.block));
+}
+
+QString side_text(const ContourPlace& place) {
+  constexpr double notable = 0.1;  // of the error
+  if (std::abs(place.side) < notable * place.error) {
+    return QStringLiteral("–");
+  }
+  return place.side > 0 ? Contour::tr("left") : Contour::tr("right");
+}
+
+QString spot_text(const ContourSpot& spot) {
+  const QLocale locale;
+  switch (spot.kind) {
+    case ContourSpot::Kind::corner:
+      return Contour::tr("Corner of %1°, %2")
+          .arg(locale.toString(units::to_deg(spot.turn), 'f', spot.turn < 0.1 ? 1 : 0), in_or_out(spot));
+    case ContourSpot::Kind::arc:
+      return Contour::tr("Arc R %1 mm, %2").arg(locale.toString(spot.radius, 'g', 4), in_or_out(spot));
+    case ContourSpot::Kind::line:
+      break;
+  }
+  return Contour::tr("Line of %1 mm").arg(locale.toString(spot.length, 'g', 3));
+}
+
+QString verdict_text(const ContourReport& report) {
+  if (report.worst.empty()) {
+    return Contour::tr("The programmed path is followed exactly: no contour error.");
+  }
+  const ContourFinding& worst = report.worst.front();
+  const QString where =
+      Contour::tr("Largest contour error %1 µm, in line %2 at %3.")
+          .arg(micrometres_text(report.largest), line_text(worst), clock_text(worst.place.time));
+  return report.tolerance ? where + QStringLiteral(" ") + tolerance_sentence(report)
+                          : where + QStringLiteral(" ") + Contour::tr("No contour tolerance rules it.");
+}
+
+QString share_text(const ContourReport& report, bool sides) {
+  if (report.worst.empty()) {
+    return {};
+  }
+  const QString shares = Contour::tr("90 % of the path is within %1 µm, 99 % within %2 µm.")
+                             .arg(micrometres_text(error_quantile(report.spread, 0.1)),
+                                  micrometres_text(error_quantile(report.spread, 0.01)));
+  constexpr double most_of_it = 0.9;
+  const ContourPlace& worst = report.worst.front().place;
+  return sides && std::abs(worst.side) < most_of_it * worst.error
+             ? shares + QStringLiteral(" ") +
+                   Contour::tr("The largest error lies across Z, so that left and right do not show it.")
+             : shares;
+}
+
+double error_quantile(const ContourSpread& spread, double share) {
+  const double whole = std::accumulate(spread.amount.begin(), spread.amount.end(), 0.0);
+  double beyond = 0;
+  std::size_t bin = spread.amount.size();
+  while (bin > 0 && beyond + spread.amount[bin - 1] <= share * whole) {
+    beyond += spread.amount[--bin];
+  }
+  return static_cast<double>(bin) * spread.step;
+}
+
+}  // namespace feedscope::ui

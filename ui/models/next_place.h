@@ -1,0 +1,10 @@
+#pragma once
+
+#include <functional>
+
+namespace feedscope::ui {
+
+/// The row whose time comes next after (or before) `time` [s]; beyond the last one the first. -1 of no rows.
+int next_place(int rows, const std::function<double(int)>& time_of, double time, bool forward);
+
+}  // namespace feedscope::ui
