@@ -42,7 +42,8 @@ class PictureHandler : public QObject, public QTextObjectInterface {
   void drawObject(QPainter* painter, const QRectF& place, QTextDocument*, int,
                   const QTextFormat& format) override {
     const auto found = pictures_.all().find(format.toImageFormat().name().section(':', 1));
-    if (found == pictures_.all().end() || failure_) {
+    const bool touches_only = place.intersected(page_).height() < 1;
+    if (found == pictures_.all().end() || failure_ || touches_only) {
       return;
     }
     painter->save();
@@ -56,6 +57,8 @@ class PictureHandler : public QObject, public QTextObjectInterface {
     painter->restore();
   }
 
+  /// The part of the text that is drawn now: QTextDocument draws what only touches it too.
+  void set_page(const QRectF& page) { page_ = page; }
   /// Throws what painting a picture threw.
   void check() const {
     if (failure_) {
@@ -65,6 +68,7 @@ class PictureHandler : public QObject, public QTextObjectInterface {
 
  private:
   const ReportPictures& pictures_;
+  QRectF page_;
   std::exception_ptr failure_;
 };
 
@@ -100,8 +104,11 @@ void draw_margins(QPainter& painter, const PageTexts& texts, int page, int pages
   painter.drawLine(QPointF(margin_side, rule), QPointF(margin_side + report_width, rule));
 }
 
-void draw_page(QPainter& painter, QTextDocument& document, int page) {
-  const QRectF part(0, page * contents_height, report_width, contents_height);
+QRectF part_of(int page) {
+  return {0, page * contents_height, report_width, contents_height};
+}
+
+void draw_page(QPainter& painter, QTextDocument& document, const QRectF& part) {
   painter.save();
   painter.translate(margin_side, margin_top - part.top());
   painter.setClipRect(part);
@@ -163,7 +170,8 @@ std::string paged_pdf(const QString& html, const ReportPictures& pictures, const
     if (page > 0) {
       writer.newPage();
     }
-    draw_page(painter, document, page);
+    handler.set_page(part_of(page));
+    draw_page(painter, document, part_of(page));
     handler.check();
     draw_margins(painter, texts, page, pages);
   }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ui/report/paged_pdf.h"
+#include "ui/report/report_contour.h"
 #include "ui/report/report_html.h"
 #include "ui/report/report_pictures.h"
 #include "ui/report/report_tables.h"
@@ -69,7 +70,9 @@ const std::vector<Block>& blocks() {
       {"charts", charts_block},
       {"slow_places", plain(slow_places_block)},
       {"slow_place_views", slow_place_views_block},
+      {"contour_histogram", contour_histogram_block},
       {"contour_places", plain(contour_places_block)},
+      {"contour_place_views", contour_place_views_block},
       {"notes", plain(notes_block)},
       {"program_facts", plain(program_facts_block)},
       {"messages", plain(messages_block)},
@@ -96,8 +99,9 @@ ReportTemplate load_report_template(const QString& file) {
   return {read_template(name), name, report_placeholders()};
 }
 
-std::string make_report(const ReportInput& input, const ReportTemplate& page, ReportFormat format,
+std::string make_report(const ReportInput& asked, const ReportTemplate& page, ReportFormat format,
                         Progress* progress) {
+  const ReportInput input = with_contour_reports(asked, progress);
   ReportPictures pictures(progress);
   const QString html = page.filled([&](const QString& name) {
     if (name == screen_section) {

@@ -63,6 +63,16 @@ QString ReportInput::heading() const {
   return title.isEmpty() ? program_file_name(*program().program) : title;
 }
 
+ReportInput with_contour_reports(ReportInput input, Progress* progress) {
+  constexpr std::size_t places = 100;  // those that are alike stand together
+  for (ReportRun& run : input.runs) {
+    if (run.contour == nullptr) {
+      run.contour = std::make_shared<const ContourReport>(contour_report(run.shown->run, places, progress));
+    }
+  }
+  return input;
+}
+
 std::vector<ReportRun> report_runs(const std::vector<std::shared_ptr<const ShownRun>>& runs) {
   std::set<std::string> machines;
   for (const auto& shown : runs) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/analysis/contour/contour_report.h"
 #include "ui/annotations/annotation.h"
 #include "ui/charts/charts_state.h"
 #include "ui/models/shown_run.h"
@@ -20,6 +21,7 @@ struct ReportRun {
   std::shared_ptr<const ShownRun> shown;
   QString name;  ///< unlike those of the others
   QColor colour;
+  std::shared_ptr<const ContourReport> contour = nullptr;  ///< until with_contour_reports()
 };
 
 /// Everything that pictures, sheet and report are made of; a session or the options of the command line fill
@@ -47,6 +49,9 @@ struct ReportInput {
 
 /// The program's file without its folders.
 QString program_file_name(const Program& program);
+
+/// The same with the contour report of every run. Throws Cancelled if `progress` is cancelled.
+ReportInput with_contour_reports(ReportInput input, Progress* progress = nullptr);
 
 /// Runs that nobody has named or coloured: what tells them apart as the name ("essid, 0.01 mm"), colours told
 /// apart with every kind of colour vision.

@@ -23,13 +23,6 @@ constexpr std::size_t most_close_ups = 6;
 constexpr std::size_t most_charts = 6;
 constexpr int close_ups_a_row = 2;
 
-QString figure(const QString& picture, const QString& caption) {
-  return QStringLiteral(
-             "<table class=\"figure\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1"
-             "<p class=\"caption\">%2</p></td></tr></table>\n")
-      .arg(picture, caption);
-}
-
 /// The current run in 3D. `seen`: the input, with what is to be seen of it.
 ReportPicture scene_picture(const ReportInput& seen, const QSizeF& size) {
   return {size, true, [seen, size](QPainter& painter, double pixel_ratio) {
@@ -111,6 +104,36 @@ ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const Q
 }
 
 }  // namespace
+
+QString figure(const QString& picture, const QString& caption) {
+  return QStringLiteral(
+             "<table class=\"figure\" width=\"100%\" cellspacing=\"0\" cellpadding=\"0\"><tr><td>%1"
+             "<p class=\"caption\">%2</p></td></tr></table>\n")
+      .arg(picture, caption);
+}
+
+QSizeF close_up_size() {
+  constexpr double gap = 12;
+  constexpr double height = 215;
+  return {(report_width - (close_ups_a_row - 1) * gap) / close_ups_a_row, height};
+}
+
+QString close_up_table(const std::vector<std::pair<QString, QString>>& pictures) {
+  QString rows;
+  for (std::size_t i = 0; i < pictures.size(); ++i) {
+    const std::size_t column = i % close_ups_a_row;
+    const auto& [picture, caption] = pictures[i];
+    rows += column == 0 ? QStringLiteral("<tr>") : QString();
+    rows += QStringLiteral("<td width=\"50%\">%1<p class=\"caption\">%2</p></td>").arg(picture, caption);
+    const bool last = column + 1 == close_ups_a_row || i + 1 == pictures.size();
+    rows += last ? QStringLiteral("</tr>\n") : QString();
+  }
+  return rows.isEmpty() ? rows
+                        : QStringLiteral(
+                              "<table class=\"figure\" width=\"100%\" cellspacing=\"0\" "
+                              "cellpadding=\"0\">\n%1</table>\n")
+                              .arg(rows);
+}
 
 QString ReportPictures::add(const QString& name, ReportPicture picture, const QString& description) {
   const QSizeF size = picture.size;
@@ -234,26 +257,16 @@ QString slow_places_block(const ReportInput& input) {
 
 QString slow_place_views_block(const ReportInput& input, ReportPictures& pictures) {
   const std::vector<AlikePlaces> places = worst_places(input, most_close_ups);
-  constexpr double gap = 12;
-  const QSizeF size((report_width - (close_ups_a_row - 1) * gap) / close_ups_a_row, 215);
-  QString html;
+  std::vector<std::pair<QString, QString>> shown;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::size_t column = i % close_ups_a_row;
-    html += column == 0 ? QStringLiteral("<tr>") : QString();
     const QString number = QString::number(i + 1);
-    html +=
-        QStringLiteral("<td width=\"50%\">%1<p class=\"caption\">%2: lines %3, %4 s lost</p></td>")
-            .arg(pictures.add(QStringLiteral("place%1").arg(number), close_up(input, places[i].worst, size),
-                              QStringLiteral("Close-up of place %1").arg(number)),
-                 number, lines_text(places[i]), fixed(places[i].loss, 3));
-    const bool last = column + 1 == close_ups_a_row || i + 1 == places.size();
-    html += last ? QStringLiteral("</tr>\n") : QString();
+    shown.emplace_back(
+        pictures.add(QStringLiteral("place%1").arg(number), close_up(input, places[i].worst, close_up_size()),
+                     QStringLiteral("Close-up of place %1").arg(number)),
+        QStringLiteral("%1: lines %2, %3 s lost")
+            .arg(number, lines_text(places[i]), fixed(places[i].loss, 3)));
   }
-  return html.isEmpty() ? html
-                        : QStringLiteral(
-                              "<table class=\"figure\" width=\"100%\" cellspacing=\"0\" "
-                              "cellpadding=\"0\">\n%1</table>\n")
-                              .arg(html);
+  return close_up_table(shown);
 }
 
 QString notes_block(const ReportInput& input) {

@@ -4,6 +4,8 @@
 #include <QString>
 #include <functional>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "ui/report/report_input.h"
 
@@ -36,6 +38,13 @@ class ReportPictures {
 
 /// Width of what stands between the margins of a report [1/96 inch].
 inline constexpr double report_width = 672;
+
+/// A picture over the whole width with its caption, both HTML.
+QString figure(const QString& picture, const QString& caption);
+/// Pictures with their captions beside each other, two a row; empty for none.
+QString close_up_table(const std::vector<std::pair<QString, QString>>& pictures);
+/// The size of a picture there.
+QSizeF close_up_size();
 
 // Blocks with pictures as HTML.
 

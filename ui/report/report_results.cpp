@@ -2,7 +2,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/analysis/contour/contour_errors.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/models/texts.h"
@@ -174,27 +173,6 @@ QString summary_block(const ReportInput& input) {
                 .arg(html_text(input.run().name), html_text(causes));
   }
   return html;
-}
-
-QString contour_places_block(const ReportInput& input) {
-  const Trajectory& trajectory = *input.run().shown->run.trajectory;
-  constexpr std::size_t most = 8;
-  const ContourErrors errors = contour_errors(trajectory, {.places = most});
-  HtmlTable table("rrrlrl", {6, 9, 17, 14, 20, 34});
-  table.add_head({QStringLiteral("No."), QStringLiteral("Line"), QStringLiteral("Contour error [µm]"),
-                  QStringLiteral("Side"), QStringLiteral("Feed [mm/min]"),
-                  QStringLiteral("At X, Y, Z [mm]")});
-  int number = 0;
-  for (const ContourPlace& place : errors.worst) {
-    const QString side = place.side > 0   ? QStringLiteral("left")
-                         : place.side < 0 ? QStringLiteral("right")
-                                          : QStringLiteral("–");
-    const Vec3& at = place.position;
-    table.add({QString::number(++number), QString::number(place.line), micrometres(place.error), side,
-               fixed(units::to_mm_min(trajectory.state(place.time).speed), 0),
-               QStringLiteral("%1, %2, %3").arg(fixed(at.x(), 3), fixed(at.y(), 3), fixed(at.z(), 3))});
-  }
-  return errors.largest > 0 ? table.html() : QString();
 }
 
 QString comparison_block(const ReportInput& input) {

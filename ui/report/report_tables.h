@@ -27,8 +27,6 @@ QString models_block(const ReportInput& input);
 QString summary_block(const ReportInput& input);
 /// Cycle time, feeds and contour error of each run.
 QString comparison_block(const ReportInput& input);
-/// Where the current run is farthest from the programmed path; empty if it follows it exactly.
-QString contour_places_block(const ReportInput& input);
 /// Largest velocity, acceleration and jerk of each axis against its limits.
 QString peaks_block(const ReportInput& input);
 /// Time by limiting cause.

@@ -1,0 +1,180 @@
+#include "ui/report/report_contour.h"
+
+#include <QPainter>
+#include <QPalette>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+
+#include "core/base/units.h"
+#include "ui/charts/contour_plot.h"
+#include "ui/models/contour_texts.h"
+#include "ui/report/html_table.h"
+#include "ui/report/report_numbers.h"
+#include "ui/report/scene_picture.h"
+#include "ui/scene/ticks.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr std::size_t most_places = 8;
+constexpr std::size_t most_close_ups = 4;
+constexpr std::size_t most_runs = 6;
+
+/// Places as far from paths of the same shape, as the corners of a pocket are.
+struct AlikeErrors {
+  ContourFinding worst;
+  std::size_t count = 1;
+};
+
+bool alike(const ContourFinding& a, const ContourFinding& b) {
+  constexpr double tolerance = 0.03;
+  const auto near = [](double x, double y) { return std::abs(x - y) <= tolerance * std::max(x, y); };
+  return a.spot.kind == b.spot.kind && a.spot.inside == b.spot.inside && near(a.place.error, b.place.error) &&
+         near(a.spot.turn, b.spot.turn) && near(a.spot.radius, b.spot.radius) &&
+         side_text(a.place) == side_text(b.place);
+}
+
+std::vector<AlikeErrors> worst_errors(const ReportInput& input, std::size_t most) {
+  std::vector<AlikeErrors> kinds;
+  for (const ContourFinding& finding : input.run().contour->worst) {
+    const auto found =
+        std::ranges::find_if(kinds, [&](const AlikeErrors& kind) { return alike(kind.worst, finding); });
+    found != kinds.end() ? void(++found->count) : kinds.push_back({finding});
+  }
+  kinds.resize(std::min(kinds.size(), most));
+  return kinds;
+}
+
+QString line_cell(const AlikeErrors& errors) {
+  const QString line = html_text(line_text(errors.worst));
+  return errors.count > 1 ? QStringLiteral("%1 and %2 alike").arg(line).arg(errors.count - 1) : line;
+}
+
+/// Path on both sides of the place that a close-up shows [mm].
+double shown_around(const ContourPlace& place) {
+  constexpr double errors = 40;
+  constexpr double least = 0.2;
+  return std::max(errors * place.error, least);
+}
+
+/// The deviation takes about a sixth of the half of the picture.
+double enlargement(const ContourPlace& place) {
+  constexpr double share = 6;
+  constexpr double most = 1000;
+  const double factor = shown_around(place) / (share * place.error);
+  for (const double round : {500.0, 200.0, 100.0, 50.0, 20.0, 10.0, 5.0, 2.0}) {
+    if (round <= std::min(factor, most)) {
+      return round;
+    }
+  }
+  return 1;
+}
+
+/// A place that is flat is seen from above, others as the whole.
+StandardView view_of(const Trajectory& trajectory, const std::array<double, 2>& times) {
+  constexpr int samples = 50;
+  Bounds bounds;
+  for (int i = 0; i <= samples; ++i) {
+    bounds.add(trajectory.state(times[0] + (times[1] - times[0]) * i / samples).position);
+  }
+  const Vec3 size = bounds.max - bounds.min;
+  return size.z() <= 0.05 * std::max(size.x(), size.y()) ? StandardView::top : StandardView::iso;
+}
+
+ReportPicture close_up(const ReportInput& input, const ContourPlace& place) {
+  const Trajectory& trajectory = *input.run().shown->run.trajectory;
+  const double around = shown_around(place);
+  const std::array<double, 2> times{trajectory.state_at_path(place.path_length - around).time,
+                                    trajectory.state_at_path(place.path_length + around).time};
+  ReportInput seen = input;
+  seen.view = view_of(trajectory, times);
+  seen.scene.colouring = Colouring::contour_error;
+  seen.scene.exaggeration = enlargement(place);
+  const QSizeF size = close_up_size();
+  return {size, true, [seen, size, times, at = place.time](QPainter& painter, double pixel_ratio) {
+            ScenePicture picture(seen, seen.current, ThemeKind::light);
+            const SceneScale scale{pixel_ratio, 0.68};
+            picture.prepare(size, scale);
+            picture.scene().fit_times(times[0], times[1]);
+            picture.scene().set_hover(picture.scene().drawn_at(at));
+            picture.paint(painter, QRectF(QPointF(), size), scale);
+          }};
+}
+
+}  // namespace
+
+QString contour_histogram_block(const ReportInput& input, ReportPictures& pictures) {
+  const ContourReport& current = *input.run().contour;
+  if (current.worst.empty()) {
+    return {};
+  }
+  auto curves = std::make_shared<ContourCurves>();
+  curves->sides = current.is_flat();
+  curves->tolerance = current.tolerance;
+  const auto add = [&](const ReportRun& run) {
+    curves->runs.push_back({run.name, run.colour, run.contour->largest, run.contour->spread});
+  };
+  add(input.run());
+  for (std::size_t i = 0; i < input.runs.size(); ++i) {
+    if (i != input.current && curves->runs.size() < most_runs) {
+      add(input.runs[i]);
+    }
+  }
+  const QSizeF size(report_width, 230);
+  const auto paint = [curves, size](QPainter& painter, double) {
+    QFont font(QStringLiteral("DejaVu Sans"));
+    font.setPixelSize(10);
+    ContourPlot(*curves, QRectF(QPointF(), size), font, theme_colours(QPalette(Qt::white))).draw(painter);
+  };
+  const QString others = curves->runs.size() > 1 ? QStringLiteral(", the other runs as outlines") : QString();
+  return figure(pictures.add(QStringLiteral("contour"), {size, false, paint},
+                             QStringLiteral("Path length by contour error")),
+                QStringLiteral("How much of the path of %1 has which contour error%2. %3 %4")
+                    .arg(html_text(input.run().name), others, verdict_text(current).toHtmlEscaped(),
+                         share_text(current, curves->sides).toHtmlEscaped()));
+}
+
+QString contour_places_block(const ReportInput& input) {
+  HtmlTable table("rlrrlllr", {4, 15, 8, 9, 6, 19, 14, 25});
+  table.add_head({QStringLiteral("No."), QStringLiteral("Line"), QStringLiteral("Error [µm]"),
+                  QStringLiteral("Of tolerance [%]"), QStringLiteral("Side"), QStringLiteral("Where"),
+                  QStringLiteral("Feed [mm/min]"), QStringLiteral("At X, Y, Z [mm]")});
+  int number = 0;
+  for (const AlikeErrors& errors : worst_errors(input, most_places)) {
+    const ContourFinding& found = errors.worst;
+    const Vec3& at = found.place.position;
+    constexpr double percent = 100;
+    const bool has_tolerance = found.tolerance && *found.tolerance > 0;
+    table.add(
+        {QString::number(++number), line_cell(errors), micrometres_text(found.place.error),
+         has_tolerance ? fixed(percent * found.place.error / *found.tolerance, 0) : QStringLiteral("–"),
+         side_text(found.place), spot_text(found.spot).toHtmlEscaped(),
+         QStringLiteral("%1 of %2")
+             .arg(fixed(units::to_mm_min(found.feed), 0), fixed(units::to_mm_min(found.programmed_feed), 0)),
+         QStringLiteral("%1, %2, %3").arg(fixed(at.x(), 3), fixed(at.y(), 3), fixed(at.z(), 3))});
+  }
+  return table.empty() ? QString() : table.html();
+}
+
+QString contour_place_views_block(const ReportInput& input, ReportPictures& pictures) {
+  std::vector<std::pair<QString, QString>> shown;
+  for (const AlikeErrors& errors : worst_errors(input, most_close_ups)) {
+    const QString number = QString::number(shown.size() + 1);
+    const double factor = enlargement(errors.worst.place);
+    QString caption = QStringLiteral("%1: line %2, %3 µm")
+                          .arg(number, line_cell(errors), micrometres_text(errors.worst.place.error));
+    if (factor > 1) {
+      caption += QStringLiteral("; drawn %1 times as large").arg(significant(factor, 4));
+    }
+    shown.emplace_back(
+        pictures.add(QStringLiteral("error%1").arg(number), close_up(input, errors.worst.place),
+                     QStringLiteral("Close-up of contour error %1").arg(number)),
+        caption);
+  }
+  return close_up_table(shown);
+}
+
+}  // namespace feedscope::ui
