@@ -38,7 +38,7 @@ struct Sample {
     summary.mean_feed = 0.5;
     summary.max_contour_error = 0.08;
     summary.max_corner_distance = 0.11;
-    summary.worst_place = {0.08, -0.05, 0.5, 7, 4, {1, 2, 3}, {1, 2, 2.92}};
+    summary.worst_place = {0.08, -0.05, 0.5, 7, 4, 1, {1, 2, 3}, {1, 2, 2.92}};
     summary.peak_feed = 1;
     summary.axes[1] = {2, 3000, 4000};
     summary.time_by_cause.assign(all_causes().size(), 0);
