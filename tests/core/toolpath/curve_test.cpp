@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "core/toolpath/blend_length.h"
+
 namespace feedscope {
 namespace {
 
@@ -174,6 +176,23 @@ TEST(CubicBlend, ParameterAtInvertsLengthTo) {
     }
     EXPECT_EQ(curve.parameter_at(-1), 0);
     EXPECT_EQ(curve.parameter_at(length + 1), 1);
+  }
+}
+
+// From the other end the same blend is as long, and so is every part of it.
+TEST(CubicBlend, LengthsFromBothEndsAddUp) {
+  for (const double off : {3.0, 1.0, 0.1, 1e-2, 1.768e-3, 1e-4, 1e-6, 1e-8}) {
+    const CubicBlend curve = blend(0.7, pi - off);
+    const BlendLength there(curve);
+    const BlendLength back({curve.end, curve.corner, curve.start, curve.alpha});
+    EXPECT_NEAR(there.total(), curve.length(), 1e-15);
+    for (int i = 0; i <= 100; ++i) {
+      const double u = i / 100.0;
+      EXPECT_NEAR(there.to(u) + back.to(1 - u), there.total(), 1e-12 * there.total())
+          << "turn of pi - " << off << ", u " << u;
+      const double s = there.total() * u;
+      EXPECT_NEAR(there.to(there.parameter_at(s)), s, 1e-12 * there.total()) << "turn of pi - " << off;
+    }
   }
 }
 
