@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/analysis/compare.h"
+#include "ui/models/simulate_shown.h"
 
 namespace feedscope {
 namespace {
@@ -134,7 +135,7 @@ ui::ReportInput simulate_runs(const SeveralRunsOptions& options, const std::vect
   QtConcurrent::blockingMap(order, [&](std::size_t i) {
     try {
       Progress part(whole, 1 / static_cast<double>(runs.size()));
-      shown[i] = ui::make_shown(simulate_run(program, runs[i].setup, &part), &part);
+      shown[i] = ui::simulate_shown(program, runs[i].setup, &part);
     } catch (...) {
       errors[i] = std::current_exception();
     }

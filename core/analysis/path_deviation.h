@@ -42,6 +42,9 @@ class PathDeviation {
   /// call before [mm]; `segment`: the segment of the toolpath that the position belongs to, or one near it.
   Result operator()(const Vec3& position, double advance, std::uint32_t segment);
 
+  /// The next call follows on `position`, which belongs to `segment`.
+  void begin(const Vec3& position, std::uint32_t segment) { last_ = foot_on(segment, position); }
+
  private:
   void improve(Foot& best, std::size_t segment, const Vec3& position) const;
   void search(Foot& best, const Foot& from, double reach, const Vec3& position) const;

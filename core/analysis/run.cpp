@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/analysis/run_stages.h"
 #include "core/base/data_folder.h"
 
 namespace feedscope {
@@ -73,17 +74,28 @@ std::optional<double> contour_tolerance(const Setup& setup) {
   return setup.settings.has(key) ? std::optional(setup.settings.number(key)) : std::nullopt;
 }
 
-Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress) {
+Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress) {
   const StopWatch watch;
   Run run;
   run.input = input;
   run.setup = std::move(setup);
   run.trajectory = std::make_shared<const Trajectory>(
       run.setup.model->simulate(input.toolpath, run.setup.machine, run.setup.settings, progress));
+  run.simulate_time = watch.seconds();
+  return run;
+}
+
+void add_summary(Run& run) {
+  const StopWatch watch;
   const auto& axes = run.setup.machine.axes;
   run.summary =
-      summarise(*run.trajectory, *input.toolpath, {axes[0].velocity, axes[1].velocity, axes[2].velocity});
-  run.simulate_time = watch.seconds();
+      summarise(*run.trajectory, *run.input.toolpath, {axes[0].velocity, axes[1].velocity, axes[2].velocity});
+  run.simulate_time += watch.seconds();
+}
+
+Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress) {
+  Run run = simulate_motion(input, std::move(setup), progress);
+  add_summary(run);
   return run;
 }
 

@@ -1,27 +1,57 @@
 #include "ui/models/shown_run.h"
 
-#include <future>
+#include <tbb/parallel_invoke.h>
+
+#include <utility>
+
+#include "core/analysis/run_stages.h"
+#include "ui/models/simulate_shown.h"
 
 namespace feedscope::ui {
 
 namespace {
 
 constexpr std::size_t slow_places_kept = 10'000;
+constexpr double share_of_motion = 0.5;  // of all that a run takes
+
+/// What is shown of `run`, each part beside the others, its summary too if that is still to come. `share`: of
+/// `progress`.
+std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double share, bool wants_summary) {
+  auto shown = std::make_shared<ShownRun>();
+  shown->run = std::move(run);
+  const std::shared_ptr<const Trajectory> trajectory = shown->run.trajectory;
+  Progress envelope(progress, 0.4 * share);
+  Progress lines(progress, 0.3 * share);
+  Progress places(progress, 0.3 * share);
+  // What takes longest first.
+  tbb::parallel_invoke(
+      [&] { shown->samples = std::make_shared<const SampledPath>(sample_executed(*trajectory)); },
+      [&] {
+        if (wants_summary) {
+          add_summary(shown->run);
+        }
+      },
+      [&] { shown->envelope = std::make_shared<const Envelope>(trajectory, &envelope); },
+      [&] {
+        shown->line_times = std::make_shared<const LineTimes>(*trajectory, &lines);
+        shown->slow_places =
+            std::make_shared<const SlowPlaces>(find_slow_places(*trajectory, slow_places_kept, &places));
+      });
+  return shown;
+}
 
 }  // namespace
 
 std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress) {
-  auto shown = std::make_shared<ShownRun>();
-  shown->run = std::move(run);
-  // What takes longest goes beside the rest.
-  std::future<SampledPath> samples = std::async(
-      std::launch::async, [&trajectory = *shown->run.trajectory] { return sample_executed(trajectory); });
-  shown->envelope = std::make_shared<const Envelope>(shown->run.trajectory, progress);
-  shown->line_times = std::make_shared<const LineTimes>(*shown->run.trajectory, progress);
-  shown->slow_places = std::make_shared<const SlowPlaces>(
-      find_slow_places(*shown->run.trajectory, slow_places_kept, progress));
-  shown->samples = std::make_shared<const SampledPath>(samples.get());
-  return shown;
+  Progress unwatched;
+  return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, false);
+}
+
+std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup, Progress* progress) {
+  Progress unwatched;
+  Progress& whole = progress != nullptr ? *progress : unwatched;
+  Progress motion(whole, share_of_motion);
+  return shown_of(simulate_motion(input, std::move(setup), &motion), whole, 1 - share_of_motion, true);
 }
 
 ShownProgram make_shown(LoadedProgram input) {

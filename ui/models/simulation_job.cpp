@@ -4,13 +4,9 @@
 #include <chrono>
 #include <utility>
 
+#include "ui/models/simulate_shown.h"
+
 namespace feedscope::ui {
-
-namespace {
-
-constexpr double share_of_law = 0.8;  // of the simulation; the rest prepares its pictures
-
-}  // namespace
 
 void SimulationJob::Stages::cancel() {
   reading.cancel();
@@ -71,9 +67,7 @@ SimulationJob::Outcome SimulationJob::work(const JobRequest& request, const std:
       input = std::get<LoadedProgram>(request.input);
     }
     stages->simulating = true;
-    Progress law(stages->simulation, share_of_law);
-    Progress pictures(stages->simulation, 1 - share_of_law);
-    return make_shown(simulate_run(input, request.setup, &law), &pictures);
+    return simulate_shown(input, request.setup, &stages->simulation);
   } catch (const Cancelled&) {
     return {};
   } catch (const std::bad_alloc&) {

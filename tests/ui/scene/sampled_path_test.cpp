@@ -130,6 +130,49 @@ TEST(SampledExecuted, KeepsToItsBudgetAndToThePath) {
   }
 }
 
+/// Rounds of one square, each from standstill to standstill.
+std::string rounds(std::size_t count) {
+  std::string text = "G21 G90 G94\nG1 F6000\n";
+  for (std::size_t i = 0; i < count; ++i) {
+    text += "X10\nX10.5 Y10\nX0 Y10.5\nX0 Y0\nG4 P0.01\n";
+  }
+  return text;
+}
+
+/// Largest value of every round, of rounds that take `time` each.
+std::vector<double> largest_by_round(const SampledPath& path, double time, std::size_t count,
+                                     const std::function<double(std::size_t)>& value) {
+  std::vector<double> largest(count);
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    double& here = largest[std::min(count - 1, static_cast<std::size_t>(path.times[i - 1] / time))];
+    here = std::max(here, value(i));
+  }
+  return largest;
+}
+
+// Threads take a thousand pieces each: where one ends and the next begins nothing shows.
+TEST(SampledExecuted, EveryRoundOfALongProgramIsTheSame) {
+  constexpr std::size_t count = 1000;
+  const auto run = simulate_text(rounds(count));
+  ASSERT_GT(run.trajectory->pieces().size(), 12 * 1024U) << "else the test shows nothing";
+  const SampledPath path = sample_executed(*run.trajectory);
+  EXPECT_EQ(path.times.front(), 0);
+  EXPECT_EQ(path.times.back(), run.trajectory->duration());
+  EXPECT_TRUE(std::ranges::is_sorted(path.times));
+  const double time = run.trajectory->duration() / count;
+  const auto errors = largest_by_round(path, time, count,
+                                       [&](std::size_t i) { return path.value(Quantity::contour_error, i); });
+  const auto spans = largest_by_round(path, time, count, [&](std::size_t i) {
+    return double{(path.positions[i] - path.positions[i - 1]).norm()};
+  });
+  for (std::size_t round = 1; round < count; ++round) {
+    EXPECT_NEAR(errors[round], errors[0], 0.01 * errors[0]) << round;
+    EXPECT_NEAR(spans[round], spans[0], 1e-3) << round;
+  }
+  const double blends = length_of(sample_executed(*simulate_text(rounds(1)).trajectory), SpanKind::blend);
+  EXPECT_NEAR(length_of(path, SpanKind::blend), count * blends, 1e-4 * count * blends);
+}
+
 /// Stored values have 8 bits: half a unit of the last is 0.4 %. At the border of two pieces either counts.
 class Around {
  public:

@@ -1,5 +1,9 @@
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/analysis/path_deviation.h"
 #include "core/trajectory/part_walk.h"
@@ -12,19 +16,41 @@ constexpr double spans_of_blend = 24;
 constexpr double feed_steps = 24;
 constexpr double spans_a_filter_time = 8;
 
-/// Counts and draws the samples of one trajectory.
+void reserve(SampledPath& path, std::size_t points) {
+  path.positions.reserve(points);
+  path.kinds.reserve(points);
+  path.times.reserve(points);
+  path.causes.reserve(points);
+  path.deviations.reserve(points);
+  for (std::size_t quantity = 0; quantity < own_quantity_count; ++quantity) {
+    path.values[quantity].reserve(points);
+  }
+}
+
+constexpr std::size_t pieces_a_chunk = 1024;
+
+/// Consecutive parts that are sampled by one thread; the same ones however many threads there are.
+struct Chunk {
+  std::size_t piece = 0;   ///< the first
+  std::size_t end = 0;     ///< behind the last
+  std::size_t wanted = 0;  ///< points, if none is left out
+  std::optional<Part> before;
+};
+
+/// Draws the samples of one trajectory, or of a chunk of it.
 class ExecutedSampling {
  public:
-  ExecutedSampling(const Trajectory& trajectory, std::size_t max_points, std::span<const double> also_at)
-      : trajectory_(trajectory),
-        max_points_(max_points),
-        also_at_(also_at),
-        deviation_(programmed_of(trajectory)) {
+  ExecutedSampling(const Trajectory& trajectory, std::span<const double> also_at)
+      : trajectory_(trajectory), also_at_(also_at), deviation_(programmed_of(trajectory)) {
     for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
       const Part& part = walk.part();
-      if (part.law != Law::parameter && !trajectory.is_rapid(part.element)) {
+      if (part.law == Law::filtered && !trajectory.is_rapid(part.element)) {
         const PartMotion motion = walk.motion();
-        top_speed_ = std::max({top_speed_, speed_in(motion, part, 0), speed_in(motion, part, part.duration)});
+        top_speed_ = std::max({top_speed_, motion.kinematics(0).velocity.norm(),
+                               motion.kinematics(part.duration).velocity.norm()});
+      } else if (part.law == Law::path_length && !trajectory.is_rapid(part.element)) {
+        const LawPoint end = advance({part.q, part.v, part.a, part.j}, part.duration);
+        top_speed_ = std::max({top_speed_, part.v, end.v});
       }
       if (part.law == Law::path_length) {
         top_jerk_ = std::max(top_jerk_, std::abs(part.j));
@@ -32,41 +58,59 @@ class ExecutedSampling {
     }
   }
 
-  SampledPath run() {
+  std::vector<Chunk> chunks() const {
+    std::vector<Chunk> chunks;
+    std::optional<Part> last;
+    for (PartWalk walk(trajectory_); !walk.done(); walk.next()) {
+      const Part& part = walk.part();
+      if (chunks.empty() || part.piece >= chunks.back().piece + pieces_a_chunk) {
+        if (!chunks.empty()) {
+          chunks.back().end = part.piece;
+        }
+        chunks.push_back({part.piece, trajectory_.pieces().size(), 0, last});
+      }
+      chunks.back().wanted += spans_of(part, 0);
+      last = part;
+    }
+    return chunks;
+  }
+
+  SampledPath run(const Chunk& chunk, double spacing) {
     SampledPath path;
-    if (trajectory_.pieces().empty()) {
-      return path;
-    }
-    std::size_t wanted = 1;
-    for (PartWalk walk(trajectory_); !walk.done(); walk.next()) {
-      wanted += spans_of(walk.part(), 0);
-    }
-    const double spacing = spacing_for(wanted, max_points_, trajectory_.path_length());
     path.origin = trajectory_.path().element(0).start;
-    reserve(path, std::min(wanted, max_points_) + 2);
+    reserve(path, spacing > 0 ? 0 : chunk.wanted + 2);
     Sampler sampler(path, spacing);
-    Part last;
-    for (PartWalk walk(trajectory_); !walk.done(); walk.next()) {
+    std::optional<Part> last = chunk.before;
+    PartWalk walk(trajectory_, chunk.piece);
+    if (last) {
+      if (!(walk.part().duration > 0)) {
+        walk.next();
+      }
+      const auto passed = std::ranges::lower_bound(also_at_, walk.part().time) - also_at_.begin();
+      also_at_ = also_at_.subspan(static_cast<std::size_t>(passed));
+      deviation_.begin(walk.motion().kinematics(0).position, segment_of(walk.part()));
+    }
+    for (; !walk.done() && walk.part().piece < chunk.end; walk.next()) {
       // Of what is shorter than the spacing no end would be kept.
-      if (path.size() > 0 && advance_of(last) >= spacing && jumps(last, walk.part())) {
-        add_end(path, sampler, last, walk);
+      if (last && advance_of(*last) >= spacing && jumps(*last, walk.part())) {
+        add_end(path, sampler, *last, walk);
       }
       last = walk.part();
-      const std::size_t count = spans_of(last, spacing);
-      const double step = last.duration / static_cast<double>(count);
-      const double span = advance_of(last) / static_cast<double>(count);
+      const std::size_t count = spans_of(*last, spacing);
+      const double step = last->duration / static_cast<double>(count);
+      const double span = advance_of(*last) / static_cast<double>(count);
       const PartMotion motion = walk.motion();
       for (std::size_t k = 0; k < count; ++k) {
         const double tau = step * static_cast<double>(k);
-        add(path, sampler, motion, last, tau, span);
-        add_asked(path, sampler, motion, last, {tau, k + 1 < count ? tau + step : last.duration}, span);
+        add(path, sampler, motion, *last, tau, span);
+        add_asked(path, sampler, motion, *last, {tau, k + 1 < count ? tau + step : last->duration}, span);
       }
     }
-    Sampler all(path, 0);
-    add(path, all, PartMotion(trajectory_, last), last, last.duration, 0);
-    path.times.back() = trajectory_.duration();
-    path.levels = levels_of(path);
-    path.boxes = boxes_of(path.positions);
+    if (walk.done()) {
+      Sampler all(path, 0);
+      add(path, all, PartMotion(trajectory_, *last), *last, last->duration, 0);
+      path.times.back() = trajectory_.duration();
+    }
     return path;
   }
 
@@ -92,11 +136,6 @@ class ExecutedSampling {
   static const Toolpath& programmed_of(const Trajectory& trajectory) {
     static const Toolpath nothing;
     return trajectory.path().programmed() ? *trajectory.path().programmed() : nothing;
-  }
-
-  static double speed_in(const PartMotion& motion, const Part& part, double tau) {
-    return part.law == Law::filtered ? motion.kinematics(tau).velocity.norm()
-                                     : advance({part.q, part.v, part.a, part.j}, tau).v;
   }
 
   /// At the latest where the part ends, q has gone this far, [mm] or blend parameter.
@@ -183,17 +222,6 @@ class ExecutedSampling {
     }
   }
 
-  static void reserve(SampledPath& path, std::size_t points) {
-    path.positions.reserve(points);
-    path.kinds.reserve(points);
-    path.times.reserve(points);
-    path.causes.reserve(points);
-    path.deviations.reserve(points);
-    for (std::size_t quantity = 0; quantity < own_quantity_count; ++quantity) {
-      path.values[quantity].reserve(points);
-    }
-  }
-
   void add(SampledPath& path, Sampler& sampler, const PartMotion& motion, const Part& part, double tau,
            double span) {
     const Kinematics at = motion.kinematics(tau);
@@ -204,7 +232,8 @@ class ExecutedSampling {
     }
     const bool kept = sampler.add(at.position, kind, span);
     if (kept) {
-      path.times.push_back(path.times.empty() ? 0.0 : std::max(path.times.back(), part.time + tau));
+      const double time = part.time + tau;
+      path.times.push_back(path.times.empty() ? time : std::max(path.times.back(), time));
       path.causes.push_back(part.cause.kind);
       add_values(path, at, speed, trajectory_.feed_of(part.element));
       const auto deviation = follows_exactly(part) ? PathDeviation::Result()
@@ -243,7 +272,6 @@ class ExecutedSampling {
   std::uint32_t segment_of(const Part& part) const { return trajectory_.path().segment(part.element); }
 
   const Trajectory& trajectory_;
-  std::size_t max_points_;
   std::span<const double> also_at_;  ///< those that are still to come [s]
   double top_speed_ = 0;             ///< [mm/s]
   double top_jerk_ = 0;              ///< along the path [mm/s3]
@@ -251,11 +279,58 @@ class ExecutedSampling {
   double advanced_ = 0;  ///< path length since the last point that was kept [mm]
 };
 
+/// Appends what `part` holds and gives its memory back.
+template <typename Values>
+void move_behind(Values& values, Values& part) {
+  values.insert(values.end(), part.begin(), part.end());
+  part = {};
+}
+
+SampledPath joined(std::vector<SampledPath> parts) {
+  SampledPath path = std::move(parts.front());
+  std::size_t size = 0;
+  for (const SampledPath& part : parts) {
+    size += part.size();
+  }
+  reserve(path, path.size() + size);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    SampledPath& part = parts[i];
+    move_behind(path.positions, part.positions);
+    move_behind(path.kinds, part.kinds);
+    move_behind(path.times, part.times);
+    move_behind(path.causes, part.causes);
+    move_behind(path.deviations, part.deviations);
+    for (std::size_t quantity = 0; quantity < own_quantity_count; ++quantity) {
+      move_behind(path.values[quantity], part.values[quantity]);
+    }
+    path.peak_feed = std::max(path.peak_feed, part.peak_feed);
+    path.bounds.add(part.bounds.min);
+    path.bounds.add(part.bounds.max);
+  }
+  return path;
+}
+
 }  // namespace
 
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points,
                             std::span<const double> also_at) {
-  return ExecutedSampling(trajectory, max_points, also_at).run();
+  if (trajectory.pieces().empty()) {
+    return {};
+  }
+  const ExecutedSampling sampling(trajectory, also_at);
+  const std::vector<Chunk> chunks = sampling.chunks();
+  std::size_t wanted = 1;
+  for (const Chunk& chunk : chunks) {
+    wanted += chunk.wanted;
+  }
+  const double spacing = spacing_for(wanted, max_points, trajectory.path_length());
+  std::vector<SampledPath> parts(chunks.size());
+  tbb::parallel_for(std::size_t{0}, chunks.size(),
+                    [&](std::size_t i) { parts[i] = ExecutedSampling(sampling).run(chunks[i], spacing); });
+  SampledPath path = joined(std::move(parts));
+  path.levels = levels_of(path);
+  path.boxes = boxes_of(path.positions);
+  return path;
 }
 
 }  // namespace feedscope::ui

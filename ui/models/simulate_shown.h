@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ui/models/shown_run.h"
+
+namespace feedscope::ui {
+
+/// Simulates a run and makes what its pictures need, on all cores: the summary beside the pictures. Throws
+/// what simulate_run() throws.
+std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup,
+                                               Progress* progress = nullptr);
+
+}  // namespace feedscope::ui
