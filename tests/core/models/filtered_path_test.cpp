@@ -120,8 +120,9 @@ TEST(FilteredPath, RefusesWhatTurnsAboutTooOftenAndNamesTheLine) {
     fitted(run);
     FAIL() << "laid";
   } catch (const InputError& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("path of ward takes more than 202000 curves"),
-                                    HasSubstr("up to line 12"), HasSubstr("choose the path of another model")));
+    EXPECT_THAT(error.what(),
+                AllOf(HasSubstr("path of ward takes more than 202000 curves"), HasSubstr("up to line 12"),
+                      HasSubstr("choose the path of another model")));
   }
 }
 
