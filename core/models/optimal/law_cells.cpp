@@ -203,7 +203,8 @@ Phases LawCells::phases(std::size_t i, double x0, double x1) const {
   const LawCell& cell = cells_[i];
   const auto of_ends = [&](const auto& from, const auto& to) {
     const double ceiling = std::min({cell.ceiling.value, from.largest_x().value, to.largest_x().value});
-    const auto [low, high] = std::minmax(x0, x1);
+    const double low = std::min(x0, x1);
+    const double high = std::max(x0, x1);
     const double crest = std::max(std::min(ceiling, x0 + 2 * from.highest(x0) * cell.length), high);
     Phases phases{crest, infinite, infinite};
     const auto leads_over = [&](const auto& range) {
