@@ -52,7 +52,7 @@ inline constexpr std::size_t spans_of_box = 64;
 
 /// A path as points close enough that straight spans between them look like the path. Positions are single
 /// precision offsets from `origin`: one part in 10^7 of the path's size. An executed path takes 42 bytes a
-/// point, its levels and what finds them 4 more.
+/// point, 8 more while it is compared with another run, its levels and what finds them 4 more.
 struct SampledPath {
   Vec3 origin = Vec3::Zero();              ///< [mm]
   std::vector<Eigen::Vector3f> positions;  ///< offsets from origin [mm]
