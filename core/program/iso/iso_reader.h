@@ -283,8 +283,7 @@ class IsoReader : public Reader, private VariableSource {
   void cubic_spline();
   void quadratic_spline();
   /// Parameter from 0 to 1, in programmed coordinates.
-  void write_curve(const std::function<Vec3(double)>& curve);
-  void report_curve(std::uint32_t column);
+  void write_curve(const ParametricCurve& curve);
   /// In the plane XY [mm].
   Vec3 offset_words(char first, char second) const;
   /// True, reported and a line written, if the block has neither of the two.

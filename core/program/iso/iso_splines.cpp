@@ -6,7 +6,6 @@
 
 #include "core/program/iso/iso_reader.h"
 #include "core/program/path/b_spline.h"
-#include "core/program/path/curve_lines.h"
 #include "core/program/text/message.h"
 
 namespace feedscope {
@@ -84,9 +83,10 @@ void IsoReader::cubic_spline() {
   const Vec3 second = end - rise / 3 + offset_words('P', 'Q');
   state_.spline.tangent = -offset_words('P', 'Q');
   state_.spline.has_tangent = true;
-  write_curve([&](double t) -> Vec3 {
+  write_curve([&](double t) -> CurvePlace {
     const double s = 1 - t;
-    return s * s * s * start + 3 * s * s * t * first + 3 * s * t * t * second + t * t * t * end;
+    return {s * s * s * start + 3 * s * s * t * first + 3 * s * t * t * second + t * t * t * end,
+            3 * (s * s * (first - start) + 2 * s * t * (second - first) + t * t * (end - second))};
   });
 }
 
@@ -97,39 +97,15 @@ void IsoReader::quadratic_spline() {
   const Vec3 start = path().position();
   const Vec3 end = target_of_block();
   const Vec3 middle = start + (end - start).z() / 2 * Vec3::UnitZ() + offset_words('I', 'J');
-  write_curve([&](double t) -> Vec3 {
+  write_curve([&](double t) -> CurvePlace {
     const double s = 1 - t;
-    return s * s * start + 2 * s * t * middle + t * t * end;
+    return {s * s * start + 2 * s * t * middle + t * t * end,
+            2 * (s * (middle - start) + t * (end - middle))};
   });
 }
 
-void IsoReader::write_curve(const std::function<Vec3(double)>& curve) {
-  report_curve(words_.first_column("XYZIJPQ"));
-  std::vector<Vec3> ends;
-  lines_of_curve(curve, 0, 1, [&](const Vec3& end) { ends.push_back(end); });
-  // The feed of G93 is that of the whole curve.
-  const double feed = path().feed();
-  const bool inverse_time = path().feed_mode() == FeedMode::inverse_time;
-  double length = 0;
-  Vec3 start = path().position();
-  for (const Vec3& end : ends) {
-    length += (end - start).norm();
-    start = end;
-  }
-  for (const Vec3& end : ends) {
-    const double chord = (end - path().position()).norm();
-    if (inverse_time && chord > 0) {
-      path().set_feed(feed * length / chord);
-    }
-    path().line(end);
-  }
-  path().set_feed(feed);
-}
-
-void IsoReader::report_curve(std::uint32_t column) {
-  report(Severity::info, "curve-as-lines", 0, column, [] {
-    return Text{"a curve is read as lines within 0.001 mm of it", ""};
-  });
+void IsoReader::write_curve(const ParametricCurve& curve) {
+  path().curve(curve, 0, 1, words_.first_column("XYZIJPQ"));
 }
 
 void IsoReader::add_control_point() {
@@ -188,13 +164,12 @@ void IsoReader::end_nurbs() {
     weighted_points.push_back(weighted(point.at, point.weight));
   }
   const std::vector<double> knots = clamped_knots(points.size(), degree);
-  report_curve(0);
   for (std::size_t i = degree; i < points.size(); ++i) {
     const ControlPoint& point = points[i];
     path().begin_line(point.line, point.place);
     path().program_axes();
-    lines_of_curve([&](double u) { return b_spline_point(weighted_points, knots, degree, i, u); }, knots[i],
-                   knots[i + 1], [this](const Vec3& end) { path().line(end); });
+    path().curve([&](double u) { return b_spline_place(weighted_points, knots, degree, i, u); }, knots[i],
+                 knots[i + 1], point.place.column);
   }
   path().begin_line(shown_line(), place(0));
 }

@@ -13,11 +13,16 @@ std::vector<double> clamped_knots(std::size_t count, std::size_t degree) {
   return knots;
 }
 
-Vec3 b_spline_point(std::span<const Eigen::Vector4d> points, std::span<const double> knots,
-                    std::size_t degree, std::size_t interval, double parameter) {
+CurvePlace b_spline_place(std::span<const Eigen::Vector4d> points, std::span<const double> knots,
+                          std::size_t degree, std::size_t interval, double parameter) {
   std::array<Eigen::Vector4d, most_spline_degree + 1> d;
   std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(interval - degree), degree + 1, d.begin());
+  Eigen::Vector4d slope = Eigen::Vector4d::Zero();
   for (std::size_t level = 1; level <= degree; ++level) {
+    if (level == degree) {
+      const double width = knots[interval + 1] - knots[interval];
+      slope = static_cast<double>(degree) / width * (d[degree] - d[degree - 1]);
+    }
     for (std::size_t j = degree; j >= level; --j) {
       const std::size_t i = interval - degree + j;
       const double width = knots[i + degree - level + 1] - knots[i];
@@ -25,7 +30,9 @@ Vec3 b_spline_point(std::span<const Eigen::Vector4d> points, std::span<const dou
       d[j] = (1 - share) * d[j - 1] + share * d[j];
     }
   }
-  return d[degree].head<3>() / d[degree][3];
+  const double weight = d[degree][3];
+  const Vec3 point = d[degree].head<3>() / weight;
+  return {point, (slope.head<3>() - slope[3] * point) / weight};
 }
 
 }  // namespace feedscope

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/program/path/parametric_curve.h"
 
 namespace feedscope {
 
@@ -20,10 +21,10 @@ inline Eigen::Vector4d weighted(const Vec3& place, double weight) {
 /// and last of `count` control points; `degree` < `count`.
 std::vector<double> clamped_knots(std::size_t count, std::size_t degree);
 
-/// The curve at `parameter`, which lies in the knot interval that begins with knot number `interval`, by de
-/// Boor's algorithm. As many knots as control points, plus `degree` + 1; `degree` at most
+/// The curve and its slope at `parameter`, which lies in the knot interval that begins with knot number
+/// `interval`, by de Boor's algorithm. As many knots as control points, plus `degree` + 1; `degree` at most
 /// `most_spline_degree`.
-Vec3 b_spline_point(std::span<const Eigen::Vector4d> points, std::span<const double> knots,
-                    std::size_t degree, std::size_t interval, double parameter);
+CurvePlace b_spline_place(std::span<const Eigen::Vector4d> points, std::span<const double> knots,
+                          std::size_t degree, std::size_t interval, double parameter);
 
 }  // namespace feedscope

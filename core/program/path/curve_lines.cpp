@@ -1,5 +1,8 @@
 #include "core/program/path/curve_lines.h"
 
+#include <algorithm>
+#include <utility>
+
 namespace feedscope {
 
 namespace {
@@ -23,40 +26,40 @@ double distance(const Vec3& point, const Vec3& from, const Vec3& to) {
 
 class Divider {
  public:
-  Divider(const std::function<Vec3(double)>& curve, const std::function<void(const Vec3&)>& line_to)
-      : curve_(curve), line_to_(line_to) {}
+  explicit Divider(const ParametricCurve& curve) : curve_(curve) {}
 
-  Place at(double parameter) const { return {parameter, curve_(parameter)}; }
+  Place at(double parameter) const { return {parameter, curve_(parameter).point}; }
 
-  void divide(const Place& from, const Place& to, int halvings) const {
+  void divide(const Place& from, const Place& to, int halvings) {
     const double half = (to.parameter - from.parameter) / 2;
     const Place middle = at(from.parameter + half);
     const bool close = halvings >= least_halvings && is_close(from, to, middle.point) &&
-                       is_close(from, to, curve_(from.parameter + half / 2)) &&
-                       is_close(from, to, curve_(to.parameter - half / 2));
+                       is_close(from, to, curve_(from.parameter + half / 2).point) &&
+                       is_close(from, to, curve_(to.parameter - half / 2).point);
     if (close || halvings >= most_halvings) {
-      line_to_(to.point);
+      ends.push_back(to.point);
       return;
     }
     divide(from, middle, halvings + 1);
     divide(middle, to, halvings + 1);
   }
 
+  std::vector<Vec3> ends;
+
  private:
   static bool is_close(const Place& from, const Place& to, const Vec3& point) {
-    return distance(point, from.point, to.point) <= curve_chord_error;
+    return distance(point, from.point, to.point) <= curve_tolerance;
   }
 
-  const std::function<Vec3(double)>& curve_;
-  const std::function<void(const Vec3&)>& line_to_;
+  const ParametricCurve& curve_;
 };
 
 }  // namespace
 
-void lines_of_curve(const std::function<Vec3(double)>& curve, double from, double to,
-                    const std::function<void(const Vec3&)>& line_to) {
-  const Divider divider(curve, line_to);
+std::vector<Vec3> lines_of_curve(const ParametricCurve& curve, double from, double to) {
+  Divider divider(curve);
   divider.divide(divider.at(from), divider.at(to), 0);
+  return std::move(divider.ends);
 }
 
 }  // namespace feedscope

@@ -9,6 +9,7 @@
 #include "core/program/path/contour_corners.h"
 #include "core/program/path/coordinate_frame.h"
 #include "core/program/path/cutter_compensation.h"
+#include "core/program/path/parametric_curve.h"
 #include "core/program/path/plane.h"
 #include "core/program/path_control.h"
 #include "core/program/program.h"
@@ -72,6 +73,11 @@ class PathWriter {
   void arc_by_center(const ArcRequest& arc);
   void arc_by_radius(const ArcRequest& arc);
   void dwell(double seconds);
+  /// Along a curve in programmed coordinates that starts where the path has come to, from parameter `from` to
+  /// `to`: as arcs (arcs_of_curve), under cutter compensation or at a corner that is cut off as lines
+  /// (lines_of_curve). `column` for messages. Returns the unit direction at its end, zero if it has no
+  /// length.
+  Vec3 curve(const ParametricCurve& curve, double from, double to, std::uint32_t column);
 
   /// The arcs by a centre so far, and those of them that the centre does not fit.
   struct CenterCount {
@@ -111,6 +117,8 @@ class PathWriter {
   void report_arc_fault(const ArcRequest& request, const ArcSolution& solution);
   void straight_arc(const ArcRequest& request, const ArcSolution::Piece& piece);
   void chord(const Vec3& target);
+  Vec3 curve_as_arcs(const ParametricCurve& curve, double from, double to);
+  Vec3 curve_as_lines(const ParametricCurve& curve, double from, double to);
   double feed_over(double length);
   void report_missing_feed();
   void append(Motion motion, const Vec3& target, double feed, const ArcWords& arc = {});

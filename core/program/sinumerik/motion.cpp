@@ -77,7 +77,7 @@ void SinumerikReader::move() {
   }
   cut_corner(action == Action::rapid || action == Action::line || is_arc_action(action));
   const Vec3 target = target_of_block();
-  const Vec3 start = path().position();
+  Vec3 start = path().position();
   switch (action) {
     case Action::rapid:
     case Action::line:
@@ -90,7 +90,7 @@ void SinumerikReader::move() {
       collect_spline(target);
       break;
     case Action::polynomial:
-      polynomial(target);
+      polynomial(target, start);
       break;
     case Action::arc_through:
       arc_through(target);
@@ -321,56 +321,48 @@ void SinumerikReader::finish_spline() {
   }
   const SplinePath curve = spline_;
   const double feed = path().feed();
-  report_curve(curve.last().place);
   Vec3 direction = Vec3::Zero();
   if (modal_.motion->action == Action::line || modal_.motion->action == Action::rapid) {
     direction = target_of_block() - curve.last().at;
   }
   spline_.clear();
-  const std::uint32_t* line = nullptr;
-  curve.lines(direction.norm() > same_point ? Vec3(direction.normalized()) : Vec3(Vec3::Zero()),
-              [&](const Vec3& at, const SplinePath::Point& point) {
-                if (line != &point.line) {
-                  line = &point.line;
-                  path().begin_line(point.line, point.place);
-                  path().program_axes();
-                  path().set_feed(point.feed);
-                }
-                start_ = path().position();
-                path().line(at);
+  curve.spans(direction.norm() > same_point ? Vec3(direction.normalized()) : Vec3(Vec3::Zero()),
+              [&](const ParametricCurve& span, double from, double to, const SplinePath::Point& point) {
+                path().begin_line(point.line, point.place);
+                path().program_axes();
+                path().set_feed(point.feed);
+                const Vec3 leaves = path().curve(span, from, to, point.place.column);
+                start_ = path().position() - leaves;
               });
   last_arc_.reset();
   path().begin_line(shown_line(), place(0));
   path().set_feed(feed);
 }
 
-void SinumerikReader::report_curve(const DiagnosticLog::Place& at) {
-  log().add(Severity::info, "curve-as-lines", 0, at, [] {
-    return Text{"a curve is read as lines within 0.001 mm of it", ""};
-  });
-}
-
-void SinumerikReader::polynomial(const Vec3& target) {
+/// `from` becomes where a line would start that ends as the curve does.
+void SinumerikReader::polynomial(const Vec3& target, Vec3& from) {
   last_arc_.reset();
   const double interval = words_.has(Address::pl) ? words_[Address::pl].value : 1;
   if (!has_polynomials_ || !(interval > 0)) {
     path().line(target);
     return;
   }
-  report_curve(place(words_.first_column("XYZ")));
   const Vec3 start = path().position();
-  const auto curve = [&](double parameter) -> Vec3 {
-    Vec3 at = start + (target - start) * parameter / interval;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      if (polynomials_[axis]) {
-        PolynomialWord word = *polynomials_[axis];
-        word.end = target[static_cast<int>(axis)];
-        at[static_cast<int>(axis)] = word.at(parameter, start[static_cast<int>(axis)], interval);
+  const auto curve = [&](double parameter) -> CurvePlace {
+    CurvePlace place{start + (target - start) * parameter / interval, (target - start) / interval};
+    for (std::size_t i = 0; i < 3; ++i) {
+      if (polynomials_[i]) {
+        const int axis = static_cast<int>(i);
+        PolynomialWord word = *polynomials_[i];
+        word.end = target[axis];
+        place.point[axis] = word.at(parameter, start[axis], interval);
+        place.slope[axis] = word.slope_at(parameter, start[axis], interval);
       }
     }
-    return at;
+    return place;
   };
-  lines_of_curve(curve, 0, interval, [&](const Vec3& at) { path().line(at); });
+  from = -path().curve(curve, 0, interval, words_.first_column("XYZ"));
+  from += path().position();
 }
 
 }  // namespace feedscope

@@ -194,8 +194,7 @@ class SinumerikReader : public Reader {
   void thread(const Vec3& target);
   void collect_spline(const Vec3& target);
   void finish_spline();
-  void report_curve(const DiagnosticLog::Place& at);
-  void polynomial(const Vec3& target);
+  void polynomial(const Vec3& target, Vec3& from);
   Vec3 target_of_block();
   Vec3 polar_target(const Vec3& straight_target);
   void angle_target(Vec3& target);

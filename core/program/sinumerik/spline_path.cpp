@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/program/path/b_spline.h"
-#include "core/program/path/curve_lines.h"
 
 namespace feedscope::sinumerik {
 
@@ -46,10 +45,22 @@ std::vector<Vec3> solve(const std::vector<double>& a, std::vector<double> b, con
 }  // namespace
 
 double PolynomialWord::at(double parameter, double start, double interval) const {
-  const auto higher = [this](double p) {
-    return p * p * (coefficients[0] + p * (coefficients[1] + p * (coefficients[2] + p * coefficients[3])));
-  };
-  return start + (end - start - higher(interval)) * parameter / interval + higher(parameter);
+  return start + first(start, interval) * parameter + higher(parameter);
+}
+
+double PolynomialWord::slope_at(double parameter, double start, double interval) const {
+  const auto& [a2, a3, a4, a5] = coefficients;
+  const double p = parameter;
+  return first(start, interval) + p * (2 * a2 + p * (3 * a3 + p * (4 * a4 + p * 5 * a5)));
+}
+
+double PolynomialWord::higher(double p) const {
+  const auto& [a2, a3, a4, a5] = coefficients;
+  return p * p * (a2 + p * (a3 + p * (a4 + p * a5)));
+}
+
+double PolynomialWord::first(double start, double interval) const {
+  return (end - start - higher(interval)) / interval;
 }
 
 void SplinePath::begin(std::string_view kind, const Point& start, const Vec3& direction) {
@@ -64,24 +75,22 @@ void SplinePath::set_end(std::string_view name) {
   which = how == "NAT" ? SplineEnd::natural : how == "TAN" ? SplineEnd::tangent : SplineEnd::automatic;
 }
 
-void SplinePath::lines(const Vec3& direction,
-                       const std::function<void(const Vec3&, const Point&)>& line_to) const {
+void SplinePath::spans(const Vec3& direction, const TakeSpan& take) const {
   if (empty()) {
     return;
   }
   if (kind_ == "BSPLINE") {
-    b_spline(line_to);
+    b_spline(take);
     return;
   }
   std::vector<double> steps;
   for (std::size_t i = 1; i < points_.size(); ++i) {
     steps.push_back((points_[i].at - points_[i - 1].at).norm());
   }
-  hermite(kind_ == "ASPLINE" ? akima_slopes(steps, direction) : cubic_slopes(steps, direction), steps,
-          line_to);
+  hermite(kind_ == "ASPLINE" ? akima_slopes(steps, direction) : cubic_slopes(steps, direction), steps, take);
 }
 
-void SplinePath::b_spline(const std::function<void(const Vec3&, const Point&)>& line_to) const {
+void SplinePath::b_spline(const TakeSpan& take) const {
   const std::size_t degree = std::min<std::size_t>(static_cast<std::size_t>(degree_), points_.size() - 1);
   const std::vector<double> knots = knots_of(points_, degree);
   std::vector<Eigen::Vector4d> weighted_points;
@@ -90,23 +99,25 @@ void SplinePath::b_spline(const std::function<void(const Vec3&, const Point&)>& 
   }
   for (std::size_t span = degree; span < points_.size(); ++span) {
     if (knots[span + 1] > knots[span]) {
-      lines_of_curve([&](double u) { return b_spline_point(weighted_points, knots, degree, span, u); },
-                     knots[span], knots[span + 1], [&](const Vec3& point) { line_to(point, points_[span]); });
+      take([&](double u) { return b_spline_place(weighted_points, knots, degree, span, u); }, knots[span],
+           knots[span + 1], points_[span]);
     }
   }
 }
 
 void SplinePath::hermite(const std::vector<Vec3>& slopes, const std::vector<double>& steps,
-                         const std::function<void(const Vec3&, const Point&)>& line_to) const {
+                         const TakeSpan& take) const {
   for (std::size_t i = 0; i < steps.size(); ++i) {
     const Vec3& from = points_[i].at;
     const Vec3& to = points_[i + 1].at;
-    const auto curve = [&](double u) -> Vec3 {
+    const Vec3 leaves = steps[i] * slopes[i];
+    const Vec3 arrives = steps[i] * slopes[i + 1];
+    const auto curve = [&](double u) -> CurvePlace {
       const double v = 1 - u;
-      return v * v * ((1 + 2 * u) * from + u * steps[i] * slopes[i]) +
-             u * u * ((1 + 2 * v) * to - v * steps[i] * slopes[i + 1]);
+      return {v * v * ((1 + 2 * u) * from + u * leaves) + u * u * ((1 + 2 * v) * to - v * arrives),
+              6 * u * v * (to - from) + v * (v - 2 * u) * leaves + u * (u - 2 * v) * arrives};
     };
-    lines_of_curve(curve, 0, 1, [&](const Vec3& point) { line_to(point, points_[i + 1]); });
+    take(curve, 0, 1, points_[i + 1]);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
+#include "core/program/path/parametric_curve.h"
 #include "core/program/text/diagnostic_log.h"
 
 namespace feedscope::sinumerik {
@@ -19,6 +20,11 @@ struct PolynomialWord {
 
   /// `start` [mm], `interval` is PL (> 0).
   double at(double parameter, double start, double interval) const;
+  double slope_at(double parameter, double start, double interval) const;
+
+ private:
+  double higher(double p) const;
+  double first(double start, double interval) const;  ///< a1
 };
 
 /// How a spline leaves its first point or reaches its last one.
@@ -55,14 +61,15 @@ class SplinePath {
   /// BAUTO to ETAN.
   void set_end(std::string_view name);
 
-  /// `line_to` gets the ends of lines within `curve_chord_error` of the curve, and the point whose block
-  /// they belong to. `direction`: of the motion behind, for ETAN; zero for none.
-  void lines(const Vec3& direction, const std::function<void(const Vec3&, const Point&)>& line_to) const;
+  /// A part of the curve: from and to which of its parameters, and the point whose block it belongs to.
+  using TakeSpan = std::function<void(const ParametricCurve&, double, double, const Point&)>;
+
+  /// The parts in their order. `direction`: of the motion behind, for ETAN; zero for none.
+  void spans(const Vec3& direction, const TakeSpan& take) const;
 
  private:
-  void b_spline(const std::function<void(const Vec3&, const Point&)>& line_to) const;
-  void hermite(const std::vector<Vec3>& slopes, const std::vector<double>& steps,
-               const std::function<void(const Vec3&, const Point&)>& line_to) const;
+  void b_spline(const TakeSpan& take) const;
+  void hermite(const std::vector<Vec3>& slopes, const std::vector<double>& steps, const TakeSpan& take) const;
   std::vector<Vec3> akima_slopes(const std::vector<double>& steps, const Vec3& direction) const;
   std::vector<Vec3> cubic_slopes(const std::vector<double>& steps, const Vec3& direction) const;
   std::vector<Vec3> differences(const std::vector<double>& steps) const;

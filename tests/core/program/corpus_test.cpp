@@ -50,8 +50,8 @@ const std::vector<CorpusCase>& corpus_cases() {
   static const std::vector<CorpusCase> cases = {
       {"grbl_hobby/Michael-F-Bryan__estlcam_circle_a.gcode"},
       {"grbl_hobby/Michael-F-Bryan__samples.ngc",
-       {-2, 737, 0},
-       "a collection of words with faults on purpose; a NURBS as lines, polar words, a probing word whose "
+       {-2, 9, 120},
+       "a collection of words with faults on purpose; a NURBS as arcs, polar words, a probing word whose "
        "Z-99999 inch is read as a point on the way",
        true,
        {{'X', -25.4, 4572}, {'Y', -750.824, 4572}, {'Z', -2539974.6, 762}}},
@@ -162,7 +162,7 @@ const std::vector<CorpusCase>& corpus_cases() {
        false,
        {{'X', -30.48, 30.48}}},
       {"linuxcnc/LinuxCNC__line-contouring-xz.ngc"},
-      {"linuxcnc/LinuxCNC__nurbs_G5_Curva_Delfino.ngc", {0, 756}, "33 splines as lines"},
+      {"linuxcnc/LinuxCNC__nurbs_G5_Curva_Delfino.ngc", {0, 2, 317}, "33 splines as arcs"},
       {"linuxcnc/LinuxCNC__polar.ngc",
        {53, 26},
        "26 holes: by polar words on two circles and along a line at 33 degrees",

@@ -1,44 +1,48 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
+#include "core/toolpath/toolpath.h"
 #include "tests/core/program/iso/iso_text.h"
 #include "tests/core/program/motion_text.h"
 
 namespace feedscope {
 namespace {
 
-/// Reads a program of which only "curve-as-lines" is said.
+/// Reads a program of which only "curve-as-arcs" is said.
 Program curve(const std::string& text) {
   Program program = read_as(Dialect::linuxcnc, text);
   EXPECT_FALSE(program.diagnostics.empty()) << text;
   for (const Diagnostic& diagnostic : program.diagnostics) {
-    EXPECT_EQ(diagnostic.code, "curve-as-lines") << format(diagnostic, "f");
+    EXPECT_EQ(diagnostic.code, "curve-as-arcs") << format(diagnostic, "f");
   }
   return program;
 }
 
+/// Unit, at the end of motion `i`.
+Vec3 direction_at_end(const Program& program, std::size_t i) {
+  const MotionBlock& block = program.motions[i];
+  if (block.motion == Motion::arc) {
+    const ArcWords& arc = program.arcs.at(static_cast<std::size_t>(block.arc));
+    return arc.axis.cross(block.target - arc.center).normalized();
+  }
+  return (block.target - (i > 0 ? program.motions[i - 1].target : Vec3(Vec3::Zero()))).normalized();
+}
+
 TEST(IsoSplines, ACubicWithItsPointsOnALineIsThatLine) {
   const Program program = curve("G5 I10 J10 P-10 Q-10 X30 Y30 Z3 F60");
-  EXPECT_EQ(program.motions.back().target, Vec3(30, 30, 3));
-  for (const MotionBlock& block : program.motions) {
-    EXPECT_EQ(block.motion, Motion::line);
-    EXPECT_EQ(block.feed, 1);
-    EXPECT_NEAR(block.target.x(), block.target.y(), 1e-12);
-    EXPECT_NEAR(block.target.z(), block.target.x() / 10, 1e-12) << "Z rises evenly";
-  }
+  EXPECT_EQ(text_of(program), (Lines{"line 30 30 3 @1"}));
+  EXPECT_EQ(program.motions.back().feed, 1);
 }
 
 TEST(IsoSplines, ACubicGoesThroughItsMiddle) {
-  // At half of the parameter: (P0 + 3 P1 + 3 P2 + P3) / 8.
+  // At half of the parameter: (P0 + 3 P1 + 3 P2 + P3) / 8; there it is level, so that an arc is highest
+  // there.
   const Program program = curve("G0 X10 Y20\nG5 I5 J20 P-5 Q20 X40 Y20 F60");
-  double highest = 0;
-  for (const MotionBlock& block : program.motions) {
-    highest = std::max(highest, block.target.y());
-  }
-  EXPECT_NEAR(highest, (20 + 3 * 40 + 3 * 40 + 20) / 8.0, 1e-12);
+  EXPECT_NEAR(build_toolpath(program).bounds.max.y(), (20 + 3 * 40 + 3 * 40 + 20) / 8.0, 1e-9);
 }
 
 TEST(IsoSplines, ACubicGoesOnWhereTheLastOnePointed) {
@@ -47,29 +51,29 @@ TEST(IsoSplines, ACubicGoesOnWhereTheLastOnePointed) {
   while (program.motions[second].line == 1) {
     ++second;
   }
-  const Vec3 first = program.motions[second].target - program.motions[second - 1].target;
-  EXPECT_LT(std::abs(first.y()), 0.05 * first.x()) << "on along X";
+  EXPECT_NEAR((direction_at_end(program, second - 1) - Vec3(1, 0, 0)).norm(), 0, 1e-9);
+  const ArcWords& arc = program.arcs.at(static_cast<std::size_t>(program.motions[second].arc));
+  const Vec3 leaves = arc.axis.cross(program.motions[second - 1].target - arc.center).normalized();
+  EXPECT_NEAR((leaves - Vec3(1, 0, 0)).norm(), 0, 1e-9) << "on along X";
 }
 
 TEST(IsoSplines, AQuadraticIsAParabola) {
   const Program program = curve("G0 X-2 Y4\nG5.1 I2 J-8 X2 Y4 F60");
-  EXPECT_GT(program.motions.size(), 20U);
-  for (std::size_t i = 1; i < program.motions.size(); ++i) {
-    const Vec3& start = program.motions[i - 1].target;
-    const Vec3& end = program.motions[i].target;
-    EXPECT_NEAR(end.y(), end.x() * end.x(), 1e-12);
-    const double sag = (end.x() - start.x()) * (end.x() - start.x()) / 4;
-    const double slope = (end.y() - start.y()) / (end.x() - start.x());
-    EXPECT_LE(sag / std::hypot(1, slope), 1e-3 + 1e-9) << "the largest distance of a parabola from its chord";
+  EXPECT_GT(program.motions.size(), 8U);
+  for (const MotionBlock& block : program.motions) {
+    const double slope = 2 * block.target.x();
+    EXPECT_LE(std::abs(block.target.y() - block.target.x() * block.target.x()) / std::hypot(1, slope), 1e-3);
   }
+  EXPECT_NEAR((direction_at_end(program, program.motions.size() - 1) - Vec3(1, 4, 0).normalized()).norm(), 0,
+              1e-9);
 }
 
 TEST(IsoSplines, NurbsMakeAnExactQuarterCircle) {
   const Program program =
       curve("G0 X10 Y0\nG1 F60\nG5.2 X10 Y10 P0.70710678118654752 L3\nX0 Y10 P1\nG5.3\nG0 X0");
-  EXPECT_GT(program.motions.size(), 20U);
-  for (const MotionBlock& block : program.motions) {
-    EXPECT_NEAR(block.target.norm(), 10, 1e-9);
+  ASSERT_EQ(program.arcs.size(), 2U);
+  for (const ArcWords& arc : program.arcs) {
+    EXPECT_NEAR(arc.center.norm(), 0, 1e-9);
   }
   EXPECT_EQ(program.motions.back().target, Vec3(0, 10, 0));
   EXPECT_EQ(program.motions[1].line, 4U) << "the block of the point that ends the span";
@@ -79,13 +83,39 @@ TEST(IsoSplines, NurbsOfManyPointsBeginAndEndOnThem) {
   const Program program =
       curve("G1 F60\nG5.2 P1 L4\nX0 Y1 P1\nX2 Y2 P1\nX2 Y0 P1\nX0 Y0 P2\nX-3 Y1 P1\nG5.3");
   EXPECT_EQ(program.motions.back().target, Vec3(-3, 1, 0));
-  double longest = 0;
-  Vec3 last = Vec3::Zero();
-  for (const MotionBlock& block : program.motions) {
-    longest = std::max(longest, (block.target - last).norm());
-    last = block.target;
+  const Toolpath path = build_toolpath(program);
+  for (std::size_t i = 1; i < path.segments.size(); ++i) {
+    EXPECT_LT((path.tangent_at_end(i - 1) - path.tangent_at_start(i)).norm(), 1e-6)
+        << "no corner between the spans either";
   }
-  EXPECT_LT(longest, 1) << "no jump between the spans";
+}
+
+TEST(IsoSplines, AreArcsInATurnedMirroredAndEvenlyScaledFrameAndExactInAnUnevenOne) {
+  const std::string g5 = "G5 I5 J20 P-5 Q20 X40 Y10 F60";
+  const Program plain = curve(g5);
+  const Program turned = read_as(Dialect::fanuc, "G68 X0 Y0 R90\nG5.1 X2 Y4 I1 J0 F60");
+  EXPECT_GT(turned.arcs.size(), 3U);
+  EXPECT_NEAR((turned.motions.back().target - Vec3(-4, 2, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((direction_at_end(turned, turned.motions.size() - 1) - Vec3(-4, 1, 0).normalized()).norm(), 0,
+              1e-9)
+      << "turned by a quarter";
+  const Program uneven = read_as(Dialect::fanuc, "G51 X0 Y0 Z0 I1. J3. K1.\nG5.1 X2 Y4 I1 J0 F60");
+  EXPECT_GT(uneven.arcs.size(), 3U);
+  for (const MotionBlock& block : uneven.motions) {
+    const double x = block.target.x();
+    EXPECT_LE(std::abs(block.target.y() - 3 * x * x) / std::hypot(1, 6 * x), 1e-3);
+  }
+  EXPECT_GT(plain.arcs.size(), 3U);
+}
+
+TEST(IsoSplines, BecomeLinesUnderCutterCompensation) {
+  const Program program =
+      read_as(Dialect::linuxcnc,
+              "G10 L1 P1 R2\nT1 M6\nG1 X0 F60\nG41 D1 X10\nG5 I5 J20 P-5 Q20 X40 Y10\nG1 X60\nG40 X70");
+  EXPECT_EQ(std::count_if(program.diagnostics.begin(), program.diagnostics.end(),
+                          [](const Diagnostic& d) { return d.code == "curve-as-lines"; }),
+            1);
+  EXPECT_GT(program.motions.size(), 20U);
 }
 
 TEST(IsoSplines, IncrementalPointsAddUp) {
@@ -95,10 +125,8 @@ TEST(IsoSplines, IncrementalPointsAddUp) {
 TEST(IsoSplines, InverseTimeIsThatOfTheWholeCurve) {
   const Program program = curve("G93 G5 I10 J0 P-10 Q0 X30 Y0 F60");
   double time = 0;
-  Vec3 last = Vec3::Zero();
-  for (const MotionBlock& block : program.motions) {
-    time += (block.target - last).norm() / block.feed;
-    last = block.target;
+  for (const Segment& segment : build_toolpath(program).segments) {
+    time += segment.length / segment.feed;
   }
   EXPECT_NEAR(time, 1, 1e-9);
 }

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/program/path/parametric_curve.h"
+
+namespace feedscope {
+
+/// A line or arc that takes the place of a part of a curve; it starts where the one before ends.
+struct CurvePiece {
+  Vec3 end;  ///< [mm]
+  bool is_arc = false;
+  Vec3 center = Vec3::Zero();  ///< arcs [mm]
+  Vec3 axis = Vec3::UnitZ();   ///< arcs: unit; counter-clockwise seen against it, at most a quarter turn
+  double length = 0;           ///< [mm]
+};
+
+struct CurvePieces {
+  std::vector<CurvePiece> pieces;
+  double length = 0;                  ///< of all [mm]
+  Vec3 end_direction = Vec3::Zero();  ///< unit, of the curve at its end; zero if it has no length
+};
+
+/// Lines and arcs that stay within `curve_tolerance` of `curve` from parameter `from` to `to` and run on into
+/// each other with one tangent, wherever the curve itself has one. The last one ends at the curve's end.
+///
+/// Each part of the curve, from p1 with unit tangent t1 to p2 with t2, becomes a biarc: two arcs that touch
+/// each other and both tangents, each in a plane of its own (Bolton, "Biarc curves", Computer-Aided Design
+/// 7 (1975) 89-92; in space Sharrock, "Biarcs in three dimensions", The Mathematics of Surfaces II (1987)).
+/// Of the family of such pairs it is the one with equal tangent lengths d, which LinuxCNC takes too:
+///
+///     q1 = p1 + d t1,  q2 = p2 - d t2,  |q2 - q1| = 2 d,  so that with v = p2 - p1 and t = t1 + t2
+///     d = v.v / (v.t + sqrt((v.t)^2 + 2 (1 - t1.t2) v.v))
+///     the arcs meet in (q1 + q2) / 2, where their tangent is (q2 - q1) / (2 d)
+///
+/// A part is halved until its biarc is close enough; the error of the halves is an eighth. Where both arcs
+/// are as good as straight one line takes their place. A part smaller than the tolerance all over, such as
+/// the tip of a cusp, becomes a line; a cusp at a cut of the curve is met from both sides. Halvings end at
+/// some 65 000 parts.
+CurvePieces arcs_of_curve(const ParametricCurve& curve, double from, double to);
+
+}  // namespace feedscope

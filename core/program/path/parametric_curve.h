@@ -1,0 +1,21 @@
+#pragma once
+
+#include <functional>
+
+#include "core/base/geometry.h"
+
+namespace feedscope {
+
+/// A place on a curve.
+struct CurvePlace {
+  Vec3 point;  ///< [mm]
+  Vec3 slope;  ///< derivative by the curve's parameter, of any length
+};
+
+/// Continuous, with a continuous slope; the slope may vanish.
+using ParametricCurve = std::function<CurvePlace(double)>;
+
+/// Largest distance from a curve of the lines or arcs that it is read as [mm].
+inline constexpr double curve_tolerance = 1e-3;
+
+}  // namespace feedscope
