@@ -189,8 +189,9 @@ TEST(SinumerikDiagnostics, CurvesAreSaidOnceAndTheirWeightsWhereTheyAreWrong) {
   const Program program =
       read_sinumerik("G0 X1\nBSPLINE X5 PW=0 F100\nG0 X7\nASPLINE X8 Y1\nX9 Y2\nCSPLINE X10\nX11 Y7");
   ASSERT_GE(program.diagnostics.size(), 2U);
-  EXPECT_EQ(format(program.diagnostics[0], "f"),
-            "f:2:9: info: a curve is read as arcs that touch each other, within 0.001 mm of it [curve-as-arcs]");
+  EXPECT_EQ(
+      format(program.diagnostics[0], "f"),
+      "f:2:9: info: a curve is read as arcs that touch each other, within 0.001 mm of it [curve-as-arcs]");
   EXPECT_EQ(format(program.diagnostics[1], "f"),
             "f:2:12: error: PW=0 is no weight above zero [spline-weight] (1 is taken)");
 }
