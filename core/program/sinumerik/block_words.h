@@ -13,6 +13,13 @@ enum class Reading : std::uint8_t {
   incremental,  ///< IC()
 };
 
+/// How a coordinate across the turning axis is meant.
+enum class Across : std::uint8_t {
+  modal,     ///< as DIAMON, DIAM90, DIAMOF say
+  diameter,  ///< DAC(), DIC()
+  radius,    ///< RAC(), RIC()
+};
+
 /// Addresses of more than one letter that take a value.
 enum class Address : std::uint8_t {
   cr,    ///< radius
@@ -47,6 +54,7 @@ class BlockWords {
     double value = 0;
     std::uint32_t column = 0;
     Reading reading = Reading::modal;
+    Across across = Across::modal;
   };
 
   void clear() {

@@ -36,9 +36,14 @@ std::optional<Type> take_type(Scanner& scanner) {
   return std::nullopt;
 }
 
+/// Without folder and drive.
+std::string_view file_name(std::string_view written) {
+  return written.substr(written.find_last_of("/\\:") + 1);
+}
+
 /// "/_N_SPF_DIR/_N_NAME_SPF", "NAME.SPF" and "NAME" are one subprogram.
 std::string plain_name(std::string_view written) {
-  std::string name = upper_case(written.substr(written.find_last_of('/') + 1));
+  std::string name = upper_case(file_name(written));
   if (name.starts_with("_N_")) {
     name.erase(0, 3);
   }
@@ -164,8 +169,13 @@ void SinumerikReader::run_extern(Scanner& scanner) {
 }
 
 void SinumerikReader::run_ret(Scanner& scanner) {
-  if (scanner.peek() == '(') {
-    skip_brackets(scanner);
+  const std::uint32_t column = scanner.column();
+  if (scanner.take('(') && !scanner.take(')')) {
+    report(Severity::error, "unread-statement", 0, column, [] {
+      return Text{"RET with a target for the jump back is not read",
+                  "the program goes on behind the call; return without a target"};
+    });
+    scanner.move_to(scanner.text().size());
   }
   ends_ = true;
 }
@@ -178,6 +188,24 @@ void SinumerikReader::run_call(Scanner& scanner) {
   }
   call_ = SubprogramCall{
       .name = values_.read_text(scanner), .column = column, .arguments = {}, .bracketed = false};
+}
+
+/// A program from outside of the control, with its folder or without: EXTCALL("D:/PART.WPD/OP10.SPF").
+void SinumerikReader::run_extcall(Scanner& scanner) {
+  const std::uint32_t column = scanner.column();
+  if (values_.text_follows(scanner) || scanner.peek() == '(') {
+    call_ = SubprogramCall{
+        .name = values_.read_text(scanner), .column = column, .arguments = {}, .bracketed = false};
+  } else {
+    call_ = read_call(scanner);
+  }
+}
+
+void SinumerikReader::run_isocall(Scanner& scanner) {
+  report(Severity::error, "unread-function", kind_of("ISOCALL"), scanner.column(), [] {
+    return Text{"ISOCALL (call of a program in ISO dialect) is not read", "its motion is left out"};
+  });
+  scanner.move_to(scanner.text().size());
 }
 
 /// With a name: it is called behind every motion from now on; alone: no longer.
@@ -246,7 +274,7 @@ void SinumerikReader::run_subprogram(const SubprogramCall& call, std::uint32_t t
     }
   }
   const std::vector<std::string> files{name + ".SPF", name + ".MPF", "_N_" + name + "_SPF",
-                                       "_N_" + name + "_MPF", name};
+                                       "_N_" + name + "_MPF", std::string(file_name(call.name))};
   if (auto text = subprogram_files().find(files)) {
     enter(call, std::move(text), 1, times);
     return;

@@ -62,7 +62,7 @@ void SinumerikReader::drill(const DrillingCycle& cycle) {
     }
     Vec3 target = path().position();
     target[axis] = to_mm(step.height);
-    path().program_axis(axis);
+    program_axis(axis);
     start_ = path().position();
     use_path_control(step.kind == DrillingStep::Kind::rapid);
     switch (step.kind) {
@@ -112,8 +112,8 @@ void SinumerikReader::hole_pattern(const Arguments& arguments, bool circle, std:
     at[first_axis(modal_.plane)] = to_mm(number_at(arguments, 0) + radius * std::cos(angle));
     at[second_axis(modal_.plane)] = to_mm(number_at(arguments, 1) + radius * std::sin(angle));
     at[normal_axis(modal_.plane)] = path().position()[normal_axis(modal_.plane)];
-    path().program_axis(first_axis(modal_.plane));
-    path().program_axis(second_axis(modal_.plane));
+    program_axis(first_axis(modal_.plane));
+    program_axis(second_axis(modal_.plane));
     use_path_control(true);
     path().rapid(at);
     if (modal_call_ && cycle_number(modal_call_->call.name) > 0) {

@@ -52,6 +52,8 @@ SinumerikReader::Run SinumerikReader::find_statement(std::string_view name) {
       {"RET", &R::run_ret},
       {"CALL", &R::run_call},
       {"PCALL", &R::run_call},
+      {"EXTCALL", &R::run_extcall},
+      {"ISOCALL", &R::run_isocall},
       {"MCALL", &R::run_mcall},
       {"PO", &R::run_polynomial},
       {"WHEN", &R::run_synchronized},

@@ -19,6 +19,11 @@ using enum Action;
 constexpr std::string_view not_moved = "positions are left out up to the next motion word";
 constexpr std::string_view path_as_programmed = "X, Y and Z are shown as programmed";
 constexpr std::string_view contour_shown = "the path shown is the programmed contour";
+constexpr std::string_view own_limits = "limits are those of the machine file";
+constexpr std::string_view straight_approach =
+    "compensation begins and ends on a straight line, as with NORM";
+constexpr std::string_view compensation_in_space = "cutter compensation in space";
+constexpr std::string_view in_plane = "the cutter is compensated in the plane";
 
 constexpr auto functions = std::to_array<Function>({
     {"G0", Group::motion, rapid},
@@ -151,34 +156,67 @@ constexpr auto functions = std::to_array<Function>({
     {"PTP", Group::none, report, warning, "motion from point to point", path_as_programmed},
     {"OFFN", Group::none, report, error, "contour offset", contour_shown},
     {"FA", Group::none, report, info, "feed of one axis", "the feed of the path stays as it is"},
+    {"FZ", Group::none, report, error, "feed per tooth", "the last feed counts; write F"},
+    {"OVR", Group::none, report, error, "feed override", "feeds are those of F"},
+    {"OVRRAP", Group::none, report, warning, "override of rapids", "rapids are those of the machine"},
+    {"DYNNORM", Group::none, report, info, "set of dynamic limits", own_limits},
+    {"DYNPOS", Group::none, report, info, "set of dynamic limits", own_limits},
+    {"DYNROUGH", Group::none, report, info, "set of dynamic limits", own_limits},
+    {"DYNSEMIFIN", Group::none, report, info, "set of dynamic limits", own_limits},
+    {"DYNFINISH", Group::none, report, info, "set of dynamic limits", own_limits},
+    {"DYNPREC", Group::none, report, info, "set of dynamic limits", own_limits},
+    {"ACC", Group::none, report, warning, "acceleration of an axis", own_limits},
+    {"ACCLIMA", Group::none, report, warning, "acceleration of an axis", own_limits},
+    {"VELOLIM", Group::none, report, warning, "speed of an axis", own_limits},
+    {"VELOLIMA", Group::none, report, warning, "speed of an axis", own_limits},
+    {"JERKLIM", Group::none, report, warning, "jerk of an axis", own_limits},
+    {"JERKLIMA", Group::none, report, warning, "jerk of an axis", own_limits},
+    {"FL", Group::none, report, warning, "speed of an axis", own_limits},
+    {"KONT", Group::none, report, warning, "approach around the corner", straight_approach},
+    {"KONTC", Group::none, report, warning, "approach on a curve", straight_approach},
+    {"KONTT", Group::none, report, warning, "approach on a curve", straight_approach},
+    {"DISC", Group::none, report, warning, "overshoot at outside corners", "they are rounded by a circle"},
+    {"CUT3DC", Group::none, report, warning, compensation_in_space, in_plane},
+    {"CUT3DCC", Group::none, report, warning, compensation_in_space, in_plane},
+    {"CUT3DCCD", Group::none, report, warning, compensation_in_space, in_plane},
+    {"CUT3DF", Group::none, report, warning, compensation_in_space, in_plane},
+    {"CUT3DFS", Group::none, report, warning, compensation_in_space, in_plane},
+    {"CUT3DFF", Group::none, report, warning, compensation_in_space, in_plane},
+    {"TOFFR", Group::none, report, error, "offset of the tool's radius", "the radius stays as it is"},
+    {"EXECSTRING", Group::none, report, error, "block made of texts", "the block is left out"},
+    {"EXECTAB", Group::none, report, error, "run of a contour table", "its motion is left out"},
+    {"REPOSL", Group::none, report, error, "return to the contour", "its motion is left out"},
+    {"REPOSA", Group::none, report, error, "return to the contour", "its motion is left out"},
+    {"PRESETONS", Group::none, report, error, "actual value set by the program", path_as_programmed},
+    {"TRAFOON", Group::none, report, error, "transformation", path_as_programmed},
 });
 
 /// Names and G words that leave the path as it is.
 constexpr auto accepted = std::to_array<std::string_view>(
-    {"FNORM",    "FLIN",        "FCUB",      "FIFOCTRL", "CFC",       "CFTCP",    "CFIN",       "KONT",
-     "KONTC",    "KONTT",       "NORM",      "CDON",     "CDOF",      "CDOF2",    "STOPRE",     "STARTFIFO",
-     "STOPFIFO", "WAITM",       "WAITMC",    "WAITE",    "WAITP",     "WAITS",    "INIT",       "START",
-     "SETM",     "CLEARM",      "SETMS",     "MSG",      "WORKPIECE", "TRAFOOF",  "ORIWKS",     "ORIMKS",
-     "ORIAXES",  "ORIVECT",     "ORIEULER",  "ORIRPY",   "ORIRPY2",   "ORIPLANE", "ORICURVE",   "ORIVIRT1",
-     "ORIVIRT2", "ORISON",      "ORISOF",    "ORIC",     "ORID",      "ORIRESET", "OSOF",       "OSC",
-     "OSD",      "OSS",         "OSSE",      "OST",      "SPOS",      "SPOSA",    "LIMS",       "SVC",
-     "SCC",      "DISPLON",     "DISPLOF",   "SBLON",    "SBLOF",     "SAVE",     "ACTBLOCNO",  "ICYCON",
-     "ICYCOF",   "GROUP_BEGIN", "GROUP_END", "DYNNORM",  "DYNPOS",    "DYNROUGH", "DYNSEMIFIN", "DYNFINISH",
-     "DYNPREC",  "FGROUP",      "FGREF",     "FL",       "RTLION",    "RTLIOF",   "WALIMON",    "WALIMOF",
-     "WALCS0",   "SPCON",       "SPCOF",     "PAROTOF",  "TOROTOF",   "TCARR",    "TCOABS",     "TCOFR",
-     "TCOFRX",   "TCOFRY",      "TCOFRZ",    "CUT2D",    "CUT2DF",    "CUT3DC",   "CUT3DF",     "CUT3DFS",
-     "CUT3DFF",  "CUTCONON",    "CUTCONOF",  "SETAL",    "STOLF",     "CTOLG0",   "OTOLG0",     "ATOL",
-     "UPATH",    "SPATH",       "BLSYNC",    "SETINT",   "ENABLE",    "DISABLE",  "CLRINT",     "OVR",
-     "OVRRAP",   "OVRA",        "ACC",       "VELOLIM",  "VELOLIMA",  "ACCLIMA",  "JERKLIM",    "JERKLIMA",
-     "SOFTA",    "BRISKA",      "DRIVEA",    "FENDNORM", "DISC",      "DISR",     "DISCL",      "FAD",
-     "PM",       "PR",          "GETSELT",   "GETEXET",  "TLIFT",     "TANGOF",   "TRAILOF",    "TCI",
-     "FTOCON",   "FTOCOF",      "SETPIECE",  "DELT",     "NEWCONF",   "FXS",      "FXST",       "FXSW",
-     "DRFOF",    "CORROF",      "STAT",      "TU",       "PUNCHACC",  "SPOF",     "CP",         "LFOF",
-     "LFON",     "POLFMASK",    "LFTXT",     "LFWP",     "LFPOS",     "G460",     "G461",       "G462",
-     "G62",      "G621",        "G601",      "G602",     "G603",      "G140",     "G141",       "G142",
-     "G143",     "G340",        "G341",      "G290",     "ISOCALL",   "EXECTAB",  "STOPREOF",   "SYNFCT",
-     "CANCEL",   "RELEASE",     "GET",       "GETD",     "SOFTENDSA", "SONC",     "SPN",        "PON",
-     "PONC",     "PDELAYON",    "PDELAYOF"});
+    {"FNORM",     "FLIN",      "FCUB",     "FIFOCTRL",  "CFC",       "CFTCP",    "CFIN",         "NORM",
+     "CDON",      "CDOF",      "CDOF2",    "STOPRE",    "STARTFIFO", "STOPFIFO", "WAITM",        "WAITMC",
+     "WAITE",     "WAITP",     "WAITS",    "INIT",      "START",     "SETM",     "CLEARM",       "SETMS",
+     "MSG",       "WORKPIECE", "TRAFOOF",  "ORIWKS",    "ORIMKS",    "ORIAXES",  "ORIVECT",      "ORIEULER",
+     "ORIRPY",    "ORIRPY2",   "ORIPLANE", "ORICURVE",  "ORIVIRT1",  "ORIVIRT2", "ORISON",       "ORISOF",
+     "ORIC",      "ORID",      "ORIRESET", "OSOF",      "OSC",       "OSD",      "OSS",          "OSSE",
+     "OST",       "SPOS",      "SPOSA",    "LIMS",      "SVC",       "SCC",      "DISPLON",      "DISPLOF",
+     "SBLON",     "SBLOF",     "SAVE",     "ACTBLOCNO", "ICYCON",    "ICYCOF",   "GROUP_BEGIN",  "GROUP_END",
+     "FGROUP",    "FGREF",     "RTLION",   "RTLIOF",    "WALIMON",   "WALIMOF",  "WALCS0",       "SPCON",
+     "SPCOF",     "PAROTOF",   "TOROTOF",  "TCARR",     "TCOABS",    "TCOFR",    "TCOFRX",       "TCOFRY",
+     "TCOFRZ",    "CUT2D",     "CUT2DF",   "CUTCONON",  "CUTCONOF",  "SETAL",    "STOLF",        "CTOLG0",
+     "OTOLG0",    "ATOL",      "UPATH",    "SPATH",     "BLSYNC",    "SETINT",   "ENABLE",       "DISABLE",
+     "CLRINT",    "OVRA",      "SOFTA",    "BRISKA",    "DRIVEA",    "FENDNORM", "DISR",         "DISCL",
+     "FAD",       "PM",        "PR",       "GETSELT",   "GETEXET",   "TLIFT",    "TANGOF",       "TRAILOF",
+     "TCI",       "FTOCON",    "FTOCOF",   "SETPIECE",  "DELT",      "NEWCONF",  "FXS",          "FXST",
+     "FXSW",      "DRFOF",     "CORROF",   "STAT",      "TU",        "PUNCHACC", "SPOF",         "CP",
+     "LFOF",      "LFON",      "POLFMASK", "LFTXT",     "LFWP",      "LFPOS",    "G460",         "G461",
+     "G462",      "G62",       "G621",     "G601",      "G602",      "G603",     "G140",         "G141",
+     "G142",      "G143",      "G340",     "G341",      "G290",      "STOPREOF", "SYNFCT",       "CANCEL",
+     "RELEASE",   "GET",       "GETD",     "SOFTENDSA", "SONC",      "SPN",      "PON",          "PONC",
+     "PDELAYON",  "PDELAYOF",  "CUT2DD",   "CUT2DFD",   "TOFF",      "TOFFL",    "GROUP_ADDEND", "COUPDEF",
+     "COUPON",    "COUPONC",   "COUPOF",   "COUPDEL",   "COUPRES",   "ORIPATH",  "ORIPATHS",     "ORICONCW",
+     "ORICONCCW", "ORICONIO",  "ORICONTO", "ORIROTA",   "ORIROTR",   "ORIROTT",  "ORIROTC",      "ORIAXPOS",
+     "PROTA",     "PROTS",     "PROTD",    "WRITE",     "DELETE",    "CALLPATH"});
 
 using Table = std::unordered_map<std::string_view, Function>;
 

@@ -69,13 +69,13 @@ void SinumerikReader::apply_action(const Function& function) {
       modal_.motion = &function;
       break;
     case Action::plane_xy:
-      modal_.plane = Plane::xy;
+      set_plane(Plane::xy);
       break;
     case Action::plane_zx:
-      modal_.plane = Plane::zx;
+      set_plane(Plane::zx);
       break;
     case Action::plane_yz:
-      modal_.plane = Plane::yz;
+      set_plane(Plane::yz);
       break;
     case Action::inch:
     case Action::metric:
@@ -89,12 +89,15 @@ void SinumerikReader::apply_action(const Function& function) {
       modal_.incremental = function.action == Action::incremental;
       break;
     case Action::feed_per_minute:
+      modal_.surface_speed = function.name.starts_with("G96");
       path().set_feed_mode(FeedMode::per_minute);
       break;
     case Action::feed_inverse_time:
+      modal_.surface_speed = false;
       path().set_feed_mode(FeedMode::inverse_time);
       break;
     case Action::feed_per_revolution:
+      modal_.surface_speed = function.name.starts_with("G96");
       path().set_feed_mode(FeedMode::per_revolution);
       break;
     case Action::corner_arc:
@@ -125,6 +128,13 @@ void SinumerikReader::apply_action(const Function& function) {
   oriented_ = (oriented_ || function.name == "TRAORI") && function.name != "TRAFOOF";
 }
 
+void SinumerikReader::set_plane(Plane plane) {
+  if (plane != modal_.plane) {
+    modal_.polar.angle.reset();
+  }
+  modal_.plane = plane;
+}
+
 double SinumerikReader::to_mm(double value) const {
   return modal_.inch ? units::from_inch(value) : value;
 }
@@ -144,11 +154,13 @@ double SinumerikReader::feed_of(double value) const {
 }
 
 void SinumerikReader::apply_feed() {
-  const bool dwells = own_block_ != nullptr && own_block_->action == Action::dwell;
-  if (dwells) {
+  // In G4 they are times, in G25 and G26 limits.
+  const bool own = own_block_ != nullptr &&
+                   (own_block_->action == Action::dwell || own_block_->action == Action::own_words);
+  if (own) {
     return;
   }
-  if (words_.has('S') && words_['S'].value >= 0) {
+  if (words_.has('S') && words_['S'].value >= 0 && !modal_.surface_speed) {
     path().set_spindle_speed(words_['S'].value / 60);
   }
   if (!words_.has('F')) {
@@ -171,6 +183,7 @@ void SinumerikReader::set_frame() {
   const CoordinateFrame frame = frames_.frame();
   const auto within = [](const Vec3& point) { return point.allFinite() && point.norm() < most; };
   if (within(frame.to_shown(Vec3::Ones())) && within(frame.to_programmed(Vec3::Ones()))) {
+    keep_coordinates();
     path().set_frame(frame);
     return;
   }
@@ -180,6 +193,13 @@ void SinumerikReader::set_frame() {
   });
   frames_ = {};
   path().set_frame({});
+}
+
+void SinumerikReader::keep_coordinates() {
+  for (int axis = 0; axis < 3; ++axis) {
+    std::optional<double>& kept = kept_coordinates_[static_cast<std::size_t>(axis)];
+    kept = kept.value_or(path().position()[axis]);
+  }
 }
 
 Vec3 SinumerikReader::frame_values(double missing) const {
@@ -202,6 +222,14 @@ Vec3 SinumerikReader::frame_angles() const {
 }
 
 void SinumerikReader::apply_frame() {
+  const Function* const motion = groups_[static_cast<std::size_t>(Group::motion)];
+  if (motion != nullptr && own_block_->action != Action::dwell &&
+      own_block_->action != Action::machine_axes) {
+    report(Severity::error, "conflicting-g", kind_of(own_block_->name), own_column_, [&] {
+      return Text{fmt::format("{} and {} exclude each other in one block", motion->name, own_block_->name),
+                  "the coordinates are those of the latter and nothing moves; write a block for each"};
+    });
+  }
   const auto shift = [this]() -> Vec3 { return frame_values(0) * to_mm(1); };
   const auto factors = [this](bool mirror) -> CoordinateFrame {
     Vec3 all = mirror ? Vec3::Ones() : frame_values(1);
@@ -286,6 +314,7 @@ void SinumerikReader::apply_pole() {
     pole[second_axis(modal_.plane)] += radius * std::sin(angle);
   }
   modal_.pole = pole;
+  modal_.polar.angle.reset();
 }
 
 }  // namespace feedscope

@@ -64,11 +64,6 @@ void SinumerikReader::move() {
     return;
   }
   check_unused(is_arc_action(action));
-  for (int axis = 0; axis < 3; ++axis) {
-    if (words_.has(axis_names[static_cast<std::size_t>(axis)])) {
-      path().program_axis(axis);
-    }
-  }
   path().set_column(words_.first_column("XYZIJK"));
   use_path_control(action == Action::rapid);
   const double feed = path().feed();
@@ -78,6 +73,7 @@ void SinumerikReader::move() {
   cut_corner(action == Action::rapid || action == Action::line || is_arc_action(action));
   const Vec3 target = target_of_block();
   Vec3 start = path().position();
+  program_axes();
   switch (action) {
     case Action::rapid:
     case Action::line:
@@ -106,6 +102,20 @@ void SinumerikReader::move() {
   }
   start_ = start;
   moved_ = true;
+}
+
+/// Those of the block.
+void SinumerikReader::program_axes() {
+  const bool polar = words_.has(Address::ap) || words_.has(Address::rp);
+  if (polar) {
+    modal_.polar = polar_of_block();
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (words_.has(axis_names[static_cast<std::size_t>(axis)]) ||
+        (polar && axis != normal_axis(modal_.plane))) {
+      program_axis(axis);
+    }
+  }
 }
 
 void SinumerikReader::check_unused(bool arc) {
@@ -200,84 +210,6 @@ void SinumerikReader::thread(const Vec3& target) {
   straight(target, false);
   path().set_feed_mode(mode);
   path().set_feed(feed);
-}
-
-Vec3 SinumerikReader::target_of_block() {
-  Vec3 target = path().position();
-  if (spline_.begun()) {
-    target = spline_.last().at;
-  }
-  for (int axis = 0; axis < 3; ++axis) {
-    const char letter = axis_names[static_cast<std::size_t>(axis)];
-    if (!words_.has(letter)) {
-      continue;
-    }
-    const BlockWords::Value& word = words_[letter];
-    const bool incremental =
-        word.reading == Reading::incremental || (word.reading == Reading::modal && modal_.incremental);
-    const bool diameter = axis == 0 && (modal_.diameters == Action::diameters ||
-                                        (modal_.diameters == Action::diameters_if_absolute && !incremental));
-    const double value = to_mm(diameter ? word.value / 2 : word.value);
-    target[axis] = incremental ? target[axis] + value : value;
-  }
-  if (words_.has(Address::ap) || words_.has(Address::rp)) {
-    target = polar_target(target);
-  }
-  if (words_.has(Address::ang)) {
-    angle_target(target);
-  }
-  return target;
-}
-
-/// AP and RP about the pole; the axis across the plane as in the other words.
-Vec3 SinumerikReader::polar_target(const Vec3& straight_target) {
-  const int first = first_axis(modal_.plane);
-  const int second = second_axis(modal_.plane);
-  const Vec3 from = path().position() - modal_.pole;
-  double angle = std::atan2(from[second], from[first]);
-  double radius = std::hypot(from[first], from[second]);
-  if (words_.has(Address::ap)) {
-    const BlockWords::Value& word = words_[Address::ap];
-    const bool incremental =
-        word.reading == Reading::incremental || (word.reading == Reading::modal && modal_.incremental);
-    angle = (incremental ? angle : 0) + units::from_deg(word.value);
-  }
-  if (words_.has(Address::rp)) {
-    const BlockWords::Value& word = words_[Address::rp];
-    radius = (word.reading == Reading::incremental ? radius : 0) + to_mm(word.value);
-  }
-  Vec3 target = straight_target;
-  target[first] = modal_.pole[first] + radius * std::cos(angle);
-  target[second] = modal_.pole[second] + radius * std::sin(angle);
-  return target;
-}
-
-/// ANG: a line at an angle to the plane's first axis, one of its coordinates given.
-void SinumerikReader::angle_target(Vec3& target) {
-  const int first = first_axis(modal_.plane);
-  const int second = second_axis(modal_.plane);
-  const bool has_first = words_.has(axis_names[static_cast<std::size_t>(first)]);
-  const bool has_second = words_.has(axis_names[static_cast<std::size_t>(second)]);
-  const double angle = units::from_deg(words_[Address::ang].value);
-  const double along = std::cos(angle);
-  const double across = std::sin(angle);
-  constexpr double parallel = 1e-9;
-  const double divisor = has_first ? along : across;
-  if (has_first == has_second || std::abs(divisor) < parallel) {
-    report(Severity::error, "line-angle", 0, words_[Address::ang].column, [&] {
-      return Text{fmt::format("ANG={} with {} is not read", words_[Address::ang].value,
-                              has_first == has_second ? "none or both coordinates of the plane"
-                                                      : "this coordinate, which it never reaches,"),
-                  "the line ends at the coordinates that are given; write its end"};
-    });
-    return;
-  }
-  const Vec3 start = path().position();
-  if (has_first) {
-    target[second] = start[second] + (target[first] - start[first]) * across / along;
-  } else {
-    target[first] = start[first] + (target[second] - start[second]) * along / across;
-  }
 }
 
 void SinumerikReader::collect_spline(const Vec3& target) {

@@ -31,6 +31,11 @@ class SinumerikReader : public Reader {
   SinumerikReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);
 
  private:
+  /// About the pole [rad, mm]; none: not programmed yet.
+  struct Polar {
+    std::optional<double> angle;
+    std::optional<double> radius;
+  };
   /// What stays in force from block to block.
   struct Modal {
     const sinumerik::Function* motion = nullptr;  ///< nullptr: none yet
@@ -40,6 +45,8 @@ class SinumerikReader : public Reader {
     bool incremental = false;
     int work_offset = 0;  ///< G number; 0: none yet
     Vec3 pole = Vec3::Zero();
+    Polar polar;
+    bool surface_speed = false;                              ///< G96: S is no spindle speed
     double tool = 0;                                         ///< T; 0: none, or one with a name
     double edge = 1;                                         ///< D
     const sinumerik::Function* compensation = nullptr;       ///< G41, G42
@@ -104,7 +111,9 @@ class SinumerikReader : public Reader {
   void change_work_offset(int number, std::uint32_t column);
   void apply_feed();
   double feed_of(double value) const;
+  void set_plane(Plane plane);
   void set_frame();
+  void keep_coordinates();
   void apply_frame();
   Vec3 frame_values(double missing) const;
   Vec3 frame_angles() const;
@@ -177,6 +186,8 @@ class SinumerikReader : public Reader {
   void run_define(Scanner& scanner);
   void run_ret(Scanner& scanner);
   void run_call(Scanner& scanner);
+  void run_extcall(Scanner& scanner);
+  void run_isocall(Scanner& scanner);
   void run_mcall(Scanner& scanner);
   SubprogramCall read_call(Scanner& scanner);
   sinumerik::Arguments read_arguments(Scanner& scanner);
@@ -185,8 +196,19 @@ class SinumerikReader : public Reader {
   bool enter(const SubprogramCall& call, std::shared_ptr<const SourceText> text, std::uint32_t line,
              std::uint32_t times);
 
+  // Where a block goes: targets.cpp
+  Vec3 target_of_block();
+  bool is_incremental(const sinumerik::BlockWords::Value& word) const;
+  bool is_diameter(const sinumerik::BlockWords::Value& word) const;
+  double increment_base(int axis, const Vec3& start);
+  void program_axis(int axis);
+  Polar polar_of_block() const;
+  Vec3 polar_target(const Vec3& straight_target) const;
+  void angle_target(Vec3& target);
+
   // Motion: motion.cpp, arcs.cpp
   void move();
+  void program_axes();
   bool has_motion_words() const;
   void report_machine_axes();
   void dwell();
@@ -195,9 +217,6 @@ class SinumerikReader : public Reader {
   void collect_spline(const Vec3& target);
   void finish_spline();
   void polynomial(const Vec3& target, Vec3& from);
-  Vec3 target_of_block();
-  Vec3 polar_target(const Vec3& straight_target);
-  void angle_target(Vec3& target);
   void use_path_control(bool rapid);
   void check_unused(bool arc);
   void arc(const Vec3& target);
@@ -229,6 +248,8 @@ class SinumerikReader : public Reader {
   std::optional<SubprogramCall> call_;
   sinumerik::Values values_;
   sinumerik::Frames frames_;
+  /// Of axes that have not been programmed since a frame changed: what they were before it [mm].
+  std::array<std::optional<double>, 3> kept_coordinates_;
   sinumerik::PathWords path_words_;
   sinumerik::SplinePath spline_;
   std::array<std::optional<sinumerik::PolynomialWord>, 3> polynomials_;

@@ -28,6 +28,13 @@ bool starts_number(char c) {
   return letters::is_digit(c) || c == '.' || c == '+' || c == '-';
 }
 
+/// Angles that turn the tool.
+bool is_orientation(std::string_view name) {
+  constexpr auto names = std::to_array<std::string_view>({"LEAD", "TILT", "THETA", "PHI", "PSI", "NUT"});
+  return std::any_of(names.begin(), names.end(),
+                     [&](std::string_view known) { return letters::same(known, name); });
+}
+
 [[noreturn]] void throw_unknown(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   throw ReadFault{"syntax", column, fmt::format("{} starts no word or statement", quoted(scanner.rest())),
@@ -73,7 +80,7 @@ void SinumerikReader::run_system_variable(Scanner& scanner) {
     set_tool_radius(scanner);
     return;
   }
-  const bool frame = name.find("FR") != std::string::npos;
+  const bool frame = name.find("FR") != std::string::npos || name == "TC_DP15";
   report(frame ? Severity::error : Severity::info, "system-variable", kind_of(name), column, [&] {
     return Text{fmt::format("{} is set by the program, which is not read", feedscope::quoted("$" + name)),
                 frame ? "the path is shown without it" : "the path stays as it is"};
@@ -132,6 +139,11 @@ void SinumerikReader::run_letter(Scanner& scanner) {
   scanner.take(letter);
   const char next = scanner.peek();
   const bool assigned = next == '=';
+  if (Variable* const variable =
+          assigned || next == '[' ? values_.variables().find_letter(letter) : nullptr) {
+    values_.assign(scanner, *variable, std::string_view(&letter, 1));
+    return;
+  }
   if (letter == 'R' && next == '[') {
     const std::optional<int> number = values_.r_number(scanner);
     require(scanner, '=');
@@ -140,7 +152,8 @@ void SinumerikReader::run_letter(Scanner& scanner) {
   }
   const bool is_address = letter >= 'A' && letter <= 'Z' && next != '[';
   if (!is_address || !(assigned || starts_number(next))) {
-    if (next != '[') {
+    // Of a spindle: "S[2]=1000".
+    if (next != '[' || std::string_view("SMHTD").find(letter) == std::string_view::npos) {
       scanner.move_to(from);
       throw_unknown(scanner);
     }
@@ -177,17 +190,26 @@ void SinumerikReader::run_letter(Scanner& scanner) {
 
 /// The value behind "=": an expression, or AC(), IC() and their like around one.
 BlockWords::Value SinumerikReader::coordinate(Scanner& scanner, std::uint32_t column) {
-  constexpr auto readings = std::to_array<std::pair<std::string_view, Reading>>({{"AC", Reading::absolute},
-                                                                                 {"IC", Reading::incremental},
-                                                                                 {"DC", Reading::absolute},
-                                                                                 {"ACP", Reading::absolute},
-                                                                                 {"ACN", Reading::absolute}});
-  for (const auto& [name, reading] : readings) {
-    if (scanner.take_name(name)) {
+  struct Kind {
+    std::string_view name;
+    Reading reading;
+    Across across = Across::modal;
+  };
+  constexpr auto kinds = std::to_array<Kind>({{"AC", Reading::absolute},
+                                              {"IC", Reading::incremental},
+                                              {"DC", Reading::absolute},
+                                              {"ACP", Reading::absolute},
+                                              {"ACN", Reading::absolute},
+                                              {"DAC", Reading::absolute, Across::diameter},
+                                              {"DIC", Reading::incremental, Across::diameter},
+                                              {"RAC", Reading::absolute, Across::radius},
+                                              {"RIC", Reading::incremental, Across::radius}});
+  for (const Kind& kind : kinds) {
+    if (scanner.take_name(kind.name)) {
       require(scanner, '(');
       const double value = values_.read_bounded(scanner);
       require(scanner, ')');
-      return {.value = value, .column = column, .reading = reading};
+      return {.value = value, .column = column, .reading = kind.reading, .across = kind.across};
     }
   }
   return {.value = values_.read_bounded(scanner), .column = column, .reading = Reading::modal};
@@ -214,6 +236,11 @@ void SinumerikReader::run_name(Scanner& scanner) {
   }
   if (const Function* const function = find_function(name)) {
     run_function(scanner, *function, column);
+    return;
+  }
+  if (after == '=' && is_orientation(name)) {
+    scanner.take('=');
+    report_axis(name, column, coordinate(scanner, column).value);
     return;
   }
   if (after == '=' || after == '[') {

@@ -124,7 +124,15 @@ std::optional<double> Values::named(Scanner& scanner) {
       return value;
     }
   }
+  const bool is_function = scanner.peek() == '(';
   scanner.move_to(before);
+  if (!is_function) {
+    throw ReadFault{"unknown-name", scanner.column(),
+                    fmt::format("the program does not define {}", feedscope::quoted(std::string(name))),
+                    "the block does not move; data that only the machine has (GUD) can be defined at the "
+                    "program's top, DEF REAL " +
+                        std::string(name) + "="};
+  }
   return std::nullopt;
 }
 
@@ -220,7 +228,8 @@ bool Values::text_follows(Scanner scanner) {
     return true;
   }
   const std::string_view name = scanner.name();
-  const Variable* const found = name.size() < 2 ? nullptr : variables_.find(name);
+  const bool may_be = name.size() > 1 || (!name.empty() && variables_.has_letters());
+  const Variable* const found = may_be ? variables_.find(name) : nullptr;
   return found != nullptr && found->is_text();
 }
 

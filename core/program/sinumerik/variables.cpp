@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/program/sinumerik/names.h"
+#include "core/program/text/scanner.h"
 
 namespace feedscope::sinumerik {
 
@@ -50,6 +51,10 @@ Variable* Variables::find(std::string_view name) {
 }
 
 Variable& Variables::define(std::string_view name, Variable variable) {
+  const char first = letters::to_upper(name.front());
+  if (name.size() == 1 && letters::is_letter(first)) {
+    letters_ |= 1U << (first - 'A');
+  }
   return levels_.back().insert_or_assign(upper_case(name), std::move(variable)).first->second;
 }
 

@@ -39,6 +39,11 @@ class Variables {
 
   /// nullptr if there is none.
   Variable* find(std::string_view name);
+  /// The same for a name of one letter, in upper case. Controls know none; textbooks do.
+  Variable* find_letter(char letter) {
+    return (letters_ >> (letter - 'A') & 1U) != 0 ? find(std::string_view(&letter, 1)) : nullptr;
+  }
+  bool has_letters() const { return letters_ != 0; }
   /// Replaces one of the same name.
   Variable& define(std::string_view name, Variable variable);
 
@@ -47,6 +52,7 @@ class Variables {
   void leave() { levels_.pop_back(); }
 
  private:
+  std::uint32_t letters_ = 0;  ///< names of one letter that were ever defined
   std::map<int, double> r_;
   std::vector<std::map<std::string, Variable, std::less<>>> levels_;
 };

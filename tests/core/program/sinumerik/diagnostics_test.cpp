@@ -60,6 +60,19 @@ INSTANTIATE_TEST_SUITE_P(
             "G0 X1\nSPEED=5",
             "f:2:1: error: \"SPEED\" is no variable, address or axis that is known [unknown-name] (its value "
             "is left out; define a variable by DEF before it is used)"},
+        Case{"G0 X1\nX=_X_HOME",
+             "f:2:3: error: the program does not define \"_X_HOME\" [unknown-name] (the block does not "
+             "move; data that only the machine has (GUD) can be defined at the program's top, DEF REAL "
+             "_X_HOME=)"},
+        Case{"G0 X1\nG[1]=2 X3",
+             "f:2:1: error: \"G[1]=2 X3\" starts no word or statement [syntax] (the rest of the line is "
+             "not read and the block does not move; correct it)"},
+        Case{"G0 X1\nTRANS X5 G1",
+             "f:2:1: error: G1 and TRANS exclude each other in one block [conflicting-g] (the coordinates "
+             "are those of the latter and nothing moves; write a block for each)"},
+        Case{"G0 X1\nISOCALL SHAPE",
+             "f:2:9: error: ISOCALL (call of a program in ISO dialect) is not read [unread-function] (its "
+             "motion is left out)"},
         Case{"G0 X1\nSUPA Z0",
              "f:2:6: warning: the block moves to a machine position, which only the machine knows "
              "[machine-position] (the motion is left out; what follows begins where the tool was before)"},

@@ -60,6 +60,13 @@ TEST(SinumerikVariables, IntegersRoundAndArraysTakeListsAndRepeats) {
       ElementsAre(3, 3, 1, 8, 4));
 }
 
+TEST(SinumerikVariables, NamesOfOneLetterAreTheProgramsOnceDefined) {
+  EXPECT_THAT(
+      xs_of("DEF INT I=2\nDEF REAL A[2,3]\nDEF STRING[4] S=\"UP\"\nA[0,0]=SET(1,2,3,4,5,6)\nG0 X=A[1,2]\n"
+            "I=I+1\nX=I\nIF S==\"UP\" GOTOF UP_1\nX99\nUP_1: X8"),
+      ElementsAre(6, 3, 8));
+}
+
 TEST(SinumerikFlow, IfElseAndNestedOnes) {
   const char* const text = "IF R1==1\nG0 X1\nELSE\nIF R1==2\nG0 X2\nENDIF\nG0 X3\nENDIF\nX4";
   EXPECT_THAT(xs_of(std::string("R1=1\n") + text), ElementsAre(1, 4));

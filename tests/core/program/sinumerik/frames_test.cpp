@@ -42,7 +42,22 @@ TEST(SinumerikFrames, ArcsTurnAndMirrorWithTheFrame) {
 }
 
 TEST(SinumerikFrames, TheToolStaysWhereItIsWhenTheFrameChanges) {
-  expect_near(end_of("G0 X10\nTRANS X4\nG91 X1"), {11, 0, 0});
+  expect_near(end_of("G0 X10 Y1\nTRANS X4\nY2"), {10, 2, 0});
+}
+
+/// Function Manual K2, frames with G91: setting data 42440 is 1 by default, so that the change of the frame
+/// is traversed along with the increment.
+TEST(SinumerikFrames, AnIncrementAfterAChangeOfFrameTraversesTheChangeOnce) {
+  const Program program = read_sinumerik(
+      "G0 X10 Y10\nTRANS X4 Y3\nG91 X1\nX1\nTRANS\nX=IC(1)\nG90 Y0\nATRANS Y5\nG90 Y1\nY=IC(1)");
+  const std::vector<Vec3> ends{{10, 10, 0}, {15, 10, 0}, {16, 10, 0}, {13, 10, 0},
+                               {13, 0, 0},  {13, 6, 0},  {13, 7, 0}};
+  ASSERT_EQ(program.motions.size(), ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    expect_near(program.motions[i].target, ends[i]);
+  }
+  ASSERT_EQ(program.diagnostics.size(), 2U) << "one for X, one for Y";
+  EXPECT_EQ(program.diagnostics[0].code, "frame-increment");
 }
 
 }  // namespace

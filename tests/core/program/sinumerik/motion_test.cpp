@@ -41,6 +41,11 @@ INSTANTIATE_TEST_SUITE_P(Polar, SinumerikEnds,
                                          EndCase{"G111 X10 Y20\nG112 X1 Y1\nG0 AP=180 RP=1", {10, 21, 0}},
                                          EndCase{"G111\nG0 AP=30 RP=10\nAP=IC(60)", {0, 10, 0}},
                                          EndCase{"G18 G111\nG0 AP=90 RP=10 Y3", {10, 3, 0}},
+                                         // Both stay in force, the angle up to a new pole or plane.
+                                         EndCase{"G111\nG0 AP=0 RP=10\nX0\nAP=90", {0, 10, 0}},
+                                         EndCase{"G111\nG0 AP=90 RP=10\nX7\nRP=5", {0, 5, 0}},
+                                         EndCase{"G111\nG0 AP=90 RP=10\nX7 Y0\nAP=IC(90)", {-10, 0, 0}},
+                                         EndCase{"G111\nG0 AP=90 RP=10\nG111 X10 Y10\nRP=3", {7, 10, 0}},
                                          EndCase{"G1 F100 X10 ANG=45", {10, 10, 0}},
                                          EndCase{"G1 F100 Y10 ANG=135", {-10, 10, 0}}));
 
@@ -60,6 +65,19 @@ TEST(SinumerikMotion, DwellsInSecondsOrRevolutionsLeaveTheFeedAlone) {
   EXPECT_DOUBLE_EQ(program.motions[1].dwell, 1.5);
   EXPECT_DOUBLE_EQ(program.motions[2].dwell, 1.5);
   EXPECT_DOUBLE_EQ(program.motions[3].feed, 10);
+}
+
+TEST(SinumerikMotion, LimitsAndSurfaceSpeedsAreNoSpindleSpeed) {
+  const Program program = read_sinumerik("S600 M3\nG26 S9000\nG95 G1 X10 F1\nG96 S200\nX20\nG97 S1200\nX30");
+  ASSERT_EQ(program.motions.size(), 3U);
+  EXPECT_NEAR(program.motions[0].feed, 10, 1e-12);
+  EXPECT_NEAR(program.motions[1].feed, 10, 1e-12);
+  EXPECT_NEAR(program.motions[2].feed, 20, 1e-12);
+}
+
+TEST(SinumerikMotion, DiametersAndRadiiMayBeSaidOfOneCoordinate) {
+  EXPECT_EQ(xs_of("G0 X=DAC(10)\nX=DIC(4)\nDIAMON\nX10\nX=RAC(10)\nX=RIC(1)"),
+            (std::vector<double>{5, 7, 5, 10, 11}));
 }
 
 /// Quarter of the circle about (10, 0) from the origin to (10, 10): clockwise about Z.
@@ -139,8 +157,8 @@ TEST(SinumerikMotion, DeletedBlocksAreLeftOutWhenAsked) {
 
 TEST(SinumerikMotion, WordsWithoutEffectOnThePathAreAccepted) {
   EXPECT_EQ(xs_of("WORKPIECE(,\"\",,\"BOX\",112,0,-51,-80,0,0,100,100)\nT=\"MILL D10\" M6\nT1 D1 H5 M=QU(8)\n"
-                  "S1=500 M1=3\nSTOPRE\nFGROUP(X,Y,Z)\nSPOS=90 SPOS[2]=AC(30)\nCFTCP KONT G450 NORM\n"
-                  "EXTERN SUB(REAL,INT)\nSETMS(1) TRAFOOF ORIWKS\nDYNFINISH G601 FNORM\nG0 X7 M8"),
+                  "S1=500 M1=3 S[2]=100\nSTOPRE\nFGROUP(X,Y,Z)\nSPOS=90 SPOS[2]=AC(30)\nCFTCP G450 NORM\n"
+                  "EXTERN SUB(REAL,INT)\nSETMS(1) TRAFOOF ORIWKS\nG601 FNORM\nCOUPON(S1,S2)\nG0 X7 M8"),
             std::vector<double>{7});
 }
 

@@ -45,16 +45,20 @@ TEST(SinumerikSubprograms, ModalCallFollowsEveryMotion) {
 TEST(SinumerikSubprograms, LieBesideTheProgramWhateverTheCaseOfTheirNames) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "sinumerik_subprograms";
   std::filesystem::create_directories(folder);
-  std::ofstream(folder / "part.mpf")
-      << "G0 X1\nCALL \"SUB_A\"\nL20 P2\nCALL \"/_N_SPF_DIR/_N_SUB_A_SPF\"\nM30\n";
+  std::ofstream(folder / "part.mpf") << "G0 X1\nCALL \"SUB_A\"\nL20 P2\nCALL \"/_N_SPF_DIR/_N_SUB_A_SPF\"\n"
+                                        "EXTCALL(\"D:\\JOBS\\OP10.NC\")\nEXTCALL \"OP10\"\nM30\n";
+  std::ofstream(folder / "op10.nc") << "X50\nX=IC(1)";
+  std::ofstream(folder / "OP10.MPF") << "X60\nM30";
   std::ofstream(folder / "sub_a.spf") << "%_N_SUB_A_SPF\n;$PATH=/_N_SPF_DIR\nG91 X1\nG90\nM17\n";
   std::ofstream(folder / "L20.SPF") << "G91\nX10\nG90";
   const Program program =
       read_program(std::make_shared<const SourceText>(SourceText::from_file(folder / "part.mpf")));
   EXPECT_EQ(program.dialect, Dialect::sinumerik);
   EXPECT_TRUE(program.diagnostics.empty()) << format(program.diagnostics.front(), "part.mpf");
-  ASSERT_EQ(program.motions.size(), 5U);
-  EXPECT_DOUBLE_EQ(program.motions.back().target.x(), 23);
+  ASSERT_EQ(program.motions.size(), 8U);
+  EXPECT_DOUBLE_EQ(program.motions[4].target.x(), 23);
+  EXPECT_DOUBLE_EQ(program.motions[6].target.x(), 51);
+  EXPECT_DOUBLE_EQ(program.motions.back().target.x(), 60);
   EXPECT_EQ(program.motions[1].line, 2U);
   std::filesystem::remove_all(folder);
 }
