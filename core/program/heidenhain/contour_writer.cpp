@@ -28,6 +28,10 @@ std::optional<PlaneElement> ContourWriter::curve_of(const Vec3& start, const Con
 }
 
 std::optional<Vec2> ContourWriter::direction() const {
+  if (approach_) {
+    // Where the approach comes from depends on the element that asks.
+    return std::nullopt;
+  }
   const std::optional<PlaneElement> curve = curve_of(last_start_, last_);
   const Vec2 along = curve ? curve->tangent_at_end() : Vec2::Zero();
   return along == Vec2::Zero() ? std::nullopt : std::optional(along);

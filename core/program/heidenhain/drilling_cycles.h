@@ -11,30 +11,39 @@ namespace feedscope {
 
 /// What a drilling, tapping or boring cycle is given, by its Q numbers; [mm], [s], [mm/s].
 struct Drilling {
-  double clearance = 0;         ///< Q200, above the surface
-  double depth = 0;             ///< Q201, below the surface: negative
-  double infeed = 0;            ///< Q202
-  double surface = 0;           ///< Q203, coordinate
-  double second_clearance = 0;  ///< Q204, above the surface
-  double least_infeed = 0;      ///< Q205
-  double feed = 0;              ///< Q206
-  double retract_feed = 0;      ///< Q208; 0: as the cycle says
-  double top_dwell = 0;         ///< Q210
-  double bottom_dwell = 0;      ///< Q211
-  double decrement = 0;         ///< Q212, of the infeed each time
-  double breaks = 0;            ///< Q213, chip breaks before the tool is taken out
-  double retreat = 0;           ///< Q214, direction away from the wall, 0 to 4
-  double pitch = 0;             ///< Q239
-  double start_feed = 0;        ///< Q253
-  double break_distance = 0;    ///< Q256
-  double break_infeed = 0;      ///< Q257
-  double upper_stop = 0;        ///< Q258, before the depth reached, at the first infeed
-  double lower_stop = 0;        ///< Q259, at the last
-  double helix_infeed = 0;      ///< Q334
-  double diameter = 0;          ///< Q335
-  double by_diameter = 0;       ///< Q343
-  double climb = 1;             ///< Q351
-  double start_depth = 0;       ///< Q379
+  double clearance = 0;          ///< Q200, above the surface
+  double depth = 0;              ///< Q201, below the surface: negative
+  double infeed = 0;             ///< Q202
+  double surface = 0;            ///< Q203, coordinate
+  double second_clearance = 0;   ///< Q204, above the surface
+  double least_infeed = 0;       ///< Q205
+  double feed = 0;               ///< Q206
+  double retract_feed = 0;       ///< Q208; 0: as the cycle says
+  double top_dwell = 0;          ///< Q210
+  double bottom_dwell = 0;       ///< Q211
+  double decrement = 0;          ///< Q212, of the infeed each time
+  double breaks = 0;             ///< Q213, chip breaks before the tool is taken out
+  double retreat = 0;            ///< Q214, direction away from the wall, 0 to 4
+  double pitch = 0;              ///< Q239
+  double start_feed = 0;         ///< Q253
+  double break_distance = 0;     ///< Q256
+  double break_infeed = 0;       ///< Q257
+  double upper_stop = 0;         ///< Q258, before the depth reached, at the first infeed
+  double lower_stop = 0;         ///< Q259, at the last
+  double counterbore = 0;        ///< Q249, from the underside upwards
+  double thickness = 0;          ///< Q250, of the workpiece
+  double off_center = 0;         ///< Q251, sideways so that the tool passes the hole
+  double edge_height = 0;        ///< Q252, of the cutting edge above the tool's lower end
+  double counterbore_feed = 0;   ///< Q254
+  double counterbore_dwell = 0;  ///< Q255
+  double helix_infeed = 0;       ///< Q334
+  double diameter = 0;           ///< Q335
+  double by_diameter = 0;        ///< Q343
+  double climb = 1;              ///< Q351
+  double start_depth = 0;        ///< Q379
+  double to_shoulder = 0;        ///< Q395: the depth is that of the drill's cylinder, not of its tip
+  double feed_factor = 0;        ///< Q401, behind the dwell depth [%]
+  double dwell_depth = 0;        ///< Q435, below the surface
 };
 
 enum class CycleUnit : std::uint8_t { length, feed, plain };
@@ -64,9 +73,12 @@ enum class DrillingFault : std::uint8_t {
   tool_radius,  ///< of bore milling, not known
   pitch,        ///< no pitch, or no spindle speed
   steps,        ///< more than 10000 infeeds
+  counterbore,  ///< of back boring, not upwards
+  infeeds,      ///< of deep drilling: what happens between them is not known
+  direction,    ///< of back boring, in which the tool passes the hole, not 1 to 4
 };
 
-/// Drills at the tool's position in the plane with cycle `number`, 200 to 240, and ends on the second
+/// Drills at the tool's position in the plane with cycle `number`, 200 to 241, and ends on the second
 /// clearance. With a fault nothing is drilled.
 DrillingFault drill(int number, const Drilling& words, const DrillingPlace& place);
 

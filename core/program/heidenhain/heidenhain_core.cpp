@@ -15,11 +15,27 @@ HeidenhainCore::HeidenhainCore(std::shared_ptr<const SourceText> source, const R
       contour_(path(), log()),
       formulas_(parameters_, [this](const QName& name) { return unset_parameter(name); }) {}
 
+namespace {
+
+/// No more than a block's number.
+bool is_number_only(std::string_view statement) {
+  return statement.find_first_not_of("0123456789Nn/ \t") == std::string_view::npos;
+}
+
+}  // namespace
+
 void HeidenhainCore::run_line(std::string_view line) {
   const std::size_t last = line.find_last_not_of(" \t");
   const bool goes_on = last != std::string_view::npos && line[last] == '~';
   const std::string_view statement =
       line.substr(0, std::min(line.find(';'), goes_on ? last : std::string_view::npos));
+  // "3 ;a long remark that goes on~": all of its lines are remark.
+  const bool remark =
+      comment_goes_on_ || (goes_on && parts_.empty() && line.find(';') < last && is_number_only(statement));
+  comment_goes_on_ = remark && goes_on;
+  if (remark) {
+    return;
+  }
   if (goes_on || !parts_.empty()) {
     parts_.push_back({joined_.size(), this->line()});
     joined_.append(statement) += ' ';
@@ -46,11 +62,13 @@ void HeidenhainCore::run_joined() {
 }
 
 void HeidenhainCore::before_finish() {
+  comment_goes_on_ = false;
   run_joined();
   contour_.flush();
 }
 
 void HeidenhainCore::run_out() {
+  comment_goes_on_ = false;
   run_joined();
   end_of_program();
 }
@@ -86,6 +104,8 @@ double HeidenhainCore::unset_parameter(const QName& name) {
   constexpr int tool_radius = 108;
   constexpr int tool_axis = 109;
   constexpr int unit = 113;
+  constexpr int first_rotary_axis = 120;
+  constexpr int last_rotary_axis = 122;
   if (name.kind == QName::Kind::global) {
     switch (name.number) {
       case tool_radius:
@@ -100,6 +120,15 @@ double HeidenhainCore::unset_parameter(const QName& name) {
       default:
         break;
     }
+  }
+  if (name.kind == QName::Kind::global && name.number >= first_rotary_axis &&
+      name.number <= last_rotary_axis) {
+    report(Severity::info, "unset-parameter", name.number, name.column, [&] {
+      return Text{fmt::format("{} is the angle of a rotary axis that the control finds for a tilted plane",
+                              name.text()),
+                  "0 is taken; X, Y and Z are shown in the tilted plane all the same"};
+    });
+    return 0;
   }
   report(Severity::warning, "unset-parameter", static_cast<int>(name.kind) * 10000 + name.number, name.column,
          [&] {

@@ -76,6 +76,8 @@ class HeidenhainCore : public Reader {
   void check_rotary(char letter, double value, bool incremental, std::uint32_t column);
   /// What is held back is written, and what follows is of this line.
   void end_contour(std::uint32_t column);
+  /// [1/min]; 0: none yet.
+  double spindle_speed() const { return spindle_speed_; }
   /// The working plane.
   Plane plane() const { return contour_.plane(); }
 
@@ -86,13 +88,15 @@ class HeidenhainCore : public Reader {
     std::optional<Plane> plane;   ///< across the tool axis
     std::optional<double> speed;  ///< [1/min]
     std::optional<double> feed;   ///< as written
-    double radius_excess = 0;     ///< DR [mm]
+    FeedWord feed_word = FeedWord::value;
+    std::uint32_t feed_column = 0;
+    double radius_excess = 0;  ///< DR [mm]
   };
   /// A tool's number or name, as a key; none if none stands here.
   std::optional<std::string> tool_name(Scanner& scanner);
   void define_tool(const std::string& tool, double radius) { tool_radii_[tool] = radius; }
   void call_tool(const ToolCall& call);
-  void set_blank_corner(bool upper, const Vec3& corner, std::uint32_t column);
+  void set_blank_corner(bool upper, const std::array<OptionalWord, 3>& corner, std::uint32_t column);
   Transformations& transformations() { return transformations_; }
   /// A scaling factor as the control takes it. Throws ReadFault "scale-factor".
   static double checked_factor(double factor, std::uint32_t column);
@@ -100,6 +104,9 @@ class HeidenhainCore : public Reader {
   void apply_transformations(std::uint32_t column);
   void set_tolerance(std::optional<double> tolerance, std::optional<double> orientation_tolerance,
                      std::uint32_t column);
+  /// The working plane tilted against the coordinates in force so far; none: no longer.
+  void set_tilt(const std::optional<CoordinateFrame>& tilt, std::uint32_t column);
+  void shift_datum(const std::array<OptionalWord, 3>& to, std::uint32_t column);
   void dwell(double seconds, std::uint32_t column);
   void set_datum(std::string_view what, std::uint32_t column);
 
@@ -137,15 +144,22 @@ class HeidenhainCore : public Reader {
 
   /// The parameters stand as "Q200=2" from the scanner on.
   void define_cycle(int number, std::string_view title, Scanner& parameters, std::uint32_t column);
-  void define_old_drilling(int number) { cycle_ = {number, CycleKind::old_drilling, {}}; }
+  void define_old_drilling(int number) { set_cycle({number, CycleKind::old_drilling, {}}); }
   /// The value of its line or P word number `part`, as written.
   void set_old_drilling(int number, int part, double value);
   void define_program_cycle(std::string_view program) {
-    cycle_ = {12, CycleKind::program, std::string(program)};
+    set_cycle({12, CycleKind::program, std::string(program)});
   }
   void leave_out_cycle(int number, std::string_view title, std::uint32_t column);
+  /// GLOBAL DEF: what PREDEF stands for in the cycles that follow.
+  void predefine(Scanner& parameters) { read_cycle_parameters(parameters, predefined_); }
   /// `surface_offset` raises the surface of a drilling cycle [mm].
   void call_cycle(std::uint32_t column, double surface_offset = 0);
+  /// CYCL CALL POS.
+  void call_cycle_at(const MotionWords& words, std::uint32_t column);
+  /// PATTERN DEF: places of CYCL CALL PAT, along the tool axis offsets of the surface [mm].
+  void set_pattern(std::vector<Vec3> places) { pattern_ = std::move(places); }
+  void call_cycle_at_pattern(const MotionWords& words, std::uint32_t column);
 
  private:
   enum class CycleKind : std::uint8_t { none, drilling, old_drilling, program, left_out };
@@ -159,6 +173,11 @@ class HeidenhainCore : public Reader {
     double unit = 1;
     QParameters::Locals locals;
   };
+  /// It ends the calls of M89 too.
+  void set_cycle(Cycle cycle) {
+    cycle_ = std::move(cycle);
+    modal_cycle_ = false;
+  }
   using Labels = std::map<std::string, std::uint32_t, std::less<>>;
 
   void run_line(std::string_view line) override;
@@ -195,7 +214,7 @@ class HeidenhainCore : public Reader {
   const Labels& labels();
   bool enter(const std::shared_ptr<const SourceText>& text, std::uint32_t line, bool program);
 
-  void read_cycle_parameters(Scanner& scanner);
+  void read_cycle_parameters(Scanner& scanner, QParameters& into);
   std::optional<Drilling> drilling_words(std::uint32_t column);
   void report_drilling_fault(DrillingFault fault, std::uint32_t column);
   std::vector<Vec2> pattern_places(int number, std::uint32_t column);
@@ -212,11 +231,13 @@ class HeidenhainCore : public Reader {
     std::uint32_t line = 0;
   };
   std::vector<Part> parts_;
+  bool comment_goes_on_ = false;
 
   double unit_ = 1;  ///< mm a written length
   ContourFeed feed_;
   bool last_rapid_ = false;
-  double tool_feed_ = 0;      ///< of the last tool call, as written
+  double tool_feed_ = 0;  ///< of the last tool call, as written
+  FeedWord tool_feed_word_ = FeedWord::value;
   double spindle_speed_ = 0;  ///< [1/min]
   int side_ = 0;
   bool revolution_feed_ = false;  ///< M136
@@ -236,6 +257,8 @@ class HeidenhainCore : public Reader {
   std::map<const SourceText*, Labels> labels_;
   std::map<std::tuple<std::size_t, const SourceText*, std::uint32_t>, double> repeats_left_;
 
+  QParameters predefined_;
+  std::vector<Vec3> pattern_;
   Cycle cycle_;
   OldDrilling old_drilling_;
 };

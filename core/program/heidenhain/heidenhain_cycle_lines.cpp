@@ -65,16 +65,13 @@ void HeidenhainReader::cycle(Scanner& scanner, std::uint32_t column) {
 
 void HeidenhainReader::cycle_call(Scanner& scanner, std::uint32_t column) {
   if (scanner.take_name("PAT")) {
-    report_unread("PATTERN", scanner.text(), column);
-    return;
+    call_cycle_at_pattern(words(scanner), column);
+  } else if (scanner.take_name("POS")) {
+    call_cycle_at(words(scanner), column);
+  } else {
+    run_functions(words(scanner));
+    call_cycle(column);
   }
-  const bool at_place = scanner.take_name("POS");
-  MotionWords words = this->words(scanner);
-  OptionalWord& along = words.axes[static_cast<std::size_t>(normal_axis(plane()))];
-  const double height = along.given ? along.value : 0;
-  along.given = along.given && !at_place;
-  run_path(PathKind::line, words);
-  call_cycle(column, at_place ? height : 0);
 }
 
 void HeidenhainReader::old_cycle_line(int number, int part, Scanner& scanner, std::uint32_t column) {
@@ -114,6 +111,11 @@ void HeidenhainReader::old_cycle_line(int number, int part, Scanner& scanner, st
         define_program_cycle(scanner.rest());
       }
       return;
+    case 19:
+      if (part > 0) {
+        tilt_cycle(scanner, column);
+      }
+      return;
     case 32:
       tolerance(part, scanner, column);
       return;
@@ -142,16 +144,12 @@ void HeidenhainReader::transformation_cycle(int number, Scanner& scanner, std::u
 
 void HeidenhainReader::datum_shift(Scanner& scanner, std::uint32_t column) {
   if (scanner.take('#') || scanner.take_name("TABLE")) {
+    // The line of the table, taken as zero, takes the place of the shift in force.
+    transformations().reset(Transformations::Kind::shift);
     set_datum("a line of the datum table", column);
     return;
   }
-  const MotionWords words = this->words(scanner);
-  for (int axis = 0; axis < 3; ++axis) {
-    const OptionalWord& word = words.axes[static_cast<std::size_t>(axis)];
-    if (word.given) {
-      transformations().shift(axis, word.value, word.incremental);
-    }
-  }
+  shift_datum(words(scanner).axes, column);
 }
 
 void HeidenhainReader::mirror(Scanner& scanner, std::uint32_t) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 #include "core/base/units.h"
 #include "core/program/heidenhain/heidenhain_core.h"
@@ -19,6 +20,10 @@ namespace {
 constexpr int circle_pattern = 220;
 constexpr int grid_pattern = 221;
 constexpr int datum_setting = 247;
+constexpr int traverse_on_circle = 365;
+
+/// Contour geometry and data, orientation, load and vibration control.
+constexpr auto motionless_cycles = std::to_array<int>({13, 14, 20, 239, 270, 332, 392});
 
 constexpr double largest_value = 1e9;
 
@@ -39,13 +44,19 @@ std::string_view text_of(DrillingFault fault) {
       return "it has no pitch or the spindle no speed; write S in the tool call";
     case DrillingFault::steps:
       return "it would take more than 10000 infeeds, or its infeeds are negative; check Q202 and alike";
+    case DrillingFault::infeeds:
+      return "what it does between infeeds (Q202 below its depth) is not read; write Q202=0 for one";
+    case DrillingFault::counterbore:
+      return "its depth Q249 is not above zero; write it positive";
+    case DrillingFault::direction:
+      return "the direction Q214 in which the tool passes the hole is not 1 to 4";
   }
   return "";
 }
 
 }  // namespace
 
-void HeidenhainCore::read_cycle_parameters(Scanner& scanner) {
+void HeidenhainCore::read_cycle_parameters(Scanner& scanner, QParameters& into) {
   bool began = false;
   while (!scanner.at_end()) {
     const std::size_t before = scanner.at();
@@ -61,16 +72,28 @@ void HeidenhainCore::read_cycle_parameters(Scanner& scanner) {
       continue;
     }
     began = true;
+    if (scanner.take_name("PREDEF")) {
+      const std::optional<double> value = predefined_.get(*name);
+      if (!value) {
+        throw ReadFault{"cycle-parameter", column,
+                        fmt::format("no GLOBAL DEF says what PREDEF is for {}", name->text()),
+                        "write a number, or the GLOBAL DEF before it"};
+      }
+      into.set(*name, *value);
+      continue;
+    }
     const bool f = scanner.take('F');
     if (scanner.take_name("MAX")) {
-      parameters_.set(*name, rapid_feed);
+      into.set(*name, rapid_feed);
     } else if (scanner.take_name("AUTO")) {
-      parameters_.set(*name, tool_feed_);
-    } else if (f || scanner.take_name("PREDEF")) {
+      into.set(*name, tool_feed_);
+    } else if (f && scanner.take('U') && !is_inch()) {
+      into.set(*name, formulas_.read_value(scanner) * spindle_speed_);
+    } else if (f) {
       throw ReadFault{"cycle-parameter", column, fmt::format("the value of {} is not read", name->text()),
                       "write a number"};
     } else {
-      parameters_.set(*name, formulas_.read_value(scanner));
+      into.set(*name, formulas_.read_value(scanner));
     }
   }
 }
@@ -84,7 +107,10 @@ void HeidenhainCore::define_cycle(int number, std::string_view title, Scanner& p
       parameters_.set_global(parameter.q, *parameter.otherwise / unit);
     }
   }
-  read_cycle_parameters(parameters);
+  if (number == circle_pattern) {
+    parameters_.set_global(traverse_on_circle, 0);
+  }
+  read_cycle_parameters(parameters, parameters_);
   if (number == circle_pattern || number == grid_pattern) {
     run_pattern(number, column);
   } else if (number == datum_setting) {
@@ -92,7 +118,7 @@ void HeidenhainCore::define_cycle(int number, std::string_view title, Scanner& p
   } else if (known.empty()) {
     leave_out_cycle(number, title, column);
   } else {
-    cycle_ = {number, CycleKind::drilling, {}};
+    set_cycle({number, CycleKind::drilling, {}});
   }
 }
 
@@ -130,11 +156,18 @@ void HeidenhainCore::set_old_drilling(int number, int part, double value) {
 }
 
 void HeidenhainCore::leave_out_cycle(int number, std::string_view title, std::uint32_t column) {
-  cycle_ = {number, CycleKind::left_out, {}};
+  const auto name = [&] {
+    return title.empty() ? fmt::format("cycle {}", number) : fmt::format("cycle {} ({})", number, title);
+  };
+  if (std::find(motionless_cycles.begin(), motionless_cycles.end(), number) != motionless_cycles.end()) {
+    report(Severity::info, "unread-cycle", number, column, [&] {
+      return Text{fmt::format("{} is not read", name()), "it does not move by itself"};
+    });
+    return;
+  }
+  set_cycle({number, CycleKind::left_out, {}});
   report(Severity::error, "unread-cycle", number, column, [&] {
-    return Text{title.empty() ? fmt::format("cycle {} is not read", number)
-                              : fmt::format("cycle {} ({}) is not read", number, title),
-                "what it does is left out"};
+    return Text{fmt::format("{} is not read", name()), "its motion is left out wherever it is called"};
   });
 }
 
@@ -167,6 +200,57 @@ void HeidenhainCore::call_cycle(std::uint32_t column, double surface_offset) {
   report_drilling_fault(fault, column);
 }
 
+void HeidenhainCore::call_cycle_at(const MotionWords& words, std::uint32_t column) {
+  modal_cycle_ = false;
+  // Its F holds for the way there only.
+  const ContourFeed feed = feed_;
+  MotionWords in_plane = words;
+  OptionalWord& along = in_plane.axes[static_cast<std::size_t>(normal_axis(plane()))];
+  const double raised = along.given ? along.value : 0;
+  along.given = false;
+  run_path(PathKind::line, in_plane);
+  feed_ = feed;
+  call_cycle(column, raised);
+}
+
+void HeidenhainCore::call_cycle_at_pattern(const MotionWords& words, std::uint32_t column) {
+  if (pattern_.empty() || cycle_.kind == CycleKind::program) {
+    report(Severity::error, "cycle-call", 1, column, [&] {
+      return Text{pattern_.empty() ? "CYCL CALL PAT without PATTERN DEF"
+                                   : "CYCL CALL PAT of a program (cycle 12) is not read",
+                  "the calls are left out"};
+    });
+    return;
+  }
+  if (cycle_.kind == CycleKind::left_out) {
+    return;
+  }
+  modal_cycle_ = false;
+  const ContourFeed feed = feed_;
+  run_functions(words);
+  MotionWords way;
+  way.feed_word = words.feed_word == FeedWord::rapid ? FeedWord::rapid : FeedWord::none;
+  way.first_column = column;
+  const int axis = normal_axis(plane());
+  const double start = contour_.position()[axis];
+  const auto drilling = cycle_.kind == CycleKind::drilling ? drilling_words(column) : std::nullopt;
+  for (const Vec3& place : pattern_) {
+    MotionWords up = way;
+    up.feed_word = FeedWord::rapid;
+    Vec3 target = contour_.position();
+    const double safe = drilling ? drilling->surface + place[axis] + drilling->second_clearance : start;
+    target[axis] = std::max(start, safe);
+    if (target[axis] > contour_.position()[axis]) {
+      contour_.add(element_of(up, target));
+    }
+    ContourElement element = element_of(way, from_plane(in_plane(place, plane()), plane(), target));
+    element.place.axes = 7;
+    contour_.add(element);
+    call_cycle(column, place[axis]);
+  }
+  feed_ = feed;
+}
+
 void HeidenhainCore::report_drilling_fault(DrillingFault fault, std::uint32_t column) {
   if (fault != DrillingFault::none) {
     report(Severity::error, "cycle-value", cycle_.number * 10 + static_cast<int>(fault), column, [&] {
@@ -194,8 +278,15 @@ std::optional<Drilling> HeidenhainCore::drilling_words(std::uint32_t column) {
                       "the cycle is left out"};
     }
     words.*parameter.value = parameter.unit == CycleUnit::length ? to_mm(*value)
-                             : parameter.unit == CycleUnit::feed ? to_feed(*value)
-                                                                 : *value;
+                             : parameter.unit != CycleUnit::feed ? *value
+                             : *value >= rapid_feed              ? std::numeric_limits<double>::infinity()
+                                                                 : to_feed(*value);
+  }
+  if (words.to_shoulder != 0) {
+    report(Severity::warning, "cycle-value", cycle_.number * 10, column, [&] {
+      return Text{fmt::format("cycle {}: Q395=1 counts the depth to the drill's cylinder", cycle_.number),
+                  "how long its point is only the tool table knows; it is shown as the depth of the tip"};
+    });
   }
   return words;
 }
@@ -238,6 +329,12 @@ void HeidenhainCore::run_pattern(int number, std::uint32_t column) {
     throw ReadFault{"cycle-call", column,
                     fmt::format("cycle {} repeats a cycle, but none is defined", number),
                     "the pattern is left out; define a cycle from 200 to 209 or 240 before it"};
+  }
+  if (number == circle_pattern && parameters_.global(traverse_on_circle).value_or(0) != 0) {
+    report(Severity::info, "cycle-value", number * 10, column, [] {
+      return Text{"cycle 220: Q365=1 goes from place to place on the circle",
+                  "the holes are right, the way between them is shown straight"};
+    });
   }
   const std::vector<Vec2> places = pattern_places(number, column);
   const auto words = drilling_words(column);

@@ -129,7 +129,10 @@ void HeidenhainCore::end_of_program() {
 }
 
 void HeidenhainCore::call_program(std::string_view written, std::uint32_t column) {
-  std::string_view name = written;
+  Scanner scanner(written);
+  const auto parameter = take_parameter(scanner);
+  std::string_view name =
+      parameter && parameter->kind == QName::Kind::text ? parameters_.text(parameter->number) : written;
   while (!name.empty() && (letters::is_blank(name.front()) || name.front() == '"')) {
     name.remove_prefix(1);
   }

@@ -42,8 +42,7 @@ bool HeidenhainIsoReader::run_codes(const Block& block) {
         break;
       case 30:
       case 31:
-        set_blank_corner(code == 31, Vec3(words.axes[0].value, words.axes[1].value, words.axes[2].value),
-                         block.column);
+        set_blank_corner(code == 31, words.axes, block.column);
         break;
       case 62:
         if (block.values[0] && !(*block.values[0] > 0)) {
@@ -98,12 +97,7 @@ bool HeidenhainIsoReader::run_transformation(int code, const Block& block) {
       set_datum("a line of the datum table", block.column);
       return true;
     case 54:
-      for (int axis = 0; axis < 3; ++axis) {
-        const OptionalWord& word = words.axes[static_cast<std::size_t>(axis)];
-        if (word.given) {
-          transformations().shift(axis, word.value, word.incremental);
-        }
-      }
+      shift_datum(words.axes, block.column);
       break;
     case 72:
       transformations().scale(Vec3::Constant(checked_factor(words.feed, block.column)));

@@ -355,6 +355,7 @@ void HeidenhainIsoReader::run_tool(const Block& block) {
                                : std::nullopt;
   if (call.tool && block.motion.feed_word == FeedWord::value) {
     call.feed = block.motion.feed;
+    call.feed_column = block.motion.feed_column;
   }
   call_tool(call);
 }

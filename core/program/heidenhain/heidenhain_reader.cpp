@@ -23,7 +23,7 @@ struct UnreadStatement {
 constexpr std::string_view positions_missing = "the motion it stands for is missing";
 
 constexpr auto unread_statements = std::to_array<UnreadStatement>({
-    {"PLANE", Severity::error, "tilted working plane", "the path is shown untilted"},
+    {"PLANE", Severity::error, "tilted working plane of this form", "the path is shown untilted"},
     {"FUNCTION", Severity::info, "function of the machine", "the path is shown as programmed"},
     {"POLARKIN", Severity::error, "polar kinematics", "the path is shown as programmed"},
     {"FL", Severity::error, "free contour", positions_missing},
@@ -31,9 +31,10 @@ constexpr auto unread_statements = std::to_array<UnreadStatement>({
     {"FC", Severity::error, "free contour", positions_missing},
     {"FCT", Severity::error, "free contour", positions_missing},
     {"FPOL", Severity::error, "free contour", positions_missing},
+    {"FSELECT", Severity::error, "free contour", positions_missing},
     {"SPL", Severity::error, "spline", positions_missing},
     {"TCH", Severity::warning, "touch probe cycle", positions_missing},
-    {"PATTERN", Severity::error, "point pattern", "its places are left out"},
+    {"MODE", Severity::error, "another kind of machining", "its path is shown as if it were milling"},
     {"SEL", Severity::warning, "selected table, pattern or program", "what it selects is not known"},
     {"CONTOUR", Severity::error, "contour definition", positions_missing},
     {"OPEN", Severity::info, "file", "it does not change the path"},
@@ -100,6 +101,12 @@ const HeidenhainReader::Statement* HeidenhainReader::find_statement(std::string_
       {"CYCLE", &R::cycle},
       {"TRANS", &R::transformation},
       {"DECLARE", &R::declaration},
+      {"PLANE", &R::plane_statement},
+      {"PATTERN", &R::pattern},
+      {"FUNCTION", &R::function_statement},
+      {"GLOBAL", &R::global_definition},
+      {"PRESET", &R::preset},
+      {"SEL", &R::select},
   });
   const auto found = std::find_if(statements.begin(), statements.end(),
                                   [name](const Statement& s) { return letters::same(s.name, name); });

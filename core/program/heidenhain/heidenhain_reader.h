@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -8,6 +10,24 @@
 #include "core/program/heidenhain/heidenhain_core.h"
 
 namespace feedscope {
+
+/// The words of one pattern of PATTERN DEF; lengths in mm, angles in degrees.
+struct PatternWords {
+  double x = 0;
+  double y = 0;
+  double z = 0;        ///< on top of the cycle's surface
+  double spacing = 0;  ///< D: of a row, or the circle's diameter
+  double column_spacing = 0;
+  double row_spacing = 0;
+  double count = 0;
+  double columns = 0;
+  double rows = 0;
+  double turn = 0;
+  double first_turn = 0;
+  double second_turn = 0;
+  double start = 0;
+  double step = 0;
+};
 
 /// Reads Heidenhain conversational programs; README.md beside this file gives the words.
 class HeidenhainReader : public HeidenhainCore {
@@ -72,6 +92,10 @@ class HeidenhainReader : public HeidenhainCore {
   void arithmetic(Scanner& scanner, FunctionCall& call);
   void jump_condition(Scanner& scanner, FunctionCall& call);
   void transformation(Scanner& scanner, std::uint32_t column);
+  void function_statement(Scanner& scanner, std::uint32_t column);
+  void global_definition(Scanner& scanner, std::uint32_t column);
+  void preset(Scanner& scanner, std::uint32_t column);
+  void select(Scanner& scanner, std::uint32_t column);
 
   // heidenhain_cycle_lines.cpp
   void cycle(Scanner& scanner, std::uint32_t column);
@@ -85,9 +109,22 @@ class HeidenhainReader : public HeidenhainCore {
   void axis_scaling(Scanner& scanner);
   void tolerance(int part, Scanner& scanner, std::uint32_t column);
   static int axis_letter(Scanner& scanner);
+
+  // heidenhain_planes.cpp
+  void plane_statement(Scanner& scanner, std::uint32_t column);
+  /// [rad]; zero where a name is missing.
+  std::array<double, 3> named_angles(Scanner& scanner, const std::array<std::string_view, 3>& names);
+  CoordinateFrame vector_plane(Scanner& scanner, std::uint32_t column);
+  void skip_turning_words(Scanner& scanner);
+  void tilt_cycle(Scanner& scanner, std::uint32_t column);
+
+  // heidenhain_patterns.cpp
+  void pattern(Scanner& scanner, std::uint32_t column);
+  PatternWords read_pattern(Scanner& scanner);
   double factor(Scanner& scanner);
 
   std::vector<std::string_view> said_;  ///< statements that are said once
+  std::string selected_program_;        ///< SEL PGM
 };
 
 }  // namespace feedscope

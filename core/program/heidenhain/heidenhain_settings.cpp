@@ -106,13 +106,18 @@ void HeidenhainCore::apply_feed(const MotionWords& words) {
   }
   const bool of_tool = words.feed_word == FeedWord::of_tool_call;
   const double written = of_tool ? tool_feed_ : words.feed;
+  const FeedWord word = of_tool ? tool_feed_word_ : words.feed_word;
   if (!(written > 0)) {
     report_feed_value(words);
     return;
   }
-  if (words.feed_word == FeedWord::per_tooth) {
+  if (word == FeedWord::per_tooth) {
     feed_ = {FeedMode::per_tooth, to_mm(written)};
-  } else if (words.feed_word == FeedWord::per_revolution || revolution_feed_) {
+    report(Severity::warning, "tooth-count", 0, words.feed_column, [] {
+      return Text{"a feed per tooth, and how many teeth the tool has only the tool table knows",
+                  "one tooth is counted; write F or FU for the right feed"};
+    });
+  } else if (word == FeedWord::per_revolution || revolution_feed_) {
     feed_ = {FeedMode::per_revolution, to_mm(written)};
   } else {
     feed_ = {FeedMode::per_minute, to_feed(written)};
@@ -232,11 +237,24 @@ void HeidenhainCore::call_tool(const ToolCall& call) {
     path().set_spindle_speed(spindle_speed_ / 60);
   }
   if (call.feed) {
+    // It holds until another F (TNC 426/430 user's manual, 5.2 Tool Data).
     tool_feed_ = *call.feed;
+    MotionWords words;
+    words.feed_word = call.feed_word;
+    words.feed = *call.feed;
+    words.feed_column = call.feed_column;
+    tool_feed_word_ = call.feed_word;
+    apply_feed(words);
   }
 }
 
-void HeidenhainCore::set_blank_corner(bool upper, const Vec3& corner, std::uint32_t column) {
+void HeidenhainCore::set_blank_corner(bool upper, const std::array<OptionalWord, 3>& words,
+                                      std::uint32_t column) {
+  Vec3 corner = upper && blank_ ? *blank_ : Vec3(0, 0, 0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const OptionalWord& word = words[static_cast<std::size_t>(axis)];
+    corner[axis] = word.incremental ? corner[axis] + word.value : word.value;
+  }
   if (!upper) {
     blank_ = corner;
   } else if (blank_ && !(corner.array() > blank_->array()).all()) {
@@ -261,6 +279,34 @@ double HeidenhainCore::checked_factor(double factor, std::uint32_t column) {
 void HeidenhainCore::apply_transformations(std::uint32_t column) {
   end_contour(column);
   path().set_frame(transformations_.frame());
+}
+
+void HeidenhainCore::set_tilt(const std::optional<CoordinateFrame>& tilt, std::uint32_t column) {
+  if (tilt) {
+    transformations_.tilt(*tilt);
+  } else {
+    transformations_.reset(Transformations::Kind::tilt);
+  }
+  apply_transformations(column);
+}
+
+void HeidenhainCore::shift_datum(const std::array<OptionalWord, 3>& to, std::uint32_t column) {
+  const bool under_tilt = transformations_.has_shift_under_tilt();
+  const Vec3 before = transformations_.shift();
+  for (int axis = 0; axis < 3; ++axis) {
+    const OptionalWord& word = to[static_cast<std::size_t>(axis)];
+    if (word.given) {
+      transformations_.shift(axis, word.value, word.incremental);
+    }
+  }
+  const Vec3 after = transformations_.shift();
+  if (under_tilt && after != before && after != Vec3::Zero()) {
+    report(Severity::warning, "tilted-shift", 0, column, [] {
+      return Text{
+          "a datum shift takes the place of one that the plane was tilted about",
+          "it is taken in the untilted system; cancel the tilt before it, or shift in the tilted plane only"};
+    });
+  }
 }
 
 void HeidenhainCore::set_tolerance(std::optional<double> tolerance,

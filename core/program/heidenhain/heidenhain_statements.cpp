@@ -43,7 +43,7 @@ void HeidenhainReader::blank_form(Scanner& scanner, std::uint32_t column) {
   }
   take_tool_axis(scanner);
   const MotionWords words = this->words(scanner);
-  set_blank_corner(!lower, Vec3(words.axes[0].value, words.axes[1].value, words.axes[2].value), column);
+  set_blank_corner(!lower, words.axes, column);
 }
 
 void HeidenhainReader::tool(Scanner& scanner, std::uint32_t column) {
@@ -79,7 +79,11 @@ void HeidenhainReader::tool_call(Scanner& scanner) {
   while (!scanner.at_end()) {
     if (scanner.take('S')) {
       call.speed = formulas().read_value(scanner);
-    } else if (scanner.take('F')) {
+    } else if (const std::uint32_t column = scanner.column(); scanner.take('F')) {
+      call.feed_column = column;
+      call.feed_word = scanner.take('Z')   ? FeedWord::per_tooth
+                       : scanner.take('U') ? FeedWord::per_revolution
+                                           : FeedWord::value;
       call.feed = formulas().read_value(scanner);
     } else if (scanner.take("DL") || scanner.take("DR2")) {
       formulas().read_value(scanner);
@@ -108,9 +112,55 @@ void HeidenhainReader::call_statement(Scanner& scanner, std::uint32_t column) {
     }
   } else if (scanner.take_name("PGM")) {
     call_program(scanner.rest(), column);
+  } else if (scanner.take_name("SELECTED") && scanner.take_name("PGM") && !selected_program_.empty()) {
+    call_program(selected_program_, column);
+  } else {
+    report_unknown(scanner.text(), column);
+  }
+}
+
+void HeidenhainReader::select(Scanner& scanner, std::uint32_t column) {
+  if (scanner.take_name("PGM")) {
+    selected_program_ = scanner.rest();
   } else {
     report_unread("SEL", scanner.text(), column);
   }
+}
+
+void HeidenhainReader::global_definition(Scanner& scanner, std::uint32_t column) {
+  if (!scanner.take_name("DEF")) {
+    report_unknown(scanner.text(), column);
+    return;
+  }
+  scanner.skip_digits();
+  predefine(scanner);
+}
+
+void HeidenhainReader::preset(Scanner&, std::uint32_t column) {
+  set_datum("PRESET", column);
+}
+
+void HeidenhainReader::function_statement(Scanner& scanner, std::uint32_t column) {
+  if (scanner.take_name("RESET")) {
+    return;
+  }
+  Scanner rest = scanner;
+  if (rest.take_name("DWELL")) {
+    if (rest.take("TIME")) {
+      dwell(formulas().read_value(rest), column);
+      return;
+    }
+    if (rest.take("REV") && spindle_speed() > 0) {
+      dwell(formulas().read_value(rest) * 60 / spindle_speed(), column);
+      return;
+    }
+  } else if (rest.take_name("MODE")) {
+    if (!rest.take_name("MILL")) {
+      report_unread("MODE", scanner.text(), column);
+    }
+    return;
+  }
+  report_unread("FUNCTION", scanner.text(), column);
 }
 
 void HeidenhainReader::stop(Scanner& scanner, std::uint32_t) {

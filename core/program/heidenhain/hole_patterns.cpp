@@ -21,13 +21,33 @@ std::vector<Vec2> places_of(const CirclePattern& pattern) {
 }
 
 std::vector<Vec2> places_of(const GridPattern& pattern) {
+  const Vec2 across = turned(Vec2(pattern.column_spacing, 0), pattern.angle + pattern.first_angle);
+  const Vec2 along = turned(Vec2(0, pattern.row_spacing), pattern.angle + pattern.second_angle);
   std::vector<Vec2> places;
-  for (int row = 0; row < pattern.rows; ++row) {
-    for (int i = 0; i < pattern.columns; ++i) {
-      const int column = row % 2 == 0 ? i : pattern.columns - 1 - i;
-      const Vec2 place(column * pattern.column_spacing, row * pattern.row_spacing);
-      places.push_back(pattern.start + turned(place, pattern.angle));
+  const auto add = [&](int column, int row) {
+    places.push_back(pattern.start + column * across + row * along);
+  };
+  const int last_column = pattern.columns - 1;
+  const int last_row = pattern.rows - 1;
+  if (!pattern.frame_only) {
+    for (int row = 0; row <= last_row; ++row) {
+      for (int i = 0; i <= last_column; ++i) {
+        add(row % 2 == 0 ? i : last_column - i, row);
+      }
     }
+    return places;
+  }
+  for (int i = 0; i <= last_column; ++i) {
+    add(i, 0);
+  }
+  for (int row = 1; row <= last_row; ++row) {
+    add(last_column, row);
+  }
+  for (int i = last_column - 1; i >= 0 && last_row > 0; --i) {
+    add(i, last_row);
+  }
+  for (int row = last_row - 1; row > 0 && last_column > 0; --row) {
+    add(0, row);
   }
   return places;
 }

@@ -18,14 +18,18 @@ struct CirclePattern {
 };
 std::vector<Vec2> places_of(const CirclePattern& pattern);
 
-/// Cycle 221: places in rows, there and back, turned about the first one.
+/// Cycle 221, ROW, PAT and FRAME: places in rows, there and back, or on the edge only, once round; turned
+/// about the first one.
 struct GridPattern {
   Vec2 start = Vec2::Zero();
   double column_spacing = 0;
   double row_spacing = 0;
   int columns = 0;
   int rows = 0;
-  double angle = 0;  ///< [rad]
+  double angle = 0;         ///< of the whole [rad]
+  double first_angle = 0;   ///< of the rows, on top [rad]
+  double second_angle = 0;  ///< of the columns, on top [rad]
+  bool frame_only = false;
 };
 std::vector<Vec2> places_of(const GridPattern& pattern);
 

@@ -15,6 +15,28 @@ Transformations::Step& Transformations::step(Kind kind) {
   return added;
 }
 
+const Transformations::Step* Transformations::find(Kind kind) const {
+  const auto found =
+      std::find_if(steps_.begin(), steps_.end(), [kind](const Step& s) { return s.kind == kind; });
+  return found != steps_.end() ? &*found : nullptr;
+}
+
+Vec3 Transformations::shift() const {
+  const Step* found = find(Kind::shift);
+  return found != nullptr ? found->values : Vec3(Vec3::Zero());
+}
+
+CoordinateFrame Transformations::tilt() const {
+  const Step* found = find(Kind::tilt);
+  return found != nullptr ? found->tilt : CoordinateFrame();
+}
+
+bool Transformations::has_shift_under_tilt() const {
+  const Step* shift = find(Kind::shift);
+  const Step* tilt = find(Kind::tilt);
+  return shift != nullptr && tilt != nullptr && shift < tilt;
+}
+
 void Transformations::reset(Kind kind) {
   std::erase_if(steps_, [kind](const Step& s) { return s.kind == kind; });
 }
@@ -68,6 +90,9 @@ CoordinateFrame Transformations::frame() const {
         break;
       case Kind::scale:
         frame = frame * CoordinateFrame::scale(step.values, step.center);
+        break;
+      case Kind::tilt:
+        frame = frame * step.tilt;
         break;
     }
   }

@@ -9,11 +9,11 @@
 
 namespace feedscope {
 
-/// Cycles 7, 8, 10, 11 and 26 in force. One that is programmed anew keeps its place, one that is reset loses
-/// it; each acts in the coordinates that those before it have made.
+/// Cycles 7, 8, 10, 11, 19, 26 and PLANE in force. One that is programmed anew keeps its place, one that is
+/// reset loses it; each acts in the coordinates that those before it have made.
 class Transformations {
  public:
-  enum class Kind : std::uint8_t { shift, mirror, rotation, scale };
+  enum class Kind : std::uint8_t { shift, mirror, rotation, scale, tilt };
 
   /// Coordinate of the datum on one axis, absolute or on top of the one in force [mm].
   void shift(int axis, double value, bool incremental);
@@ -22,7 +22,15 @@ class Transformations {
   void rotate(Plane plane, double angle, bool incremental);
   /// Factors about a centre [mm].
   void scale(const Vec3& factors, const Vec3& center = Vec3::Zero());
+  /// Turns the working plane in space; one that is in force is turned anew, in its place.
+  void tilt(const CoordinateFrame& tilt) { step(Kind::tilt).tilt = tilt; }
   void reset(Kind kind);
+
+  Vec3 shift() const;
+  /// The identity for none.
+  CoordinateFrame tilt() const;
+  /// The plane is tilted about a datum that was shifted before.
+  bool has_shift_under_tilt() const;
 
   CoordinateFrame frame() const;
 
@@ -33,9 +41,11 @@ class Transformations {
     Vec3 center = Vec3::Zero();
     Plane plane = Plane::xy;
     double angle = 0;
+    CoordinateFrame tilt;
   };
 
   Step& step(Kind kind);
+  const Step* find(Kind kind) const;
 
   std::vector<Step> steps_;
 };

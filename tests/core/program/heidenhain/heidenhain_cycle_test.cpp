@@ -31,6 +31,9 @@ TEST(HeidenhainCycle, IsCalledByM99M89AndCyclCall) {
   EXPECT_EQ(holes("L X+1 FMAX M99\nL X+2 FMAX\n"), 1);
   EXPECT_EQ(holes("L X+1 FMAX\nCYCL CALL\nL X+2 FMAX\nCYCL CALL M3\n"), 2);
   EXPECT_EQ(holes("L X+1 FMAX M89\nL X+2 FMAX\nL X+3 FMAX M99\nL X+4 FMAX\n"), 3);
+  // Another cycle, and a call at a place, end M89.
+  EXPECT_EQ(holes("L X+1 FMAX M89\n" + std::string(drilling) + "L X+2 FMAX\n"), 1);
+  EXPECT_EQ(holes("L X+1 FMAX M89\nCYCL CALL POS X+2 Y+0 Z+0 FMAX\nL X+3 FMAX\n"), 2);
 }
 
 TEST(HeidenhainCycle, CallAtAPlaceRaisesTheSurface) {
@@ -61,6 +64,15 @@ INSTANTIATE_TEST_SUITE_P(
                   "r0,0,2 0,0,-10 1s 0,0,2"},
         CycleCase{"CYCL DEF 202 BORING Q200=2 Q201=-10 Q206=100 Q211=0 Q208=300 Q203=0 Q204=9 Q214=1",
                   "r0,0,2 0,0,-10 r-0.2,0,-10 -0.2,0,2 r-0.2,0,9 r0,0,9"},
+        // The tool passes the hole 3 mm beside it; its edge, 5 above its end, goes from 2 below to 4 above
+        // the underside at Z-20.
+        CycleCase{
+            "CYCL DEF 204 BACK BORING Q200=2 Q249=4 Q250=20 Q251=3 Q252=5 Q253=750 Q254=200 Q255=0.5 Q203=0 "
+            "Q204=9 Q214=3 Q336=0",
+            "r0,0,2 r3,0,2 3,0,-27 r0,0,-27 0,0,-21 0.5s 0,0,-27 r3,0,-27 3,0,2 r3,0,9 r0,0,9"},
+        CycleCase{"CYCL DEF 241 SINGLE-LIP Q200=2 Q201=-30 Q206=100 Q211=1 Q203=0 Q204=9 Q379=10 Q253=500 "
+                  "Q208=MAX Q435=25",
+                  "r0,0,2 0,0,-8 0,0,-25 1s 0,0,-30 1s r0,0,2 r0,0,9"},
         // Steps of 5, 4, 3, then the rest; each second step the tool comes out.
         CycleCase{
             "CYCL DEF 203 UNIVERSAL DRILLING Q200=2 Q201=-15 Q206=100 Q202=5 Q210=0 Q203=0 Q204=2 Q212=1 "
@@ -103,6 +115,21 @@ TEST(HeidenhainCycle, RigidTappingFeedsItsPitchEveryTurn) {
       "TOOL CALL 1 Z S600\nL Z+5 FMAX\nCYCL DEF 207 RIGID TAPPING Q200=5 Q201=-20 Q239=-1.5 Q203=0 "
       "Q204=5\nCYCL CALL\n");
   EXPECT_EQ(program.motions[1].feed, 15);
+}
+
+TEST(HeidenhainCycle, FeedOfACallAtAPlaceHoldsForTheWayThere) {
+  const Program program = read_clean_heidenhain(std::string("L Z+50 F600\n") + drilling +
+                                                "Q202 = 15\nCYCL CALL POS X+1 Y+2 Z+0 F1200\nL Z+60\n");
+  EXPECT_EQ(program.motions[1].feed, 20);
+  EXPECT_EQ(program.motions.back().feed, 10);
+}
+
+TEST(HeidenhainCycle, GlobalDefinitionsStandForPredef) {
+  EXPECT_EQ(
+      path_of(read_clean_heidenhain(
+          "L Z+50 FMAX\nGLOBAL DEF 100 GENERAL ~\n Q200=3 ;CLEARANCE ~\n Q204=7\nCYCL DEF 240 CENTERING "
+          "Q200=PREDEF Q343=0 Q201=-2 Q206=100 Q211=0 Q203=0 Q204=PREDEF\nCYCL CALL\n")),
+      "r0,0,50 r0,0,3 0,0,-2 r0,0,3 r0,0,7");
 }
 
 constexpr const char* shallow =

@@ -115,8 +115,39 @@ INSTANTIATE_TEST_SUITE_P(
         DiagnosticCase{"G1 X5\n",
                        "1:1: error: \"G1 X5\" is no statement of this dialect [unknown-statement]"},
         DiagnosticCase{"12 +5\n", "1:4: error: \"+5\" is no statement of this dialect [unknown-statement]"},
-        DiagnosticCase{"PLANE RESET STAY\nPLANE RESET STAY\n",
-                       "1:1: error: PLANE (tilted working plane) is not read [unread-statement]"},
+        DiagnosticCase{
+            "PLANE PROJECTED PROPR+24 PROMIN+24 ROT+30 STAY\n",
+            "1:1: error: PLANE (tilted working plane of this form) is not read [unread-statement]"},
+        DiagnosticCase{"PLANE SPATIAL SPA+0 SPX+30 STAY\n",
+                       "1:21: error: \"SPX+30 STAY\" does not belong into PLANE [unread-word]"},
+        DiagnosticCase{"PLANE VECTOR BX+1 BY+0 BZ+0 NX+2 NY+0 NZ+0 STAY\n",
+                       "1:1: error: the vectors of PLANE VECTOR do not span a plane [plane]"},
+        DiagnosticCase{"CYCL DEF 7.1 X+5\nPLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY\nCYCL DEF 7.1 X+9\n",
+                       "3:1: warning: a datum shift takes the place of one that the plane was tilted about "
+                       "[tilted-shift]"},
+        DiagnosticCase{"FUNCTION MODE TURN\n",
+                       "1:1: error: MODE (another kind of machining) is not read [unread-statement]"},
+        DiagnosticCase{"FUNCTION TCPM F TCP AXIS POS PATHCTRL AXIS\n",
+                       "1:1: info: FUNCTION (function of the machine) is not read [unread-statement]"},
+        DiagnosticCase{
+            "L A+Q120 FMAX\n",
+            "1:5: info: Q120 is the angle of a rotary axis that the control finds for a tilted plane "
+            "[unset-parameter]"},
+        DiagnosticCase{
+            "CALL SELECTED PGM\n",
+            "1:1: error: \"CALL SELECTED PGM\" is no statement of this dialect [unknown-statement]"},
+        DiagnosticCase{"PATTERN DEF HEX1 (X+1)\n",
+                       "1:13: error: \"HEX1 (X+1)\" is no kind of pattern [pattern]"},
+        DiagnosticCase{"PATTERN DEF ROW1 (X+1 Y+1 D+8 NUM0 ROT+0 Z+0)\n",
+                       "1:13: error: the pattern has 0 places, not a number from 1 to 10000 [pattern]"},
+        DiagnosticCase{"PATTERN DEF POS1 (X+1 W+1)\n",
+                       "1:23: error: \"W+1)\" does not belong into a pattern [unread-word]"},
+        DiagnosticCase{"TOOL CALL 1 Z S100 FZ0.1\n",
+                       "1:20: warning: a feed per tooth, and how many teeth the tool has only the tool table "
+                       "knows [tooth-count]"},
+        DiagnosticCase{"L X+9 Y+5 FMAX\nAPPR LT X+1 Y+0 LEN2 RL F9\nCT X+9 Y+3\n",
+                       "3:4: error: no motion in the working plane stands before the arc that continues it "
+                       "[tangent-arc]"},
         DiagnosticCase{
             "BLK FORM 0.1 Z X+0 Y+0 Z-5\nBLK FORM 0.2 X+9 Y+9 Z-5\n",
             "2:1: warning: the upper corner of the blank does not lie above the lower one in every axis "
@@ -160,8 +191,29 @@ INSTANTIATE_TEST_SUITE_P(
                        "1:1: error: cycle 4 (POCKET MILLING) is not read "
                        "[unread-cycle]"},
         DiagnosticCase{"CYCL CALL\n", "1:1: error: a cycle is called, but none is defined [cycle-call]"},
-        DiagnosticCase{"CYCL CALL PAT FMAX\n",
-                       "1:1: error: PATTERN (point pattern) is not read [unread-statement]"},
+        DiagnosticCase{"CYCL CALL PAT FMAX\n", "1:1: error: CYCL CALL PAT without PATTERN DEF [cycle-call]"},
+        DiagnosticCase{"CYCL DEF 392 ATC Q240=0\n", "1:1: info: cycle 392 (ATC) is not read [unread-cycle]"},
+        DiagnosticCase{
+            "CYCL DEF 204 B Q200=1 Q249=-2 Q250=9 Q251=3 Q252=5 Q253=9 Q254=9 Q203=0 Q204=1 Q214=1\n"
+            "CYCL CALL\n",
+            "2:1: error: cycle 204 cannot run: its depth Q249 is not above zero; write it positive "
+            "[cycle-value]"},
+        DiagnosticCase{
+            "CYCL DEF 204 B Q200=1 Q249=2 Q250=9 Q251=3 Q252=5 Q253=9 Q254=9 Q203=0 Q204=1 Q214=0\n"
+            "CYCL CALL\n",
+            "2:1: error: cycle 204 cannot run: the direction Q214 in which the tool passes the hole "
+            "is not 1 to 4 [cycle-value]"},
+        DiagnosticCase{
+            "CYCL DEF 241 D Q200=1 Q201=-20 Q206=9 Q203=0 Q204=1 Q202=5\nCYCL CALL\n",
+            "2:1: error: cycle 241 cannot run: what it does between infeeds (Q202 below its depth) is "
+            "not read; write Q202=0 for one [cycle-value]"},
+        DiagnosticCase{
+            "CYCL DEF 200 D Q200=1 Q201=-20 Q206=9 Q202=20 Q203=0 Q204=1 Q395=1\nCYCL CALL\n",
+            "2:1: warning: cycle 200: Q395=1 counts the depth to the drill's cylinder [cycle-value]"},
+        DiagnosticCase{
+            "CYCL DEF 200 D Q200=1 Q201=-5 Q206=9 Q202=5 Q203=0 Q204=1\nCYCL DEF 220 P Q216=0 Q217=0 "
+            "Q244=9 Q245=0 Q246=360 Q247=0 Q241=3 Q365=1\n",
+            "2:1: info: cycle 220: Q365=1 goes from place to place on the circle [cycle-value]"},
         DiagnosticCase{"CYCL DEF 220 PATTERN Q241=3\n",
                        "1:1: error: cycle 220 repeats a cycle, but none is defined [cycle-call]"},
         DiagnosticCase{"CYCL DEF 240 CENTERING Q200=1\nCYCL CALL\n",
@@ -169,7 +221,9 @@ INSTANTIATE_TEST_SUITE_P(
         DiagnosticCase{"CYCL DEF 200 DRILLING Q200=1 X5\n",
                        "1:30: error: \"X5\" is no parameter [cycle-parameter]"},
         DiagnosticCase{"CYCL DEF 200 DRILLING ~\n Q200=PREDEF ~\n Q201=-5\n",
-                       "2:2: error: the value of Q200 is not read [cycle-parameter]"},
+                       "2:2: error: no GLOBAL DEF says what PREDEF is for Q200 [cycle-parameter]"},
+        DiagnosticCase{"CYCL DEF 200 DRILLING Q206=FZ0.1\n",
+                       "1:23: error: the value of Q206 is not read [cycle-parameter]"},
         DiagnosticCase{
             "CYCL DEF 240 C Q200=1 Q201=2 Q206=9 Q203=0 Q204=1\nCYCL CALL\n",
             "2:1: error: cycle 240 cannot run: its depth Q201 is above the surface; write it negative "
@@ -205,7 +259,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(HeidenhainDiagnostics, RotaryAxesAndPlanesAreSaidOnce) {
   const Program program =
-      read_heidenhain("L X+1 A+1 FMAX\nL A+2 FMAX\nPLANE RESET\nPLANE RESET\nL A+3 FMAX\n");
+      read_heidenhain("L X+1 A+1 FMAX\nL A+2 FMAX\nPLANE POINTS P1X+0\nPLANE POINTS P1X+0\nL A+3 FMAX\n");
   EXPECT_EQ(program.diagnostics.size(), 2U);
 }
 

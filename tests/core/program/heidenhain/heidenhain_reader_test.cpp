@@ -48,7 +48,35 @@ TEST(HeidenhainReader, FeedsPerRevolutionAndTooth) {
   EXPECT_NEAR(
       read_clean_heidenhain("TOOL CALL 1 Z S600\nL M136\nL X+1 F0.3\nL M137\nL X+2 F60\n").motions[0].feed, 3,
       1e-12);
-  EXPECT_NEAR(read_clean_heidenhain("TOOL CALL 1 Z S600\nL X+1 FZ0.1\n").motions[0].feed, 1, 1e-12);
+  EXPECT_NEAR(read_heidenhain("TOOL CALL 1 Z S600\nL X+1 FZ0.1\n").motions[0].feed, 1, 1e-12);
+  EXPECT_NEAR(read_clean_heidenhain("TOOL CALL 1 Z S600 FU0.5\nL X+1\n").motions[0].feed, 5, 1e-12);
+}
+
+TEST(HeidenhainReader, FeedOfTheToolCallHoldsUntilAnother) {
+  const Program program = read_clean_heidenhain(
+      "TOOL CALL 1 Z S600 F300\nL X+1\nL X+2 F600\nL X+3 F AUTO\nL X+4 F60\nTOOL CALL 2 Z F120\nL X+5\n");
+  std::vector<double> feeds;
+  for (const MotionBlock& block : program.motions) {
+    feeds.push_back(block.feed);
+  }
+  EXPECT_EQ(feeds, (std::vector<double>{5, 10, 5, 1, 2}));
+}
+
+TEST(HeidenhainReader, ARemarkMayGoOn) {
+  EXPECT_EQ(
+      path_of(read_clean_heidenhain("1 ;a long remark that goes~\n L X+5 FMAX on~\n and ends\n2 L X+1 FMAX\n"
+                                    "CYCL DEF 9.0 DWELL ;no remark goes on\nCYCL DEF 9.1 ;time~\n 0.5\n")),
+      "r1,0,0 0.5s");
+}
+
+TEST(HeidenhainReader, DwellsOfFunctionDwell) {
+  EXPECT_EQ(path_of(read_clean_heidenhain("Q1=2\nL X+1 FMAX\nFUNCTION DWELL TIME+Q1\nTOOL CALL 1 Z S120\n"
+                                          "FUNCTION DWELL REV5\nFUNCTION RESET TCPM\nFUNCTION MODE MILL\n")),
+            "r1,0,0 2s 2.5s");
+}
+
+TEST(HeidenhainReader, UpperCornerOfTheBlankMayBeIncremental) {
+  read_clean_heidenhain("BLK FORM 0.1 Z X-5 Y-5 Z-30\nBLK FORM 0.2 IX+10 IY+10 IZ+30\nL X+1 FMAX\n");
 }
 
 TEST(HeidenhainReader, PositionsOfSingleAxesStandWithoutAName) {

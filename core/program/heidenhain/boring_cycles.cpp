@@ -1,0 +1,82 @@
+#include "core/program/heidenhain/boring_cycles.h"
+
+#include <cmath>
+
+#include "core/program/heidenhain/spindle_moves.h"
+
+namespace feedscope {
+
+void bore(const Drilling& words, const Hole& hole, Spindle& spindle) {
+  constexpr double off_the_wall = 0.2;
+  spindle.cut(hole.bottom, words.feed);
+  spindle.dwell(words.bottom_dwell);
+  const bool retreats = words.retreat >= 1 && words.retreat <= 4;
+  const int retreat = retreats ? static_cast<int>(words.retreat) : 0;
+  if (retreats) {
+    spindle.shift(retreat, off_the_wall);
+  }
+  spindle.cut(hole.top, or_else(words.retract_feed, words.feed));
+  spindle.rapid(hole.out);
+  if (retreats) {
+    spindle.shift(retreat, -off_the_wall);
+  }
+}
+
+void bore_backwards(const Drilling& words, const Hole& hole, Spindle& spindle) {
+  const int direction = static_cast<int>(words.retreat);
+  const double underside = words.surface - words.thickness;
+  const double below = underside - words.clearance - words.edge_height;
+  spindle.shift(direction, words.off_center);
+  spindle.cut(below, words.start_feed);
+  spindle.shift(direction, -words.off_center);
+  spindle.cut(underside + words.counterbore - words.edge_height, words.counterbore_feed);
+  spindle.dwell(words.counterbore_dwell);
+  spindle.cut(below, words.start_feed);
+  spindle.shift(direction, words.off_center);
+  spindle.cut(hole.top, words.start_feed);
+  spindle.rapid(hole.out);
+  spindle.shift(direction, -words.off_center);
+}
+
+namespace {
+
+/// From the centre on a half circle to the wall, down a helix, once round and back to the centre.
+void mill_circles(const Drilling& words, const Hole& hole, double radius, const DrillingPlace& place) {
+  PathWriter& path = place.path;
+  const int axis = normal_axis(place.plane);
+  const Vec3 side = Vec3::Unit(first_axis(place.plane));
+  Vec3 center = path.position();
+  path.set_feed(std::isinf(words.feed) ? 0 : words.feed);
+  ArcRequest arc;
+  arc.axis = words.climb < 0 ? Vec3(-normal_of(place.plane)) : normal_of(place.plane);
+  const auto half_circle = [&](double direction) {
+    arc.target = path.position() + direction * radius * side;
+    arc.center = path.position() + direction * radius / 2 * side;
+    arc.extra_turns = 0;
+    path.arc_by_center(arc);
+  };
+  half_circle(1);
+  const double turns = std::max(1.0, std::ceil((hole.top - hole.bottom) / words.helix_infeed - 1e-9));
+  arc.target = path.position();
+  arc.target[axis] = hole.bottom;
+  arc.center = center;
+  arc.extra_turns = turns - 1;
+  path.arc_by_center(arc);
+  arc.extra_turns = 0;
+  path.arc_by_center(arc);
+  half_circle(-1);
+}
+
+}  // namespace
+
+void mill_bore(const Drilling& words, const Hole& hole, const DrillingPlace& place, Spindle& spindle) {
+  const double radius = words.diameter / 2 - *place.tool_radius;
+  if (radius > same_point) {
+    mill_circles(words, hole, radius, place);
+  } else {
+    spindle.cut(hole.bottom, words.feed);
+  }
+  spindle.rapid(hole.top);
+}
+
+}  // namespace feedscope

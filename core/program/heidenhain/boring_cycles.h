@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/program/heidenhain/drilling_cycles.h"
+#include "core/program/heidenhain/spindle_moves.h"
+
+namespace feedscope {
+
+/// Cycles 201 and 202, from the set-up clearance.
+void bore(const Drilling& words, const Hole& hole, Spindle& spindle);
+
+/// Cycle 204: through the hole beside its axis, below the workpiece back onto it, and upwards into the
+/// underside. The programmed position of the tool is that of its lower end; the cutting edge lies Q252 above.
+void bore_backwards(const Drilling& words, const Hole& hole, Spindle& spindle);
+
+/// Cycle 208. `place.tool_radius` is known.
+void mill_bore(const Drilling& words, const Hole& hole, const DrillingPlace& place, Spindle& spindle);
+
+}  // namespace feedscope

@@ -1,0 +1,145 @@
+// The part of HeidenhainReader for tilted working planes: PLANE and cycle 19. The path is shown in the
+// coordinates of the workpiece, however the machine turns its axes to get there.
+#include <Eigen/Geometry>
+#include <array>
+
+#include "core/base/units.h"
+#include "core/program/heidenhain/heidenhain_reader.h"
+#include "core/program/text/read_fault.h"
+
+namespace feedscope {
+
+namespace {
+
+/// About X, then Y, then Z of the untilted system (TNC 620 user's manual, PLANE SPATIAL: sequence A-B-C)
+/// [rad].
+CoordinateFrame tilted_by(const std::array<double, 3>& angles) {
+  CoordinateFrame frame;
+  for (int axis = 0; axis < 3; ++axis) {
+    frame = CoordinateFrame::rotation(Vec3::Unit(axis), angles[static_cast<std::size_t>(axis)]) * frame;
+  }
+  return frame;
+}
+
+/// Z' along `normal`, X' in the plane as near as may be to `base`; none where they do not span a plane.
+std::optional<CoordinateFrame> tilted_to(const Vec3& base, const Vec3& normal) {
+  constexpr double parallel = 1e-9;
+  const Vec3 y = normal.cross(base);
+  if (!(y.norm() > parallel * normal.norm() * base.norm())) {
+    return std::nullopt;
+  }
+  Eigen::Matrix3d turn;
+  turn.col(2) = normal.normalized();
+  turn.col(1) = y.normalized();
+  turn.col(0) = turn.col(1).cross(turn.col(2));
+  const Eigen::AngleAxisd rotation(turn);
+  return CoordinateFrame::rotation(rotation.axis(), rotation.angle());
+}
+
+}  // namespace
+
+void HeidenhainReader::plane_statement(Scanner& scanner, std::uint32_t column) {
+  const std::string_view form = scanner.name();
+  std::optional<CoordinateFrame> tilt;
+  if (letters::same(form, "SPATIAL")) {
+    tilt = tilted_by(named_angles(scanner, {"SPA", "SPB", "SPC"}));
+  } else if (letters::same(form, "RELATIV") || letters::same(form, "RELATIVE")) {
+    tilt = transformations().tilt() * tilted_by(named_angles(scanner, {"SPA", "SPB", "SPC"}));
+  } else if (letters::same(form, "EULER")) {
+    const auto angles = named_angles(scanner, {"EULPR", "EULNU", "EULROT"});
+    tilt = CoordinateFrame::rotation(Vec3::UnitZ(), angles[0]) *
+           CoordinateFrame::rotation(Vec3::UnitX(), angles[1]) *
+           CoordinateFrame::rotation(Vec3::UnitZ(), angles[2]);
+  } else if (letters::same(form, "VECTOR")) {
+    tilt = vector_plane(scanner, column);
+  } else if (!letters::same(form, "RESET")) {
+    set_tilt(std::nullopt, column);
+    report_unread("PLANE", scanner.text(), column);
+    return;
+  }
+  skip_turning_words(scanner);
+  set_tilt(tilt, column);
+}
+
+std::array<double, 3> HeidenhainReader::named_angles(Scanner& scanner,
+                                                     const std::array<std::string_view, 3>& names) {
+  std::array<double, 3> angles{};
+  for (std::size_t i = 0; i < names.size();) {
+    if (scanner.take(names[i])) {
+      angles[i] = units::from_deg(formulas().read_value(scanner));
+      i = 0;
+    } else {
+      ++i;
+    }
+  }
+  return angles;
+}
+
+CoordinateFrame HeidenhainReader::vector_plane(Scanner& scanner, std::uint32_t column) {
+  std::array<Vec3, 2> vectors{Vec3::Zero(), Vec3::Zero()};
+  for (char letter = letters::to_upper(scanner.peek()); letter == 'B' || letter == 'N';
+       letter = letters::to_upper(scanner.peek())) {
+    const char axis = letters::to_upper(scanner.peek_at(1));
+    if (axis < 'X' || axis > 'Z') {
+      break;
+    }
+    scanner.move_to(scanner.at() + 2);
+    vectors[letter == 'B' ? 0 : 1][axis - 'X'] = formulas().read_value(scanner);
+  }
+  const std::optional<CoordinateFrame> tilt = tilted_to(vectors[0], vectors[1]);
+  if (!tilt) {
+    throw ReadFault{"plane", column, "the vectors of PLANE VECTOR do not span a plane",
+                    "the plane stays as it was; check BX BY BZ and NX NY NZ"};
+  }
+  return *tilt;
+}
+
+/// How the axes turn there: no matter for the path on the workpiece.
+void HeidenhainReader::skip_turning_words(Scanner& scanner) {
+  constexpr std::array<std::string_view, 9> names{"MOVE",  "TURN",  "STAY",  "MAX", "FMAX",
+                                                  "FAUTO", "TABLE", "COORD", "ROT"};
+  const auto take_a_name = [&] {
+    return std::any_of(names.begin(), names.end(),
+                       [&](std::string_view name) { return scanner.take_name(name); });
+  };
+  while (!scanner.at_end()) {
+    if (take_a_name()) {
+      continue;
+    }
+    if (scanner.take("SEQ") || scanner.take("SYM")) {
+      scanner.take('+') || scanner.take('-');
+    } else if (scanner.take("MB") || scanner.take('F')) {
+      if (!scanner.take_name("MAX") && !scanner.take_name("AUTO")) {
+        formulas().read_value(scanner);
+      }
+    } else if (scanner.take("DIST") || scanner.take("ABST")) {
+      formulas().read_value(scanner);
+    } else {
+      throw_unread_words(scanner, "PLANE");
+    }
+  }
+}
+
+void HeidenhainReader::tilt_cycle(Scanner& scanner, std::uint32_t column) {
+  std::array<double, 3> angles{};
+  bool any = false;
+  while (!scanner.at_end()) {
+    const char letter = letters::to_upper(scanner.peek());
+    if (letter >= 'A' && letter <= 'C' && !scanner.take("ABST")) {
+      scanner.take(letter);
+      angles[static_cast<std::size_t>(letter - 'A')] = units::from_deg(formulas().read_value(scanner));
+      any = true;
+    } else if (letter == 'F' && scanner.take('F')) {
+      if (!scanner.take_name("MAX")) {
+        formulas().read_value(scanner);
+      }
+    } else if (letter == 'A' || scanner.take("SETUP") || scanner.take("SET-UP") || scanner.take("DIST")) {
+      formulas().read_value(scanner);
+    } else {
+      throw_unread_words(scanner, "cycle 19");
+    }
+  }
+  set_tilt(any ? std::optional(tilted_by(angles)) : std::nullopt, column);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include "tests/core/program/heidenhain/read_heidenhain.h"
+
+namespace feedscope {
+namespace {
+
+struct PlaneCase {
+  const char* plane;
+  Vec3 shown;  ///< of X1 Y2 Z3
+};
+void PrintTo(const PlaneCase& c, std::ostream* out) {
+  *out << c.plane;
+}
+class HeidenhainPlane : public testing::TestWithParam<PlaneCase> {};
+
+TEST_P(HeidenhainPlane, TurnsWhatFollows) {
+  const Program program = read_clean_heidenhain(std::string(GetParam().plane) + "\nL X+1 Y+2 Z+3 F100\n");
+  EXPECT_LT((end_of(program) - GetParam().shown).norm(), 1e-12) << path_of(program);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Forms, HeidenhainPlane,
+    testing::Values(
+        PlaneCase{"PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY", {1, -3, 2}},
+        PlaneCase{"PLANE SPATIAL SPA+0 SPB+90 SPC+0 TURN MB MAX FMAX SEQ- TABLE ROT", {3, 2, -1}},
+        // About the fixed axes, X first.
+        PlaneCase{"PLANE SPATIAL SPA90 SPB0 SPC180 MOVE DIST50 F2000 SYM+ COORD ROT", {-1, 3, 2}},
+        PlaneCase{"Q5=90\nPLANE SPATIAL SPA+Q5 SPB+90 SPC+0 STAY", {2, -3, -1}},
+        PlaneCase{"PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nPLANE RELATIV SPC+90 STAY", {-2, -3, 1}},
+        PlaneCase{"PLANE EULER EULPR+90 EULNU+90 EULROT+0 STAY", {3, 1, 2}},
+        PlaneCase{"PLANE VECTOR BX+1 BY+0 BZ+0 NX+0 NY-2 NZ+0 STAY", {1, -3, 2}},
+        PlaneCase{"PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nPLANE RESET TURN FMAX", {1, 2, 3}},
+        PlaneCase{"PLANE SPATIAL SPA+0 SPB+45 SPC+0 STAY\nPLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY", {1, -3, 2}},
+        // A shift before it moves the tilted plane, one behind it moves within.
+        PlaneCase{"CYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+20\nPLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY", {11, 17, 2}},
+        PlaneCase{"PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+20",
+                  {11, -3, 22}},
+        PlaneCase{
+            "CYCL DEF 7.1 X+10\nPLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nCYCL DEF 7.1 X+0\nPLANE RESET STAY",
+            {1, 2, 3}},
+        PlaneCase{"CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+90 B+0 C+180 F500 ABST50", {-1, 3, 2}},
+        PlaneCase{"CYCL DEF 19.1 A+90 SETUP50\nCYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1", {1, 2, 3}}));
+
+TEST(HeidenhainPlanes, ArcsAndHolesLieInTheTiltedPlane) {
+  const Program arc = read_clean_heidenhain(
+      "PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nL X+10 Y+0 Z+0 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n");
+  EXPECT_EQ(path_of(arc), "10,0,0 0,0,10(-Y)");
+  const Program hole = read_clean_heidenhain(
+      "PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nL X+1 Y+2 Z+9 FMAX\nCYCL DEF 240 CENTERING Q200=1 Q343=0 "
+      "Q201=-2 "
+      "Q206=100 Q203=0 Q204=1\nCYCL CALL\n");
+  EXPECT_EQ(path_of(hole), "r1,-9,2 r1,-1,2 1,2,2 r1,-1,2");
+}
+
+}  // namespace
+}  // namespace feedscope
