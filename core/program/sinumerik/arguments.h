@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "core/program/sinumerik/variables.h"
+
 namespace feedscope::sinumerik {
 
 /// What a call passes on at one place.
@@ -11,6 +13,7 @@ struct Argument {
   std::optional<double> number;     ///< none: left out, or a text
   std::optional<std::string> text;  ///< none: left out, or a number
   std::string variable;             ///< the variable that alone makes it; else empty
+  std::optional<Variable> array;    ///< its elements, if it is an array
 };
 
 using Arguments = std::vector<Argument>;

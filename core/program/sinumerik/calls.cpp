@@ -71,10 +71,14 @@ void SinumerikReader::run_def(Scanner& scanner) {
     scanner.take_name(scope);
   }
   const std::uint32_t column = scanner.column();
+  if (scanner.take_name("FRAME")) {
+    define_frames(scanner);
+    return;
+  }
   const std::optional<Type> type = take_type(scanner);
   if (!type) {
     throw ReadFault{"definition", column, fmt::format("{} is no type that is read", quoted(scanner.rest())),
-                    "write REAL, INT, BOOL, CHAR, STRING or AXIS; the variables are not defined"};
+                    "write REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME; the variables are not defined"};
   }
   do {
     const std::uint32_t at = scanner.column();
@@ -91,8 +95,15 @@ void SinumerikReader::run_def(Scanner& scanner) {
 }
 
 void SinumerikReader::run_define(Scanner& scanner) {
-  throw ReadFault{"macro", scanner.column(), fmt::format("the macro {} is not read", quoted(scanner.name())),
-                  "words by its name are taken for subprograms; write what it stands for"};
+  const std::uint32_t column = scanner.column();
+  const std::string_view name = scanner.name();
+  const bool complete = !name.empty() && scanner.take_name("AS") && !scanner.at_end();
+  if (!complete) {
+    throw ReadFault{"macro", column, "DEFINE without a name, AS and words",
+                    "words by its name are taken for subprograms; write DEFINE NAME AS G0 X5"};
+  }
+  macros_.define(name, scanner.rest());
+  scanner.move_to(scanner.text().size());
 }
 
 void SinumerikReader::run_proc(Scanner& scanner) {
@@ -131,25 +142,21 @@ void SinumerikReader::bind(Scanner& scanner, std::size_t position) {
     throw ReadFault{"definition", column, fmt::format("{} is no parameter", quoted(scanner.rest())),
                     "write a type and a name"};
   }
-  if (scanner.peek() == '[') {
-    throw ReadFault{"definition", column, fmt::format("the array parameter {} is not read", quoted(name)),
-                    "pass its elements one by one"};
-  }
-  Variable variable = Variable::of(*type);
+  Variable variable = take_array(scanner, *type, position, name);
   bool given = scanner.take('=');
   if (given) {
     values_.initialise(scanner, variable);
   }
   if (!scopes_.empty() && position < scopes_.back().arguments.size()) {
     const Argument& argument = scopes_.back().arguments[position];
+    if (by_reference && !argument.variable.empty()) {
+      scopes_.back().returned.emplace_back(std::string(name), argument.variable);
+    }
     given = given || argument.number || argument.text;
     if (argument.number && !variable.is_text()) {
       variable.set(0, *argument.number);
     } else if (argument.text && variable.is_text()) {
       variable.texts[0] = *argument.text;
-    }
-    if (by_reference && !argument.variable.empty()) {
-      scopes_.back().returned.emplace_back(std::string(name), argument.variable);
     }
   }
   if (!given && scopes_.empty()) {
@@ -159,6 +166,42 @@ void SinumerikReader::bind(Scanner& scanner, std::size_t position) {
     });
   }
   values_.variables().define(name, std::move(variable));
+}
+
+/// The variable of a parameter whose type and name have just been read. "A[3]" and "A[]" take all elements of
+/// the array that is passed.
+Variable SinumerikReader::take_array(Scanner& scanner, Type type, std::size_t position,
+                                     std::string_view name) {
+  const std::uint32_t column = scanner.column();
+  if (scanner.peek() != '[') {
+    return Variable::of(type);
+  }
+  Scanner inside = scanner;
+  inside.take('[');
+  const bool open = inside.peek() == ']' || inside.peek() == ',';
+  Variable variable;
+  if (open) {
+    skip_brackets(scanner);
+    variable = Variable::of(type);
+  } else {
+    variable = Variable::of(type, values_.dimensions(scanner));
+  }
+  const bool passed = !scopes_.empty() && position < scopes_.back().arguments.size();
+  const std::optional<Variable> array =
+      passed ? scopes_.back().arguments[position].array : std::optional<Variable>();
+  if (!array) {
+    return variable;
+  }
+  if (array->is_text() != variable.is_text() || (!open && array->count() != variable.count())) {
+    throw ReadFault{"definition", column,
+                    fmt::format("the array parameter {} has {} elements, what is passed has {}", quoted(name),
+                                variable.count(), array->count()),
+                    "pass an array of the same type and size"};
+  }
+  variable.size = open ? array->size : variable.size;
+  variable.numbers = array->numbers;
+  variable.texts = array->texts;
+  return variable;
 }
 
 void SinumerikReader::run_extern(Scanner& scanner) {
@@ -245,13 +288,14 @@ Arguments SinumerikReader::read_arguments(Scanner& scanner) {
     Scanner alone = scanner;
     const std::string_view name = alone.name();
     const bool only_name = !name.empty() && (alone.peek() == ',' || alone.peek() == ')');
-    const bool known = only_name && values_.variables().find(name) != nullptr;
-    if (known) {
+    const Variable* const variable = only_name ? values_.variables().find(name) : nullptr;
+    if (variable != nullptr) {
       argument.variable = upper_case(name);
+      argument.array = variable->count() > 1 ? std::optional(*variable) : std::nullopt;
     }
     if (values_.text_follows(scanner)) {
       argument.text = values_.read_text(scanner);
-    } else if (only_name && name.size() == 1) {
+    } else if (only_name && name.size() == 1 && variable == nullptr) {
       argument.text = upper_case(name);
       scanner = alone;
     } else {

@@ -3,18 +3,17 @@
 namespace feedscope::sinumerik {
 
 CoordinateFrame Frames::frame() const {
-  return swivel_ * CoordinateFrame::shift(coarse_ + fine_) * chain_;
+  return settable_ * swivel_ * programmed();
 }
 
 void Frames::replace(const CoordinateFrame& by) {
   coarse_.setZero();
   fine_.setZero();
   chain_ = by;
-}
-
-void Frames::replace_shift(const Vec3& by) {
-  replace({});
-  coarse_ = by;
+  if (by.is_shift()) {
+    coarse_ = by.to_shown(Vec3::Zero());
+    chain_ = {};
+  }
 }
 
 CoordinateFrame turned_about(const Vec3& angles) {

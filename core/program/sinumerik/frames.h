@@ -5,26 +5,31 @@
 
 namespace feedscope::sinumerik {
 
-/// The frames that a program sets: the swivelled plane of CYCLE800 and, inside it, what TRANS, ROT, SCALE,
-/// MIRROR and their additive forms build. Work offsets are zero.
+/// The frames that a program sets: settable ones that it gives values itself, inside them the swivelled plane
+/// of CYCLE800, and inside this what TRANS, ROT, SCALE, MIRROR and their additive forms build. Other work
+/// offsets are zero.
 class Frames {
  public:
   /// All of them, one after the other.
   CoordinateFrame frame() const;
+  /// Of TRANS, ROT, SCALE, MIRROR and their additive forms alone.
+  CoordinateFrame programmed() const { return CoordinateFrame::shift(coarse_ + fine_) * chain_; }
 
   /// TRANS, ROT, SCALE, MIRROR: in place of what was programmed before.
   void replace(const CoordinateFrame& by);
   /// ATRANS, AROT, ASCALE, AMIRROR: inside what was programmed before.
   void add(const CoordinateFrame& more) { chain_ = chain_ * more; }
-  void replace_shift(const Vec3& by);
   /// G58, G59: coordinates of the coarse or the fine shift anew.
   void set_coarse(int axis, double value) { coarse_[axis] = value; }
   void set_fine(int axis, double value) { fine_[axis] = value; }
+  /// G54 to G599.
+  void set_settable(const CoordinateFrame& by) { settable_ = by; }
   /// CYCLE800.
   void set_swivel(const CoordinateFrame& by) { swivel_ = by; }
   const CoordinateFrame& swivel() const { return swivel_; }
 
  private:
+  CoordinateFrame settable_;
   CoordinateFrame swivel_;
   Vec3 coarse_ = Vec3::Zero();
   Vec3 fine_ = Vec3::Zero();

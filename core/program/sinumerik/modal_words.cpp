@@ -44,16 +44,6 @@ void SinumerikReader::check_group(const Function& function, std::uint32_t column
   present = &function;
 }
 
-void SinumerikReader::change_work_offset(int number, std::uint32_t column) {
-  if (path().has_moved() && modal_.work_offset != 0 && modal_.work_offset != number) {
-    report(Severity::warning, "work-offset", number, column, [&] {
-      return Text{fmt::format("G{} follows G{} on the way", number, modal_.work_offset),
-                  "work offsets are taken as zero, so the parts of the path lie over each other"};
-    });
-  }
-  modal_.work_offset = number;
-}
-
 void SinumerikReader::apply_action(const Function& function) {
   switch (function.action) {
     case Action::rapid:
@@ -257,7 +247,7 @@ void SinumerikReader::apply_frame() {
       apply_pole();
       return;
     case Action::shift:
-      frames_.replace_shift(shift());
+      frames_.replace(CoordinateFrame::shift(shift()));
       break;
     case Action::shift_more:
       frames_.add(CoordinateFrame::shift(shift()));

@@ -64,7 +64,7 @@ void SinumerikReader::move() {
     return;
   }
   check_unused(is_arc_action(action));
-  path().set_column(words_.first_column("XYZIJK"));
+  path().set_column(written(words_.first_column("XYZIJK")));
   use_path_control(action == Action::rapid);
   const double feed = path().feed();
   if (words_.has(Address::fb)) {

@@ -12,4 +12,9 @@ std::string upper_case(std::string_view name) {
   return upper;
 }
 
+int linear_axis(std::string_view name) {
+  const char letter = name.size() == 1 ? letters::to_upper(name[0]) : ' ';
+  return letter >= 'X' && letter <= 'Z' ? letter - 'X' : -1;
+}
+
 }  // namespace feedscope::sinumerik

@@ -23,6 +23,7 @@ SinumerikReader::SinumerikReader(std::shared_ptr<const SourceText> source, const
       }) {}
 
 void SinumerikReader::run_line(std::string_view line) {
+  replaced_.reset();
   if (repeat_is_over(this->line())) {
     return;
   }
@@ -30,7 +31,10 @@ void SinumerikReader::run_line(std::string_view line) {
     run_head(line);
     return;
   }
-  const Block& block = lexer_.read(line);
+  if (!macros_.empty()) {
+    replaced_ = macros_.replaced(line);
+  }
+  const Block& block = lexer_.read(replaced_ ? std::string_view(replaced_->text) : line);
   const bool skipped = options().skip_deleted_blocks && block.delete_level > 0;
   if (!skipped && !(block.words.empty() && block.faults.empty() && block.statement == 0)) {
     (scopes_.empty() ? words_met_ : scopes_.back().words_met) = true;
@@ -107,6 +111,10 @@ void SinumerikReader::run_block(const Block& block) {
   ends_ = false;
   moved_ = false;
   call_.reset();
+  if (has_positions_) {
+    positions_.fill(std::nullopt);
+    has_positions_ = false;
+  }
   bool sound = report_faults(block);
   gather(block);
   if (has_polynomials_) {
@@ -216,6 +224,7 @@ void SinumerikReader::execute_block(bool sound) {
       apply_frame();
     } else {
       move();
+      move_positioning_axes();
     }
     if (moved_ && modal_call_ && modal_call_->depth == call_depth()) {
       SubprogramCall call = modal_call_->call;

@@ -15,8 +15,10 @@
 #include "core/program/sinumerik/arguments.h"
 #include "core/program/sinumerik/block_words.h"
 #include "core/program/sinumerik/drilling_cycle.h"
+#include "core/program/sinumerik/frame_value.h"
 #include "core/program/sinumerik/frames.h"
 #include "core/program/sinumerik/functions.h"
+#include "core/program/sinumerik/macros.h"
 #include "core/program/sinumerik/path_words.h"
 #include "core/program/sinumerik/program_index.h"
 #include "core/program/sinumerik/spline_path.h"
@@ -53,6 +55,7 @@ class SinumerikReader : public Reader {
     bool corner_lines = false;                               ///< G451
     double rounding = 0;                                     ///< RNDM [mm]; 0: none
     double corner_feed = 0;                                  ///< FRCM as written; 0: none
+    std::array<double, 3> axis_feeds{};                      ///< FA [mm/s]; 0: none
     sinumerik::Action diameters = sinumerik::Action::radii;  ///< of X
   };
   /// A subprogram that runs.
@@ -87,6 +90,16 @@ class SinumerikReader : public Reader {
     std::size_t depth = 0;
   };
 
+  // In lines with macros places are those that are written.
+  std::uint32_t written(std::uint32_t column) const {
+    return replaced_ ? replaced_->written_column(column) : column;
+  }
+  DiagnosticLog::Place place(std::uint32_t column) const { return Reader::place(written(column)); }
+  template <typename MakeText>
+  void report(Severity severity, std::string_view code, int detail, std::uint32_t column, MakeText&& text) {
+    Reader::report(severity, code, detail, written(column), text);
+  }
+
   // Lines and plain words: sinumerik_reader.cpp
   void run_line(std::string_view line) override;
   void run_out() override;
@@ -108,7 +121,6 @@ class SinumerikReader : public Reader {
   void apply(const sinumerik::Function& function, std::uint32_t column);
   void apply_action(const sinumerik::Function& function);
   void check_group(const sinumerik::Function& function, std::uint32_t column);
-  void change_work_offset(int number, std::uint32_t column);
   void apply_feed();
   double feed_of(double value) const;
   void set_plane(Plane plane);
@@ -119,6 +131,20 @@ class SinumerikReader : public Reader {
   Vec3 frame_angles() const;
   void apply_pole();
   double to_mm(double value) const;
+
+  // Frames in variables, settable ones: frame_variables.cpp
+  bool run_frame_variable(Scanner& scanner, std::string_view name);
+  bool run_frame_assignment(Scanner& scanner, std::string_view name);
+  void define_frames(Scanner& scanner);
+  void assign_frame(Scanner& scanner, sinumerik::FrameValue& value, bool one_part);
+  void set_frame_part(sinumerik::FrameValue& value, sinumerik::FrameValue::Part part, std::string_view axis,
+                      double number, std::uint32_t column);
+  void set_programmed_part(Scanner& scanner);
+  int frame_index(Scanner& scanner);
+  sinumerik::FrameValue read_frame(Scanner& scanner);
+  sinumerik::FrameValue frame_operand(Scanner& scanner);
+  sinumerik::FrameValue frame_of_list(Scanner& scanner, sinumerik::FrameValue::Part part);
+  void change_work_offset(int number, std::uint32_t column);
 
   // Cutter radius: compensation.cpp
   void set_tool_radius(Scanner& scanner);
@@ -145,6 +171,11 @@ class SinumerikReader : public Reader {
   void skip_value(Scanner& scanner);
   sinumerik::BlockWords::Value coordinate(Scanner& scanner, std::uint32_t column);
   void report_axis(std::string_view name, std::uint32_t column, double value);
+
+  // Axes that move on their own: positioning_axes.cpp
+  void run_pos(Scanner& scanner);
+  void run_axis_feed(Scanner& scanner);
+  void move_positioning_axes();
 
   // Flow: flow.cpp
   using Run = void (SinumerikReader::*)(Scanner&);
@@ -182,6 +213,8 @@ class SinumerikReader : public Reader {
   void run_def(Scanner& scanner);
   void run_proc(Scanner& scanner);
   void bind(Scanner& scanner, std::size_t position);
+  sinumerik::Variable take_array(Scanner& scanner, sinumerik::Type type, std::size_t position,
+                                 std::string_view name);
   void run_extern(Scanner& scanner);
   void run_define(Scanner& scanner);
   void run_ret(Scanner& scanner);
@@ -248,12 +281,19 @@ class SinumerikReader : public Reader {
   std::optional<SubprogramCall> call_;
   sinumerik::Values values_;
   sinumerik::Frames frames_;
+  std::map<int, sinumerik::FrameValue> settable_frames_;  ///< that the program sets, by number: G54 is 1
+  sinumerik::FrameValue settable_frame_;                  ///< in force
+  std::map<std::string, sinumerik::FrameValue> frame_variables_;
+  sinumerik::Macros macros_;
+  std::optional<sinumerik::Macros::Line> replaced_;  ///< the line in force, where it holds macros
   /// Of axes that have not been programmed since a frame changed: what they were before it [mm].
   std::array<std::optional<double>, 3> kept_coordinates_;
   sinumerik::PathWords path_words_;
   sinumerik::SplinePath spline_;
   std::array<std::optional<sinumerik::PolynomialWord>, 3> polynomials_;
   bool has_polynomials_ = false;
+  std::array<std::optional<sinumerik::BlockWords::Value>, 3> positions_;  ///< POS[X] to POS[Z]
+  bool has_positions_ = false;
   std::vector<Scope> scopes_;
   std::vector<Repeat> repeats_;
   std::optional<ModalCall> modal_call_;

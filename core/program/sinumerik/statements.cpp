@@ -80,6 +80,9 @@ void SinumerikReader::run_system_variable(Scanner& scanner) {
     set_tool_radius(scanner);
     return;
   }
+  if (run_frame_variable(scanner, name)) {
+    return;
+  }
   const bool frame = name.find("FR") != std::string::npos || name == "TC_DP15";
   report(frame ? Severity::error : Severity::info, "system-variable", kind_of(name), column, [&] {
     return Text{fmt::format("{} is set by the program, which is not read", feedscope::quoted("$" + name)),
@@ -104,6 +107,9 @@ void SinumerikReader::run_word(Scanner& scanner) {
     values_.variables().set_r(*number, values_.read(scanner));
   } else if (after == '=' || after == '[') {
     scanner = behind;
+    if (run_assignment(scanner, name) || run_frame_assignment(scanner, name)) {
+      return;
+    }
     run_extended(scanner, name, column);
   } else {
     run_letter(scanner);
@@ -224,7 +230,7 @@ void SinumerikReader::run_name(Scanner& scanner) {
     scanner.take(':');
     return;
   }
-  if (run_assignment(scanner, name)) {
+  if (run_assignment(scanner, name) || run_frame_assignment(scanner, name)) {
     return;
   }
   if (const Run run = find_statement(name)) {

@@ -112,8 +112,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"G0 X1\nWHEN $A_IN[1] DO M8",
              "f:2:6: info: an action beside the program is not read [synchronized-action] (the path stays as "
              "it is)"},
-        Case{"G0 X1\n$P_UIFR[1,X,TR]=5",
-             "f:2:1: error: \"$P_UIFR\" is set by the program, which is not read [system-variable] (the path "
+        Case{"G0 X1\n$P_BFRAME=CTRANS(X,5)",
+             "f:2:1: error: \"$P_BFRAME\" is set by the program, which is not read [system-variable] (the "
+             "path "
              "is shown without it)"},
         Case{"G0 X=$AA_IM[X]",
              "f:1:6: warning: \"$AA_IM\" is known to the machine only [system-variable] (taken as 0)"},
@@ -181,9 +182,29 @@ INSTANTIATE_TEST_SUITE_P(
              "f:2:7: error: there is no label \"DONE\" further on [unknown-label] (the jump is left out; "
              "check "
              "the label and the direction of the jump)"},
-        Case{"G0 X1\nDEF FRAME SHAPE",
-             "f:2:5: error: \"FRAME SHAPE\" is no type that is read [definition] (write REAL, INT, BOOL, "
-             "CHAR, STRING or AXIS; the variables are not defined)"},
+        Case{"G0 X1\nDEF LIST SHAPE",
+             "f:2:5: error: \"LIST SHAPE\" is no type that is read [definition] (write REAL, INT, BOOL, "
+             "CHAR, STRING, AXIS or FRAME; the variables are not defined)"},
+        Case{"G0 X1\n$P_PFRAME=CROTS(X,10)",
+             "f:2:11: error: \"CROTS\" is no frame that is read [frame-value] (the frame stays as it is; "
+             "write CTRANS, CROT, CSCALE, CMIRROR with axes and values, joined by \":\", or a variable that "
+             "holds a frame)"},
+        Case{"DEFINE SPEED_UP AS F200 ?5\nG1 X1 F1\n N2 SPEED_UP X5",
+             "f:3:5: error: \"?5 X5\" starts no word or statement [syntax] (the rest of the line is not read "
+             "and the block does not move; correct it)"},
+        Case{"DEFINE FAST AS F200\nG1 X1 F1\nFAST ?",
+             "f:3:6: error: \"?\" starts no word or statement [syntax] (the rest of the line is not read and "
+             "the block does not move; correct it)"},
+        Case{"G0 X1\nPOS[X]=5 POS[Y]=3",
+             "f:2:4: info: axes that position on their own are shown as a rapid on a straight line "
+             "[positioning-axis] (each runs at its own speed, which FA or the machine sets)"},
+        Case{"G0 X1\nY2 POS[X]=5",
+             "f:2:7: error: positioning axes beside a motion along the path are not read [positioning-axis] "
+             "(their motion is left out; position them in a block of their own)"},
+        Case{"%_N_MAIN_MPF\nDEF REAL VALS[2]\nG0 X1\nSHAPE(VALS)\nM30\n%_N_SHAPE_SPF\nPROC SHAPE(VAR REAL "
+             "ALL[3])\nRET",
+             "f:7:24: error: the array parameter \"ALL\" has 3 elements, what is passed has 2 [definition] "
+             "(pass an array of the same type and size)"},
         Case{"DEF REAL VALS[2]\nG0 X1\nVALS[2]=5",
              "f:3:6: error: \"VALS\" has no element 2, its indices go up to 1 [array-index] (correct the "
              "index "
@@ -191,9 +212,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"G0 X1\nDEF INT VALS[0]",
              "f:2:14: error: an array of 0 elements is not within 1 to 100000 [array-size] (correct the "
              "size)"},
-        Case{"G0 X1\nDEFINE HOME AS SUPA Z0",
-             "f:2:8: error: the macro \"HOME\" is not read [macro] (words by its name are taken for "
-             "subprograms; write what it stands for)"},
+        Case{"G0 X1\nDEFINE HOME",
+             "f:2:8: error: DEFINE without a name, AS and words [macro] (words by its name are taken for "
+             "subprograms; write DEFINE NAME AS G0 X5)"},
         Case{"G0 X1\nPOLY PO[X]=(1,2,3,4,5,6) F100",
              "f:2:23: error: a polynomial has more than five coefficients [polynomial] (the block does not "
              "move; write a polynomial of degree 5 or less)"}));

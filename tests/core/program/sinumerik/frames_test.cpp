@@ -34,6 +34,30 @@ INSTANTIATE_TEST_SUITE_P(
         FrameCase{"CYCLE800(0,\"T\",0,57,0,0,10,0,90,0,0,0,0,-1)\nG0 Z1 X0", {1, 0, 10}},
         FrameCase{"CYCLE800(0,\"T\",0,57,0,0,0,90,0,0,0,0,0)\nCYCLE800()\nG0 Z1", {0, 0, 1}}));
 
+INSTANTIATE_TEST_SUITE_P(
+    Variables, SinumerikFrames,
+    testing::Values(
+        FrameCase{"$P_PFRAME=CTRANS(X,10,Y,5)\nG0 X1 Y0", {11, 5, 0}},
+        FrameCase{"TRANS Z3\n$P_PFRAME=CTRANS(X,10):CROT(Z,90)\nG0 X1 Y0", {10, 1, 0}},
+        FrameCase{"$P_PFRAME=CROT(Z,90):CTRANS(X,10)\nG0 X1 Y0", {0, 11, 0}},
+        FrameCase{"R1=4\n$P_PFRAME=CTRANS(X,R1*2)\n$P_PFRAME=$P_PFRAME:CMIRROR(X)\nG0 X1", {7, 0, 0}},
+        FrameCase{"$P_PFRAME=CSCALE(X,2,Y,3)\nG0 X1 Y1", {2, 3, 0}},
+        FrameCase{"TRANS X1\n$P_PFRAME[Y,TR]=2\n$P_PFRAME[X,FI]=0.5\nG0 X0 Y0", {1.5, 2, 0}},
+        FrameCase{"$P_PFRAME=CTRANS(X,10)\n$P_PFRAME=CTRANS()\nG0 X1", {1, 0, 0}},
+        // Settable ones take effect with their G word, the one in force at once.
+        FrameCase{"$P_UIFR[1]=CTRANS(X,100)\nG0 X1", {1, 0, 0}},
+        FrameCase{"$P_UIFR[1]=CTRANS(X,100)\nG54 G0 X1", {101, 0, 0}},
+        FrameCase{"$P_UIFR[5,X,TR]=7\n$P_UIFR[5,X,FI]=1\n$P_UIFR[5,Z,RT]=90\nG505 G0 X1 Y0", {8, 1, 0}},
+        FrameCase{"$P_UIFR[2,Y,SC]=2 $P_UIFR[2,X,MI]=1\nG55 G0 X1 Y1", {-1, 2, 0}},
+        FrameCase{"$P_UIFR[1]=CTRANS(X,9)\n$P_UIFR[2]=$P_UIFR[1]\nG54 G0 X1\nG55 X2\nTRANS X5\nX0",
+                  {14, 0, 0}},
+        FrameCase{"$P_IFRAME=CTRANS(X,9)\nG0 X1", {10, 0, 0}},
+        FrameCase{"DEF FRAME BASE, TURNED=CROT(Z,90)\nBASE=CTRANS(X,10):TURNED\nBASE=BASE\n$P_PFRAME=BASE\n"
+                  "G0 X1 Y0",
+                  {10, 1, 0}},
+        FrameCase{"DEF FRAME BASE\nBASE[X,TR]=3\n$P_PFRAME=BASE\nG0 X1", {4, 0, 0}},
+        FrameCase{"G70\n$P_PFRAME=CTRANS(X,1)\nG0 X0", {25.4, 0, 0}}));
+
 TEST(SinumerikFrames, ArcsTurnAndMirrorWithTheFrame) {
   const Program program = read_clean("AMIRROR X0\nG2 X10 Y10 I10 J0 F100");
   ASSERT_EQ(program.arcs.size(), 1U);

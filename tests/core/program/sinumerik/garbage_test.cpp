@@ -61,6 +61,17 @@ TEST(SinumerikGarbage, RandomWordsAreReadWithoutHarm) {
                                          "AND",
                                          "NOT",
                                          "SIN(",
+                                         "DEFINE AB AS",
+                                         "AB",
+                                         "$P_PFRAME=",
+                                         "$P_UIFR[1",
+                                         "CTRANS(X,",
+                                         "CROT(Z,",
+                                         ":",
+                                         "POS[Z]=",
+                                         "FA[Z]=",
+                                         "DEF FRAME FF",
+                                         "FF=",
                                          "SQRT(",
                                          "1",
                                          "2",
@@ -169,7 +180,10 @@ TEST(SinumerikGarbage, MutatedProgramsAreReadWithoutHarm) {
       "FOR II=1 TO 3\nX=LEN*II Y=VALS[II-1]\nIF II==2 GOTOF NEXT\nG3 X10 AR=100\nNEXT:\nENDFOR\nR1=R1+1\n"
       "SUB1(LEN,\"A\") P2\nBSPLINE X1 Y1 PW=2\nX5 Y3\nX7 Y1\nCSPLINE X8 Y2\nX9 Y9\nPOLY PO[X]=(5,1,2) PL=2\n"
       "MCALL CYCLE83(10,0,2,-20,,-8,,2,0,0,1,0)\nG0 X1\nHOLES1(0,0,30,5,10,3)\nMCALL\nREPEAT NEXT P=2\n"
-      "CYCLE832(0.02,1,1)\nM30\n%_N_SUB1_SPF\nPROC SUB1(VAR REAL AA,STRING[4] BB) SAVE\nAA=AA+1\nG91 "
+      "CYCLE832(0.02,1,1)\nDEFINE AWAY AS G0 Z50\nAWAY X3\n$P_UIFR[1]=CTRANS(X,5):CROT(Z,30)\nG54 G91 X1\n"
+      "$P_PFRAME=$P_PFRAME:CSCALE(X,2)\nDEF FRAME FF=CMIRROR(X)\nFF[X,TR]=3\n$P_PFRAME[X,TR]=4\nFA[Z]=300\n"
+      "POS[Z]=IC(2)\nG111 X1 Y2\nAP=30 RP=4\nAP=IC(9)\nM30\n%_N_SUB1_SPF\nPROC SUB1(VAR REAL AA,STRING[4] "
+      "BB) SAVE\nAA=AA+1\nG91 "
       "X1\nM17\n";
   std::mt19937 random(3);
   for (int round = 0; round < 15000; ++round) {

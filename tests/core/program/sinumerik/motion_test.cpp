@@ -67,6 +67,29 @@ TEST(SinumerikMotion, DwellsInSecondsOrRevolutionsLeaveTheFeedAlone) {
   EXPECT_DOUBLE_EQ(program.motions[3].feed, 10);
 }
 
+TEST(SinumerikMotion, MacrosStandForTheirWords) {
+  const Program program = read_clean(
+      "DEFINE SAFE_Z AS G0 Z100 M5\nDEFINE STEP AS X=IC(R1) F600\nR1=5\nG1 X1 F100\nSAFE_Z\nN10 step G1 Y1 "
+      ";STEP\nMSG(\"STEP\") X1");
+  ASSERT_EQ(program.motions.size(), 4U);
+  EXPECT_EQ(program.motions[1].motion, Motion::rapid);
+  expect_near(program.motions[1].target, {1, 0, 100});
+  expect_near(program.motions[2].target, {6, 1, 100});
+  EXPECT_DOUBLE_EQ(program.motions[2].feed, 10);
+  expect_near(program.motions[3].target, {1, 1, 100});
+}
+
+TEST(SinumerikMotion, APositioningAxisRunsAtItsOwnFeed) {
+  const Program program = read_clean("G1 X1 F60\nFA[Z]=600\nPOS[Z]=10\nX2\nG91 POSA[Z]=AC(4)\nPOS[Z]=1");
+  ASSERT_EQ(program.motions.size(), 5U);
+  const std::vector<Vec3> ends{{1, 0, 0}, {1, 0, 10}, {2, 0, 10}, {2, 0, 4}, {2, 0, 5}};
+  const std::vector<double> feeds{1, 10, 1, 10, 10};
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    expect_near(program.motions[i].target, ends[i]);
+    EXPECT_DOUBLE_EQ(program.motions[i].feed, feeds[i]);
+  }
+}
+
 TEST(SinumerikMotion, LimitsAndSurfaceSpeedsAreNoSpindleSpeed) {
   const Program program = read_sinumerik("S600 M3\nG26 S9000\nG95 G1 X10 F1\nG96 S200\nX20\nG97 S1200\nX30");
   ASSERT_EQ(program.motions.size(), 3U);

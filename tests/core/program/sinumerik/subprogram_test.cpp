@@ -30,6 +30,16 @@ TEST(SinumerikSubprograms, TakeParametersByValueAndByReference) {
       ElementsAre(5, 30, 101));
 }
 
+TEST(SinumerikSubprograms, TakeArraysByValueAndByReference) {
+  EXPECT_THAT(xs_of("%_N_MAIN_MPF\nDEF REAL VALS[3]=SET(1,2,3),SUMS[3]\nG0\nADD_UP(VALS,SUMS,10)\n"
+                    "FOR R1=0 TO 2\nX=SUMS[R1]\nX=VALS[R1]\nENDFOR\nM30\n"
+                    "%_N_ADD_UP_SPF\nPROC ADD_UP(REAL IN[3],VAR REAL OUT[],REAL MORE)\nDEF REAL OWN[3]\n"
+                    "SHIFT(IN,OWN,MORE)\nFOR R2=0 TO 2\nOUT[R2]=OWN[R2]+IN[R2]\nIN[R2]=-1\nENDFOR\nRET\n"
+                    "%_N_SHIFT_SPF\nPROC SHIFT(REAL IN[3],VAR REAL OUT[3],REAL MORE)\nFOR R3=0 TO 2\n"
+                    "OUT[R3]=IN[R3]+MORE\nENDFOR\nRET"),
+              ElementsAre(12, 1, 14, 2, 16, 3));
+}
+
 TEST(SinumerikSubprograms, SaveKeepsTheCallersModes) {
   EXPECT_THAT(
       xs_of("%_N_MAIN_MPF\nG0 X1\nMOVE\nX5\nM30\n%_N_MOVE_SPF\nPROC MOVE SAVE\nG91 X1\nTRANS X100\nM17"),
