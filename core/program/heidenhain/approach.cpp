@@ -34,7 +34,8 @@ std::optional<ApproachPath> approach_path(const ApproachShape& shape, const Vec2
       break;
   }
   path.turn = shape.radius < 0 ? -shape.side : shape.side;
-  path.center = contour + shape.radius * to_tool;
+  const double radius = shape.radius + shape.tool_radius;
+  path.center = contour + radius * to_tool;
   if (shape.kind == ApproachKind::arc) {
     path.point = path.center + turned(contour - path.center, -path.turn * shape.angle);
     return path;
@@ -43,7 +44,7 @@ std::optional<ApproachPath> approach_path(const ApproachShape& shape, const Vec2
   if (!touching) {
     return std::nullopt;
   }
-  path.point = *touching;
+  path.point = path.center + std::abs(radius / shape.radius) * (*touching - path.center);
   return path;
 }
 

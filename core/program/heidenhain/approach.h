@@ -22,6 +22,10 @@ struct ApproachShape {
   double radius = 0;  ///< CT, LCT; negative: on the other side than the tool [mm]
   double angle = 0;   ///< CT [rad]
   int side = 1;       ///< of the tool: 1 left of the contour, -1 right
+  /// Of a compensated tool, else 0 [mm]. `radius` is that of its centre's arc: the examples CIRCULAR, C-CC
+  /// and HELIX of Heidenhain's manuals (TNC 640 Klartext programming, path contours) approach with R below
+  /// it.
+  double tool_radius = 0;
 };
 
 /// Between the contour and the point where the approach's own curve starts or the departure's ends.
@@ -32,7 +36,8 @@ struct ApproachPath {
 };
 
 /// The curve from `point` to `contour`, where the contour begins in `direction`; `from`: where the tool is.
-/// None: LCT, and the tool is inside the circle of the arc.
+/// `from` is where the tool's centre is, `point` and the curve are the contour's. None: LCT, and the tool is
+/// inside the circle of the arc.
 std::optional<ApproachPath> approach_path(const ApproachShape& shape, const Vec2& from, const Vec2& contour,
                                           const Vec2& direction);
 

@@ -169,6 +169,7 @@ bool ContourWriter::soften_approach(double radius) {
   approach.shape.kind = ApproachKind::line_and_arc;
   approach.shape.radius = radius;
   approach.shape.side = last_.side < 0 ? -1 : 1;
+  approach.shape.tool_radius = last_.side == 0 ? 0 : last_.tool_radius.value_or(0);
   approach.target = last_.target;
   approach.travel = last_.feed;
   approach.feed = last_.feed;

@@ -25,27 +25,32 @@ bool is_number_only(std::string_view statement) {
 }  // namespace
 
 void HeidenhainCore::run_line(std::string_view line) {
-  const std::size_t last = line.find_last_not_of(" \t");
-  const bool goes_on = last != std::string_view::npos && line[last] == '~';
-  const std::string_view statement =
-      line.substr(0, std::min(line.find(';'), goes_on ? last : std::string_view::npos));
+  const std::size_t comment = line.find(';');
+  std::string_view statement = line.substr(0, comment);
+  const std::size_t last = statement.find_last_not_of(" \t");
+  bool goes_on = last != std::string_view::npos && statement[last] == '~';
+  if (goes_on) {
+    statement = statement.substr(0, last);
+  } else if (comment != std::string_view::npos) {
+    goes_on = line[line.find_last_not_of(" \t")] == '~';
+  }
+  if (!goes_on && parts_.empty() && !comment_goes_on_) {
+    if (last != std::string_view::npos) {
+      run_statement(statement);
+    }
+    return;
+  }
   // "3 ;a long remark that goes on~": all of its lines are remark.
   const bool remark =
-      comment_goes_on_ || (goes_on && parts_.empty() && line.find(';') < last && is_number_only(statement));
+      comment_goes_on_ || (parts_.empty() && comment != std::string_view::npos && is_number_only(statement));
   comment_goes_on_ = remark && goes_on;
   if (remark) {
     return;
   }
-  if (goes_on || !parts_.empty()) {
-    parts_.push_back({joined_.size(), this->line()});
-    joined_.append(statement) += ' ';
-    if (!goes_on) {
-      run_joined();
-    }
-    return;
-  }
-  if (statement.find_first_not_of(" \t") != std::string_view::npos) {
-    run_statement(statement);
+  parts_.push_back({joined_.size(), this->line()});
+  joined_.append(statement) += ' ';
+  if (!goes_on) {
+    run_joined();
   }
 }
 

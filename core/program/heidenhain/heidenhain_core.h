@@ -196,7 +196,9 @@ class HeidenhainCore : public Reader {
   void add_polar(PathKind kind, const MotionWords& words);
   void add_tangent_arc(ContourElement element);
   Vec3 target_of(const MotionWords& words) const;
-  Vec3 polar_target(const MotionWords& words) const;
+  Vec3 polar_target(const MotionWords& words);
+  /// Says which word of the block no motion of this kind has.
+  void check_words(PathKind kind, const MotionWords& words);
   int turn_of(const MotionWords& words);
   bool has_pole(std::uint32_t column);
   void apply_feed(const MotionWords& words);
@@ -219,6 +221,8 @@ class HeidenhainCore : public Reader {
   void report_drilling_fault(DrillingFault fault, std::uint32_t column);
   std::vector<Vec2> pattern_places(int number, std::uint32_t column);
   void run_pattern(int number, std::uint32_t column);
+  Drilling pattern_heights() const;
+  DrillingFault drill_in_pattern(const Drilling& words, const DrillingPlace& place);
 
   ContourWriter contour_;
   QParameters parameters_;
@@ -243,6 +247,7 @@ class HeidenhainCore : public Reader {
   bool revolution_feed_ = false;  ///< M136
   std::optional<Vec3> pole_;
   Plane pole_plane_ = Plane::xy;
+  double last_polar_angle_ = 0;
   int last_turn_ = 0;
   bool modal_cycle_ = false;              ///< M89
   std::array<double, 6> further_axes_{};  ///< A B C U V W as written

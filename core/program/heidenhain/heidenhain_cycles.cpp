@@ -321,11 +321,41 @@ std::vector<Vec2> HeidenhainCore::pattern_places(int number, std::uint32_t colum
                                .angle = units::from_deg(value(224))});
 }
 
+Drilling HeidenhainCore::pattern_heights() const {
+  const auto value = [&](int q) {
+    return to_mm(std::clamp(parameters_.global(q).value_or(0), -largest_value, largest_value));
+  };
+  Drilling heights;
+  heights.clearance = value(200);
+  heights.surface = value(203);
+  heights.second_clearance = value(204);
+  return heights;
+}
+
+/// The cycles of older programs start where the tool is.
+DrillingFault HeidenhainCore::drill_in_pattern(const Drilling& words, const DrillingPlace& place) {
+  if (cycle_.kind == CycleKind::drilling) {
+    return drill(cycle_.number, words, place);
+  }
+  const int axis = normal_axis(place.plane);
+  Vec3 at = path().position();
+  at[axis] = words.surface + words.clearance;
+  path().rapid(at);
+  const DrillingFault fault = drill_old(cycle_.number, old_drilling_, place);
+  at = path().position();
+  at[axis] = words.surface + std::max(words.second_clearance, words.clearance);
+  if (at[axis] != path().position()[axis]) {
+    path().rapid(at);
+  }
+  return fault;
+}
+
 void HeidenhainCore::run_pattern(int number, std::uint32_t column) {
   if (cycle_.kind == CycleKind::left_out) {
     return;
   }
-  if (cycle_.kind != CycleKind::drilling) {
+  const bool is_old = cycle_.kind == CycleKind::old_drilling;
+  if (cycle_.kind != CycleKind::drilling && !is_old) {
     throw ReadFault{"cycle-call", column,
                     fmt::format("cycle {} repeats a cycle, but none is defined", number),
                     "the pattern is left out; define a cycle from 200 to 209 or 240 before it"};
@@ -337,7 +367,7 @@ void HeidenhainCore::run_pattern(int number, std::uint32_t column) {
     });
   }
   const std::vector<Vec2> places = pattern_places(number, column);
-  const auto words = drilling_words(column);
+  const auto words = is_old ? std::optional(pattern_heights()) : drilling_words(column);
   if (!words) {
     return;
   }
@@ -356,7 +386,7 @@ void HeidenhainCore::run_pattern(int number, std::uint32_t column) {
       path().rapid(up);
     }
     path().rapid(from_plane(places[i], plane, path().position()));
-    const DrillingFault fault = drill(cycle_.number, i + 1 < places.size() ? between : *words, place);
+    const DrillingFault fault = drill_in_pattern(i + 1 < places.size() ? between : *words, place);
     if (fault != DrillingFault::none) {
       report_drilling_fault(fault, column);
       return;

@@ -21,7 +21,28 @@ std::uint8_t bits_of(Plane plane) {
 
 }  // namespace
 
+void HeidenhainCore::check_words(PathKind kind, const MotionWords& words) {
+  const bool is_polar =
+      kind == PathKind::polar_line || kind == PathKind::polar_arc || kind == PathKind::polar_tangent_arc;
+  const bool turns =
+      kind == PathKind::center_arc || kind == PathKind::radius_arc || kind == PathKind::polar_arc;
+  const std::string_view name = words.length                                              ? "LEN"
+                                : words.center_angle                                      ? "CCA"
+                                : words.radius && kind != PathKind::radius_arc            ? "R"
+                                : words.turn != 0 && !turns                               ? "DR"
+                                : words.has_polar() && !is_polar                          ? "PR or PA"
+                                : words.polar_radius.given && kind == PathKind::polar_arc ? "PR"
+                                                                                          : "";
+  if (!name.empty()) {
+    report(Severity::error, "unread-word", 3, words.first_column, [&] {
+      return Text{fmt::format("{} belongs to another kind of motion than this block", name),
+                  "it is left out; check the block"};
+    });
+  }
+}
+
 void HeidenhainCore::run_path(PathKind kind, const MotionWords& words) {
+  check_words(kind, words);
   start_functions(words);
   apply_feed(words);
   apply_side(words);
@@ -163,11 +184,14 @@ void HeidenhainCore::add_tangent_arc(ContourElement element) {
   contour_.add(element);
 }
 
-Vec3 HeidenhainCore::polar_target(const MotionWords& words) const {
+Vec3 HeidenhainCore::polar_target(const MotionWords& words) {
   const Vec2 from_pole = in_plane(contour_.position() - *pole_, pole_plane_);
-  const double angle_before = from_pole.norm() > 0 ? std::atan2(from_pole.y(), from_pole.x()) : 0.0;
+  // On the pole itself the angle is the last one.
+  const double angle_before =
+      from_pole.norm() > same_point ? std::atan2(from_pole.y(), from_pole.x()) : last_polar_angle_;
   const double radius = words.polar_radius.from(from_pole.norm());
   const double angle = words.polar_angle.from(angle_before);
+  last_polar_angle_ = angle;
   const Vec2 end = in_plane(*pole_, pole_plane_) + radius * Vec2(std::cos(angle), std::sin(angle));
   const int normal = normal_axis(pole_plane_);
   Vec3 target = contour_.position();
@@ -300,6 +324,15 @@ ApproachShape HeidenhainCore::approach_shape(ApproachKind kind, const MotionWord
       [[fallthrough]];
     case ApproachKind::line_and_arc:
       shape.radius = need(words.radius, "its radius R");
+      shape.tool_radius = side_ == 0 ? 0 : tool_radius_.value_or(0);
+      if (shape.radius < 0 && shape.radius + shape.tool_radius >= 0) {
+        throw ReadFault{
+            "approach", column,
+            fmt::format(
+                "its radius R of {:.3f} mm on the other side is not larger than the tool's, {:.3f} mm",
+                shape.radius, shape.tool_radius),
+            "the approach or departure is left out"};
+      }
       break;
   }
   if (kind != ApproachKind::tangent_line) {

@@ -43,10 +43,18 @@ constexpr auto unread_statements = std::to_array<UnreadStatement>({
 /// Behind the number of the block and the sign that hides it; true if it is hidden.
 bool skip_number(Scanner& scanner) {
   const bool before = scanner.take('/');
+  if (letters::to_upper(scanner.peek()) == 'N' && letters::is_digit(scanner.peek_at(1))) {
+    scanner.take('N');
+  }
   scanner.skip_digits();
   const bool behind = scanner.take('/');
   scanner.peek();
   return before || behind;
+}
+
+/// Empty, a heading, or a setup sheet's line that a CAM system has left before the program.
+bool is_no_block(Scanner& scanner) {
+  return scanner.at_end() || scanner.peek() == '*' || scanner.peek() == '(';
 }
 
 std::string_view keyword(Scanner& scanner) {
@@ -116,7 +124,7 @@ const HeidenhainReader::Statement* HeidenhainReader::find_statement(std::string_
 void HeidenhainReader::run_statement(std::string_view statement) {
   Scanner scanner(statement);
   const bool hidden = skip_number(scanner);
-  if (scanner.at_end() || scanner.peek() == '*' || (hidden && options().skip_deleted_blocks)) {
+  if (is_no_block(scanner) || (hidden && options().skip_deleted_blocks)) {
     return;
   }
   count_block();
@@ -168,7 +176,7 @@ std::uint32_t HeidenhainReader::first_word(std::string_view line) {
   Scanner scanner(line.substr(0, line.find(';')));
   skip_number(scanner);
   const std::uint32_t column = scanner.column();
-  const bool counts = !scanner.at_end() && scanner.peek() != '*' && !letters::same(keyword(scanner), "END");
+  const bool counts = !is_no_block(scanner) && !letters::same(keyword(scanner), "END");
   return counts ? column : 0;
 }
 

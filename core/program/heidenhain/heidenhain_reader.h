@@ -91,6 +91,8 @@ class HeidenhainReader : public HeidenhainCore {
   void function(Scanner& scanner, std::uint32_t column);
   void arithmetic(Scanner& scanner, FunctionCall& call);
   void jump_condition(Scanner& scanner, FunctionCall& call);
+  /// "Q1 IS UNDEFINED" as a condition; false, and the scanner stays, if none stands here.
+  bool definition_condition(Scanner& scanner, FunctionCall& call);
   void transformation(Scanner& scanner, std::uint32_t column);
   void function_statement(Scanner& scanner, std::uint32_t column);
   void global_definition(Scanner& scanner, std::uint32_t column);

@@ -23,11 +23,12 @@ struct UnreadFunction {
 };
 
 constexpr std::string_view path_as_programmed = "the path is shown as programmed";
+constexpr std::string_view contour_as_usual = "with RL and RR the path is shown as without it";
 constexpr std::string_view feed_as_programmed = "the programmed feed is shown";
 
 constexpr auto unread_functions = std::to_array<UnreadFunction>({
-    {97, Severity::info, "small contour steps", path_as_programmed},
-    {98, Severity::info, "open contour corners", path_as_programmed},
+    {97, Severity::warning, "small contour steps", contour_as_usual},
+    {98, Severity::warning, "open contour corners", contour_as_usual},
     {103, Severity::warning, "slower plunging", feed_as_programmed},
     {109, Severity::info, "constant feed of the cutting edge", feed_as_programmed},
     {110, Severity::info, "constant feed of the cutting edge inside", feed_as_programmed},
@@ -43,6 +44,10 @@ constexpr auto unread_functions = std::to_array<UnreadFunction>({
 
 void HeidenhainCore::m_word(Scanner& scanner, std::uint32_t column, MotionWords& words) {
   scanner.take('M');
+  if (scanner.at_end()) {
+    // Older controls print words that have no value.
+    return;
+  }
   const std::optional<double> number = scanner.number();
   if (!number || *number > 9999) {
     throw ReadFault{"malformed-number", column, "M without a number of a function",

@@ -218,14 +218,35 @@ void HeidenhainReader::arithmetic(Scanner& scanner, FunctionCall& call) {
   call.values[1] = formulas().read_value(scanner);
 }
 
+bool HeidenhainReader::definition_condition(Scanner& scanner, FunctionCall& call) {
+  Scanner ahead = scanner;
+  ahead.take('+');
+  const std::optional<QName> name = take_parameter(ahead);
+  if (!name || !ahead.take_name("IS")) {
+    return false;
+  }
+  const bool undefined = ahead.take_name("UNDEFINED");
+  if (!undefined && !ahead.take_name("DEFINED")) {
+    throw_unread_words(ahead, "FN");
+  }
+  const bool is_defined = name->kind == QName::Kind::text ? !parameters().text(name->number).empty()
+                                                          : parameters().get(*name).has_value();
+  call.number = 9;
+  call.values = {is_defined == undefined ? 1.0 : 0.0, 0.0};
+  scanner = ahead;
+  return true;
+}
+
 void HeidenhainReader::jump_condition(Scanner& scanner, FunctionCall& call) {
   constexpr std::array<std::string_view, 4> relations{"EQU", "NE", "GT", "LT"};
   scanner.take_name("IF");
-  call.values[0] = formulas().read_value(scanner);
-  if (!scanner.take_name(relations[static_cast<std::size_t>(call.number - 9)])) {
-    throw_unread_words(scanner, "FN");
+  if (!definition_condition(scanner, call)) {
+    call.values[0] = formulas().read_value(scanner);
+    if (!scanner.take_name(relations[static_cast<std::size_t>(call.number - 9)])) {
+      throw_unread_words(scanner, "FN");
+    }
+    call.values[1] = formulas().read_value(scanner);
   }
-  call.values[1] = formulas().read_value(scanner);
   if (!scanner.take_name("GOTO")) {
     throw_unread_words(scanner, "FN");
   }

@@ -48,6 +48,11 @@ MotionWords HeidenhainReader::words(Scanner& scanner) {
           words.length = to_mm(formulas().read_value(scanner));
           continue;
         }
+        // LIN_Z-5: the axis that an arc takes along.
+        if (scanner.take("LIN_") &&
+            axis_word(scanner, letters::to_upper(scanner.peek()), false, column, words)) {
+          continue;
+        }
         break;
       case 'N':
       case 'T':
@@ -139,6 +144,10 @@ void HeidenhainReader::feed_word(Scanner& scanner, std::uint32_t column, MotionW
       return Text{fmt::format("FT{} (the time of the block) is not read", seconds),
                   "the last feed stays in force"};
     });
+  } else if (const char next = letters::to_upper(scanner.peek());
+             next == '\0' || next == 'M' || next == 'R') {
+    // Older controls print words that have no value.
+    words.feed_word = FeedWord::none;
   } else {
     words.feed_word = scanner.take('Z')   ? FeedWord::per_tooth
                       : scanner.take('U') ? FeedWord::per_revolution
@@ -152,6 +161,10 @@ void HeidenhainReader::radius_word(Scanner& scanner, std::uint32_t column, Motio
   const char next = letters::to_upper(scanner.peek_at(0));
   const char after = scanner.peek_at(1);
   const bool number_goes_on = letters::is_digit(after) || after == '.' || after == ',';
+  if (next == '\0' || letters::is_blank(next)) {
+    // Older controls print words that have no value.
+    return;
+  }
   const bool sign_alone = (next == '+' || next == '-') && (after == '\0' || letters::is_blank(after));
   if (next == 'L' || next == 'R') {
     scanner.move_to(scanner.at() + 1);

@@ -88,11 +88,49 @@ TEST(HeidenhainContour, ApproachesBesideTheContour) {
       path_of(read_clean_heidenhain(
           std::string(tool) + "APPR LN X+0 Y+0 LEN5 RR F600\nL X+30\nDEP LN LEN+5\nL X+50 Y+50 FMAX\n")),
       "r-20,-20,0 r0,-7,0 0,-2,0 30,-2,0 30,-7,0 r50,50,0");
-  // Half a circle of 10 beside a tool of 2.
+  // Half a circle of 10, of the tool's centre.
   EXPECT_EQ(path_of(read_clean_heidenhain(
                 std::string(tool) + "APPR CT X+0 Y+0 CCA180 R+10 RR F600\nL X+30\nDEP CT CCA90 R+10\nL X+50 "
                                     "Y-50 FMAX\n")),
-            "r-20,-20,0 r0,-18,0 0,-2,0(-Z) 30,-2,0 38,-10,0(-Z) r50,-50,0");
+            "r-20,-20,0 r0,-22,0 0,-2,0(-Z) 30,-2,0 40,-12,0(-Z) r50,-50,0");
+}
+
+TEST(HeidenhainContour, LinesOfApproachAndDepartureTouchTheArcOfTheToolsCentre) {
+  const Program program = read_clean_heidenhain(
+      "TOOL DEF 1 L+0 R+2\nTOOL CALL 1 Z S100 F600\nL X-20 Y-9 FMAX\nAPPR LCT X+0 Y+0 R+10 RR\nL X+30\n"
+      "DEP LCT X+60 Y-20 R+10\n");
+  ASSERT_EQ(program.motions.size(), 6U);
+  const auto touches = [&](std::size_t line_start, std::size_t line_end, const ArcWords& arc) {
+    const Vec3 line = program.motions[line_end].target - program.motions[line_start].target;
+    const Vec3 touching = program.motions[line_end == 1 ? 1 : line_start].target;
+    EXPECT_NEAR((touching - arc.center).norm(), 10, 1e-9);
+    EXPECT_NEAR(line.normalized().dot((touching - arc.center).normalized()), 0, 1e-9);
+  };
+  touches(0, 1, program.arcs[0]);
+  touches(4, 5, program.arcs[1]);
+}
+
+/// Of Heidenhain's manuals: the tool is larger than the R of its approach.
+TEST(HeidenhainContour, ExamplesOfTheManuals) {
+  EXPECT_EQ(
+      path_of(read_clean_heidenhain(
+          "TOOL DEF 1 L+0 R+12.5\nTOOL CALL 1 Z S3150\nCC X+50 Y+50\nL Z+250 R0 F MAX\nL X-40 Y+50 R0 F MAX\n"
+          "L Z-5 R0 F1000 M3\nAPPR LCT X+0 Y+50 R5 RL F300\nC X+0 DR-\nDEP LCT X-40 Y+50 R5 F1000\n"
+          "L Z+250 R0 F MAX M2\n")),
+      "r0,0,250 r-40,50,250 -40,50,-5 -18.611,45.125,-5 -12.5,50,-5(+Z) -12.5,50,-5(-Z+1) "
+      "-18.611,54.875,-5(+Z) "
+      "-40,50,-5 r-40,50,250");
+  const Program helix = read_clean_heidenhain(
+      "TOOL DEF 1 L+0 R+5\nTOOL CALL 1 Z S1400\nL Z+250 R0 FMAX\nL X+50 Y+50 R0 FMAX\nCC\nL Z-12.75 R0 F1000 "
+      "M3\n"
+      "APPR PCT PR+32 PA-182 CCA180 R+2 RL F100\nCP IPA+3240 IZ+13.5 DR+ F200\nDEP CT CCA180 R+2\n"
+      "L Z+250 R0 FMAX M2\n");
+  ASSERT_EQ(helix.arcs.size(), 3U);
+  EXPECT_NEAR((helix.motions[4].target - Vec3(50, 50, -12.75)).norm(), 27, 1e-9) << "beside a radius of 32";
+  EXPECT_NEAR((helix.motions[3].target - Vec3(50, 50, -12.75)).norm(), 23, 1e-9)
+      << "half a circle of 2 before it";
+  EXPECT_EQ(helix.motions[5].target.z(), 0.75);
+  EXPECT_EQ(helix.arcs[1].turns, 9);
 }
 
 TEST(HeidenhainContour, AnApproachWithoutAContourGoesStraight) {

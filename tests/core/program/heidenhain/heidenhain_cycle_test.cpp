@@ -145,6 +145,23 @@ TEST(HeidenhainCycle, HolesOnACircle) {
       "r50,-10,1 50,-10,-2 r50,-10,1 r50,-10,10");
 }
 
+TEST(HeidenhainCycle, PatternsRepeatCyclesOfOlderProgramsToo) {
+  EXPECT_EQ(
+      path_of(read_clean_heidenhain("L Z+50 FMAX\nCYCL DEF 2.0 TAPPING\nCYCL DEF 2.1 DIST 1\nCYCL DEF 2.2 "
+                                    "DEPTH -18\nCYCL DEF 2.3 DWELL 0\n"
+                                    "CYCL DEF 2.4 F100\nCYCL DEF 220 PATTERN Q216=0 Q217=0 Q244=20 Q245=0 "
+                                    "Q246=180 Q247=180 Q241=2 Q200=1 "
+                                    "Q203=0 Q204=9 Q301=1\n")),
+      "r0,0,50 r0,0,9 r10,0,9 r10,0,1 10,0,-18 10,0,1 r10,0,9 r-10,0,9 r-10,0,1 -10,0,-18 -10,0,1 r-10,0,9");
+}
+
+TEST(HeidenhainCycle, ARemarkMayStandBehindTheSignThatGoesOn) {
+  EXPECT_EQ(path_of(read_clean_heidenhain(
+                "L Z+50 FMAX\nCYCL DEF 240 C ~  ;;--- centres\n  Q200=1 ;A ~\n Q343=0 ~\n"
+                " Q201=-2 ~\n Q206=100 ~\n Q203=0 ~ ; surface\n Q204=1 ;END\nCYCL CALL\n")),
+            "r0,0,50 r0,0,1 0,0,-2 r0,0,1");
+}
+
 TEST(HeidenhainCycle, HolesInRowsThereAndBack) {
   EXPECT_EQ(
       path_of(read_clean_heidenhain(

@@ -39,7 +39,24 @@ INSTANTIATE_TEST_SUITE_P(
         DiagnosticCase{"Q1 = 10 ^ 20\nL X+Q1 FMAX\n",
                        "2:4: error: the parameter's value 1e+20 is beyond the largest number, 1000000000 "
                        "[number-range]"},
-        DiagnosticCase{"L X+1 FMAX M\n", "1:12: error: M without a number of a function [malformed-number]"},
+        DiagnosticCase{"L X+1 FMAX MX\n", "1:12: error: M without a number of a function [malformed-number]"},
+        DiagnosticCase{"L X+1 FMAX M98\n",
+                       "1:12: warning: M98 (open contour corners) is not read [unread-m]"},
+        DiagnosticCase{"L X+1 R5 F9\n",
+                       "1:3: error: R belongs to another kind of motion than this block [unread-word]"},
+        DiagnosticCase{"L X+1 DR+ F9\n",
+                       "1:3: error: DR belongs to another kind of motion than this block [unread-word]"},
+        DiagnosticCase{
+            "L X+1 PA+5 F9\n",
+            "1:3: error: PR or PA belongs to another kind of motion than this block [unread-word]"},
+        DiagnosticCase{"L X+5 F9\nCC X+0 Y+0\nCP PA+90 PR+7 DR+\n",
+                       "3:4: error: PR belongs to another kind of motion than this block [unread-word]"},
+        DiagnosticCase{"L X+1 LEN5 F9\n",
+                       "1:3: error: LEN belongs to another kind of motion than this block [unread-word]"},
+        DiagnosticCase{
+            "TOOL DEF 1 R4\nTOOL CALL 1 Z S1\nL X-20 Y-20 FMAX\nAPPR CT X+0 Y+0 CCA90 R-3 RL F9\nL X+9\n",
+            "4:1: error: its radius R of -3.000 mm on the other side is not larger than the tool's, 4.000 mm "
+            "[approach]"},
         DiagnosticCase{"L X+1 F0\n", "1:7: error: feed F0 is not above zero [feed-value]"},
         DiagnosticCase{"L X+1 F AUTO\n", "1:7: error: feed F0 is not above zero [feed-value]"},
         DiagnosticCase{"L X+1\n", "1:3: error: a feed move without a feed [feed-missing]"},

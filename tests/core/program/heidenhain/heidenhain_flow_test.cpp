@@ -8,6 +8,15 @@
 namespace feedscope {
 namespace {
 
+TEST(HeidenhainFlow, JumpsIfAParameterIsDefinedOrNot) {
+  EXPECT_EQ(
+      path_of(read_clean_heidenhain("FN 9: IF +Q5 IS UNDEFINED GOTO LBL 1\nL X+1 FMAX\nLBL 1\nQ5 = 0\n"
+                                    "FN 9: IF +Q5 IS UNDEFINED GOTO LBL 2\nL Y+1 FMAX\nLBL 2\n"
+                                    "FN 9: IF QS1 IS DEFINED GOTO LBL 3\nL Z+1 FMAX\nLBL 3\n"
+                                    "FN 9: IF Q5 IS DEFINED GOTO LBL \"END\"\nL X+9 FMAX\nLBL \"END\"\n")),
+      "r0,1,0 r0,1,1");
+}
+
 TEST(HeidenhainFlow, SubprogramsRunFromTheirLabelToLabelZero) {
   const Program program = read_clean_heidenhain(
       "BEGIN PGM A MM\nL X+1 F100\nCALL LBL 7\nL X+2\nCALL LBL \"HOLE\"\nL Z+0 M30\nLBL 7\nL IY+1\nLBL 0\n"

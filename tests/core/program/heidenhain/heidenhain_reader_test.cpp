@@ -69,6 +69,29 @@ TEST(HeidenhainReader, ARemarkMayGoOn) {
       "r1,0,0 0.5s");
 }
 
+TEST(HeidenhainReader, NumbersWithNAndSetupSheetsOfCamSystems) {
+  EXPECT_EQ(path_of(read_clean_heidenhain(
+                "( sheet\n(   machine: \"DMU 50\"\nBEGIN PGM 02 MM\nN1 L X+5 FMAX\nN2 CALL LBL 1\n"
+                "N3 L M30\nN4 LBL 1\n/N5 L X+6 FMAX\nN6 LBL 0\n")),
+            "r5,0,0 r6,0,0");
+}
+
+TEST(HeidenhainReader, WordsWithoutAValueOfOlderControls) {
+  EXPECT_EQ(path_of(read_clean_heidenhain("L X+10,000 Y+20,000 R F150 M\nL Z-5 R0 F M3\n")),
+            "10,20,0 10,20,-5");
+}
+
+TEST(HeidenhainReader, ArcsTakeAnAxisAlongByLin) {
+  EXPECT_EQ(
+      path_of(read_clean_heidenhain("L X+10 F60\nCC X+0 Y+0\nC X+0 Y+10 LIN_Z-5 DR+\nCT X-10 Y+0 LIN_Z-6\n")),
+      "10,0,0 0,10,-5(+Z) -10,0,-6(+Z)");
+}
+
+TEST(HeidenhainReader, OnThePoleTheAngleIsTheLastOne) {
+  EXPECT_EQ(path_of(read_clean_heidenhain("CC X+10 Y+0\nLP PR+5 PA+90 F60\nLP PR+0\nLP PR+7\n")),
+            "10,5,0 10,0,0 10,7,0");
+}
+
 TEST(HeidenhainReader, DwellsOfFunctionDwell) {
   EXPECT_EQ(path_of(read_clean_heidenhain("Q1=2\nL X+1 FMAX\nFUNCTION DWELL TIME+Q1\nTOOL CALL 1 Z S120\n"
                                           "FUNCTION DWELL REV5\nFUNCTION RESET TCPM\nFUNCTION MODE MILL\n")),
