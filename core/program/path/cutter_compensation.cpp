@@ -21,6 +21,8 @@ constexpr double join_gap = 1e-3;
 constexpr double join_gap_at_point = 1e-2;
 /// A cut into the contour that the rounding of coordinates explains [mm].
 constexpr double allowed_cut = 2e-3;
+/// The same where it takes more blocks than two to see it, whose joints may each be off by join_gap_at_point.
+constexpr double allowed_cut_further_on = 1e-2;
 constexpr double reversal_sine = 1e-9;
 
 bool is_point(const PlaneElement& path) {
@@ -133,6 +135,8 @@ PlaneElement CutterCompensation::element_of(const PathMotion& motion, const Vec2
 }
 
 void CutterCompensation::enter(const PathMotion& motion, const PlaneElement& contour) {
+  watch_.clear();
+  watches_ = false;
   if (!contour.is_arc()) {
     hold(motion, contour, true);
     return;
@@ -146,6 +150,7 @@ void CutterCompensation::enter(const PathMotion& motion, const PlaneElement& con
 }
 
 void CutterCompensation::leave(const PathMotion& motion) {
+  watches_ = false;
   if (motion.block.motion == Motion::arc) {
     log_.add(Severity::error, "compensation-exit", 0, motion.place, [] {
       return Text{"cutter radius compensation ends on an arc",
@@ -158,6 +163,45 @@ void CutterCompensation::leave(const PathMotion& motion) {
 
 void CutterCompensation::hold(const PathMotion& motion, const PlaneElement& contour, bool is_entry) {
   held_ = Held{motion, contour, is_entry};
+  if (gouges_) {
+    watch_.clear();
+    gouges_ = false;
+  }
+  if (!is_entry) {
+    watch_contour(motion, contour);
+  }
+}
+
+void CutterCompensation::watch_contour(const PathMotion& motion, const PlaneElement& contour) {
+  if (motion.block.motion == Motion::rapid) {
+    watch_.clear();
+    return;
+  }
+  const double from = compensation_.plane.normal.dot(contour_);
+  const double to = compensation_.plane.normal.dot(motion.block.target);
+  for (const ContourWatch::Cut& cut : watch_.add_contour(contour, {std::min(from, to), std::max(from, to)},
+                                                         std::abs(left_), allowed_cut_further_on)) {
+    log_.add(Severity::error, "compensation-gouge", 2, cut.beside, [&] {
+      return Text{
+          fmt::format("beside this block a tool of radius {:.4f} mm cuts {:.4f} mm into the contour of "
+                      "line {}",
+                      std::abs(left_), cut.depth, motion.place.line),
+          "use a smaller tool, or begin the contour elsewhere than in an inside corner"};
+    });
+  }
+}
+
+void CutterCompensation::watch_path(const PathMotion& motion, const Vec3& to) {
+  const Vec2 start = in_plane(tool_);
+  PathMotion moved = motion;
+  moved.block.target = to;
+  const PlaneElement path = compensation_.plane.element_of(moved, start);
+  if (motion.block.motion == Motion::rapid || (!path.is_arc() && (path.end - path.start).norm() == 0)) {
+    return;
+  }
+  const double from_level = compensation_.plane.normal.dot(tool_);
+  const double to_level = compensation_.plane.normal.dot(to);
+  watch_.add_path(path, {std::min(from_level, to_level), std::max(from_level, to_level)}, motion.place);
 }
 
 void CutterCompensation::join(const PathMotion& motion, const PlaneElement& next) {
@@ -238,6 +282,8 @@ void CutterCompensation::go_around_on_lines(const PlaneElement& next, const Path
 void CutterCompensation::release(const Vec2& end) {
   const PathMotion& motion = held_->motion;
   const PlaneElement path = path_beside(held_->contour);
+  const bool is_replaced = motion.block.motion == Motion::arc && !held_->contour.is_arc();
+  watches_ = !held_->is_entry && !is_replaced;
   if (motion.block.motion == Motion::arc && held_->contour.is_arc()) {
     write_arc(path, end);
   } else {
@@ -287,6 +333,9 @@ void CutterCompensation::write_arc(const PlaneElement& path, const Vec2& end) {
 }
 
 void CutterCompensation::write(const PathMotion& motion, const Vec3& to) {
+  if (watches_) {
+    watch_path(motion, to);
+  }
   ready_.push_back(motion);
   ready_.back().block.target = to;
   tool_ = to;
@@ -304,6 +353,7 @@ void CutterCompensation::report_plane(const DiagnosticLog::Place& place) {
 }
 
 void CutterCompensation::report_radius(const PathMotion& motion, double radius) {
+  gouges_ = true;
   log_.add(Severity::error, "compensation-gouge", 0, motion.place, [&] {
     return Text{
         fmt::format("the arc's radius, {:.4f} mm, is smaller than the tool's, {:.4f} mm", radius,
@@ -313,6 +363,7 @@ void CutterCompensation::report_radius(const PathMotion& motion, double radius) 
 }
 
 void CutterCompensation::report_swallowed() {
+  gouges_ = true;
   log_.add(Severity::error, "compensation-gouge", 1, held_->motion.place, [&] {
     return Text{fmt::format("a tool of radius {:.4f} mm does not fit between this block and its neighbours",
                             std::abs(left_)),

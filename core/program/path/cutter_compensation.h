@@ -7,6 +7,7 @@
 
 #include "core/base/geometry.h"
 #include "core/program/path/contour_plane.h"
+#include "core/program/path/contour_watch.h"
 #include "core/program/path/path_motion.h"
 #include "core/program/path/plane_element.h"
 #include "core/program/program.h"
@@ -38,9 +39,9 @@ struct Compensation {
 /// corners: as `corner` says; what is put in belongs to the later block. Motions across the plane and dwells
 /// take place where the block before them ends. A motion is ready when the next one in the plane is known.
 ///
-/// Reported: "compensation-gouge" where the tool is too large for the contour, as far as two blocks that
-/// follow each other show it; "compensation-entry" and "compensation-exit" for arcs that should be lines;
-/// "compensation-plane" where it is switched to another plane on the way.
+/// Reported: "compensation-gouge" where the tool is too large for the contour: for two blocks that follow
+/// each other, and as ContourWatch sees it farther along; "compensation-entry" and "compensation-exit" for
+/// arcs that should be lines; "compensation-plane" where it is switched to another plane on the way.
 class CutterCompensation {
  public:
   explicit CutterCompensation(DiagnosticLog& log) : log_(log) {}
@@ -94,6 +95,8 @@ class CutterCompensation {
   void report_plane(const DiagnosticLog::Place& place);
   void report_radius(const PathMotion& motion, double radius);
   void report_swallowed();
+  void watch_path(const PathMotion& motion, const Vec3& to);
+  void watch_contour(const PathMotion& motion, const PlaneElement& contour);
 
   DiagnosticLog& log_;
   Stage stage_ = Stage::off;
@@ -102,6 +105,9 @@ class CutterCompensation {
   Vec3 tool_ = Vec3::Zero();     ///< where the centre is after what is ready [mm]
   Vec3 contour_ = Vec3::Zero();  ///< end of what was taken [mm]
   std::optional<Held> held_;
+  ContourWatch watch_;
+  bool watches_ = false;             ///< the path beside the contour, without entry and exit
+  bool gouges_ = false;              ///< reported where the held motion meets its neighbours
   std::vector<PathMotion> waiting_;  ///< behind the held one: no motion in the plane
   std::vector<PathMotion> ready_;
 };

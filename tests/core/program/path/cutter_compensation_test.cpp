@@ -30,10 +30,16 @@ TEST(CutterCompensation, LeavesTheContourAloneForRadiusZero) {
 
 TEST(CutterCompensation, RunsInsideASquareFromMeetingPointToMeetingPoint) {
   ContourWriter writer;
-  EXPECT_EQ(text_of(around_square(writer, ToolSide::left, 3).finish_clean()),
-            (Lines{"rapid -10 0 0 @1", "line 0 3 0 @2", "line 17 3 0 @3", "line 17 17 0 @4", "line 3 17 0 @5",
-                   "line 3 0 0 @6", "line -10 0 0 @7"}))
+  const Program program = around_square(writer, ToolSide::left, 3).finish();
+  EXPECT_EQ(text_of(program), (Lines{"rapid -10 0 0 @1", "line 0 3 0 @2", "line 17 3 0 @3", "line 17 17 0 @4",
+                                     "line 3 17 0 @5", "line 3 0 0 @6", "line -10 0 0 @7"}))
       << "entry and exit are square beside the ends";
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(
+      format(program.diagnostics[0], "f"),
+      "f:3: error: beside this block a tool of radius 3.0000 mm cuts 3.0000 mm into the contour of line 6 "
+      "[compensation-gouge] (use a smaller tool, or begin the contour elsewhere than in an inside corner)")
+      << "at the corner where it begins";
 }
 
 TEST(CutterCompensation, RunsAroundOutsideCornersOnArcsAboutThem) {
