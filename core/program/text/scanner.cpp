@@ -4,11 +4,31 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
 
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
 
 namespace feedscope {
+
+namespace {
+
+/// Characters of a number whose digits and power of ten are exact as double: their quotient is rounded once.
+constexpr std::size_t exact_length = 15;
+constexpr auto powers_of_ten = std::to_array<double>(
+    {1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15});
+
+double long_number(std::string_view text) {
+  const char point = text.find(',') == std::string_view::npos ? '.' : ',';
+  double value = std::numeric_limits<double>::infinity();
+  fast_float::from_chars_advanced(text.data(), text.data() + text.size(), value,
+                                  fast_float::parse_options{fast_float::chars_format::fixed, point});
+  return value;
+}
+
+}  // namespace
 
 bool letters::same(std::string_view a, std::string_view b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(),
@@ -91,20 +111,27 @@ void Scanner::skip_digits() {
 std::optional<double> Scanner::number(bool comma) {
   constexpr double number_limit = 1e9;
   const char first = peek();
-  const bool is_point = first == '.' || (comma && first == ',');
-  if (!letters::is_digit(first) && !(is_point && letters::is_digit(peek_at(1)))) {
+  const auto is_point = [comma](char c) { return c == '.' || (comma && c == ','); };
+  if (!letters::is_digit(first) && !(is_point(first) && letters::is_digit(peek_at(1)))) {
     return std::nullopt;
   }
   const std::size_t from = at_;
-  const char* const end = text_.data() + text_.size();
-  const char point =
-      comma && text_.substr(at_, text_.find_first_not_of("0123456789", at_) - at_ + 1).ends_with(',') ? ','
-                                                                                                      : '.';
-  double value = 0;
-  const auto [stop, status] = fast_float::from_chars_advanced(
-      text_.data() + at_, end, value, fast_float::parse_options{fast_float::chars_format::fixed, point});
-  at_ = static_cast<std::size_t>(stop - text_.data());
-  if (status == std::errc::invalid_argument || (at_ < text_.size() && text_[at_] == '.')) {
+  std::uint64_t digits = 0;
+  const auto take_digits = [&] {
+    for (; at_ < text_.size() && letters::is_digit(text_[at_]); ++at_) {
+      digits = digits * 10 + static_cast<std::uint64_t>(text_[at_] - '0');
+    }
+    return at_;
+  };
+  const std::size_t whole_end = take_digits();
+  std::size_t decimals = 0;
+  if (at_ < text_.size() && is_point(text_[at_])) {
+    ++at_;
+    decimals = take_digits() - whole_end - 1;
+  }
+  const double value = at_ - from <= exact_length ? static_cast<double>(digits) / powers_of_ten[decimals]
+                                                  : long_number(text_.substr(from, at_ - from));
+  if (at_ < text_.size() && text_[at_] == '.') {
     throw ReadFault{"malformed-number", static_cast<std::uint32_t>(from + 1),
                     fmt::format("{} has no readable number", quoted(text_.substr(from, at_ - from + 1))),
                     "correct the number"};
