@@ -160,7 +160,7 @@ void ContourWriter::approach(const ContourApproach& approach) {
   approach_ = approach;
 }
 
-bool ContourWriter::soften_approach(double radius) {
+bool ContourWriter::soften_approach(double radius, const std::optional<ContourFeed>& feed) {
   if (!held_ || last_.is_arc || approach_) {
     return false;
   }
@@ -172,7 +172,7 @@ bool ContourWriter::soften_approach(double radius) {
   approach.shape.tool_radius = last_.side == 0 ? 0 : last_.tool_radius.value_or(0);
   approach.target = last_.target;
   approach.travel = last_.feed;
-  approach.feed = last_.feed;
+  approach.feed = feed.value_or(last_.feed);
   approach.side = last_.side;
   approach.tool_radius = last_.tool_radius;
   approach.place = last_.place;
@@ -269,7 +269,7 @@ void ContourWriter::depart(const ContourDeparture& departure) {
   }
   if (path) {
     ContourElement element = curve_element(*path, from_plane(path->point, plane_, from));
-    element.feed = departure.feed;
+    element.feed = departure.curve_feed;
     element.place = departure.place;
     element.side = departure.shape.kind == ApproachKind::normal_line ? 0 : last_.side;
     element.tool_radius = last_.tool_radius;

@@ -63,6 +63,7 @@ struct ContourDeparture {
   ApproachShape shape;
   Vec3 target;  ///< LCT: where it goes; the others: height along the tool axis only
   ContourFeed feed;
+  ContourFeed curve_feed;  ///< of the line or arc next to the contour
   ContourPlace place;
 };
 
@@ -87,8 +88,9 @@ class ContourWriter {
   /// Between the last element and the next one.
   void add_corner(const ContourCorner& corner);
   void approach(const ContourApproach& approach);
-  /// Makes an approach of the line held back, on a line and an arc; false if none is.
-  bool soften_approach(double radius);
+  /// Makes an approach of the line held back, on a line and an arc; false if none is. `feed` is the arc's;
+  /// none: the line's.
+  bool soften_approach(double radius, const std::optional<ContourFeed>& feed);
   void depart(const ContourDeparture& departure);
   /// Writes what is held back. To be called before anything else changes the path or its frame, and at the
   /// end.

@@ -134,13 +134,15 @@ void tap(const Drilling& words, const Hole& hole, double speed, Spindle& spindle
 }
 
 void tap_with_breaks(const Drilling& words, const Hole& hole, double speed, Spindle& spindle) {
+  const double back = speed * or_else(words.retract_factor, 1);
   if (words.break_infeed > 0) {
     for (double at = words.surface - words.break_infeed; at > hole.bottom; at -= words.break_infeed) {
       spindle.cut(at, speed);
-      spindle.cut(words.break_distance > 0 ? at + words.break_distance : hole.top, speed);
+      spindle.cut(words.break_distance > 0 ? at + words.break_distance : hole.top, back);
     }
   }
-  tap(words, hole, speed, spindle);
+  spindle.cut(hole.bottom, speed);
+  spindle.cut(hole.top, back);
 }
 
 DrillingFault check_back_boring(const Drilling& words) {

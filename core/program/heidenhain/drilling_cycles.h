@@ -43,6 +43,7 @@ struct Drilling {
   double start_depth = 0;        ///< Q379
   double to_shoulder = 0;        ///< Q395: the depth is that of the drill's cylinder, not of its tip
   double feed_factor = 0;        ///< Q401, behind the dwell depth [%]
+  double retract_factor = 1;     ///< Q403, of the speed out of a thread
   double dwell_depth = 0;        ///< Q435, below the surface
 };
 

@@ -94,8 +94,9 @@ constexpr std::array back_boring{clearance,
                                  surface,
                                  second_clearance,
                                  P{214, &D::retreat, plain, {}}};
-constexpr std::array breaking_tapping{clearance,        depth,        pitch,         surface,
-                                      second_clearance, break_infeed, break_distance};
+constexpr std::array breaking_tapping{
+    clearance,        depth,        pitch,          surface,
+    second_clearance, break_infeed, break_distance, P{403, &D::retract_factor, plain, 1}};
 constexpr std::array centering{
     clearance,       P{343, &D::by_diameter, plain, 0}, depth, plunge_feed, bottom_dwell, surface,
     second_clearance};

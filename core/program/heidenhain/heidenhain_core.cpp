@@ -97,7 +97,8 @@ ContourPlace HeidenhainCore::contour_place(std::uint32_t column, std::uint8_t ax
 }
 
 double HeidenhainCore::to_feed(double value) const {
-  // In inch programs the control counts feeds in tenths of an inch a minute.
+  // In inch programs the control counts feeds in tenths of an inch a minute (TNC 640 Klartext programming,
+  // F).
   return units::from_mm_min(is_inch() ? units::from_inch(value / 10) : value);
 }
 

@@ -66,9 +66,13 @@ class HeidenhainCore : public Reader {
   void set_pole(const MotionWords& words);
   void run_corner(bool rounding, double size, const MotionWords& words, std::uint32_t column);
   void run_approach(ApproachKind kind, bool polar, const MotionWords& words, std::uint32_t column);
-  /// The line before leads onto the contour by an arc of this radius [mm].
-  void run_soft_approach(double radius, std::uint32_t column);
-  void run_departure(ApproachKind kind, bool polar, const MotionWords& words, std::uint32_t column);
+  /// The line before leads onto the contour by an arc of this radius [mm], with its own feed.
+  void run_soft_approach(double radius, const MotionWords& words, std::uint32_t column);
+  /// `curve_feed` is that of the part next to the contour; none: that of the words.
+  void run_departure(ApproachKind kind, bool polar, const MotionWords& words, std::uint32_t column,
+                     const std::optional<ContourFeed>& curve_feed = std::nullopt);
+  /// Of a block whose feed holds for it alone; none if it has none.
+  std::optional<ContourFeed> feed_alone(const MotionWords& words);
   /// An M with the words that belong to it. Throws ReadFault.
   void m_word(Scanner& scanner, std::uint32_t column, MotionWords& words);
   /// Only M functions.

@@ -55,7 +55,7 @@ bool HeidenhainIsoReader::run_codes(const Block& block) {
                       block.column);
         break;
       case 79:
-        run_functions(words);
+        run_functions(with_modal_rapid(words));
         call_cycle(block.column);
         break;
       case 83:
@@ -123,9 +123,10 @@ bool HeidenhainIsoReader::run_corner_code(int code, const Block& block) {
   if (code == 24 || code == 25) {
     run_corner(code == 25, size, block.motion, block.column);
   } else if (code == 26) {
-    run_soft_approach(size, block.column);
+    run_soft_approach(size, block.motion, block.column);
   } else {
     leaving_radius_ = size;
+    leaving_feed_ = feed_alone(block.motion);
   }
   return true;
 }

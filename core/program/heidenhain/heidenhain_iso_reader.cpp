@@ -360,6 +360,13 @@ void HeidenhainIsoReader::run_tool(const Block& block) {
   call_tool(call);
 }
 
+MotionWords HeidenhainIsoReader::with_modal_rapid(MotionWords words) const {
+  if (motion_ == 0 || motion_ == 10) {
+    words.feed_word = FeedWord::rapid;
+  }
+  return words;
+}
+
 void HeidenhainIsoReader::run_motion(Block& block) {
   MotionWords& words = block.motion;
   if (block.pole[0].given || block.pole[1].given || block.pole[2].given) {
@@ -388,15 +395,13 @@ void HeidenhainIsoReader::run_motion(Block& block) {
     });
     motion_ = 0;
   }
-  if (motion_ == 0 || motion_ == 10) {
-    words.feed_word = FeedWord::rapid;
-  }
+  words = with_modal_rapid(words);
   words.turn = motion_ == 2 || motion_ == 12 ? -1 : motion_ == 3 || motion_ == 13 ? 1 : 0;
   words.first_column = words.first_column == 0 ? block.column : words.first_column;
   if (leaving_radius_) {
     words.radius = leaving_radius_;
     leaving_radius_.reset();
-    run_departure(ApproachKind::line_and_arc, is_polar(motion_), words, block.column);
+    run_departure(ApproachKind::line_and_arc, is_polar(motion_), words, block.column, leaving_feed_);
     return;
   }
   switch (motion_) {

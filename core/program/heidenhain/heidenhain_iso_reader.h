@@ -58,12 +58,15 @@ class HeidenhainIsoReader : public HeidenhainCore {
   void run_old_cycle(int number, const Block& block);
   void run_tool(const Block& block);
   void run_motion(Block& block);
+  /// With the rapid of G0 or G10 in force.
+  MotionWords with_modal_rapid(MotionWords words) const;
   void report_code(int code, std::uint32_t column);
 
   bool begun_ = false;
   bool incremental_ = false;
-  int motion_ = -1;                       ///< G in force; -1: none yet
-  std::optional<double> leaving_radius_;  ///< G27, until the next motion [mm]
+  int motion_ = -1;                          ///< G in force; -1: none yet
+  std::optional<double> leaving_radius_;     ///< G27, until the next motion [mm]
+  std::optional<ContourFeed> leaving_feed_;  ///< of its arc
 };
 
 }  // namespace feedscope

@@ -280,12 +280,7 @@ void HeidenhainCore::run_corner(bool rounding, double size, const MotionWords& w
   corner.rounding = rounding;
   corner.size = size;
   corner.place = contour_place(column, bits_of(plane()));
-  if (words.feed_word != FeedWord::none) {
-    const ContourFeed before = feed_;
-    apply_feed(words);
-    corner.feed = feed_of(words);
-    feed_ = before;
-  }
+  corner.feed = feed_alone(words);
   contour_.add_corner(corner);
 }
 
@@ -366,8 +361,19 @@ void HeidenhainCore::run_approach(ApproachKind kind, bool polar, const MotionWor
   finish_functions(words, true);
 }
 
-void HeidenhainCore::run_soft_approach(double radius, std::uint32_t column) {
-  if (!(radius > 0) || !contour_.soften_approach(radius)) {
+std::optional<ContourFeed> HeidenhainCore::feed_alone(const MotionWords& words) {
+  if (words.feed_word == FeedWord::none) {
+    return std::nullopt;
+  }
+  const ContourFeed before = feed_;
+  apply_feed(words);
+  const ContourFeed alone = feed_of(words);
+  feed_ = before;
+  return alone;
+}
+
+void HeidenhainCore::run_soft_approach(double radius, const MotionWords& words, std::uint32_t column) {
+  if (!(radius > 0) || !contour_.soften_approach(radius, feed_alone(words))) {
     throw ReadFault{"approach", column, "no line to the contour's first point stands in the block before",
                     "the contour is approached straight"};
   }
@@ -375,7 +381,7 @@ void HeidenhainCore::run_soft_approach(double radius, std::uint32_t column) {
 }
 
 void HeidenhainCore::run_departure(ApproachKind kind, bool polar, const MotionWords& words,
-                                   std::uint32_t column) {
+                                   std::uint32_t column, const std::optional<ContourFeed>& curve_feed) {
   start_functions(words);
   apply_feed(words);
   if (polar && !has_pole(column)) {
@@ -385,6 +391,7 @@ void HeidenhainCore::run_departure(ApproachKind kind, bool polar, const MotionWo
   departure.shape = approach_shape(kind, words, column);
   departure.target = polar ? polar_target(words) : target_of(words);
   departure.feed = feed_of(words);
+  departure.curve_feed = curve_feed.value_or(departure.feed);
   departure.place = contour_place(column, words.axis_bits() | bits_of(plane()));
   contour_.depart(departure);
   side_ = 0;

@@ -325,9 +325,12 @@ void HeidenhainCore::set_tolerance(std::optional<double> tolerance,
 }
 
 void HeidenhainCore::dwell(double seconds, std::uint32_t column) {
-  if (seconds < 0) {
+  constexpr double longest = 1e9;
+  if (!(seconds >= 0 && seconds <= longest)) {
     report(Severity::error, "dwell-time", 0, column, [&] {
-      return Text{fmt::format("dwell time {} is negative", seconds), "the dwell is left out"};
+      return Text{seconds < 0 ? fmt::format("dwell time {} is negative", seconds)
+                              : fmt::format("dwell time {} is beyond 1000000000 s", seconds),
+                  "the dwell is left out"};
     });
     return;
   }

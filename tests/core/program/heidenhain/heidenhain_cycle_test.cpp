@@ -132,6 +132,16 @@ TEST(HeidenhainCycle, GlobalDefinitionsStandForPredef) {
       "r0,0,50 r0,0,3 0,0,-2 r0,0,3 r0,0,7");
 }
 
+TEST(HeidenhainCycle, TappingMayComeOutFaster) {
+  const Program program = read_clean_heidenhain(
+      "TOOL CALL 1 Z S600\nL Z+2 FMAX\nCYCL DEF 209 TAPPING Q200=2 Q201=-20 Q239=1 Q203=0 Q204=2 Q257=0 "
+      "Q256=0 "
+      "Q403=2.5\nCYCL CALL\n");
+  ASSERT_EQ(program.motions.size(), 3U);
+  EXPECT_EQ(program.motions[1].feed, 10);
+  EXPECT_EQ(program.motions[2].feed, 25);
+}
+
 constexpr const char* shallow =
     "L Z+50 FMAX\nCYCL DEF 200 DRILLING Q200=1 Q201=-2 Q206=150 Q202=2 Q210=0 Q203=0 Q204=10 Q211=0\n";
 
