@@ -84,7 +84,8 @@ void score_statement(std::string_view line, Scanner scan, Score& score) {
     scan.number();
   }
   Scanner word = scan;
-  if (word.take('O') && word.number()) {
+  const bool tape_number = line.starts_with(':');
+  if ((word.take('O') || (tape_number && word.take(':'))) && word.number()) {
     if (is_one_of(word.name(), linuxcnc_flow)) {
       of(score, Dialect::linuxcnc) += decisive;
     } else if (word.at_end() || word.peek() == '(') {

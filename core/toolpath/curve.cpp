@@ -57,6 +57,14 @@ double Arc::curvature() const {
 }
 
 void Arc::extend(Bounds& bounds) const {
+  // Most arcs of a long program lie within what is known, which the box of their whole circle shows.
+  const Vec3 reach = radius * (x.array().square() + y.array().square()).sqrt();
+  const Vec3 climb = sweep * rise;
+  const Vec3 low = center - reach + climb.cwiseMin(0.0);
+  const Vec3 high = center + reach + climb.cwiseMax(0.0);
+  if ((bounds.min.array() <= low.array()).all() && (bounds.max.array() >= high.array()).all()) {
+    return;
+  }
   bounds.add(at(0).position);
   bounds.add(at(length()).position);
   for (int axis = 0; axis < 3; ++axis) {

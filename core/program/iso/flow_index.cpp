@@ -77,7 +77,30 @@ std::string loop_of_while(std::string_view text) {
   return {};
 }
 
+/// What an IF of many lines ends in: THEN, with no statement behind it.
+bool ends_in_then(std::string_view text) {
+  text = text.substr(0, text.find_first_of("(;"));
+  text = text.substr(0, text.find_last_not_of(" \t") + 1);
+  constexpr std::string_view then = "THEN";
+  return text.size() > then.size() && letters::same(text.substr(text.size() - then.size()), then);
+}
+
 }  // namespace
+
+bool take_macro_word(Scanner& scan, std::string_view word) {
+  scan.peek();
+  std::size_t length = 0;
+  while (letters::is_letter(scan.peek_at(length))) {
+    ++length;
+  }
+  constexpr std::size_t least = 2;
+  const bool fits = length >= least && length <= word.size() && scan.peek_at(length) != '_' &&
+                    letters::same(scan.text().substr(scan.at(), length), word.substr(0, length));
+  if (fits) {
+    scan.move_to(scan.at() + length);
+  }
+  return fits;
+}
 
 FlowWord o_word_named(std::string_view name) {
   const auto found = std::find_if(o_words.begin(), o_words.end(), [&](const NamedWord& candidate) {
@@ -129,12 +152,18 @@ void FlowIndex::read_line(Scanner scan, std::uint32_t line) {
   }
   switch (letters::to_upper(scan.peek())) {
     case 'O':
-      scan.take('O');
+    case ':':
+      scan.move_to(scan.at() + 1);
       read_o_word(scan, line);
       break;
     case 'W':
-      if (scan.take_keyword("WHILE")) {
+      if (take_macro_word(scan, "WHILE")) {
         add(FlowWord::macro_do, loop_of_while(scan.rest()), line);
+      }
+      break;
+    case 'I':
+      if (scan.take_keyword("IF") && ends_in_then(scan.rest())) {
+        add(FlowWord::if_, "", line);
       }
       break;
     case 'D':
@@ -143,7 +172,13 @@ void FlowIndex::read_line(Scanner scan, std::uint32_t line) {
       }
       break;
     case 'E':
-      if (scan.take_keyword("END")) {
+      if (scan.take_keyword("ELSEIF")) {
+        add(FlowWord::elseif, "", line);
+      } else if (scan.take_keyword("ELSE")) {
+        add(FlowWord::else_, "", line);
+      } else if (scan.take_keyword("ENDIF")) {
+        add(FlowWord::endif, "", line);
+      } else if (take_macro_word(scan, "END")) {
         add(FlowWord::macro_end, take_digits(scan), line);
       }
       break;

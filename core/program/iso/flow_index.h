@@ -35,6 +35,8 @@ enum class FlowWord : std::uint8_t {
   macro_end,
 };
 
+/// Takes a word of Fanuc's macro statements, of which the first two letters are enough: "WH" for WHILE.
+bool take_macro_word(Scanner& scan, std::string_view word);
 /// FlowWord::none for a name that is none of an O word.
 FlowWord o_word_named(std::string_view name);
 /// Takes the label of an O word behind its O: "100" without leading zeros, "<name>" normal; empty if it is

@@ -10,6 +10,7 @@ using enum GAction;
 using enum Severity;
 
 constexpr std::string_view positions_left_out = "positions are left out up to the next G0 to G3";
+constexpr std::string_view motion_left_out = "its motion is left out";
 constexpr std::string_view unshifted = "the path is shown without it";
 constexpr std::string_view stays_put = "the path stays where it is";
 constexpr std::string_view tip_shown = "the path shown is that of the tool tip";
@@ -27,14 +28,16 @@ constexpr auto g_codes = std::to_array<GCode>({
     {52, GGroup::motion, spline, info, {}, {}},
     {53, GGroup::motion, spline, info, {}, {}},
     {61, GGroup::motion, unread_motion, error, "spline", positions_left_out},
-    {62, GGroup::motion, unread_motion, error, "spline", positions_left_out},
+    {62, GGroup::motion, spline, info, {}, {}},
     {70, GGroup::none, report, error, "diameter programming or cylindrical interpolation", unshifted},
     {71, GGroup::none, report, error, "cylindrical interpolation", unshifted},
     {80, GGroup::none, path_control, info, {}, {}},
     {90, GGroup::none, path_control, info, {}, {}},
     {100, GGroup::none, axis_function, info, {}, {}},
     {110, GGroup::none, accept, info, {}, {}},
+    {120, GGroup::none, own_words, error, "circular pocket", motion_left_out},
     {121, GGroup::none, report, error, "polar coordinate interpolation", unshifted},
+    {130, GGroup::none, own_words, error, "circular pocket", motion_left_out},
     {131, GGroup::none, accept, info, {}, {}},
     {150, GGroup::none, function, info, {}, {}},
     {160, GGroup::none, function, info, {}, {}},
@@ -70,6 +73,10 @@ constexpr auto g_codes = std::to_array<GCode>({
     {434, GGroup::tool_length, report, error, "tool centre point control", "only X, Y and Z are shown"},
     {435, GGroup::tool_length, report, error, "tool centre point control", "only X, Y and Z are shown"},
     {440, GGroup::tool_length, report, info, "tool length compensation", tip_shown},
+    {450, GGroup::none, report, error, "tool offset of one block", unshifted},
+    {460, GGroup::none, report, error, "tool offset of one block", unshifted},
+    {470, GGroup::none, own_words, error, "engraving, or double tool offset of one block", motion_left_out},
+    {480, GGroup::none, report, error, "tool offset of one block", unshifted},
     {490, GGroup::tool_length, accept, info, {}, {}},
     {500, GGroup::none, function, info, {}, {}},
     {501, GGroup::none, axis_function, info, {}, {}},
@@ -77,6 +84,7 @@ constexpr auto g_codes = std::to_array<GCode>({
     {511, GGroup::none, axis_function, info, {}, {}},
     {520, GGroup::none, axis_function, info, {}, {}},
     {530, GGroup::none, own_words, warning, "motion in machine coordinates", stays_put},
+    {531, GGroup::none, report, info, "turning of the tool axis", "X, Y and Z are shown as programmed"},
     {540, GGroup::offset, function, info, {}, {}},
     {541, GGroup::offset, function, info, {}, {}},
     {550, GGroup::offset, function, info, {}, {}},
@@ -93,20 +101,29 @@ constexpr auto g_codes = std::to_array<GCode>({
     {620, GGroup::path_mode, path_control, info, {}, {}},
     {630, GGroup::path_mode, path_control, info, {}, {}},
     {640, GGroup::path_mode, path_control, info, {}, {}},
-    {650, GGroup::none, own_words, error, "macro call", "its motion is left out"},
-    {660, GGroup::none, own_words, error, "modal macro call", "its motion is left out"},
+    {650, GGroup::none, own_words, error, "macro call", motion_left_out},
+    {660, GGroup::none, own_words, error, "modal macro call", motion_left_out},
+    {661, GGroup::none, own_words, error, "macro call in each block", motion_left_out},
     {670, GGroup::none, cancel_macro, info, {}, {}},
     {680, GGroup::none, axis_function, info, {}, {}},
-    {682, GGroup::none, own_words, error, "tilted working plane", unshifted},
+    {682, GGroup::none, axis_function, info, {}, {}},
+    {683, GGroup::none, own_words, error, "tilted working plane", unshifted},
+    {684, GGroup::none, own_words, error, "tilted working plane", unshifted},
     {690, GGroup::none, function, info, {}, {}},
+    {700, GGroup::none, axis_function, info, {}, {}},
+    {710, GGroup::none, axis_function, info, {}, {}},
+    {720, GGroup::none, axis_function, info, {}, {}},
     {730, GGroup::motion, cycle, info, {}, {}},
     {740, GGroup::motion, cycle, info, {}, {}},
     {760, GGroup::motion, cycle, info, {}, {}},
+    {770, GGroup::motion, unread_motion, error, "back boring", positions_left_out},
     {800, GGroup::none, cancel_cycle, info, {}, {}},
     {810, GGroup::motion, cycle, info, {}, {}},
     {820, GGroup::motion, cycle, info, {}, {}},
     {830, GGroup::motion, cycle, info, {}, {}},
     {840, GGroup::motion, cycle, info, {}, {}},
+    {842, GGroup::motion, cycle, info, {}, {}},
+    {843, GGroup::motion, cycle, info, {}, {}},
     {850, GGroup::motion, cycle, info, {}, {}},
     {860, GGroup::motion, cycle, info, {}, {}},
     {870, GGroup::motion, cycle, info, {}, {}},
@@ -127,10 +144,23 @@ constexpr auto g_codes = std::to_array<GCode>({
     {970, GGroup::none, accept, info, {}, {}},
     {980, GGroup::none, function, info, {}, {}},
     {990, GGroup::none, function, info, {}, {}},
+    {1030, GGroup::none, accept, info, {}, {}},
+    {1070, GGroup::none, report, error, "cylindrical mapping", unshifted},
+    {1360, GGroup::none, own_words, error, "probing", stays_put},
+    {1410, GGroup::none, report, error, "cutter compensation in space", unshifted},
+    {1430, GGroup::tool_length, report, error, "tool length compensation of five axes",
+     "only X, Y and Z are shown"},
+    {1500, GGroup::none, own_words, error, "pocket milling", motion_left_out},
+    {1540, GGroup::offset, function, info, {}, {}},
     {1870, GGroup::none, path_control, info, {}, {}},
+    {2340, GGroup::tool_length, report, error, "tool centre point control", "only X, Y and Z are shown"},
+    {2540, GGroup::none, report, error, "dynamic work offset", unshifted},
+    {2550, GGroup::none, accept, info, {}, {}},
+    {2680, GGroup::none, own_words, error, "tilted working plane", unshifted},
+    {2690, GGroup::none, accept, info, {}, {}},
 });
 
-constexpr int number_limit = 2000;
+constexpr int number_limit = 2700;
 constexpr std::uint8_t absent = 255;
 static_assert(g_codes.size() < absent && g_codes.back().number < number_limit);
 

@@ -18,9 +18,9 @@ CoordinateFrame IsoCoordinates::inner() const {
 }
 
 CoordinateFrame IsoCoordinates::rotated() const {
-  return rotation_ ? offsets() * CoordinateFrame::rotation(normal_of(rotation_->plane), rotation_->angle,
-                                                           rotation_->center)
-                   : offsets();
+  return rotation_ ? tilted() * CoordinateFrame::rotation(normal_of(rotation_->plane), rotation_->angle,
+                                                          rotation_->center)
+                   : tilted();
 }
 
 CoordinateFrame IsoCoordinates::offsets() const {

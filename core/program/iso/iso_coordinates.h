@@ -28,7 +28,9 @@ class IsoCoordinates {
   CoordinateFrame frame() const { return rotated() * inner(); }
   /// Of the offsets and shifts alone.
   CoordinateFrame offsets() const;
-  /// The same with the rotation of G68.
+  /// The same with what turns in space.
+  CoordinateFrame tilted() const { return offsets() * tilt_; }
+  /// The same with the rotations of G68 and G68.2.
   CoordinateFrame rotated() const;
 
   /// Of all coordinates [mm]; nullptr if the program has not set it.
@@ -41,6 +43,12 @@ class IsoCoordinates {
   /// G52 [mm].
   const Vec3& local_shift() const { return local_; }
   void set_local_shift(const Vec3& shift) { local_ = shift; }
+  /// G92, and G52 of LinuxCNC, which share their store [mm].
+  const Vec3& preset() const { return preset_; }
+  void set_preset(const Vec3& shift) {
+    preset_ = shift;
+    preset_on_ = true;
+  }
   /// G92: the programmed `from` gets the coordinates `to` [mm].
   void set_position(const Vec3& from, const Vec3& to);
   /// G92.1: forgotten; G92.2: left out; G92.3: in force again.
@@ -52,7 +60,12 @@ class IsoCoordinates {
   void rotate(Plane plane, const Vec3& center, double angle);
   /// In force; 0: none.
   double angle() const { return rotation_ ? rotation_->angle : 0; }
-  void end_rotation() { rotation_.reset(); }
+  void end_rotation() {
+    rotation_.reset();
+    tilt_ = {};
+  }
+  /// In space, behind those in force.
+  void tilt(const CoordinateFrame& frame) { tilt_ = tilt_ * frame; }
   /// G51: no factor may be zero.
   void scale(const Vec3& center, const Vec3& factors) { scale_ = Scale{center, factors}; }
   void end_scale() { scale_.reset(); }
@@ -80,6 +93,7 @@ class IsoCoordinates {
   Vec3 local_ = Vec3::Zero();
   Vec3 preset_ = Vec3::Zero();
   bool preset_on_ = true;
+  CoordinateFrame tilt_;
   std::optional<Rotation> rotation_;
   std::optional<Scale> scale_;
   std::array<std::optional<double>, 3> mirror_;

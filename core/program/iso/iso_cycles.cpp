@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "core/base/units.h"
 #include "core/program/iso/iso_reader.h"
 #include "core/program/path/drilling_cycle.h"
+#include "core/program/path/plane_points.h"
 #include "core/program/text/message.h"
 
 namespace feedscope {
@@ -32,6 +35,8 @@ DrillingMotion motion_of(int code) {
       return DrillingMotion::back_bore;
     case 740:
     case 840:
+    case 842:
+    case 843:
     case 850:
     case 890:
       return DrillingMotion::feed_out;
@@ -51,7 +56,8 @@ bool steps_aside(int code) {
 }  // namespace
 
 void IsoReader::begin_cycle(const GCode& code, const Word& word) {
-  if (code.number == fine_boring && (follows_linuxcnc(dialect_) || words_.has_any("IJ"))) {
+  const bool threads = words_.has_any("IJ") && !words_.has('R') && !state_.cycle.has_retract;
+  if (code.number == fine_boring && (follows_linuxcnc(dialect_) || threads)) {
     report(Severity::error, "unread-g", fine_boring, word.column, [] {
       return Text{"G76 (threading cycle) is not read", "positions are left out up to the next G0 to G3"};
     });
@@ -60,6 +66,7 @@ void IsoReader::begin_cycle(const GCode& code, const Word& word) {
     return;
   }
   if (state_.motion != MotionMode::cycle) {
+    state_.before_cycle = state_.motion;
     state_.cycle = {};
     state_.motion = MotionMode::cycle;
   }
@@ -84,13 +91,33 @@ void IsoReader::gather_cycle() {
     cycle.bottom_from_retract = state_.incremental;
     cycle.has_bottom = true;
   }
-  if (words_.has('Q')) {
-    cycle.peck = std::abs(state_.to_mm(words_['Q'].value));
-  }
+  gather_pecks();
   if (words_.has('P')) {
     const Word& word = words_['P'];
     cycle.dwell =
         std::max(0.0, follows_linuxcnc(dialect_) || word.has_point ? word.value : word.value / 1000);
+  }
+}
+
+void IsoReader::gather_pecks() {
+  CycleState& cycle = state_.cycle;
+  const auto length = [&](char letter) {
+    return words_.has(letter) ? std::abs(state_.to_mm(words_[letter].value)) : 0;
+  };
+  if (words_.has('Q')) {
+    cycle.peck = length('Q');
+    cycle.aside = Vec3::Zero();
+  }
+  if (follows_linuxcnc(dialect_) || !words_.has_any("IJ")) {
+    return;
+  }
+  if (steps_aside(cycle.code)) {
+    const auto way = [&](char letter) { return words_.has(letter) ? state_.to_mm(words_[letter].value) : 0; };
+    cycle.aside = {way('I'), way('J'), way('K')};
+  } else if (needs_peck(cycle.code) && words_.has('I')) {
+    cycle.peck = length('I');
+    cycle.peck_less = length('J');
+    cycle.peck_least = length('K');
   }
 }
 
@@ -119,7 +146,7 @@ bool IsoReader::check_cycle(std::uint32_t column) {
     });
     return false;
   }
-  if (steps_aside(cycle.code) && cycle.peck > 0) {
+  if (steps_aside(cycle.code) && cycle.peck > 0 && cycle.aside.isZero()) {
     report(Severity::info, "cycle-aside", cycle.code, column, [&] {
       return Text{fmt::format("the direction in which {} moves off the wall is a setting of the control",
                               g_name(cycle.code)),
@@ -130,7 +157,8 @@ bool IsoReader::check_cycle(std::uint32_t column) {
 }
 
 double IsoReader::cycle_repeats() {
-  const char letter = words_.has('L') ? 'L' : 'K';
+  const bool is_least_peck = words_.has('I') && !follows_linuxcnc(dialect_);
+  const char letter = words_.has('L') || is_least_peck ? 'L' : 'K';
   if (!words_.has(letter)) {
     return 1;
   }
@@ -145,13 +173,10 @@ double IsoReader::cycle_repeats() {
   return 1;
 }
 
-void IsoReader::run_cycle() {
-  gather_cycle();
-  const double repeats = cycle_repeats();
-  const std::uint32_t column = words_.first_column("XYZR");
+std::optional<DrillingCycle> IsoReader::drilling_cycle(std::uint32_t column, double repeats) {
   const CycleState& state = state_.cycle;
-  if (repeats == 0 || !check_cycle(column)) {
-    return;
+  if (!check_cycle(column)) {
+    return std::nullopt;
   }
   DrillingCycle cycle;
   cycle.motion = motion_of(state.code);
@@ -160,10 +185,14 @@ void IsoReader::run_cycle() {
   cycle.retract = state.retract;
   cycle.bottom = state.bottom + (state.bottom_from_retract ? state.retract : 0);
   cycle.peck = needs_peck(state.code) ? state.peck : 0;
+  cycle.peck_least = state.peck_least;
+  cycle.peck_less = state.peck_least > 0 ? state.peck_less : 0;
   cycle.clearance = clearance;
   cycle.dwell = state.dwell;
-  cycle.aside =
-      steps_aside(state.code) ? Vec3(state.peck * Vec3::Unit(first_axis(state_.plane))) : Vec3::Zero();
+  if (steps_aside(state.code)) {
+    cycle.aside =
+        state.aside.isZero() ? Vec3(state.peck * Vec3::Unit(first_axis(state_.plane))) : state.aside;
+  }
   cycle.to_initial = state_.to_initial_level;
   const bool too_fine = peck_count(cycle) * repeats > most_pecks;
   if (needs_peck(state.code) && (cycle.peck == 0 || too_fine)) {
@@ -174,8 +203,54 @@ void IsoReader::run_cycle() {
     });
     cycle.peck = 0;
   }
-  for (double i = 0; i < repeats; ++i) {
-    drill(path(), cycle, target_of_block());
+  return cycle;
+}
+
+void IsoReader::run_cycle() {
+  gather_cycle();
+  const double repeats = cycle_repeats();
+  if (repeats == 0) {
+    return;
+  }
+  if (const std::optional<DrillingCycle> cycle = drilling_cycle(words_.first_column("XYZR"), repeats)) {
+    for (double i = 0; i < repeats; ++i) {
+      drill(path(), *cycle, target_of_block());
+    }
+  }
+}
+
+/// Haas, about where the tool is: G70 I radius, J first angle, L holes on a circle; G71 the same, K degrees
+/// apart; G72 L holes on a line at the angle J, I apart.
+void IsoReader::drill_pattern(int code, std::uint32_t column) {
+  constexpr int circle = 700;
+  constexpr int line = 720;
+  const double count = words_.has('L') ? words_['L'].value : 0;
+  const bool sound = state_.motion == MotionMode::cycle && state_.cycle.begun && words_.has('I') &&
+                     count >= 1 && count <= most_repeats && count == std::floor(count);
+  if (!sound) {
+    report(Severity::error, "cycle-words", code, column, [&] {
+      return Text{fmt::format("{} drills a pattern of holes: it needs a drilling cycle before it, I and L",
+                              g_name(code)),
+                  "nothing is drilled; the units inch and mm are G20 and G21"};
+    });
+    return;
+  }
+  const std::optional<DrillingCycle> cycle = drilling_cycle(column, count);
+  if (!cycle) {
+    return;
+  }
+  const double size = state_.to_mm(words_['I'].value);
+  const double first = words_.has('J') ? units::from_deg(words_['J'].value) : 0;
+  const double apart = words_.has('K') ? units::from_deg(words_['K'].value) : 0;
+  const double step = code == circle ? 2 * std::numbers::pi / count : apart;
+  const Vec3 from = path().position();
+  path().program_axes();
+  for (double i = 0; i < count; ++i) {
+    const double angle = code == line ? first : first + i * step;
+    Vec3 hole = from_plane(
+        (code == line ? i : 1) * size * Vec2(std::cos(angle), std::sin(angle)) + in_plane(from, state_.plane),
+        state_.plane, from);
+    drill(path(), *cycle, hole);
   }
 }
 

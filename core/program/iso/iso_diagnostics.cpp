@@ -75,10 +75,11 @@ void IsoReader::check_rotary() {
     }
     const Word& word = words_[axes[i]];
     const double target = state_.incremental ? state_.further_axes[i] + word.value : word.value;
-    if (target != state_.further_axes[i]) {
+    if (target != state_.further_axes[i] && (rotary_axes_said_ >> i & 1U) == 0) {
+      rotary_axes_said_ |= 1U << i;
       report(Severity::error, "unread-axis", axes[i], word.column, [&] {
         return Text{fmt::format("axis {} moves to {}, which is not read", axes[i], target),
-                    "X, Y and Z are shown as programmed"};
+                    "X, Y and Z are shown as programmed; this is said once"};
       });
     }
     state_.further_axes[i] = target;
@@ -93,6 +94,7 @@ void IsoReader::check_unused() {
     return;
   }
   if (words_.has('E')) {
+    is_printer_ = is_printer_ || dialect_ == Dialect::grbl;
     report(Severity::info, "unused-word", 'E', words_['E'].column, [] {
       return Text{"E (extruder) is not read", "it does not change the path"};
     });

@@ -281,8 +281,11 @@ bool IsoReader::condition(Scanner& scan) {
 
 bool IsoReader::run_macro_statement(Scanner& scan) {
   const std::uint32_t column = scan.column();
-  const bool is_while = scan.take_keyword("WHILE");
-  if (is_while || scan.take_keyword("DO") || scan.take_keyword("END")) {
+  if (run_branch_statement(scan)) {
+    return true;
+  }
+  const bool is_while = take_macro_word(scan, "WHILE");
+  if (is_while || scan.take_keyword("DO") || take_macro_word(scan, "END")) {
     const FlowIndex::Statement* const statement = flow_index(text()).at(line());
     if (statement == nullptr || !is_paired(*statement)) {
       const bool ends = statement != nullptr && statement->word == FlowWord::macro_end;
@@ -302,7 +305,7 @@ bool IsoReader::run_macro_statement(Scanner& scan) {
     run_if(scan);
     return true;
   }
-  if (scan.take_keyword("GOTO")) {
+  if (take_macro_word(scan, "GOTO")) {
     go_to(scan);
     return true;
   }
@@ -319,10 +322,38 @@ bool IsoReader::run_macro_statement(Scanner& scan) {
   return false;
 }
 
+/// ELSEIF, ELSE, ENDIF of an IF over many lines.
+bool IsoReader::run_branch_statement(Scanner& scan) {
+  if (follows_linuxcnc(dialect_)) {
+    return false;
+  }
+  const std::uint32_t column = scan.column();
+  for (const FlowWord word : {FlowWord::elseif, FlowWord::else_, FlowWord::endif}) {
+    const std::string_view name = word == FlowWord::elseif  ? "ELSEIF"
+                                  : word == FlowWord::else_ ? "ELSE"
+                                                            : "ENDIF";
+    if (scan.take_keyword(name)) {
+      run_o_word(word, "", column, scan);
+      take_macro_word(scan, "THEN");
+      return true;
+    }
+  }
+  return false;
+}
+
 void IsoReader::run_if(Scanner& scan) {
   const bool holds = condition(scan);
-  const bool then = scan.take_keyword("THEN");
-  const bool go = scan.take_keyword("GOTO");
+  const std::uint32_t column = scan.column();
+  const bool then = take_macro_word(scan, "THEN");
+  if (then && scan.at_end()) {
+    const FlowIndex::Statement* const statement = flow_index(text()).at(line());
+    if (statement == nullptr || !is_paired(*statement)) {
+      throw_unpaired("IF", "ENDIF", column);
+    }
+    begin_branch(holds, *statement);
+    return;
+  }
+  const bool go = take_macro_word(scan, "GOTO");
   if (!then && !go) {
     throw ReadFault{"expression", scan.column(), "GOTO or THEN is missing after the condition",
                     "the line is left out; complete it"};

@@ -38,6 +38,9 @@ void IsoReader::add_function(int code, std::uint32_t column) {
 }
 
 void IsoReader::run_functions() {
+  if (words_.has('D') && !follows_linuxcnc(dialect_) && !words_.own_words) {
+    state_.compensation.offset = static_cast<int>(words_['D'].value);
+  }
   for (std::size_t i = 0; i < words_.function_count; ++i) {
     run_function(words_.functions[i].code, words_.functions[i].column);
   }
@@ -60,10 +63,11 @@ void IsoReader::run_function(int code, std::uint32_t column) {
       go_to_reference(code, column);
       break;
     case 290:
-      return_from_reference();
+      follows_linuxcnc(dialect_) ? report_levelling(column) : return_from_reference();
       break;
     case 500:
       coordinates_.end_scale();
+      check_turning(column);
       break;
     case 501:
     case 511:
@@ -73,10 +77,19 @@ void IsoReader::run_function(int code, std::uint32_t column) {
       scale(column);
       break;
     case 520:
-      coordinates_.set_local_shift(programmed_axes(coordinates_.local_shift()));
+      follows_linuxcnc(dialect_) ? coordinates_.set_preset(programmed_axes(coordinates_.preset()))
+                                 : coordinates_.set_local_shift(programmed_axes(coordinates_.local_shift()));
       break;
     case 680:
       rotate(column);
+      break;
+    case 682:
+      tilt(column);
+      break;
+    case 700:
+    case 710:
+    case 720:
+      drill_pattern(code, column);
       break;
     case 690:
       coordinates_.end_rotation();
@@ -117,8 +130,9 @@ bool IsoReader::lacks(std::string_view code, char letter, int g, std::uint32_t c
 
 void IsoReader::select_work_offset(int code, std::uint32_t column) {
   constexpr int numbered = 541;
+  constexpr int numbered_of_haas = 1540;
   int key = code;
-  if (code == numbered) {
+  if (code == numbered || code == numbered_of_haas) {
     const std::optional<int> further = offset_key(column, true);
     if (!further) {
       return;
@@ -228,19 +242,101 @@ void IsoReader::set_tool_radius(int kind, std::uint32_t column) {
 }
 
 void IsoReader::rotate(std::uint32_t column) {
-  if (words_.has_any("IJK")) {
-    report(Severity::error, "unread-g", 680, column, [] {
-      return Text{"G68 with I, J or K (rotation in space) is not read", "the path is shown without it"};
-    });
-    return;
-  }
   if (lacks("rotation-angle", 'R', 680, column, "the path is shown without it; write R with the angle")) {
     return;
   }
+  if (words_.has_any("IJK")) {
+    rotate_in_space(column);
+    return;
+  }
   const double angle = units::from_deg(words_['R'].value);
-  const Vec3 here = coordinates_.offsets().to_programmed(path().shown_position());
+  const Vec3 here = coordinates_.tilted().to_programmed(path().shown_position());
   coordinates_.rotate(state_.plane, programmed_axes(here),
                       state_.incremental ? coordinates_.angle() + angle : angle);
+}
+
+/// G68 X Y Z I J K R: about the axis (I, J, K) through X Y Z, counter-clockwise seen against it. A second one
+/// turns what the first one has turned.
+void IsoReader::rotate_in_space(std::uint32_t column) {
+  Vec3 axis = Vec3::Zero();
+  for (int i = 0; i < 3; ++i) {
+    const char letter = "IJK"[i];
+    axis[i] = words_.has(letter) ? words_[letter].value : 0;
+  }
+  if (axis.isZero()) {
+    report(Severity::error, "rotation-angle", 1, column, [] {
+      return Text{"G68 with I0 J0 K0 has no axis to turn about", "the path is shown without it"};
+    });
+    return;
+  }
+  const Vec3 here = coordinates_.rotated().to_programmed(path().shown_position());
+  coordinates_.tilt(CoordinateFrame::rotation(axis.normalized(), units::from_deg(words_['R'].value),
+                                              programmed_axes(here)));
+  report_tilt(column);
+}
+
+/// G68.2 X Y Z I J K: the plane with its origin at X Y Z, instead of one before it. P0: turned by the Euler
+/// angles I about Z, J about the X that this makes, K about the Z that this makes. P1 Q123: turned by I, J
+/// and K about the X, Y and Z of the workpiece in the order of Q. Last by R about its own Z.
+void IsoReader::tilt(std::uint32_t column) {
+  coordinates_.end_rotation();
+  const auto angle_of = [&](char letter) {
+    return words_.has(letter) ? units::from_deg(words_[letter].value) : 0;
+  };
+  constexpr std::string_view letters = "IJK";
+  const double kind = words_.has('P') ? words_['P'].value : 0;
+  const std::string order = words_.has('Q') ? fmt::format("{:.0f}", words_['Q'].value) : "123";
+  std::string sorted = order;
+  std::sort(sorted.begin(), sorted.end());
+  if ((kind != 0 && kind != 1) || sorted != "123") {
+    report(Severity::error, "unread-g", 682, words_.has('P') ? words_['P'].column : column, [&] {
+      return Text{
+          fmt::format(
+              "G68.2 P{} (tilted working plane by points, vectors or angles of projection) is not read",
+              kind),
+          "the path is shown without it"};
+    });
+    return;
+  }
+  CoordinateFrame turned;
+  for (std::size_t i = 0; i < letters.size(); ++i) {
+    if (kind == 0) {
+      turned =
+          turned * CoordinateFrame::rotation(i == 1 ? Vec3::UnitX() : Vec3::UnitZ(), angle_of(letters[i]));
+    } else {
+      const int axis = order[i] - '1';
+      turned =
+          CoordinateFrame::rotation(Vec3::Unit(axis), angle_of(letters[static_cast<std::size_t>(axis)])) *
+          turned;
+    }
+  }
+  coordinates_.tilt(CoordinateFrame::shift(programmed_axes(Vec3::Zero())) * turned *
+                    CoordinateFrame::rotation(Vec3::UnitZ(), angle_of('R')));
+  report_tilt(column);
+}
+
+void IsoReader::report_tilt(std::uint32_t column) {
+  report(Severity::warning, "tilted-plane", 0, column, [] {
+    return Text{"the working plane is tilted",
+                "the path is shown on the workpiece; the axes of a machine that turns it move otherwise"};
+  });
+}
+
+void IsoReader::report_levelling(std::uint32_t column) {
+  report(Severity::info, "unread-g", 290, column, [] {
+    return Text{"G29 (bed levelling of printers) is not read", "the path stays where it is"};
+  });
+}
+
+/// G50 with S limits the spindle of a lathe.
+void IsoReader::check_turning(std::uint32_t column) {
+  if (!words_.has('S') || follows_linuxcnc(dialect_)) {
+    return;
+  }
+  report(Severity::warning, "turning-program", 0, column, [] {
+    return Text{"G50 with S is of a turning program",
+                "turning is not read: X is taken as a radius, G98 and G99 as those of drilling cycles"};
+  });
 }
 
 double IsoReader::scale_factor(const Word& word) {

@@ -22,6 +22,14 @@ void IsoReader::apply_m(const Word& word) {
     case 6:
       state_.tool = words_.has('T') ? words_['T'].value : state_.selected_tool;
       break;
+    case 82:
+    case 83:
+    case 104:
+    case 109:
+    case 140:
+    case 190:
+      is_printer_ = is_printer_ || dialect_ == Dialect::grbl;
+      break;
     case 70:
     case 71:
     case 72:
@@ -118,8 +126,9 @@ bool IsoReader::begins_next_program(const Block& block) {
 }
 
 bool IsoReader::is_grbl_command(const Block& block) {
-  const bool command =
-      block.words.empty() && !block.faults.empty() && block.text_of(block.faults.front()) == "$";
+  constexpr std::string_view commands = "$?!~";
+  const bool command = block.words.empty() && !block.faults.empty() &&
+                       commands.find(block.text_of(block.faults.front())) != std::string_view::npos;
   if (command) {
     report(Severity::info, "control-command", 0, block.faults.front().column, [&] {
       return Text{fmt::format("{} is a command to the control", quoted(block.text)),

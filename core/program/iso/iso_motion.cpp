@@ -24,7 +24,8 @@ void IsoReader::move() {
   const bool is_cycle = state_.motion == MotionMode::cycle;
   const bool is_spline = state_.motion == MotionMode::spline;
   const bool moves = words_.has_any("XYZ") || words_.has_polar() || (is_arc && words_.has_any("IJKR")) ||
-                     (is_cycle && words_.has('R')) || (is_spline && words_.has('P'));
+                     (is_cycle && words_.has('R')) ||
+                     (is_spline && (words_.has('P') || (state_.spline.code == 62 && words_.has('K'))));
   if (words_.own_words || !moves) {
     cut_corner(false);
     return;
@@ -35,11 +36,11 @@ void IsoReader::move() {
     });
     state_.motion = MotionMode::rapid;
   }
-  program_axes_of_block();
-  path().set_column(words_.first_column("XYZIJKR"));
   if (!nurbs_.points.empty() && !is_spline) {
     finish();
   }
+  program_axes_of_block();
+  path().set_column(words_.first_column("XYZIJKR"));
   cut_corner(is_arc || state_.motion == MotionMode::line);
   if (is_cycle) {
     run_cycle();
@@ -72,10 +73,30 @@ void IsoReader::move() {
 
 void IsoReader::program_axes_of_block() {
   for (int axis = 0; axis < 3; ++axis) {
-    if (words_.has(axis_letters[static_cast<std::size_t>(axis)]) || (words_.has_polar() && axis < 2)) {
+    const char letter = axis_letters[static_cast<std::size_t>(axis)];
+    if (words_.has(letter) || (words_.has_polar() && axis < 2)) {
       path().program_axis(axis);
+      check_point(letter);
     }
   }
+}
+
+/// Beyond any machine's travel, but not in the thousandths that many controls take numbers without a point
+/// for.
+void IsoReader::check_point(char letter) {
+  constexpr double least_mm = 10000;
+  constexpr double least_inch = 1000;
+  const Word& word = words_[letter];
+  if (follows_linuxcnc(dialect_) || word.has_point || !words_.has(letter) ||
+      std::abs(word.value) < (state_.inch ? least_inch : least_mm)) {
+    return;
+  }
+  report(Severity::warning, "decimal-point", 0, word.column, [&] {
+    return Text{fmt::format("{}{:.0f} without a decimal point is taken as {:.0f} {}", letter, word.value,
+                            word.value, state_.inch ? "inch" : "mm"),
+                state_.inch ? "many controls take it in units of 0.0001 inch; write a point"
+                            : "many controls take it in units of 0.001 mm; write a point"};
+  });
 }
 
 void IsoReader::check_inverse_time() {
@@ -111,8 +132,8 @@ void IsoReader::cut_corner(bool at_line_or_arc) {
 
 void IsoReader::dwell() {
   constexpr double shortest_plain_p = 50;
-  for (const char letter : {'P', 'X', 'U', 'F'}) {
-    if (!words_.has(letter)) {
+  for (const char letter : {'P', 'X', 'U', 'F', 'S'}) {
+    if (!words_.has(letter) || (letter == 'S' && !is_printer_)) {
       continue;
     }
     const Word& word = words_[letter];
@@ -122,7 +143,8 @@ void IsoReader::dwell() {
       });
       return;
     }
-    const bool milliseconds = letter == 'P' && !word.has_point && !follows_linuxcnc(dialect_);
+    const bool milliseconds =
+        letter == 'P' && (is_printer_ || (!word.has_point && !follows_linuxcnc(dialect_)));
     if (milliseconds && dialect_ == Dialect::iso && word.value > 0 && word.value < shortest_plain_p) {
       report(Severity::info, "dwell-unit", 0, word.column, [&] {
         return Text{fmt::format("P{0} without a decimal point is taken as {0} milliseconds", word.value),

@@ -29,6 +29,14 @@ IsoReader::IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions
       variables_(dialect_),
       expression_(dialect_, *this) {
   state_.absolute_centers = absolute_centers;
+  argument_lexer_.take_e_as_word();
+}
+
+/// The arguments of a macro call may hold E behind a number, "K1.E5.".
+bool IsoReader::calls_macro(const Block& block) {
+  return std::any_of(block.words.begin(), block.words.end(), [](const Word& word) {
+    return word.letter == 'G' && (word.value == 65 || word.value == 66);
+  });
 }
 
 bool IsoReader::doubts_centers() const {
@@ -64,7 +72,9 @@ std::uint32_t IsoReader::Words::first_column(Letters letters) const {
 }
 
 void IsoReader::run_line(std::string_view line) {
-  const Block& block = lexer_.read(line);
+  const Block& as_words = lexer_.read(line);
+  const Block& block =
+      !as_words.faults.empty() && calls_macro(as_words) ? argument_lexer_.read(line) : as_words;
   const bool skipped = options().skip_deleted_blocks && block.delete_level > 0;
   const std::size_t depth = call_depth();
   bool percent = block.percent > 0;
@@ -267,8 +277,11 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
       begin_spline(code, word);
       break;
     case GAction::cancel_cycle: {
-      const bool is_cycle = state_.motion == MotionMode::cycle || state_.motion == MotionMode::unread;
-      state_.motion = is_cycle ? MotionMode::none : state_.motion;
+      if (state_.motion == MotionMode::cycle && !follows_linuxcnc(dialect_)) {
+        state_.motion = state_.before_cycle;
+      } else if (state_.motion == MotionMode::cycle || state_.motion == MotionMode::unread) {
+        state_.motion = MotionMode::none;
+      }
       break;
     }
     case GAction::own_words:

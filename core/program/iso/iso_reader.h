@@ -16,6 +16,7 @@
 #include "core/program/iso/iso_expression.h"
 #include "core/program/iso/iso_variables.h"
 #include "core/program/iso/modal_state.h"
+#include "core/program/path/drilling_cycle.h"
 #include "core/program/reader.h"
 #include "core/program/text/lexer.h"
 #include "core/program/text/read_fault.h"
@@ -85,6 +86,7 @@ class IsoReader : public Reader, private VariableSource {
 
   /// `readable`: false for a block of which words could not be read; it does not move.
   void run_block(const Block& block, bool readable);
+  static bool calls_macro(const Block& block);
   void report_faults(const Block& block);
   void gather(const Block& block);
   void apply_g(const Block& block, const Word& word);
@@ -102,6 +104,7 @@ class IsoReader : public Reader, private VariableSource {
   void check_inverse_time();
   void cut_corner(bool at_line_or_arc);
   void program_axes_of_block();
+  void check_point(char letter);
   Vec3 target_of_block();
   Vec3 center_of_block(bool absolute) const;
 
@@ -149,6 +152,7 @@ class IsoReader : public Reader, private VariableSource {
   bool run_o_word(const Block& block, Scanner& scan);
   void run_o_word(FlowWord word, const std::string& label, std::uint32_t column, Scanner& scan);
   bool run_macro_statement(Scanner& scan);
+  bool run_branch_statement(Scanner& scan);
   void run_if(Scanner& scan);
   void go_to(Scanner& scan);
   /// A condition that cannot be read is reported and does not hold.
@@ -250,6 +254,11 @@ class IsoReader : public Reader, private VariableSource {
   void preset_work_offset(std::uint32_t column);
   void set_tool_radius(int kind, std::uint32_t column);
   void rotate(std::uint32_t column);
+  void rotate_in_space(std::uint32_t column);
+  void tilt(std::uint32_t column);
+  void report_tilt(std::uint32_t column);
+  void report_levelling(std::uint32_t column);
+  void check_turning(std::uint32_t column);
   void scale(std::uint32_t column);
   double scale_factor(const Word& word);
   void mirror(bool on);
@@ -276,7 +285,8 @@ class IsoReader : public Reader, private VariableSource {
   struct Nurbs {
     std::vector<ControlPoint> points;  ///< empty outside of G5.2
     std::size_t order = 3;
-    Vec3 end = Vec3::Zero();  ///< last point [mm]
+    Vec3 end = Vec3::Zero();    ///< last point [mm]
+    std::vector<double> knots;  ///< Fanuc's; empty: a clamped curve
   };
   void begin_spline(const GCode& code, const Word& word);
   void run_spline();
@@ -289,18 +299,30 @@ class IsoReader : public Reader, private VariableSource {
   /// True, reported and a line written, if the block has neither of the two.
   bool lacks_spline_words(char first, char second);
   void add_control_point();
+  /// X Y Z of the block, absolute or from `place` on.
+  Vec3 target_from(const Vec3& place) const;
+  void add_fanuc_control_point();
   void end_nurbs();
+  void end_fanuc_nurbs();
+  void write_nurbs(const std::vector<ControlPoint>& points, const std::vector<double>& knots);
   void finish() override;
 
   // Drilling cycles: iso_cycles.cpp.
   void begin_cycle(const GCode& code, const Word& word);
   void run_cycle();
   void gather_cycle();
+  /// None, and reported, if it has no bottom or no levels that fit.
+  std::optional<DrillingCycle> drilling_cycle(std::uint32_t column, double repeats);
+  void gather_pecks();
+  void drill_pattern(int code, std::uint32_t column);
   bool check_cycle(std::uint32_t column);
   double cycle_repeats();
 
   Dialect dialect_;
   Lexer lexer_;
+  Lexer argument_lexer_;                ///< for arguments of macros
+  bool is_printer_ = false;             ///< M or E words of printers were met
+  std::uint32_t rotary_axes_said_ = 0;  ///< bit per letter
   ModalState state_;
   Nurbs nurbs_;
   IsoCoordinates coordinates_;

@@ -1,7 +1,9 @@
-// The part of IsoReader that reads LinuxCNC's splines: G5 (cubic), G5.1 (quadratic), G5.2 and G5.3 (NURBS).
+// The part of IsoReader that reads LinuxCNC's splines: G5 (cubic), G5.1 (quadratic), G5.2 and G5.3 (NURBS),
+// and Fanuc's G6.2.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "core/program/iso/iso_reader.h"
@@ -14,6 +16,7 @@ namespace {
 
 constexpr int cubic = 50;
 constexpr int quadratic = 51;
+constexpr int fanuc_nurbs = 62;
 constexpr int nurbs = 52;
 constexpr int nurbs_end = 53;
 constexpr std::size_t least_nurbs_order = 3;
@@ -31,6 +34,9 @@ void IsoReader::begin_spline(const GCode& code, const Word& word) {
     end_nurbs();
     state_.motion = MotionMode::none;
     return;
+  }
+  if (code.number == fanuc_nurbs) {
+    end_nurbs();
   }
   const bool goes_on = state_.motion == MotionMode::spline && state_.spline.code == code.number;
   state_.motion = MotionMode::spline;
@@ -64,6 +70,9 @@ void IsoReader::run_spline() {
       break;
     case quadratic:
       quadratic_spline();
+      break;
+    case fanuc_nurbs:
+      add_fanuc_control_point();
       break;
     default:
       add_control_point();
@@ -108,6 +117,10 @@ void IsoReader::write_curve(const ParametricCurve& curve) {
   path().curve(curve, 0, 1, words_.first_column("XYZIJPQ"));
 }
 
+Vec3 IsoReader::target_from(const Vec3& place) const {
+  return state_.incremental ? Vec3(place + programmed_axes(Vec3::Zero())) : programmed_axes(place);
+}
+
 void IsoReader::add_control_point() {
   const bool names_place = words_.has_any("XY");
   const double weight = words_.has('P') ? words_['P'].value : names_place ? 0 : 1;
@@ -136,14 +149,100 @@ void IsoReader::add_control_point() {
     nurbs_.order = static_cast<std::size_t>(std::min(words_['L'].value, most));
   }
   if (names_place) {
-    const Vec3 words = programmed_axes(state_.incremental ? Vec3(Vec3::Zero()) : nurbs_.end);
-    nurbs_.end = state_.incremental ? Vec3(nurbs_.end + words) : words;
+    nurbs_.end = target_from(nurbs_.end);
     nurbs_.points.push_back(point);
     nurbs_.points.back().at = nurbs_.end;
   }
 }
 
+/// G6.2 P order K knot X Y Z R weight; K X Y Z R; ... and as many blocks with K alone as the order says.
+void IsoReader::add_fanuc_control_point() {
+  constexpr std::size_t least_order = 2;
+  if (nurbs_.points.empty()) {
+    nurbs_ = {};
+    nurbs_.order = 4;
+    nurbs_.end = path().position();
+    if (words_.has('P')) {
+      const double order = words_['P'].value;
+      const bool fits = order >= least_order && order <= most_spline_degree + 1 && order == std::floor(order);
+      if (!fits) {
+        report(Severity::error, "spline-words", 'P', words_['P'].column, [&] {
+          return Text{fmt::format("order P{} of G6.2 is not from {} to {}", order, least_order,
+                                  most_spline_degree + 1),
+                      "4 is taken"};
+        });
+      }
+      nurbs_.order = fits ? static_cast<std::size_t>(order) : nurbs_.order;
+    }
+  }
+  if (words_.has('K')) {
+    nurbs_.knots.push_back(words_['K'].value);
+  }
+  if (words_.has_any("XYZ")) {
+    nurbs_.end = target_from(nurbs_.end);
+    const double weight = words_.has('R') ? words_['R'].value : 1;
+    if (!(weight > 0)) {
+      report(Severity::error, "spline-words", 'R', words_['R'].column, [] {
+        return Text{"a control point of G6.2 without a weight above zero",
+                    "1 is taken; write R with the weight"};
+      });
+    }
+    nurbs_.points.push_back({nurbs_.end, weight > 0 ? weight : 1, shown_line(), place(0)});
+  }
+}
+
+void IsoReader::end_fanuc_nurbs() {
+  const std::vector<ControlPoint> points = std::move(nurbs_.points);
+  const std::vector<double> knots = std::move(nurbs_.knots);
+  nurbs_.points.clear();
+  nurbs_.knots.clear();
+  const std::size_t degree = nurbs_.order - 1;
+  const bool sound = points.size() > degree && knots.size() == points.size() + nurbs_.order &&
+                     std::is_sorted(knots.begin(), knots.end()) && knots[degree] < knots[points.size()];
+  path().begin_line(points.back().line, points.back().place);
+  path().program_axes();
+  if (!sound) {
+    log().add(Severity::error, "spline-words", fanuc_nurbs, points.back().place, [&] {
+      return Text{
+          fmt::format("G6.2 of order {} with {} control points and {} knots K", nurbs_.order, points.size(),
+                      knots.size()),
+          "a straight line to the last point is taken instead; write as many K that do not fall as points "
+          "and order together"};
+    });
+    path().line(points.back().at);
+  } else {
+    write_nurbs(points, knots);
+  }
+  path().begin_line(shown_line(), place(0));
+}
+
+void IsoReader::write_nurbs(const std::vector<ControlPoint>& points, const std::vector<double>& knots) {
+  const std::size_t degree = knots.size() - points.size() - 1;
+  std::vector<Eigen::Vector4d> weighted_points;
+  for (const ControlPoint& point : points) {
+    weighted_points.push_back(weighted(point.at, point.weight));
+  }
+  bool begun = false;
+  for (std::size_t i = degree; i < points.size(); ++i) {
+    if (!(knots[i] < knots[i + 1])) {
+      continue;
+    }
+    const auto span = [&](double u) { return b_spline_place(weighted_points, knots, degree, i, u); };
+    path().begin_line(points[i].line, points[i].place);
+    path().program_axes();
+    if (!begun && (span(knots[i]).point - path().position()).norm() > same_point) {
+      path().line(span(knots[i]).point);
+    }
+    begun = true;
+    path().curve(span, knots[i], knots[i + 1], points[i].place.column);
+  }
+}
+
 void IsoReader::end_nurbs() {
+  if (!nurbs_.points.empty() && state_.spline.code == fanuc_nurbs) {
+    end_fanuc_nurbs();
+    return;
+  }
   const std::vector<ControlPoint> points = std::move(nurbs_.points);
   nurbs_.points.clear();
   if (points.empty()) {
@@ -159,23 +258,13 @@ void IsoReader::end_nurbs() {
     path().line(points.back().at);
     return;
   }
-  std::vector<Eigen::Vector4d> weighted_points;
-  for (const ControlPoint& point : points) {
-    weighted_points.push_back(weighted(point.at, point.weight));
-  }
-  const std::vector<double> knots = clamped_knots(points.size(), degree);
-  for (std::size_t i = degree; i < points.size(); ++i) {
-    const ControlPoint& point = points[i];
-    path().begin_line(point.line, point.place);
-    path().program_axes();
-    path().curve([&](double u) { return b_spline_place(weighted_points, knots, degree, i, u); }, knots[i],
-                 knots[i + 1], point.place.column);
-  }
+  write_nurbs(points, clamped_knots(points.size(), degree));
   path().begin_line(shown_line(), place(0));
 }
 
 void IsoReader::finish() {
-  if (nurbs_.points.empty()) {
+  if (nurbs_.points.empty() || state_.spline.code == fanuc_nurbs) {
+    end_nurbs();
     return;
   }
   report(Severity::error, "spline-words", nurbs, 0, [&] {

@@ -38,8 +38,11 @@ struct CycleState {
   bool bottom_from_retract = false;  ///< as programmed with G91
   bool has_retract = false;
   bool has_bottom = false;
-  double peck = 0;   ///< Q
-  double dwell = 0;  ///< [s]
+  double peck = 0;            ///< Q, or the first one, I of Haas
+  double peck_less = 0;       ///< J of Haas: by which each peck is smaller than the one before
+  double peck_least = 0;      ///< K of Haas
+  Vec3 aside = Vec3::Zero();  ///< I J K of G76 and G87, instead of Q
+  double dwell = 0;           ///< [s]
 };
 
 struct SplineState {
@@ -59,6 +62,7 @@ struct CompensationState {
 /// What stays in force from block to block.
 struct ModalState {
   MotionMode motion = MotionMode::none;
+  MotionMode before_cycle = MotionMode::none;  ///< G0 to G3, which Fanuc's G80 goes back to
   Plane plane = Plane::xy;
   bool inch = false;
   bool incremental = false;       ///< G91

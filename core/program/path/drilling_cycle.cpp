@@ -76,8 +76,11 @@ class Drill {
   void pecks() {
     rapid(cycle_.retract);
     const double step = cycle_.peck > 0 ? cycle_.peck : cycle_.retract - cycle_.bottom;
-    for (double count = 1, depth = cycle_.retract; depth > cycle_.bottom; ++count) {
-      depth = cycle_.retract - count * step;
+    double to = 0;
+    for (double count = 0, depth = cycle_.retract; depth > cycle_.bottom; ++count) {
+      const double shorter = std::max(step - count * cycle_.peck_less, std::min(step, cycle_.peck_least));
+      to = cycle_.peck_less > 0 ? to + shorter : (count + 1) * step;
+      depth = cycle_.retract - to;
       depth = depth > cycle_.bottom + same_point ? depth : cycle_.bottom;
       feed(depth);
       if (depth > cycle_.bottom) {
@@ -108,7 +111,8 @@ class Drill {
 }  // namespace
 
 double peck_count(const DrillingCycle& cycle) {
-  return cycle.peck > 0 ? std::ceil((cycle.retract - cycle.bottom) / cycle.peck) : 1;
+  const double least = cycle.peck_less > 0 ? std::min(cycle.peck, cycle.peck_least) : cycle.peck;
+  return cycle.peck > 0 ? std::ceil((cycle.retract - cycle.bottom) / least) : 1;
 }
 
 void drill(PathWriter& path, const DrillingCycle& cycle, const Vec3& hole) {

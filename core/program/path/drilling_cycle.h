@@ -20,18 +20,20 @@ enum class DrillingMotion : std::uint8_t {
 /// A hole in programmed coordinates; levels are those along the tool's axis, which points out of the hole.
 struct DrillingCycle {
   DrillingMotion motion = DrillingMotion::rapid_out;
-  int axis = 2;          ///< of the tool
-  double initial = 0;    ///< level before the first hole [mm]
-  double retract = 0;    ///< level from which the tool feeds [mm]
-  double bottom = 0;     ///< level the tool feeds to [mm]
-  double peck = 0;       ///< depth of one feed, > 0; 0: all at once [mm]
-  double clearance = 0;  ///< lift of a chip break; distance from the last depth at which a peck begins [mm]
-  double dwell = 0;      ///< at the bottom [s]
+  int axis = 2;           ///< of the tool
+  double initial = 0;     ///< level before the first hole [mm]
+  double retract = 0;     ///< level from which the tool feeds [mm]
+  double bottom = 0;      ///< level the tool feeds to [mm]
+  double peck = 0;        ///< depth of one feed, > 0; 0: all at once [mm]
+  double peck_less = 0;   ///< by which each feed is shorter than the one before, >= 0 [mm]
+  double peck_least = 0;  ///< which no feed falls below, > 0 with `peck_less` [mm]
+  double clearance = 0;   ///< lift of a chip break; distance from the last depth at which a peck begins [mm]
+  double dwell = 0;       ///< at the bottom [s]
   Vec3 aside = Vec3::Zero();  ///< off the wall [mm]
   bool to_initial = true;     ///< ends at the initial level, else at the retract level
 };
 
-/// Feeds down that the cycle needs; of use as long as it is small.
+/// Feeds down that the cycle needs at most; of use as long as it is small.
 double peck_count(const DrillingCycle& cycle);
 
 /// Rapid above `hole` at the present level, or the retract level if that is higher; then the cycle.

@@ -137,7 +137,7 @@ std::size_t Lexer::read_word(std::size_t at) {
   const std::size_t number_end =
       status == std::errc::invalid_argument ? i : static_cast<std::size_t>(stop - text.data());
   const std::size_t next = skip_blanks(text, number_end);
-  const bool exponent = number_end < text.size() && to_upper(text[number_end]) == 'E' &&
+  const bool exponent = !e_is_word_ && number_end < text.size() && to_upper(text[number_end]) == 'E' &&
                         number_end + 1 < text.size() && is_number_part(text[number_end + 1]);
   if (number_end == i || exponent || (next < text.size() && is_number_part(text[next]))) {
     return add_fault(FaultKind::malformed_number, at, bad_number_end(text, next));
@@ -151,7 +151,8 @@ std::size_t Lexer::read_word(std::size_t at) {
     return stop_at(at);
   }
   const bool has_point = text.substr(i, number_end - i).find('.') != std::string_view::npos;
-  block_.words.push_back({to_upper(text[at]), has_point, static_cast<std::uint32_t>(at + 1),
+  const char letter = text[at] == ':' ? 'O' : to_upper(text[at]);
+  block_.words.push_back({letter, has_point, static_cast<std::uint32_t>(at + 1),
                           static_cast<std::uint32_t>(number_end - at), negative ? -value : value});
   return number_end;
 }
@@ -167,7 +168,9 @@ const Block& Lexer::read(std::string_view line) {
   std::size_t at = 0;
   while ((at = skip_blanks(line, at)) < line.size()) {
     const char c = line[at];
-    if (is_letter(c)) {
+    const bool is_program_number = c == ':' && brackets_ == Brackets::comment && block_.words.empty() &&
+                                   at + 1 < line.size() && is_digit(line[at + 1]);
+    if (is_letter(c) || is_program_number) {
       at = read_word(at);
     } else if (c == '(' && brackets_ == Brackets::comment) {
       at = read_comment(at);

@@ -66,10 +66,15 @@ enum class Brackets : std::uint8_t {
 /// Takes the lines of address-letter dialects apart, free of what the words mean.
 ///
 /// Upper and lower case are the same. Blanks may stand between words, after the letter and after the sign,
-/// or nowhere. ";" starts a comment. Numbers are decimal with a point, whatever the locale.
+/// or nowhere. ";" starts a comment. Numbers are decimal with a point, whatever the locale. ":100" at the
+/// start of a line is O100, as tapes have it.
 class Lexer {
  public:
   explicit Lexer(Brackets brackets = Brackets::comment) : brackets_(brackets) {}
+
+  /// From now on "K1.E5." is two words, as in the arguments of a macro; else the E would be taken for an
+  /// exponent, which no word has.
+  void take_e_as_word() { e_is_word_ = true; }
 
   /// The block holds until the next call; its storage is used again.
   const Block& read(std::string_view line);
@@ -85,6 +90,7 @@ class Lexer {
   Block block_;
   CommentEnds comment_ends_;
   Brackets brackets_;
+  bool e_is_word_ = false;
 };
 
 }  // namespace feedscope

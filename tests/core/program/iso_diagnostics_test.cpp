@@ -66,7 +66,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"G0 X1 E3", "f:1:7: info: E (extruder) is not read [unused-word] (it does not change the path)"},
         Case{"G0 X1 B90",
              "f:1:7: error: axis B moves to 90, which is not read [unread-axis] (X, Y and Z are "
-             "shown as programmed)"},
+             "shown as programmed; this is said once)"},
         Case{"G0 X1\nM98 P1000",
              "f:2:5: error: M98 calls program 1000, which is neither in the program nor a file beside it "
              "[subprogram] (its motion is left out; put it beside the program as O1000)"},

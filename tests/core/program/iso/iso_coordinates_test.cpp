@@ -134,9 +134,13 @@ INSTANTIATE_TEST_SUITE_P(
             "f:2:1: error: G68 without R [rotation-angle] (the path is shown without it; write R with the "
             "angle)"},
         FaultCase{
-            "G0 X1\nG68 X0 Y0 Z0 I0 J0 K1 R30",
-            "f:2:1: error: G68 with I, J or K (rotation in space) is not read [unread-g] (the path is shown "
+            "G0 X1\nG68 X0 Y0 Z0 I0 J0 K0 R30",
+            "f:2:1: error: G68 with I0 J0 K0 has no axis to turn about [rotation-angle] (the path is shown "
             "without it)"},
+        FaultCase{
+            "G0 X1\nG68.2 P2 X0 Y0 Z0",
+            "f:2:7: error: G68.2 P2 (tilted working plane by points, vectors or angles of projection) is not "
+            "read [unread-g] (the path is shown without it)"},
         FaultCase{
             "G0 X1\nG51 X0 Y0",
             "f:2:1: error: G51 without P [scale-factor] (the path is shown without it; write P with the "
@@ -162,6 +166,68 @@ TEST(IsoTransforms, FeedIsInverseTimeOrPerRevolution) {
   EXPECT_EQ(read_clean_as(linuxcnc, "G93 G1 X10 F6").motions.at(0).feed, 1) << "10 mm in a sixth of a minute";
   EXPECT_EQ(read_clean_as(fanuc, "G95 S1200 G1 X10 F0.5").motions.at(0).feed, 10);
   EXPECT_EQ(read_clean_as(fanuc, "G95 S1200 G1 X10 F0.5\nG94 X20 F60").motions.at(1).feed, 1);
+}
+
+/// What a program with a tilted plane moves; that it is tilted is all that may be said.
+Lines tilted(const std::string& text) {
+  const Program program = read_as(Dialect::fanuc, text);
+  EXPECT_FALSE(program.diagnostics.empty()) << text;
+  for (const Diagnostic& diagnostic : program.diagnostics) {
+    EXPECT_EQ(diagnostic.code, "tilted-plane");
+  }
+  return text_of(program);
+}
+
+TEST(IsoTiltedPlane, StandsOnTheFacesOfACube) {
+  // A cube of 50: the plane's X runs along the lower edge, its Y up, its Z out of the face.
+  EXPECT_EQ(tilted("G68.2 X0 Y0 Z-50 I0 J90 K0\nG0 X10 Y20 Z5"), (Lines{"rapid 10 -5 -30 @2"})) << "front";
+  EXPECT_EQ(tilted("G68.2 X50 Y0 Z-50 I90 J90 K0\nG0 X10 Y20 Z5"), (Lines{"rapid 55 10 -30 @2"})) << "right";
+  EXPECT_EQ(tilted("G68.2 X50 Y50 Z-50 I180 J90 K0\nG0 X10 Y20 Z5"), (Lines{"rapid 40 55 -30 @2"})) << "back";
+  EXPECT_EQ(tilted("G68.2 X0 Y50 Z-50 I-90 J90 K0\nG0 X10 Y20 Z5"), (Lines{"rapid -5 40 -30 @2"})) << "left";
+}
+
+TEST(IsoTiltedPlane, TurnsLastAboutItsOwnZAndEnds) {
+  EXPECT_EQ(tilted("G68.2 X0 Y0 Z0 I0 J90 K90\nG0 X10 Y0 Z0\nG69\nX1 Y2 Z3"),
+            (Lines{"rapid 0 0 10 @2", "rapid 1 2 3 @4"}));
+}
+
+TEST(IsoTiltedPlane, LiesOnTheWorkOffsetAndReplacesTheOneBefore) {
+  EXPECT_EQ(tilted("G10 L2 P1 X100\nG54\nG68.2 X0 Y0 Z0 I0 J0 K90\nG68.2 X1 Y0 Z0 I0 J90 K0\nG0 X10 Y20 Z5"),
+            (Lines{"rapid 111 -5 20 @5"}));
+}
+
+TEST(IsoTiltedPlane, RollPitchYawMakesTheSamePlane) {
+  // One plane in two ways, as in the tests of a LinuxCNC with G68.2.
+  const auto end = [](const std::string& words) {
+    return read_as(Dialect::fanuc, "G68.2 " + words + "\nG0 X1 Y2 Z3").motions.back().target;
+  };
+  const Vec3 euler = end("X10 Y20 Z30 I25 J40 K-15");
+  EXPECT_NEAR((end("P1 Q123 X10 Y20 Z30 I39.025043525 J9.576578516 K13.400523974") - euler).norm(), 0, 1e-7);
+  // First about Z, then about X: what lay on X goes to Y, and from there to Z.
+  EXPECT_NEAR((end("P1 Q321 X0 Y0 Z0 I90 J0 K90") - Vec3(-2, -3, 1)).norm(), 0, 1e-12);
+  EXPECT_NEAR((end("X0 Y0 Z0 I0 J0 K0 R90") - Vec3(-2, 1, 3)).norm(), 0, 1e-12);
+}
+
+TEST(IsoLocalShift, OfLinuxcncIsThatOfG92) {
+  EXPECT_EQ(text_of(read_clean_as(Dialect::linuxcnc, "G92 X1 Y2\nG52 X5\nG0 X0 Y0\nG92.1\nX0 Y0")),
+            (Lines{"rapid 5 -2 0 @3", "rapid 0 0 0 @5"}));
+}
+
+TEST(IsoTiltedPlane, ArcsTiltToo) {
+  const Program program =
+      read_as(Dialect::fanuc, "G68.2 X0 Y0 Z0 I0 J90 K0\nG0 X10 Y0 Z0\nG3 X0 Y10 I-10 F100");
+  ASSERT_EQ(program.arcs.size(), 1U);
+  EXPECT_NEAR((program.arcs[0].axis - Vec3(0, -1, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR((program.motions.back().target - Vec3(0, 0, 10)).norm(), 0, 1e-12);
+}
+
+TEST(IsoTiltedPlane, RotationsInSpaceFollowEachOther) {
+  EXPECT_EQ(tilted("G68 X0 Y0 Z0 I1 J0 K0 R90\nG0 X1 Y2 Z3"), (Lines{"rapid 1 -3 2 @2"}));
+  EXPECT_EQ(tilted("G68 X10 Y0 Z0 I0 J1 K0 R90\nG0 X11 Y0 Z0"), (Lines{"rapid 10 0 -1 @2"}));
+  // The second one turns about the X that the first one has turned to Y.
+  const Program twice =
+      read_as(Dialect::fanuc, "G68 X0 Y0 Z0 I0 J0 K1 R90\nG68 X0 Y0 Z0 I1 J0 K0 R90\nG0 X0 Y10 Z0");
+  EXPECT_EQ(text_of(twice), (Lines{"rapid 0 0 10 @3"}));
 }
 
 }  // namespace

@@ -173,6 +173,27 @@ INSTANTIATE_TEST_SUITE_P(
               "f:2:6: error: there is no block N7 to go to [jump-target] (the jump is left out; correct the "
               "number)"}));
 
+TEST(IsoFlow, IfOverManyLinesTakesTheBranchThatHolds) {
+  const auto branch = [](int value) {
+    return fanuc("#1=" + std::to_string(value) +
+                 "\nIF[#1EQ1]THEN\nX1\nELSEIF [#1 EQ 2] THEN (two)\nX2\nIF[1]THEN\nX2.5\nENDIF\nELSE\nX3\n"
+                 "N20 ENDIF\nX9");
+  };
+  EXPECT_EQ(branch(1), (Way{1, 9}));
+  EXPECT_EQ(branch(2), (Way{2, 2.5, 9}));
+  EXPECT_EQ(branch(3), (Way{3, 9}));
+}
+
+TEST(IsoFlow, TheFirstTwoLettersOfAMacroWordAreEnough) {
+  EXPECT_EQ(fanuc("#1=0\nWH[#1LT3]DO1\n#1=#1+1\nX#1\nEN1\nIF[#1EQ3]GO5\nX8\nN5X9\nIF[1]TH#2=7\nX#2"),
+            (Way{1, 2, 3, 9, 7}));
+}
+
+TEST(IsoFlow, AnIfOverManyLinesNeedsItsEnd) {
+  EXPECT_EQ(said_of(Dialect::fanuc, "G0 X1\nIF[1]THEN\nX2"),
+            "f:2:6: error: \"IF\" has no ENDIF [flow-pair] (it is left out; check the labels)");
+}
+
 TEST(IsoFlow, AnEndlessLoopIsStopped) {
   for (const auto& [dialect, text] :
        {std::pair(Dialect::linuxcnc, "o1 while [1]\nX1\no1 endwhile\n"),

@@ -131,6 +131,46 @@ TEST(IsoSplines, InverseTimeIsThatOfTheWholeCurve) {
   EXPECT_NEAR(time, 1, 1e-9);
 }
 
+TEST(FanucNurbs, MakeAnExactQuarterCircle) {
+  const Program program = read_as(Dialect::fanuc,
+                                  "G0 X10 Y0\nG6.2 P3 K0 X10 Y0 R1 F60\nK0 X10 Y10 R0.70710678118654752\n"
+                                  "K0 X0 Y10 R1\nK1\nK1\nK1\nG1 X-5");
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(program.diagnostics[0].code, "curve-as-arcs");
+  ASSERT_EQ(program.arcs.size(), 2U);
+  for (const ArcWords& arc : program.arcs) {
+    EXPECT_NEAR(arc.center.norm(), 0, 1e-9);
+  }
+  EXPECT_EQ(program.motions[2].target, Vec3(0, 10, 0));
+  EXPECT_EQ(program.motions.back().target, Vec3(-5, 10, 0));
+  EXPECT_EQ(program.motions.back().motion, Motion::line);
+}
+
+TEST(FanucNurbs, OfOrderFourIsABezierCurveInSpaceAndMayFollowAnother) {
+  const std::string curve =
+      "G6.2 P4 K0 X0 Y0 Z0 F60\nK0 X0 Y10 Z1\nK0 X10 Y10 Z2\nK0 X10 Y0 Z3\nK1\nK1\nK1\nK1\n";
+  const std::string next = "G6.2 K0 X10 Y0 Z3\nK0 X10 Y-10\nK0 X20 Y-10\nK0 X20 Y0\nK1\nK1\nK1\nK1\nM30";
+  const Program program = read_as(Dialect::fanuc, curve + next);
+  EXPECT_FALSE(has_errors(program.diagnostics));
+  const Toolpath path = build_toolpath(program);
+  double near_middle = 1e9;
+  for (const MotionBlock& block : program.motions) {
+    near_middle = std::min(near_middle, (block.target - Vec3(5, 7.5, 1.5)).norm());
+  }
+  EXPECT_LT(near_middle, 1e-6) << "(P0 + 3 P1 + 3 P2 + P3) / 8";
+  EXPECT_EQ(program.motions.back().target, Vec3(20, 0, 3));
+}
+
+TEST(FanucNurbs, SayWhatDoesNotMakeACurve) {
+  const Program program = read_as(Dialect::fanuc, "G6.2 P4 K0 X0 Y0 F60\nK0 X0 Y10\nK1 X10 Y10\nG0 X9");
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(format(program.diagnostics[0], "f"),
+            "f:3: error: G6.2 of order 4 with 3 control points and 3 knots K [spline-words] (a straight line "
+            "to the "
+            "last point is taken instead; write as many K that do not fall as points and order together)");
+  EXPECT_EQ(text_of(program), (Lines{"line 10 10 0 @3", "rapid 9 10 0 @4"}));
+}
+
 struct FaultCase {
   const char* text;
   const char* expected;

@@ -1,0 +1,124 @@
+// Words of single makes of controls: Haas, printers, tapes.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/core/program/iso/iso_text.h"
+#include "tests/core/program/motion_text.h"
+
+namespace feedscope {
+namespace {
+
+/// Places of the holes: where feed moves end at Z-1.
+Lines holes(const std::string& text) {
+  Lines places;
+  for (const std::string& line : text_of(read_clean_as(Dialect::fanuc, text))) {
+    if (line.starts_with("line") && line.find(" -1 @") != std::string::npos) {
+      places.push_back(line.substr(5, line.find(" -1 @") - 5));
+    }
+  }
+  return places;
+}
+
+TEST(HaasPatterns, HolesOnACircleAnArcAndALine) {
+  const std::string drill = "G0 X100 Y50\nG81 Z-1 R1 F100 L0\n";
+  EXPECT_EQ(holes(drill + "G70 I10 J90 L4"), (Lines{"100 60", "90 50", "100 40", "110 50"}));
+  EXPECT_EQ(holes(drill + "G71 I10 J0 K45 L3"), (Lines{"110 50", "107.071068 57.071068", "100 60"}));
+  EXPECT_EQ(holes(drill + "G72 I10 J180 L3"), (Lines{"100 50", "90 50", "80 50"}));
+}
+
+TEST(HaasPatterns, NeedACycle) {
+  EXPECT_EQ(said_of(Dialect::fanuc, "G0 X1\nG70 I10 J90 L4"),
+            "f:2:1: error: G70 drills a pattern of holes: it needs a drilling cycle before it, I and L "
+            "[cycle-words] "
+            "(nothing is drilled; the units inch and mm are G20 and G21)");
+}
+
+TEST(HaasPecks, BecomeSmallerFromTheFirstToTheLeast) {
+  // Pecks of 5, 4, 3, 2, 2 and what is left of 17.
+  const Program program = read_clean_as(Dialect::fanuc, "G0 Z2\nG99 G83 X1 Z-15 R2 I5 J1 K2 F100\nX9");
+  Lines feeds;
+  for (const std::string& line : text_of(program)) {
+    if (line.starts_with("line 1 ")) {
+      feeds.push_back(line);
+    }
+  }
+  EXPECT_EQ(feeds, (Lines{"line 1 0 -3 @2", "line 1 0 -7 @2", "line 1 0 -10 @2", "line 1 0 -12 @2",
+                          "line 1 0 -14 @2", "line 1 0 -15 @2"}));
+}
+
+TEST(FineBoring, StepsAsideByIAndJ) {
+  EXPECT_EQ(text_of(read_clean_as(Dialect::fanuc, "G0 Z2\nG99 G76 X1 Y2 Z-5 R2 I0.1 J-0.2 F100")),
+            (Lines{"rapid 0 0 2 @1", "rapid 1 2 2 @2", "line 1 2 -5 @2", "rapid 1.1 1.8 -5 @2",
+                   "rapid 1.1 1.8 2 @2", "rapid 1 2 2 @2"}));
+}
+
+TEST(HaasOffsets, FurtherOnesAreThoseOfG541) {
+  EXPECT_EQ(text_of(read_clean_as(Dialect::fanuc, "G10 L20 P3 X100\nG154 P3\nG0 X1")),
+            (Lines{"rapid 101 0 0 @3"}));
+}
+
+TEST(HaasWords, ThatAreNotReadDoNotMove) {
+  for (const char* const word :
+       {"G12 I10 Z-1 D1 F100", "G47 P0 X5 Y5 I0 J1 R1 Z-1 F10", "G150 X1 Y1 Z-1 P2"}) {
+    const Program program = read_as(Dialect::fanuc, std::string("G0 Z5\n") + word);
+    EXPECT_TRUE(has_errors(program.diagnostics)) << word;
+    EXPECT_EQ(text_of(program), (Lines{"rapid 0 0 5 @1"})) << word;
+  }
+}
+
+TEST(MacroArguments, MayHoldEBehindANumber) {
+  const std::string macro = "\nM30\nO9000\nG0 X#8 Y#6 Z#9\nM99";
+  EXPECT_EQ(text_of(read_clean_as(Dialect::fanuc, "O1\nG65P9000K1.E100.F200." + macro)),
+            (Lines{"rapid 100 1 200 @5"}));
+  EXPECT_EQ(text_of(read_clean_as(Dialect::fanuc, "O1\nG65P9000F600E41K2" + macro)),
+            (Lines{"rapid 41 2 600 @5"}));
+}
+
+TEST(Tapes, AColonIsAnO) {
+  EXPECT_EQ(text_of(read_clean_as(Dialect::fanuc, "%\n:1234\nG0 X1\nM98 P20\nM30\n:0020\nX2\nM99\n%")),
+            (Lines{"rapid 1 0 0 @3", "rapid 2 0 0 @7"}));
+}
+
+TEST(Printers, WaitMillisecondsAndSecondsAndDoNotLevelOnTheWay) {
+  const Program program = read_as(Dialect::grbl, "M104 S200\nG0 X5\nG29\nG4 P500\nG4 S3\nG1 X9 F600");
+  ASSERT_EQ(program.motions.size(), 4U);
+  EXPECT_EQ(program.motions[1].dwell, 0.5);
+  EXPECT_EQ(program.motions[2].dwell, 3);
+  EXPECT_EQ(read_as(Dialect::grbl, "G0 X5\nG4 P0.5").motions.back().dwell, 0.5) << "grbl itself: seconds";
+}
+
+TEST(Points, ThatAreMissingOnNumbersBeyondAnyTravelAreSaid) {
+  EXPECT_EQ(said_of(Dialect::fanuc, "G0 X25000"),
+            "f:1:4: warning: X25000 without a decimal point is taken as 25000 mm [decimal-point] (many "
+            "controls take it "
+            "in units of 0.001 mm; write a point)");
+  read_clean_as(Dialect::fanuc, "G0 X25000. Y500");
+}
+
+TEST(Turning, IsSaid) {
+  EXPECT_EQ(said_of(Dialect::fanuc, "G50 S3000\nG0 X50. Z2."),
+            "f:1:1: warning: G50 with S is of a turning program [turning-program] (turning is not read: X is "
+            "taken as a "
+            "radius, G98 and G99 as those of drilling cycles)");
+}
+
+TEST(FanucCycles, EndInTheMotionBeforeThem) {
+  EXPECT_EQ(text_of(read_clean_as(Dialect::fanuc, "G1 Z5 F100\nG99 G81 X1 Z-1 R5\nG80\nX9")),
+            (Lines{"line 0 0 5 @1", "rapid 1 0 5 @2", "line 1 0 -1 @2", "rapid 1 0 5 @2", "line 9 0 5 @4"}));
+}
+
+TEST(CutterOffsets, NumberDStaysFromABlockBefore) {
+  EXPECT_EQ(
+      text_of(read_clean_as(Dialect::fanuc, "G10 L12 P3 R2\nG49 D3\nG41 G1 X10 F100\nX20\nG40 X30 Y5")).at(1),
+      "line 20 2 0 @4");
+}
+
+TEST(RotaryAxes, AreSaidOnceEach) {
+  const Program program = read_as(Dialect::fanuc, "G0 X1 A1 C1\nX2 A2 C2\nX3 A3 C3");
+  EXPECT_EQ(program.diagnostics.size(), 2U);
+  EXPECT_EQ(program.motions.size(), 3U);
+}
+
+}  // namespace
+}  // namespace feedscope
