@@ -136,6 +136,13 @@ double HeidenhainCore::unset_parameter(const QName& name) {
     });
     return 0;
   }
+  if (name.kind == QName::Kind::global && name.number == tool_radius) {
+    report(Severity::warning, "unset-parameter", name.number, name.column, [] {
+      return Text{"Q108 is the tool's radius, which is not known",
+                  "0 is taken; write a TOOL DEF with R before the tool call"};
+    });
+    return 0;
+  }
   report(Severity::warning, "unset-parameter", static_cast<int>(name.kind) * 10000 + name.number, name.column,
          [&] {
            return Text{fmt::format("{} has no value yet", name.text()),

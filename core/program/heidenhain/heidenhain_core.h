@@ -195,6 +195,7 @@ class HeidenhainCore : public Reader {
 
   ContourElement element_of(const MotionWords& words, const Vec3& target) const;
   void add_path(PathKind kind, const MotionWords& words);
+  void note_programmed_axes(const MotionWords& words);
   void add_radius_arc(ContourElement element, const MotionWords& words);
   void add_center_arc(ContourElement element, const MotionWords& words);
   void add_polar(PathKind kind, const MotionWords& words);
@@ -254,6 +255,7 @@ class HeidenhainCore : public Reader {
   double last_polar_angle_ = 0;
   int last_turn_ = 0;
   bool modal_cycle_ = false;              ///< M89
+  std::uint8_t programmed_axes_ = 0;      ///< X Y Z that had an absolute coordinate, a bit each
   std::array<double, 6> further_axes_{};  ///< A B C U V W as written
   std::uint32_t reported_axes_ = 0;
 

@@ -85,11 +85,11 @@ void HeidenhainCore::read_cycle_parameters(Scanner& scanner, QParameters& into) 
     const bool f = scanner.take('F');
     if (scanner.take_name("MAX")) {
       into.set(*name, rapid_feed);
-    } else if (scanner.take_name("AUTO")) {
+    } else if (tool_feed_word_ == FeedWord::value && scanner.take_name("AUTO")) {
       into.set(*name, tool_feed_);
     } else if (f && scanner.take('U') && !is_inch()) {
       into.set(*name, formulas_.read_value(scanner) * spindle_speed_);
-    } else if (f) {
+    } else if (f || scanner.take_name("AUTO")) {
       throw ReadFault{"cycle-parameter", column, fmt::format("the value of {} is not read", name->text()),
                       "write a number"};
     } else {

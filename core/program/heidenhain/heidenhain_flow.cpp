@@ -39,8 +39,12 @@ const HeidenhainCore::Labels& HeidenhainCore::labels() {
   if (is_new) {
     for (std::uint32_t line = 1; line <= text().line_count(); ++line) {
       try {
-        if (std::string label = label_on(text().line(line)); !label.empty()) {
-          found->second.try_emplace(std::move(label), line);
+        const std::string label = label_on(text().line(line));
+        if (!label.empty() && !found->second.try_emplace(label, line).second) {
+          log().add(Severity::warning, "label", 1, {line, 0, place(0).file}, [&] {
+            return Text{fmt::format("label {} is set again", label),
+                        "the first one counts; a control refuses such a program"};
+          });
         }
       } catch (const ReadFault&) {
         // Said when the line itself runs.

@@ -165,6 +165,16 @@ void HeidenhainCore::read_system_data(const QName& result, double group, double 
   const bool axis_index = index == 1 || index == 2 || index == 3;
   // The control gives system data in mm whatever the unit of the program.
   if (asks(270, 1) && axis_index) {
+    if ((programmed_axes_ >> (static_cast<int>(index) - 1) & 1) == 0) {
+      report(Severity::warning, "system-data", static_cast<int>(index), column, [&] {
+        return Text{
+            fmt::format("FN 18 asks where {} is before the program has gone there",
+                        "XYZ"[static_cast<int>(index) - 1]),
+            fmt::format("{} becomes that of the start, which is taken as zero; assign the value of your "
+                        "machine instead",
+                        result.text())};
+      });
+    }
     parameters_.set(result, contour_.position()[static_cast<int>(index) - 1]);
   } else if (asks(20, 3)) {
     parameters_.set(result, normal_axis(contour_.plane()));

@@ -50,9 +50,15 @@ void HeidenhainCore::run_path(PathKind kind, const MotionWords& words) {
       words.has_axes() || words.has_polar() || (kind == PathKind::center_arc || kind == PathKind::polar_arc);
   if (moves && !leaves_out_machine_position(words)) {
     add_path(kind, words);
+    note_programmed_axes(words);
     last_rapid_ = words.feed_word == FeedWord::rapid;
   }
   finish_functions(words, moves);
+}
+
+void HeidenhainCore::note_programmed_axes(const MotionWords& words) {
+  programmed_axes_ |= words.absolute_bits();
+  programmed_axes_ |= words.has_polar() ? bits_of(pole_plane_) : std::uint8_t{0};
 }
 
 void HeidenhainCore::run_functions(const MotionWords& words) {
@@ -357,6 +363,7 @@ void HeidenhainCore::run_approach(ApproachKind kind, bool polar, const MotionWor
   approach.tool_radius = tool_radius_;
   approach.place = contour_place(column, words.axis_bits() | bits_of(plane()));
   contour_.approach(approach);
+  note_programmed_axes(words);
   last_rapid_ = false;
   finish_functions(words, true);
 }

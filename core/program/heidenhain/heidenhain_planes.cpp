@@ -52,6 +52,8 @@ void HeidenhainReader::plane_statement(Scanner& scanner, std::uint32_t column) {
            CoordinateFrame::rotation(Vec3::UnitZ(), angles[2]);
   } else if (letters::same(form, "VECTOR")) {
     tilt = vector_plane(scanner, column);
+  } else if (letters::same(form, "POINTS")) {
+    tilt = points_plane(scanner, column);
   } else if (!letters::same(form, "RESET")) {
     set_tilt(std::nullopt, column);
     report_unread("PLANE", scanner.text(), column);
@@ -94,6 +96,27 @@ CoordinateFrame HeidenhainReader::vector_plane(Scanner& scanner, std::uint32_t c
   return *tilt;
 }
 
+/// X' runs from the first point to the second, Y' towards the third; the datum stays where it is.
+CoordinateFrame HeidenhainReader::points_plane(Scanner& scanner, std::uint32_t column) {
+  std::array<Vec3, 3> points{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  while (letters::to_upper(scanner.peek()) == 'P' && letters::is_digit(scanner.peek_at(1))) {
+    const int point = scanner.peek_at(1) - '1';
+    const int axis = letters::to_upper(scanner.peek_at(2)) - 'X';
+    if (point < 0 || point > 2 || axis < 0 || axis > 2) {
+      break;
+    }
+    scanner.move_to(scanner.at() + 3);
+    points[static_cast<std::size_t>(point)][axis] = to_mm(formulas().read_value(scanner));
+  }
+  const Vec3 base = points[1] - points[0];
+  const std::optional<CoordinateFrame> tilt = tilted_to(base, base.cross(points[2] - points[0]));
+  if (!tilt) {
+    throw ReadFault{"plane", column, "the points of PLANE POINTS lie on one line",
+                    "the plane stays as it was; check P1X to P3Z"};
+  }
+  return *tilt;
+}
+
 /// How the axes turn there: no matter for the path on the workpiece.
 void HeidenhainReader::skip_turning_words(Scanner& scanner) {
   constexpr std::array<std::string_view, 9> names{"MOVE",  "TURN",  "STAY",  "MAX", "FMAX",
@@ -123,12 +146,15 @@ void HeidenhainReader::skip_turning_words(Scanner& scanner) {
 void HeidenhainReader::tilt_cycle(Scanner& scanner, std::uint32_t column) {
   std::array<double, 3> angles{};
   bool any = false;
+  int turned = 0;
   while (!scanner.at_end()) {
     const char letter = letters::to_upper(scanner.peek());
     if (letter >= 'A' && letter <= 'C' && !scanner.take("ABST")) {
       scanner.take(letter);
-      angles[static_cast<std::size_t>(letter - 'A')] = units::from_deg(formulas().read_value(scanner));
+      const double angle = units::from_deg(formulas().read_value(scanner));
+      angles[static_cast<std::size_t>(letter - 'A')] = angle;
       any = true;
+      turned += angle != 0 ? 1 : 0;
     } else if (letter == 'F' && scanner.take('F')) {
       if (!scanner.take_name("MAX")) {
         formulas().read_value(scanner);
@@ -138,6 +164,14 @@ void HeidenhainReader::tilt_cycle(Scanner& scanner, std::uint32_t column) {
     } else {
       throw_unread_words(scanner, "cycle 19");
     }
+  }
+  if (turned > 1) {
+    report(Severity::warning, "tilt-angles", 0, column, [] {
+      return Text{
+          "cycle 19 turns about more than one axis",
+          "whether these are angles in space or of the machine's axes only the machine knows; they are taken "
+          "as angles in space, as PLANE SPATIAL has them"};
+    });
   }
   set_tilt(any ? std::optional(tilted_by(angles)) : std::nullopt, column);
 }

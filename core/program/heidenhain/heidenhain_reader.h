@@ -117,6 +117,7 @@ class HeidenhainReader : public HeidenhainCore {
   /// [rad]; zero where a name is missing.
   std::array<double, 3> named_angles(Scanner& scanner, const std::array<std::string_view, 3>& names);
   CoordinateFrame vector_plane(Scanner& scanner, std::uint32_t column);
+  CoordinateFrame points_plane(Scanner& scanner, std::uint32_t column);
   void skip_turning_words(Scanner& scanner);
   void tilt_cycle(Scanner& scanner, std::uint32_t column);
 

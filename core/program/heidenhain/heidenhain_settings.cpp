@@ -241,7 +241,7 @@ void HeidenhainCore::call_tool(const ToolCall& call) {
     spindle_speed_ = *call.speed;
     path().set_spindle_speed(spindle_speed_ / 60);
   }
-  if (call.feed) {
+  if (call.feed && *call.feed != 0) {
     // It holds until another F (TNC 426/430 user's manual, 5.2 Tool Data).
     tool_feed_ = *call.feed;
     MotionWords words;
@@ -305,7 +305,9 @@ void HeidenhainCore::shift_datum(const std::array<OptionalWord, 3>& to, std::uin
     }
   }
   const Vec3 after = transformations_.shift();
-  if (under_tilt && after != before && after != Vec3::Zero()) {
+  // Cancelled axis by axis before the tilt is: no harm.
+  const bool shifts = ((after - before).array() != 0 && after.array() != 0).any();
+  if (under_tilt && shifts) {
     report(Severity::warning, "tilted-shift", 0, column, [] {
       return Text{
           "a datum shift takes the place of one that the plane was tilted about",

@@ -52,6 +52,13 @@ struct MotionWords {
   std::uint8_t axis_bits() const {
     return static_cast<std::uint8_t>(axes[0].given | axes[1].given << 1 | axes[2].given << 2);
   }
+  std::uint8_t absolute_bits() const {
+    std::uint8_t bits = 0;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      bits |= static_cast<std::uint8_t>(axes[axis].given && !axes[axis].incremental ? 1U << axis : 0U);
+    }
+    return bits;
+  }
   bool has_m(int number) const {
     for (int i = 0; i < m_count; ++i) {
       if (m[static_cast<std::size_t>(i)] == number) {

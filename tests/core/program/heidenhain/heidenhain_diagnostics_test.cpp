@@ -135,6 +135,14 @@ INSTANTIATE_TEST_SUITE_P(
         DiagnosticCase{
             "PLANE PROJECTED PROPR+24 PROMIN+24 ROT+30 STAY\n",
             "1:1: error: PLANE (tilted working plane of this form) is not read [unread-statement]"},
+        DiagnosticCase{"PLANE POINTS P1X+0 P1Y+0 P1Z+0 P2X+1 P2Y+0 P2Z+0 P3X+2 P3Y+0 P3Z+0 STAY\n",
+                       "1:1: error: the points of PLANE POINTS lie on one line [plane]"},
+        DiagnosticCase{"CYCL DEF 19.1 A+90 C+30\n",
+                       "1:1: warning: cycle 19 turns about more than one axis [tilt-angles]"},
+        DiagnosticCase{"Q1 = Q108\n",
+                       "1:6: warning: Q108 is the tool's radius, which is not known [unset-parameter]"},
+        DiagnosticCase{"L X+5 FMAX\nFN 18: SYSREAD Q1 = ID270 NR1 IDX2\n",
+                       "2:1: warning: FN 18 asks where Y is before the program has gone there [system-data]"},
         DiagnosticCase{"PLANE SPATIAL SPA+0 SPX+30 STAY\n",
                        "1:21: error: \"SPX+30 STAY\" does not belong into PLANE [unread-word]"},
         DiagnosticCase{"PLANE VECTOR BX+1 BY+0 BZ+0 NX+2 NY+0 NZ+0 STAY\n",
@@ -171,6 +179,8 @@ INSTANTIATE_TEST_SUITE_P(
             "[blank-form]"},
         DiagnosticCase{"TOOL CALL 5 Z S100 K5\n",
                        "1:20: error: \"K5\" does not belong into TOOL CALL [unread-word]"},
+        DiagnosticCase{"CALL LBL 5\nL M30\nLBL 5\nL X+1 FMAX\nLBL 0\nLBL 5\n",
+                       "6:0: warning: label 5 is set again [label]"},
         DiagnosticCase{"CALL LBL 5\n", "1:1: error: label 5 does not exist [label-missing]"},
         DiagnosticCase{"CALL LBL 5 REP 3\n", "1:1: error: label 5 does not exist [label-missing]"},
         DiagnosticCase{"FN 9: IF 1 EQU 1 GOTO LBL \"A\"\n",
@@ -276,7 +286,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(HeidenhainDiagnostics, RotaryAxesAndPlanesAreSaidOnce) {
   const Program program =
-      read_heidenhain("L X+1 A+1 FMAX\nL A+2 FMAX\nPLANE POINTS P1X+0\nPLANE POINTS P1X+0\nL A+3 FMAX\n");
+      read_heidenhain("L X+1 A+1 FMAX\nL A+2 FMAX\nPLANE AXIAL B+45\nPLANE AXIAL B+45\nL A+3 FMAX\n");
   EXPECT_EQ(program.diagnostics.size(), 2U);
 }
 

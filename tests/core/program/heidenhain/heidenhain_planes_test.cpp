@@ -30,16 +30,18 @@ INSTANTIATE_TEST_SUITE_P(
         PlaneCase{"PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nPLANE RELATIV SPC+90 STAY", {-2, -3, 1}},
         PlaneCase{"PLANE EULER EULPR+90 EULNU+90 EULROT+0 STAY", {3, 1, 2}},
         PlaneCase{"PLANE VECTOR BX+1 BY+0 BZ+0 NX+0 NY-2 NZ+0 STAY", {1, -3, 2}},
+        PlaneCase{"PLANE POINTS P1X+5 P1Y+0 P1Z+0 P2X+9 P2Y+0 P2Z+0 P3X+7 P3Y+0 P3Z+4 MOVE DIST9 FMAX",
+                  {1, -3, 2}},
         PlaneCase{"PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nPLANE RESET TURN FMAX", {1, 2, 3}},
         PlaneCase{"PLANE SPATIAL SPA+0 SPB+45 SPC+0 STAY\nPLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY", {1, -3, 2}},
         // A shift before it moves the tilted plane, one behind it moves within.
         PlaneCase{"CYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+20\nPLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY", {11, 17, 2}},
         PlaneCase{"PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nCYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+20",
                   {11, -3, 22}},
-        PlaneCase{
-            "CYCL DEF 7.1 X+10\nPLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nCYCL DEF 7.1 X+0\nPLANE RESET STAY",
-            {1, 2, 3}},
-        PlaneCase{"CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+90 B+0 C+180 F500 ABST50", {-1, 3, 2}},
+        PlaneCase{"CYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+9\nPLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nCYCL DEF 7.1 "
+                  "X+0\nCYCL DEF 7.2 Y+0\nPLANE RESET STAY",
+                  {1, 2, 3}},
+        PlaneCase{"CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+90 B+0 C+0 F500 ABST50", {1, -3, 2}},
         PlaneCase{"CYCL DEF 19.1 A+90 SETUP50\nCYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1", {1, 2, 3}}));
 
 TEST(HeidenhainPlanes, ArcsAndHolesLieInTheTiltedPlane) {
