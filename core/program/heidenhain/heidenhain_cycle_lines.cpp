@@ -211,10 +211,6 @@ void HeidenhainReader::tolerance(int part, Scanner& scanner, std::uint32_t colum
     if (scanner.take('T') && !scanner.at_end()) {
       tolerance = to_mm(formulas().read_value(scanner));
     }
-    if (tolerance && !(*tolerance > 0)) {
-      throw ReadFault{"tolerance", column, fmt::format("the tolerance T{} is not above zero", *tolerance),
-                      "the tolerance in force stays"};
-    }
     set_tolerance(tolerance, std::nullopt, column);
   } else if (part == 2) {
     if (scanner.take("HSC-MODE:")) {

@@ -45,11 +45,6 @@ bool HeidenhainIsoReader::run_codes(const Block& block) {
         set_blank_corner(code == 31, words.axes, block.column);
         break;
       case 62:
-        if (block.values[0] && !(*block.values[0] > 0)) {
-          throw ReadFault{"tolerance", block.column,
-                          fmt::format("the tolerance T{} is not above zero", *block.values[0]),
-                          "the tolerance in force stays"};
-        }
         set_tolerance(block.values[0] ? std::optional(to_mm(*block.values[0])) : std::nullopt,
                       block.values[2] ? std::optional(units::from_deg(*block.values[2])) : std::nullopt,
                       block.column);

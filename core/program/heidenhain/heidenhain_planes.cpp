@@ -1,6 +1,7 @@
 // The part of HeidenhainReader for tilted working planes: PLANE and cycle 19. The path is shown in the
 // coordinates of the workpiece, however the machine turns its axes to get there.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 
 #include "core/base/units.h"
@@ -52,6 +53,8 @@ void HeidenhainReader::plane_statement(Scanner& scanner, std::uint32_t column) {
            CoordinateFrame::rotation(Vec3::UnitZ(), angles[2]);
   } else if (letters::same(form, "VECTOR")) {
     tilt = vector_plane(scanner, column);
+  } else if (letters::same(form, "AXIAL")) {
+    tilt = axis_plane(scanner, column);
   } else if (letters::same(form, "POINTS")) {
     tilt = points_plane(scanner, column);
   } else if (!letters::same(form, "RESET")) {
@@ -135,7 +138,7 @@ void HeidenhainReader::skip_turning_words(Scanner& scanner) {
       if (!scanner.take_name("MAX") && !scanner.take_name("AUTO")) {
         formulas().read_value(scanner);
       }
-    } else if (scanner.take("DIST") || scanner.take("ABST")) {
+    } else if (scanner.take("DIST") || scanner.take("ABST") || scanner.take("SETUP")) {
       formulas().read_value(scanner);
     } else {
       throw_unread_words(scanner, "PLANE");
@@ -144,36 +147,33 @@ void HeidenhainReader::skip_turning_words(Scanner& scanner) {
 }
 
 void HeidenhainReader::tilt_cycle(Scanner& scanner, std::uint32_t column) {
+  const std::optional<CoordinateFrame> tilt = axis_plane(scanner, column);
+  skip_turning_words(scanner);
+  set_tilt(tilt, column);
+}
+
+std::optional<CoordinateFrame> HeidenhainReader::axis_plane(Scanner& scanner, std::uint32_t column) {
   std::array<double, 3> angles{};
   bool any = false;
-  int turned = 0;
-  while (!scanner.at_end()) {
+  while (true) {
     const char letter = letters::to_upper(scanner.peek());
-    if (letter >= 'A' && letter <= 'C' && !scanner.take("ABST")) {
-      scanner.take(letter);
-      const double angle = units::from_deg(formulas().read_value(scanner));
-      angles[static_cast<std::size_t>(letter - 'A')] = angle;
-      any = true;
-      turned += angle != 0 ? 1 : 0;
-    } else if (letter == 'F' && scanner.take('F')) {
-      if (!scanner.take_name("MAX")) {
-        formulas().read_value(scanner);
-      }
-    } else if (letter == 'A' || scanner.take("SETUP") || scanner.take("SET-UP") || scanner.take("DIST")) {
-      formulas().read_value(scanner);
-    } else {
-      throw_unread_words(scanner, "cycle 19");
+    const bool is_distance = Scanner(scanner).take("ABST");
+    if (letter < 'A' || letter > 'C' || is_distance) {
+      break;
     }
+    scanner.take(letter);
+    angles[static_cast<std::size_t>(letter - 'A')] = units::from_deg(formulas().read_value(scanner));
+    any = true;
   }
-  if (turned > 1) {
+  if (std::count(angles.begin(), angles.end(), 0.0) < 2) {
     report(Severity::warning, "tilt-angles", 0, column, [] {
       return Text{
-          "cycle 19 turns about more than one axis",
-          "whether these are angles in space or of the machine's axes only the machine knows; they are taken "
-          "as angles in space, as PLANE SPATIAL has them"};
+          "the plane is tilted by the angles of more than one axis",
+          "what they come to depends on the machine; they are taken as angles in space, as PLANE SPATIAL "
+          "has them"};
     });
   }
-  set_tilt(any ? std::optional(tilted_by(angles)) : std::nullopt, column);
+  return any ? std::optional(tilted_by(angles)) : std::nullopt;
 }
 
 }  // namespace feedscope

@@ -120,6 +120,8 @@ class HeidenhainReader : public HeidenhainCore {
   CoordinateFrame points_plane(Scanner& scanner, std::uint32_t column);
   void skip_turning_words(Scanner& scanner);
   void tilt_cycle(Scanner& scanner, std::uint32_t column);
+  /// By A, B and C; none if none of them stands here.
+  std::optional<CoordinateFrame> axis_plane(Scanner& scanner, std::uint32_t column);
 
   // heidenhain_patterns.cpp
   void pattern(Scanner& scanner, std::uint32_t column);

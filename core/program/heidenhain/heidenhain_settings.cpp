@@ -318,8 +318,14 @@ void HeidenhainCore::shift_datum(const std::array<OptionalWord, 3>& to, std::uin
 
 void HeidenhainCore::set_tolerance(std::optional<double> tolerance,
                                    std::optional<double> orientation_tolerance, std::uint32_t column) {
+  if (tolerance && *tolerance < 0) {
+    throw ReadFault{"tolerance", column, fmt::format("the tolerance T{} is below zero", *tolerance),
+                    "the tolerance in force stays"};
+  }
   end_contour(column);
   PathControl control = path().path_control();
+  // T0 is no tolerance: the machine's own holds (TNC 640 cycles manual, cycle 32).
+  tolerance = tolerance.value_or(0) > 0 ? tolerance : std::nullopt;
   control.mode = tolerance ? PathMode::continuous : PathMode::machine;
   control.contour_tolerance = tolerance;
   control.orientation_tolerance = orientation_tolerance;

@@ -138,7 +138,7 @@ INSTANTIATE_TEST_SUITE_P(
         DiagnosticCase{"PLANE POINTS P1X+0 P1Y+0 P1Z+0 P2X+1 P2Y+0 P2Z+0 P3X+2 P3Y+0 P3Z+0 STAY\n",
                        "1:1: error: the points of PLANE POINTS lie on one line [plane]"},
         DiagnosticCase{"CYCL DEF 19.1 A+90 C+30\n",
-                       "1:1: warning: cycle 19 turns about more than one axis [tilt-angles]"},
+                       "1:1: warning: the plane is tilted by the angles of more than one axis [tilt-angles]"},
         DiagnosticCase{"Q1 = Q108\n",
                        "1:6: warning: Q108 is the tool's radius, which is not known [unset-parameter]"},
         DiagnosticCase{"L X+5 FMAX\nFN 18: SYSREAD Q1 = ID270 NR1 IDX2\n",
@@ -275,7 +275,7 @@ INSTANTIATE_TEST_SUITE_P(
             "2:1: error: cycle 240 cannot run: centring to a diameter needs the tool's point angle; write "
             "Q343=0 and the depth [cycle-value]"},
         DiagnosticCase{"CYCL DEF 9.1 DWELL -1\n", "1:1: error: dwell time -1 is negative [dwell-time]"},
-        DiagnosticCase{"CYCL DEF 32.1 T0\n", "1:1: error: the tolerance T0 is not above zero [tolerance]"},
+        DiagnosticCase{"CYCL DEF 32.1 T-0.5\n", "1:1: error: the tolerance T-0.5 is below zero [tolerance]"},
         DiagnosticCase{"CYCL DEF 11.1 SCL 0\n",
                        "1:19: error: the scaling factor 0 is not from 0.000001 to 99.999999 [scale-factor]"},
         DiagnosticCase{"CYCL DEF 8.1 A\n", "1:14: error: \"A\" is not X, Y or Z [unread-word]"},
@@ -285,8 +285,8 @@ INSTANTIATE_TEST_SUITE_P(
                        "2:1: warning: cycle 247 changes the datum on the way [work-offset]"}));
 
 TEST(HeidenhainDiagnostics, RotaryAxesAndPlanesAreSaidOnce) {
-  const Program program =
-      read_heidenhain("L X+1 A+1 FMAX\nL A+2 FMAX\nPLANE AXIAL B+45\nPLANE AXIAL B+45\nL A+3 FMAX\n");
+  const Program program = read_heidenhain(
+      "L X+1 A+1 FMAX\nL A+2 FMAX\nPLANE PROJECTED PROPR+1\nPLANE PROJECTED PROPR+1\nL A+3 FMAX\n");
   EXPECT_EQ(program.diagnostics.size(), 2U);
 }
 

@@ -133,7 +133,7 @@ INSTANTIATE_TEST_SUITE_P(
         DinDiagnostic{
             "G26 R5*\n",
             "1:1: error: no line to the contour's first point stands in the block before [approach]"},
-        DinDiagnostic{"G62 T0*\n", "1:1: error: the tolerance T0 is not above zero [tolerance]"},
+        DinDiagnostic{"G62 T-1*\n", "1:1: error: the tolerance T-1 is below zero [tolerance]"},
         DinDiagnostic{"G72 F0*\n",
                       "1:1: error: the scaling factor 0 is not from 0.000001 to 99.999999 [scale-factor]"},
         DinDiagnostic{"D00 Q5 X5*\n", "1:8: error: \"X5\" does not belong into D [unread-word]"},

@@ -41,6 +41,7 @@ INSTANTIATE_TEST_SUITE_P(
         PlaneCase{"CYCL DEF 7.1 X+10\nCYCL DEF 7.2 Y+9\nPLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nCYCL DEF 7.1 "
                   "X+0\nCYCL DEF 7.2 Y+0\nPLANE RESET STAY",
                   {1, 2, 3}},
+        PlaneCase{"PLANE AXIAL A+90 TURN MB MAX FMAX", {1, -3, 2}},
         PlaneCase{"CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+90 B+0 C+0 F500 ABST50", {1, -3, 2}},
         PlaneCase{"CYCL DEF 19.1 A+90 SETUP50\nCYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1", {1, 2, 3}}));
 

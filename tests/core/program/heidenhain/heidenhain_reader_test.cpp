@@ -129,6 +129,12 @@ TEST(HeidenhainReader, RetractsAlongTheToolAxis) {
             "1,0,0 21,0,0");
 }
 
+TEST(HeidenhainReader, AToleranceOfZeroIsTheMachines) {
+  const Program program = read_clean_heidenhain("CYCL DEF 32.1 T0.05\nL X+1 F100\nCYCL DEF 32.1 T0\nL X+2\n");
+  EXPECT_EQ(program.path_controls.at(program.motions[0].path_control).contour_tolerance, 0.05);
+  EXPECT_EQ(program.path_controls.at(program.motions[1].path_control), PathControl());
+}
+
 struct ArcCase {
   const char* text;
   const char* path;
