@@ -26,10 +26,27 @@ const PathControl* find_own_tolerance(std::span<const PathControl> controls) {
   return own == controls.end() ? nullptr : &*own;
 }
 
+std::string_view to_string(ExactStopWindow window) {
+  switch (window) {
+    case ExactStopWindow::machine:
+      break;
+    case ExactStopWindow::fine:
+      return "fine";
+    case ExactStopWindow::coarse:
+      return "coarse";
+    case ExactStopWindow::interpolation_end:
+      return "interpolation end";
+  }
+  return {};
+}
+
 std::string describe(const PathControl& control) {
   std::vector<std::string> parts;
-  if (control.mode != PathMode::machine) {
-    parts.emplace_back(control.mode == PathMode::exact_stop ? "exact stops" : "continuous");
+  if (control.mode == PathMode::exact_stop) {
+    const std::string_view window = to_string(control.exact_stop_window);
+    parts.push_back(window.empty() ? "exact stops" : fmt::format("exact stops ({})", window));
+  } else if (control.mode == PathMode::continuous) {
+    parts.emplace_back("continuous");
   }
   if (control.contour_tolerance) {
     parts.push_back(fmt::format("contour tolerance {} mm", *control.contour_tolerance));

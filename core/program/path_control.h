@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 namespace feedscope {
 
@@ -12,6 +13,15 @@ enum class PathMode : std::uint8_t {
   machine,     ///< what the machine file and the model say
   exact_stop,  ///< stops at the end of every block: G9, G60, G61, G61.1
   continuous,  ///< runs through: G64, G641 to G645, M120
+};
+
+/// When the next block may begin after an exact stop: once every axis is within a window about its end, whose
+/// sizes are machine data, or as soon as the set speed is zero.
+enum class ExactStopWindow : std::uint8_t {
+  machine,
+  fine,               ///< G601
+  coarse,             ///< G602
+  interpolation_end,  ///< G603
 };
 
 enum class AccelerationMode : std::uint8_t {
@@ -27,6 +37,7 @@ enum class Switch : std::uint8_t { machine, on, off };
 /// machine's. Every motion has one.
 struct PathControl {
   PathMode mode = PathMode::machine;
+  ExactStopWindow exact_stop_window = ExactStopWindow::machine;  ///< of mode exact_stop
   /// Largest distance of the executed from the programmed path [mm]: CTOL, CYCLE832, G64 P, cycle 32 T.
   std::optional<double> contour_tolerance;
   /// Distance from a corner at which its blend may begin [mm]: ADIS, ADISPOS.
@@ -43,6 +54,9 @@ struct PathControl {
 
 /// The first that asks for a contour tolerance or a blend distance; nullptr if none does.
 const PathControl* find_own_tolerance(std::span<const PathControl> controls);
+
+/// "fine", "coarse", "interpolation end"; empty for the machine's.
+std::string_view to_string(ExactStopWindow window);
 
 /// "continuous, contour tolerance 0.01 mm, compaction on"; "as the machine" where nothing is said.
 std::string describe(const PathControl& control);

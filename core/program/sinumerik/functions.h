@@ -75,6 +75,7 @@ enum class Group : std::uint8_t {
   feed_mode,
   offset,
   path_mode,
+  exact_stop_window,
   compaction,
   acceleration,
   feed_forward,

@@ -5,6 +5,10 @@ namespace feedscope::sinumerik {
 void PathWords::apply(std::string_view name) {
   if (name == "G60") {
     control_.mode = PathMode::exact_stop;
+  } else if (name.starts_with("G60")) {
+    window_ = name == "G601"   ? ExactStopWindow::fine
+              : name == "G602" ? ExactStopWindow::coarse
+                               : ExactStopWindow::interpolation_end;
   } else if (name.starts_with("G64")) {
     control_.mode = PathMode::continuous;
     blend_ = name == "G64"    ? Blend::none
@@ -71,6 +75,10 @@ PathControl PathWords::control(bool rapid, bool stop) const {
   PathControl control = control_;
   if (stop) {
     control.mode = PathMode::exact_stop;
+  }
+  // Without G60 or G9 the windows mean nothing (Programming Manual NC, 12/2019, 2.11.1).
+  if (control.mode == PathMode::exact_stop) {
+    control.exact_stop_window = window_;
   }
   const bool blends = control.mode == PathMode::continuous;
   if (blends && blend_ == Blend::distance) {

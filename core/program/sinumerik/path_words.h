@@ -11,7 +11,7 @@ namespace feedscope::sinumerik {
 /// motion: what a tolerance or distance means depends on the G word that rules it.
 class PathWords {
  public:
-  /// G60, G64, G641 to G645, COMPON, COMPOF, SOFT, BRISK, DRIVE, FFWON, FFWOF and their kin.
+  /// G60, G601 to G603, G64, G641 to G645, COMPON, COMPOF, SOFT, BRISK, DRIVE, FFWON, FFWOF and their kin.
   void apply(std::string_view name);
   /// CTOL [mm]; negative: the machine's again.
   void set_tolerance(double value);
@@ -34,6 +34,7 @@ class PathWords {
   void set_older_cycle(int code);
 
   PathControl control_;
+  ExactStopWindow window_ = ExactStopWindow::machine;
   Blend blend_ = Blend::none;
   std::optional<double> tolerance_;
   std::optional<double> distance_;

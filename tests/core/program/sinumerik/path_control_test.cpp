@@ -17,6 +17,7 @@ PathControl control_of(const std::string& text) {
 /// A PathControl of which only what differs need be named.
 struct Expected {
   PathMode mode = PathMode::machine;
+  ExactStopWindow exact_stop_window = ExactStopWindow::machine;
   std::optional<double> contour_tolerance = std::nullopt;
   std::optional<double> blend_distance = std::nullopt;
   std::optional<double> orientation_tolerance = std::nullopt;
@@ -27,6 +28,7 @@ struct Expected {
   PathControl control() const {
     PathControl all;
     all.mode = mode;
+    all.exact_stop_window = exact_stop_window;
     all.contour_tolerance = contour_tolerance;
     all.blend_distance = blend_distance;
     all.orientation_tolerance = orientation_tolerance;
@@ -58,7 +60,12 @@ INSTANTIATE_TEST_SUITE_P(
     Words, SinumerikPathControl,
     testing::Values(
         ControlCase{"", {}}, ControlCase{"G60", {.mode = PathMode::exact_stop}},
-        ControlCase{"G60 G601", {.mode = PathMode::exact_stop}},
+        ControlCase{"G60 G601", {.mode = PathMode::exact_stop, .exact_stop_window = ExactStopWindow::fine}},
+        ControlCase{"G602\nG60",
+                    {.mode = PathMode::exact_stop, .exact_stop_window = ExactStopWindow::coarse}},
+        ControlCase{"G60 G603",
+                    {.mode = PathMode::exact_stop, .exact_stop_window = ExactStopWindow::interpolation_end}},
+        ControlCase{"G60 G603\nG64", {.mode = PathMode::continuous}},
         ControlCase{"G64", {.mode = PathMode::continuous}},
         ControlCase{"G64 CTOL=0.01", {.mode = PathMode::continuous}},
         ControlCase{"G641 ADIS=0.5 ADISPOS=2", {.mode = PathMode::continuous, .blend_distance = 0.5}},
@@ -121,9 +128,11 @@ TEST(SinumerikPathControl, RapidsHaveTheirOwnDistance) {
 }
 
 TEST(SinumerikPathControl, ExactStopOfOneBlockIsOver) {
-  const Program program = read_clean("G64 G1 X1 F100\nG9 X2\nX3");
+  const Program program = read_clean("G64 G602 G1 X1 F100\nG9 X2\nX3");
   ASSERT_EQ(program.motions.size(), 3U);
-  EXPECT_EQ(program.path_controls.at(program.motions[1].path_control).mode, PathMode::exact_stop);
+  const PathControl& stop = program.path_controls.at(program.motions[1].path_control);
+  EXPECT_EQ(stop.mode, PathMode::exact_stop);
+  EXPECT_EQ(describe(stop), "exact stops (coarse)");
   EXPECT_EQ(program.motions[0].path_control, program.motions[2].path_control);
 }
 
