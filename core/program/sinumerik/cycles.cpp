@@ -37,7 +37,7 @@ bool SinumerikReader::run_cycle(const SubprogramCall& call) {
     swivel(call);
   } else if (letters::same(call.name, "HOLES1") || letters::same(call.name, "HOLES2")) {
     hole_pattern(call.arguments, call.name.back() == '2', call.column);
-  } else if (const auto cycle = DrillingCycle::make(number, call.arguments)) {
+  } else if (const auto cycle = DrillingCycle::make(number, call.arguments, to_mm(1))) {
     finish_spline();
     drill(*cycle);
   } else {
@@ -47,7 +47,10 @@ bool SinumerikReader::run_cycle(const SubprogramCall& call) {
 }
 
 void SinumerikReader::drill(const DrillingCycle& cycle) {
-  const int axis = normal_axis(modal_.plane);
+  const int first = first_axis(modal_.plane);
+  const int second = second_axis(modal_.plane);
+  const int axis = cycle.axis() == 0 ? first : cycle.axis() == 1 ? second : normal_axis(modal_.plane);
+  const Vec3 hole = path().position();
   const double feed = path().feed();
   const FeedMode mode = path().feed_mode();
   const double speed = path().spindle_speed();
@@ -60,7 +63,9 @@ void SinumerikReader::drill(const DrillingCycle& cycle) {
       }
       continue;
     }
-    Vec3 target = path().position();
+    Vec3 target = hole;
+    target[first] += to_mm(step.aside[0]);
+    target[second] += to_mm(step.aside[1]);
     target[axis] = to_mm(step.height);
     program_axis(axis);
     start_ = path().position();
@@ -77,7 +82,7 @@ void SinumerikReader::drill(const DrillingCycle& cycle) {
         break;
       case DrillingStep::Kind::thread:
         path().set_feed_mode(FeedMode::per_revolution);
-        path().set_feed(to_mm(step.value));
+        path().set_feed(step.value);
         path().set_spindle_speed(step.speed > 0 ? step.speed : speed);
         break;
       case DrillingStep::Kind::dwell:
@@ -161,7 +166,11 @@ void SinumerikReader::swivel(const SubprogramCall& call) {
   const int mode = static_cast<int>(number_at(values, 3, usual_mode));
   const Vec3 angles = vector(7);
   CoordinateFrame frame = CoordinateFrame::shift(vector(4) * to_mm(1));
-  if (!angles.isZero() && (mode < 0 || mode >= 64)) {
+  bool turns = mode >= 0 && mode < 64;
+  for (int i = 0; i < 3; ++i) {
+    turns = turns && (angles[i] == 0 || (mode >> (2 * i) & 3) > 0);
+  }
+  if (!angles.isZero() && !turns) {
     report(Severity::error, "swivel", 0, call.column, [&] {
       return Text{fmt::format("CYCLE800 with mode {} is not read", mode),
                   "the plane is shown unturned; angles about one axis after the other are read"};

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/units.h"
+
 namespace feedscope::sinumerik {
 
 namespace {
@@ -17,10 +19,23 @@ constexpr auto metric_leads = std::to_array<std::pair<double, double>>(
      {14, 2},   {16, 2},   {18, 2.5}, {20, 2.5}, {22, 2.5}, {24, 3},   {27, 3},
      {30, 3.5}, {33, 3.5}, {36, 4},   {39, 4},   {42, 4.5}, {45, 4.5}, {48, 5}});
 
-/// PIT, or the lead of the thread of size MPIT; 0 if neither is given.
-double lead_of(double size, double lead) {
+/// PIT in the unit that _PITA says, or the lead of the thread of size MPIT [mm]; 0 if neither is given.
+double lead_of(double size, double lead, double unit, double mm) {
   if (lead != 0) {
-    return std::abs(lead);
+    constexpr double inch = 25.4;
+    const double length = std::abs(lead);
+    switch (static_cast<int>(unit)) {
+      case 1:
+        return length;
+      case 2:  // threads an inch
+        return inch / length;
+      case 3:
+        return inch * length;
+      case 4:  // module
+        return units::pi * length;
+      default:
+        return mm * length;
+    }
   }
   for (const auto& [known, its_lead] : metric_leads) {
     if (known == std::abs(size)) {
@@ -57,27 +72,44 @@ std::vector<double> stroke_depths(double total, double first, double degression,
 
 }  // namespace
 
-std::optional<DrillingCycle> DrillingCycle::make(int number, const Arguments& arguments) {
+std::optional<DrillingCycle> DrillingCycle::make(int number, const Arguments& arguments, double mm) {
   DrillingCycle cycle(arguments);
   const auto number_of = [&](std::size_t place) { return number_at(arguments, place); };
+  const auto set_axis = [&](std::size_t place) {
+    const double axis = number_of(place);
+    cycle.axis_ = axis == 1 ? 0 : axis == 2 ? 1 : 2;
+  };
   switch (number) {
-    case 81:
     case 87:
       cycle.drill(0);
       break;
+    case 81:
     case 82:
-    case 86:
     case 88:
       cycle.drill(number_of(5));
       break;
+    case 86:
+      cycle.drill(number_of(5));
+      cycle.lift_off(number_of(7), number_of(8), number_of(9));
+      break;
     case 83:
+      set_axis(12);
       cycle.deep_hole(arguments);
       break;
-    case 84:
-      cycle.tap(lead_of(number_of(7), number_of(8)), number_of(10) / 60, number_of(11) / 60, number_of(5));
+    case 84: {
+      set_axis(12);
+      const bool strokes = number_of(15) > 0;  // 1 breaks chips, 2 clears them
+      cycle.tap({.lead = lead_of(number_of(7), number_of(8), number_of(13), mm),
+                 .speed = number_of(10) / 60,
+                 .speed_back = number_of(11) / 60,
+                 .dwell = number_of(5),
+                 .stroke = strokes ? std::abs(number_of(16)) : 0,
+                 .lift = number_of(15) == 1 ? std::abs(number_of(17)) : 0});
       break;
+    }
     case 840:
-      cycle.tap(lead_of(number_of(9), number_of(10)), 0, 0, number_of(5));
+      set_axis(11);
+      cycle.tap({.lead = lead_of(number_of(9), number_of(10), number_of(12), mm), .dwell = number_of(5)});
       break;
     case 85:
       cycle.rapid(cycle.safe_);
@@ -111,7 +143,7 @@ DrillingCycle::DrillingCycle(const Arguments& arguments) {
 
 void DrillingCycle::own_feed(double height, double feed_value) {
   if (feed_value > 0) {
-    steps_.push_back({DrillingStep::Kind::own_feed, height, feed_value, 0});
+    add(DrillingStep::Kind::own_feed, height, feed_value);
   } else {
     feed(height);
   }
@@ -119,7 +151,7 @@ void DrillingCycle::own_feed(double height, double feed_value) {
 
 void DrillingCycle::dwell(double time) {
   if (time != 0) {
-    steps_.push_back({DrillingStep::Kind::dwell, 0, time, 0});
+    add(DrillingStep::Kind::dwell, 0, time);
   }
 }
 
@@ -161,18 +193,37 @@ void DrillingCycle::deep_hole(const Arguments& arguments) {
   }
 }
 
-void DrillingCycle::tap(double lead, double speed, double speed_back, double time) {
-  rapid(safe_);
-  const auto cut = [&](double height, double at) {
-    if (lead > 0) {
-      steps_.push_back({DrillingStep::Kind::thread, height, lead, at});
+void DrillingCycle::tap(const Tapping& tapping) {
+  const double speed_back = tapping.speed_back > 0 ? tapping.speed_back : tapping.speed;
+  const auto cut = [&](double height, double speed) {
+    if (tapping.lead > 0) {
+      add(DrillingStep::Kind::thread, height, tapping.lead, speed);
     } else {
       feed(height);
     }
   };
-  cut(bottom_, speed);
-  dwell(time);
-  cut(safe_, speed_back > 0 ? speed_back : speed);
+  rapid(safe_);
+  const double total = std::abs(top_ - bottom_);
+  double depth = tapping.stroke > 0 ? tapping.stroke : total;
+  for (std::size_t strokes = 0; depth < total && strokes < most_strokes; ++strokes) {
+    cut(top_ - up_ * depth, tapping.speed);
+    cut(tapping.lift > 0 ? top_ - up_ * (depth - tapping.lift) : safe_, speed_back);
+    depth += tapping.stroke;
+  }
+  cut(bottom_, tapping.speed);
+  dwell(tapping.dwell);
+  cut(safe_, speed_back);
+}
+
+/// The spindle stands: the edge leaves the wall by RPA, RPO and RPAP, and the hole beside its axis.
+void DrillingCycle::lift_off(double first, double second, double up) {
+  if (first == 0 && second == 0 && up == 0) {
+    return;
+  }
+  rapid(bottom_ + up);
+  steps_.back().aside = {first, second};
+  rapid(safe_);
+  steps_.back().aside = {first, second};
 }
 
 }  // namespace feedscope::sinumerik

@@ -196,6 +196,9 @@ void SinumerikReader::run_letter(Scanner& scanner) {
 
 /// The value behind "=": an expression, or AC(), IC() and their like around one.
 BlockWords::Value SinumerikReader::coordinate(Scanner& scanner, std::uint32_t column) {
+  if (const std::optional<double> number = Values::plain_number(scanner)) {
+    return {.value = *number, .column = column, .reading = Reading::modal};
+  }
   struct Kind {
     std::string_view name;
     Reading reading;
@@ -233,11 +236,11 @@ void SinumerikReader::run_name(Scanner& scanner) {
   if (run_assignment(scanner, name) || run_frame_assignment(scanner, name)) {
     return;
   }
-  if (const Run run = find_statement(name)) {
-    (this->*run)(scanner);
+  if (after == '=' && (run_address(scanner, name, column) || run_path_value(scanner, name, column))) {
     return;
   }
-  if (run_address(scanner, name, column) || run_path_value(scanner, name, column)) {
+  if (const Run run = find_statement(name)) {
+    (this->*run)(scanner);
     return;
   }
   if (const Function* const function = find_function(name)) {

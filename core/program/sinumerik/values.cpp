@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::size_t most_elements = 100'000;
 constexpr int most_r = 32'535;
+constexpr double most_value = 1e9;
 
 /// Names that the control's cycles give to numbers.
 constexpr auto constants = std::to_array<std::pair<std::string_view, double>>({{"TRUE", 1},
@@ -249,9 +250,34 @@ double Values::read_bounded(Scanner& scanner) {
   return bounded(read(scanner), column);
 }
 
+std::optional<double> Values::plain_number(Scanner& scanner) {
+  scanner.peek();
+  const std::string_view rest = scanner.text().substr(std::min(scanner.at(), scanner.text().size()));
+  const std::size_t sign = !rest.empty() && (rest[0] == '-' || rest[0] == '+') ? 1 : 0;
+  if (rest.size() <= sign || !(letters::is_digit(rest[sign]) || rest[sign] == '.')) {
+    return std::nullopt;
+  }
+  double number = 0;
+  const char* const end = rest.data() + rest.size();
+  const auto [stop, status] = std::from_chars(rest.data() + sign, end, number, std::chars_format::fixed);
+  if (status != std::errc() || !(number <= most_value)) {
+    return std::nullopt;
+  }
+  Scanner behind = scanner;
+  behind.move_to(scanner.at() + static_cast<std::size_t>(stop - rest.data()));
+  const char next = behind.peek();
+  const char after = behind.peek_at(1);
+  const bool word = letters::is_letter(next) && (letters::is_digit(after) || after == '-' || after == '+' ||
+                                                 after == '.' || after == '=');
+  if (next != '\0' && !word) {
+    return std::nullopt;
+  }
+  scanner = behind;
+  return rest[0] == '-' ? -number : number;
+}
+
 double Values::bounded(double value, std::uint32_t column) {
-  constexpr double most = 1e9;
-  if (!(std::abs(value) <= most)) {
+  if (!(std::abs(value) <= most_value)) {
     throw ReadFault{"number-range", column,
                     fmt::format("the value {} is beyond the largest number, 1000000000", value),
                     "the block does not move; correct the expression"};

@@ -33,6 +33,9 @@ class Values : public ExpressionReader {
   /// Throws ReadFault "number-range" beyond +-1e9.
   double read_bounded(Scanner& scanner);
   static double bounded(double value, std::uint32_t column);
+  /// A decimal number, signed or not, that is a whole value: at the line's end or before the next word. None,
+  /// and nothing taken, for everything else. Most values are one, and this is many times as quick as read().
+  static std::optional<double> plain_number(Scanner& scanner);
   /// Texts and values joined by "<<". Throws ReadFault.
   std::string read_text(Scanner& scanner);
   /// A text, or a variable that holds one, stands here.

@@ -41,6 +41,9 @@ std::optional<double> Variables::r(int number) const {
 }
 
 Variable* Variables::find(std::string_view name) {
+  if (levels_.back().empty() && levels_.front().empty()) {
+    return nullptr;
+  }
   const std::string upper = upper_case(name);
   for (auto* const level : {&levels_.back(), &levels_.front()}) {
     if (const auto found = level->find(upper); found != level->end()) {

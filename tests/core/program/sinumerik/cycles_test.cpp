@@ -29,6 +29,7 @@ std::vector<std::string> steps_of(const std::string& call) {
 TEST(SinumerikCycles, Drilling) {
   EXPECT_THAT(steps_of("CYCLE81(10,0,2,-15)"), ElementsAre("R2", "F-15", "R10"));
   EXPECT_THAT(steps_of("CYCLE81(10,5,2,,15)"), ElementsAre("R7", "F-10", "R10"));
+  EXPECT_THAT(steps_of("CYCLE81(10,0,2,-15,,0.5,0,1,12)"), ElementsAre("R2", "F-15", "D0.5", "R10"));
   EXPECT_THAT(steps_of("CYCLE82(10,0,2,-15,,0.5)"), ElementsAre("R2", "F-15", "D0.5", "R10"));
   EXPECT_THAT(steps_of("CYCLE86(10,0,2,-15,0,1,3,0,0,0,0)"), ElementsAre("R2", "F-15", "D1", "R10"));
   EXPECT_THAT(steps_of("CYCLE87(10,0,2,-15,0,3)"), ElementsAre("R2", "F-15", "R10"));
@@ -58,6 +59,43 @@ TEST(SinumerikCycles, TappingRunsAtLeadTimesSpeed) {
   EXPECT_DOUBLE_EQ(program.motions[5].feed, 100.0 / 60);
   const Program floating = read_clean("G0 Z50\nS600\nCYCLE840(10,0,2,-15,,0,4,3,0,,1.5)");
   EXPECT_DOUBLE_EQ(floating.motions[2].feed, 15);
+}
+
+TEST(SinumerikCycles, TappingBreaksAndClearsChips) {
+  const std::string call = "CYCLE84(10,0,2,-10,,0,3,,1.5,0,600,600,,,,";
+  EXPECT_THAT(steps_of(call + "0,4,1)"), ElementsAre("R2", "F-10", "F2", "R10"));
+  EXPECT_THAT(steps_of(call + "1,4,1)"), ElementsAre("R2", "F-4", "F-3", "F-8", "F-7", "F-10", "F2", "R10"));
+  EXPECT_THAT(steps_of(call + "2,5,1)"), ElementsAre("R2", "F-5", "F2", "F-10", "F2", "R10"));
+}
+
+class SinumerikLeads : public testing::TestWithParam<std::pair<const char*, double>> {};
+
+TEST_P(SinumerikLeads, AreInTheUnitThatTheCallSays) {
+  const Program program = read_clean("G0 Z50\nS60\n" + std::string(GetParam().first));
+  EXPECT_NEAR(program.motions[2].feed, GetParam().second, 1e-12) << GetParam().first;
+}
+
+INSTANTIATE_TEST_SUITE_P(Units, SinumerikLeads,
+                         testing::Values(std::pair("CYCLE84(10,0,2,-15,,0,3,,2,0,60,60)", 2.0),
+                                         std::pair("G70 CYCLE84(1,0,2,-15,,0,3,,2,0,60,60)", 50.8),
+                                         std::pair("G70 CYCLE84(1,0,2,-15,,0,3,,2,0,60,60,,1)", 2.0),
+                                         std::pair("CYCLE84(10,0,2,-15,,0,3,,20,0,60,60,,2)", 1.27),
+                                         std::pair("CYCLE84(10,0,2,-15,,0,3,,0.1,0,60,60,,3)", 2.54),
+                                         std::pair("G70 CYCLE84(1,0,2,-15,,0,3,8,,0,60,60)", 1.25),
+                                         std::pair("CYCLE840(10,0,2,-15,,0,4,3,0,,20,,2)", 1.27)));
+
+TEST(SinumerikCycles, FineBoringLiftsTheEdgeOffTheWall) {
+  const Program program = read_clean("G0 X5 Y6 Z50\nF100\nCYCLE86(10,0,2,-15,,0,3,-1,0.5,0.2,45)");
+  ASSERT_EQ(program.motions.size(), 6U);
+  expect_near(program.motions[3].target, {4, 6.5, -14.8});
+  expect_near(program.motions[4].target, {4, 6.5, 2});
+  expect_near(program.motions[5].target, {5, 6, 10});
+}
+
+TEST(SinumerikCycles, AnotherAxisThanThatAcrossThePlaneMayBeNamed) {
+  const Program program = read_clean("G0 X50 Y7 Z8\nF100\nCYCLE83(40,30,2,10,,,20,0,0,0,1,0,1)");
+  ASSERT_EQ(program.motions.size(), 4U);
+  expect_near(program.motions[2].target, {10, 7, 8});
 }
 
 TEST(SinumerikCycles, ReamingHasFeedsOfItsOwn) {

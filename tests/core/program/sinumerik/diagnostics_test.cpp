@@ -127,6 +127,9 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"G0 X1\nSCALE X0",
              "f:2:1: error: a scale factor is zero [scale-factor] (it is left out; write a factor other than "
              "zero)"},
+        Case{"G0 X1\nCYCLE800(0,\"\",0,0,0,0,0,0,0,30)",
+             "f:2:1: error: CYCLE800 with mode 0 is not read [swivel] (the plane is shown unturned; angles "
+             "about one axis after the other are read)"},
         Case{"G0 X1\nCYCLE800(0,\"\",0,192,0,0,0,10)",
              "f:2:1: error: CYCLE800 with mode 192 is not read [swivel] (the plane is shown unturned; angles "
              "about one axis after the other are read)"},

@@ -29,9 +29,12 @@ INSTANTIATE_TEST_SUITE_P(
                     EndCase{"G0 X=2+3 Y = -(4 - 1) Z=10/4", {5, -3, 2.5}},
                     EndCase{"G0 X5\nX=IC(2) Y=AC(4)", {7, 4, 0}},
                     EndCase{"G91 G0 X5\nX=AC(2) Y=IC(3) Z4", {2, 3, 4}},
-                    EndCase{"G0 X1.5EX2 Y2EX-1", {150, 0.2, 0}}, EndCase{"G0 X=1.5EX2", {150, 0, 0}},
-                    EndCase{"G70 G0 X1 Y2", {25.4, 50.8, 0}}, EndCase{"G700 G0 X1\nG71 Y2", {25.4, 2, 0}},
-                    EndCase{"G710 G0 X1", {1, 0, 0}}, EndCase{"G0 X1 ; X2 (three) \"four\"", {1, 0, 0}},
+                    EndCase{"G0 X=-1.5 Y=+.5 Z=2.", {-1.5, 0.5, 2}}, EndCase{"G0 X=5Y=6Z7", {5, 6, 7}},
+                    EndCase{"G0 X=5 DIV 2 Y=7MOD 4", {2, 3, 0}}, EndCase{"G0 X=5 -2 Y=6 *2", {3, 12, 0}},
+                    EndCase{"G0 X=3 B_OR 4 Y1", {7, 1, 0}}, EndCase{"G0 X1.5EX2 Y2EX-1", {150, 0.2, 0}},
+                    EndCase{"G0 X=1.5EX2", {150, 0, 0}}, EndCase{"G70 G0 X1 Y2", {25.4, 50.8, 0}},
+                    EndCase{"G700 G0 X1\nG71 Y2", {25.4, 2, 0}}, EndCase{"G710 G0 X1", {1, 0, 0}},
+                    EndCase{"G0 X1 ; X2 (three) \"four\"", {1, 0, 0}},
                     EndCase{"G0 MSG(\"a;b\") X1", {1, 0, 0}}, EndCase{":10 G0 X1", {1, 0, 0}},
                     EndCase{"/0 G0 X1\n/7 X2", {2, 0, 0}}, EndCase{"G0 START_1: X4", {4, 0, 0}}));
 
@@ -65,6 +68,15 @@ TEST(SinumerikMotion, DwellsInSecondsOrRevolutionsLeaveTheFeedAlone) {
   EXPECT_DOUBLE_EQ(program.motions[1].dwell, 1.5);
   EXPECT_DOUBLE_EQ(program.motions[2].dwell, 1.5);
   EXPECT_DOUBLE_EQ(program.motions[3].feed, 10);
+}
+
+/// A whole turn of a helix needs no coordinate of its plane.
+TEST(SinumerikMotion, AHelixMayNameItsCentreAndItsRiseAlone) {
+  const Program program = read_clean("G0 X13 Y10\nG91 G3 I-3 Z-1 F100");
+  ASSERT_EQ(program.arcs.size(), 1U);
+  expect_near(program.arcs[0].center, {10, 10, 0});
+  EXPECT_EQ(program.arcs[0].turns, 1);
+  expect_near(program.motions.back().target, {13, 10, -1});
 }
 
 TEST(SinumerikMotion, MacrosStandForTheirWords) {
