@@ -39,11 +39,25 @@ bool SinumerikReader::run_cycle(const SubprogramCall& call) {
     hole_pattern(call.arguments, call.name.back() == '2', call.column);
   } else if (const auto cycle = DrillingCycle::make(number, call.arguments, to_mm(1))) {
     finish_spline();
+    check_depth(number, call);
     drill(*cycle);
   } else {
     return false;
   }
   return true;
+}
+
+/// _GMODE of centring and drilling: the depth may be meant of the tool's diameter or shank, whose height over
+/// the tip the program does not tell.
+void SinumerikReader::check_depth(int number, const SubprogramCall& call) {
+  const bool by_tip = static_cast<int>(number_at(call.arguments, 6)) / 10 % 10 == 0;
+  if (by_tip || (number != 81 && number != 82)) {
+    return;
+  }
+  report(Severity::error, "hole-depth", number, call.column, [&] {
+    return Text{fmt::format("the depth of CYCLE{} by the tool's diameter or shank is not read", number),
+                "it is taken as that of the tip"};
+  });
 }
 
 void SinumerikReader::drill(const DrillingCycle& cycle) {
@@ -146,6 +160,13 @@ void SinumerikReader::high_speed_settings(const SubprogramCall& call) {
     return;
   }
   const int digits = static_cast<int>(code);
+  if (tolerance > 0 && digits % 10 == 0) {
+    report(Severity::warning, "path-value", 1, call.column, [&] {
+      return Text{
+          fmt::format("CYCLE832 with tolerance {} and machining type 0 switches its settings off", tolerance),
+          "write the type as second value: 1 finishing, 2 semi-finishing, 3 roughing"};
+    });
+  }
   std::optional<double> orientation;
   if (digits / 10 % 10 == 1) {
     orientation = units::from_deg(number_at(call.arguments, 2));

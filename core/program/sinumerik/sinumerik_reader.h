@@ -261,6 +261,7 @@ class SinumerikReader : public Reader {
   Vec3 last_direction() const;
 
   // Cycles: cycles.cpp
+  void check_depth(int number, const SubprogramCall& call);
   void drill(const sinumerik::DrillingCycle& cycle);
   void hole_pattern(const sinumerik::Arguments& arguments, bool circle, std::uint32_t column);
   void high_speed_settings(const SubprogramCall& call);

@@ -127,6 +127,13 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"G0 X1\nSCALE X0",
              "f:2:1: error: a scale factor is zero [scale-factor] (it is left out; write a factor other than "
              "zero)"},
+        Case{"G0 X1\nCYCLE832(0.01)",
+             "f:2:1: warning: CYCLE832 with tolerance 0.01 and machining type 0 switches its settings off "
+             "[path-value] (write the type as second value: 1 finishing, 2 semi-finishing, 3 roughing)"},
+        Case{
+            "G0 X1 F100\nCYCLE81(10,0,2,-5,,0,10)",
+            "f:2:1: error: the depth of CYCLE81 by the tool's diameter or shank is not read [hole-depth] (it "
+            "is taken as that of the tip)"},
         Case{"G0 X1\nCYCLE800(0,\"\",0,0,0,0,0,0,0,30)",
              "f:2:1: error: CYCLE800 with mode 0 is not read [swivel] (the plane is shown unturned; angles "
              "about one axis after the other are read)"},
