@@ -113,6 +113,8 @@ class HeidenhainCore : public Reader {
   void shift_datum(const std::array<OptionalWord, 3>& to, std::uint32_t column);
   void dwell(double seconds, std::uint32_t column);
   void set_datum(std::string_view what, std::uint32_t column);
+  /// A datum of the machine; shift, mirror, rotation and scaling end unless `keeps_transformations`.
+  void set_preset(std::string_view what, bool keeps_transformations, std::uint32_t column);
 
   // Labels, calls, the end: heidenhain_flow.cpp
 

@@ -114,7 +114,7 @@ void HeidenhainCore::define_cycle(int number, std::string_view title, Scanner& p
   if (number == circle_pattern || number == grid_pattern) {
     run_pattern(number, column);
   } else if (number == datum_setting) {
-    set_datum("cycle 247", column);
+    set_preset("cycle 247", false, column);
   } else if (known.empty()) {
     leave_out_cycle(number, title, column);
   } else {

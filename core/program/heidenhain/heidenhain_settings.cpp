@@ -348,6 +348,18 @@ void HeidenhainCore::dwell(double seconds, std::uint32_t column) {
   }
 }
 
+void HeidenhainCore::set_preset(std::string_view what, bool keeps_transformations, std::uint32_t column) {
+  if (!keeps_transformations) {
+    // iTNC 530 and TNC 640 cycle programming, cycle 247.
+    using Kind = Transformations::Kind;
+    for (const Kind kind : {Kind::shift, Kind::mirror, Kind::rotation, Kind::scale}) {
+      transformations_.reset(kind);
+    }
+    apply_transformations(column);
+  }
+  set_datum(what, column);
+}
+
 void HeidenhainCore::set_datum(std::string_view what, std::uint32_t column) {
   end_contour(column);
   if (path().has_moved()) {

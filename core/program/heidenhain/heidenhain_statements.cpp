@@ -136,8 +136,8 @@ void HeidenhainReader::global_definition(Scanner& scanner, std::uint32_t column)
   predefine(scanner);
 }
 
-void HeidenhainReader::preset(Scanner&, std::uint32_t column) {
-  set_datum("PRESET", column);
+void HeidenhainReader::preset(Scanner& scanner, std::uint32_t column) {
+  set_preset("PRESET", scanner.rest().find("KEEP TRANS") != std::string_view::npos, column);
 }
 
 void HeidenhainReader::function_statement(Scanner& scanner, std::uint32_t column) {

@@ -45,6 +45,20 @@ INSTANTIATE_TEST_SUITE_P(
         PlaneCase{"CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+90 B+0 C+0 F500 ABST50", {1, -3, 2}},
         PlaneCase{"CYCL DEF 19.1 A+90 SETUP50\nCYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1", {1, 2, 3}}));
 
+TEST(HeidenhainPlanes, ADatumOfTheMachineEndsTheTransformationsButTheTilt) {
+  const std::string set = "CYCL DEF 7.1 X+10\nCYCL DEF 10.1 ROT+90\nCYCL DEF 8.1 Y\nCYCL DEF 11.1 SCL 2\n";
+  const std::string to = "L X+1 Y+2 Z+3 FMAX\n";
+  EXPECT_EQ(path_of(read_clean_heidenhain(set + "CYCL DEF 247 DATUM SETTING Q339=1\n" + to)), "r1,2,3");
+  EXPECT_EQ(path_of(read_clean_heidenhain(set + "PRESET SELECT #3\n" + to)), "r1,2,3");
+  EXPECT_EQ(path_of(read_clean_heidenhain("CYCL DEF 7.1 X+10\nPRESET SELECT #3 KEEP TRANS WP\n" + to)),
+            "r11,2,3");
+  EXPECT_EQ(path_of(read_clean_heidenhain(
+                "CYCL DEF 7.1 X+10\nPLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nCYCL DEF 247 D "
+                "Q339=1\n" +
+                to)),
+            "r1,-3,2");
+}
+
 TEST(HeidenhainPlanes, ArcsAndHolesLieInTheTiltedPlane) {
   const Program arc = read_clean_heidenhain(
       "PLANE SPATIAL SPA+90 SPB+0 SPC+0 STAY\nL X+10 Y+0 Z+0 F100\nCC X+0 Y+0\nC X+0 Y+10 DR+\n");
