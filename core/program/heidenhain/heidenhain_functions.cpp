@@ -1,6 +1,7 @@
 // The part of HeidenhainCore for Q parameters and FN functions.
 #include <fmt/format.h>
 
+#include <charconv>
 #include <cmath>
 
 #include "core/base/units.h"
@@ -159,37 +160,68 @@ void HeidenhainCore::read_system_data(Scanner& scanner, std::uint32_t column) {
   read_system_data(*result, group, number, index, column);
 }
 
+/// iTNC 530 HSCI technical manual, 9.5.4. System data are metric whatever the unit of the program.
+std::optional<double> HeidenhainCore::system_data(double group, double number, double index) const {
+  const auto asks = [&](int g, int n) { return group == g && number == n; };
+  const int axis = index == 1 || index == 2 || index == 3 ? static_cast<int>(index) - 1 : -1;
+  if (asks(10, 1)) {
+    return is_inch() ? 1 : 0;
+  }
+  if (asks(20, 1)) {
+    return number_of_tool();
+  }
+  if (asks(20, 3)) {
+    return normal_axis(contour_.plane());
+  }
+  if (asks(20, 4)) {
+    return spindle_speed_;
+  }
+  if (asks(20, 9) && feed_.mode == FeedMode::per_minute) {
+    return units::to_mm_min(feed_.value);
+  }
+  if (asks(50, 2)) {
+    const auto known = tool_radii_.find(fmt::format("{}", index));
+    return known != tool_radii_.end() ? std::optional(known->second) : std::nullopt;
+  }
+  if (asks(200, 1)) {
+    return tool_radius_;
+  }
+  if (asks(220, 2) && axis >= 0) {
+    return transformations_.shift()[axis];
+  }
+  if (asks(270, 1) && axis >= 0) {
+    return contour_.position()[axis];
+  }
+  return std::nullopt;
+}
+
+std::optional<double> HeidenhainCore::number_of_tool() const {
+  double number = 0;
+  const auto [end, status] = std::from_chars(tool_.data(), tool_.data() + tool_.size(), number);
+  return status == std::errc() && end == tool_.data() + tool_.size() ? std::optional(number) : std::nullopt;
+}
+
 void HeidenhainCore::read_system_data(const QName& result, double group, double number, double index,
                                       std::uint32_t column) {
-  const auto asks = [&](int g, int n) { return group == g && number == n; };
-  const bool axis_index = index == 1 || index == 2 || index == 3;
-  // The control gives system data in mm whatever the unit of the program.
-  if (asks(270, 1) && axis_index) {
-    if ((programmed_axes_ >> (static_cast<int>(index) - 1) & 1) == 0) {
-      report(Severity::warning, "system-data", static_cast<int>(index), column, [&] {
-        return Text{
-            fmt::format("FN 18 asks where {} is before the program has gone there",
-                        "XYZ"[static_cast<int>(index) - 1]),
-            fmt::format("{} becomes that of the start, which is taken as zero; assign the value of your "
-                        "machine instead",
-                        result.text())};
-      });
-    }
-    parameters_.set(result, contour_.position()[static_cast<int>(index) - 1]);
-  } else if (asks(20, 3)) {
-    parameters_.set(result, normal_axis(contour_.plane()));
-  } else if (asks(20, 4)) {
-    parameters_.set(result, spindle_speed_);
-  } else if (asks(20, 8)) {
-    parameters_.set(result, units::to_mm_min(feed_.value));
-  } else {
+  const std::optional<double> value = system_data(group, number, index);
+  const bool asks_position = value && group == 270;
+  if (!value) {
     report(Severity::warning, "system-data", 0, column, [&] {
       return Text{
           fmt::format("FN 18 asks for ID{} NR{} IDX{}, which only the machine knows", group, number, index),
           fmt::format("{} becomes 0; assign the value of your machine instead", result.text())};
     });
-    parameters_.set(result, 0);
+  } else if (asks_position && (programmed_axes_ >> (static_cast<int>(index) - 1) & 1) == 0) {
+    report(Severity::warning, "system-data", static_cast<int>(index), column, [&] {
+      return Text{
+          fmt::format("FN 18 asks where {} is before the program has gone there",
+                      "XYZ"[static_cast<int>(index) - 1]),
+          fmt::format("{} becomes that of the start, which is taken as zero; assign the value of your "
+                      "machine instead",
+                      result.text())};
+    });
   }
+  parameters_.set(result, value.value_or(0));
 }
 
 }  // namespace feedscope

@@ -206,6 +206,9 @@ INSTANTIATE_TEST_SUITE_P(
                        "1:1: info: FN 16 is not read [unread-function]"},
         DiagnosticCase{"FN 28: TABREAD Q1 = 3\n", "1:1: warning: FN 28 is not read [unread-function]"},
         DiagnosticCase{
+            "FN 18: SYSREAD Q1 = ID20 NR8\n",
+            "1:1: warning: FN 18 asks for ID20 NR8 IDX0, which only the machine knows [system-data]"},
+        DiagnosticCase{
             "FN 18: SYSREAD Q1 = ID50 NR2 IDX5\n",
             "1:1: warning: FN 18 asks for ID50 NR2 IDX5, which only the machine knows [system-data]"}));
 
