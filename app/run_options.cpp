@@ -5,7 +5,26 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "core/base/error.h"
+#include "core/base/units.h"
+
 namespace feedscope {
+
+namespace {
+
+/// The radius stands behind the last "=".
+void add_radius(CutterRadii& radii, const std::string& assignment) {
+  const std::size_t equals = assignment.rfind('=');
+  if (equals == std::string::npos || CutterRadii::key(assignment.substr(0, equals)).empty()) {
+    throw InputError(fmt::format(
+        "--tool '{}' is not TOOL=RADIUS; write the tool as the program names it, and its radius in mm, "
+        "such as --tool 1=5",
+        assignment));
+  }
+  radii.set(assignment.substr(0, equals), parse_length(assignment.substr(equals + 1), "--tool"));
+}
+
+}  // namespace
 
 SetupRequest RunOptions::request() const {
   SetupRequest request{machine, model, {}, set};
@@ -34,6 +53,11 @@ ReadOptions ProgramOptions::reading() const {
   options.skip_deleted_blocks = skip_deleted;
   options.repeat_limit = repeat_limit;
   options.call_depth = call_depth;
+  for (const std::string& assignment : radii) {
+    add_radius(options.radii, assignment);
+  }
+  options.tool_table = tool_table;
+  options.table_unit = table_unit == "inch" ? units::from_inch(1) : 1;
   return options;
 }
 
@@ -56,6 +80,24 @@ void add_program_options(CLI::App& command, ProgramOptions& values) {
       .add_option("--call-depth", values.call_depth,
                   fmt::format("Calls inside each other [{}]", values.call_depth))
       ->type_name("N");
+  command
+      .add_option(
+          "--tool", values.radii,
+          "Cutter radius in mm of a tool as the program names it (D of Fanuc, T,D of Sinumerik); repeat for "
+          "more")
+      ->type_name("TOOL=MM")
+      ->allow_extra_args(false);
+  command
+      .add_option(
+          "--tools", values.tool_table,
+          "Tool table with cutter radii: of LinuxCNC, Sinumerik, Fanuc (G10), Heidenhain (TOOL.T), or a "
+          "list with headings [tool.tbl, TOOL.T, to.ini or tools.csv beside the program]")
+      ->type_name("FILE");
+  command
+      .add_option("--tools-unit", values.table_unit,
+                  "Unit of a tool table that does not name it: mm or inch [mm]")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"mm", "inch"}));
 }
 
 void add_run_options(CLI::App& command, RunOptions& values) {

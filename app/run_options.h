@@ -9,15 +9,19 @@
 
 namespace feedscope {
 
-/// The program and how it is read: FILE --dialect --skip-deleted --repeat-limit --call-depth.
+/// The program and how it is read: FILE --dialect --skip-deleted --repeat-limit --call-depth --tool --tools
+/// --tools-unit.
 struct ProgramOptions {
   std::string file;
   std::string dialect;  ///< id; "" to recognise it
   bool skip_deleted = false;
   std::uint64_t repeat_limit = ReadOptions().repeat_limit;
   std::size_t call_depth = ReadOptions().call_depth;
+  std::vector<std::string> radii;  ///< TOOL=RADIUS, as typed [mm]
+  std::string tool_table;
+  std::string table_unit = "mm";
 
-  /// Throws InputError for a dialect that is not known.
+  /// Throws InputError for a dialect that is not known, or a radius that is none.
   ReadOptions reading() const;
 };
 

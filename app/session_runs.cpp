@@ -10,15 +10,16 @@ namespace feedscope {
 namespace {
 
 void refuse_runs(const SeveralRunsOptions& options) {
-  const std::pair<const char*, bool> asked[] = {{"--machine", !options.machines.empty()},
-                                                {"--model", !options.models.empty()},
-                                                {"--tolerance", !options.tolerances.empty()},
-                                                {"--set", !options.set.empty()}};
+  const std::pair<const char*, bool> asked[] = {
+      {"--machine", !options.machines.empty()},     {"--model", !options.models.empty()},
+      {"--tolerance", !options.tolerances.empty()}, {"--set", !options.set.empty()},
+      {"--dialect", !options.dialect.empty()},      {"--skip-deleted", options.skip_deleted},
+      {"--tool", !options.radii.empty()},           {"--tools", !options.tool_table.empty()}};
   for (const auto& [option, given] : asked) {
     if (given) {
       throw InputError(
-          fmt::format("{} does not go with session '{}', which has its own runs; give the NC "
-                      "program instead, or change the session in the window",
+          fmt::format("{} does not go with session '{}', which has its own; give the NC program "
+                      "instead, or change the session in the window",
                       option, options.file));
     }
   }
@@ -51,15 +52,14 @@ std::optional<ui::Session> asked_session(const SeveralRunsOptions& options) {
   return read.session;
 }
 
-ui::ReportInput simulate_session(const ui::Session& session, const SeveralRunsOptions& options,
-                                 Watch& watch) {
+ui::ReportInput simulate_session(const ui::Session& session, Watch& watch) {
   std::vector<AskedRun> runs;
   for (const ui::RunItem& run : session.runs) {
     runs.push_back({run.setup.setup(), {}});
   }
   const auto source = std::make_shared<const SourceText>(SourceText::from_file(session.program));
   std::vector<std::shared_ptr<const ui::ShownRun>> shown;
-  for (const ui::ReportRun& run : simulate_runs(options, runs, source, watch).runs) {
+  for (const ui::ReportRun& run : simulate_runs(session.reading, runs, source, watch).runs) {
     shown.push_back(run.shown);
   }
   return ui::report_input(session, shown);

@@ -13,6 +13,6 @@ namespace feedscope {
 std::optional<ui::Session> asked_session(const SeveralRunsOptions& options);
 
 /// Reads the program of a session and simulates its runs. Throws Cancelled.
-ui::ReportInput simulate_session(const ui::Session& session, const SeveralRunsOptions& options, Watch& watch);
+ui::ReportInput simulate_session(const ui::Session& session, Watch& watch);
 
 }  // namespace feedscope

@@ -117,6 +117,13 @@ std::string options_text(const SeveralRunsOptions& options) {
   if (options.call_depth != usual.call_depth) {
     text += fmt::format(" --call-depth {}", options.call_depth);
   }
+  add_asked(text, "--tool", options.radii);
+  if (!options.tool_table.empty()) {
+    text += " --tools " + quoted(options.tool_table);
+  }
+  if (options.table_unit != usual.table_unit) {
+    text += " --tools-unit " + options.table_unit;
+  }
   add_asked(text, "--machine", options.machines);
   add_asked(text, "--model", options.models);
   add_asked(text, "--tolerance", options.tolerances);
@@ -124,9 +131,9 @@ std::string options_text(const SeveralRunsOptions& options) {
   return text;
 }
 
-ui::ReportInput simulate_runs(const SeveralRunsOptions& options, const std::vector<AskedRun>& runs,
+ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<AskedRun>& runs,
                               std::shared_ptr<const SourceText> source, Watch& watch) {
-  const LoadedProgram program = load_program(std::move(source), watch.stage("reading"), options.reading());
+  const LoadedProgram program = load_program(std::move(source), watch.stage("reading"), reading);
   Progress& whole = *watch.stage("simulating");
   std::vector<std::shared_ptr<const ui::ShownRun>> shown(runs.size());
   std::vector<std::exception_ptr> errors(runs.size());

@@ -36,7 +36,7 @@ std::string options_text(const SeveralRunsOptions& options);
 std::string quoted(const std::string& text);
 
 /// Reads the program and simulates the runs, as many at a time as there are processors. Throws Cancelled.
-ui::ReportInput simulate_runs(const SeveralRunsOptions& options, const std::vector<AskedRun>& runs,
+ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<AskedRun>& runs,
                               std::shared_ptr<const SourceText> source, Watch& watch);
 
 }  // namespace feedscope

@@ -79,6 +79,7 @@ class MainWindow : public QMainWindow {
   void set_theme(ThemeKind kind);
   void ask_for_program();
   void ask_for_machine();
+  void ask_how_to_read();
   void save_machine();
   void show_program();
   void show_title();

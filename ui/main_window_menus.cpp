@@ -13,6 +13,7 @@
 #include "ui/main_window.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/recent_files.h"
+#include "ui/views/reading_dialog.h"
 #include "ui/views/setup_bar.h"
 #include "ui/window_pictures.h"
 
@@ -131,6 +132,9 @@ void MainWindow::make_file_menu() {
     model_.set_reload_on_change(on);
     QSettings().setValue("reload_on_change", on);
   });
+  connect(add_action(file, tr("Reading &options …"), QKeySequence(tr("Ctrl+Shift+R")),
+                     tr("Language of the program, cutter radii, limits of loops and calls")),
+          &QAction::triggered, this, &MainWindow::ask_how_to_read);
   file->addSeparator();
   connect(add_action(file, tr("&Save session"), QKeySequence::Save,
                      tr("Keep runs, views and annotations in one file")),
@@ -243,6 +247,13 @@ void MainWindow::ask_for_program() {
          "*.txt);;All files (*)"));
   if (!file.isEmpty()) {
     open(to_path(file));
+  }
+}
+
+void MainWindow::ask_how_to_read() {
+  ReadingDialog dialog(model_.reading(), model_.program().get(), this);
+  if (dialog.exec() == QDialog::Accepted) {
+    model_.set_reading(dialog.options());
   }
 }
 

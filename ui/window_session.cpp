@@ -43,6 +43,7 @@ Session WindowSession::capture() const {
   Session session;
   session.program = std::filesystem::absolute(model_.file()).lexically_normal();
   session.program_hash = program_hash();
+  session.reading = model_.reading();
   session.runs = model_.runs().items();
   session.current_run = model_.runs().current();
   session.cursor = model_.cursor().valid() ? model_.cursor().state().time : 0;
@@ -57,7 +58,7 @@ Session WindowSession::capture() const {
 }
 
 void WindowSession::show(const Session& session) {
-  model_.open(session.program, session.runs, session.current_run);
+  model_.open(session.program, session.runs, session.current_run, session.reading);
   model_.annotations().replace(session.annotations);
   window_.restoreState(session.layout);
   if (session.program_font_size) {
@@ -167,19 +168,22 @@ bool WindowSession::save(bool as_new) {
   return true;
 }
 
-/// Runs and annotations, without which place is looked at.
+/// Runs, annotations and reading options, without which place is looked at.
 QByteArray WindowSession::essence() const {
   Session session;
   session.program = model_.file();
+  session.reading = model_.reading();
   session.runs = model_.runs().items();
   session.annotations = model_.annotations().items();
   const QJsonObject json = to_json(session, {});
-  return QJsonDocument(QJsonArray{json["runs"], json["annotations"]}).toJson(QJsonDocument::Compact);
+  return QJsonDocument(QJsonArray{json["runs"], json["annotations"], json["reading"]})
+      .toJson(QJsonDocument::Compact);
 }
 
 bool WindowSession::changed() const {
   if (file_.empty()) {
-    return !model_.annotations().items().empty() || model_.runs().items().size() > 1;
+    return !model_.annotations().items().empty() || model_.runs().items().size() > 1 ||
+           !(model_.reading() == ReadOptions());
   }
   return essence() != saved_;
 }

@@ -32,6 +32,17 @@ std::string tools_text(const Program& program) {
   return names.empty() ? "none named" : fmt::format("{}", fmt::join(names, ", "));
 }
 
+std::string cutters_text(const Program& program) {
+  std::vector<std::string> texts;
+  for (const CutterUse& use : program.cutters) {
+    const std::string radius = use.source == CutterSource::unknown
+                                   ? std::string("radius not known")
+                                   : fmt::format("radius {:.6g} mm ({})", use.radius, to_string(use.source));
+    texts.push_back(fmt::format("{} (line {}): {}", use.tool, use.line, radius));
+  }
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 std::string facts_text(const Program& program, const ProgramFacts& facts) {
   TextTable table;
   table.add({"dialect", std::string(info_of(program.dialect).title)});
@@ -53,6 +64,9 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
                                         units::to_mm_min(facts.largest_feed))
                           : "none programmed"});
   table.add({"tools", tools_text(program)});
+  if (!program.cutters.empty()) {
+    table.add({"cutters", cutters_text(program)});
+  }
   table.add({"calls", fmt::format("{}", program.call_count)});
   std::string label = "path control";
   for (const PathControlRange& range : facts.path_control) {

@@ -220,8 +220,8 @@ int render(const RenderOptions& options) {
   ui::ReportInput input;
   {
     Watch watch;
-    input = session ? simulate_session(*session, options.runs, watch)
-                    : simulate_runs(options.runs, runs, source, watch);
+    input = session ? simulate_session(*session, watch)
+                    : simulate_runs(options.runs.reading(), runs, source, watch);
   }
   if (!session || !options.camera.empty()) {
     input.view = camera_of(options);

@@ -94,8 +94,8 @@ int report(const ReportOptions& options) {
   ui::ReportInput input;
   {
     Watch watch;
-    input = session ? simulate_session(*session, options.runs, watch)
-                    : simulate_runs(options.runs, runs, source, watch);
+    input = session ? simulate_session(*session, watch)
+                    : simulate_runs(options.runs.reading(), runs, source, watch);
     input.title = QString::fromStdString(options.title);
     input.author = QString::fromStdString(options.author);
     input.date = date;

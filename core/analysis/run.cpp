@@ -42,10 +42,11 @@ LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* p
   return loaded;
 }
 
-LoadedProgram load_program(const std::filesystem::path& file, Progress* progress) {
+LoadedProgram load_program(const std::filesystem::path& file, Progress* progress,
+                           const ReadOptions& options) {
   const StopWatch watch;
   LoadedProgram loaded =
-      load_program(std::make_shared<const SourceText>(SourceText::from_file(file)), progress);
+      load_program(std::make_shared<const SourceText>(SourceText::from_file(file)), progress, options);
   loaded.read_time = watch.seconds();
   return loaded;
 }

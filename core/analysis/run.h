@@ -54,7 +54,8 @@ MachineLibrary shipped_machines();
 LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress = nullptr,
                            const ReadOptions& options = {});
 /// Reads a file, or standard input for "-". Throws InputError as SourceText::from_file does.
-LoadedProgram load_program(const std::filesystem::path& file, Progress* progress = nullptr);
+LoadedProgram load_program(const std::filesystem::path& file, Progress* progress = nullptr,
+                           const ReadOptions& options = {});
 
 /// Throws InputError naming the value, its bounds and the nearest valid name: unknown machine, model or
 /// setting, value out of bounds. A tolerance has no effect on a model that does not read it.

@@ -56,6 +56,18 @@ Json tools(const Program& program) {
   return list;
 }
 
+Json cutters(const Program& program) {
+  Json list = Json::array();
+  for (const CutterUse& use : program.cutters) {
+    const bool known = use.source != CutterSource::unknown;
+    list.push_back({{"tool", use.tool},
+                    {"radius_mm", known ? Json(use.radius) : Json(nullptr)},
+                    {"source", to_string(use.source)},
+                    {"line", use.line}});
+  }
+  return list;
+}
+
 Json path_control(const ProgramFacts& facts) {
   const auto optional = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
   Json list = Json::array();
@@ -310,6 +322,7 @@ std::string check_json(const Program& program, const ProgramFacts& facts) {
                      {{"min", finite(units::to_mm_min(facts.least_feed))},
                       {"max", finite(units::to_mm_min(facts.largest_feed))}}},
                     {"tools", tools(program)},
+                    {"cutters", cutters(program)},
                     {"calls", program.call_count},
                     {"path_control", path_control(facts)},
                     {"bounds", bounds(facts.bounds)}}},

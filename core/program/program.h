@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 #include "core/program/dialect.h"
 #include "core/program/path_control.h"
 #include "core/program/text/source_text.h"
+#include "core/program/tools/cutter_radii.h"
 
 namespace feedscope {
 
@@ -41,6 +43,24 @@ struct ToolChange {
   std::uint32_t line = 0;  ///< of its first use
 };
 
+enum class CutterSource : std::uint8_t {
+  unknown,  ///< nobody says it: the programmed contour is shown
+  asked,    ///< ReadOptions
+  program,  ///< the program itself
+  table,    ///< a tool table
+};
+
+/// "not known", "asked for", "program", "tool table".
+std::string_view to_string(CutterSource source);
+
+/// A cutter beside whose contour the program runs.
+struct CutterUse {
+  std::string tool;        ///< as a key of CutterRadii
+  double radius = 0;       ///< [mm]
+  std::uint32_t line = 0;  ///< of its first use
+  CutterSource source = CutterSource::unknown;
+};
+
 /// What a program says, free of its dialect.
 struct Program {
   std::shared_ptr<const SourceText> source;
@@ -51,6 +71,7 @@ struct Program {
   std::vector<ArcWords> arcs;
   std::vector<PathControl> path_controls;  ///< the first is the machine's
   std::vector<ToolChange> tools;           ///< in the order of their first use
+  std::vector<CutterUse> cutters;          ///< that compensation asks for, in the order of their first use
   std::uint64_t call_count = 0;            ///< subprogram calls that were run
   std::vector<std::shared_ptr<const SourceText>> called_files;
   /// Of the programmed points; Toolpath::bounds adds what arcs reach beyond them [mm]. The tool starts at
@@ -64,9 +85,16 @@ struct ReadOptions {
   std::optional<Dialect> dialect = std::nullopt;  ///< none: recognised from the text
   /// As with the control's block delete switch on: "/" blocks are left out.
   bool skip_deleted_blocks = false;
-  /// Lines that loops and calls may run on top of the program's own, so that an endless loop ends.
+  /// Lines that loops and calls may run on top of the program's own, so that an endless loop ends; cycles and
+  /// curves may make 25 times as many motions.
   std::uint64_t repeat_limit = 2'000'000;
   std::size_t call_depth = 64;  ///< of calls inside each other
+  CutterRadii radii;            ///< of cutters, whatever program and tool table say
+  /// Tool table for radii that the program does not set; empty: one beside the program, if there is any.
+  std::filesystem::path tool_table;
+  double table_unit = 1;  ///< of lengths in a tool table that does not name it [mm]
+
+  bool operator==(const ReadOptions&) const = default;
 };
 
 /// Reads a program of any dialect; see README.md beside this file.

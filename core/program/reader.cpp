@@ -8,8 +8,21 @@
 
 namespace feedscope {
 
+namespace {
+
+/// Motions that cycles and curves may make for each line that ReadOptions::repeat_limit allows: 50 million if
+/// nothing else is asked for.
+constexpr std::uint64_t motions_a_repeat = 25;
+
+}  // namespace
+
 Reader::Reader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress)
-    : options_(options), progress_(progress), path_(program_, log_), files_(source->folder()), text_(source) {
+    : options_(options),
+      progress_(progress),
+      path_(program_, log_),
+      files_(source->folder()),
+      cutters_(options, files_),
+      text_(source) {
   program_.source = std::move(source);
 }
 
@@ -52,8 +65,17 @@ bool Reader::within_run_limit() {
   if (++lines_run_ % lines_between_reports == 0 && progress_ != nullptr) {
     progress_->report(std::min(1.0, static_cast<double>(shown_line()) / count));
   }
-  if (lines_run_ <= count + options_.repeat_limit) {
+  const std::uint64_t most_motions = count + motions_a_repeat * options_.repeat_limit;
+  if (lines_run_ <= count + options_.repeat_limit && program_.motions.size() <= most_motions) {
     return true;
+  }
+  if (program_.motions.size() > most_motions) {
+    report(Severity::error, "run-limit", 1, 0, [&] {
+      return Text{
+          fmt::format("cycles and curves have made more than {} motions", most_motions),
+          "the rest is left out; check the infeeds of the cycles, or raise the limit with --repeat-limit"};
+    });
+    return false;
   }
   report(Severity::error, "run-limit", 0, 0, [&] {
     return Text{
@@ -114,6 +136,40 @@ void Reader::select_tool(std::string_view name) {
   if (is_new) {
     program_.tools.push_back({std::string(name), shown_line()});
   }
+}
+
+std::optional<double> Reader::cutter_radius(std::string_view tool, std::optional<double> programmed) {
+  const Cutters::Found found = cutters_.find(tool, programmed);
+  return found.source == CutterSource::unknown ? std::nullopt : std::optional(found.radius);
+}
+
+std::optional<double> Reader::use_cutter(std::string_view tool, std::optional<double> programmed) {
+  const Cutters::Found found = cutters_.find(tool, programmed);
+  const std::string key = CutterRadii::key(tool);
+  const auto known = std::find_if(program_.cutters.begin(), program_.cutters.end(),
+                                  [&](const CutterUse& use) { return use.tool == key; });
+  if (known == program_.cutters.end()) {
+    program_.cutters.push_back({key, found.radius, shown_line(), found.source});
+  } else {
+    known->radius = found.radius;
+    known->source = found.source;
+  }
+  if (!cutters_.table_fault().empty()) {
+    report(Severity::warning, "tool-table", 0, 0, [&] {
+      return Text{cutters_.table_fault(),
+                  "the table beside the program is left aside; mend it, or name another one"};
+    });
+  } else if (found.source == CutterSource::table) {
+    report(Severity::info, "tool-table", 1, 0, [&] {
+      return Text{fmt::format("cutter radii are those of tool table '{}'", cutters_.table_name()), ""};
+    });
+  }
+  return found.source == CutterSource::unknown ? std::nullopt : std::optional(found.radius);
+}
+
+std::string Reader::radius_hint(std::string_view tool) {
+  return fmt::format("give it as a reading option, --tool {}=RADIUS, or give a tool table",
+                     CutterRadii::key(tool));
 }
 
 DiagnosticLog::Place Reader::place(std::uint32_t column) const {

@@ -9,6 +9,7 @@
 #include "core/program/program.h"
 #include "core/program/text/diagnostic_log.h"
 #include "core/program/text/subprogram_files.h"
+#include "core/program/tools/cutters.h"
 
 namespace feedscope {
 
@@ -65,6 +66,12 @@ class Reader {
   std::uint32_t shown_line() const;
   /// The program asks for a tool, by number or name.
   void select_tool(std::string_view name);
+  /// Radius of a cutter [mm], which the program says to be `programmed`; none if nobody knows it.
+  std::optional<double> cutter_radius(std::string_view tool, std::optional<double> programmed);
+  /// The same where the path depends on it: Program::cutters names it.
+  std::optional<double> use_cutter(std::string_view tool, std::optional<double> programmed);
+  /// What to do about a radius that nobody knows, behind "the path shown is the programmed contour; ".
+  static std::string radius_hint(std::string_view tool);
   /// Counts a block: a line that holds words.
   void count_block() { ++program_.block_count; }
 
@@ -98,6 +105,7 @@ class Reader {
   DiagnosticLog log_;
   PathWriter path_;
   SubprogramFiles files_;
+  Cutters cutters_;
   std::shared_ptr<const SourceText> text_;
   std::vector<Call> calls_;
   std::uint32_t line_ = 0;

@@ -54,6 +54,36 @@ TEST_F(CheckCommand, TakesTheDialectThatIsNamed) {
   expect_wrong_use("check dwell.nc --dialect linuxcmc", "did you mean \"linuxcnc\"?");
 }
 
+TEST_F(CheckCommand, CutterRadiiComeFromOptionsAndTables) {
+  write("part.nc", "G21 G17\nG42 D7 G1 X10 F600\nX20\nX30\n");
+  const Result unknown = run("check part.nc --dialect fanuc");
+  EXPECT_EQ(unknown.code, 1);
+  EXPECT_THAT(unknown.err, AllOf(HasSubstr("[tool-radius]"), HasSubstr("--tool 7=RADIUS")));
+  EXPECT_THAT(unknown.out, HasSubstr("7 (line 2): radius not known"));
+  const Result given = run("check part.nc --dialect fanuc --tool 7=4,5");
+  EXPECT_EQ(given.code, 0) << given.err;
+  EXPECT_THAT(given.out, HasSubstr("7 (line 2): radius 4.5 mm (asked for)"));
+  write("mine.tbl", "T7 P1 D0.5 ; half an inch\n");
+  const json cutter =
+      json::parse(run("check part.nc --dialect fanuc --tools mine.tbl --tools-unit inch --json -")
+                      .out)["program"]["cutters"][0];
+  EXPECT_EQ(cutter["tool"], "7");
+  EXPECT_EQ(cutter["radius_mm"], 6.35);
+  EXPECT_EQ(cutter["source"], "tool table");
+  EXPECT_EQ(cutter["line"], 2);
+}
+
+TEST_F(CheckCommand, RefusesWhatIsNoCutterRadius) {
+  write("part.nc", "G1 X10 F600\n");
+  expect_wrong_use("check part.nc --tool 7", "is not TOOL=RADIUS");
+  expect_wrong_use("check part.nc --tool =3", "is not TOOL=RADIUS");
+  expect_wrong_use("check part.nc --tool 7=wide", "wide");
+  expect_wrong_use("check part.nc --tool 7=-1", "-1");
+  expect_wrong_use("check part.nc --tools none.tbl", "none.tbl");
+  write("bad.tbl", "hello\n");
+  expect_wrong_use("check part.nc --tools bad.tbl", "is no tool table");
+}
+
 TEST_F(CheckCommand, EndlessLoopsEndAtALimitThatCanBeRaised) {
   write("loop.ngc", "#1=0\no1 while [#1 LT 100]\n#1=[#1+1]\nG1 X#1 F100\no1 endwhile\nM2\n");
   EXPECT_EQ(run("check loop.ngc").code, 0);

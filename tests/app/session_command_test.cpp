@@ -83,6 +83,7 @@ TEST_F(SessionCommand, AChangedProgramIsSaidAndTheRestGoesOn) {
 
 TEST_F(SessionCommand, WhatCannotBeUsedIsNamedAndWritesNothing) {
   expect_wrong_use("render part.feedscope --model cam --out a.png", "--model does not go with session");
+  expect_wrong_use("render part.feedscope --tool 1=5 --out a.png", "--tool does not go with session");
   write("part.feedscope", session("gone.nc", ""));
   expect_wrong_use("render part.feedscope --out a.png", "gone.nc");
   write("part.feedscope", "{\n\"format\" 1}");

@@ -57,7 +57,7 @@ SimulationJob::Outcome SimulationJob::work(const JobRequest& request, const std:
   try {
     LoadedProgram input;
     if (const auto* file = std::get_if<std::filesystem::path>(&request.input)) {
-      input = load_program(*file, &stages->reading);
+      input = load_program(*file, &stages->reading, request.reading);
       QMetaObject::invokeMethod(this, [this, program = make_shown(input), stages] {
         if (!stages->reading.cancelled()) {
           emit program_read(program);

@@ -17,6 +17,7 @@ namespace feedscope::ui {
 struct JobRequest {
   std::variant<std::filesystem::path, LoadedProgram> input;
   Setup setup;
+  ReadOptions reading = {};  ///< of a file
 };
 
 enum class JobStage { reading, simulating };

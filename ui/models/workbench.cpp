@@ -55,6 +55,7 @@ void Workbench::show(const Run& run) {
   job_.cancel();
   working_on_ = 0;
   file_ = run.input.program->source->name();
+  reading_ = {};
   program_ = {};
   annotations_.replace({});
   runs_.replace({{0, {}, runs_.current_item().colour, true, SetupState(run.setup)}}, 0);
@@ -67,6 +68,7 @@ void Workbench::show(const Run& run) {
 void Workbench::open(const std::filesystem::path& file) {
   if (file != file_) {
     annotations_.replace({});
+    reading_ = {};
   }
   file_ = file;
   program_ = {};
@@ -77,9 +79,11 @@ void Workbench::open(const std::filesystem::path& file) {
   read_file();
 }
 
-void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current) {
+void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
+                     const ReadOptions& reading) {
   job_.cancel();
   file_ = file;
+  reading_ = reading;
   program_ = {};
   annotations_.replace({});
   runs_.replace(std::move(runs), current);
@@ -89,13 +93,20 @@ void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> run
 void Workbench::read_file() {
   working_on_ = runs_.current_item().id;
   working_setup_ = setup_.setup();
-  job_.start({file_, working_setup_});
+  job_.start({file_, working_setup_, reading_});
 }
 
 void Workbench::reload() {
   if (!file_.empty()) {
     stay_at_ = cursor_.valid() ? cursor_.state().line : 0;
     open(std::filesystem::path(file_));
+  }
+}
+
+void Workbench::set_reading(const ReadOptions& options) {
+  if (!(options == reading_)) {
+    reading_ = options;
+    reload();
   }
 }
 

@@ -34,13 +34,17 @@ class Workbench : public QObject {
 
   /// Shows a run that is done, with its program and setup, as the only one.
   void show(const Run& run);
-  /// Reads a program and simulates every run of it.
+  /// Reads a program and simulates every run of it. Another one than before is read as usual.
   void open(const std::filesystem::path& file);
   /// The same with other runs, at least one; their history goes.
-  void open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current);
+  void open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
+            const ReadOptions& reading = {});
   /// Reads the program again; the cursor stays at its line.
   void reload();
   void set_reload_on_change(bool on);
+  /// How the program is read; another way reads it again.
+  const ReadOptions& reading() const { return reading_; }
+  void set_reading(const ReadOptions& options);
   void cancel();
   /// Id or file; its own model is chosen with it. An unusable file is reported by failed().
   void choose_machine(const QString& id_or_file);
@@ -103,6 +107,7 @@ class Workbench : public QObject {
   QTimer changed_;  ///< a file that is being written changes more than once
   bool reload_on_change_ = true;
   std::filesystem::path file_;
+  ReadOptions reading_;
   ShownProgram program_;
   int working_on_ = 0;         ///< id of the run under way
   Setup working_setup_;        ///< as it was when that began

@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/program/program.h"
 #include "ui/annotations/annotation.h"
 #include "ui/charts/charts_state.h"
 #include "ui/models/run_list.h"
@@ -19,6 +20,7 @@ namespace feedscope::ui {
 struct Session {
   std::filesystem::path program;  ///< absolute; the file holds it relative to itself
   QByteArray program_hash;        ///< SHA-256 of the program's bytes, in hex; empty: not known
+  ReadOptions reading;            ///< of the program; a tool table's path is absolute
   std::vector<RunItem> runs;      ///< at least one
   std::size_t current_run = 0;
   double cursor = 0;  ///< time in the current run [s]

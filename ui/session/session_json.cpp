@@ -6,6 +6,7 @@
 
 #include "core/base/error.h"
 #include "ui/models/scene_json.h"
+#include "ui/session/reading_json.h"
 
 namespace feedscope::ui {
 namespace {
@@ -247,6 +248,7 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
           {"version", session_version},
           {"program", QJsonObject{{"file", to_qstring(relative.empty() ? session.program : relative)},
                                   {"sha256", QString::fromLatin1(session.program_hash)}}},
+          {"reading", to_json(session.reading, folder)},
           {"runs", runs},
           {"current_run", static_cast<int>(session.current_run)},
           {"cursor_s", session.cursor},
@@ -262,8 +264,8 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   check_format(json);
   ReadSession read;
   note_unknown(json,
-               {"format", "version", "program", "runs", "current_run", "cursor_s", "view", "compare",
-                "charts", "annotations", "window"},
+               {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view",
+                "compare", "charts", "annotations", "window"},
                QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();
@@ -273,6 +275,8 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   }
   session.program = (folder / to_path(program["file"].toString())).lexically_normal();
   session.program_hash = program["sha256"].toString().toLatin1();
+  note_unknown(json["reading"].toObject(), reading_keys(), QStringLiteral("\"reading\""), read.notes);
+  session.reading = read_reading(json["reading"].toObject(), folder);
   int number = 0;
   for (const QJsonValue& run : json["runs"].toArray()) {
     session.runs.push_back(

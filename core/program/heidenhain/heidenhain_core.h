@@ -98,7 +98,7 @@ class HeidenhainCore : public Reader {
   };
   /// A tool's number or name, as a key; none if none stands here.
   std::optional<std::string> tool_name(Scanner& scanner);
-  void define_tool(const std::string& tool, double radius) { tool_radii_[tool] = radius; }
+  void define_tool(const std::string& tool, double radius) { defined_radii_.set(tool, radius); }
   void call_tool(const ToolCall& call);
   void set_blank_corner(bool upper, const std::array<OptionalWord, 3>& corner, std::uint32_t column);
   Transformations& transformations() { return transformations_; }
@@ -264,7 +264,7 @@ class HeidenhainCore : public Reader {
   std::array<double, 6> further_axes_{};  ///< A B C U V W as written
   std::uint32_t reported_axes_ = 0;
 
-  std::map<std::string, double> tool_radii_;
+  CutterRadii defined_radii_;  ///< by TOOL DEF
   std::string tool_;
   std::optional<double> tool_radius_;
   std::optional<Vec3> blank_;

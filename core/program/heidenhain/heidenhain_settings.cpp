@@ -143,11 +143,13 @@ void HeidenhainCore::apply_side(const MotionWords& words) {
       side_ = -1;
       break;
   }
-  if (!tool_radius_) {
+  if (!use_cutter(tool_, defined_radii_.find(tool_))) {
     report(Severity::error, "tool-radius", 0, words.side_column, [&] {
-      return Text{fmt::format("{} beside a tool whose radius is not known", side_ > 0 ? "RL" : "RR"),
-                  "the programmed contour is shown, not the path of the tool's centre; write a TOOL DEF with "
-                  "R before the tool call"};
+      return Text{
+          fmt::format("{} beside a tool whose radius is not known", side_ > 0 ? "RL" : "RR"),
+          fmt::format("the path shown is the programmed contour; {}, or write a TOOL DEF with R before "
+                      "the tool call",
+                      radius_hint(tool_))};
     });
   }
 }
@@ -227,10 +229,9 @@ void HeidenhainCore::call_tool(const ToolCall& call) {
   if (call.tool) {
     tool_ = *call.tool;
     select_tool(tool_);
-    const auto known = tool_radii_.find(tool_);
-    tool_radius_.reset();
-    if (known != tool_radii_.end()) {
-      tool_radius_ = known->second + call.radius_excess;
+    tool_radius_ = cutter_radius(tool_, defined_radii_.find(tool_));
+    if (tool_radius_) {
+      *tool_radius_ += call.radius_excess;
     }
   }
   if (call.plane) {

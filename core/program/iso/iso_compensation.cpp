@@ -39,22 +39,28 @@ std::optional<double> IsoReader::compensation_radius(int code, std::uint32_t col
   }
   const bool by_tool = follows_linuxcnc(dialect_) && !words_.has('D');
   const int offset = by_tool ? static_cast<int>(state_.tool) : state_.compensation.offset;
-  const auto found = tool_radii_.find(offset);
-  if (!gives_diameter(code) && (found != tool_radii_.end() || (words_.has('D') && offset == 0))) {
-    return offset == 0 ? 0 : found->second;
+  if (!gives_diameter(code)) {
+    if (words_.has('D') && offset == 0) {
+      return 0;
+    }
+    const auto programmed = tool_radii_.find(offset);
+    const std::optional<double> radius =
+        use_cutter(fmt::format("{}", offset),
+                   programmed == tool_radii_.end() ? std::nullopt : std::optional(programmed->second));
+    if (radius) {
+      return radius;
+    }
   }
   report(Severity::error, "tool-radius", offset, words_.has('D') ? words_['D'].column : column, [&] {
     if (gives_diameter(code)) {
       return Text{fmt::format("{} without D", g_name(code)),
                   "the path shown is the programmed contour; write D with the tool's diameter"};
     }
-    return Text{
-        words_.has('D') || offset != 0
-            ? fmt::format("the radius of offset D{} is not known", offset)
-            : fmt::format("{} without D: the radius of the tool is not known", g_name(code)),
-        fmt::format("the path shown is the programmed contour; set the radius with G10 L12 P{0} R, or "
-                    "write {1}.1 D with the tool's diameter",
-                    offset, g_name(code))};
+    return Text{words_.has('D') || offset != 0
+                    ? fmt::format("the radius of offset D{} is not known", offset)
+                    : fmt::format("{} without D: the radius of the tool is not known", g_name(code)),
+                fmt::format("the path shown is the programmed contour; {}, or set it with G10 L12 P{} R",
+                            radius_hint(fmt::format("{}", offset)), offset)};
   });
   return std::nullopt;
 }

@@ -23,7 +23,7 @@ void SinumerikReader::set_tool_radius(Scanner& scanner) {
     throw ReadFault{"tool-radius", column, fmt::format("a tool radius of {} is negative", radius),
                     "it is not taken; write a radius of zero or more"};
   }
-  tool_radii_[{tool, edge}] = to_mm(radius);
+  tool_radii_.set(fmt::format("{},{}", tool, edge), to_mm(radius));
 }
 
 /// T, D, plane and the G words of this block.
@@ -32,8 +32,7 @@ void SinumerikReader::apply_compensation() {
   const bool other_plane = groups_[static_cast<std::size_t>(Group::plane)] != nullptr;
   const bool other_corner = groups_[static_cast<std::size_t>(Group::corner)] != nullptr;
   if (words_.has('T')) {
-    modal_.tool = words_['T'].value;
-    modal_.edge = 1;
+    choose_tool(fmt::format("{}", words_['T'].value));
   }
   if (words_.has('D')) {
     modal_.edge = words_['D'].value;
@@ -50,30 +49,32 @@ void SinumerikReader::apply_compensation() {
     path().end_compensation();
     return;
   }
-  const auto radius = tool_radii_.find({modal_.tool, modal_.edge});
-  if (radius == tool_radii_.end()) {
-    report_tool_radius();
+  const std::string cutter = fmt::format("{},{}", modal_.tool, modal_.edge);
+  const std::optional<double> radius = use_cutter(cutter, tool_radii_.find(cutter));
+  if (!radius) {
+    report_tool_radius(cutter);
     path().end_compensation();
     return;
   }
   const bool left = modal_.compensation->action == Action::compensation_left;
-  path().set_compensation(left ? ToolSide::left : ToolSide::right, radius->second,
+  path().set_compensation(left ? ToolSide::left : ToolSide::right, *radius,
                           modal_.corner_lines ? OutsideCorner::lines : OutsideCorner::arc, modal_.plane,
                           compensation_column_);
 }
 
-void SinumerikReader::report_tool_radius() {
+void SinumerikReader::choose_tool(const std::string& name) {
+  modal_.tool = name;
+  modal_.edge = 1;
+  select_tool(name);
+}
+
+void SinumerikReader::report_tool_radius(const std::string& cutter) {
   report(Severity::error, "tool-radius", 0, compensation_column_, [&] {
-    const bool numbered = modal_.tool > 0;
-    const std::string tool =
-        numbered ? fmt::format("T{} D{}", modal_.tool, modal_.edge) : std::string("the tool");
+    const std::string tool = modal_.tool.empty() ? std::string("the tool, which no T names,")
+                                                 : fmt::format("T{} D{}", modal_.tool, modal_.edge);
     return Text{fmt::format("{}: the radius of {} is not known", modal_.compensation->name, tool),
-                numbered
-                    ? fmt::format("the path shown is the programmed contour; write $TC_DP6[{},{}]= with "
-                                  "the radius before it",
-                                  modal_.tool, modal_.edge)
-                    : "the path shown is the programmed contour; write T with a number, and $TC_DP6[T,D]= "
-                      "with its radius before it"};
+                fmt::format("the path shown is the programmed contour; {}, or set it with $TC_DP6[T,D]=",
+                            radius_hint(cutter))};
   });
 }
 

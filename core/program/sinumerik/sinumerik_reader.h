@@ -49,7 +49,7 @@ class SinumerikReader : public Reader {
     Vec3 pole = Vec3::Zero();
     Polar polar;
     bool surface_speed = false;                              ///< G96: S is no spindle speed
-    double tool = 0;                                         ///< T; 0: none, or one with a name
+    std::string tool;                                        ///< T, number or name; empty: none yet
     double edge = 1;                                         ///< D
     const sinumerik::Function* compensation = nullptr;       ///< G41, G42
     bool corner_lines = false;                               ///< G451
@@ -149,7 +149,8 @@ class SinumerikReader : public Reader {
   // Cutter radius: compensation.cpp
   void set_tool_radius(Scanner& scanner);
   void apply_compensation();
-  void report_tool_radius();
+  void choose_tool(const std::string& name);
+  void report_tool_radius(const std::string& cutter);
 
   // Roundings and chamfers: corners.cpp
   void apply_modal_corners();
@@ -274,11 +275,11 @@ class SinumerikReader : public Reader {
   const sinumerik::Function* own_block_ = nullptr;  ///< takes the block's coordinates
   std::uint32_t own_column_ = 0;
   std::uint32_t compensation_column_ = 0;
-  std::map<std::pair<double, double>, double> tool_radii_;  ///< by T and D, as the program sets them [mm]
-  bool machine_axes_ = false;                               ///< G53, G153, SUPA
-  bool exact_stop_ = false;                                 ///< G9
-  bool ends_ = false;                                       ///< M2, M17, M30, RET
-  bool moved_ = false;                                      ///< the block did
+  CutterRadii tool_radii_;     ///< that the program sets
+  bool machine_axes_ = false;  ///< G53, G153, SUPA
+  bool exact_stop_ = false;    ///< G9
+  bool ends_ = false;          ///< M2, M17, M30, RET
+  bool moved_ = false;         ///< the block did
   std::optional<SubprogramCall> call_;
   sinumerik::Values values_;
   sinumerik::Frames frames_;

@@ -170,7 +170,7 @@ void SinumerikReader::run_letter(Scanner& scanner) {
     scanner.take('=');
   }
   if (assigned && letter == 'T' && values_.text_follows(scanner)) {
-    values_.read_text(scanner);
+    choose_tool(values_.read_text(scanner));
     return;
   }
   if (assigned && scanner.take_name("QU")) {

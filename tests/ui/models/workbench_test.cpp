@@ -55,6 +55,25 @@ TEST_F(WorkbenchTest, ReadsAndSimulatesAProgram) {
   EXPECT_TRUE(model.cursor().valid());
 }
 
+TEST_F(WorkbenchTest, ReadsTheProgramAnewInAnotherWayAndAnotherProgramAsUsual) {
+  const std::filesystem::path part = write("part.nc", "G21 G17\nG42 D7 G1 X10 F600\nX20\nX30\n");
+  model.open(part);
+  wait_until_idle(model);
+  EXPECT_EQ(model.program()->cutters.at(0).source, CutterSource::unknown);
+  ReadOptions options;
+  options.radii.set("7", 4);
+  model.set_reading(options);
+  wait_until_idle(model);
+  EXPECT_EQ(model.program()->cutters.at(0).source, CutterSource::asked);
+  EXPECT_EQ(model.shown()->run.input.toolpath->segments.back().end.y(), -4);
+  model.reload();
+  wait_until_idle(model);
+  EXPECT_EQ(model.reading(), options);
+  model.open(write("other.nc", test::small_program));
+  wait_until_idle(model);
+  EXPECT_EQ(model.reading(), ReadOptions());
+}
+
 TEST_F(WorkbenchTest, AnEditSimulatesAnewAndUndoBringsTheTimeBack) {
   model.open(write("part.nc", test::small_program));
   wait_until_idle(model);

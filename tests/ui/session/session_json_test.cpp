@@ -24,6 +24,7 @@ Session read_back(const Session& session) {
 void expect_same(const Session& a, const Session& b) {
   EXPECT_EQ(a.program, b.program);
   EXPECT_EQ(a.program_hash, b.program_hash);
+  EXPECT_EQ(a.reading, b.reading);
   EXPECT_EQ(a.runs, b.runs);
   EXPECT_EQ(a.current_run, b.current_run);
   EXPECT_EQ(a.cursor, b.cursor);
@@ -53,6 +54,23 @@ TEST(SessionJson, NamesTheProgramRelativeToItself) {
   EXPECT_EQ(json["program"]["file"], QStringLiteral("../pocket.nc"));
   const Session moved = read_session(json, "/elsewhere/sessions", shipped_machines()).session;
   EXPECT_EQ(moved.program, std::filesystem::path("/elsewhere/pocket.nc"));
+}
+
+TEST(SessionJson, RefusesReadingOptionsThatAreNone) {
+  const auto message = [](const QJsonObject& reading) {
+    QJsonObject json = to_json(test::some_session("/a.nc"), "/");
+    json["reading"] = reading;
+    try {
+      read_session(json, "/", shipped_machines());
+    } catch (const InputError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(message({{"dialect", "fanux"}}), HasSubstr("fanuc"));
+  EXPECT_THAT(message({{"call_depth", 1.5}}), HasSubstr("\"call_depth\" is 1.5"));
+  EXPECT_THAT(message({{"repeat_limit", -1}}), HasSubstr("repeat_limit"));
+  EXPECT_THAT(message({{"cutter_radii_mm", QJsonObject{{"7", "wide"}}}}), HasSubstr("\"7\" is wide"));
 }
 
 TEST(SessionJson, ShippedMachinesGoByTheirId) {

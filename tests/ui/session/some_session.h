@@ -9,6 +9,14 @@ inline Session some_session(const std::filesystem::path& program) {
   Session session;
   session.program = program;
   session.program_hash = "0123abcd";
+  session.reading.dialect = Dialect::fanuc;
+  session.reading.skip_deleted_blocks = true;
+  session.reading.repeat_limit = 12345;
+  session.reading.call_depth = 5;
+  session.reading.radii.set("7", 4.995);
+  session.reading.radii.set("MILL 10,2", 5);
+  session.reading.tool_table = program.parent_path() / "tables" / "tool.t";
+  session.reading.table_unit = 25.4;
   SetupState fine(make_setup({}));
   fine.set("contour_tolerance_mm", 0.0123);
   fine.set("program_tolerance", std::string("off"));

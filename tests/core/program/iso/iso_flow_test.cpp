@@ -206,6 +206,14 @@ TEST(IsoFlow, AnEndlessLoopIsStopped) {
   }
 }
 
+TEST(IsoFlow, ALoopOfDeepHolesIsStopped) {
+  const Program program = read_text("G0 X0 Y0 Z2\nDO1\nG83 X1 R1 Z-99 Q0.01 F100\nEND1\n",
+                                    {.dialect = Dialect::fanuc, .repeat_limit = 1000});
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(program.diagnostics[0].code, "run-limit");
+  EXPECT_LT(program.motions.size(), 25U * 1000 + 30100);  // the limit, and one hole of 10000 pecks
+}
+
 TEST(IsoFlow, DeletedLinesRuleNoFlowWithTheSwitchOn) {
   const std::string text = "G0\n/o1 if [0]\nX1\n/o1 endif\nX2\n";
   EXPECT_EQ(read_text(text, {.dialect = Dialect::linuxcnc}).motions.size(), 1U);

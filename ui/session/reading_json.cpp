@@ -1,0 +1,98 @@
+#include "ui/session/reading_json.h"
+
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr const char* dialect_key = "dialect";
+constexpr const char* skip_key = "skip_deleted";
+constexpr const char* repeat_key = "repeat_limit";
+constexpr const char* depth_key = "call_depth";
+constexpr const char* radii_key = "cutter_radii_mm";
+constexpr const char* table_key = "tool_table";
+constexpr const char* unit_key = "tool_table_unit_mm";
+constexpr double largest_count = 1e15;
+
+/// The number of `key`, at least `least` and, if `whole`, without a part behind the point.
+double number_of(const QJsonObject& json, const QString& key, double least, bool whole) {
+  const double value = json[key].toDouble(-1);
+  if (value >= least && value <= largest_count && (!whole || value == std::floor(value))) {
+    return value;
+  }
+  throw InputError(QStringLiteral("\"reading\": \"%1\" is %2; it must be a %3 from %4 to %5")
+                       .arg(key, json[key].toVariant().toString(),
+                            whole ? QStringLiteral("whole number") : QStringLiteral("number"))
+                       .arg(least)
+                       .arg(largest_count)
+                       .toStdString());
+}
+
+}  // namespace
+
+std::vector<std::string> reading_keys() {
+  return {dialect_key, skip_key, repeat_key, depth_key, radii_key, table_key, unit_key};
+}
+
+QJsonObject to_json(const ReadOptions& options, const std::filesystem::path& folder) {
+  const ReadOptions usual;
+  QJsonObject json;
+  if (options.dialect) {
+    json[dialect_key] = QString::fromUtf8(info_of(*options.dialect).id.data());
+  }
+  if (options.skip_deleted_blocks) {
+    json[skip_key] = true;
+  }
+  if (options.repeat_limit != usual.repeat_limit) {
+    json[repeat_key] = static_cast<double>(options.repeat_limit);
+  }
+  if (options.call_depth != usual.call_depth) {
+    json[depth_key] = static_cast<double>(options.call_depth);
+  }
+  if (!options.radii.empty()) {
+    QJsonObject radii;
+    for (const auto& [tool, radius] : options.radii.all()) {
+      radii[QString::fromStdString(tool)] = radius;
+    }
+    json[radii_key] = radii;
+  }
+  if (!options.tool_table.empty()) {
+    const std::filesystem::path relative = options.tool_table.lexically_relative(folder);
+    json[table_key] =
+        QString::fromStdU16String((relative.empty() ? options.tool_table : relative).generic_u16string());
+  }
+  if (options.table_unit != usual.table_unit) {
+    json[unit_key] = options.table_unit;
+  }
+  return json;
+}
+
+ReadOptions read_reading(const QJsonObject& json, const std::filesystem::path& folder) {
+  ReadOptions options;
+  if (json.contains(dialect_key)) {
+    options.dialect = dialect_of_id(json[dialect_key].toString().toStdString());
+  }
+  options.skip_deleted_blocks = json[skip_key].toBool();
+  if (json.contains(repeat_key)) {
+    options.repeat_limit = static_cast<std::uint64_t>(number_of(json, repeat_key, 0, true));
+  }
+  if (json.contains(depth_key)) {
+    options.call_depth = static_cast<std::size_t>(number_of(json, depth_key, 0, true));
+  }
+  const QJsonObject radii = json[radii_key].toObject();
+  for (const QString& tool : radii.keys()) {
+    options.radii.set(tool.toStdString(), number_of(radii, tool, 0, false));
+  }
+  if (const QString table = json[table_key].toString(); !table.isEmpty()) {
+    options.tool_table = (folder / std::filesystem::path(table.toStdU16String())).lexically_normal();
+  }
+  if (json.contains(unit_key)) {
+    options.table_unit = number_of(json, unit_key, 1e-6, false);
+  }
+  return options;
+}
+
+}  // namespace feedscope::ui

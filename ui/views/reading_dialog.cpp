@@ -1,0 +1,226 @@
+#include "ui/views/reading_dialog.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QLocale>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <limits>
+
+#include "core/base/units.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr int most_lines = 2'000'000'000;
+constexpr int most_calls = 100'000;
+constexpr int lines_a_step = 1'000'000;
+constexpr int recognised = -1;
+
+enum Column { tool_column, radius_column, source_column, column_count };
+
+QString source_text(CutterSource source) {
+  switch (source) {
+    case CutterSource::asked:
+      return ReadingDialog::tr("set here");
+    case CutterSource::program:
+      return ReadingDialog::tr("the program");
+    case CutterSource::table:
+      return ReadingDialog::tr("the tool table");
+    default:
+      return ReadingDialog::tr("not known: the contour is shown");
+  }
+}
+
+/// A length of 0 or more, its point a comma too; none for anything else.
+std::optional<double> length_of(QString text) {
+  bool is_number = false;
+  const double length = text.trimmed().replace(',', '.').toDouble(&is_number);
+  return is_number && length >= 0 && length <= std::numeric_limits<float>::max() ? std::optional(length)
+                                                                                 : std::nullopt;
+}
+
+QTableWidgetItem* fixed_item(const QString& text) {
+  auto* item = new QTableWidgetItem(text);
+  item->setFlags(item->flags() & ~Qt::ItemIsEditable);
+  return item;
+}
+
+}  // namespace
+
+ReadingDialog::ReadingDialog(const ReadOptions& options, const Program* program, QWidget* parent)
+    : QDialog(parent),
+      dialect_(new QComboBox(this)),
+      skip_deleted_(new QCheckBox(tr("Leave out blocks that begin with /"), this)),
+      repeat_limit_(new QSpinBox(this)),
+      call_depth_(new QSpinBox(this)),
+      cutters_(new QTableWidget(this)),
+      tool_table_(new QLineEdit(this)),
+      unit_(new QComboBox(this)),
+      fault_(new QLabel(this)),
+      buttons_(new QDialogButtonBox(
+          QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults, this)) {
+  setWindowTitle(tr("Reading options"));
+  list_dialects(program);
+  list_cutters(options, program);
+  make_layout();
+  show_options(options);
+  connect(buttons_, &QDialogButtonBox::accepted, this, &QDialog::accept);
+  connect(buttons_, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  connect(buttons_->button(QDialogButtonBox::RestoreDefaults), &QPushButton::clicked, this, [this] {
+    for (int row = 0; row < cutters_->rowCount(); ++row) {
+      cutters_->item(row, radius_column)->setText({});
+    }
+    show_options({});
+  });
+  connect(cutters_, &QTableWidget::itemChanged, this, &ReadingDialog::check);
+  check();
+}
+
+void ReadingDialog::list_dialects(const Program* program) {
+  dialect_->setAccessibleName(tr("Language of the program"));
+  const QString found =
+      program == nullptr ? QString() : QString::fromUtf8(info_of(program->dialect).title.data());
+  dialect_->addItem(found.isEmpty() ? tr("recognised") : tr("recognised (now %1)").arg(found), recognised);
+  for (const DialectInfo& info : all_dialects()) {
+    dialect_->addItem(QString::fromUtf8(info.title.data()), static_cast<int>(info.dialect));
+  }
+}
+
+/// Those that the program asks for, and what else is set; the cell of a radius holds what is set here.
+void ReadingDialog::list_cutters(const ReadOptions& options, const Program* program) {
+  cutters_->setAccessibleName(tr("Cutter radii"));
+  cutters_->setColumnCount(column_count);
+  cutters_->setHorizontalHeaderLabels({tr("Tool"), tr("Radius [mm]"), tr("Given by")});
+  cutters_->verticalHeader()->hide();
+  cutters_->horizontalHeader()->setStretchLastSection(true);
+  CutterRadii others = options.radii;
+  for (const CutterUse& use : program == nullptr ? std::vector<CutterUse>() : program->cutters) {
+    const std::optional<double> own = options.radii.find(use.tool);
+    const bool found = use.source == CutterSource::program || use.source == CutterSource::table;
+    add_cutter(use.tool, own,
+               found ? tr("%1: %2 mm").arg(source_text(use.source), QString::number(use.radius))
+                     : source_text(use.source));
+    others.erase(use.tool);
+  }
+  for (const auto& [tool, radius] : others.all()) {
+    add_cutter(tool, radius, tr("set here, not used by the program"));
+  }
+}
+
+void ReadingDialog::add_cutter(const std::string& tool, std::optional<double> own, const QString& source) {
+  const int row = cutters_->rowCount();
+  cutters_->insertRow(row);
+  cutters_->setItem(row, tool_column, fixed_item(QString::fromStdString(tool)));
+  auto* radius =
+      new QTableWidgetItem(own ? QString::number(*own, 'g', QLocale::FloatingPointShortest) : QString());
+  radius->setToolTip(tr("Empty: as the program or the tool table says"));
+  cutters_->setItem(row, radius_column, radius);
+  cutters_->setItem(row, source_column, fixed_item(source));
+}
+
+void ReadingDialog::make_layout() {
+  for (QSpinBox* box : {repeat_limit_, call_depth_}) {
+    box->setGroupSeparatorShown(true);
+    box->setMinimum(1);
+  }
+  repeat_limit_->setMaximum(most_lines);
+  repeat_limit_->setSingleStep(lines_a_step);
+  repeat_limit_->setToolTip(tr("A loop that does not end is cut off there"));
+  call_depth_->setMaximum(most_calls);
+  tool_table_->setPlaceholderText(tr("one beside the program, if there is any"));
+  tool_table_->setToolTip(
+      tr("Of LinuxCNC, Sinumerik, Fanuc (G10), Heidenhain (TOOL.T), or a list with headings T and R"));
+  unit_->addItem(tr("mm"), 1.0);
+  unit_->addItem(tr("inch"), units::from_inch(1));
+  unit_->setToolTip(tr("Unit of a tool table that does not name it"));
+  auto* browse = new QPushButton(tr("Choose …"), this);
+  browse->setAutoDefault(false);
+  connect(browse, &QPushButton::clicked, this, &ReadingDialog::choose_table);
+
+  auto* table_row = new QHBoxLayout;
+  table_row->addWidget(tool_table_, 1);
+  table_row->addWidget(browse);
+  table_row->addWidget(unit_);
+  auto* form = new QFormLayout(this);
+  form->addRow(tr("Language"), dialect_);
+  form->addRow(QString(), skip_deleted_);
+  form->addRow(tr("Lines that loops and calls may run"), repeat_limit_);
+  form->addRow(tr("Calls inside each other"), call_depth_);
+  form->addRow(tr("Tool table"), table_row);
+  if (cutters_->rowCount() > 0) {
+    form->addRow(tr("Cutter radii"), cutters_);
+  } else {
+    cutters_->hide();
+    form->addRow(tr("Cutter radii"), new QLabel(tr("The program compensates for no cutter."), this));
+  }
+  fault_->setWordWrap(true);
+  form->addRow(fault_);
+  form->addRow(buttons_);
+  resize(560, sizeHint().height());
+}
+
+void ReadingDialog::show_options(const ReadOptions& options) {
+  dialect_->setCurrentIndex(
+      dialect_->findData(options.dialect ? static_cast<int>(*options.dialect) : recognised));
+  skip_deleted_->setChecked(options.skip_deleted_blocks);
+  repeat_limit_->setValue(static_cast<int>(std::min<std::uint64_t>(options.repeat_limit, most_lines)));
+  call_depth_->setValue(static_cast<int>(std::min<std::size_t>(options.call_depth, most_calls)));
+  tool_table_->setText(QString::fromStdU16String(options.tool_table.u16string()));
+  unit_->setCurrentIndex(options.table_unit == 1 ? 0 : 1);
+}
+
+ReadOptions ReadingDialog::options() const {
+  ReadOptions options;
+  if (const int dialect = dialect_->currentData().toInt(); dialect != recognised) {
+    options.dialect = static_cast<Dialect>(dialect);
+  }
+  options.skip_deleted_blocks = skip_deleted_->isChecked();
+  options.repeat_limit = static_cast<std::uint64_t>(repeat_limit_->value());
+  options.call_depth = static_cast<std::size_t>(call_depth_->value());
+  if (const QString table = tool_table_->text().trimmed(); !table.isEmpty()) {
+    options.tool_table = std::filesystem::absolute(table.toStdU16String());
+  }
+  options.table_unit = unit_->currentData().toDouble();
+  for (int row = 0; row < cutters_->rowCount(); ++row) {
+    if (const auto radius = length_of(cutters_->item(row, radius_column)->text())) {
+      options.radii.set(cutters_->item(row, tool_column)->text().toStdString(), *radius);
+    }
+  }
+  return options;
+}
+
+QString ReadingDialog::fault() const {
+  for (int row = 0; row < cutters_->rowCount(); ++row) {
+    const QString text = cutters_->item(row, radius_column)->text();
+    if (!text.trimmed().isEmpty() && !length_of(text)) {
+      return tr("The radius of tool %1, \"%2\", is no length of 0 mm or more.")
+          .arg(cutters_->item(row, tool_column)->text(), text);
+    }
+  }
+  return {};
+}
+
+void ReadingDialog::check() {
+  fault_->setText(fault());
+  fault_->setVisible(!valid());
+  buttons_->button(QDialogButtonBox::Ok)->setEnabled(valid());
+}
+
+void ReadingDialog::choose_table() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Choose a tool table"), tool_table_->text());
+  if (!file.isEmpty()) {
+    tool_table_->setText(file);
+  }
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <QDialog>
+
+#include "core/program/program.h"
+
+class QCheckBox;
+class QComboBox;
+class QDialogButtonBox;
+class QLabel;
+class QLineEdit;
+class QSpinBox;
+class QTableWidget;
+
+namespace feedscope::ui {
+
+/// Asks how a program is to be read: its language, blocks with "/", limits of loops and calls, cutter radii.
+class ReadingDialog : public QDialog {
+  Q_OBJECT
+
+ public:
+  /// `program`: as it was read with `options`; null: it has not been read yet.
+  ReadingDialog(const ReadOptions& options, const Program* program, QWidget* parent = nullptr);
+
+  /// What is chosen; of use while valid().
+  ReadOptions options() const;
+  /// No radius is anything but a length of 0 or more.
+  bool valid() const { return fault().isEmpty(); }
+
+ private:
+  void make_layout();
+  void list_dialects(const Program* program);
+  void list_cutters(const ReadOptions& options, const Program* program);
+  void add_cutter(const std::string& tool, std::optional<double> own, const QString& source);
+  void show_options(const ReadOptions& options);
+  void choose_table();
+  void check();
+  QString fault() const;
+
+  QComboBox* dialect_;
+  QCheckBox* skip_deleted_;
+  QSpinBox* repeat_limit_;
+  QSpinBox* call_depth_;
+  QTableWidget* cutters_;
+  QLineEdit* tool_table_;
+  QComboBox* unit_;
+  QLabel* fault_;
+  QDialogButtonBox* buttons_;
+};
+
+}  // namespace feedscope::ui
