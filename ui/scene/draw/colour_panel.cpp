@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "ui/scene/cause_colour.h"
@@ -121,9 +122,18 @@ void draw_bar(Canvas& canvas, const Captions& captions, const Vec2& low, double 
   const int most = std::max(2, static_cast<int>(height / (34 * k)));
   const Ticks ticks = round_ticks(scale.low, scale.high, most);
   TextStyle style{.size = panel_text_pixels * k, .colour = colours.text, .horizontal = -1};
+  const bool has_words = captions.key.colouring == Colouring::time_lost;
+  const double inside = (panel_text_pixels + 3) * k;
+  const auto under_word = [&](double y) {
+    const double least = panel_text_pixels * k;
+    return has_words && (std::abs(y - (high - inside)) < least || std::abs(y - (low.y() + inside)) < least);
+  };
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
     const double y = low.y() + height * (ticks.values[i] - scale.low) / (scale.high - scale.low);
     canvas.line({right, y}, {right + 4 * k, y}, k, colours.frame);
+    if (under_word(y)) {
+      continue;
+    }
     std::string label = captions.texts->localised(ticks.labels[i]);
     const bool at_end = scale.high - ticks.values[i] < ticks.step / 2;
     const bool at_start = ticks.values[i] - scale.low < ticks.step / 2;
@@ -143,8 +153,7 @@ void draw_bar(Canvas& canvas, const Captions& captions, const Vec2& low, double 
       canvas.text(end_label("≤", scale.low), {right + 8 * k, low.y()}, style);
     }
   }
-  if (captions.key.colouring == Colouring::time_lost) {
-    const double inside = (panel_text_pixels + 3) * k;
+  if (has_words) {
     canvas.text(captions.texts->lost, {right + 8 * k, high - inside}, style);
     canvas.text(captions.texts->won, {right + 8 * k, low.y() + inside}, style);
   }
