@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
+#include "core/analysis/unfollowed.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 
@@ -130,21 +132,15 @@ void note_replaced_tolerance(const Toolpath& toolpath) {
   }
 }
 
-void note_acceleration_mode(const Toolpath& toolpath, const Setup& setup) {
-  const Guarantees promised = setup.model->guarantees(setup.settings);
-  const auto asks_for = [&](AccelerationMode mode) {
-    return promised.continuity != Continuity::position &&
-           std::any_of(toolpath.path_controls.begin(), toolpath.path_controls.end(),
-                       [mode](const PathControl& control) { return control.acceleration == mode; });
-  };
-  if (asks_for(AccelerationMode::brisk) && !promised.follows_brisk) {
-    fmt::print(stderr, "feedscope: note: model '{}' does not follow BRISK of the program\n",
-               setup.model->info().id);
-  }
-  if (asks_for(AccelerationMode::drive)) {
-    fmt::print(stderr,
-               "feedscope: note: DRIVE of the program is run as SOFT: the speed above which it lowers the "
-               "acceleration is in the control's machine data\n");
+void note_unfollowed(const Toolpath& toolpath, const std::vector<Setup>& setups) {
+  std::set<std::string> said;
+  for (const Setup& setup : setups) {
+    for (const std::string& sentence : unfollowed(toolpath, setup)) {
+      std::string note = fmt::format("model '{}': {}", setup.model->info().id, sentence);
+      if (said.insert(note).second) {
+        fmt::print(stderr, "feedscope: note: {}\n", note);
+      }
+    }
   }
 }
 

@@ -50,8 +50,8 @@ void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 
 /// Tells on standard error when a tolerance was asked for that replaces the program's own.
 void note_replaced_tolerance(const Toolpath& toolpath);
-/// Says once what of BRISK and DRIVE in the program the setup does not follow.
-void note_acceleration_mode(const Toolpath& toolpath, const Setup& setup);
+/// Says once for each model what of the program's path control its runs do not follow.
+void note_unfollowed(const Toolpath& toolpath, const std::vector<Setup>& setups);
 /// Tells on standard error when a tolerance was asked for that the model does not read.
 void note_unused_tolerance(const RunOptions& options, const Setup& setup);
 

@@ -8,6 +8,8 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/analysis/unfollowed.h"
+#include "ui/language/core_texts.h"
 #include "ui/views/annotation_overlay.h"
 #include "ui/views/status_panel.h"
 
@@ -223,6 +225,7 @@ void MainWindow::show_run() {
   slow_places_->set_places(any ? shown->slow_places : nullptr);
   program().set_times(any ? shown->line_times : nullptr);
   why_->set_run(shown, model_.setup().state());
+  show_unfollowed();
   const Settings& settings = model_.setup().file().settings;
   if (settings.has("interpolation_period_s")) {
     const double period = std::get<double>(model_.setup().state().value("interpolation_period_s"));
@@ -230,6 +233,16 @@ void MainWindow::show_run() {
     charts_->set_sample_time(period);
   }
   show_cursor();
+}
+
+void MainWindow::show_unfollowed() {
+  QStringList sentences;
+  if (const auto shown = model_.shown(); shown != nullptr) {
+    for (const std::string& sentence : unfollowed(*shown->run.input.toolpath, shown->run.setup)) {
+      sentences.append(core_text(sentence));
+    }
+  }
+  setup_->show_unfollowed(sentences);
 }
 
 void MainWindow::show_other_runs() {

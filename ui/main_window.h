@@ -87,6 +87,7 @@ class MainWindow : public QMainWindow {
   void show_cursor();
   /// Cursor and charts at a place that lasts from one time to another [s].
   void show_place(double time, double from, double to);
+  void show_unfollowed();
   void show_other_runs();
   void show_lesson(const LessonWindow& look);
   void raise_lessons();

@@ -217,6 +217,7 @@ int compare(const CompareOptions& options) {
   if (!request.tolerances.empty() || replaces_tolerance) {
     note_replaced_tolerance(*program.toolpath);
   }
+  note_unfollowed(*program.toolpath, setups);
   print_diagnostics(*program.program);
   if (!files.to_standard_output()) {
     fmt::print("{}", text_of(options, program, study));

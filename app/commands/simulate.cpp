@@ -119,7 +119,7 @@ int simulate(const SimulateOptions& options) {
   if (!options.run.tolerance.empty()) {
     note_replaced_tolerance(*run.input.toolpath);
   }
-  note_acceleration_mode(*run.input.toolpath, run.setup);
+  note_unfollowed(*run.input.toolpath, {run.setup});
   print_diagnostics(*run.input.program);
   if (!results.to_standard_output()) {
     fmt::print("{}", summary_text(run));

@@ -57,6 +57,8 @@ struct Guarantees {
   /// Where the program asks for BRISK, jerk along the path is not bounded: the acceleration changes within
   /// one interpolation period. false: ramps are as without it.
   bool follows_brisk = false;
+  /// Joins short blocks where the program or the machine asks for it.
+  bool follows_compaction = false;
 
   Continuity continuity = Continuity::speed;
   bool stops_at_line_corners = false;  ///< of two lines

@@ -124,6 +124,12 @@ constexpr const char* texts[] = {
     QT_TRANSLATE_NOOP("core", "Model whose path is run, corner blends included; of ward the path that its filters draw."),
     QT_TRANSLATE_NOOP("core", "Jerk limits"),
     QT_TRANSLATE_NOOP("core", "off: the fastest under velocity and acceleration limits, which no law can beat; on: a law that keeps the jerk of every axis too, close to the fastest, and slow to compute."),
+    QT_TRANSLATE_NOOP("core", "Tolerances and blend distances of the program are not followed: the model has no blends."),
+    QT_TRANSLATE_NOOP("core", "Compaction that the program asks for is not followed: short blocks are not joined."),
+    QT_TRANSLATE_NOOP("core", "BRISK of the program is not followed: the jerk along the path stays limited."),
+    QT_TRANSLATE_NOOP("core", "DRIVE of the program is run as SOFT: the speed above which it lowers the acceleration is in the control's machine data."),
+    QT_TRANSLATE_NOOP("core", "Feed-forward that the program switches off is not followed: the axes are taken to follow without lag."),
+    QT_TRANSLATE_NOOP("core", "Look-ahead that the program switches off is not followed."),
 };
 // clang-format on
 

@@ -56,6 +56,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
       axis_model_(new AxisTable(edit, this)),
       settings_model_(new SettingsTable(edit, this)),
       machine_(new QLabel(this)),
+      unfollowed_(new QLabel(this)),
       axes_(make_table(axis_model_, tr("Axis limits"), this)),
       settings_(make_table(settings_model_, tr("Control settings"), this)),
       help_(new QLabel(this)),
@@ -67,6 +68,9 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   settings_->verticalHeader()->hide();
   machine_->setWordWrap(true);
   machine_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  unfollowed_->setWordWrap(true);
+  unfollowed_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  unfollowed_->hide();
   help_->setWordWrap(true);
   help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   help_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -81,6 +85,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
   layout->addWidget(machine_);
+  layout->addWidget(unfollowed_);
   layout->addWidget(make_heading(tr("Axis limits"), this));
   layout->addWidget(axes_);
   layout->addWidget(make_heading(tr("Control settings"), this));
@@ -106,6 +111,11 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
 
 QString SetupView::changes() const {
   return changes_of(edit_.state()).join(QStringLiteral("\n"));
+}
+
+void SetupView::show_unfollowed(const QStringList& sentences) {
+  unfollowed_->setText(sentences.join(QStringLiteral("\n")));
+  unfollowed_->setVisible(!sentences.isEmpty());
 }
 
 void SetupView::show_changes() {

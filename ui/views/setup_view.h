@@ -26,6 +26,8 @@ class SetupView : public QWidget {
   void show_key(const std::string& key);
   /// What differs from the machine file; empty if nothing does.
   QString changes() const;
+  /// What of the program the model does not follow; empty: nothing.
+  void show_unfollowed(const QStringList& sentences);
 
  private:
   void explain(const QModelIndex& index);
@@ -37,6 +39,7 @@ class SetupView : public QWidget {
   AxisTable* axis_model_;
   SettingsTable* settings_model_;
   QLabel* machine_;
+  QLabel* unfollowed_;
   QTableView* axes_;
   QTableView* settings_;
   QLabel* help_;

@@ -55,6 +55,7 @@ Guarantees MsaddekModel::guarantees(const Settings& settings) const {
   Guarantees promised;
   promised.covered = Covered::lines;
   promised.meets_tangent_ends = !compacts;
+  promised.follows_compaction = compacts;
   promise_tolerance(promised, settings, compacts ? 2 : 1);
   promised.lines = all_kept();
   promised.arcs = promised.blends = static_arc_limits();

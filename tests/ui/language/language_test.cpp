@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/unfollowed.h"
 #include "core/limits/cause.h"
 #include "core/models/control_model.h"
 #include "ui/language/core_texts.h"
@@ -38,6 +39,8 @@ std::vector<std::string> shown_texts() {
     texts.push_back(model->info().summary);
     add(texts, settings_of(*model));
   }
+  const std::vector<std::string> sentences = all_unfollowed();
+  texts.insert(texts.end(), sentences.begin(), sentences.end());
   return texts;
 }
 

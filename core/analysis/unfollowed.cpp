@@ -1,0 +1,71 @@
+#include "core/analysis/unfollowed.h"
+
+#include <algorithm>
+#include <array>
+
+namespace feedscope {
+
+namespace {
+
+/// What is looked at: a path control of the program, what the model promises, and the setup.
+struct Asked {
+  const PathControl& control;
+  const Guarantees& promised;
+  const Setup& setup;
+
+  /// Without ramps there is no acceleration to choose.
+  bool has_ramps() const { return promised.continuity != Continuity::position; }
+};
+
+struct Rule {
+  const char* sentence;
+  bool (*is_unfollowed)(const Asked& asked);
+};
+
+constexpr auto rules = std::to_array<Rule>({
+    {"Tolerances and blend distances of the program are not followed: the model has no blends.",
+     [](const Asked& a) {
+       return (a.control.contour_tolerance || a.control.blend_distance) && !contour_tolerance(a.setup);
+     }},
+    {"Compaction that the program asks for is not followed: short blocks are not joined.",
+     [](const Asked& a) { return a.control.compaction == Switch::on && !a.promised.follows_compaction; }},
+    {"BRISK of the program is not followed: the jerk along the path stays limited.",
+     [](const Asked& a) {
+       return a.control.acceleration == AccelerationMode::brisk && a.has_ramps() && !a.promised.follows_brisk;
+     }},
+    {"DRIVE of the program is run as SOFT: the speed above which it lowers the acceleration is in the "
+     "control's "
+     "machine data.",
+     [](const Asked& a) { return a.control.acceleration == AccelerationMode::drive && a.has_ramps(); }},
+    {"Feed-forward that the program switches off is not followed: the axes are taken to follow without lag.",
+     [](const Asked& a) { return a.control.feed_forward == Switch::off; }},
+    {"Look-ahead that the program switches off is not followed.",
+     [](const Asked& a) { return a.control.look_ahead == Switch::off && a.has_ramps(); }},
+});
+
+}  // namespace
+
+std::vector<std::string> unfollowed(const Toolpath& toolpath, const Setup& setup) {
+  const Guarantees promised = setup.model->guarantees(setup.settings);
+  std::vector<std::string> sentences;
+  for (const Rule& rule : rules) {
+    const bool applies = std::any_of(toolpath.path_controls.begin(), toolpath.path_controls.end(),
+                                     [&](const PathControl& control) {
+                                       return rule.is_unfollowed({control, promised, setup});
+                                     });
+    if (applies) {
+      sentences.emplace_back(rule.sentence);
+    }
+  }
+  return sentences;
+}
+
+std::vector<std::string> all_unfollowed() {
+  std::vector<std::string> sentences;
+  for (const Rule& rule : rules) {
+    sentences.emplace_back(rule.sentence);
+  }
+  return sentences;
+}
+
+}  // namespace feedscope

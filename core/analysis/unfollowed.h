@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/analysis/run.h"
+
+namespace feedscope {
+
+/// What of the program's path control a run does not follow, one sentence each, in a fixed order; empty where
+/// it follows all that the program asks for. Tolerances that the setup replaces on purpose are not named.
+std::vector<std::string> unfollowed(const Toolpath& toolpath, const Setup& setup);
+
+/// Every sentence that unfollowed() may give, for translators.
+std::vector<std::string> all_unfollowed();
+
+}  // namespace feedscope
