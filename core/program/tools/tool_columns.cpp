@@ -151,12 +151,8 @@ CutterRadii ToolColumns::read() const {
         radius = unit_ * number(cells[i], line) / (meaning == Meaning::diameter ? 2 : 1);
       }
     }
-    if (!radius) {
+    if (!radius || *radius + excess < 0) {
       continue;
-    }
-    if (*radius + excess < 0) {
-      throw InputError(fmt::format("tool table '{}', line {}: a radius of {} mm is below zero", text_->name(),
-                                   line, *radius + excess));
     }
     for (const std::string_view tool : tools) {
       if (!tool.empty()) {

@@ -16,7 +16,8 @@ class ToolColumns {
   /// None if no line of the text heads a column of tools and one of radii or diameters.
   static std::optional<ToolColumns> find(const SourceText& text, double unit);
 
-  /// Throws InputError naming line and value. Rows without a tool or a radius are left out.
+  /// Throws InputError naming line and value. Rows without a tool, or without a radius of 0 or more, are left
+  /// out.
   CutterRadii read() const;
 
  private:

@@ -36,12 +36,9 @@ class RadiusSum {
   CutterRadii total() const {
     CutterRadii radii;
     for (const auto& [tool, sum] : sums_) {
-      if (!sum.radius) {
+      const double radius = sum.radius.value_or(-1) + sum.excess;
+      if (!sum.radius || radius < 0) {
         continue;
-      }
-      const double radius = *sum.radius + sum.excess;
-      if (radius < 0) {
-        throw ReadFault{"tool-table", 0, fmt::format("tool {} has a radius of {} mm", tool, radius), ""};
       }
       radii.set(tool, radius);
       const std::size_t comma = std::min(tool.find(','), tool.size());
@@ -76,11 +73,16 @@ class LineReader {
 class SinumerikLines : public LineReader {
  public:
   using LineReader::LineReader;
+  /// A line may hold several of them.
   void read(std::string_view line) override {
-    Scanner scanner(line);
-    if (scanner.take('N')) {
-      scanner.skip_digits();
+    for (std::size_t at = line.find('$'); at != std::string_view::npos; at = line.find('$', at + 1)) {
+      Scanner scanner(line, at);
+      read_variable(scanner);
     }
+  }
+
+ private:
+  void read_variable(Scanner& scanner) {
     const bool radius = scanner.take("$TC_DP6[");
     if (radius || scanner.take("$TC_DP15[")) {
       std::string tool = fmt::format("{}", scanner.number().value_or(0));
@@ -100,7 +102,6 @@ class SinumerikLines : public LineReader {
     }
   }
 
- private:
   static double value_behind(Scanner& scanner) {
     if (!scanner.take(']') || !scanner.take('=')) {
       throw ReadFault{"tool-table", scanner.column(), "]= is missing", ""};

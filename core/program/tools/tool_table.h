@@ -16,7 +16,8 @@ namespace feedscope {
 ///  - Heidenhain's TOOL.T and lists with a line of headings: T (or NR, TOOL), NAME, R (RADIUS), DR (added) or
 ///    D (DIAMETER), in columns of fixed width or with semicolons, commas or tabs between them.
 /// `unit`: millimetres of a length, where the table does not say it itself (TOOL.T: MM or INCH; G20, G21).
-/// Throws InputError naming the file, and the line of a value that is no number or below zero.
+/// A tool whose radius comes out below zero is left out: one odd row does not make the others useless.
+/// Throws InputError naming the file, and the line of a value that is no number.
 CutterRadii read_tool_table(const SourceText& text, double unit = 1);
 
 /// Names that a table beside a program goes by, in the order of preference.
