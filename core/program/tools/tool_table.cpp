@@ -206,21 +206,17 @@ CutterRadii read_lines(const SourceText& text, double unit) {
 }  // namespace
 
 CutterRadii read_tool_table(const SourceText& text, double unit) {
-  try {
-    if (has(text, is_sinumerik)) {
-      return read_lines<SinumerikLines>(text, unit);
-    }
-    if (has(text, is_offset)) {
-      return read_lines<OffsetLines>(text, unit);
-    }
-    if (const std::optional<ToolColumns> columns = ToolColumns::find(text, unit)) {
-      return columns->read();
-    }
-    if (has(text, is_linuxcnc)) {
-      return read_lines<LinuxcncLines>(text, unit);
-    }
-  } catch (const ReadFault& fault) {
-    throw InputError(fmt::format("tool table '{}': {}", text.name(), fault.message));
+  if (has(text, is_sinumerik)) {
+    return read_lines<SinumerikLines>(text, unit);
+  }
+  if (has(text, is_offset)) {
+    return read_lines<OffsetLines>(text, unit);
+  }
+  if (const std::optional<ToolColumns> columns = ToolColumns::find(text, unit)) {
+    return columns->read();
+  }
+  if (has(text, is_linuxcnc)) {
+    return read_lines<LinuxcncLines>(text, unit);
   }
   throw InputError(fmt::format(
       "'{}' is no tool table that can be read; give lines such as \"T1 D10\" or \"$TC_DP6[1,1]=5\", "
