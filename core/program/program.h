@@ -89,9 +89,9 @@ struct ReadOptions {
   /// curves may make 25 times as many motions.
   std::uint64_t repeat_limit = 2'000'000;
   std::size_t call_depth = 64;  ///< of calls inside each other
-  CutterRadii radii;            ///< of cutters, whatever program and tool table say
+  CutterRadii radii = {};       ///< of cutters, whatever program and tool table say
   /// Tool table for radii that the program does not set; empty: one beside the program, if there is any.
-  std::filesystem::path tool_table;
+  std::filesystem::path tool_table = {};
   double table_unit = 1;  ///< of lengths in a tool table that does not name it [mm]
 
   bool operator==(const ReadOptions&) const = default;
