@@ -30,7 +30,8 @@ std::set<std::string> all_matches(const std::string& text, const std::regex& pat
 
 /// The codes that stand in the sources where something is reported.
 std::set<std::string> codes_in_sources() {
-  const std::regex reported(R"re((?:Severity::(?:info|warning|error),\s*|ReadFault\{\s*)"([a-z]+(?:-[a-z]+)*)")re");
+  const std::regex reported(
+      R"re((?:\(\s*[^"(){}]*Severity::(?:info|warning|error),\s*|ReadFault\{\s*)"([a-z]+(?:-[a-z]+)*)")re");
   std::set<std::string> codes;
   for (const auto& entry : fs::recursive_directory_iterator(readers)) {
     if (entry.path().extension() == ".cpp" || entry.path().extension() == ".h") {
