@@ -39,10 +39,10 @@ std::optional<double> IsoReader::compensation_radius(int code, std::uint32_t col
   }
   const bool by_tool = follows_linuxcnc(dialect_) && !words_.has('D');
   const int offset = by_tool ? static_cast<int>(state_.tool) : state_.compensation.offset;
-  if (!gives_diameter(code)) {
-    if (words_.has('D') && offset == 0) {
-      return 0;
-    }
+  if (!gives_diameter(code) && offset == 0 && words_.has('D')) {
+    return 0;
+  }
+  if (!gives_diameter(code) && offset != 0) {
     const auto programmed = tool_radii_.find(offset);
     const std::optional<double> radius =
         use_cutter(fmt::format("{}", offset),
@@ -56,9 +56,13 @@ std::optional<double> IsoReader::compensation_radius(int code, std::uint32_t col
       return Text{fmt::format("{} without D", g_name(code)),
                   "the path shown is the programmed contour; write D with the tool's diameter"};
     }
-    return Text{words_.has('D') || offset != 0
-                    ? fmt::format("the radius of offset D{} is not known", offset)
-                    : fmt::format("{} without D: the radius of the tool is not known", g_name(code)),
+    if (offset == 0) {
+      return Text{
+          fmt::format("{} without D: the radius of the tool is not known", g_name(code)),
+          fmt::format("the path shown is the programmed contour; write {}",
+                      follows_linuxcnc(dialect_) ? "T and M6 before it, or D" : "D with the tool's offset")};
+    }
+    return Text{fmt::format("the radius of offset D{} is not known", offset),
                 fmt::format("the path shown is the programmed contour; {}, or set it with G10 L12 P{} R",
                             radius_hint(fmt::format("{}", offset)), offset)};
   });

@@ -71,15 +71,15 @@ TEST_P(IsoCompensationFault, ShowsTheContourOrSaysWhereItCuts) {
 INSTANTIATE_TEST_SUITE_P(
     All, IsoCompensationFault,
     testing::Values(
-        FaultCase{"G1 G41 D7 X10 F100\nX20\nG40 Y10",
-                  "f:1:8: error: the radius of offset D7 is not known [tool-radius] (the path shown is the "
-                  "programmed contour; set the radius with G10 L12 P7 R, or write G41.1 D with the tool's "
-                  "diameter)"},
+        FaultCase{
+            "G1 G41 D7 X10 F100\nX20\nG40 Y10",
+            "f:1:8: error: the radius of offset D7 is not known [tool-radius] (the path shown is the "
+            "programmed contour; give it as a reading option, --tool 7=RADIUS, or give a tool table, or set "
+            "it with G10 L12 P7 R)"},
         FaultCase{
             "G1 G41 X10 F100\nX20\nG40 Y10",
             "f:1:4: error: G41 without D: the radius of the tool is not known [tool-radius] (the path shown "
-            "is the programmed contour; set the radius with G10 L12 P0 R, or write G41.1 D with the tool's "
-            "diameter)"},
+            "is the programmed contour; write D with the tool's offset)"},
         FaultCase{
             "G1 G42.1 X10 F100\nX20\nG40 Y10",
             "f:1:4: error: G42.1 without D [tool-radius] (the path shown is the programmed contour; write D "
