@@ -13,7 +13,6 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTableWidget>
-#include <limits>
 
 #include "core/base/units.h"
 
@@ -25,6 +24,7 @@ constexpr int most_lines = 2'000'000'000;
 constexpr int most_calls = 100'000;
 constexpr int lines_a_step = 1'000'000;
 constexpr int recognised = -1;
+constexpr double largest_radius = 1e6;  // [mm]
 
 enum Column { tool_column, radius_column, source_column, column_count };
 
@@ -45,8 +45,7 @@ QString source_text(CutterSource source) {
 std::optional<double> length_of(QString text) {
   bool is_number = false;
   const double length = text.trimmed().replace(',', '.').toDouble(&is_number);
-  return is_number && length >= 0 && length <= std::numeric_limits<float>::max() ? std::optional(length)
-                                                                                 : std::nullopt;
+  return is_number && length >= 0 && length <= largest_radius ? std::optional(length) : std::nullopt;
 }
 
 QTableWidgetItem* fixed_item(const QString& text) {
