@@ -26,6 +26,22 @@ Cubic cubic_of(const CubicBlend& blend) {
   return {blend.start, m0, 3 * chord - 2 * m0 - m1, m0 + m1 - 2 * chord};
 }
 
+/// Found without looking at the arc's end: its whole circle does, or what is as far from its start as it is
+/// long. Most arcs of a long program do.
+bool lies_within(const Arc& arc, const Bounds& bounds) {
+  const auto holds = [&](const Vec3& low, const Vec3& high) {
+    return (bounds.min.array() <= low.array()).all() && (bounds.max.array() >= high.array()).all();
+  };
+  const Vec3 reach = arc.radius * (arc.x.array().square() + arc.y.array().square()).sqrt();
+  const Vec3 climb = arc.sweep * arc.rise;
+  if (holds(arc.center - reach + climb.cwiseMin(0.0), arc.center + reach + climb.cwiseMax(0.0))) {
+    return true;
+  }
+  const Vec3 start = arc.center + arc.radius * arc.x;
+  const Vec3 far = Vec3::Constant(arc.length());
+  return holds(start - far, start + far);
+}
+
 }  // namespace
 
 CurvePoint by_path_length(const CurvePoint& p) {
@@ -57,12 +73,7 @@ double Arc::curvature() const {
 }
 
 void Arc::extend(Bounds& bounds) const {
-  // Most arcs of a long program lie within what is known, which the box of their whole circle shows.
-  const Vec3 reach = radius * (x.array().square() + y.array().square()).sqrt();
-  const Vec3 climb = sweep * rise;
-  const Vec3 low = center - reach + climb.cwiseMin(0.0);
-  const Vec3 high = center + reach + climb.cwiseMax(0.0);
-  if ((bounds.min.array() <= low.array()).all() && (bounds.max.array() >= high.array()).all()) {
+  if (lies_within(*this, bounds)) {
     return;
   }
   bounds.add(at(0).position);

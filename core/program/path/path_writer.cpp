@@ -165,7 +165,10 @@ void PathWriter::arc(const ArcRequest& request, const ArcSolution& solution) {
     const ArcSolution::Piece& piece = solution.pieces[static_cast<std::size_t>(i)];
     const double feed =
         feed_mode_ == FeedMode::inverse_time ? feed_over(shape_of(programmed_, piece).length) : feed_over(0);
-    ArcWords shown{frame_.to_shown(piece.words.center), piece.words.axis, piece.words.turns};
+    ArcWords shown = piece.words;
+    if (!frame_.is_identity()) {
+      shown.center = frame_.to_shown(shown.center);
+    }
     if (!frame_.is_shift()) {
       if (frame_.scale_across(piece.words.axis) == 0) {
         straight_arc(request, piece);
