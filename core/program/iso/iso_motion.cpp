@@ -84,8 +84,8 @@ void IsoReader::program_axes_of_block() {
 /// Beyond any machine's travel, but not in the thousandths that many controls take numbers without a point
 /// for.
 void IsoReader::check_point(char letter) {
-  constexpr double least_mm = 10000;
-  constexpr double least_inch = 1000;
+  constexpr double least_mm = 3000;
+  constexpr double least_inch = 120;
   const Word& word = words_[letter];
   if (follows_linuxcnc(dialect_) || word.has_point || !words_.has(letter) ||
       std::abs(word.value) < (state_.inch ? least_inch : least_mm)) {
