@@ -24,6 +24,24 @@ constexpr double allowed_cut = 2e-3;
 /// The same where it takes more blocks than two to see it, whose joints may each be off by join_gap_at_point.
 constexpr double allowed_cut_further_on = 1e-2;
 constexpr double reversal_sine = 1e-9;
+/// The same next to an arc, whose end direction is rounded more.
+constexpr double reversal_sine_at_arc = 1e-2;
+
+/// Curvature, positive to the left [1/mm].
+double bend(const PlaneElement& element) {
+  return element.is_arc() ? element.turn / element.radius : 0;
+}
+
+/// Whether a tool `left` of the contour has less than half a turn to go around between the elements. Where
+/// the contour turns back, in a tip or a notch without width, the curvatures say which of the two it is; two
+/// lines make a tip.
+bool is_inside_corner(const PlaneElement& last, const PlaneElement& next, double left) {
+  const double sine = cross(last.tangent_at_end(), next.tangent_at_start());
+  const double cosine = last.tangent_at_end().dot(next.tangent_at_start());
+  const double bends = bend(last) + bend(next);
+  const bool reverses = cosine < 0 && std::abs(sine) <= (bends != 0 ? reversal_sine_at_arc : reversal_sine);
+  return reverses ? bends * left < 0 : sine * left >= 0;
+}
 
 bool is_point(const PlaneElement& path) {
   return path.is_arc() && path.radius <= allowed_cut;
@@ -209,17 +227,14 @@ void CutterCompensation::join(const PathMotion& motion, const PlaneElement& next
   const Vec2 from = path_beside(last).end;
   const Vec2 to = path_beside(next).start;
   const bool at_point = is_point(path_beside(last)) || is_point(path_beside(next));
-  const double sine = cross(last.tangent_at_end(), next.tangent_at_start());
-  const double cosine = last.tangent_at_end().dot(next.tangent_at_start());
-  const bool reverses = std::abs(sine) <= reversal_sine && cosine < 0;
   if (held_->is_entry) {
     release(to);
   } else if ((to - from).norm() <= (at_point ? join_gap_at_point : join_gap)) {
     release(next.is_arc() && !last.is_arc() ? to : from);
-  } else if (reverses || sine * left_ < 0) {
-    go_around(next, motion);
-  } else {
+  } else if (is_inside_corner(last, next, left_)) {
     release(inside_corner(last, next));
+  } else {
+    go_around(next, motion);
   }
   hold(motion, next, false);
 }
@@ -233,7 +248,15 @@ Vec2 CutterCompensation::inside_corner(const PlaneElement& last, const PlaneElem
     report_swallowed();
     return path.end;
   }
-  const bool second = found.count == 2 && cut_off(found.points[1]) < cut_off(found.points[0]);
+  if (found.count == 1) {
+    return found.points[0];
+  }
+  // In a notch without width both are as far away: then the one before the ends.
+  constexpr double alike = 0.02;
+  const std::array<double, 2> far{cut_off(found.points[0]), cut_off(found.points[1])};
+  const bool tie = std::abs(far[1] - far[0]) <= alike * (far[0] + far[1]);
+  const Vec2 back = next_path.tangent_at_start() - path.tangent_at_end();
+  const bool second = tie ? (found.points[1] - found.points[0]).dot(back) > 0 : far[1] < far[0];
   return found.points[second ? 1 : 0];
 }
 

@@ -125,6 +125,31 @@ TEST(CompensationGouge, OfAnotherLevelIsNotSaid) {
   writer.line({0, 60, -3}).off().line({0, 100, -3}).finish_clean();
 }
 
+TEST(CompensationGouge, ANotchWithoutWidthIsAnInsideCorner) {
+  // Two half circles of radius 10 that meet in a notch: the paths of radius 15 about X10 and X30 meet at X20.
+  ContourWriter notch;
+  notch.rapid({-20, -20, 0}).on(ToolSide::left, 5).line({0, -10, 0}).line({0, 0, 0});
+  notch.arc({20, 0, 0}, {10, 0, 0}, -Vec3::UnitZ()).arc({40, 0, 0}, {30, 0, 0}, -Vec3::UnitZ());
+  const Program program = notch.line({40, -10, 0}).off().line({60, -20, 0}).finish_clean();
+  ASSERT_EQ(program.motions.size(), 7U);
+  EXPECT_NEAR((program.motions[3].target - Vec3(20, std::sqrt(15 * 15 - 10 * 10), 0)).norm(), 0, 1e-9);
+
+  // Mirrored at the X axis, and so with the other one of the two meetings first.
+  ContourWriter mirrored;
+  mirrored.rapid({-20, 20, 0}).on(ToolSide::right, 5).line({0, 10, 0}).line({0, 0, 0});
+  mirrored.arc({20, 0, 0}, {10, 0, 0}, Vec3::UnitZ()).arc({44, 0, 0}, {32, 0, 0}, Vec3::UnitZ());
+  const Program below = mirrored.line({44, 10, 0}).off().line({60, 20, 0}).finish_clean();
+  EXPECT_LT(below.motions.at(3).target.y(), -10);
+
+  // From the other side the same place is a tip.
+  ContourWriter tip;
+  tip.rapid({-20, -20, 0}).on(ToolSide::right, 5).line({0, -10, 0}).line({0, 0, 0});
+  tip.arc({20, 0, 0}, {10, 0, 0}, -Vec3::UnitZ()).arc({40, 0, 0}, {30, 0, 0}, -Vec3::UnitZ());
+  const Program around = tip.line({40, -10, 0}).off().line({60, -20, 0}).finish_clean();
+  ASSERT_EQ(around.arcs.size(), 3U);
+  EXPECT_NEAR((around.arcs[1].center - Vec3(20, 0, 0)).norm(), 0, 1e-9);
+}
+
 /// A closed contour without crossings around the origin.
 std::vector<Vec3> random_star(std::mt19937& random) {
   std::uniform_real_distribution<double> unit(0, 1);
