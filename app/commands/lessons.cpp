@@ -158,7 +158,8 @@ int check_lessons(const std::string& id) {
 }
 
 /// The hand-out as the ending of `out` asks for it.
-std::string handout(const std::string& out, const Lesson& lesson, const WrittenNumbers& numbers) {
+std::string handout([[maybe_unused]] const std::string& out, const Lesson& lesson,
+                    const WrittenNumbers& numbers) {
   const std::string html = handout_html(lesson, numbers);
 #ifdef FEEDSCOPE_WITH_UI
   if (out.ends_with(".pdf")) {
