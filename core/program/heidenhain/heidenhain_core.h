@@ -195,7 +195,7 @@ class HeidenhainCore : public Reader {
   double unset_parameter(const QName& name);
   void read_system_data(const QName& result, double group, double number, double index, std::uint32_t column);
   /// What FN 18 answers; none where only the machine knows.
-  std::optional<double> system_data(double group, double number, double index) const;
+  std::optional<double> system_data(double group, double number, double index);
   std::optional<double> number_of_tool() const;
 
   ContourElement element_of(const MotionWords& words, const Vec3& target) const;

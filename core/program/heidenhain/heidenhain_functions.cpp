@@ -161,7 +161,7 @@ void HeidenhainCore::read_system_data(Scanner& scanner, std::uint32_t column) {
 }
 
 /// iTNC 530 HSCI technical manual, 9.5.4. System data are metric whatever the unit of the program.
-std::optional<double> HeidenhainCore::system_data(double group, double number, double index) const {
+std::optional<double> HeidenhainCore::system_data(double group, double number, double index) {
   const auto asks = [&](int g, int n) { return group == g && number == n; };
   const int axis = index == 1 || index == 2 || index == 3 ? static_cast<int>(index) - 1 : -1;
   if (asks(10, 1)) {
@@ -180,8 +180,8 @@ std::optional<double> HeidenhainCore::system_data(double group, double number, d
     return units::to_mm_min(feed_.value);
   }
   if (asks(50, 2)) {
-    const auto known = tool_radii_.find(fmt::format("{}", index));
-    return known != tool_radii_.end() ? std::optional(known->second) : std::nullopt;
+    const std::string tool = fmt::format("{}", index);
+    return cutter_radius(tool, defined_radii_.find(tool));
   }
   if (asks(200, 1)) {
     return tool_radius_;
