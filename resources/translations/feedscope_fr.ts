@@ -1101,6 +1101,30 @@
         <source>off: the fastest under velocity and acceleration limits, which no law can beat; on: a law that keeps the jerk of every axis too, close to the fastest, and slow to compute.</source>
         <translation>off&#xa0;: la loi la plus rapide sous les limites de vitesse et d&apos;accélération, qu&apos;aucune autre ne peut battre&#xa0;; on&#xa0;: une loi qui respecte aussi le jerk de chaque axe, proche de la plus rapide, et longue à calculer.</translation>
     </message>
+    <message>
+        <source>Tolerances and blend distances of the program are not followed: the model has no blends.</source>
+        <translation>Les tolérances et distances de raccordement du programme ne sont pas suivies : le modèle n’a pas de raccordements.</translation>
+    </message>
+    <message>
+        <source>Compaction that the program asks for is not followed: short blocks are not joined.</source>
+        <translation>La compression demandée par le programme n’est pas suivie : les blocs courts ne sont pas réunis.</translation>
+    </message>
+    <message>
+        <source>BRISK of the program is not followed: the jerk along the path stays limited.</source>
+        <translation>BRISK du programme n’est pas suivi : le jerk le long de la trajectoire reste limité.</translation>
+    </message>
+    <message>
+        <source>DRIVE of the program is run as SOFT: the speed above which it lowers the acceleration is in the control&apos;s machine data.</source>
+        <translation>DRIVE du programme est exécuté comme SOFT : la vitesse au-dessus de laquelle il réduit l’accélération se trouve dans les données machine de la commande.</translation>
+    </message>
+    <message>
+        <source>Feed-forward that the program switches off is not followed: the axes are taken to follow without lag.</source>
+        <translation>La commande anticipatrice (feed-forward) que le programme désactive n’est pas suivie : les axes sont supposés suivre sans retard.</translation>
+    </message>
+    <message>
+        <source>Look-ahead that the program switches off is not followed.</source>
+        <translation>L’anticipation de blocs (look-ahead) que le programme désactive n’est pas suivie.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui</name>
@@ -2475,6 +2499,18 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>Contour error</source>
         <translation>Erreur de contour</translation>
     </message>
+    <message>
+        <source>Reading &amp;options …</source>
+        <translation>O&amp;ptions de lecture …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>Language of the program, cutter radii, limits of loops and calls</source>
+        <translation>Langage du programme, rayons des fraises, limites des boucles et des appels</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::PlaybackBar</name>
@@ -2678,6 +2714,129 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>The program is empty.</source>
         <translation>Le programme est vide.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ReadingDialog</name>
+    <message>
+        <source>set here</source>
+        <translation>saisi ici</translation>
+    </message>
+    <message>
+        <source>the program</source>
+        <translation>le programme</translation>
+    </message>
+    <message>
+        <source>the tool table</source>
+        <translation>la table d’outils</translation>
+    </message>
+    <message>
+        <source>not known: the contour is shown</source>
+        <translation>inconnu : le contour est affiché</translation>
+    </message>
+    <message>
+        <source>Leave out blocks that begin with /</source>
+        <translation>Omettre les blocs qui commencent par /</translation>
+    </message>
+    <message>
+        <source>Reading options</source>
+        <translation>Options de lecture</translation>
+    </message>
+    <message>
+        <source>Language of the program</source>
+        <translation>Langage du programme</translation>
+    </message>
+    <message>
+        <source>recognised</source>
+        <translation>reconnu</translation>
+    </message>
+    <message>
+        <source>recognised (now %1)</source>
+        <translation>reconnu (ici %1)</translation>
+    </message>
+    <message>
+        <source>Cutter radii</source>
+        <translation>Rayons des fraises</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>Radius [mm]</source>
+        <translation>Rayon [mm]</translation>
+    </message>
+    <message>
+        <source>Given by</source>
+        <translation>Donné par</translation>
+    </message>
+    <message>
+        <source>%1: %2 mm</source>
+        <translation>%1 : %2 mm</translation>
+    </message>
+    <message>
+        <source>set here, not used by the program</source>
+        <translation>saisi ici, non utilisé par le programme</translation>
+    </message>
+    <message>
+        <source>Empty: as the program or the tool table says</source>
+        <translation>Vide : selon le programme ou la table d’outils</translation>
+    </message>
+    <message>
+        <source>A loop that does not end is cut off there</source>
+        <translation>Une boucle sans fin y est coupée</translation>
+    </message>
+    <message>
+        <source>one beside the program, if there is any</source>
+        <translation>celle à côté du programme, s’il y en a une</translation>
+    </message>
+    <message>
+        <source>Of LinuxCNC, Sinumerik, Fanuc (G10), Heidenhain (TOOL.T), or a list with headings T and R</source>
+        <translation>De LinuxCNC, Sinumerik, Fanuc (G10), Heidenhain (TOOL.T), ou une liste avec les en-têtes T et R</translation>
+    </message>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>pouce</translation>
+    </message>
+    <message>
+        <source>Unit of a tool table that does not name it</source>
+        <translation>Unité d’une table d’outils qui ne la nomme pas</translation>
+    </message>
+    <message>
+        <source>Choose …</source>
+        <translation>Choisir …</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langage</translation>
+    </message>
+    <message>
+        <source>Lines that loops and calls may run</source>
+        <translation>Lignes que boucles et appels peuvent exécuter</translation>
+    </message>
+    <message>
+        <source>Calls inside each other</source>
+        <translation>Appels imbriqués</translation>
+    </message>
+    <message>
+        <source>Tool table</source>
+        <translation>Table d’outils</translation>
+    </message>
+    <message>
+        <source>The program compensates for no cutter.</source>
+        <translation>Le programme n’active aucune correction de rayon.</translation>
+    </message>
+    <message>
+        <source>The radius of tool %1, &quot;%2&quot;, is no length of 0 mm or more.</source>
+        <translation>Le rayon de l’outil %1, « %2 », n’est pas une longueur de 0 mm ou plus.</translation>
+    </message>
+    <message>
+        <source>Choose a tool table</source>
+        <translation>Choisir une table d’outils</translation>
     </message>
 </context>
 <context>

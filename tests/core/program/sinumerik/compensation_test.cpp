@@ -33,9 +33,11 @@ TEST(SinumerikCompensation, EdgeZeroAndToolsWithoutRadiusShowTheContour) {
   const Program unknown = read_sinumerik("T3 D2 F100\nG1 G42 X10\nY10\nG40 X0");
   expect_near(unknown.motions[1].target, {10, 10, 0});
   ASSERT_EQ(unknown.diagnostics.size(), 1U);
-  EXPECT_EQ(format(unknown.diagnostics[0], "f"),
-            "f:2:4: error: G42: the radius of T3 D2 is not known [tool-radius] (the path shown is the "
-            "programmed contour; write $TC_DP6[3,2]= with the radius before it)");
+  EXPECT_EQ(
+      format(unknown.diagnostics[0], "f"),
+      "f:2:4: error: G42: the radius of T3 D2 is not known [tool-radius] (the path shown is the "
+      "programmed contour; give it as a reading option, --tool 3,2=RADIUS, or give a tool table, or set it "
+      "with $TC_DP6[T,D]=)");
 }
 
 }  // namespace

@@ -22,8 +22,7 @@ const std::vector<Language>& languages() {
   static const std::vector<Language> all = {
       {Dialect::fanuc, "G21 G17\nG42 D07 G1 X10 Y0 F100\nX20\nX30\n", "7", "G10 L12 P7 R2.\n"},
       {Dialect::linuxcnc, "G21 G17\nT7 M6\nG42 G1 X10 Y0 F100\nX20\nX30\n", "7", "G10 L1 P7 R2\n"},
-      {Dialect::sinumerik, "G17 T=\"mill_8\" D2\nG42 G1 X10 Y0 F100\nX20\nX30\n", "MILL_8,2",
-       "$TC_DP6[1,1]=2\n"},
+      {Dialect::sinumerik, "G17 T4 D2\nG42 G1 X10 Y0 F100\nX20\nX30\n", "4,2", "$TC_DP6[4,2]=2\n"},
       {Dialect::heidenhain, "TOOL CALL \"Mill 8\" Z S1000\nL X+10 Y+0 RR F100\nL X+20\nL X+30\n", "mill 8",
        "TOOL DEF \"Mill 8\" R2\n"},
   };
@@ -115,9 +114,6 @@ TEST_P(CutterOf, AFaultyTableBesideTheProgramIsLeftAside) {
 }
 
 TEST_P(CutterOf, OfTheProgramComesBeforeTheTableAndBehindWhatIsGiven) {
-  if (GetParam().dialect == Dialect::sinumerik) {
-    GTEST_SKIP() << "$TC_DP6 takes numbers; see Sinumerik's tests";
-  }
   write("tools.csv", "nr;radius\n" + GetParam().tool + ";3\n");
   EXPECT_NEAR(beside(read(GetParam().programmed)), 2, 1e-12);
   ReadOptions options;
@@ -127,6 +123,17 @@ TEST_P(CutterOf, OfTheProgramComesBeforeTheTableAndBehindWhatIsGiven) {
 
 INSTANTIATE_TEST_SUITE_P(Dialects, CutterOf, testing::ValuesIn(languages()),
                          [](const auto& test) { return std::string(info_of(test.param.dialect).id); });
+
+TEST(Cutters, SinumeriksToolsMayHaveNames) {
+  ReadOptions options{.dialect = Dialect::sinumerik};
+  options.radii.set("mill_8,2", 4);
+  const Program program = read_program(
+      std::make_shared<const SourceText>("part.mpf", "T=\"MILL_8\" D2\nG42 G1 X10 Y0 F100\nX20\nX30\n"),
+      nullptr, options);
+  EXPECT_NEAR(program.motions.back().target.y(), -4, 1e-12);
+  EXPECT_EQ(program.cutters.at(0).tool, "MILL_8,2");
+  EXPECT_EQ(program.tools.at(0).name, "MILL_8");
+}
 
 TEST(CutterRadii, OneToolHasOneKey) {
   EXPECT_EQ(CutterRadii::key(" 007 "), "7");
