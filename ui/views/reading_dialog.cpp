@@ -165,7 +165,7 @@ void ReadingDialog::make_layout() {
   fault_->setWordWrap(true);
   form->addRow(fault_);
   form->addRow(buttons_);
-  resize(560, sizeHint().height());
+  resize(680, sizeHint().height());
 }
 
 void ReadingDialog::show_options(const ReadOptions& options) {
