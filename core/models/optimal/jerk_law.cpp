@@ -6,7 +6,6 @@
 namespace feedscope {
 namespace {
 
-constexpr double slight = 1e-9;        ///< of a length, for rounding
 constexpr double digits = 2e-16;       ///< of a path length
 constexpr double rounded_jerk = 1e-4;  ///< share of the jerk that rounding of a cell's length may make
 constexpr double ramp_cells = 5;       ///< cells in the time of the shortest ramp
