@@ -208,10 +208,15 @@ void IsoReader::gather_macro_call(const Block& block) {
   }
   macro.times = repeats_of_block();
   macro.depth = call_depth();
+  macro.found = find_program(macro.program);
   if (macro.column == 0) {
     report(Severity::error, "subprogram", 1, block.words.front().column, [&] {
       return Text{fmt::format("G{} without P", kind), "nothing is called; write P with the macro's number"};
     });
+  } else if (macro.found.text == nullptr) {
+    modal_macro_.reset();
+    report_missing(fmt::format("macro program {:.0f} is called", macro.program),
+                   fmt::format("O{:04.0f}", macro.program), macro.column);
   } else if (kind == 66) {
     modal_macro_ = macro;
   } else {
@@ -220,13 +225,7 @@ void IsoReader::gather_macro_call(const Block& block) {
 }
 
 void IsoReader::call_macro(const MacroCall& macro) {
-  const Subprogram found = find_program(macro.program);
-  if (found.text == nullptr) {
-    report_missing(fmt::format("macro program {:.0f} is called", macro.program),
-                   fmt::format("O{:04.0f}", macro.program), macro.column);
-    return;
-  }
-  enter(found, macro.times, macro.arguments);
+  enter(macro.found, macro.times, macro.arguments);
 }
 
 void IsoReader::call_o_word(const std::string& label, std::uint32_t column, Scanner& scan) {

@@ -213,6 +213,7 @@ class IsoReader : public Reader, private VariableSource {
     double program = 0;
     std::uint32_t column = 0;
     double times = 1;
+    Subprogram found;
     IsoVariables::Locals arguments{};
     std::size_t depth = 0;  ///< of calls, at which G66 stands
   };

@@ -187,6 +187,16 @@ TEST(Macros, ModalOnesRunAfterEachMotion) {
             (Way{1, 2, 52, 2, 3, 53, 3, 4}));
 }
 
+TEST(Macros, AModalOneThatIsMissingIsSaidWhereItIsAskedFor) {
+  const Program program =
+      read_text("G1 X1 F100\n  G66 P7 Z5\nX2\n(short)\nX3\nG67\nX4\nM30\n", {.dialect = Dialect::fanuc});
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(program.diagnostics[0].code, "subprogram");
+  EXPECT_EQ(program.diagnostics[0].line, 2U);
+  EXPECT_EQ(program.diagnostics[0].column, 7U);
+  EXPECT_EQ(program.motions.size(), 4U);
+}
+
 TEST(Macros, GotoStaysInItsProgram) {
   EXPECT_EQ(fanuc("N10 X1\nG65 P1\nX2\nM30\nO1\n#1=#1+1\nIF [#1 EQ 1] GOTO 10\nX8\nN10 X3\nM99"),
             (Way{1, 3, 2}));
