@@ -2,6 +2,7 @@
 
 #include "core/models/control_model.h"
 #include "tests/app/command_line.h"
+#include "tests/support/folders.h"
 
 namespace {
 

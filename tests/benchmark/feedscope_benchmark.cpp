@@ -8,6 +8,7 @@
 #include "core/analysis/run.h"
 #include "tests/benchmark/heap_meter.h"
 #include "tests/benchmark/programs.h"
+#include "tests/support/folders.h"
 
 namespace feedscope::benchmark {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "core/analysis/run.h"
 #include "tests/contract/hand_cases.h"
+#include "tests/support/folders.h"
 
 namespace feedscope::contract {
 namespace {

@@ -8,6 +8,8 @@
 #include <set>
 #include <string>
 
+#include "tests/support/folders.h"
+
 namespace feedscope {
 namespace {
 

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/folders.h"
+
 namespace feedscope {
 namespace {
 

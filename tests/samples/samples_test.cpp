@@ -11,6 +11,7 @@
 
 #include "tests/samples/essid.h"
 #include "tests/samples/nc_writer.h"
+#include "tests/support/folders.h"
 
 namespace feedscope::samples {
 namespace {

@@ -18,6 +18,7 @@
 #include <fstream>
 #include <map>
 
+#include "tests/support/folders.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/panel_states.h"
 

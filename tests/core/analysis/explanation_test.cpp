@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/base/units.h"
+#include "tests/support/folders.h"
 
 namespace feedscope {
 namespace {

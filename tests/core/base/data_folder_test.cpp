@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/error.h"
+#include "tests/support/folders.h"
 
 namespace feedscope {
 namespace {

@@ -7,6 +7,7 @@
 #include "core/lessons/handout.h"
 #include "core/lessons/lesson_runs.h"
 #include "tests/core/lessons/lesson_folder.h"
+#include "tests/support/folders.h"
 
 namespace feedscope {
 namespace {

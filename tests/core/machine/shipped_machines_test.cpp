@@ -9,6 +9,7 @@
 #include "core/base/geometry.h"
 #include "core/machine/machine.h"
 #include "core/models/control_model.h"
+#include "tests/support/folders.h"
 
 namespace feedscope {
 namespace {

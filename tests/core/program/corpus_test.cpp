@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/program/program.h"
+#include "tests/support/folders.h"
 
 namespace feedscope {
 namespace {

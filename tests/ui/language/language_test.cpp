@@ -13,6 +13,7 @@
 #include "core/analysis/unfollowed.h"
 #include "core/limits/cause.h"
 #include "core/models/control_model.h"
+#include "tests/support/folders.h"
 #include "ui/language/core_texts.h"
 #include "ui/scene/cause_colour.h"
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/program/text/source_text.h"
+#include "tests/support/folders.h"
 
 namespace feedscope::ui {
 namespace {

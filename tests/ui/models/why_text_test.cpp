@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <set>
 
+#include "tests/support/folders.h"
 #include "tests/ui/run_fixture.h"
 
 namespace feedscope::ui {

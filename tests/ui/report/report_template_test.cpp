@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "core/base/error.h"
+#include "tests/support/folders.h"
 #include "ui/report/report.h"
 
 namespace feedscope::ui {

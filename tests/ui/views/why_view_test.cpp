@@ -13,6 +13,7 @@
 #include <QTest>
 #include <filesystem>
 
+#include "tests/support/folders.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/theme/theme.h"
 

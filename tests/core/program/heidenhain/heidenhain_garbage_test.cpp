@@ -4,6 +4,7 @@
 #include <random>
 
 #include "tests/core/program/heidenhain/read_heidenhain.h"
+#include "tests/support/folders.h"
 #include "tests/support/program_checks.h"
 
 namespace feedscope {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "tests/core/program/sinumerik/read_sinumerik.h"
+#include "tests/support/folders.h"
 
 namespace feedscope {
 namespace {
