@@ -2,7 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <mutex>
 #include <numbers>
+#include <optional>
+
+#include "core/analysis/segment_tree.h"
 
 namespace feedscope {
 namespace {
@@ -17,30 +21,94 @@ double nearest_on_line(const Vec3& start, const Segment& line, const Vec3& posit
   return u * line.length;
 }
 
-/// The same on an arc. A flat arc has a closed form; on a helix it is the start for Newton steps on the slope
-/// of the squared distance.
+/// Angles on a helix where its distance from a place may be least. With rho and `turn` the place's radius and
+/// angle about the axis, `aim` the angle at which the helix is as high, the squared distance is but for a
+/// constant
+///   f(a) = (aim - a)^2 h^2 - 2 r rho cos(a - turn),   h the rise per radian, r the radius.
+/// Beside each angle b = turn + 2 k pi, towards the aim, lies at most one least value, at b + y with
+/// r rho sin(y) = h^2 (aim - b - y).
+class HelixFoot {
+ public:
+  HelixFoot(const Arc& arc, const Vec3& from_center)
+      : sweep_(arc.sweep),
+        rise_(arc.rise.squaredNorm()),
+        turn_(std::atan2(from_center.dot(arc.y), from_center.dot(arc.x))),
+        aim_(from_center.dot(arc.rise) / rise_),
+        pull_(arc.radius * std::hypot(from_center.dot(arc.x), from_center.dot(arc.y))) {}
+
+  double angle() const {
+    const double within = std::clamp(aim_, 0.0, sweep_);
+    const double nearest = turn_ + full_turn * std::round((within - turn_) / full_turn);
+    const double beside = valley(nearest);
+    // With the aim on the helix no other valley is deeper.
+    if (within == aim_ && beside >= 0 && beside <= sweep_) {
+      return beside;
+    }
+    double best = value(0) <= value(sweep_) ? 0 : sweep_;
+    for (int k = -2; k <= 2; ++k) {
+      const double angle = valley(nearest + k * full_turn);
+      if (angle > 0 && angle < sweep_ && value(angle) < value(best)) {
+        best = angle;
+      }
+    }
+    return best;
+  }
+
+ private:
+  double value(double angle) const {
+    const double off = aim_ - angle;
+    return off * off * rise_ - 2 * pull_ * std::cos(angle - turn_);
+  }
+
+  /// Newton steps from y = 0: they never pass the root, because the slope of f is concave there. Where there
+  /// is none, or it does not come, any place: its value is compared.
+  double valley(double base) const {
+    const double gap = std::abs(aim_ - base);
+    double y = 0;
+    constexpr int most_steps = 60;
+    for (int step = 0; step < most_steps; ++step) {
+      const double bend = pull_ * std::cos(y) + rise_;
+      const double left = rise_ * (gap - y) - pull_ * std::sin(y);
+      if (bend <= 0 || left <= 1e-15 * rise_ * gap) {
+        break;
+      }
+      y = std::min(y + left / bend, std::min(gap, std::numbers::pi));
+    }
+    return aim_ < base ? base - y : base + y;
+  }
+
+  double sweep_;
+  double rise_;  ///< h^2
+  double turn_;
+  double aim_;
+  double pull_;  ///< r rho
+};
+
+/// The same on an arc or a helix.
 double nearest_on_arc(const Arc& arc, const Vec3& position) {
   const Vec3 from_center = position - arc.center;
-  const double turn = std::atan2(from_center.dot(arc.y), from_center.dot(arc.x));
-  const double rise = arc.rise.squaredNorm();
-  const double aim = rise > 0 ? std::clamp(from_center.dot(arc.rise) / rise, 0.0, arc.sweep) : arc.sweep / 2;
-  const double angle = std::clamp(turn + full_turn * std::round((aim - turn) / full_turn), 0.0, arc.sweep);
-  const double rate = arc.length_per_radian();
-  double s = angle * rate;
-  constexpr int newton_steps = 4;
-  for (int step = 0; rise > 0 && step < newton_steps; ++step) {
-    const CurvePoint at = arc.at(s);
-    const Vec3 offset = at.position - position;
-    const double bend = at.d1.squaredNorm() + offset.dot(at.d2);
-    if (bend <= 0) {
-      break;
-    }
-    s = std::clamp(s - offset.dot(at.d1) / bend, 0.0, arc.sweep * rate);
+  if (!arc.rise.isZero(0)) {
+    return HelixFoot(arc, from_center).angle() * arc.length_per_radian();
   }
-  return s;
+  const double turn = std::atan2(from_center.dot(arc.y), from_center.dot(arc.x));
+  const double angle = turn + full_turn * std::round((arc.sweep / 2 - turn) / full_turn);
+  return std::clamp(angle, 0.0, arc.sweep) * arc.length_per_radian();
 }
 
 }  // namespace
+
+struct PathDeviation::Index {
+  const SegmentTree& tree(const Toolpath& toolpath) {
+    std::call_once(made, [&] { segments.emplace(toolpath); });
+    return *segments;
+  }
+
+  std::once_flag made;
+  std::optional<SegmentTree> segments;
+};
+
+PathDeviation::PathDeviation(const Toolpath& toolpath)
+    : toolpath_(toolpath), index_(std::make_shared<Index>()) {}
 
 PathDeviation::Foot PathDeviation::foot_on(std::size_t index, const Vec3& position) const {
   const Segment& segment = toolpath_.segments[index];
@@ -61,21 +129,8 @@ PathDeviation::Foot PathDeviation::foot_on(std::size_t index, const Vec3& positi
 
 void PathDeviation::improve(Foot& best, std::size_t segment, const Vec3& position) const {
   const Foot foot = foot_on(segment, position);
-  if (foot.squared < best.squared) {
+  if (foot.squared < best.squared && std::sqrt(foot.squared) < std::sqrt(best.squared) - as_near) {
     best = foot;
-  }
-}
-
-void PathDeviation::search(Foot& best, const Foot& from, double reach, const Vec3& position) const {
-  double gone = toolpath_.segments[from.segment].length - from.s;
-  for (std::size_t i = from.segment + 1; i < toolpath_.segments.size() && gone <= reach; ++i) {
-    improve(best, i, position);
-    gone += toolpath_.segments[i].length;
-  }
-  gone = from.s;
-  for (std::size_t i = from.segment; i > 0 && gone <= reach; --i) {
-    improve(best, i - 1, position);
-    gone += toolpath_.segments[i - 1].length;
   }
 }
 
@@ -99,25 +154,54 @@ Vec3 PathDeviation::along_bisector(const Foot& foot) const {
   return std::copysign(std::sqrt(foot.squared) / cosine, foot.offset.dot(bisector)) * bisector;
 }
 
-PathDeviation::Foot PathDeviation::follow(const Foot& from, const Vec3& position, double advance,
-                                          std::uint32_t segment) const {
-  Foot best = foot_on(from.segment, position);
-  for (const std::size_t near : {std::size_t{segment}, std::size_t{segment} + 1}) {
-    if (near < toolpath_.segments.size()) {
-      improve(best, near, position);
-    }
+PathDeviation::Foot PathDeviation::foot_near(std::size_t segment, const Vec3& position) const {
+  const Foot own = foot_on(segment, position);
+  const double reach = 2 * std::sqrt(own.squared);
+  Foot best = own;
+  double gone = toolpath_.segments[segment].length - own.s;
+  for (std::size_t i = segment + 1; i < toolpath_.segments.size() && gone <= reach; ++i) {
+    improve(best, i, position);
+    gone += toolpath_.segments[i].length;
   }
-  // The feet of two places are apart by at most the places' own distance and the two distances from the path.
-  search(best, Foot(best), 2 * (advance + std::sqrt(from.squared)), position);
+  gone = own.s;
+  for (std::size_t i = segment; i > 0 && gone <= reach; --i) {
+    improve(best, i - 1, position);
+    gone += toolpath_.segments[i - 1].length;
+  }
   return best;
 }
 
-PathDeviation::Result PathDeviation::operator()(const Vec3& position, double advance, std::uint32_t segment) {
+PathDeviation::Foot PathDeviation::nearest(const Vec3& position, std::size_t segment,
+                                           std::size_t also) const {
+  Foot best = foot_on(segment, position);
+  if (segment + 1 < toolpath_.segments.size()) {
+    improve(best, segment + 1, position);
+  }
+  if (also != segment && also != segment + 1) {
+    improve(best, also, position);
+  }
+  const auto to_beat = [&best] {
+    const double nearer = std::sqrt(best.squared) - as_near;
+    return nearer > 0 ? nearer * nearer : 0;
+  };
+  if (to_beat() > 0) {
+    index_->tree(toolpath_).search(position, to_beat(), [&](std::size_t first, std::size_t count) {
+      for (std::size_t i = first; i < first + count; ++i) {
+        improve(best, i, position);
+      }
+      return to_beat();
+    });
+  }
+  return best;
+}
+
+PathDeviation::Result PathDeviation::operator()(const Vec3& position, std::uint32_t segment) {
   if (toolpath_.segments.empty()) {
     return {};
   }
-  last_ = follow(last_, position, advance, segment);
-  return {last_.offset, along_bisector(last_)};
+  const Foot foot = nearest(position, segment, last_);
+  last_ = foot.segment;
+  return {foot.offset, along_bisector(foot)};
 }
 
 }  // namespace feedscope

@@ -1,20 +1,30 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "core/toolpath/toolpath.h"
 
 namespace feedscope {
 
-/// Contour error of places that follow a programmed path one after the other, as an executed path does.
+class SegmentTree;
+
+/// Contour error of a place: its distance from the nearest point of the whole programmed path, rapids
+/// included.
 ///
-/// The nearest programmed point is looked for around the one found before, no farther along the path than
-/// the executed path can have gone meanwhile: a pass beside it does not count, however near. All places
-/// together cost time in the order of places and segments.
+/// Where a path comes near itself the nearest point may belong to another pass than the one under way: a
+/// place that strays towards a neighbouring pass is no farther from the contour than from that pass. So the
+/// error is what is measured on a part, not how far the tool is from where it was sent.
+///
+/// The nearest point is the same as a look at every segment would give, to `as_near`; a query costs time in
+/// the order of the logarithm of the segments. May be copied, and asked by several threads.
 class PathDeviation {
  public:
-  /// `toolpath` must outlive this.
-  explicit PathDeviation(const Toolpath& toolpath) : toolpath_(toolpath) {}
+  /// Where two points are that equally near the one of the segment under way counts [mm].
+  static constexpr double as_near = 1e-9;
+
+  /// `toolpath` must outlive this and its copies.
+  explicit PathDeviation(const Toolpath& toolpath);
 
   /// Of the programmed points the one that is nearest to a place.
   struct Foot {
@@ -26,9 +36,12 @@ class PathDeviation {
 
   /// The nearest point of one segment.
   Foot foot_on(std::size_t segment, const Vec3& position) const;
-  /// The foot of `position`, which lies `advance` of executed path away from the place of foot `from` [mm];
-  /// `segment`: as below. The toolpath has segments.
-  Foot follow(const Foot& from, const Vec3& position, double advance, std::uint32_t segment) const;
+  /// The nearest point on the way past a place while `segment` is under way: of the path no farther from the
+  /// nearest point of that segment than twice its distance, so that another pass does not count.
+  Foot foot_near(std::size_t segment, const Vec3& position) const;
+  /// The nearest point of the whole path. `segment`: the one under way; `also`: another one that may be near,
+  /// as that of the place before: both only make it quicker. The toolpath has segments.
+  Foot nearest(const Vec3& position, std::size_t segment, std::size_t also) const;
 
   /// Vectors to a place from the programmed path [mm].
   struct Result {
@@ -38,21 +51,19 @@ class PathDeviation {
     Vec3 along_bisector = Vec3::Zero();
   };
 
-  /// How far `position` is from the programmed path. `advance`: executed path length since the
-  /// call before [mm]; `segment`: the segment of the toolpath that the position belongs to, or one near it.
-  Result operator()(const Vec3& position, double advance, std::uint32_t segment);
-
-  /// The next call follows on `position`, which belongs to `segment`.
-  void begin(const Vec3& position, std::uint32_t segment) { last_ = foot_on(segment, position); }
+  /// How far `position` is from the programmed path, while `segment` is under way. Quickest for places in
+  /// order.
+  Result operator()(const Vec3& position, std::uint32_t segment);
 
  private:
-  void improve(Foot& best, std::size_t segment, const Vec3& position) const;
-  void search(Foot& best, const Foot& from, double reach, const Vec3& position) const;
+  struct Index;
 
+  void improve(Foot& best, std::size_t segment, const Vec3& position) const;
   Vec3 along_bisector(const Foot& foot) const;
 
   const Toolpath& toolpath_;
-  Foot last_;
+  std::shared_ptr<Index> index_;  ///< of all copies, made when first asked for
+  std::size_t last_ = 0;          ///< segment of the foot of the place before
 };
 
 }  // namespace feedscope

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "core/trajectory/part_walk.h"
 
@@ -21,7 +20,7 @@ void divide(double from, double to, int spans, std::vector<double>& ends) {
 }
 
 /// The block that is all that the filters see meanwhile; none if there are several.
-std::optional<std::size_t> block_seen(const FilteredMotion& motion, double from, double to) {
+std::optional<std::size_t> only_block(const FilteredMotion& motion, double from, double to) {
   const PulseTrain& train = motion.train();
   const double rounding = 1e-9 * train.delay();
   const std::size_t first = train.block_at(from - motion.start() - train.delay() + rounding);
@@ -31,7 +30,7 @@ std::optional<std::size_t> block_seen(const FilteredMotion& motion, double from,
 }
 
 bool sees_one_line(const FilteredMotion& motion, double from, double to) {
-  const std::optional<std::size_t> block = block_seen(motion, from, to);
+  const std::optional<std::size_t> block = only_block(motion, from, to);
   return block && motion.train().segment(*block).kind == SegmentKind::line;
 }
 
@@ -69,7 +68,7 @@ void ContourCourse::nodes(std::uint32_t element, std::vector<double>& ends) {
     case ElementKind::blend:
     case ElementKind::connecting_arc:
       if (!plain_corners_) {
-        divide(0, path.kind(element) == ElementKind::blend ? 1 : path.length(element), spans_of_corner, ends);
+        corner_nodes(element, ends);
       }
       break;
     case ElementKind::line:
@@ -81,6 +80,12 @@ void ContourCourse::nodes(std::uint32_t element, std::vector<double>& ends) {
     case ElementKind::dwell:
       break;
   }
+}
+
+void ContourCourse::corner_nodes(std::uint32_t element, std::vector<double>& ends) const {
+  const BlendedPath& path = trajectory_.path();
+  ends.clear();
+  divide(0, path.kind(element) == ElementKind::blend ? 1 : path.length(element), spans_of_corner, ends);
 }
 
 void ContourCourse::filtered_nodes(std::uint32_t element, std::vector<double>& ends) {
@@ -187,9 +192,13 @@ double ContourCourse::bend_between(std::uint32_t element, double from, double to
   }
 }
 
-bool ContourCourse::sees_one_block(std::uint32_t element, double from, double to) const {
-  return trajectory_.path().kind(element) == ElementKind::filtered &&
-         block_seen(trajectory_.motion_of(element), from, to);
+std::optional<std::size_t> ContourCourse::block_seen(std::uint32_t element, double from, double to) const {
+  if (trajectory_.path().kind(element) != ElementKind::filtered) {
+    return std::nullopt;
+  }
+  const FilteredMotion& motion = trajectory_.motion_of(element);
+  const std::optional<std::size_t> block = only_block(motion, from, to);
+  return block ? std::optional(motion.train().first + *block) : std::nullopt;
 }
 
 bool ContourCourse::is_on_one_line(std::uint32_t element, double from, double to) const {

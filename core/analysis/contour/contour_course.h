@@ -20,11 +20,13 @@ class ContourCourse {
  public:
   explicit ContourCourse(const Trajectory& trajectory);
 
-  /// Corners are rounded between programmed lines: what a corner deviates hangs on it alone.
+  /// Corners are rounded between programmed lines: what a corner deviates from these depends on it alone.
   bool has_plain_corners() const { return plain_corners_; }
   /// Ends of the spans of `element`, in order; none where it follows the programmed path exactly, and on
   /// plain corners. Elements in order: cost in the order of their pieces and blocks.
   void nodes(std::uint32_t element, std::vector<double>& ends);
+  /// The same of one corner blend, plain or not.
+  void corner_nodes(std::uint32_t element, std::vector<double>& ends) const;
   struct Point {
     Vec3 position = Vec3::Zero();  ///< [mm]
     Vec3 d1 = Vec3::Zero();        ///< derivatives by u
@@ -35,8 +37,9 @@ class ContourCourse {
   /// By how much the second derivative between two places of an element may exceed the larger of those at
   /// the places, as a vector's length or as its part in any direction.
   double bend_between(std::uint32_t element, double from, double to, double at_ends) const;
-  /// Whether all that the filters see between the two places is one programmed block.
-  bool sees_one_block(std::uint32_t element, double from, double to) const;
+  /// The programmed segment that is all that the filters see between the two places; none if there are
+  /// several, and on other elements.
+  std::optional<std::size_t> block_seen(std::uint32_t element, double from, double to) const;
   /// Whether between the two places the path is exactly one programmed line.
   bool is_on_one_line(std::uint32_t element, double from, double to) const;
   double path_length(const CoursePlace& at);  ///< executed, from the start [mm]

@@ -9,11 +9,12 @@
 namespace feedscope {
 namespace {
 
-/// The corners of a path with plain corners, one by one and in closed form.
+/// The corners of a path with plain corners, one by one: in closed form where no other pass comes as near as
+/// the two legs of the corner.
 class PlainCorners {
  public:
-  explicit PlainCorners(const Trajectory& trajectory)
-      : path_(trajectory.path()), deviation_(programmed_path(trajectory)) {}
+  PlainCorners(const Trajectory& trajectory, ContourSearch& search)
+      : path_(trajectory.path()), search_(search) {}
 
   /// The corner whose element is the first of `element` and later ones.
   std::size_t first_from(std::uint32_t element) const {
@@ -26,33 +27,38 @@ class PlainCorners {
     return first;
   }
 
-  double error(std::size_t corner) const {
+  /// Largest distance of a corner from its legs.
+  double error_from_legs(std::size_t corner) const {
     const Corner laid = path_.corner(corner);
     return laid.epsilon * std::cos(laid.turn / 2);
   }
 
+  /// The farthest place of a corner, in its middle unless another pass is nearer there; `left`: what no place
+  /// of it is farther than.
+  ContourNode farthest(std::size_t corner, double& left) const {
+    ContourNode best = node(corner, 0.5);
+    left = best.error;
+    if (best.error < error_from_legs(corner) - ContourSearch::precision) {
+      std::vector<ContourSpan> spans;
+      search_.corner_spans(path_.corner_element(corner), spans);
+      for (const ContourSpan& span : spans) {
+        best = span.to.error > best.error ? span.to : best;
+      }
+      left = search_.largest_in(spans, best);
+    }
+    return best;
+  }
+
   /// The place at `share` of the corner's parameter, or of its length.
   ContourNode node(std::size_t corner, double share) const {
-    ContourNode node;
-    node.place.element = path_.corner_element(corner);
-    const ElementCurve curve = path_.curve(node.place.element);
-    const bool is_blend = curve.kind == ElementKind::blend;
-    node.place.u = is_blend ? share : share * curve.length;
-    const CurvePoint at = is_blend ? curve.blend.at(share) : curve.at(node.place.u);
-    node.point = {at.position, at.d1, at.d2, false};
-    const std::size_t before = path_.segment(node.place.element);
-    node.foot = deviation_.foot_on(before, at.position);
-    const PathDeviation::Foot after = deviation_.foot_on(before + 1, at.position);
-    if (after.squared < node.foot.squared) {
-      node.foot = after;
-    }
-    node.error = std::sqrt(node.foot.squared);
-    return node;
+    const std::uint32_t element = path_.corner_element(corner);
+    const bool is_blend = path_.kind(element) == ElementKind::blend;
+    return search_.node({element, is_blend ? share : share * path_.length(element)});
   }
 
  private:
   const BlendedPath& path_;
-  PathDeviation deviation_;
+  ContourSearch& search_;
 };
 
 class Analysis {
@@ -64,8 +70,8 @@ class Analysis {
         first_(request.first_element),
         last_(std::min<std::uint32_t>(request.last_element,
                                       static_cast<std::uint32_t>(trajectory.path().size()))),
-        corners_(trajectory),
-        search_(trajectory) {}
+        search_(trajectory),
+        corners_(trajectory, search_) {}
 
   ContourErrors run() {
     ContourErrors errors;
@@ -76,8 +82,12 @@ class Analysis {
     if (search_.course().has_plain_corners()) {
       const std::size_t end = corners_.first_from(last_);
       for (std::size_t i = corners_.first_from(first_); i < end; ++i) {
-        if (worst.takes(corners_.error(i))) {
-          worst.add(corners_.node(i, 0.5));
+        if (worst.takes(corners_.error_from_legs(i))) {
+          double left = 0;
+          const ContourNode farthest = corners_.farthest(i, left);
+          if (worst.takes(farthest.error)) {
+            worst.add(farthest, left);
+          }
         }
       }
     }
@@ -106,7 +116,7 @@ class Analysis {
     if (search_.course().has_plain_corners()) {
       count_corners(count);
     }
-    ContourSearch again(trajectory_);
+    ContourSearch again(trajectory_, search_.deviation());
     again.for_spans(first_, last_, progress_, [&](const ContourSpan& span) { count(span.from, span.to); });
     const double whole = trajectory_.path().s(last_) - trajectory_.path().s(first_);
     const double exact = std::max(whole - counted, 0.0);
@@ -139,8 +149,8 @@ class Analysis {
   Progress* progress_;
   std::uint32_t first_;
   std::uint32_t last_;
-  PlainCorners corners_;
   ContourSearch search_;
+  PlainCorners corners_;
 };
 
 }  // namespace

@@ -64,13 +64,14 @@ struct ContourErrors {
   ContourSpread spread;             ///< if asked for
 };
 
-/// Exact: on corners that a model rounds between programmed lines in closed form, epsilon cos(turn/2) in the
-/// middle of the blend (its distance from both lines, epsilon being that from the corner); on filtered,
-/// fitted and compacted paths by halving spans whose bound is above the largest distance found (see
-/// ContourSearch), to 1e-6 mm. The nearest programmed point is looked for along the path as PathDeviation
-/// does, so that a neighbouring pass does not count.
+/// The error of a place is its distance from the nearest point of the whole programmed path (PathDeviation
+/// says what that means where a path comes near itself); `largest` is the largest of all executed places, but
+/// for 1e-6 mm. On corners that a model rounds between programmed lines it is known in closed form, epsilon
+/// cos(turn/2) in the middle of the blend (its distance from both lines, epsilon being that from the corner),
+/// unless another pass is nearer; there, and on filtered, fitted and compacted paths, spans whose bound is
+/// above the largest distance found are halved (see ContourSearch).
 ///
-/// Linear in the elements. Throws Cancelled.
+/// Cost in the order of the elements times the logarithm of the segments. Throws Cancelled.
 ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest& request = {},
                              Progress* progress = nullptr);
 

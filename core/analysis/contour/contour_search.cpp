@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace feedscope {
 namespace {
@@ -24,7 +25,10 @@ const Toolpath& programmed_path(const Trajectory& trajectory) {
 }
 
 ContourSearch::ContourSearch(const Trajectory& trajectory)
-    : trajectory_(trajectory), course_(trajectory), deviation_(programmed_path(trajectory)) {}
+    : ContourSearch(trajectory, PathDeviation(programmed_path(trajectory))) {}
+
+ContourSearch::ContourSearch(const Trajectory& trajectory, const PathDeviation& deviation)
+    : trajectory_(trajectory), course_(trajectory), deviation_(deviation) {}
 
 double ContourSearch::sagitta(const ContourNode& from, const ContourNode& to) const {
   const double bend = std::max(from.point.d2.norm(), to.point.d2.norm());
@@ -32,15 +36,13 @@ double ContourSearch::sagitta(const ContourNode& from, const ContourNode& to) co
   return (bend + course_.bend_between(to.place.element, from.place.u, to.place.u, bend)) * step * step / 8;
 }
 
-ContourNode ContourSearch::node(const CoursePlace& at, const ContourNode& before) {
+ContourNode ContourSearch::node(const CoursePlace& at) {
   ContourNode node;
   node.place = at;
   node.point = course_.at(at);
-  const double chord = (node.point.position - before.point.position).norm();
-  const double bow = course_.is_on_one_line(at.element, before.place.u, at.u) ? 0 : 2 * sagitta(before, node);
-  node.foot = deviation_.follow(before.foot, node.point.position, chord + bow,
-                                trajectory_.path().segment(at.element));
+  node.foot = deviation_.nearest(node.point.position, trajectory_.path().segment(at.element), last_segment_);
   node.error = std::sqrt(node.foot.squared);
+  last_segment_ = node.foot.segment;
   return node;
 }
 
@@ -51,11 +53,14 @@ double ContourSearch::bend_from_line(const PathDeviation::Foot& at_from, const P
   const double to = std::sqrt(at_to.squared);
   const ElementKind kind = trajectory_.path().kind(span.from.place.element);
   constexpr double least_cosine = 0.9;
-  if (kind == ElementKind::connecting_arc || !(at_from.offset.dot(at_to.offset) > least_cosine * from * to)) {
+  const double cosine = at_from.offset.dot(at_to.offset) / (from * to);
+  if (kind == ElementKind::connecting_arc || !(cosine > least_cosine)) {
     return std::max(span.from.point.d2.norm(), span.to.point.d2.norm());
   }
-  return std::max(
-      {-at_from.offset.dot(span.from.point.d2) / from, -at_to.offset.dot(span.to.point.d2) / to, 0.0});
+  // A unit vector between both is their sum with shares that add up to 1 / cos(half their angle) at most.
+  return std::max({-at_from.offset.dot(span.from.point.d2) / from, -at_to.offset.dot(span.to.point.d2) / to,
+                   0.0}) /
+         std::sqrt((1 + std::min(cosine, 1.0)) / 2);
 }
 
 /// The largest second derivative of the distance from the axis of a flat arc; between the ends its own
@@ -80,6 +85,27 @@ double ContourSearch::bend_from_arc(const Arc& arc, const ContourSpan& span) con
   return bend + change * step / 2;
 }
 
+/// With the offset o = p - c from the foot c(s), f = |o|^2/2 has f' = o p' and, the foot moving along,
+/// f'' = |p'|^2 + o p'' - (p' c')^2/(1 - o c''). What the second derivative of |o| changes between the ends
+/// is added for what it may do in between.
+double ContourSearch::bend_from_helix(const Arc& arc, const PathDeviation::Foot& at_from,
+                                      const PathDeviation::Foot& at_to, const ContourSpan& span) const {
+  const auto second_derivative = [&arc](const PathDeviation::Foot& foot, const ContourCourse::Point& at) {
+    const CurvePoint there = arc.at(foot.s);
+    const Vec3& offset = foot.offset;
+    const double distance = std::sqrt(foot.squared);
+    const double along = at.d1.dot(there.d1);
+    const double slope = offset.dot(at.d1) / distance;
+    const double half_square =
+        at.d1.squaredNorm() + offset.dot(at.d2) - along * along / (1 - offset.dot(there.d2));
+    return (half_square - slope * slope) / distance;
+  };
+  const double from = second_derivative(at_from, span.from.point);
+  const double to = second_derivative(at_to, span.to.point);
+  const double bend = std::max(std::abs(from), std::abs(to)) + std::abs(to - from);
+  return std::isfinite(bend) ? bend : std::numeric_limits<double>::infinity();
+}
+
 double ContourSearch::rise_above_chord(std::size_t index, const PathDeviation::Foot& at_from,
                                        const PathDeviation::Foot& at_to, const ContourSpan& span) const {
   const Toolpath& path = programmed_path(trajectory_);
@@ -93,11 +119,16 @@ double ContourSearch::rise_above_chord(std::size_t index, const PathDeviation::F
     return rise(bend_from_line(at_from, at_to, span));
   }
   const Arc& arc = path.arc_of(segment);
+  // From one end of an open circle to the other, or from turn to turn of a helix, the foot jumps.
+  const bool closed = arc.rise.isZero() && arc.sweep >= 2 * std::numbers::pi * (1 - 1e-12);
+  if (!closed && std::abs(at_to.s - at_from.s) > std::numbers::pi * arc.length_per_radian()) {
+    return std::numeric_limits<double>::infinity();
+  }
   const auto is_inside = [&](const PathDeviation::Foot& foot) {
     return foot.s > 0 && foot.s < segment.length;
   };
-  if (arc.rise.isZero() && is_inside(at_from) && is_inside(at_to)) {
-    return rise(bend_from_arc(arc, span));
+  if (is_inside(at_from) && is_inside(at_to)) {
+    return rise(arc.rise.isZero() ? bend_from_arc(arc, span) : bend_from_helix(arc, at_from, at_to, span));
   }
   const double chord = (span.to.point.position - span.from.point.position).norm();
   const double gap = std::sqrt(std::max(at_from.squared, at_to.squared));
@@ -110,7 +141,8 @@ double ContourSearch::rise_above_chord(std::size_t index, const PathDeviation::F
 bool ContourSearch::is_steady(const ContourSpan& span) const {
   constexpr double same = 1e-9;
   return span.from.point.steady && span.to.point.steady && std::abs(span.from.error - span.to.error) < same &&
-         course_.sees_one_block(span.to.place.element, span.from.place.u, span.to.place.u);
+         course_.block_seen(span.to.place.element, span.from.place.u, span.to.place.u) ==
+             span.to.foot.segment;
 }
 
 double ContourSearch::bound_of(const ContourSpan& span) const {
@@ -136,14 +168,6 @@ double ContourSearch::bound_of(const ContourSpan& span) const {
   return std::min(lower + rise, never_above);
 }
 
-ContourNode ContourSearch::first_node(const CoursePlace& at) {
-  ContourNode near;
-  near.place = at;
-  near.point = course_.at(at);
-  near.foot = deviation_.foot_on(trajectory_.path().segment(at.element), near.point.position);
-  return node(at, near);
-}
-
 void ContourSearch::for_spans(std::uint32_t first, std::uint32_t last, Progress* progress,
                               const std::function<void(const ContourSpan&)>& visit) {
   ProgressSteps steps(progress, std::max<std::size_t>(last - first, 1));
@@ -155,18 +179,31 @@ void ContourSearch::for_spans(std::uint32_t first, std::uint32_t last, Progress*
     for (std::size_t i = 0; i < ends_.size(); ++i) {
       const CoursePlace at{element, ends_[i]};
       if (i == 0 && !goes_on) {
-        span.to = first_node(at);
+        span.to = node(at);
       } else if (i == 0) {
         span.to.place = at;
         span.to.point = course_.at(at);
       } else {
         span.from = span.to;
-        span.to = node(at, span.from);
+        span.to = node(at);
         span.bound = bound_of(span);
         visit(span);
       }
     }
     goes_on = !ends_.empty();
+  }
+}
+
+void ContourSearch::corner_spans(std::uint32_t element, std::vector<ContourSpan>& spans) {
+  course_.corner_nodes(element, ends_);
+  ContourSpan span;
+  for (std::size_t i = 0; i < ends_.size(); ++i) {
+    span.from = span.to;
+    span.to = node({element, ends_[i]});
+    if (i > 0) {
+      span.bound = bound_of(span);
+      spans.push_back(span);
+    }
   }
 }
 
@@ -185,7 +222,7 @@ double ContourSearch::largest_in(std::vector<ContourSpan>& spans, ContourNode& b
       continue;
     }
     --halvings;
-    const ContourNode half = node({span.from.place.element, middle}, span.from);
+    const ContourNode half = node({span.from.place.element, middle});
     if (half.error > best.error) {
       best = half;
     }

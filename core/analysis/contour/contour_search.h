@@ -28,10 +28,11 @@ struct ContourSpan {
 
 /// Distances from the programmed path along an executed one, sampled, and the largest of a stretch exactly.
 ///
-/// Between two nodes with feet F and G the distance is at most that from F and at most that from G. Each of
-/// these two leaves the straight line between its values at both nodes upwards by no more than (du)^2/8 times
-/// how much its second derivative by u falls below 0: from a line that is the part of the path's own towards
-/// the line, from an arc with centre c and |p - c| = r the second derivative of r,
+/// Between two nodes with feet on segments F and G the distance is at most that from F and at most that from
+/// G; another segment may be nearer still. Each of these two leaves the straight line between its values at
+/// both nodes upwards by no more than (du)^2/8 times how much its second derivative by u falls below 0: from
+/// a line that is the part of the path's own towards the line, from an arc with centre c and |p - c| = r the
+/// second derivative of r,
 /// (|p'|^2 - r'^2 + (p - c) p'')/r. The lower of both straight lines and that make the bound of a span. It
 /// comes down with the square of the length, so that halving where the bound is above the largest distance
 /// found takes a number of steps that goes with the logarithm of the precision.
@@ -41,6 +42,8 @@ class ContourSearch {
   static constexpr double precision = 1e-6;
 
   explicit ContourSearch(const Trajectory& trajectory);
+  /// `deviation`: from the programmed path of `trajectory`.
+  ContourSearch(const Trajectory& trajectory, const PathDeviation& deviation);
 
   ContourCourse& course() { return course_; }
   const PathDeviation& deviation() const { return deviation_; }
@@ -49,13 +52,14 @@ class ContourSearch {
   /// path; throws Cancelled.
   void for_spans(std::uint32_t first, std::uint32_t last, Progress* progress,
                  const std::function<void(const ContourSpan&)>& visit);
+  /// Adds the spans of a corner blend, which for_spans() leaves out where corners are plain.
+  void corner_spans(std::uint32_t element, std::vector<ContourSpan>& spans);
+  ContourNode node(const CoursePlace& at);
   /// Replaces `best` by the farthest place in `spans`, if one is farther; `spans` is left empty.
   /// Returns what no place in them is farther than [mm].
   double largest_in(std::vector<ContourSpan>& spans, ContourNode& best);
 
  private:
-  ContourNode first_node(const CoursePlace& at);
-  ContourNode node(const CoursePlace& at, const ContourNode& before);
   /// What a span may be away from its chord [mm].
   double sagitta(const ContourNode& from, const ContourNode& to) const;
   bool is_steady(const ContourSpan& span) const;
@@ -65,10 +69,13 @@ class ContourSearch {
   double bend_from_line(const PathDeviation::Foot& at_from, const PathDeviation::Foot& at_to,
                         const ContourSpan& span) const;
   double bend_from_arc(const Arc& arc, const ContourSpan& span) const;
+  double bend_from_helix(const Arc& arc, const PathDeviation::Foot& at_from, const PathDeviation::Foot& at_to,
+                         const ContourSpan& span) const;
 
   const Trajectory& trajectory_;
   ContourCourse course_;
   PathDeviation deviation_;
+  std::size_t last_segment_ = 0;  ///< of the foot found last
   std::vector<double> ends_;
 };
 

@@ -65,8 +65,8 @@ bool WorstPlaces::takes(double error) const {
                                : error > worst_.front().error + ContourSearch::precision;
 }
 
-void WorstPlaces::add(const ContourNode& place) {
-  highest_ = std::max(highest_, place.error);
+void WorstPlaces::add(const ContourNode& place, double bound) {
+  highest_ = std::max(highest_, bound);
   if (worst_.size() == most_) {
     std::ranges::pop_heap(worst_, is_worse);
     worst_.pop_back();
@@ -83,7 +83,7 @@ void WorstPlaces::close() {
   if (takes(bound)) {
     highest_ = std::max(highest_, search_.largest_in(hopeful_, best_));
     if (takes(best_.error)) {
-      add(best_);
+      add(best_, best_.error);
     }
   }
   hopeful_.clear();

@@ -20,8 +20,8 @@ class WorstPlaces {
   void visit(const ContourSpan& span);
   /// Whether a place of that error would be kept.
   bool takes(double error) const;
-  /// A place that is known to be the worst of its stretch.
-  void add(const ContourNode& place);
+  /// A place that is the worst of its stretch, in which none is farther than `bound` [mm].
+  void add(const ContourNode& place, double bound);
   /// Writes what was found.
   void finish(ContourErrors& errors, const Trajectory& trajectory);
 

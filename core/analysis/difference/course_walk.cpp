@@ -94,7 +94,6 @@ void CourseWalk::gather_curve() {
   for (const RawSpan& raw : raw_) {
     add_span(raw, &raw == &raw_.back() ? end : std::min(end, reached_ + scale * raw.length), scale);
   }
-  foot_.reset();
 }
 
 void CourseWalk::gather_blend_part() {
@@ -139,27 +138,15 @@ void CourseWalk::follow_part() {
                         : spans_of_fitted_part;
   const double step = part.duration / count;
   Kinematics from = motion.kinematics(0);
-  if (!foot_) {
-    foot_ = deviation_.foot_on(segment, from.position);
-  }
   for (int i = 0; i < count; ++i) {
     const Kinematics to = motion.kinematics((i + 1) * step);
     const double speed_from = from.velocity.norm();
     const double speed_to = to.velocity.norm();
     const double gone = step * std::max(speed_from, speed_to);
-    foot_ = foot_of(to.position, gone, segment);
-    add_span({part.time + i * step, step, gone, speed_from, speed_to}, lengths_[foot_->segment] + foot_->s,
-             1);
+    const PathDeviation::Foot foot = deviation_.foot_near(segment, to.position);
+    add_span({part.time + i * step, step, gone, speed_from, speed_to}, lengths_[foot.segment] + foot.s, 1);
     from = to;
   }
-}
-
-/// Where a path goes back over itself, several points are as near: then the block under way has it.
-PathDeviation::Foot CourseWalk::foot_of(const Vec3& position, double gone, std::uint32_t segment) const {
-  constexpr double as_near = 1e-9;  // [mm]
-  const PathDeviation::Foot own = deviation_.foot_on(segment, position);
-  const PathDeviation::Foot nearest = deviation_.follow(*foot_, position, gone, segment);
-  return std::sqrt(own.squared) <= std::sqrt(nearest.squared) + as_near ? own : nearest;
 }
 
 /// The span goes from where the one before ended to `end` [mm], or stays; `scale`: programmed length to

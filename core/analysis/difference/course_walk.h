@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "core/analysis/path_deviation.h"
@@ -33,7 +32,8 @@ struct ProgressSpan {
 ///
 /// Lines and arcs that a control takes over count as they are. A corner curve stands for the programmed path
 /// that it replaces, in proportion to its length: its middle is at the corner. On filtered motion, whose
-/// blocks flow into each other, the place is the programmed point that is nearest, as PathDeviation finds it.
+/// blocks flow into each other, the place is the programmed point that is nearest on the way past it
+/// (PathDeviation::foot_near).
 class CourseWalk {
  public:
   /// At the first span. `trajectory` has pieces; it and `lengths`, of its programmed path, outlive this.
@@ -58,7 +58,6 @@ class CourseWalk {
   void gather_blend_part();
   void gather_filtered();
   void follow_part();
-  PathDeviation::Foot foot_of(const Vec3& position, double gone, std::uint32_t segment) const;
   void add_span(const RawSpan& raw, double end, double scale);
   double programmed_until(std::size_t segment) const;
   double end_of(std::uint32_t element) const;
@@ -68,8 +67,7 @@ class CourseWalk {
   const std::vector<double>& lengths_;
   PartWalk parts_;
   PathDeviation deviation_;
-  std::optional<PathDeviation::Foot> foot_;  ///< on the programmed path, of filtered motion
-  std::uint32_t element_ = 0;                ///< gathered last
+  std::uint32_t element_ = 0;  ///< gathered last
   std::vector<RawSpan> raw_;
   std::vector<ProgressSpan> spans_;  ///< of the element
   std::size_t at_ = 0;

@@ -39,14 +39,12 @@ double largest_contour_error(const Trajectory& trajectory) {
 double sampled_error(const Trajectory& trajectory, int count) {
   PathDeviation deviation(*trajectory.path().programmed());
   double largest = 0;
-  Vec3 before = trajectory.path().programmed()->start;
   for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
     const PartMotion motion = walk.motion();
     for (int i = 0; i <= count; ++i) {
       const Vec3 at = motion.kinematics(walk.part().duration * i / count).position;
       const auto segment = trajectory.path().segment(walk.part().element);
-      largest = std::max(largest, deviation(at, 2 * (at - before).norm(), segment).nearest.norm());
-      before = at;
+      largest = std::max(largest, deviation(at, segment).nearest.norm());
     }
   }
   return largest;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/brute_force.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -16,16 +17,16 @@ using testing::random_path;
 
 TEST(PathDeviation, OfNoPathIsNone) {
   const Toolpath nothing;
-  EXPECT_EQ(PathDeviation(nothing)({1, 2, 3}, 0, 0).nearest, Vec3::Zero());
+  EXPECT_EQ(PathDeviation(nothing)({1, 2, 3}, 0).nearest, Vec3::Zero());
 }
 
 TEST(PathDeviation, IsTheWayFromALine) {
   const Toolpath path = polyline({{0, 0, 0}, {10, 0, 0}, {10, 10, 0}}, 10);
   PathDeviation deviation(path);
-  EXPECT_LT((deviation({4, 0.5, -1}, 0, 0).nearest - Vec3(0, 0.5, -1)).norm(), 1e-12);
-  EXPECT_LT((deviation({9.7, 0.3, 0}, 6, 0).nearest - Vec3(0, 0.3, 0)).norm(), 1e-12) << "on the bisector";
-  EXPECT_LT((deviation({9.8, 4, 0}, 4, 1).nearest - Vec3(-0.2, 0, 0)).norm(), 1e-12);
-  EXPECT_LT((deviation({10, 12, 0}, 8, 1).nearest - Vec3(0, 2, 0)).norm(), 1e-12) << "beyond the end";
+  EXPECT_LT((deviation({4, 0.5, -1}, 0).nearest - Vec3(0, 0.5, -1)).norm(), 1e-12);
+  EXPECT_LT((deviation({9.7, 0.3, 0}, 0).nearest - Vec3(0, 0.3, 0)).norm(), 1e-12) << "on the bisector";
+  EXPECT_LT((deviation({9.8, 4, 0}, 1).nearest - Vec3(-0.2, 0, 0)).norm(), 1e-12);
+  EXPECT_LT((deviation({10, 12, 0}, 1).nearest - Vec3(0, 2, 0)).norm(), 1e-12) << "beyond the end";
 }
 
 TEST(PathDeviation, IsTheWayFromACircle) {
@@ -35,7 +36,7 @@ TEST(PathDeviation, IsTheWayFromACircle) {
   PathDeviation deviation(path);
   for (double angle = 0; angle < 4.5; angle += 0.1) {
     const Vec3 out(std::cos(angle), std::sin(angle), 0);
-    EXPECT_LT((deviation(5.25 * out, 0.6, 0).nearest - 0.25 * out).norm(), 1e-12) << angle;
+    EXPECT_LT((deviation(5.25 * out, 0).nearest - 0.25 * out).norm(), 1e-12) << angle;
   }
 }
 
@@ -61,7 +62,7 @@ TEST(PathDeviation, IsTheShortestWayFromAHelix) {
   std::uniform_real_distribution<double> aside(-0.4, 0.4);
   for (double s = 1; s < helix.length() - 1; s += 0.9) {
     const Vec3 place = helix.at(s).position + Vec3(aside(random), aside(random), aside(random));
-    const Vec3 offset = deviation(place, 1.6, 0).nearest;
+    const Vec3 offset = deviation(place, 0).nearest;
     double least = 1e9;
     for (double t = s - 1; t < s + 1; t += 1e-3) {
       least = std::min(least, (place - helix.at(t).position).norm());
@@ -77,7 +78,7 @@ TEST(PathDeviation, InACornerKeepsOneDirectionOnTheWayThroughIt) {
   const Vec3 inwards = Vec3(-1, 1, 0).normalized();
   // Offset by 0.3 from one leg and then the other, in between both.
   for (const Vec3& place : {Vec3(8, 0.3, 0), Vec3(9.7, 0.3, 0), Vec3(9.7, 0.4, 0), Vec3(9.7, 3, 0)}) {
-    const auto result = deviation(place, 2, 0);
+    const auto result = deviation(place, 0);
     EXPECT_LT((result.along_bisector - 0.3 * std::sqrt(2.0) * inwards).norm(), 1e-12) << place.transpose();
     // Taken back along it, the place is on the path.
     const Vec3 base = place - result.along_bisector;
@@ -89,18 +90,62 @@ TEST(PathDeviation, AtAReversalIsHowFarTheCornerIsMissed) {
   const Toolpath path = polyline({{0, 0, 0}, {10, 0, 0}, {0, 0, 0}}, 10);
   PathDeviation deviation(path);
   for (double x = 0; x < 9.9; x += 0.1) {
-    EXPECT_LT((deviation({x, 0.01, 0}, 0.1, 0).nearest - Vec3(0, 0.01, 0)).norm(), 1e-12) << x;
+    EXPECT_LT((deviation({x, 0.01, 0}, 0).nearest - Vec3(0, 0.01, 0)).norm(), 1e-12) << x;
   }
   for (double x = 9.9; x > 0; x -= 0.1) {
-    EXPECT_LT((deviation({x, 0.01, 0}, 0.1, 1).nearest - Vec3(0, 0.01, 0)).norm(), 1e-12) << x;
+    EXPECT_LT((deviation({x, 0.01, 0}, 1).nearest - Vec3(0, 0.01, 0)).norm(), 1e-12) << x;
   }
 }
 
-TEST(PathDeviation, DoesNotTakeThePassBesideForItsOwn) {
+TEST(PathDeviation, IsTheWayFromTheNearestPass) {
   const Toolpath path = polyline({{0, 0, 0}, {100, 0, 0}, {100, 0.2, 0}, {0, 0.2, 0}}, 10);
   PathDeviation deviation(path);
-  for (int x = 0; x < 90; ++x) {
-    EXPECT_LT((deviation({double(x), 0.15, 0}, 1, 0).nearest - Vec3(0, 0.15, 0)).norm(), 1e-12) << x;
+  for (int x = 1; x < 90; ++x) {
+    EXPECT_LT((deviation({double(x), 0.09, 0}, 0).nearest - Vec3(0, 0.09, 0)).norm(), 1e-12) << x;
+    EXPECT_LT((deviation({double(x), 0.15, 0}, 0).nearest - Vec3(0, -0.05, 0)).norm(), 1e-12) << x;
+  }
+}
+
+TEST(PathDeviation, IsOfTheSegmentUnderWayWhereSeveralAreAsNear) {
+  const Toolpath path = polyline({{0, 0, 0}, {10, 0, 0}, {0, 0, 0}, {10, 0, 0}}, 10);
+  const PathDeviation deviation(path);
+  for (const std::size_t segment : {0, 1, 2}) {
+    EXPECT_EQ(deviation.nearest({4, 0.3, 0}, segment, 1).segment, segment);
+  }
+}
+
+TEST(PathDeviation, OnTheWayPastAPlaceDoesNotTakeThePassBesideForItsOwn) {
+  const Toolpath path = polyline({{0, 0, 0}, {100, 0, 0}, {100, 0.2, 0}, {0, 0.2, 0}}, 10);
+  const PathDeviation deviation(path);
+  for (int x = 1; x < 90; ++x) {
+    EXPECT_NEAR(deviation.foot_near(0, {double(x), 0.15, 0}).s, x, 1e-12);
+  }
+  EXPECT_EQ(deviation.foot_near(0, {99.99, 0.15, 0}).segment, 1u) << "round the corner";
+}
+
+TEST(PathDeviation, IsThatOfBruteForceWhereverThePlaceIs) {
+  std::mt19937 random(7);
+  for (int round = 0; round < 60; ++round) {
+    Toolpath path = random_path(random, 1 + 2 * round);
+    for (Segment& segment : path.segments) {
+      if (segment.kind == SegmentKind::arc && round % 2 == 1) {
+        Arc& arc = path.arcs[static_cast<std::size_t>(segment.index)];
+        arc.rise = arc.x.cross(arc.y) * arc.radius * (round % 4 == 1 ? 0.05 : 2);
+        arc.sweep *= 3;
+        segment.length = arc.length();
+      }
+    }
+    const PathDeviation deviation(path);
+    std::uniform_int_distribution<std::size_t> some(0, path.segments.size() - 1);
+    std::normal_distribution<double> aside(0, round % 3 == 0 ? 0.01 : 5);
+    for (int i = 0; i < 60; ++i) {
+      const Vec3 place = path.segments[some(random)].end + Vec3(aside(random), aside(random), aside(random));
+      const PathDeviation::Foot foot = deviation.nearest(place, some(random), some(random));
+      ASSERT_NEAR(std::sqrt(foot.squared), testing::brute_force_distance(path, place), 2e-9)
+          << "round " << round << ", place " << place.transpose();
+      ASSERT_NEAR(foot.offset.norm(), std::sqrt(foot.squared), 1e-12);
+      ASSERT_LT(testing::brute_force_distance(path, foot.segment, place - foot.offset), 1e-6);
+    }
   }
 }
 
@@ -115,8 +160,7 @@ TEST(PathDeviation, FollowsShortBlocksThatThePlaceIsSaidToBeFarFrom) {
     const Vec3 along = (points[i + 1] - points[i]).normalized();
     const Vec3 aside = 0.02 * Vec3(-along.y(), along.x(), 0);
     const Vec3 offset =
-        deviation((points[i] + points[i + 1]) / 2 + aside, 0.06, static_cast<std::uint32_t>(i / 50 * 50))
-            .nearest;
+        deviation((points[i] + points[i + 1]) / 2 + aside, static_cast<std::uint32_t>(i / 50 * 50)).nearest;
     EXPECT_LT((offset - aside).norm(), 1e-12) << i;
   }
 }
@@ -132,7 +176,7 @@ TEST(PathDeviation, IsNoneOnThePathItself) {
         const Vec3 place = segment.kind == SegmentKind::arc
                                ? path.arc_of(segment).at(u * segment.length).position
                                : Vec3(path.start_of(i) + u * (segment.end - path.start_of(i)));
-        EXPECT_LT(deviation(place, segment.length / 2, static_cast<std::uint32_t>(i)).nearest.norm(), 1e-7)
+        EXPECT_LT(deviation(place, static_cast<std::uint32_t>(i)).nearest.norm(), 1e-7)
             << "round " << round << ", segment " << i << ", " << u;
       }
     }

@@ -88,7 +88,6 @@ class ExecutedSampling {
       }
       const auto passed = std::ranges::lower_bound(also_at_, walk.part().time) - also_at_.begin();
       also_at_ = also_at_.subspan(static_cast<std::size_t>(passed));
-      deviation_.begin(walk.motion().kinematics(0).position, segment_of(walk.part()));
     }
     for (; !walk.done() && walk.part().piece < chunk.end; walk.next()) {
       // Of what is shorter than the spacing no end would be kept.
@@ -127,7 +126,6 @@ class ExecutedSampling {
          also_at_ = also_at_.subspan(1)) {
       const double tau = also_at_.front() - part.time;
       if (tau > taus.from + least) {
-        advanced_ = 0;
         add(path, sampler, motion, part, tau, span);
       }
     }
@@ -236,13 +234,12 @@ class ExecutedSampling {
       path.times.push_back(path.times.empty() ? time : std::max(path.times.back(), time));
       path.causes.push_back(part.cause.kind);
       add_values(path, at, speed, trajectory_.feed_of(part.element));
-      const auto deviation = follows_exactly(part) ? PathDeviation::Result()
-                                                   : deviation_(at.position, advanced_, segment_of(part));
+      const auto deviation =
+          follows_exactly(part) ? PathDeviation::Result() : deviation_(at.position, segment_of(part));
       store(path, Quantity::contour_error, deviation.nearest.norm());
       const Eigen::Vector3f shift = deviation.along_bisector.cast<float>();
       path.deviations.push_back({Stored(shift.x()), Stored(shift.y()), Stored(shift.z())});
     }
-    advanced_ = kept ? span : advanced_ + span;
   }
 
   static void store(SampledPath& path, Quantity quantity, double value) {
@@ -276,7 +273,6 @@ class ExecutedSampling {
   double top_speed_ = 0;             ///< [mm/s]
   double top_jerk_ = 0;              ///< along the path [mm/s3]
   PathDeviation deviation_;
-  double advanced_ = 0;  ///< path length since the last point that was kept [mm]
 };
 
 /// Appends what `part` holds and gives its memory back.

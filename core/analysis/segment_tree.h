@@ -1,0 +1,106 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// Boxes around the segments of a programmed path, in a tree by place: finds those near a place without
+/// looking at the others.
+///
+/// A leaf holds up to eight segments that follow each other, or a part of one that is long or turns far. The
+/// leaves are sorted along a Z-order curve, and every four get a box around them, level by level: 5 bytes a
+/// segment where blocks are of one length, at most some 45, some 40 for every radian of a longer arc.
+class SegmentTree {
+ public:
+  /// `toolpath` must outlive this.
+  explicit SegmentTree(const Toolpath& toolpath);
+
+  /// Calls `look(first, count)` for the segments of leaves whose box comes nearer to `place` than the root of
+  /// `squared` [mm2], roughly the nearest first. `look` returns what `squared` is from then on, not more than
+  /// before.
+  template <typename Look>
+  void search(const Vec3& place, double squared, const Look& look) const;
+
+ private:
+  static constexpr std::uint32_t fan_out = 4;
+  static constexpr std::size_t most_levels = 17;  // 4^16 leaves
+
+  /// Rounded outwards [mm].
+  struct Box {
+    std::array<float, 3> low;
+    std::array<float, 3> high;
+    void add(const Box& other);
+    double squared_distance(const Vec3& place) const {
+      double squared = 0;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const double at = place[static_cast<Eigen::Index>(i)];
+        const double away =
+            std::max({static_cast<double>(low[i]) - at, at - static_cast<double>(high[i]), 0.0});
+        squared += away * away;
+      }
+      return squared;
+    }
+  };
+  struct Leaf {
+    std::uint32_t first;
+    std::uint32_t count;
+  };
+  /// Of a level: 0 are the leaves.
+  struct Node {
+    std::uint32_t level;
+    std::uint32_t index;
+    double squared;
+  };
+
+  void make_leaves(const Toolpath& toolpath);
+  void add_parts(const Toolpath& toolpath, std::uint32_t segment, std::uint32_t parts);
+  void add_leaf(const Leaf& leaf, const Bounds& bounds);
+  void sort_leaves();
+  void make_levels();
+
+  std::vector<Leaf> leaves_;
+  std::vector<std::vector<Box>> levels_;
+};
+
+template <typename Look>
+void SegmentTree::search(const Vec3& place, double squared, const Look& look) const {
+  if (leaves_.empty()) {
+    return;
+  }
+  std::array<Node, most_levels * fan_out> waiting;
+  const auto top = static_cast<std::uint32_t>(levels_.size() - 1);
+  waiting[0] = {top, 0, levels_[top][0].squared_distance(place)};
+  std::size_t count = 1;
+  while (count > 0) {
+    const Node node = waiting[--count];
+    if (node.squared >= squared) {
+      continue;
+    }
+    if (node.level == 0) {
+      squared = look(leaves_[node.index].first, leaves_[node.index].count);
+      continue;
+    }
+    const std::vector<Box>& below = levels_[node.level - 1];
+    const std::uint32_t first = node.index * fan_out;
+    const auto end = std::min(first + fan_out, static_cast<std::uint32_t>(below.size()));
+    const std::size_t bottom = count;
+    for (std::uint32_t i = first; i < end; ++i) {
+      const double away = below[i].squared_distance(place);
+      if (away >= squared) {
+        continue;
+      }
+      std::size_t at = count++;  // the nearest on top
+      for (; at > bottom && waiting[at - 1].squared < away; --at) {
+        waiting[at] = waiting[at - 1];
+      }
+      waiting[at] = {node.level - 1, i, away};
+    }
+  }
+}
+
+}  // namespace feedscope
