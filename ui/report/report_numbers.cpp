@@ -33,6 +33,14 @@ QString significant(double value, int digits) {
   return text;
 }
 
+QString signed_percent(double share) {
+  const QString size = fixed(std::abs(100 * share), 1);
+  if (size == fixed(0, 1)) {
+    return size;
+  }
+  return (share < 0 ? QStringLiteral("−") : QStringLiteral("+")) + size;
+}
+
 QString unit_text(const std::string& unit) {
   return QString::fromStdString(unit)
       .replace(QStringLiteral("s2"), QStringLiteral("s²"))
