@@ -18,8 +18,10 @@ namespace feedscope {
 /// - What the tool cuts of the contour *behind* it is not looked at: passes that go one after the other into
 ///   the material do that on purpose, and a neck is seen from either side.
 /// - Nor what lies on other levels: a contour that is cut at several depths may change on its way down.
-/// - Where the contour meets itself, as at the end of a round, it begins anew: what leads to a closed contour
-///   and away from it may cross. The path beside a full circle, which leads past all of it, is left out.
+/// - Where the contour meets itself, as at the end of a round, it begins again: what leads to a closed
+/// contour
+///   and away from it may cross, and an element that runs on past the meeting belongs to the round up to
+///   there only. The path beside a full circle, which leads past all of it, is not watched.
 class ContourWatch {
  public:
   static constexpr std::size_t reach = 4096;
@@ -69,6 +71,8 @@ class ContourWatch {
   };
 
   bool meets_itself(const Piece& next);
+  /// The contour's next element up to where it first meets what of the contour came before on its level.
+  PlaneElement up_to_meeting(const Piece& next);
 
   Window paths_;
   Window contours_;

@@ -219,6 +219,72 @@ TEST(CompensationGouge, InRandomContoursIsSaidIfAndOnlyIfTheToolCutsIn) {
   EXPECT_GT(cut, 50);
 }
 
+double from_line(const Vec3& p, const Vec3& from, const Vec3& to) {
+  return distance(Vec2(p.head<2>()), PlaneElement::line(from.head<2>(), to.head<2>()));
+}
+
+/// Whether the line comes to a side of the contour other than the first and the last.
+bool comes_to_another_side(const std::vector<Vec3>& corners, const Vec3& from, const Vec3& to) {
+  const PlaneElement line = PlaneElement::line(from.head<2>(), to.head<2>());
+  for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
+    if (distance(PlaneElement::line(corners[k].head<2>(), corners[k + 1].head<2>()), line) < 1e-6) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST(CompensationGouge, OfARoundThatOverrunsItsFirstCornerIsSaidIfAndOnlyIfTheToolCutsIn) {
+  // As written by hand: the first side begins before its corner, the last one goes on beyond it.
+  std::mt19937 random(12);
+  std::uniform_real_distribution<double> unit(0, 1);
+  int sound = 0;
+  int cut = 0;
+  for (int round = 0; round < 800; ++round) {
+    const std::vector<Vec3> corners = random_star(random);
+    const double radius = 0.5 + static_cast<double>(random() % 1000) / (round % 2 == 0 ? 60 : 200);
+    const ToolSide side = round % 4 < 2 ? ToolSide::left : ToolSide::right;
+    const Vec3& corner = corners[0];
+    const Vec3 first = (corners[1] - corner).normalized();
+    const Vec3 last = (corner - corners.back()).normalized();
+    const Vec3 start = corner - (round % 3 == 0 ? 0 : 15 * unit(random)) * first;
+    const Vec3 end = corner + (round % 3 == 1 ? 0 : 15 * unit(random)) * last;
+    if (comes_to_another_side(corners, start, corner) || comes_to_another_side(corners, corner, end)) {
+      continue;
+    }
+    ContourWriter writer(round % 8 < 4 ? OutsideCorner::arc : OutsideCorner::lines);
+    writer.rapid(start + 0.001 * first).on(side, radius).line(start);
+    through(writer, {corners.begin() + 1, corners.end()}).line(end).off().line({200, 200, 0});
+    const Program program = writer.finish();
+    double depth = 0;
+    bool backward = false;  // beside the last side there is no room even with what it overruns
+    Vec3 tool = Vec3::Zero();
+    for (const MotionBlock& block : program.motions) {
+      const bool of_last = block.line == corners.size() + 2;
+      backward = backward || (of_last && block.motion == Motion::line && (block.target - tool).dot(last) < 0);
+      for (int i = 0; i <= 80 && block.line > 2 && block.line <= corners.size() + 2; ++i) {
+        const Vec3 at = tool + i / 80.0 * (block.target - tool);
+        const bool beyond = of_last && (at - corner).dot(last) > 0;
+        for (std::size_t k = 0; k < corners.size() && block.motion == Motion::line && !beyond; ++k) {
+          depth = std::max(depth, radius - from_line(at, corners[k], corners[(k + 1) % corners.size()]));
+        }
+      }
+      tool = block.target;
+    }
+    if (depth > 0.011) {
+      EXPECT_FALSE(program.diagnostics.empty()) << "round " << round << ": " << depth << " mm at " << radius;
+      ++cut;
+    } else if (depth < 1e-3 && !backward) {
+      for (const Diagnostic& diagnostic : program.diagnostics) {
+        ADD_FAILURE() << "round " << round << ": " << format(diagnostic, "f") << " at " << radius;
+      }
+      ++sound;
+    }
+  }
+  EXPECT_GT(sound, 80);
+  EXPECT_GT(cut, 25);
+}
+
 TEST(CompensationGouge, ALongContourIsReadInLinearTime) {
   // Waves of short lines: far more than what is kept in view.
   ContourWriter writer;
