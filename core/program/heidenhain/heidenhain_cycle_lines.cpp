@@ -40,11 +40,11 @@ std::string_view title_of(std::string_view text) {
 }  // namespace
 
 void HeidenhainReader::cycle(Scanner& scanner, std::uint32_t column) {
-  if (scanner.take_name("CALL")) {
+  if (scanner.take_keyword("CALL")) {
     cycle_call(scanner, column);
     return;
   }
-  if (!scanner.take_name("DEF")) {
+  if (!scanner.take_keyword("DEF")) {
     report_unknown(scanner.text(), column);
     return;
   }
@@ -64,9 +64,9 @@ void HeidenhainReader::cycle(Scanner& scanner, std::uint32_t column) {
 }
 
 void HeidenhainReader::cycle_call(Scanner& scanner, std::uint32_t column) {
-  if (scanner.take_name("PAT")) {
+  if (scanner.take_keyword("PAT")) {
     call_cycle_at_pattern(words(scanner), column);
-  } else if (scanner.take_name("POS")) {
+  } else if (scanner.take_keyword("POS")) {
     call_cycle_at(words(scanner), column);
   } else {
     run_functions(words(scanner));
@@ -107,7 +107,7 @@ void HeidenhainReader::old_cycle_line(int number, int part, Scanner& scanner, st
       return;
     case 12:
       if (part > 0) {
-        scanner.take_name("PGM");
+        scanner.take_keyword("PGM");
         define_program_cycle(scanner.rest());
       }
       return;
@@ -143,7 +143,7 @@ void HeidenhainReader::transformation_cycle(int number, Scanner& scanner, std::u
 }
 
 void HeidenhainReader::datum_shift(Scanner& scanner, std::uint32_t column) {
-  if (scanner.take('#') || scanner.take_name("TABLE")) {
+  if (scanner.take('#') || scanner.take_keyword("TABLE")) {
     // The line of the table, taken as zero, takes the place of the shift in force.
     transformations().reset(Transformations::Kind::shift);
     set_datum("a line of the datum table", column);

@@ -72,7 +72,7 @@ void HeidenhainCore::read_cycle_parameters(Scanner& scanner, QParameters& into) 
       continue;
     }
     began = true;
-    if (scanner.take_name("PREDEF")) {
+    if (scanner.take_keyword("PREDEF")) {
       const std::optional<double> value = predefined_.get(*name);
       if (!value) {
         throw ReadFault{"cycle-parameter", column,
@@ -83,13 +83,13 @@ void HeidenhainCore::read_cycle_parameters(Scanner& scanner, QParameters& into) 
       continue;
     }
     const bool f = scanner.take('F');
-    if (scanner.take_name("MAX")) {
+    if (scanner.take_keyword("MAX")) {
       into.set(*name, rapid_feed);
-    } else if (tool_feed_word_ == FeedWord::value && scanner.take_name("AUTO")) {
+    } else if (tool_feed_word_ == FeedWord::value && scanner.take_keyword("AUTO")) {
       into.set(*name, tool_feed_);
     } else if (f && scanner.take('U') && !is_inch()) {
       into.set(*name, formulas_.read_value(scanner) * spindle_speed_);
-    } else if (f || scanner.take_name("AUTO")) {
+    } else if (f || scanner.take_keyword("AUTO")) {
       throw ReadFault{"cycle-parameter", column, fmt::format("the value of {} is not read", name->text()),
                       "write a number"};
     } else {

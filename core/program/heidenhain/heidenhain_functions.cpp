@@ -149,7 +149,7 @@ std::optional<std::string> HeidenhainCore::tool_name(Scanner& scanner) {
 }
 
 void HeidenhainCore::read_system_data(Scanner& scanner, std::uint32_t column) {
-  scanner.take_name("SYSREAD");
+  scanner.take_keyword("SYSREAD");
   const std::optional<QName> result = take_parameter(scanner);
   if (!result || result->kind == QName::Kind::text || !scanner.take('=') || !scanner.take("ID")) {
     throw_unread_words(scanner, "FN 18");

@@ -86,7 +86,7 @@ std::vector<Vec2> places_in_plane(std::string_view kind, const PatternWords& wor
 
 void HeidenhainReader::pattern(Scanner& scanner, std::uint32_t column) {
   constexpr std::array<std::string_view, 6> kinds{"POS", "ROW", "PAT", "FRAME", "CIRC", "PITCHCIRC"};
-  if (!scanner.take_name("DEF")) {
+  if (!scanner.take_keyword("DEF")) {
     throw_unread_words(scanner, "PATTERN DEF");
   }
   std::vector<Vec3> places;

@@ -126,7 +126,7 @@ void HeidenhainReader::skip_turning_words(Scanner& scanner) {
                                                   "FAUTO", "TABLE", "COORD", "ROT"};
   const auto take_a_name = [&] {
     return std::any_of(names.begin(), names.end(),
-                       [&](std::string_view name) { return scanner.take_name(name); });
+                       [&](std::string_view name) { return scanner.take_keyword(name); });
   };
   while (!scanner.at_end()) {
     if (take_a_name()) {
@@ -135,7 +135,7 @@ void HeidenhainReader::skip_turning_words(Scanner& scanner) {
     if (scanner.take("SEQ") || scanner.take("SYM")) {
       scanner.take('+') || scanner.take('-');
     } else if (scanner.take("MB") || scanner.take('F')) {
-      if (!scanner.take_name("MAX") && !scanner.take_name("AUTO")) {
+      if (!scanner.take_keyword("MAX") && !scanner.take_keyword("AUTO")) {
         formulas().read_value(scanner);
       }
     } else if (scanner.take("DIST") || scanner.take("ABST") || scanner.take("SETUP")) {

@@ -40,6 +40,12 @@ constexpr auto unread_statements = std::to_array<UnreadStatement>({
     {"OPEN", Severity::info, "file", "it does not change the path"},
 });
 
+const UnreadStatement* find_unread(std::string_view name) {
+  const auto known = std::find_if(unread_statements.begin(), unread_statements.end(),
+                                  [name](const UnreadStatement& s) { return letters::same(s.name, name); });
+  return known == unread_statements.end() ? nullptr : &*known;
+}
+
 /// Behind the number of the block and the sign that hides it; true if it is hidden.
 bool skip_number(Scanner& scanner) {
   const bool before = scanner.take('/');
@@ -138,19 +144,20 @@ void HeidenhainReader::run_statement(std::string_view statement) {
   } else if (is_parameter_name(name, scanner.peek_at(0))) {
     scanner.move_to(start);
     assign(scanner);
+  } else if (find_unread(name) != nullptr) {
+    report_unread(name, statement, column);
   } else if (starts_words(name)) {
     scanner.move_to(start);
     run_path(PathKind::line, words(scanner));
   } else {
-    report_unread(name, statement, column);
+    report_unknown(statement, column);
   }
 }
 
 void HeidenhainReader::report_unread(std::string_view name, std::string_view statement,
                                      std::uint32_t column) {
-  const auto known = std::find_if(unread_statements.begin(), unread_statements.end(),
-                                  [name](const UnreadStatement& s) { return letters::same(s.name, name); });
-  if (known == unread_statements.end()) {
+  const UnreadStatement* const known = find_unread(name);
+  if (known == nullptr) {
     report_unknown(statement, column);
     return;
   }
@@ -158,17 +165,17 @@ void HeidenhainReader::report_unread(std::string_view name, std::string_view sta
     return;
   }
   said_.push_back(known->name);
-  report(known->severity, "unread-statement", static_cast<int>(known - unread_statements.begin()) + 1, column,
+  report(known->severity, "unread-statement", static_cast<int>(known - unread_statements.data()) + 1, column,
          [&] {
-           return Text{fmt::format("{} ({}) is not read", known->name, known->subject),
-                       fmt::format("{}; this is said once", known->effect)};
+           return Text{fmt::format("{} ({}) is not supported", known->name, known->subject),
+                       fmt::format("{}; reported once", known->effect)};
          });
 }
 
 void HeidenhainReader::report_unknown(std::string_view statement, std::uint32_t column) {
   report(Severity::error, "unknown-statement", 0, column, [&] {
-    return Text{fmt::format("{} is no statement of this dialect", quoted(statement.substr(column - 1))),
-                "it is left out; if the program is another dialect's, name it with --dialect"};
+    return Text{fmt::format("{} is not a statement of this dialect", quoted(statement.substr(column - 1))),
+                "it is skipped; if the program is another dialect's, name it with --dialect"};
   });
 }
 

@@ -28,10 +28,7 @@ void HeidenhainReader::begin(Scanner& scanner, std::uint32_t) {
   std::string_view rest = scanner.rest();
   rest = rest.substr(0, rest.find_last_not_of(" \t\r") + 1);
   const std::size_t last = rest.find_last_of(" \t");
-  const std::string_view unit = last == std::string_view::npos ? rest : rest.substr(last + 1);
-  if (letters::same(unit, "INCH") || letters::same(unit, "MM")) {
-    set_inch(letters::same(unit, "INCH"));
-  }
+  set_inch(last != std::string_view::npos && letters::same(rest.substr(last + 1), "INCH"));
 }
 
 void HeidenhainReader::end(Scanner&, std::uint32_t) {
@@ -39,7 +36,7 @@ void HeidenhainReader::end(Scanner&, std::uint32_t) {
 }
 
 void HeidenhainReader::blank_form(Scanner& scanner, std::uint32_t column) {
-  scanner.take_name("FORM");
+  scanner.take_keyword("FORM");
   const bool lower = scanner.take("0.1");
   if (!lower && !scanner.take("0.2")) {
     return;
@@ -50,9 +47,9 @@ void HeidenhainReader::blank_form(Scanner& scanner, std::uint32_t column) {
 }
 
 void HeidenhainReader::tool(Scanner& scanner, std::uint32_t column) {
-  if (scanner.take_name("DEF")) {
+  if (scanner.take_keyword("DEF")) {
     tool_definition(scanner);
-  } else if (scanner.take_name("CALL")) {
+  } else if (scanner.take_keyword("CALL")) {
     tool_call(scanner);
   } else {
     report_unknown(scanner.text(), column);
@@ -106,16 +103,16 @@ void HeidenhainReader::label_statement(Scanner& scanner, std::uint32_t) {
 }
 
 void HeidenhainReader::call_statement(Scanner& scanner, std::uint32_t column) {
-  if (scanner.take_name("LBL")) {
+  if (scanner.take_keyword("LBL")) {
     const std::string name = label(scanner);
     if (scanner.take("REP")) {
       repeat_from_label(name, formulas().read_value(scanner), column);
     } else {
       call_label(name, column);
     }
-  } else if (scanner.take_name("PGM")) {
+  } else if (scanner.take_keyword("PGM")) {
     call_program(scanner.rest(), column);
-  } else if (scanner.take_name("SELECTED") && scanner.take_name("PGM") && !selected_program_.empty()) {
+  } else if (scanner.take_keyword("SELECTED") && scanner.take_keyword("PGM") && !selected_program_.empty()) {
     call_program(selected_program_, column);
   } else {
     report_unknown(scanner.text(), column);
@@ -123,7 +120,7 @@ void HeidenhainReader::call_statement(Scanner& scanner, std::uint32_t column) {
 }
 
 void HeidenhainReader::select(Scanner& scanner, std::uint32_t column) {
-  if (scanner.take_name("PGM")) {
+  if (scanner.take_keyword("PGM")) {
     selected_program_ = scanner.rest();
   } else {
     report_unread("SEL", scanner.text(), column);
@@ -131,7 +128,7 @@ void HeidenhainReader::select(Scanner& scanner, std::uint32_t column) {
 }
 
 void HeidenhainReader::global_definition(Scanner& scanner, std::uint32_t column) {
-  if (!scanner.take_name("DEF")) {
+  if (!scanner.take_keyword("DEF")) {
     report_unknown(scanner.text(), column);
     return;
   }
@@ -144,11 +141,11 @@ void HeidenhainReader::preset(Scanner& scanner, std::uint32_t column) {
 }
 
 void HeidenhainReader::function_statement(Scanner& scanner, std::uint32_t column) {
-  if (scanner.take_name("RESET")) {
+  if (scanner.take_keyword("RESET")) {
     return;
   }
   Scanner rest = scanner;
-  if (rest.take_name("DWELL")) {
+  if (rest.take_keyword("DWELL")) {
     if (rest.take("TIME")) {
       dwell(formulas().read_value(rest), column);
       return;
@@ -157,8 +154,8 @@ void HeidenhainReader::function_statement(Scanner& scanner, std::uint32_t column
       dwell(formulas().read_value(rest) * 60 / spindle_speed(), column);
       return;
     }
-  } else if (rest.take_name("MODE")) {
-    if (!rest.take_name("MILL")) {
+  } else if (rest.take_keyword("MODE")) {
+    if (!rest.take_keyword("MILL")) {
       report_unread("MODE", scanner.text(), column);
     }
     return;
@@ -171,7 +168,7 @@ void HeidenhainReader::stop(Scanner& scanner, std::uint32_t) {
 }
 
 void HeidenhainReader::declaration(Scanner& scanner, std::uint32_t) {
-  scanner.take_name("STRING");
+  scanner.take_keyword("STRING");
   assign(scanner);
 }
 
@@ -204,7 +201,7 @@ void HeidenhainReader::arithmetic(Scanner& scanner, FunctionCall& call) {
   }
   constexpr std::array<std::string_view, 3> of_one{"SQRT", "SIN", "COS"};
   if (call.number >= 5 && call.number <= 7) {
-    scanner.take_name(of_one[static_cast<std::size_t>(call.number - 5)]);
+    scanner.take_keyword(of_one[static_cast<std::size_t>(call.number - 5)]);
   }
   call.values[0] = formulas().read_value(scanner);
   constexpr std::array<std::string_view, 5> of_two{"+", "-", "*", "DIV", "LEN"};
@@ -225,11 +222,11 @@ bool HeidenhainReader::definition_condition(Scanner& scanner, FunctionCall& call
   Scanner ahead = scanner;
   ahead.take('+');
   const std::optional<QName> name = take_parameter(ahead);
-  if (!name || !ahead.take_name("IS")) {
+  if (!name || !ahead.take_keyword("IS")) {
     return false;
   }
-  const bool undefined = ahead.take_name("UNDEFINED");
-  if (!undefined && !ahead.take_name("DEFINED")) {
+  const bool undefined = ahead.take_keyword("UNDEFINED");
+  if (!undefined && !ahead.take_keyword("DEFINED")) {
     throw_unread_words(ahead, "FN");
   }
   const bool is_defined = name->kind == QName::Kind::text ? !parameters().text(name->number).empty()
@@ -242,37 +239,37 @@ bool HeidenhainReader::definition_condition(Scanner& scanner, FunctionCall& call
 
 void HeidenhainReader::jump_condition(Scanner& scanner, FunctionCall& call) {
   constexpr std::array<std::string_view, 4> relations{"EQU", "NE", "GT", "LT"};
-  scanner.take_name("IF");
+  scanner.take("IF");
   if (!definition_condition(scanner, call)) {
     call.values[0] = formulas().read_value(scanner);
-    if (!scanner.take_name(relations[static_cast<std::size_t>(call.number - 9)])) {
+    if (!scanner.take(relations[static_cast<std::size_t>(call.number - 9)])) {
       throw_unread_words(scanner, "FN");
     }
     call.values[1] = formulas().read_value(scanner);
   }
-  if (!scanner.take_name("GOTO")) {
+  if (!scanner.take("GOTO")) {
     throw_unread_words(scanner, "FN");
   }
-  scanner.take_name("LBL");
+  scanner.take("LBL");
   call.label = label(scanner);
 }
 
 void HeidenhainReader::transformation(Scanner& scanner, std::uint32_t column) {
   const std::string_view name = scanner.name();
-  const bool resets = Scanner(scanner).take_name("RESET");
+  const bool resets = Scanner(scanner).take_keyword("RESET");
   using Kind = Transformations::Kind;
   if (letters::same(name, "DATUM")) {
     if (resets) {
       transformations().reset(Kind::shift);
     } else {
-      scanner.take_name("AXIS");
+      scanner.take_keyword("AXIS");
       datum_shift(scanner, column);
     }
   } else if (letters::same(name, "MIRROR")) {
     if (resets) {
       transformations().reset(Kind::mirror);
     } else {
-      scanner.take_name("AXIS");
+      scanner.take_keyword("AXIS");
       mirror(scanner, column);
     }
   } else if (letters::same(name, "ROTATION")) {

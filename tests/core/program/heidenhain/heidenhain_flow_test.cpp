@@ -42,6 +42,42 @@ TEST(HeidenhainFlow, JumpsCompareParameters) {
             "1,0,0 2,0,0 3,0,0");
 }
 
+TEST(HeidenhainFlow, BlanksBetweenAKeywordAndItsNumberMayBeMissing) {
+  // The same program with each of these blanks left out, and with all of them.
+  const std::string text =
+      "0 BEGIN PGM A MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-9\n2 TOOL DEF 1 L+0 R+5\n3 TOOL CALL 1 Z S3000 F500\n"
+      "4 CYCL DEF 9 .0 V.ZEIT\n5 CYCL DEF 9 .1 V.ZEIT 0.5\n6 FN 0: Q1 = +0\n7 LBL 1\n8 L IX+1 F100\n"
+      "9 FN 1: Q1 = +Q1 + +1\n10 FN 12: IF +Q1 LT +3 GOTO LBL 1\n11 CALL LBL 2\n12 CALL LBL 3 REP 1\n13 L "
+      "M30\n"
+      "14 LBL 2\n15 L IY+1\n16 LBL 0\n17 LBL 3\n18 END PGM A MM\n";
+  const std::string expected = path_of(read_clean_heidenhain(text));
+  ASSERT_NE(expected.find("3,1,0"), std::string::npos) << expected;
+  const std::vector<std::pair<std::string, std::string>> blanks{
+      {"TOOL DEF 1", "TOOL DEF1"},
+      {"TOOL CALL 1", "TOOL CALL1"},
+      {"CYCL DEF 9 .0", "CYCL DEF9 .0"},
+      {"CYCL DEF 9 .1", "CYCL DEF9.1"},
+      {"V.ZEIT 0.5", "V.ZEIT0.5"},
+      {"FN 0:", "FN0:"},
+      {"FN 12: IF", "FN12:IF"},
+      {"IF +Q1 LT +3 GOTO LBL 1", "IF+Q1LT+3GOTO LBL1"},
+      {"GOTO LBL 1", "GOTO LBL1"},
+      {"CALL LBL 2", "CALL LBL2"},
+      {"CALL LBL 3 REP 1", "CALL LBL3 REP1"},
+      {"7 LBL 1", "7 LBL1"},
+      {"BLK FORM 0.1", "BLK FORM0.1"}};
+  std::string all = text;
+  for (const auto& [with, without] : blanks) {
+    const auto replaced = [&](std::string in) {
+      const std::size_t at = in.find(with);
+      return at == std::string::npos ? in : in.replace(at, with.size(), without);
+    };
+    EXPECT_EQ(path_of(read_clean_heidenhain(replaced(text))), expected) << without;
+    all = replaced(all);
+  }
+  EXPECT_EQ(path_of(read_clean_heidenhain(all)), expected) << all;
+}
+
 struct FunctionCase {
   const char* text;
   double q1;
@@ -106,8 +142,7 @@ class HeidenhainFiles : public testing::Test {
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
   Program read(const std::string& name) const {
-    return read_program(std::make_shared<const SourceText>(SourceText::from_file(folder / name)), nullptr,
-                        {.unit = LengthUnit::mm});
+    return read_program(std::make_shared<const SourceText>(SourceText::from_file(folder / name)));
   }
 
   std::filesystem::path folder;
