@@ -6,7 +6,6 @@
 #include <numeric>
 #include <sstream>
 
-#include "core/analysis/tolerance_in_force.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 
@@ -147,10 +146,13 @@ std::string time_text(double seconds) {
 }
 
 void print_diagnostics(const Program& program, DiagnosticStyle style) {
-  for (const Diagnostic& diagnostic : program.diagnostics) {
-    fmt::print(stderr, "{}\n", format(diagnostic, program.source->name()));
+  for (const RepeatedDiagnostic& diagnostic : without_repeats(program.diagnostics)) {
+    fmt::print(stderr, "{}\n", format(*diagnostic.first, program.source->name()));
     if (style == DiagnosticStyle::with_source) {
-      fmt::print(stderr, "{}", marked_line(program, diagnostic));
+      fmt::print(stderr, "{}", marked_line(program, *diagnostic.first));
+    }
+    if (const std::string repeats = repeats_text(diagnostic); !repeats.empty()) {
+      fmt::print(stderr, "  {}\n", repeats);
     }
   }
 }
@@ -163,8 +165,6 @@ std::string summary_text(const Run& run) {
   TextTable figures;
   figures.add({"cycle time", time_text(s.cycle_time)});
   figures.add({"programmed time", time_text(s.programmed_time)});
-  const auto tolerance = tolerance_in_force(run.input.feed_controls, run.setup);
-  figures.add({"tolerance", tolerance ? describe(tolerance) : "none: the model follows none"});
   figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
   figures.add({"mean feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.mean_feed))});
   figures.add({"peak feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.peak_feed))});

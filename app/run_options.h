@@ -9,19 +9,19 @@
 
 namespace feedscope {
 
-/// The program and how it is read: FILE --dialect --unit --skip-deleted --repeat-limit --call-depth --tool
-/// --tools
-/// --tools-unit.
+/// The program and how it is read: FILE --dialect --skip-deleted --repeat-limit --call-depth --tool --tools
+/// --tools-unit --wear-only --simulate-cut-off.
 struct ProgramOptions {
   std::string file;
   std::string dialect;  ///< id; "" to recognise it
-  std::string unit;     ///< "inch", "mm"; "" where the program says it, or mm
   bool skip_deleted = false;
   std::uint64_t repeat_limit = ReadOptions().repeat_limit;
   std::size_t call_depth = ReadOptions().call_depth;
   std::vector<std::string> radii;  ///< TOOL=RADIUS, as typed [mm]
   std::string tool_table;
   std::string table_unit = "mm";
+  bool wear_only = false;
+  bool simulate_cut_off = false;
 
   /// Throws InputError for a dialect that is not known, or a radius that is none.
   ReadOptions reading() const;
@@ -34,20 +34,15 @@ struct RunOptions : ProgramOptions {
   std::string tolerance;  ///< as typed, [mm]
   std::vector<std::string> set;
 
-  /// For a program in `dialect`. Throws InputError if the tolerance is no number.
-  SetupRequest request(Dialect program_dialect) const;
+  /// Throws InputError if the tolerance is no number.
+  SetupRequest request() const;
 };
-
-/// The dialect that is asked for, or else recognised.
-Dialect dialect_of(const ProgramOptions& options, const SourceText& source);
 
 /// Reads a length [mm] of `option`. Throws InputError if it is no number or below 0.
 double parse_length(const std::string& text, const std::string& option);
 /// Reads a --tolerance [mm]. Throws InputError if it is no number or below 0.
 double parse_tolerance(const std::string& text);
 
-/// What --machine says of itself.
-std::string machine_help();
 /// Adds them to a command; `values` must live as long as the command.
 void add_run_options(CLI::App& command, RunOptions& values);
 /// Adds those of the program alone.
@@ -57,8 +52,8 @@ void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 
 /// Tells on standard error when a tolerance was asked for that replaces the program's own.
 void note_replaced_tolerance(const Toolpath& toolpath);
-/// Tells what run_notes() say of the setups on standard error, each once.
-void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups);
+/// Says once for each model what of the program's path control its runs do not follow.
+void note_unfollowed(const Toolpath& toolpath, const std::vector<Setup>& setups);
 /// Tells on standard error when a tolerance was asked for that the model does not read.
 void note_unused_tolerance(const RunOptions& options, const Setup& setup);
 

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <memory>
 
-#include "app/asked_program.h"
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
 #include "app/output_file.h"
@@ -20,9 +19,15 @@ struct CheckOptions : ProgramOptions {
   std::string json;
 };
 
-std::string range_text(double from, double to) {
-  return std::isfinite(from) && std::isfinite(to) ? fmt::format("{:.4f} to {:.4f} mm", from, to)
-                                                  : "not programmed";
+std::string range_text(const Bounds& bounds, Eigen::Index axis) {
+  const bool programmed = std::isfinite(bounds.min[axis]) && std::isfinite(bounds.max[axis]);
+  return programmed ? fmt::format("{:.4f} to {:.4f} mm", bounds.min[axis], bounds.max[axis])
+                    : "not programmed";
+}
+
+std::string extent_text(const ProgramFacts& facts, Eigen::Index axis) {
+  return fmt::format("{}; cutting {}; rapid {}", range_text(facts.bounds, axis),
+                     range_text(facts.cutting_bounds, axis), range_text(facts.rapid_bounds, axis));
 }
 
 std::string tools_text(const Program& program) {
@@ -47,14 +52,12 @@ std::string cutters_text(const Program& program) {
 std::string facts_text(const Program& program, const ProgramFacts& facts) {
   TextTable table;
   table.add({"dialect", std::string(info_of(program.dialect).title)});
-  table.add({"unit", describe(program.unit)});
   table.add({"lines", fmt::format("{}; {} blocks run", facts.lines, facts.blocks)});
   table.add({"segments", fmt::format("{}: {} lines, {} arcs, {} dwells", facts.segments,
                                      facts.segments - facts.arcs - facts.dwells, facts.arcs, facts.dwells)});
   for (std::size_t i = 0; i < axis_names.size(); ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
-    table.add(
-        {fmt::format("{} range", axis_names[i]), range_text(facts.bounds.min[axis], facts.bounds.max[axis])});
+    table.add({fmt::format("{} range", axis_names[i]), extent_text(facts, axis)});
   }
   table.add({"path length",
              fmt::format("{:.3f} mm, {:.3f} mm of it rapid", facts.path_length, facts.rapid_length)});
@@ -81,14 +84,12 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
 }
 
 int check(const CheckOptions& options) {
-  const AskedProgram asked = asked_program(options);
-  for (const std::string& input : {options.file, asked.file}) {
-    check_outputs(input, {options.json});
-  }
+  check_outputs(options.file, {options.json});
+  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.file));
   LoadedProgram loaded;
   {
     Watch watch;
-    loaded = load_program(asked.source, watch.stage("reading"), asked.reading);
+    loaded = load_program(source, watch.stage("reading"), options.reading());
   }
   const ProgramFacts facts = facts_of(*loaded.program, *loaded.toolpath);
   print_diagnostics(*loaded.program, DiagnosticStyle::with_source);
@@ -98,7 +99,7 @@ int check(const CheckOptions& options) {
     json.commit();
   }
   if (options.json != "-") {
-    fmt::print("{}\n{}", asked.source->name(), facts_text(*loaded.program, facts));
+    fmt::print("{}\n{}", source->name(), facts_text(*loaded.program, facts));
   }
   return has_errors(loaded.program->diagnostics) ? exit_code::program_errors : exit_code::done;
 }

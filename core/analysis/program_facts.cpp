@@ -37,6 +37,8 @@ ProgramFacts facts_of(const Program& program, const Toolpath& toolpath) {
   facts.blocks = program.block_count;
   facts.segments = toolpath.segments.size();
   facts.bounds = program.bounds;
+  facts.cutting_bounds = program.cutting_bounds;
+  facts.rapid_bounds = program.rapid_bounds;
   facts.path_control = path_control_ranges(toolpath);
   for (const Segment& segment : toolpath.segments) {
     facts.path_length += segment.length;

@@ -21,7 +21,9 @@ struct ProgramFacts {
   std::size_t segments = 0;
   std::size_t arcs = 0;     ///< arcs and helices among the segments
   std::size_t dwells = 0;   ///< among the segments
-  Bounds bounds;            ///< programmed positions [mm]
+  Bounds bounds;            ///< as Program::bounds [mm]
+  Bounds cutting_bounds;    ///< of the feed motions [mm]
+  Bounds rapid_bounds;      ///< of the rapids [mm]
   double path_length = 0;   ///< rapids included [mm]
   double rapid_length = 0;  ///< [mm]
   double dwell_time = 0;    ///< [s]

@@ -1,12 +1,13 @@
 #include "core/analysis/run.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 
-#include "core/analysis/control_dialect.h"
 #include "core/analysis/run_stages.h"
 #include "core/base/data_folder.h"
-#include "core/machine/contour_tolerance.h"
+#include "core/base/error.h"
 
 namespace feedscope {
 namespace {
@@ -24,20 +25,19 @@ class StopWatch {
 const SettingSpec& tolerance_spec() {
   const auto& specs = common_settings();
   return *std::find_if(specs.begin(), specs.end(),
-                       [](const SettingSpec& spec) { return spec.key == contour_tolerance_key; });
+                       [](const SettingSpec& spec) { return spec.key == "contour_tolerance_mm"; });
 }
 
-std::vector<PathControl> controls_of_feed_motions(const Toolpath& toolpath) {
-  std::vector<PathControl> controls;
-  std::vector<bool> met(toolpath.path_controls.size());
-  for (const Segment& segment : toolpath.segments) {
-    const bool feeds = segment.kind != SegmentKind::dwell && !segment.rapid;
-    if (feeds && !met[segment.path_control]) {
-      met[segment.path_control] = true;
-      controls.push_back(toolpath.path_controls[segment.path_control]);
-    }
-  }
-  return controls;
+[[noreturn]] void throw_refused(const Program& program) {
+  const auto limit = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
+                                  [](const Diagnostic& d) { return d.code == "run-limit"; });
+  const std::string why = limit == program.diagnostics.end()
+                              ? std::string()
+                              : fmt::format(", line {}: {}", limit->line, limit->message);
+  throw InputError(
+      fmt::format("{}{}; such a program is not simulated: check its loops, raise the limit (--repeat-limit), "
+                  "or ask for what was read of it (--simulate-cut-off)",
+                  program.source->name(), why));
 }
 
 }  // namespace
@@ -52,8 +52,8 @@ LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* p
   LoadedProgram loaded;
   Program program = read_program(std::move(source), progress, options);
   loaded.toolpath = std::make_shared<const Toolpath>(take_toolpath(program));
+  loaded.refused = program.cut_off && !options.simulate_cut_off;
   loaded.program = std::make_shared<const Program>(std::move(program));
-  loaded.feed_controls = controls_of_feed_motions(*loaded.toolpath);
   loaded.read_time = watch.seconds();
   return loaded;
 }
@@ -69,12 +69,16 @@ LoadedProgram load_program(const std::filesystem::path& file, Progress* progress
 
 Setup make_setup(const SetupRequest& request) {
   Setup setup;
-  setup.machine = shipped_machines().load(request.machine.empty() ? default_machine_of(request.dialect)
-                                                                  : request.machine);
+  setup.machine = shipped_machines().load(request.machine.empty() ? default_machine : request.machine);
   setup.model = &find_model(request.model.empty() ? setup.machine.model : request.model);
   setup.settings = complete_settings(*setup.model, setup.machine);
   if (request.tolerance) {
-    set_tolerance(setup, *request.tolerance);
+    const SettingSpec& spec = tolerance_spec();
+    check_setting(spec, *request.tolerance, "tolerance");
+    if (setup.settings.has(spec.key)) {
+      setup.settings.set(spec.key, *request.tolerance);
+      setup.settings.set("program_tolerance", "off");
+    }
   }
   for (const std::string& assignment : request.assignments) {
     apply_setting(assignment, *setup.model, setup.machine, setup.settings);
@@ -82,22 +86,15 @@ Setup make_setup(const SetupRequest& request) {
   return setup;
 }
 
-void set_tolerance(Setup& setup, double tolerance) {
-  check_setting(tolerance_spec(), tolerance, "tolerance");
-  if (setup.settings.has(contour_tolerance_key)) {
-    for (auto& [key, value] : settings_for_tolerance(tolerance)) {
-      setup.settings.set(key, value);
-    }
-  }
-}
-
 std::optional<double> contour_tolerance(const Setup& setup) {
-  return setup.settings.has(contour_tolerance_key)
-             ? std::optional(setup.settings.number(contour_tolerance_key))
-             : std::nullopt;
+  const std::string& key = tolerance_spec().key;
+  return setup.settings.has(key) ? std::optional(setup.settings.number(key)) : std::nullopt;
 }
 
 Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress) {
+  if (input.refused) {
+    throw_refused(*input.program);
+  }
   const StopWatch watch;
   Run run;
   run.input = input;

@@ -3,6 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <map>
+#include <string_view>
+#include <tuple>
 
 namespace feedscope {
 
@@ -21,6 +25,65 @@ std::string_view to_string(Severity severity) {
 bool has_errors(const std::vector<Diagnostic>& diagnostics) {
   return std::any_of(diagnostics.begin(), diagnostics.end(),
                      [](const Diagnostic& d) { return d.severity == Severity::error; });
+}
+
+std::uint64_t count_of(const std::vector<Diagnostic>& diagnostics, Severity severity) {
+  std::uint64_t count = 0;
+  for (const Diagnostic& diagnostic : diagnostics) {
+    count += diagnostic.severity == severity ? diagnostic.count : 0;
+  }
+  return count;
+}
+
+std::vector<RepeatedDiagnostic> without_repeats(const std::vector<Diagnostic>& diagnostics) {
+  using Kind = std::tuple<std::string_view, std::string_view, Severity>;
+  using Said = std::pair<std::string_view, std::string_view>;
+  constexpr std::size_t several = std::numeric_limits<std::size_t>::max();
+  std::vector<RepeatedDiagnostic> all;
+  std::map<std::pair<Kind, Said>, std::size_t> known;
+  std::map<Kind, std::size_t> only_of_kind;
+  for (const Diagnostic& d : diagnostics) {
+    const Kind kind(d.file, d.code, d.severity);
+    if (d.count > 1 || d.last_line > 0) {
+      const auto only = only_of_kind.find(kind);
+      if (only != only_of_kind.end() && only->second != several) {
+        RepeatedDiagnostic& same = all[only->second];
+        same.unlisted += d.count;
+        same.last_line = std::max({same.last_line, d.last_line, d.line});
+        continue;
+      }
+      all.push_back({&d});
+      continue;
+    }
+    const auto [found, is_new] = known.try_emplace({kind, Said(d.message, d.hint)}, all.size());
+    if (is_new) {
+      const auto [only, is_first] = only_of_kind.try_emplace(kind, all.size());
+      only->second = is_first ? all.size() : several;
+      all.push_back({&d});
+      continue;
+    }
+    RepeatedDiagnostic& same = all[found->second];
+    const std::uint32_t before = same.further_lines.empty() ? same.first->line : same.further_lines.back();
+    if (d.line != before) {
+      same.further_lines.push_back(d.line);
+    }
+  }
+  return all;
+}
+
+std::string repeats_text(const RepeatedDiagnostic& diagnostic) {
+  const std::vector<std::uint32_t>& lines = diagnostic.further_lines;
+  std::string text;
+  if (!lines.empty()) {
+    text = lines.size() == 1 ? fmt::format("also in line {}", lines.front())
+                             : fmt::format("also in lines {} and {}",
+                                           fmt::join(lines.begin(), lines.end() - 1, ", "), lines.back());
+  }
+  if (diagnostic.unlisted > 0) {
+    text += fmt::format("{}{} more up to line {}", text.empty() ? "" : "; ", diagnostic.unlisted,
+                        diagnostic.last_line);
+  }
+  return text;
 }
 
 std::string format(const Diagnostic& d, std::string_view file) {

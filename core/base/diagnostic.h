@@ -21,9 +21,29 @@ struct Diagnostic {
   std::string message;       ///< thing and value
   std::string hint;          ///< what to do; may be empty
   std::string file = {};     ///< of a subprogram in a file of its own; empty: the program itself
+  /// Places that it stands for: more than one where a closing line counts what is not listed.
+  std::uint64_t count = 1;
+  std::uint32_t last_line = 0;  ///< of the last of these places; 0: there is one
+};
+
+/// A message with every place that it applies to.
+struct RepeatedDiagnostic {
+  const Diagnostic* first = nullptr;
+  std::vector<std::uint32_t> further_lines = {};  ///< without repeats
+  std::uint64_t unlisted = 0;                     ///< places more
+  std::uint32_t last_line = 0;                    ///< of those that are not listed; 0: there are none
 };
 
 bool has_errors(const std::vector<Diagnostic>& diagnostics);
+
+/// Places in all with this severity.
+std::uint64_t count_of(const std::vector<Diagnostic>& diagnostics, Severity severity);
+
+/// Those that say the same of several places of a file as one, in the order of their first places. A closing
+/// line that counts the rest of a kind belongs to the message of this kind, if there is but one.
+std::vector<RepeatedDiagnostic> without_repeats(const std::vector<Diagnostic>& diagnostics);
+/// "also in lines 5, 7 and 12; 20 more up to line 90"; empty for a message that is not repeated.
+std::string repeats_text(const RepeatedDiagnostic& diagnostic);
 
 /// One line as a compiler prints it, `file` being the program's: "part.nc:3:7: error: message [code]",
 /// followed by " (hint)" if any.

@@ -71,11 +71,7 @@ std::string setting_of(const Place& run) {
   }
   const Json& settings = run.at("settings").json();
   if (parts.empty() && settings.is_object() && settings.contains("contour_tolerance_mm")) {
-    // Where programs have their own, one setting stands for many tolerances.
-    const bool own = json.contains("tolerance_set_by") && json["tolerance_set_by"] != "setting" &&
-                     json["tolerance_set_by"].is_string();
-    parts.push_back(own ? std::string("tolerance=program")
-                        : fmt::format("tolerance={}", settings["contour_tolerance_mm"].dump()));
+    parts.push_back(fmt::format("tolerance={}", settings["contour_tolerance_mm"].dump()));
   }
   return fmt::format("{}", fmt::join(parts, " "));
 }
@@ -147,9 +143,6 @@ MergedComparison merge_comparisons(const std::vector<NamedText>& files) {
       if (sum == merged.sums.end()) {
         sum = merged.sums.insert(sum, {run, 0});
         sum->run.cycle_time = sum->run.max_contour_error = sum->run.mean_feed = 0;
-      }
-      if (sum->run.setting != run.setting) {
-        sum->run.setting = "tolerance=program or setting";
       }
       sum->run.cycle_time += run.cycle_time;
       sum->run.max_contour_error = std::max(sum->run.max_contour_error, run.max_contour_error);

@@ -48,6 +48,12 @@ constexpr auto sinumerik_names = std::to_array<std::string_view>(
      "FFWOF", "GOTOF", "GOTOB",   "STOPRE", "TRAORI",  "TRAFOOF", "WORKPIECE", "EXTERN", "MCALL",  "ENDFOR",
      "CIP",   "CT",    "ENDLOOP", "UNTIL",  "BSPLINE", "ASPLINE", "CSPLINE",   "DIAMON", "CFC",    "CFTCP"});
 
+/// Statements of Okuma's OSP: how to run what follows, subprogram calls at each position, their end.
+constexpr auto okuma_statements =
+    std::to_array<std::string_view>({"NOEX", "MODIN", "MODOUT", "RTS", "VZOFX", "VZOFY", "VZOFZ", "VTOFH"});
+
+constexpr std::uint32_t lines_looked_at = 2000;
+
 constexpr auto linuxcnc_flow =
     std::to_array<std::string_view>({"SUB", "ENDSUB", "CALL", "IF", "ELSEIF", "ELSE", "ENDIF", "WHILE",
                                      "ENDWHILE", "DO", "REPEAT", "ENDREPEAT", "RETURN"});
@@ -169,6 +175,39 @@ void score_line(std::string_view line, Score& score) {
   score_content(line, score);
 }
 
+/// A word with a number directly behind another word, "G15 H1".
+bool has_pair(std::string_view line, std::string_view first, char second) {
+  for (std::size_t at = 0; at + first.size() < line.size(); ++at) {
+    if (!letters::same(line.substr(at, first.size()), first) ||
+        (at > 0 && letters::is_name_part(line[at - 1]))) {
+      continue;
+    }
+    Scanner scan(line, at + first.size());
+    if (scan.take(second) && letters::is_digit(scan.peek())) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// What of a line only the controls of Okuma have.
+int okuma_points(std::string_view line) {
+  line = line.substr(0, line.find('('));
+  int points = 0;
+  points += has_pair(line, "G15", 'H') || has_pair(line, "G16", 'H') ? 3 : 0;
+  points += has_pair(line, "G56", 'H') ? 2 : 0;
+  Scanner scan(line);
+  if (scan.take('N')) {
+    scan.skip_digits();
+  }
+  const std::string_view name = scan.name();
+  const bool variable = name.size() > 2 && letters::same(name.substr(0, 2), "VC") &&
+                        letters::is_digit(name[2]) && scan.peek() == '=';
+  const bool call = letters::same(name, "CALL") && scan.take('O');
+  const bool statement = is_one_of(name, okuma_statements);
+  return points + (variable || statement ? 3 : 0) + (call ? 4 : 0);
+}
+
 void score_ending(const std::string& name, Score& score) {
   const std::string ending = std::filesystem::path(name).extension().string();
   const auto is = [&](std::string_view other) { return letters::same(ending, other); };
@@ -209,8 +248,29 @@ Dialect dialect_of_id(std::string_view id) {
                                fmt::join(ids, ", ")));
 }
 
+std::optional<ForeignLanguage> recognise_foreign(const SourceText& source) {
+  constexpr int enough = 5;
+  const std::string ending = std::filesystem::path(source.name()).extension().string();
+  int points = letters::same(ending, ".min") || letters::same(ending, ".ssb") ? enough : 0;
+  std::uint32_t first = 0;
+  for (std::uint32_t line = 1; line <= std::min(source.line_count(), lines_looked_at); ++line) {
+    const int more = okuma_points(source.line(line));
+    first = first == 0 && more > 0 ? line : first;
+    points += more;
+  }
+  if (points < enough) {
+    return std::nullopt;
+  }
+  return ForeignLanguage{"Okuma OSP",
+                         "G15 H selects a work offset there, G56 H a tool length, VC1 is a variable and CALL "
+                         "a subprogram",
+                         first};
+}
+
 Dialect recognise(const SourceText& source) {
-  constexpr std::uint32_t lines_looked_at = 2000;
+  if (recognise_foreign(source)) {
+    return Dialect::iso;
+  }
   Score score{};
   score_ending(source.name(), score);
   for (std::uint32_t line = 1; line <= std::min(source.line_count(), lines_looked_at); ++line) {

@@ -31,8 +31,18 @@ const DialectInfo& info_of(Dialect dialect);
 /// Throws InputError with the nearest name for an id that is not known.
 Dialect dialect_of_id(std::string_view id);
 
+/// A language that is recognised and not read.
+struct ForeignLanguage {
+  std::string_view title;    ///< of the control
+  std::string_view meaning;  ///< what its words mean that the dialects read otherwise
+  std::uint32_t line = 0;    ///< of the first word of it; 0: the ending of the file's name says it
+};
+
+/// The language of a control that is not supported, by words and file names that only it has.
+std::optional<ForeignLanguage> recognise_foreign(const SourceText& source);
+
 /// The dialect that a text is written in, by words that only one dialect has, in its first lines; where they
-/// are missing by the ending of its name, else Dialect::iso.
+/// are missing by the ending of its name, else, and for a foreign language, Dialect::iso.
 Dialect recognise(const SourceText& source);
 
 }  // namespace feedscope

@@ -12,7 +12,6 @@
 #include "core/base/progress.h"
 #include "core/program/dialect.h"
 #include "core/program/path_control.h"
-#include "core/program/program_unit.h"
 #include "core/program/text/source_text.h"
 #include "core/program/tools/cutter_radii.h"
 
@@ -66,7 +65,6 @@ struct CutterUse {
 struct Program {
   std::shared_ptr<const SourceText> source;
   Dialect dialect = Dialect::iso;  ///< it was read as
-  ProgramUnit unit;                ///< of its first motion
   /// Lines with words, readable or not, up to the program's end; in loops and calls each time they run.
   std::uint64_t block_count = 0;
   std::vector<MotionBlock> motions;
@@ -76,10 +74,14 @@ struct Program {
   std::vector<CutterUse> cutters;          ///< that compensation asks for, in the order of their first use
   std::uint64_t call_count = 0;            ///< subprogram calls that were run
   std::vector<std::shared_ptr<const SourceText>> called_files;
-  /// Of the programmed points; Toolpath::bounds adds what arcs reach beyond them [mm]. The tool starts at
-  /// X0 Y0 Z0, an assumed place that is left out: a coordinate counts from the first block that programs
-  /// its axis, or from the start of the first feed motion.
+  bool cut_off = false;                 ///< at the limit of ReadOptions: what would follow is missing
+  std::vector<std::string> other_axes;  ///< rotary and secondary axes that move; their time is not counted
+  /// Of the whole path, arcs with their full extent [mm]. The tool starts at X0 Y0 Z0, an assumed place that
+  /// is not part of it: a coordinate belongs to it from the first block that programs its axis, or from the
+  /// start of the first feed motion.
   Bounds bounds;
+  Bounds cutting_bounds;  ///< of the feed motions among it [mm]
+  Bounds rapid_bounds;    ///< of the rapids among it [mm]
   std::vector<Diagnostic> diagnostics;
 };
 
@@ -91,12 +93,14 @@ struct ReadOptions {
   /// curves may make 25 times as many motions.
   std::uint64_t repeat_limit = 2'000'000;
   std::size_t call_depth = 64;  ///< of calls inside each other
-  /// Of lengths and feeds until the program says its own; none: mm, and a warning that it is assumed.
-  std::optional<LengthUnit> unit = std::nullopt;
-  CutterRadii radii = {};  ///< of cutters, whatever program and tool table say
+  CutterRadii radii = {};       ///< of cutters, whatever program and tool table say
   /// Tool table for radii that the program does not set; empty: one beside the program, if there is any.
   std::filesystem::path tool_table = {};
   double table_unit = 1;  ///< of lengths in a tool table that does not name it [mm]
+  /// The path is that of the tool's centre already, and compensation only adds wear: every cutter has radius
+  /// 0, whatever program and tool table say, unless `radii` name it.
+  bool wear_only = false;
+  bool simulate_cut_off = false;  ///< a program that the limits cut off is simulated all the same
 
   bool operator==(const ReadOptions&) const = default;
 };

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/program/heidenhain/heidenhain_iso_reader.h"
@@ -57,13 +59,28 @@ Program read_as(Dialect dialect, std::shared_ptr<const SourceText> source, const
   }
 }
 
+/// In front: it says more about the program than all that follow from it.
+void say_foreign(Program& program, const ForeignLanguage& language) {
+  program.diagnostics.insert(
+      program.diagnostics.begin(),
+      {Severity::error, language.line, 0, "unsupported-control",
+       fmt::format("this is a program for {}, which is not supported", language.title),
+       fmt::format("it is read as ISO and the path shown may be wrong: {}; name a dialect with --dialect to "
+                   "read it as that one",
+                   language.meaning)});
+}
+
 }  // namespace
 
 Program read_program(std::shared_ptr<const SourceText> source, Progress* progress,
                      const ReadOptions& options) {
   ReadOptions resolved = options;
   resolved.dialect = options.dialect.value_or(recognise(*source));
+  const std::optional<ForeignLanguage> foreign = options.dialect ? std::nullopt : recognise_foreign(*source);
   Program program = read_as(*resolved.dialect, std::move(source), resolved, progress);
+  if (foreign) {
+    say_foreign(program, *foreign);
+  }
   program.dialect = *resolved.dialect;
   return program;
 }

@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <utility>
 
-#include "core/base/units.h"
 #include "core/program/text/read_fault.h"
 
 namespace feedscope {
@@ -50,14 +49,10 @@ Program Reader::read() {
     } catch (const ReadFault& fault) {
       report(Severity::error, fault.code, 0, fault.column, [&] { return Text{fault.message, fault.hint}; });
     }
-    watch_unit();
   }
   before_finish();
   finish();
   path_.finish();
-  watch_unit();
-  settle_unit();
-  report_assumed_unit();
   report_nothing_read();
   report_text_after_end();
   program_.called_files = files_.all_read();
@@ -75,42 +70,21 @@ bool Reader::within_run_limit() {
   if (lines_run_ <= count + options_.repeat_limit && program_.motions.size() <= most_motions) {
     return true;
   }
+  program_.cut_off = true;
   if (program_.motions.size() > most_motions) {
     report(Severity::error, "run-limit", 1, 0, [&] {
       return Text{
           fmt::format("cycles and curves have made more than {} motions", most_motions),
-          "the rest is left out; check the infeeds of the cycles, or raise the limit with --repeat-limit"};
+          "the rest is skipped; check the infeeds of the cycles, or raise the limit with --repeat-limit"};
     });
     return false;
   }
   report(Severity::error, "run-limit", 0, 0, [&] {
     return Text{
         fmt::format("loops and calls have run {} lines without coming to an end", options_.repeat_limit),
-        "the rest is left out; check the loop's condition, or raise the limit with --repeat-limit"};
+        "the rest is skipped; check the loop's condition, or raise the limit with --repeat-limit"};
   });
   return false;
-}
-
-/// Until there is a motion with a length; what it was written in is the program's unit.
-void Reader::watch_unit() {
-  while (!unit_settled_ && first_motion_ < program_.motions.size()) {
-    if (program_.motions[first_motion_].motion == Motion::dwell) {
-      ++first_motion_;
-    } else {
-      settle_unit();
-    }
-  }
-}
-
-void Reader::settle_unit() {
-  if (unit_settled_) {
-    return;
-  }
-  unit_settled_ = true;
-  using Source = ProgramUnit::Source;
-  program_.unit = {said_unit_.value_or(first_unit()), said_unit_      ? Source::program
-                                                      : options_.unit ? Source::asked
-                                                                      : Source::assumed};
 }
 
 void Reader::run_out() {
@@ -121,7 +95,7 @@ bool Reader::call(std::shared_ptr<const SourceText> text, std::uint32_t line, st
   if (calls_.size() >= options_.call_depth) {
     report(Severity::error, "call-depth", 0, 0, [&] {
       return Text{fmt::format("calls are nested more than {} deep", options_.call_depth),
-                  "this call is left out; check whether the subprogram calls itself, or raise the limit with "
+                  "this call is skipped; check whether the subprogram calls itself, or raise the limit with "
                   "--call-depth"};
     });
     return false;
@@ -185,7 +159,7 @@ std::optional<double> Reader::use_cutter(std::string_view tool, std::optional<do
   if (!cutters_.table_fault().empty()) {
     report(Severity::warning, "tool-table", 0, 0, [&] {
       return Text{cutters_.table_fault(),
-                  "the table beside the program is left aside; mend it, or name another one"};
+                  "the table in the program's folder is not used; correct it, or name another one"};
     });
   } else if (found.source == CutterSource::table) {
     report(Severity::info, "tool-table", 1, 0, [&] {
@@ -195,57 +169,36 @@ std::optional<double> Reader::use_cutter(std::string_view tool, std::optional<do
   return found.source == CutterSource::unknown ? std::nullopt : std::optional(found.radius);
 }
 
-namespace {
-
-CutSize cut_size(const std::vector<MotionBlock>& motions) {
-  Bounds bounds;
-  CutSize cut;
-  const MotionBlock* before = nullptr;
-  for (const MotionBlock& motion : motions) {
-    if (motion.motion == Motion::line || motion.motion == Motion::arc) {
-      if (before != nullptr) {
-        bounds.add(before->target);
-      }
-      bounds.add(motion.target);
-      cut.feed = std::max(cut.feed, motion.feed);
-    }
-    before = &motion;
+void Reader::note_other_axis(std::string_view axis, double target, AxisMotion motion, std::uint32_t column) {
+  auto known = std::find_if(other_axes_.begin(), other_axes_.end(),
+                            [&](const OtherAxis& other) { return other.name == axis; });
+  if (known == other_axes_.end()) {
+    program_.other_axes.emplace_back(axis);
+    known = other_axes_.insert(known, {std::string(axis), {}});
   }
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const double size = bounds.max[axis] - bounds.min[axis];
-    cut.size[axis] = std::isfinite(size) ? size : 0;
-  }
-  return cut;
-}
-
-}  // namespace
-
-/// grbl and printers start in mm whatever the machine; only sizes that look like inches are worth a word.
-void Reader::report_assumed_unit() {
-  if (program_.unit.source != ProgramUnit::Source::assumed || first_motion_ >= program_.motions.size()) {
+  if (std::exchange(known->said[static_cast<std::size_t>(motion)], true)) {
     return;
   }
-  const CutSize cut = cut_size(program_.motions);
-  const bool inches = looks_like_inches(cut);
-  if (options_.dialect == Dialect::grbl && !inches) {
-    return;
-  }
-  std::string hint = "give it as a reading option: --unit mm or --unit inch";
-  if (inches) {
-    hint = fmt::format(
-        "{:.4g} x {:.4g} x {:.4g} mm cut at {:.4g} mm/min at most look like inches; give --unit inch, or "
-        "--unit mm "
-        "if that is right",
-        cut.size.x(), cut.size.y(), cut.size.z(), units::to_mm_min(cut.feed));
-  }
-  log_.add(Severity::warning, "unit-assumed", 0, {program_.motions[first_motion_].line, 0, {}}, [&] {
-    return Text{"the program does not say its unit; mm is used", hint};
+  const Severity severity = motion == AxisMotion::cuts ? Severity::error : Severity::warning;
+  const std::string_view path = motion == AxisMotion::at_tip
+                                    ? "X, Y and Z are those of the tool's tip and shown as programmed"
+                                    : "X, Y and Z are shown as programmed";
+  const int kind = static_cast<int>(motion) + 3 * static_cast<int>(known - other_axes_.begin());
+  report(severity, "unread-axis", kind, column, [&] {
+    return Text{fmt::format("{}{} moves to {}{}, which is not simulated",
+                            axis.find(' ') == std::string_view::npos ? "axis " : "", axis, target,
+                            motion == AxisMotion::positions ? "" : " in a feed move"),
+                fmt::format("{}; the time of this axis is not counted, so the cycle time is too short; "
+                            "reported once",
+                            path)};
   });
 }
 
 std::string Reader::radius_hint(std::string_view tool) {
-  return fmt::format("give it as a reading option, --tool {}=RADIUS, or give a tool table",
-                     CutterRadii::key(tool));
+  return fmt::format(
+      "give it as an import option (--tool {}=RADIUS) or in a tool table, or say that the path is "
+      "already compensated (--wear-only)",
+      CutterRadii::key(tool));
 }
 
 DiagnosticLog::Place Reader::place(std::uint32_t column) const {

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -62,11 +64,6 @@ class Reader {
   void end_program() { end_line_ = shown_line(); }
   bool ended() const { return end_line_ != 0; }
 
-  /// The unit that holds until the program says one.
-  LengthUnit first_unit() const { return options_.unit.value_or(LengthUnit::mm); }
-  /// The program says its unit.
-  void say_unit(LengthUnit unit) { said_unit_ = unit; }
-
   /// Line of the program itself that the line in force was called from, or is.
   std::uint32_t shown_line() const;
   /// The program asks for a tool, by number or name.
@@ -77,6 +74,15 @@ class Reader {
   std::optional<double> use_cutter(std::string_view tool, std::optional<double> programmed);
   /// What to do about a radius that nobody knows, behind "the path shown is the programmed contour; ".
   static std::string radius_hint(std::string_view tool);
+  /// How an axis other than X, Y and Z moves.
+  enum class AxisMotion : std::uint8_t {
+    positions,  ///< on its own, or with a rapid: the path beside it is right
+    cuts,       ///< in a feed move
+    at_tip,     ///< in a feed move whose X, Y and Z are those of the tool's tip
+  };
+  /// It goes to `target`, which is said once of each axis and kind of motion; a name with a blank in it,
+  /// "tool orientation", stands for several axes.
+  void note_other_axis(std::string_view axis, double target, AxisMotion motion, std::uint32_t column);
   /// Counts a block: a line that holds words.
   void count_block() { ++program_.block_count; }
 
@@ -100,10 +106,12 @@ class Reader {
     std::uint32_t times = 0;                 ///< left to run, this one included
   };
 
+  struct OtherAxis {
+    std::string name;
+    std::array<bool, 3> said{};  ///< by AxisMotion
+  };
+
   bool within_run_limit();
-  void watch_unit();
-  void settle_unit();
-  void report_assumed_unit();
   void report_nothing_read();
   void report_text_after_end();
 
@@ -116,9 +124,7 @@ class Reader {
   Cutters cutters_;
   std::shared_ptr<const SourceText> text_;
   std::vector<Call> calls_;
-  std::optional<LengthUnit> said_unit_;
-  std::size_t first_motion_ = 0;  ///< the first of Program::motions with a length, once unit_settled_
-  bool unit_settled_ = false;
+  std::vector<OtherAxis> other_axes_;
   std::uint32_t line_ = 0;
   std::uint32_t next_line_ = 1;
   std::uint32_t end_line_ = 0;  ///< shown; 0: not met

@@ -1,15 +1,12 @@
 #include "core/toolpath/curve.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "core/toolpath/blend_length.h"
 
 namespace feedscope {
 
 namespace {
-
-constexpr double full_turn = 2 * std::numbers::pi;
 
 /// S(u) = c0 + c1 u + c2 u^2 + c3 u^3 of a blend.
 struct Cubic {
@@ -24,22 +21,6 @@ Cubic cubic_of(const CubicBlend& blend) {
   const Vec3 m1 = blend.alpha * (blend.end - blend.corner);
   const Vec3 chord = blend.end - blend.start;
   return {blend.start, m0, 3 * chord - 2 * m0 - m1, m0 + m1 - 2 * chord};
-}
-
-/// Found without looking at the arc's end: its whole circle does, or what is as far from its start as it is
-/// long. Most arcs of a long program do.
-bool lies_within(const Arc& arc, const Bounds& bounds) {
-  const auto holds = [&](const Vec3& low, const Vec3& high) {
-    return (bounds.min.array() <= low.array()).all() && (bounds.max.array() >= high.array()).all();
-  };
-  const Vec3 reach = arc.radius * (arc.x.array().square() + arc.y.array().square()).sqrt();
-  const Vec3 climb = arc.sweep * arc.rise;
-  if (holds(arc.center - reach + climb.cwiseMin(0.0), arc.center + reach + climb.cwiseMax(0.0))) {
-    return true;
-  }
-  const Vec3 start = arc.center + arc.radius * arc.x;
-  const Vec3 far = Vec3::Constant(arc.length());
-  return holds(start - far, start + far);
 }
 
 }  // namespace
@@ -70,33 +51,6 @@ CurvePoint Arc::at(double s) const {
 
 double Arc::curvature() const {
   return radius / (radius * radius + rise.squaredNorm());
-}
-
-void Arc::extend(Bounds& bounds) const {
-  if (lies_within(*this, bounds)) {
-    return;
-  }
-  bounds.add(at(0).position);
-  bounds.add(at(length()).position);
-  for (int axis = 0; axis < 3; ++axis) {
-    // The coordinate's slope by the angle a is radius * swing * cos(a + lead) + rise.
-    const double swing = std::hypot(x[axis], y[axis]);
-    if (std::abs(rise[axis]) >= radius * swing) {
-      continue;
-    }
-    const double lead = std::atan2(x[axis], y[axis]);
-    const double turn = std::acos(-rise[axis] / (radius * swing));
-    for (const double root : {turn - lead, -turn - lead}) {
-      const double first = root - full_turn * std::floor(root / full_turn);
-      if (first > sweep) {
-        continue;
-      }
-      // From turn to turn the same place moves by the rise alone: the first and the last time are enough.
-      const double last = first + full_turn * std::floor((sweep - first) / full_turn);
-      bounds.add(axis, at(first * length_per_radian()).position[axis]);
-      bounds.add(axis, at(last * length_per_radian()).position[axis]);
-    }
-  }
 }
 
 CurvePoint CubicBlend::at(double u) const {

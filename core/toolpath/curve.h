@@ -30,7 +30,6 @@ struct Arc {
   CurvePoint at(double s) const;  ///< 0 <= s <= length()
   /// Curvature of the helix, radius / (radius^2 + |rise|^2) [1/mm].
   double curvature() const;
-  void extend(Bounds& bounds) const;  ///< adds the full extent
 };
 
 /// The cubic Hermite blend of Essid 2019, eq 4-12, from `start` to `end` around `corner`:

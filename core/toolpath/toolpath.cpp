@@ -78,6 +78,7 @@ double Toolpath::length() const {
 Toolpath build_toolpath(const Program& program) {
   Toolpath toolpath;
   toolpath.bounds = program.bounds;
+  toolpath.other_axes = program.other_axes;
   if (!program.path_controls.empty()) {
     toolpath.path_controls = program.path_controls;
   }
@@ -108,7 +109,6 @@ Toolpath build_toolpath(const Program& program) {
       case Motion::arc: {
         const Arc arc =
             arc_between(position, block.target, program.arcs[static_cast<std::size_t>(block.arc)]);
-        arc.extend(toolpath.bounds);
         segment.kind = SegmentKind::arc;
         segment.index = static_cast<std::int32_t>(toolpath.arcs.size());
         segment.length = arc.length();

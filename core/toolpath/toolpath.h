@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -31,7 +32,8 @@ struct Toolpath {
   std::vector<Arc> arcs;
   std::vector<double> dwells;                             ///< times [s]
   std::vector<PathControl> path_controls{PathControl()};  ///< the first is the machine's
-  Bounds bounds;  ///< as Program::bounds, arcs with their full extent [mm]
+  Bounds bounds;                                          ///< as Program::bounds [mm]
+  std::vector<std::string> other_axes;                    ///< as Program::other_axes
 
   const Vec3& start_of(std::size_t i) const { return i == 0 ? start : segments[i - 1].end; }
   const PathControl& path_control_of(std::size_t i) const { return path_controls[segments[i].path_control]; }

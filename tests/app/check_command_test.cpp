@@ -92,16 +92,60 @@ TEST_F(CheckCommand, EndlessLoopsEndAtALimitThatCanBeRaised) {
   EXPECT_THAT(stopped.err, AllOf(HasSubstr("[run-limit]"), HasSubstr("--repeat-limit")));
 }
 
+TEST_F(CheckCommand, AProgramThatWasCutOffIsSimulatedOnlyIfAskedFor) {
+  write("loop.ngc", "G21\no1 while [1]\nG91 G1 X1 F100\no1 endwhile\nM2\n");
+  const Result refused = run("simulate loop.ngc --repeat-limit 30 --json out.json");
+  EXPECT_NE(refused.code, 0);
+  EXPECT_THAT(refused.err, AllOf(HasSubstr("loop.ngc, line"), HasSubstr("--repeat-limit"),
+                                 HasSubstr("--simulate-cut-off")));
+  EXPECT_FALSE(fs::exists(folder_ / "out.json"));
+  const Result asked = run("simulate loop.ngc --repeat-limit 30 --simulate-cut-off --json -");
+  EXPECT_EQ(asked.code, 1) << "the program has an error";
+  EXPECT_GT(json::parse(asked.out)["cycle_time_s"].get<double>(), 0);
+}
+
+TEST_F(CheckCommand, PathsThatAreCompensatedNeedNoRadius) {
+  write("part.nc", "G21 G17\nG42 D7 G1 X10 F600\nX20\nX30\n");
+  const Result wear = run("check part.nc --dialect fanuc --wear-only");
+  EXPECT_EQ(wear.code, 0) << wear.err;
+  EXPECT_THAT(wear.out, HasSubstr("7 (line 2): radius 0 mm (asked for)"));
+}
+
+TEST_F(CheckCommand, TellsExtentsWithArcsCuttingAndRapidApart) {
+  write("circle.nc", "G21 G0 X50 Y0 Z5\nG1 Z0 F500\nG2 I-50\nG0 Z80\n");
+  EXPECT_THAT(
+      run("check circle.nc").out,
+      AllOf(HasSubstr("-50.0000 to 50.0000 mm; cutting -50.0000 to 50.0000 mm; rapid 50.0000 to 50.0000 mm"),
+            HasSubstr("0.0000 to 80.0000 mm; cutting 0.0000 to 5.0000 mm; rapid 0.0000 to 80.0000 mm")));
+  const json program = json::parse(run("check circle.nc --json -").out)["program"];
+  EXPECT_EQ(program["bounds"]["min"][1], -50);
+  EXPECT_EQ(program["cutting_bounds"]["max"][2], 5);
+  EXPECT_EQ(program["rapid_bounds"]["min"][0], 50);
+}
+
+TEST_F(CheckCommand, SaysOnceWhatAppliesToManyLines) {
+  std::string text = "G21 F100\n";
+  for (int i = 0; i < 40; ++i) {
+    text += "G1 X" + std::to_string(i) + " X1\n";
+  }
+  write("twice.nc", text);
+  const Result result = run("check twice.nc");
+  std::size_t messages = 0;
+  for (std::size_t at = result.err.find("[duplicate-word]"); at != std::string::npos;
+       at = result.err.find("[duplicate-word]", at + 1)) {
+    ++messages;
+  }
+  EXPECT_EQ(messages, 1U) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("also in lines 3, 4, 5"));
+  EXPECT_THAT(result.err, HasSubstr("30 more up to line 41"));
+}
+
 TEST_F(CheckCommand, ToleranceReplacesTheProgramsOwnAndSaysSo) {
-  write("control.ngc", "G21 G64 P0.2\nG1 X10 F3000\nY10\n");
+  write("control.ngc", "G64 P0.2\nG1 X10 F3000\nY10\n");
   const Result own = run("simulate control.ngc --json - --blends blends.csv");
-  EXPECT_EQ(
-      own.err,
-      "feedscope: note: The program is written for LinuxCNC, but Spinner MVC 850 has a Siemens Sinumerik "
-      "840D: path and times are those of that control. No published machine has a LinuxCNC control; use a "
-      "machine file of your own.\n"
-      "feedscope: note: model 'essid': Compaction that the program asks for is not followed: "
-      "short blocks are not joined.\n");
+  EXPECT_EQ(own.err,
+            "feedscope: note: model 'essid': Compaction that the program asks for is not followed: "
+            "short blocks are not joined.\n");
   EXPECT_NEAR(json::parse(own.out)["max_corner_distance_mm"].get<double>(), 0.16, 1e-9);
   const Result replaced = run("simulate control.ngc --tolerance 0.05 --json -");
   EXPECT_THAT(replaced.err, HasSubstr("note: --tolerance replaces the program's own path control"));

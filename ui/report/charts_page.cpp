@@ -8,7 +8,6 @@
 #include <QVBoxLayout>
 
 #include "ui/language/core_texts.h"
-#include "ui/models/reading_faults.h"
 
 namespace feedscope::ui {
 
@@ -17,13 +16,9 @@ namespace {
 QString title_of(const Run& run) {
   const QString file = program_file_name(*run.input.program);
   const QString time = QLocale().toString(run.trajectory->duration(), 'f', 3);
-  const QString faults = reading_faults_text(*run.input.program);
-  return QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4 s%5")
+  return QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4 s")
       .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
-           core_text(run.setup.model->info().title).toHtmlEscaped(), time,
-           faults.isEmpty()
-               ? QString()
-               : QStringLiteral(" &nbsp; <span style=\"color:#c62818\"><b>%1</b></span>").arg(faults));
+           core_text(run.setup.model->info().title).toHtmlEscaped(), time);
 }
 
 }  // namespace

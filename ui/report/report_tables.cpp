@@ -15,10 +15,18 @@ namespace {
 
 constexpr qsizetype most_ranges = 40;  // of path control that are listed
 
-QString extent_text(double from, double to) {
+QString range_text(const Bounds& bounds, int axis) {
+  const double from = bounds.min[axis];
+  const double to = bounds.max[axis];
   return std::isfinite(from) && std::isfinite(to)
              ? QStringLiteral("%1 to %2 mm").arg(fixed(from, 3), fixed(to, 3))
              : QStringLiteral("not programmed");
+}
+
+QString extent_text(const ProgramFacts& facts, int axis) {
+  return QStringLiteral("%1; cutting %2; rapid %3")
+      .arg(range_text(facts.bounds, axis), range_text(facts.cutting_bounds, axis),
+           range_text(facts.rapid_bounds, axis));
 }
 
 QString tools_text(const Program& program) {
@@ -62,7 +70,6 @@ QString program_facts_block(const ReportInput& input) {
   };
   add("File", html_text(program.source->name()));
   add("Language", html_text(std::string(info_of(program.dialect).title)));
-  add("Unit", html_text(describe(program.unit)));
   add("Size", QStringLiteral("%1 lines, %2 blocks run").arg(facts.lines).arg(program.block_count));
   add("Segments", QStringLiteral("%1: %2 lines, %3 arcs, %4 dwells")
                       .arg(facts.segments)
@@ -71,7 +78,7 @@ QString program_facts_block(const ReportInput& input) {
                       .arg(facts.dwells));
   for (int axis = 0; axis < 3; ++axis) {
     table.add({QStringLiteral("Extent of %1").arg(QChar(axis_names[static_cast<std::size_t>(axis)])),
-               extent_text(facts.bounds.min[axis], facts.bounds.max[axis])});
+               extent_text(facts, axis)});
   }
   add("Path length", QStringLiteral("%1 mm, %2 mm of it rapid")
                          .arg(fixed(facts.path_length, 3), fixed(facts.rapid_length, 3)));
@@ -99,18 +106,21 @@ QString program_facts_block(const ReportInput& input) {
 
 QString messages_block(const ReportInput& input) {
   constexpr std::size_t most = 50;
-  const std::vector<Diagnostic>& messages = input.program().program->diagnostics;
+  const std::vector<RepeatedDiagnostic> messages = without_repeats(input.program().program->diagnostics);
   HtmlTable table("lrl", {12, 10, 78});
   table.add_head({QStringLiteral("Severity"), QStringLiteral("Line"), QStringLiteral("Message")});
-  for (const Diagnostic& message : messages) {
-    if (&message - messages.data() == most) {
+  for (const RepeatedDiagnostic& repeated : messages) {
+    if (&repeated - messages.data() == most) {
       table.add({{}, {}, QStringLiteral("and %1 more").arg(messages.size() - most)});
       break;
     }
+    const Diagnostic& message = *repeated.first;
+    const std::string repeats = repeats_text(repeated);
+    const QString also = repeats.empty() ? QString() : QStringLiteral("; %1").arg(html_text(repeats));
     const QString hint =
         message.hint.empty() ? QString() : QStringLiteral(" (%1)").arg(html_text(message.hint));
     const QString line = message.line == 0 ? QString() : QString::number(message.line);
-    table.add({severity_text(message.severity), line, html_text(message.message) + hint});
+    table.add({severity_text(message.severity), line, html_text(message.message) + hint + also});
   }
   return table.empty() ? QString() : table.html();
 }

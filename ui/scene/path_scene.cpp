@@ -1,5 +1,6 @@
 #include "ui/scene/path_scene.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
@@ -15,7 +16,6 @@
 #include "ui/scene/draw/captions.h"
 #include "ui/scene/draw/pointers.h"
 #include "ui/scene/path/pick.h"
-#include "ui/scene/render_callback.h"
 
 namespace feedscope::ui {
 
@@ -25,6 +25,13 @@ constexpr double largest_exaggeration = 1000;
 constexpr double cube_half = 24;    // [pixels]
 constexpr double cube_height = 98;  // of its centre, above the lower edge
 constexpr int layer_count = 3;
+
+void call_before(vtkRenderer& renderer, void* data, void (*call)(vtkObject*, unsigned long, void*, void*)) {
+  const vtkNew<vtkCallbackCommand> before;
+  before->SetClientData(data);
+  before->SetCallback(call);
+  renderer.AddObserver(vtkCommand::StartEvent, before);
+}
 
 }  // namespace
 
@@ -284,11 +291,6 @@ void PathScene::set_run_colour(const Rgb& colour) {
     impl_->look.run = colour;
     impl_->apply_look();
   }
-}
-
-void PathScene::set_warning(const std::string& text) {
-  impl_->texts.warning = text;
-  impl_->changed();
 }
 
 void PathScene::set_comparison(const std::string& reference, std::shared_ptr<const SampledPath> alike) {

@@ -14,8 +14,7 @@ class QTableWidget;
 
 namespace feedscope::ui {
 
-/// Asks how a program is to be read: its language and unit, blocks with "/", limits of loops and calls,
-/// cutter radii.
+/// Asks how a program is to be read: its language, blocks with "/", limits of loops and calls, cutter radii.
 class ReadingDialog : public QDialog {
   Q_OBJECT
 
@@ -31,7 +30,6 @@ class ReadingDialog : public QDialog {
  private:
   void make_layout();
   void list_dialects(const Program* program);
-  void list_units(const Program* program);
   void list_cutters(const ReadOptions& options, const Program* program);
   void add_cutter(const std::string& tool, std::optional<double> own, const QString& source);
   void show_options(const ReadOptions& options);
@@ -40,13 +38,14 @@ class ReadingDialog : public QDialog {
   QString fault() const;
 
   QComboBox* dialect_;
-  QComboBox* unit_;
   QCheckBox* skip_deleted_;
   QSpinBox* repeat_limit_;
   QSpinBox* call_depth_;
+  QCheckBox* simulate_cut_off_;
+  QCheckBox* wear_only_;
   QTableWidget* cutters_;
   QLineEdit* tool_table_;
-  QComboBox* table_unit_;
+  QComboBox* unit_;
   QLabel* fault_;
   QDialogButtonBox* buttons_;
 };

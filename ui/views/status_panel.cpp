@@ -77,18 +77,23 @@ void StatusPanel::count_diagnostics() {
   if (program == nullptr) {
     return;
   }
-  const auto errors = std::ranges::count(program->diagnostics, Severity::error, &Diagnostic::severity);
-  const auto others = static_cast<std::ptrdiff_t>(program->diagnostics.size()) - errors;
+  const auto errors = count_of(program->diagnostics, Severity::error);
+  const auto warnings = count_of(program->diagnostics, Severity::warning);
+  const auto notes = count_of(program->diagnostics, Severity::info);
   QStringList parts;
   if (errors > 0) {
     parts.append(errors == 1 ? tr("1 error") : tr("%1 errors").arg(errors));
   }
-  if (others > 0) {
-    parts.append(others == 1 ? tr("1 warning") : tr("%1 warnings").arg(others));
+  if (warnings > 0) {
+    parts.append(warnings == 1 ? tr("1 warning") : tr("%1 warnings").arg(warnings));
+  }
+  if (parts.isEmpty()) {
+    parts.append(notes == 1 ? tr("1 note") : tr("%1 notes").arg(notes));
   }
   diagnostics_->setText(parts.join(QStringLiteral(", ")));
-  diagnostics_->setIcon(
-      style()->standardIcon(errors > 0 ? QStyle::SP_MessageBoxCritical : QStyle::SP_MessageBoxWarning));
+  diagnostics_->setIcon(style()->standardIcon(errors > 0     ? QStyle::SP_MessageBoxCritical
+                                              : warnings > 0 ? QStyle::SP_MessageBoxWarning
+                                                             : QStyle::SP_MessageBoxInformation));
 }
 
 QString StatusPanel::cause_text(const State& state) {

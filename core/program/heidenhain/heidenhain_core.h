@@ -41,7 +41,7 @@ class HeidenhainCore : public Reader {
     log().add(severity, code, detail, spot(column), text);
   }
   DiagnosticLog::Place spot(std::uint32_t column) const;
-  BlockPlace contour_place(std::uint32_t column, std::uint8_t axes) const;
+  ContourPlace contour_place(std::uint32_t column, std::uint8_t axes) const;
 
   /// Lengths and feeds as written, in mm and mm/s.
   double to_mm(double value) const { return value * unit_; }
@@ -77,7 +77,9 @@ class HeidenhainCore : public Reader {
   void m_word(Scanner& scanner, std::uint32_t column, MotionWords& words);
   /// Only M functions.
   void run_functions(const MotionWords& words);
-  void check_rotary(char letter, double value, bool incremental, std::uint32_t column);
+  /// A word of A B C U V W.
+  static void set_other_axis(char letter, double value, bool incremental, std::uint32_t column,
+                             MotionWords& words);
   /// What is held back is written, and what follows is of this line.
   void end_contour(std::uint32_t column);
   /// [1/min]; 0: none yet.
@@ -209,6 +211,7 @@ class HeidenhainCore : public Reader {
   Vec3 polar_target(const MotionWords& words);
   /// Says which word of the block no motion of this kind has.
   void check_words(PathKind kind, const MotionWords& words);
+  void move_other_axes(const MotionWords& words);
   int turn_of(const MotionWords& words);
   bool has_pole(std::uint32_t column);
   void apply_feed(const MotionWords& words);
@@ -261,8 +264,7 @@ class HeidenhainCore : public Reader {
   int last_turn_ = 0;
   bool modal_cycle_ = false;              ///< M89
   std::uint8_t programmed_axes_ = 0;      ///< X Y Z that had an absolute coordinate, a bit each
-  std::array<double, 6> further_axes_{};  ///< A B C U V W as written
-  std::uint32_t reported_axes_ = 0;
+  std::array<double, 6> other_places_{};  ///< of A B C U V W as written
 
   CutterRadii defined_radii_;  ///< by TOOL DEF
   std::string tool_;

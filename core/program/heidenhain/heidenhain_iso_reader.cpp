@@ -297,7 +297,7 @@ void HeidenhainIsoReader::read_coordinate(Scanner& scanner, char letter, std::ui
     case 'U':
     case 'V':
     case 'W':
-      check_rotary(letter, value(), incremental_, column);
+      set_other_axis(letter, value(), incremental_, column, words);
       return;
     default:
       throw_unread_words(scanner, "a block");

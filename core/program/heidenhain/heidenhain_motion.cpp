@@ -13,6 +13,7 @@ namespace feedscope {
 namespace {
 
 constexpr std::string_view straight_instead = "a straight line to the end is taken instead";
+constexpr std::string_view other_axes = "ABCUVW";
 
 /// Both axes of the plane, a bit each.
 std::uint8_t bits_of(Plane plane) {
@@ -43,6 +44,7 @@ void HeidenhainCore::check_words(PathKind kind, const MotionWords& words) {
 
 void HeidenhainCore::run_path(PathKind kind, const MotionWords& words) {
   check_words(kind, words);
+  move_other_axes(words);
   start_functions(words);
   apply_feed(words);
   apply_side(words);
@@ -423,19 +425,29 @@ bool HeidenhainCore::leaves_out_machine_position(const MotionWords& words) {
   return true;
 }
 
-void HeidenhainCore::check_rotary(char letter, double value, bool incremental, std::uint32_t column) {
-  constexpr std::string_view letters = "ABCUVW";
-  const std::size_t i = letters.find(letter);
-  const double target = incremental ? further_axes_[i] + value : value;
-  const bool said = (reported_axes_ >> i & 1U) != 0;
-  if (target != further_axes_[i] && !said) {
-    reported_axes_ |= 1U << i;
-    report(Severity::error, "unread-axis", letter, column, [&] {
-      return Text{fmt::format("axis {} moves to {}, which is not read", letter, target),
-                  "X, Y and Z are shown as programmed; this is said once"};
-    });
+void HeidenhainCore::set_other_axis(char letter, double value, bool incremental, std::uint32_t column,
+                                    MotionWords& words) {
+  const std::size_t i = other_axes.find(letter);
+  words.other_axes[i] = {value, true, incremental};
+  words.other_columns[i] = column;
+  words.has_other_axes = true;
+}
+
+void HeidenhainCore::move_other_axes(const MotionWords& words) {
+  if (!words.has_other_axes) {
+    return;
   }
-  further_axes_[i] = target;
+  const bool moves = words.has_axes() || words.has_polar();
+  for (std::size_t i = 0; i < other_axes.size(); ++i) {
+    const bool rotary = i < 3;
+    const double target = words.other_axes[i].from(other_places_[i]);
+    if (target != other_places_[i]) {
+      const bool positions = rotary && (!moves || words.feed_word == FeedWord::rapid);
+      note_other_axis(other_axes.substr(i, 1), target, positions ? AxisMotion::positions : AxisMotion::cuts,
+                      words.other_columns[i]);
+    }
+    other_places_[i] = target;
+  }
 }
 
 }  // namespace feedscope

@@ -110,7 +110,7 @@ bool HeidenhainReader::axis_word(Scanner& scanner, char letter, bool incremental
         return true;
       }
       take(1);
-      check_rotary(letter, formulas().read_value(scanner), incremental, column);
+      set_other_axis(letter, formulas().read_value(scanner), incremental, column, words);
       return true;
     default:
       return false;

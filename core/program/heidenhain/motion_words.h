@@ -30,6 +30,9 @@ struct OptionalWord {
 /// in rad.
 struct MotionWords {
   std::array<OptionalWord, 3> axes;
+  std::array<OptionalWord, 6> other_axes;  ///< A B C U V W
+  std::array<std::uint32_t, 6> other_columns{};
+  bool has_other_axes = false;
   OptionalWord polar_radius;
   OptionalWord polar_angle;
   std::optional<double> radius;        ///< R of an arc, rounding or approach

@@ -294,6 +294,17 @@ const FlowIndex::Statement* FlowIndex::at(std::uint32_t line) const {
   return found == statements_.end() || found->line != line ? nullptr : &*found;
 }
 
+std::vector<std::uint32_t> FlowIndex::subs_within(const Statement& statement) const {
+  std::vector<std::uint32_t> lines;
+  for (const Statement* inner = &statement + 1;
+       inner != statements_.data() + statements_.size() && inner->line < statement.end; ++inner) {
+    if (inner->word == FlowWord::sub) {
+      lines.push_back(inner->line);
+    }
+  }
+  return lines;
+}
+
 std::uint32_t FlowIndex::sub(const std::string& label) const {
   const auto found = subs_.find(label);
   return found == subs_.end() ? 0 : found->second;

@@ -60,6 +60,8 @@ class FlowIndex {
 
   /// The flow statement in a line; nullptr if there is none.
   const Statement* at(std::uint32_t line) const;
+  /// Lines of the "sub" within the sub that `statement` opens.
+  std::vector<std::uint32_t> subs_within(const Statement& statement) const;
   /// Line of "o<label> sub"; 0: none.
   std::uint32_t sub(const std::string& label) const;
   /// Line of an O number that begins a program; 0: none.

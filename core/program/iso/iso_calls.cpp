@@ -76,8 +76,8 @@ void IsoReader::call_subprogram(const Word& word) {
     found = find_program(number);
   }
   if (found.text == nullptr) {
-    report_missing(fmt::format("M98 calls program {:.0f}", number), fmt::format("O{:04.0f}", number),
-                   program.column);
+    report_missing(fmt::format("M{} calls program {:.0f}", word.value, number),
+                   fmt::format("O{:04.0f}", number), program.column);
     return;
   }
   enter(found, times, std::nullopt);
@@ -89,15 +89,16 @@ void IsoReader::call_named_file(const Word& word) {
   const std::size_t from = line.find('(', word.column);
   const std::size_t to = line.find(')', from == std::string_view::npos ? 0 : from);
   if (from == std::string_view::npos || to == std::string_view::npos) {
-    report(Severity::error, "subprogram", 1, word.column, [] {
-      return Text{"M98 without P", "nothing is called; write P with the number of the subprogram"};
+    report(Severity::error, "subprogram", 1, word.column, [&] {
+      return Text{fmt::format("M{} without P", word.value),
+                  "nothing is called; write P with the number of the subprogram"};
     });
     return;
   }
   const std::string name = std::filesystem::path(line.substr(from + 1, to - from - 1)).filename().string();
   const std::shared_ptr<const SourceText> file = subprogram_files().find({name, name + ".nc"});
   if (file == nullptr) {
-    report_missing(fmt::format("M98 calls file {}", quoted(std::string_view(name))), name,
+    report_missing(fmt::format("M{} calls file {}", word.value, quoted(std::string_view(name))), name,
                    static_cast<std::uint32_t>(from + 1));
     return;
   }
@@ -167,8 +168,8 @@ double IsoReader::repeats_of_block() {
 
 void IsoReader::report_missing(const std::string& who, const std::string& file, std::uint32_t column) {
   report(Severity::error, "subprogram", 0, column, [&] {
-    return Text{fmt::format("{}, which is neither in the program nor a file beside it", who),
-                fmt::format("its motion is left out; put it beside the program as {}", file)};
+    return Text{fmt::format("{}, which is neither in the program nor a file in its folder", who),
+                fmt::format("its motion is missing; put it into the program's folder as {}", file)};
   });
 }
 

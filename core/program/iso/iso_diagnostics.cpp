@@ -69,18 +69,18 @@ void IsoReader::check_rotary() {
   if (words_.own_words || words_.dwell > 0 || !words_.has_any(axes)) {
     return;
   }
+  const bool cuts = state_.motion == MotionMode::line || state_.motion == MotionMode::arc_cw ||
+                    state_.motion == MotionMode::arc_ccw || state_.motion == MotionMode::spline;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!words_.has(axes[i])) {
       continue;
     }
     const Word& word = words_[axes[i]];
     const double target = state_.incremental ? state_.further_axes[i] + word.value : word.value;
-    if (target != state_.further_axes[i] && (rotary_axes_said_ >> i & 1U) == 0) {
-      rotary_axes_said_ |= 1U << i;
-      report(Severity::error, "unread-axis", axes[i], word.column, [&] {
-        return Text{fmt::format("axis {} moves to {}, which is not read", axes[i], target),
-                    "X, Y and Z are shown as programmed; this is said once"};
-      });
+    if (target != state_.further_axes[i]) {
+      const bool rotary = i < 3;
+      note_other_axis(axes.substr(i, 1), target, rotary && !cuts ? AxisMotion::positions : AxisMotion::cuts,
+                      word.column);
     }
     state_.further_axes[i] = target;
   }
@@ -94,7 +94,6 @@ void IsoReader::check_unused() {
     return;
   }
   if (words_.has('E')) {
-    is_printer_ = is_printer_ || dialect_ == Dialect::grbl;
     report(Severity::info, "unused-word", 'E', words_['E'].column, [] {
       return Text{"E (extruder) is not read", "it does not change the path"};
     });

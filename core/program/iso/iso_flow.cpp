@@ -112,8 +112,8 @@ void IsoReader::report_rest(Scanner& scan) {
     return;
   }
   report(Severity::error, "unread-statement", 1, scan.column(), [&] {
-    return Text{fmt::format("{} stands behind a statement", quoted(scan.rest())),
-                "it is left out; write it in a line of its own"};
+    return Text{fmt::format("{} follows a statement", quoted(scan.rest())),
+                "it is skipped; write it in a line of its own"};
   });
   leave_line(scan);
 }
@@ -166,6 +166,7 @@ void IsoReader::run_o_word(FlowWord word, const std::string& label, std::uint32_
   const FlowIndex::Statement& statement = *found;
   switch (word) {
     case FlowWord::sub:
+      report_nested_subs(statement);
       jump_to(statement.end + 1);
       break;
     case FlowWord::endsub:
@@ -213,6 +214,17 @@ void IsoReader::run_o_word(FlowWord word, const std::string& label, std::uint32_
     case FlowWord::macro_end:
     case FlowWord::none:
       break;
+  }
+}
+
+void IsoReader::report_nested_subs(const FlowIndex::Statement& statement) {
+  for (const std::uint32_t inner : flow_index(text()).subs_within(statement)) {
+    DiagnosticLog::Place there = place(0);
+    there.line = inner;
+    log().add(Severity::error, "flow-pair", 1, there, [&] {
+      return Text{fmt::format("a sub within the sub of line {}", statement.line),
+                  "LinuxCNC rejects the program; write one subprogram after the other"};
+    });
   }
 }
 
@@ -294,11 +306,25 @@ bool IsoReader::run_macro_statement(Scanner& scan) {
     }
     if (statement->word == FlowWord::macro_end) {
       jump_to(statement->begin);
-    } else if (is_while) {
-      begin_loop(condition(scan), *statement);
+      scan.number();
+      return true;
+    }
+    const bool holds = !is_while || condition(scan);
+    if (is_while) {
+      begin_loop(holds, *statement);
       scan.take_keyword("DO");
     }
     scan.number();
+    // What the line holds behind DO belongs to the loop.
+    if (!holds) {
+      leave_line(scan);
+    } else if (scan.take_keyword("IF")) {
+      run_if(scan);
+    } else if (take_macro_word(scan, "GOTO")) {
+      go_to(scan);
+    } else if (!scan.at_end() && scan.peek() != '%') {
+      run_items(scan);
+    }
     return true;
   }
   if (scan.take_keyword("IF")) {

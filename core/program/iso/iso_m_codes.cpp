@@ -22,14 +22,6 @@ void IsoReader::apply_m(const Word& word) {
     case 6:
       state_.tool = words_.has('T') ? words_['T'].value : state_.selected_tool;
       break;
-    case 82:
-    case 83:
-    case 104:
-    case 109:
-    case 140:
-    case 190:
-      is_printer_ = is_printer_ || dialect_ == Dialect::grbl;
-      break;
     case 70:
     case 71:
     case 72:

@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 
+#include "core/base/units.h"
 #include "core/program/iso/iso_reader.h"
+#include "core/program/iso/printer_words.h"
 
 namespace feedscope {
 
@@ -12,6 +15,12 @@ namespace {
 constexpr std::string_view axis_letters = "XYZ";
 constexpr std::string_view center_letters = "IJK";
 constexpr std::string_view straight_instead = "a straight line to the end is taken instead";
+
+/// Its interpreter takes 2 sqrt(2) of 0.01 mm or 0.001 inch, or 0.1 %, but not a hundred times the former.
+ArcTolerance linuxcnc_tolerance(bool inch) {
+  const double least = 2 * std::numbers::sqrt2 * (inch ? units::from_inch(0.001) : 0.01);
+  return {least, 0.001, 100 * least};
+}
 
 }  // namespace
 
@@ -130,10 +139,17 @@ void IsoReader::cut_corner(bool at_line_or_arc) {
   path().cut_next_corner(cut, state_.plane);
 }
 
+bool IsoReader::is_printer() {
+  if (!is_printer_) {
+    is_printer_ = dialect_ == Dialect::grbl && is_for_printer(*main_text());
+  }
+  return *is_printer_;
+}
+
 void IsoReader::dwell() {
   constexpr double shortest_plain_p = 50;
   for (const char letter : {'P', 'X', 'U', 'F', 'S'}) {
-    if (!words_.has(letter) || (letter == 'S' && !is_printer_)) {
+    if (!words_.has(letter) || (letter == 'S' && !is_printer())) {
       continue;
     }
     const Word& word = words_[letter];
@@ -144,11 +160,19 @@ void IsoReader::dwell() {
       return;
     }
     const bool milliseconds =
-        letter == 'P' && (is_printer_ || (!word.has_point && !follows_linuxcnc(dialect_)));
+        letter == 'P' && (is_printer() || (!word.has_point && !follows_linuxcnc(dialect_)));
     if (milliseconds && dialect_ == Dialect::iso && word.value > 0 && word.value < shortest_plain_p) {
       report(Severity::info, "dwell-unit", 0, word.column, [&] {
         return Text{fmt::format("P{0} without a decimal point is taken as {0} milliseconds", word.value),
                     fmt::format("write P{}.0 for seconds", word.value)};
+      });
+    }
+    const bool long_seconds = letter == 'P' && !milliseconds && !word.has_point &&
+                              dialect_ == Dialect::grbl && word.value >= shortest_plain_p;
+    if (long_seconds) {
+      report(Severity::info, "dwell-unit", 1, word.column, [&] {
+        return Text{fmt::format("P{0} is taken as {0} seconds, as grbl does", word.value),
+                    fmt::format("for a control that takes milliseconds, write P{}", word.value / 1000)};
       });
     }
     if (word.value > 0) {
@@ -185,6 +209,9 @@ void IsoReader::arc(const Vec3& target) {
     path().arc_by_radius(request);
   } else {
     check_center_axis();
+    if (dialect_ == Dialect::linuxcnc) {
+      request.tolerance = linuxcnc_tolerance(state_.inch);
+    }
     request.center = center_of_block(state_.absolute_centers);
     request.other_center = center_of_block(!state_.absolute_centers);
     request.other_reading = state_.absolute_centers ? "an offset (G91.1)" : "a position (G90.1)";

@@ -44,6 +44,7 @@ void IsoReader::apply_path_control(const GCode& code) {
       break;
     case 51:
       switched('Q', 1);
+      report_precision_level();
       break;
     case 80:
       switched('P', 1);
@@ -52,6 +53,18 @@ void IsoReader::apply_path_control(const GCode& code) {
       break;
   }
   path().set_path_control(control);
+}
+
+/// R of G5.1: a parameter set of the control, from speed (1) to accuracy (10).
+void IsoReader::report_precision_level() {
+  if (words_.has('R')) {
+    const Word& word = words_['R'];
+    report(Severity::info, "unused-word", 'R', word.column, [&] {
+      return Text{fmt::format("R{} of G5.1 (machining condition from speed to accuracy) is not supported",
+                              word.value),
+                  "its parameters are in the control only; set acceleration and jerk of the machine instead"};
+    });
+  }
 }
 
 std::optional<double> IsoReader::tolerance(char letter, std::string_view of) {

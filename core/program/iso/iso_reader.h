@@ -98,6 +98,8 @@ class IsoReader : public Reader, private VariableSource {
 
   void move();
   void dwell();
+  /// The words are those of a printer or plotter, not of grbl.
+  bool is_printer();
   void arc(const Vec3& target);
   double extra_turns();
   void check_center_axis();
@@ -161,6 +163,7 @@ class IsoReader : public Reader, private VariableSource {
   void report_rest(Scanner& scan);
   /// What else stands in the line has no effect.
   static void leave_line(Scanner& scan);
+  void report_nested_subs(const FlowIndex::Statement& statement);
   void begin_branch(bool holds, const FlowIndex::Statement& statement);
   void begin_repeat(Scanner& scan, const FlowIndex::Statement& statement);
   void end_repeat(const FlowIndex::Statement& statement);
@@ -239,6 +242,7 @@ class IsoReader : public Reader, private VariableSource {
   void set_tolerances(PathControl& control);
   std::optional<double> tolerance(char letter, std::string_view of);
   void move_to_exact_stop();
+  void report_precision_level();
 
   // What G words other than those of motion do with the block's words: iso_functions.cpp.
   void add_function(int code, std::uint32_t column);
@@ -321,9 +325,8 @@ class IsoReader : public Reader, private VariableSource {
 
   Dialect dialect_;
   Lexer lexer_;
-  Lexer argument_lexer_;                ///< for arguments of macros
-  bool is_printer_ = false;             ///< M or E words of printers were met
-  std::uint32_t rotary_axes_said_ = 0;  ///< bit per letter
+  Lexer argument_lexer_;            ///< for arguments of macros
+  std::optional<bool> is_printer_;  ///< once a dwell has asked
   ModalState state_;
   Nurbs nurbs_;
   IsoCoordinates coordinates_;

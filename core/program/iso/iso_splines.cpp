@@ -37,6 +37,14 @@ void IsoReader::begin_spline(const GCode& code, const Word& word) {
   }
   if (code.number == fanuc_nurbs) {
     end_nurbs();
+    if (dialect_ == Dialect::linuxcnc && (words_.has('Q') || !words_.has('K'))) {
+      report(Severity::error, "spline-words", 'Q', word.column, [] {
+        return Text{"G6.2 as LinuxCNC has it (weights P, no knots K) is not supported",
+                    "positions are skipped up to the next G0 to G3; write G5.2 and G5.3"};
+      });
+      state_.motion = MotionMode::unread;
+      return;
+    }
   }
   const bool goes_on = state_.motion == MotionMode::spline && state_.spline.code == code.number;
   state_.motion = MotionMode::spline;

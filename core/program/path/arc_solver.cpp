@@ -51,12 +51,8 @@ ArcSolution two_arcs(const Vec3& start, const Vec3& end, const Vec3& center, con
 
 }  // namespace
 
-double arc_tolerance(double radius) {
-  return std::min(std::max(0.01, 0.001 * radius), 0.5);
-}
-
 ArcSolution solve_center_arc(const Vec3& start, const Vec3& end, const Vec3& center, const Vec3& axis,
-                             double extra_turns) {
+                             double extra_turns, const ArcTolerance& tolerance) {
   const Vec3 from = in_plane(start - center, axis);
   const Vec3 to = in_plane(end - center, axis);
   const Vec3 chord = to - from;
@@ -66,7 +62,7 @@ ArcSolution solve_center_arc(const Vec3& start, const Vec3& end, const Vec3& cen
   ArcSolution solution;
   if (start_radius <= same_point) {
     solution.fault = ArcFault::center_at_start;
-  } else if (std::abs(start_radius - end_radius) > arc_tolerance(std::max(start_radius, end_radius))) {
+  } else if (std::abs(start_radius - end_radius) > tolerance.of(std::max(start_radius, end_radius))) {
     solution.fault = ArcFault::radius_mismatch;
   } else if (chord.norm() <= same_point) {
     solution = one_arc(end, level_center, axis, 1 + extra_turns);
@@ -74,7 +70,7 @@ ArcSolution solve_center_arc(const Vec3& start, const Vec3& end, const Vec3& cen
     const Vec3 along = chord.normalized();
     const Vec3 shift = along.dot(from + to) / 2 * along;
     const double sweep = sweep_between(from, to, axis);
-    solution = sweep > half_turn && shift.norm() > arc_tolerance(start_radius)
+    solution = sweep > half_turn && shift.norm() > tolerance.of(start_radius)
                    ? two_arcs(start, end, level_center, axis, sweep, extra_turns)
                    : one_arc(end, level_center + shift, axis, extra_turns);
   }
@@ -91,7 +87,7 @@ ArcSolution solve_radius_arc(const Vec3& start, const Vec3& end, double radius, 
   ArcSolution solution;
   if (2 * half_chord <= same_point) {
     solution.fault = ArcFault::same_ends;
-  } else if (half_chord - size > arc_tolerance(size)) {
+  } else if (half_chord - size > ArcTolerance().of(size)) {
     solution.fault = ArcFault::radius_too_small;
   } else {
     const double height = std::sqrt(std::max(0.0, (size - half_chord) * (size + half_chord)));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -30,8 +31,15 @@ struct ArcSolution {
   double end_radius = 0;    ///< the same at the end; for R half the distance of the ends [mm]
 };
 
-/// Start and end radius may differ by max(0.01 mm, 0.1 % of the radius), at most 0.5 mm.
-double arc_tolerance(double radius);
+/// How much start and end radius may differ: the larger of `least` and `share` of the radius, not above
+/// `most`.
+struct ArcTolerance {
+  double least = 0.01;  ///< [mm]
+  double share = 0.001;
+  double most = 0.5;  ///< [mm]
+
+  double of(double radius) const { return std::min(std::max(least, share * radius), most); }
+};
 
 /// An arc from `start` to `end` about `center`, counter-clockwise seen against the unit vector `axis`; ends
 /// that coincide in the arc's plane make a full circle, `extra_turns` more are added. Components along the
@@ -42,7 +50,7 @@ double arc_tolerance(double radius);
 /// centre would move farther than the tolerance becomes two arcs instead, split half way: the first about
 /// the programmed centre, the second with a radius that meets the end.
 ArcSolution solve_center_arc(const Vec3& start, const Vec3& end, const Vec3& center, const Vec3& axis,
-                             double extra_turns);
+                             double extra_turns, const ArcTolerance& tolerance = {});
 
 /// The same for a radius: positive for at most half a turn, negative for the larger arc. Ends that are
 /// farther apart than the diameter by no more than the tolerance make a half circle.

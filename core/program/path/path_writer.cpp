@@ -40,7 +40,7 @@ ArcShape shape_of(const Vec3& start, const ArcSolution::Piece& piece) {
 }  // namespace
 
 PathWriter::PathWriter(Program& program, DiagnosticLog& log)
-    : program_(program), log_(log), corners_(log), compensation_(log) {
+    : program_(program), log_(log), extents_(program), corners_(log), compensation_(log) {
   program_.path_controls.emplace_back();
 }
 
@@ -143,8 +143,8 @@ void PathWriter::line(const Vec3& target) {
 }
 
 void PathWriter::arc_by_center(const ArcRequest& request) {
-  const ArcSolution solution =
-      solve_center_arc(programmed_, request.target, request.center, request.axis, request.extra_turns);
+  const ArcSolution solution = solve_center_arc(programmed_, request.target, request.center, request.axis,
+                                                request.extra_turns, request.tolerance);
   ++centers_.arcs;
   centers_.misfits += solution.fault == ArcFault::none ? 0 : 1;
   arc(request, solution);
@@ -289,15 +289,12 @@ void PathWriter::compensate(const PathMotion& motion) {
 }
 
 void PathWriter::write(MotionBlock block, const ArcWords& arc, const std::array<bool, 3>& axes) {
-  if (block.motion != Motion::dwell) {
-    extend_bounds(block, axes);
-  }
+  extents_.add(block, arc, axes);
   if (block.motion == Motion::arc) {
     block.arc = static_cast<std::int32_t>(program_.arcs.size());
     program_.arcs.push_back(arc);
   }
   program_.motions.push_back(block);
-  written_ = block.target;
 }
 
 void PathWriter::write_ready() {
@@ -305,20 +302,6 @@ void PathWriter::write_ready() {
     write(motion.block, motion.arc, motion.axes);
   }
   compensation_.ready().clear();
-}
-
-void PathWriter::extend_bounds(const MotionBlock& block, const std::array<bool, 3>& axes) {
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto i = static_cast<std::size_t>(axis);
-    if (!axis_known_[i] && block.motion != Motion::rapid) {
-      program_.bounds.add(axis, written_[axis]);
-      axis_known_[i] = true;
-    }
-    axis_known_[i] = axis_known_[i] || axes[i];
-    if (axis_known_[i]) {
-      program_.bounds.add(axis, block.target[axis]);
-    }
-  }
 }
 
 std::uint16_t PathWriter::path_control_index() {
@@ -353,10 +336,10 @@ void PathWriter::report_arc_fault(const ArcRequest& request, const ArcSolution& 
       break;
     case ArcFault::radius_mismatch:
       log_.add(Severity::error, "arc-radius", 0, place, [&] {
-        const bool other_fits =
-            !request.other_reading.empty() &&
-            solve_center_arc(programmed_, request.target, request.other_center, request.axis, 0).fault ==
-                ArcFault::none;
+        const bool other_fits = !request.other_reading.empty() &&
+                                solve_center_arc(programmed_, request.target, request.other_center,
+                                                 request.axis, 0, request.tolerance)
+                                        .fault == ArcFault::none;
         const std::string advice = other_fits
                                        ? fmt::format("the centre would fit as {}", request.other_reading)
                                        : "check the centre";

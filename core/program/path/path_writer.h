@@ -10,6 +10,7 @@
 #include "core/program/path/coordinate_frame.h"
 #include "core/program/path/cutter_compensation.h"
 #include "core/program/path/parametric_curve.h"
+#include "core/program/path/path_extents.h"
 #include "core/program/path/plane.h"
 #include "core/program/path_control.h"
 #include "core/program/program.h"
@@ -28,11 +29,12 @@ enum class FeedMode : std::uint8_t {
 /// An arc to be, in programmed coordinates.
 struct ArcRequest {
   Vec3 target;
-  Vec3 center;               ///< used by arc_by_center()
-  double radius = 0;         ///< used by arc_by_radius(); negative for the larger arc [mm]
-  Vec3 axis;                 ///< unit; counter-clockwise seen against it
-  double extra_turns = 0;    ///< whole turns more
-  std::uint32_t column = 0;  ///< of centre or radius, for messages
+  Vec3 center;                  ///< used by arc_by_center()
+  double radius = 0;            ///< used by arc_by_radius(); negative for the larger arc [mm]
+  Vec3 axis;                    ///< unit; counter-clockwise seen against it
+  double extra_turns = 0;       ///< whole turns more
+  std::uint32_t column = 0;     ///< of centre or radius, for messages
+  ArcTolerance tolerance = {};  ///< used by arc_by_center()
   /// A centre that the words would give if they were read another way, and that way's name: a hint where
   /// the centre itself does not fit.
   Vec3 other_center = Vec3::Zero();
@@ -129,7 +131,6 @@ class PathWriter {
   void pass_corners_on();
   void write(MotionBlock block, const ArcWords& arc, const std::array<bool, 3>& axes);
   void write_ready();
-  void extend_bounds(const MotionBlock& block, const std::array<bool, 3>& axes);
   Compensation compensation_in_frame() const;
   ContourPlane plane_in_frame(const ContourPlane& plane) const;
   std::uint16_t path_control_index();
@@ -141,10 +142,9 @@ class PathWriter {
   CoordinateFrame frame_;
   Vec3 programmed_ = Vec3::Zero();
   Vec3 shown_ = Vec3::Zero();
-  Vec3 written_ = Vec3::Zero();  ///< end of the last motion in the program
+  PathExtents extents_;
   CenterCount centers_;
   std::array<bool, 3> axis_programmed_{};
-  std::array<bool, 3> axis_known_{};
   FeedMode feed_mode_ = FeedMode::per_minute;
   double feed_ = 0;
   double spindle_speed_ = 0;

@@ -31,7 +31,7 @@ void SinumerikReader::run_pos(Scanner& scanner) {
   const BlockWords::Value value = coordinate(scanner, column);
   const int axis = linear_axis(name);
   if (axis < 0) {
-    report_axis(name, column, value.value);
+    note_other_axis(upper_case(name), value.value, AxisMotion::positions, column);
     return;
   }
   positions_[static_cast<std::size_t>(axis)] = value;

@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -300,9 +299,9 @@ class SinumerikReader : public Reader {
   std::vector<Repeat> repeats_;
   std::optional<ModalCall> modal_call_;
   std::map<const SourceText*, std::unique_ptr<sinumerik::ProgramIndex>> indices_;
-  std::set<std::string> other_axes_;                                  ///< said not to be read
-  bool oriented_ = false;                                             ///< TRAORI
-  bool words_met_ = false;                                            ///< in the program itself
+  std::map<std::string, double> other_axes_;  ///< rotary and secondary ones, and where they are
+  bool oriented_ = false;                     ///< TRAORI
+  bool words_met_ = false;                    ///< in the program itself
   enum class Applied { none, feed, rapid } applied_ = Applied::none;  ///< path control in force
   Vec3 start_ = Vec3::Zero();  ///< of the last motion, and that motion, for CT
   std::optional<ArcRequest> last_arc_;

@@ -28,9 +28,15 @@ bool starts_number(char c) {
   return letters::is_digit(c) || c == '.' || c == '+' || c == '-';
 }
 
-/// Angles that turn the tool.
+/// Angles that turn the tool, and parts of the vectors that say its direction: A2 to A7 and so on.
 bool is_orientation(std::string_view name) {
   constexpr auto names = std::to_array<std::string_view>({"LEAD", "TILT", "THETA", "PHI", "PSI", "NUT"});
+  const bool part = name.size() == 2 &&
+                    std::string_view("ABC").find(letters::to_upper(name[0])) != std::string_view::npos &&
+                    name[1] >= '2' && name[1] <= '7';
+  if (part) {
+    return true;
+  }
   return std::any_of(names.begin(), names.end(),
                      [&](std::string_view known) { return letters::same(known, name); });
 }
@@ -378,14 +384,16 @@ void SinumerikReader::skip_value(Scanner& scanner) {
 }
 
 void SinumerikReader::report_axis(std::string_view name, std::uint32_t column, double value) {
-  if (value == 0 || !other_axes_.insert(upper_case(name)).second) {
+  double& last = other_axes_[upper_case(name)];
+  if (std::exchange(last, value) == value) {
     return;
   }
-  report(oriented_ ? Severity::info : Severity::error, "unread-axis", kind_of(name), column, [&] {
-    return Text{fmt::format("axis {} is not read; here it moves to {}", upper_case(name), value),
-                oriented_ ? "X, Y and Z are those of the tool tip and shown as programmed"
-                          : "X, Y and Z are shown as programmed; said once"};
-  });
+  const bool cuts = modal_.motion == nullptr || modal_.motion->action != Action::rapid;
+  note_other_axis(is_orientation(name) ? "tool orientation" : upper_case(name), value,
+                  !cuts       ? AxisMotion::positions
+                  : oriented_ ? AxisMotion::at_tip
+                              : AxisMotion::cuts,
+                  column);
 }
 
 }  // namespace feedscope

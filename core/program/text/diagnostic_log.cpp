@@ -30,8 +30,15 @@ std::vector<Diagnostic> DiagnosticLog::take() {
   for (const auto& [key, kind] : kinds_) {
     if (kind.left_out > 0) {
       diagnostics_.push_back(
-          {kind.severity, kind.first_left_out, 0, std::string(key.first),
-           fmt::format("{} more like it from here up to line {}", kind.left_out, kind.last_left_out), ""});
+          {kind.severity,
+           kind.first_left_out,
+           0,
+           std::string(key.first),
+           fmt::format("{} more like it from here up to line {}", kind.left_out, kind.last_left_out),
+           "",
+           {},
+           kind.left_out,
+           kind.last_left_out});
     }
   }
   kinds_.clear();

@@ -48,6 +48,13 @@ std::size_t bad_number_end(std::string_view text, std::size_t at) {
   return at;
 }
 
+/// "SQRT[" or "SQRT [", a function's name with its bracket.
+bool starts_function(std::string_view text, std::size_t at) {
+  const std::size_t end = name_end(text, at);
+  const std::size_t next = skip_blanks(text, end);
+  return end - at > 1 && is_letter(text[at + 1]) && next < text.size() && text[next] == '[';
+}
+
 bool is_not_finite(std::string_view name) {
   return letters::same(name, "NAN") || letters::same(name, "INF") || letters::same(name, "INFINITY");
 }
@@ -114,6 +121,9 @@ std::size_t Lexer::read_word(std::size_t at) {
     if (is_not_finite(text.substr(i, stop - i))) {
       return add_fault(FaultKind::malformed_number, at, stop);
     }
+    return stop_at(at);
+  }
+  if (i > at + 1 && i < text.size() && is_letter(text[i]) && starts_function(text, i)) {
     return stop_at(at);
   }
   if (has_sign && i + 1 < text.size() && is_letter(text[i]) && is_letter(text[i + 1]) &&

@@ -19,7 +19,7 @@ std::string_view to_string(CutterSource source) {
 }
 
 Cutters::Cutters(const ReadOptions& options, SubprogramFiles& files)
-    : asked_(options.radii), unit_(options.table_unit), files_(files) {
+    : asked_(options.radii), wear_only_(options.wear_only), unit_(options.table_unit), files_(files) {
   if (!options.tool_table.empty()) {
     const SourceText text = SourceText::from_file(options.tool_table);
     table_ = read_tool_table(text, unit_);
@@ -31,6 +31,9 @@ Cutters::Cutters(const ReadOptions& options, SubprogramFiles& files)
 Cutters::Found Cutters::find(std::string_view tool, std::optional<double> programmed) {
   if (const std::optional<double> radius = asked_.find(tool)) {
     return {CutterSource::asked, *radius};
+  }
+  if (wear_only_) {
+    return {CutterSource::asked, 0};
   }
   if (programmed) {
     return {CutterSource::program, *programmed};

@@ -12,7 +12,7 @@
 namespace feedscope {
 
 /// Where the radius of each cutter comes from: what ReadOptions say, else the program, else the tool table
-/// that they name or that lies beside the program.
+/// that they name or that is in the program's folder.
 class Cutters {
  public:
   /// `files` outlives it. Throws InputError for a table of `options` that cannot be read.
@@ -33,6 +33,7 @@ class Cutters {
   void read_table_beside();
 
   CutterRadii asked_;
+  bool wear_only_ = false;
   double unit_ = 1;
   SubprogramFiles& files_;
   CutterRadii table_;

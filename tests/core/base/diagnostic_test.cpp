@@ -21,5 +21,58 @@ TEST(Diagnostic, OnlyErrorsCountAsErrors) {
   EXPECT_TRUE(has_errors({{Severity::info, 1, 1, "a", "b", ""}, {Severity::error, 1, 1, "a", "b", ""}}));
 }
 
+std::string printed(const std::vector<Diagnostic>& diagnostics) {
+  std::string text;
+  for (const RepeatedDiagnostic& repeated : without_repeats(diagnostics)) {
+    text += std::to_string(repeated.first->line) + " " + repeated.first->message + "|" +
+            repeats_text(repeated) + "\n";
+  }
+  return text;
+}
+
+Diagnostic at(std::uint32_t line, const std::string& code, const std::string& message) {
+  Diagnostic diagnostic;
+  diagnostic.line = line;
+  diagnostic.code = code;
+  diagnostic.message = message;
+  return diagnostic;
+}
+
+Diagnostic closing(std::uint32_t line, const std::string& code, std::uint64_t count, std::uint32_t last) {
+  Diagnostic diagnostic = at(line, code, "more like it");
+  diagnostic.count = count;
+  diagnostic.last_line = last;
+  return diagnostic;
+}
+
+TEST(WithoutRepeats, SaysOnceWhatIsTheSameWithItsLines) {
+  EXPECT_EQ(printed({at(1, "a", "x"), at(2, "a", "x"), at(3, "b", "x"), at(5, "a", "x"), at(9, "a", "y")}),
+            "1 x|also in lines 2 and 5\n3 x|\n9 y|\n");
+  EXPECT_EQ(printed({at(1, "a", "x"), at(1, "a", "x"), at(4, "a", "x")}), "1 x|also in line 4\n");
+  Diagnostic called = at(2, "a", "x");
+  called.file = "sub.nc";
+  EXPECT_EQ(printed({at(1, "a", "x"), called}), "1 x|\n2 x|\n") << "another file";
+}
+
+TEST(WithoutRepeats, TakesTheCountOfTheRestToTheOnlyMessageOfItsKind) {
+  EXPECT_EQ(printed({at(1, "a", "x"), at(2, "a", "x"), closing(3, "a", 40, 90)}),
+            "1 x|also in line 2; 40 more up to line 90\n");
+  EXPECT_EQ(printed({at(1, "a", "x"), closing(3, "a", 1, 3)}), "1 x|1 more up to line 3\n");
+  EXPECT_EQ(printed({at(1, "a", "x"), at(2, "a", "y"), closing(3, "a", 40, 90)}),
+            "1 x|\n2 y|\n3 more like it|\n")
+      << "of which of both is not known";
+}
+
+TEST(WithoutRepeats, LosesNoPlace) {
+  const std::vector<Diagnostic> all{at(1, "a", "x"), at(2, "a", "x"), at(2, "b", "z"),
+                                    closing(3, "a", 40, 90)};
+  EXPECT_EQ(count_of(all, Severity::error), 43U);
+  std::uint64_t places = 0;
+  for (const RepeatedDiagnostic& repeated : without_repeats(all)) {
+    places += 1 + repeated.further_lines.size() + repeated.unlisted;
+  }
+  EXPECT_EQ(places, 43U);
+}
+
 }  // namespace
 }  // namespace feedscope

@@ -23,6 +23,8 @@ struct Sample {
     program.block_count = 2;
     program.bounds.add(Vec3(0, 0, 0));
     program.bounds.add(Vec3(3, 0, 0));
+    program.cutting_bounds.add(Vec3(1, 0, 0));
+    program.rapid_bounds.add(Vec3(2, 0, 0));
     program.diagnostics = {{Severity::error, 2, 1, "unread", "\"foo\" is no word", "hint"}};
     toolpath.segments.resize(1);
     toolpath.segments[0].length = 3;
@@ -54,13 +56,13 @@ struct Sample {
 
 TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
   const Json expected = Json::parse(R"({
-    "program": {"file": "part \"1\".nc", "lines": 2, "dialect": "iso",
-                "unit": {"name": "mm", "said_by": "nobody"}, "blocks": 2, "segments": 1, "path_mm": 3.0,
-                "bounds": {"min": [0.0, 0.0, 0.0], "max": [3.0, 0.0, 0.0]}},
-    "machine": {"id": "test", "name": "Test machine", "control": ""},
+    "program": {"file": "part \"1\".nc", "lines": 2, "blocks": 2, "segments": 1, "path_mm": 3.0,
+                "bounds": {"min": [0.0, 0.0, 0.0], "max": [3.0, 0.0, 0.0]},
+                "cutting_bounds": {"min": [1.0, 0.0, 0.0], "max": [1.0, 0.0, 0.0]},
+                "rapid_bounds": {"min": [2.0, 0.0, 0.0], "max": [2.0, 0.0, 0.0]}},
+    "machine": {"id": "test", "name": "Test machine"},
     "model": {"id": "cam", "title": "Title", "reference": "Paper"},
     "settings": {"alpha": 0.1, "reading": "strict"},
-    "tolerance_in_force_mm": null, "tolerance_set_by": null, "notes": [],
     "cycle_time_s": 3.25,
     "programmed_time_s": 3.0,
     "mean_feed_mm_min": 30.0,

@@ -1,10 +1,13 @@
 #include "core/program/path/arc_solver.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <random>
+
+#include "tests/core/program/read_text.h"
 
 namespace feedscope {
 namespace {
@@ -52,9 +55,28 @@ TEST(ArcSolver, MismatchBeyondTheToleranceIsAFault) {
   EXPECT_EQ(solve_center_arc({10, 0, 0}, {0, 10.009, 0}, Vec3::Zero(), up, 0).fault, ArcFault::none);
   EXPECT_EQ(solve_center_arc({10, 0, 0}, {0, 10.012, 0}, Vec3::Zero(), up, 0).fault,
             ArcFault::radius_mismatch);
-  EXPECT_EQ(arc_tolerance(1), 0.01);
-  EXPECT_EQ(arc_tolerance(100), 0.1);
-  EXPECT_EQ(arc_tolerance(1e5), 0.5);
+  EXPECT_EQ(ArcTolerance().of(1), 0.01);
+  EXPECT_EQ(ArcTolerance().of(100), 0.1);
+  EXPECT_EQ(ArcTolerance().of(1e5), 0.5);
+}
+
+TEST(ArcSolver, WhatAControlAcceptsIsAnArcOfItsOwnTolerance) {
+  // LinuxCNC in mm: 0.0283 mm or 0.1 %, not above 2.83 mm.
+  const auto reads = [](double radius, double mismatch) {
+    const std::string text = fmt::format("G21 G17\nG0 X{:.4f} Y0\nG3 X0 Y{:.4f} I{:.4f} F100\n", radius,
+                                         radius + mismatch, -radius);
+    return !has_errors(read_text(text, {.dialect = Dialect::linuxcnc}).diagnostics);
+  };
+  for (const double radius : {1.0, 10.0, 28.0}) {
+    EXPECT_TRUE(reads(radius, 0.028)) << radius;
+    EXPECT_FALSE(reads(radius, 0.03)) << radius;
+  }
+  EXPECT_TRUE(reads(100, 0.099));
+  EXPECT_FALSE(reads(100, 0.101));
+  EXPECT_TRUE(reads(2000, 1.9)) << "no half millimetre at most, as elsewhere";
+  EXPECT_FALSE(reads(10000, 3));
+  EXPECT_TRUE(
+      has_errors(read_text("G0 X10 Y0\nG3 X0 Y10.028 I-10 F100\n", {.dialect = Dialect::fanuc}).diagnostics));
 }
 
 TEST(ArcSolver, CentreAtTheStartIsAFault) {

@@ -65,11 +65,26 @@ INSTANTIATE_TEST_SUITE_P(
              "G2 or G3 missing?)"},
         Case{"G0 X1 E3", "f:1:7: info: E (extruder) is not read [unused-word] (it does not change the path)"},
         Case{"G0 X1 B90",
-             "f:1:7: error: axis B moves to 90, which is not read [unread-axis] (X, Y and Z are "
-             "shown as programmed; this is said once)"},
+             "f:1:7: warning: axis B moves to 90, which is not simulated [unread-axis] (X, Y and Z are "
+             "shown as programmed; the time of this axis is not counted, so the cycle time is too short; "
+             "reported once)"},
         Case{"G0 X1\nM98 P1000",
-             "f:2:5: error: M98 calls program 1000, which is neither in the program nor a file beside it "
-             "[subprogram] (its motion is left out; put it beside the program as O1000)"},
+             "f:2:5: error: M98 calls program 1000, which is neither in the program nor a file in its folder "
+             "[subprogram] (its motion is missing; put it into the program's folder as O1000)"},
+        Case{"G0 X1\nM198 P10",
+             "f:2:6: error: M198 calls program 10, which is neither in the program nor a file in its folder "
+             "[subprogram] (its motion is missing; put it into the program's folder as O0010)"},
+        Case{
+            "G0 X1\nG05.1 Q1 R5",
+            "f:2:10: info: R5 of G5.1 (machining condition from speed to accuracy) is not supported "
+            "[unused-word] (its parameters are in the control only; set acceleration and jerk of the machine "
+            "instead)"},
+        Case{
+            "G1 X1 B90 F100",
+            "f:1:7: error: axis B moves to 90 in a feed move, which is not simulated [unread-axis] (X, Y and "
+            "Z are shown as programmed; the time of this axis is not counted, so the cycle time is too "
+            "short; "
+            "reported once)"},
         Case{"X1",
              "f:1:1: warning: position words before any of G0, G1, G2, G3 [motion-mode] (taken as G0; write "
              "the G word)"}));

@@ -71,37 +71,6 @@ TEST(Arc, DerivativesAgreeWithFiniteDifferences) {
   }
 }
 
-TEST(Arc, ExtentReachesTheQuadrantPointsItPasses) {
-  Arc arc = quarter_circle();
-  arc.sweep = pi;
-  Bounds bounds;
-  arc.extend(bounds);
-  EXPECT_LT((bounds.min - Vec3(-5, 0, 2)).norm(), 1e-12);
-  EXPECT_LT((bounds.max - Vec3(15, 10, 2)).norm(), 1e-12);
-}
-
-TEST(Arc, ExtentOfAnyHelixHoldsAllItsPointsTightly) {
-  std::mt19937 random(17);
-  std::uniform_real_distribution<double> number(-1, 1);
-  for (int round = 0; round < 200; ++round) {
-    const Vec3 axis = Vec3(number(random), number(random), number(random)).normalized();
-    const Vec3 x = axis.cross(Vec3(number(random), number(random), number(random))).normalized();
-    const Arc arc{
-        Vec3(number(random), 0, 0),       x, axis.cross(x), number(random) * axis, 2 + number(random),
-        (1.001 + number(random)) * 3 * pi};
-    Bounds exact;
-    arc.extend(exact);
-    Bounds sampled;
-    constexpr int samples = 3000;
-    for (int i = 0; i <= samples; ++i) {
-      sampled.add(arc.at(arc.length() * i / samples).position);
-    }
-    EXPECT_TRUE(((sampled.min - exact.min).array() > -1e-9).all()) << "round " << round;
-    EXPECT_TRUE(((exact.max - sampled.max).array() > -1e-9).all()) << "round " << round;
-    EXPECT_LT((sampled.min - exact.min).norm() + (exact.max - sampled.max).norm(), 1e-3) << "round " << round;
-  }
-}
-
 TEST(CubicBlend, MeetsEndsWithTheDirectionsOfItsLegs) {
   const CubicBlend curve = blend(2, 1.1);
   EXPECT_EQ(curve.at(0).position, curve.start);

@@ -17,6 +17,8 @@ inline Session some_session(const std::filesystem::path& program) {
   session.reading.radii.set("MILL 10,2", 5);
   session.reading.tool_table = program.parent_path() / "tables" / "tool.t";
   session.reading.table_unit = 25.4;
+  session.reading.wear_only = true;
+  session.reading.simulate_cut_off = true;
   SetupState fine(make_setup({}));
   fine.set("contour_tolerance_mm", 0.0123);
   fine.set("program_tolerance", std::string("off"));

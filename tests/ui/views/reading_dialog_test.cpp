@@ -40,10 +40,10 @@ TEST(ReadingDialog, GivesBackWhatItWasGiven) {
   options.radii.set("MILL 10", 4.995);
   options.tool_table = "/tables/tool.t";
   options.table_unit = 25.4;
-  for (const LengthUnit unit : {LengthUnit::inch, LengthUnit::mm}) {
-    options.unit = unit;
-    EXPECT_EQ(ReadingDialog(options, nullptr).options(), options);
-  }
+  options.wear_only = true;
+  EXPECT_EQ(ReadingDialog(options, nullptr).options(), options);
+  options.simulate_cut_off = true;
+  EXPECT_EQ(ReadingDialog(options, nullptr).options(), options);
 }
 
 TEST(ReadingDialog, ListsTheCuttersThatTheProgramAsksFor) {

@@ -1,5 +1,7 @@
 #include "ui/views/program/program_panel.h"
 
+#include <QLabel>
+#include <QLocale>
 #include <QVBoxLayout>
 #include <utility>
 
@@ -9,17 +11,41 @@
 
 namespace feedscope::ui {
 
+namespace {
+
+QString ranges_text(const Bounds& bounds) {
+  const QLocale locale;
+  const auto number = [&](double value) { return locale.toString(value, 'g', 7); };
+  QStringList ranges;
+  for (int axis = 0; axis < 3; ++axis) {
+    if (bounds.min[axis] <= bounds.max[axis]) {
+      ranges.append(ProgramPanel::tr("%1 %2 to %3")
+                        .arg(QChar(axis_names[static_cast<std::size_t>(axis)]))
+                        .arg(number(bounds.min[axis]), number(bounds.max[axis])));
+    }
+  }
+  return ranges.isEmpty() ? ProgramPanel::tr("none") : ranges.join(QStringLiteral(", "));
+}
+
+}  // namespace
+
 ProgramPanel::ProgramPanel(QWidget* parent)
     : QWidget(parent),
       view_(new ProgramView(this)),
       find_bar_(new FindBar(*view_, this)),
-      go_to_bar_(new GoToBar(*view_, this)) {
+      go_to_bar_(new GoToBar(*view_, this)),
+      extents_(new QLabel(this)) {
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(find_bar_);
   layout->addWidget(go_to_bar_);
   layout->addWidget(view_, 1);
+  layout->addWidget(extents_);
+  extents_->setWordWrap(true);
+  extents_->setMargin(4);
+  extents_->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  extents_->hide();
   find_bar_->hide();
   go_to_bar_->hide();
   setFocusProxy(view_);
@@ -61,7 +87,18 @@ void ProgramPanel::add_actions() {
   view_->addActions({copy, all, actions_[0], actions_[3]});
 }
 
+void ProgramPanel::show_extents(const Program* program) {
+  extents_->setVisible(program != nullptr && !program->cutting_bounds.empty());
+  if (program != nullptr) {
+    extents_->setText(tr("Cutting [mm]: %1").arg(ranges_text(program->cutting_bounds)));
+    extents_->setToolTip(tr("Extents in mm, arcs in full\nCutting: %1\nRapid: %2\nAll: %3")
+                             .arg(ranges_text(program->cutting_bounds), ranges_text(program->rapid_bounds),
+                                  ranges_text(program->bounds)));
+  }
+}
+
 void ProgramPanel::set_program(std::shared_ptr<const Program> program) {
+  show_extents(program.get());
   view_->set_program(std::move(program));
   find_bar_->search().set_text(view_->text());
 }

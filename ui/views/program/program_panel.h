@@ -7,13 +7,15 @@
 #include "ui/views/program/program_view.h"
 
 class QAction;
+class QLabel;
 
 namespace feedscope::ui {
 
 class FindBar;
 class GoToBar;
 
-/// A program's text with the bars that search it and go to a line, and the commands of both.
+/// A program's text with the bars that search it and go to a line, the commands of both, and the extents of
+/// its path.
 class ProgramPanel : public QWidget {
   Q_OBJECT
 
@@ -34,10 +36,12 @@ class ProgramPanel : public QWidget {
   template <typename Slot>
   QAction* add_action(const QString& text, const QString& tip, const QKeySequence& key, Slot slot);
   void add_actions();
+  void show_extents(const Program* program);
 
   ProgramView* view_;
   FindBar* find_bar_;
   GoToBar* go_to_bar_;
+  QLabel* extents_;  ///< of the feed motions; hidden where there are none
   QList<QAction*> actions_;
 };
 

@@ -218,7 +218,7 @@ class FilesBeside : public testing::Test {
   }
   Program read(const std::string& name, Dialect dialect, const std::string& text) const {
     return read_program(std::make_shared<const SourceText>(SourceText::from_file(write(name, text))), nullptr,
-                        {.dialect = dialect, .unit = LengthUnit::mm});
+                        {.dialect = dialect});
   }
   std::filesystem::path folder_;
 };
@@ -281,8 +281,8 @@ INSTANTIATE_TEST_SUITE_P(
     Texts, CallFaults,
     testing::Values(
         Fault{Dialect::fanuc, "M98 P77",
-              "f:2:5: error: M98 calls program 77, which is neither in the program nor a file beside it "
-              "[subprogram] (its motion is left out; put it beside the program as O0077)"},
+              "f:2:5: error: M98 calls program 77, which is neither in the program nor a file in its folder "
+              "[subprogram] (its motion is missing; put it into the program's folder as O0077)"},
         Fault{Dialect::fanuc, "M98",
               "f:2:1: error: M98 without P [subprogram] (nothing is called; write P with the number of the "
               "subprogram)"},
@@ -290,12 +290,13 @@ INSTANTIATE_TEST_SUITE_P(
             Dialect::fanuc, "G65 A1",
             "f:2:1: error: G65 without P [subprogram] (nothing is called; write P with the macro's number)"},
         Fault{Dialect::fanuc, "G65 P9 A1",
-              "f:2:5: error: macro program 9 is called, which is neither in the program nor a file beside it "
-              "[subprogram] (its motion is left out; put it beside the program as O0009)"},
+              "f:2:5: error: macro program 9 is called, which is neither in the program nor a file in its "
+              "folder "
+              "[subprogram] (its motion is missing; put it into the program's folder as O0009)"},
         Fault{Dialect::linuxcnc, "o<probe> call [1]",
-              "f:2:1: error: o<probe> is called, which is neither in the program nor a file beside it "
+              "f:2:1: error: o<probe> is called, which is neither in the program nor a file in its folder "
               "[subprogram] "
-              "(its motion is left out; put it beside the program as probe.ngc)"},
+              "(its motion is missing; put it into the program's folder as probe.ngc)"},
         Fault{
             Dialect::fanuc, "M97 P5",
             "f:2:1: error: M97 has no P with the number of a block in this program [jump-target] (nothing is "

@@ -71,11 +71,11 @@ TEST_P(IsoCompensationFault, ShowsTheContourOrSaysWhereItCuts) {
 INSTANTIATE_TEST_SUITE_P(
     All, IsoCompensationFault,
     testing::Values(
-        FaultCase{
-            "G1 G41 D7 X10 F100\nX20\nG40 Y10",
-            "f:1:8: error: the radius of offset D7 is not known [tool-radius] (the path shown is the "
-            "programmed contour; give it as a reading option, --tool 7=RADIUS, or give a tool table, or set "
-            "it with G10 L12 P7 R)"},
+        FaultCase{"G1 G41 D7 X10 F100\nX20\nG40 Y10",
+                  "f:1:8: error: the radius of offset D7 is not known [tool-radius] (the path shown is the "
+                  "programmed contour; give it as an import option (--tool 7=RADIUS) or in a tool table, or "
+                  "say that "
+                  "the path is already compensated (--wear-only), or set it with G10 L12 P7 R)"},
         FaultCase{
             "G1 G41 X10 F100\nX20\nG40 Y10",
             "f:1:4: error: G41 without D: the radius of the tool is not known [tool-radius] (the path shown "

@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
 #include <ostream>
+#include <random>
 #include <string>
+#include <vector>
 
 #include "tests/core/program/iso/iso_text.h"
 
@@ -21,6 +24,40 @@ void PrintTo(const Case& c, std::ostream* out) {
 
 double value_of(Dialect dialect, const std::string& expression) {
   return way(dialect, "G0 X[" + expression + "]").at(0);
+}
+
+/// Blanks between the pieces of a text that are words, numbers or signs; numbers and names stay whole.
+std::string with_blanks(const std::string& text, std::mt19937& random) {
+  std::string spread;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const auto inside = [](char a, char b) {
+      const bool letters =
+          std::isalpha(static_cast<unsigned char>(a)) && std::isalpha(static_cast<unsigned char>(b));
+      const bool digits = (std::isdigit(static_cast<unsigned char>(a)) || a == '.') &&
+                          (std::isdigit(static_cast<unsigned char>(b)) || b == '.');
+      return letters || digits || (a == '*' && b == '*');
+    };
+    // "G0 XSQRT": the X and the name behind it are two pieces.
+    const bool function = i + 3 < text.size() && text[i - (i > 0 ? 1 : 0)] == 'X' && i > 0 && text[i] == 'S';
+    if (i > 0 && text[i] != '\n' && (function || !inside(text[i - 1], text[i]))) {
+      spread.append(random() % 3, ' ');
+    }
+    spread += text[i];
+  }
+  return spread;
+}
+
+TEST(LinuxcncExpression, BlanksBetweenItsPiecesMeanNothing) {
+  std::mt19937 random(8);
+  for (const std::string text :
+       {"G0 XSQRT[16]", "G0 X-SQRT[16]Y[1+2]", "#1=3\nG0 X#1", "#1=[2**3-4]\nG0 X[#1*2]Y#1",
+        "#<a>=5\nG0 X[#<a>+SIN[30]]", "G0 X[7MOD4]", "G0 X[ATAN[1]/[1]]", "o1 if [1LT2]\nG0 X1\no1 endif"}) {
+    const double expected = way(Dialect::linuxcnc, text).at(0);
+    for (int round = 0; round < 50; ++round) {
+      const std::string spread = with_blanks(text, random);
+      EXPECT_EQ(way(Dialect::linuxcnc, spread), (std::vector<double>{expected})) << spread;
+    }
+  }
 }
 
 class SharedExpression : public testing::TestWithParam<Case> {};

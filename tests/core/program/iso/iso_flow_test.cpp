@@ -148,15 +148,11 @@ INSTANTIATE_TEST_SUITE_P(
               "before, or "
               "check how the name is written)"},
         Fault{Dialect::linuxcnc, "o5 if [1] X5\no5 endif",
-              "f:2:11: error: \"X5\" stands behind a statement [unread-statement] (it is left out; write it "
-              "in a line "
-              "of its own)"},
-        Fault{Dialect::fanuc, "WHILE [0] DO1 X5\nEND1",
-              "f:2:15: error: \"X5\" stands behind a statement [unread-statement] (it is left out; write it "
+              "f:2:11: error: \"X5\" follows a statement [unread-statement] (it is skipped; write it "
               "in a line "
               "of its own)"},
         Fault{Dialect::fanuc, "GOTO 7 X5\nN7",
-              "f:2:8: error: \"X5\" stands behind a statement [unread-statement] (it is left out; write it "
+              "f:2:8: error: \"X5\" follows a statement [unread-statement] (it is skipped; write it "
               "in a line "
               "of its own)"},
         Fault{Dialect::fanuc, "END2",
@@ -204,6 +200,38 @@ TEST(IsoFlow, AnEndlessLoopIsStopped) {
     EXPECT_EQ(program.diagnostics[0].code, "run-limit");
     EXPECT_LT(program.motions.size(), 1100U);
   }
+}
+
+TEST(IsoFlow, WhatFollowsDoInItsLineBelongsToTheLoop) {
+  // Against the same loop in lines of its own, for every way to write it.
+  const std::vector<double> expected{1, 2, 3, 4, 9};
+  for (const std::string loop :
+       {"WHILE [#1 LT 4] DO1\n#1=#1+1\nG0 X#1\nEND1", "WHILE[#1LT4]DO1#1=#1+1\nX#1\nEND1",
+        "WHILE [#1 LT 4] DO1 #1=#1+1\nG0 X#1\nEND1", "WHILE [#1 LT 4] DO1 #1=#1+1 X#1\nEND1",
+        "DO1 #1=#1+1\nX#1\nIF [#1 GE 4] GOTO 5\nEND1\nN5",
+        "DO1 IF [#1 GE 4] GOTO 5\n#1=#1+1\nX#1\nEND1\nN5"}) {
+    EXPECT_EQ(way(Dialect::fanuc, "G0\n#1=0\n" + loop + "\nX9"), expected) << loop;
+  }
+  EXPECT_EQ(way(Dialect::fanuc, "G0\nWHILE [0] DO1 X5\nEND1\nX9"), (std::vector<double>{9}))
+      << "nothing of a loop that does not begin";
+}
+
+TEST(IsoFlow, AProgramThatWasCutOffSaysSo) {
+  const std::string endless = "G0 X1\nDO1\nX1\nEND1\n";
+  EXPECT_TRUE(read_text(endless, {.dialect = Dialect::fanuc, .repeat_limit = 1000}).cut_off);
+  EXPECT_FALSE(read_text("G0 X1\n", {.dialect = Dialect::fanuc, .repeat_limit = 1000}).cut_off);
+}
+
+TEST(IsoFlow, ASubWithinASubIsAnError) {
+  const Program program =
+      read_text("G0\no1 sub\nX1\no2 sub\nX2\no2 endsub\no1 endsub\nX9\n", {.dialect = Dialect::linuxcnc});
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(format(program.diagnostics[0], "f"),
+            "f:4: error: a sub within the sub of line 2 [flow-pair] (LinuxCNC rejects the program; write one "
+            "subprogram after the other)");
+  EXPECT_TRUE(
+      read_text("G0\no1 sub\nX1\no1 endsub\no2 sub\nX2\no2 endsub\nX9\n", {.dialect = Dialect::linuxcnc})
+          .diagnostics.empty());
 }
 
 TEST(IsoFlow, ALoopOfDeepHolesIsStopped) {

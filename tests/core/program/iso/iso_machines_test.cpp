@@ -85,6 +85,22 @@ TEST(Printers, WaitMillisecondsAndSecondsAndDoNotLevelOnTheWay) {
   ASSERT_EQ(program.motions.size(), 4U);
   EXPECT_EQ(program.motions[1].dwell, 0.5);
   EXPECT_EQ(program.motions[2].dwell, 3);
+  for (const std::string word :
+       {"M18", "M84", "M106 S90", "M280 P0 S10", "M300 S30.00 (pen down)", "G1 X1 E0.5", "m82"}) {
+    for (const std::string& text : {word + "\nG0 X5\nG4 P150\n", "G0 X5\nG4 P150\n" + word + "\n"}) {
+      double dwell = 0;
+      for (const MotionBlock& block : read_as(Dialect::grbl, text).motions) {
+        dwell += block.dwell;
+      }
+      EXPECT_EQ(dwell, 0.15) << text;
+    }
+  }
+  for (const std::string word : {"M3 S1000", "M8", "M30", "M0", "(M300)", "; E5", "M56 P1"}) {
+    EXPECT_EQ(read_as(Dialect::grbl, "G0 X5\nG4 P5\n" + word).motions.back().dwell, 5) << word;
+  }
+  EXPECT_EQ(said_of(Dialect::grbl, "G0 X5\nG4 P150"),
+            "f:2:4: info: P150 is taken as 150 seconds, as grbl does [dwell-unit] (for a control that takes "
+            "milliseconds, write P0.15)");
   EXPECT_EQ(read_as(Dialect::grbl, "G0 X5\nG4 P0.5").motions.back().dwell, 0.5) << "grbl itself: seconds";
 }
 

@@ -171,6 +171,17 @@ TEST(FanucNurbs, SayWhatDoesNotMakeACurve) {
   EXPECT_EQ(text_of(program), (Lines{"line 10 10 0 @3", "rapid 9 10 0 @4"}));
 }
 
+TEST(LinuxcncNurbs, OfG62IsSaidNotToBeSupported) {
+  const Program program =
+      read_as(Dialect::linuxcnc, "G0 X0 Y0\nG6.2 P1 Q1 X0 Y1 F60\nX2 Y2 P1\nX2 Y0 P1\nG0 X9 Y0");
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(format(program.diagnostics[0], "f"),
+            "f:2:1: error: G6.2 as LinuxCNC has it (weights P, no knots K) is not supported [spline-words] "
+            "(positions are skipped up to the next G0 to G3; write G5.2 and G5.3)");
+  EXPECT_EQ(program.motions.size(), 2U);
+  EXPECT_EQ(program.motions.back().target, Vec3(9, 0, 0));
+}
+
 struct FaultCase {
   const char* text;
   const char* expected;

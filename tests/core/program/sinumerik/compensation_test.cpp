@@ -36,8 +36,8 @@ TEST(SinumerikCompensation, EdgeZeroAndToolsWithoutRadiusShowTheContour) {
   EXPECT_EQ(
       format(unknown.diagnostics[0], "f"),
       "f:2:4: error: G42: the radius of T3 D2 is not known [tool-radius] (the path shown is the "
-      "programmed contour; give it as a reading option, --tool 3,2=RADIUS, or give a tool table, or set it "
-      "with $TC_DP6[T,D]=)");
+      "programmed contour; give it as an import option (--tool 3,2=RADIUS) or in a tool table, or say that "
+      "the path is already compensated (--wear-only), or set it with $TC_DP6[T,D]=)");
 }
 
 }  // namespace

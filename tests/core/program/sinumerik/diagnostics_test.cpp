@@ -51,8 +51,10 @@ INSTANTIATE_TEST_SUITE_P(
              "f:1:1: warning: position words before any of G0, G1, G2, G3 [motion-mode] (taken as G1; write "
              "the G word)"},
         Case{"G0 X1 B90\nX2 B45",
-             "f:1:7: error: axis B is not read; here it moves to 90 [unread-axis] (X, Y and Z are shown as "
-             "programmed; said once)"},
+             "f:1:7: warning: axis B moves to 90, which is not simulated [unread-axis] (X, Y and Z are shown "
+             "as "
+             "programmed; the time of this axis is not counted, so the cycle time is too short; reported "
+             "once)"},
         Case{"G0 X1\nX2 ?",
              "f:2:4: error: \"?\" starts no word or statement [syntax] (the rest of the line is not read and "
              "the block does not move; correct it)"},
@@ -243,9 +245,11 @@ TEST(SinumerikDiagnostics, CurvesAreSaidOnceAndTheirWeightsWhereTheyAreWrong) {
 TEST(SinumerikDiagnostics, RotaryAxesUnderOrientationAreSaidOnceEach) {
   const Program program = read_sinumerik("TRAORI\nG1 X1 A10 C5 F100\nX2 A20 C6\nX3 A30 C0");
   ASSERT_EQ(program.diagnostics.size(), 3U);
-  EXPECT_EQ(format(program.diagnostics[1], "f"),
-            "f:2:7: info: axis A is not read; here it moves to 10 [unread-axis] (X, Y and Z are those of the "
-            "tool tip and shown as programmed)");
+  EXPECT_EQ(
+      format(program.diagnostics[1], "f"),
+      "f:2:7: warning: axis A moves to 10 in a feed move, which is not simulated [unread-axis] (X, Y and "
+      "Z are those of the tool's tip and shown as programmed; the time of this axis is not counted, so "
+      "the cycle time is too short; reported once)");
   EXPECT_FALSE(has_errors(program.diagnostics));
 }
 

@@ -121,6 +121,20 @@ TEST_P(CutterOf, OfTheProgramComesBeforeTheTableAndBehindWhatIsGiven) {
   EXPECT_NEAR(beside(read(GetParam().programmed, options)), 4, 1e-12);
 }
 
+TEST_P(CutterOf, IsZeroWhereTheCamSystemHasCompensated) {
+  write("tools.csv", "nr;radius\n" + GetParam().tool + ";3\n");
+  ReadOptions options;
+  options.wear_only = true;
+  for (const std::string& before : {std::string(), GetParam().programmed}) {
+    const Program program = read(before, options);
+    EXPECT_FALSE(has_errors(program.diagnostics));
+    EXPECT_EQ(beside(program), 0);
+    EXPECT_EQ(program.cutters.at(0).source, CutterSource::asked);
+  }
+  options.radii.set(GetParam().tool, 0.02);
+  EXPECT_NEAR(beside(read("", options)), 0.02, 1e-12) << "wear that is given";
+}
+
 INSTANTIATE_TEST_SUITE_P(Dialects, CutterOf, testing::ValuesIn(languages()),
                          [](const auto& test) { return std::string(info_of(test.param.dialect).id); });
 
