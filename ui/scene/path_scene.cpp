@@ -26,6 +26,30 @@ constexpr double cube_half = 24;    // [pixels]
 constexpr double cube_height = 98;  // of its centre, above the lower edge
 constexpr int layer_count = 3;
 
+/// Where the path is not rapid.
+void add_cutting(const SampledPath& path, Bounds& bounds) {
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (path.kinds[i] != SpanKind::rapid) {
+      bounds.add(path.position(i));
+      bounds.add(path.position(i + 1));
+    }
+  }
+}
+
+/// What a picture is to show: what is cut, and as much of the rest as is close to it. Rapids high above a
+/// part would leave little of the picture to it.
+Bounds near_cutting(const Bounds& cutting, const Bounds& all) {
+  constexpr double close = 0.2;  // of the largest extent of what is cut
+  const double reach = cutting.empty() ? 0 : close * (cutting.max - cutting.min).maxCoeff();
+  if (!(reach > 0)) {
+    return all;
+  }
+  Bounds near = cutting;
+  near.add(all.min.cwiseMax(cutting.min - Vec3::Constant(reach)));
+  near.add(all.max.cwiseMin(cutting.max + Vec3::Constant(reach)));
+  return near;
+}
+
 void call_before(vtkRenderer& renderer, void* data, void (*call)(vtkObject*, unsigned long, void*, void*)) {
   const vtkNew<vtkCallbackCommand> before;
   before->SetClientData(data);
@@ -56,7 +80,7 @@ class PathScene::Impl {
     call_before(*front, this, [](vtkObject*, unsigned long, void* self, void*) {
       auto& scene = *static_cast<Impl*>(self);
       const double reach = scene.tool_drawn.reach(scene.projection(), scene.frame, scene.scale);
-      scene.camera.set_clipping(reach, reach);
+      scene.camera.set_clipping(reach + scene.beyond, reach + scene.beyond);
     });
     camera.look(StandardView::iso);
     apply_colours();
@@ -97,13 +121,18 @@ class PathScene::Impl {
     const bool fitted = camera.fitted();
     const CameraState state = camera.state(frame);
     Bounds content;
+    Bounds cutting;
     for (const auto& path : {programmed, executed_samples}) {
       if (path && !path->bounds.empty()) {
         content.add(path->bounds.min);
         content.add(path->bounds.max);
+        add_cutting(*path, cutting);
       }
     }
-    frame = frame_around(content);
+    const Bounds near = near_cutting(cutting, content);
+    frame = frame_around(near);
+    beyond =
+        content.empty() ? 0 : (near.min - content.min).cwiseMax(content.max - near.max).norm() / frame.unit;
     layers.show(programmed, executed_samples, overlays, frame);
     camera.set_state(state, frame);
     if (fitted) {
@@ -150,7 +179,7 @@ class PathScene::Impl {
     layers.place(frame, view, scale, moving);
     tool_drawn.place(tip, view, frame, scale);
     constexpr double lifted = 40;  // pixels at most, of the path's layers
-    camera.set_clipping(lifted * scale / view.scale);
+    camera.set_clipping(lifted * scale / view.scale + beyond, beyond);
 
     under.begin();
     draw(lay_out_axes(frame, view, scale), scale, grid, colours(), texts, under);
@@ -204,6 +233,7 @@ class PathScene::Impl {
   PathLook look;
   SceneTexts texts;
   SceneFrame frame = frame_around({});
+  double beyond = 0;  ///< how far outside the frame's box rapids may be [scene units]
   bool grid = true;
   bool transparent = false;
   bool moving = false;

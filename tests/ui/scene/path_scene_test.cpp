@@ -232,6 +232,23 @@ TEST_F(PathSceneTest, EveryViewShowsTheWholePath) {
   }
 }
 
+/// However high above the part the tool goes in rapid traverse, the part is drawn as large.
+TEST_F(PathSceneTest, RapidsFarAwayLeaveThePictureToWhatIsCut) {
+  const auto size_at = [&](const std::string& above, StandardView view) {
+    const auto run = simulate_text("G21 G90 G94 F3000\nG0 Z" + above +
+                                   "\nG0 X10 Y10\nG0 Z2\nG1 Z0\nX50\nY40\nX10\nY10\nG0 Z" + above + "\n");
+    show(run, view);
+    return distance(scene_.pixel_of({10, 10, 0}), scene_.pixel_of({50, 40, 0}));
+  };
+  for (const StandardView view : {StandardView::iso, StandardView::top, StandardView::front}) {
+    const double usual = size_at("20", view);
+    EXPECT_GT(usual, 150);
+    for (const char* above : {"60", "200", "2000"}) {
+      EXPECT_GT(size_at(above, view), 0.6 * usual) << above << " mm above";
+    }
+  }
+}
+
 TEST_F(PathSceneTest, StandardViewsLookAlongTheAxes) {
   const auto run = simulate_text(test::small_program);
   const auto moves = [&](const Vec3& step) {

@@ -111,7 +111,9 @@ void PathLayers::show(std::shared_ptr<const SampledPath> programmed,
 }
 
 void PathLayers::add_rapids(const SampledPath& path, const SceneFrame& frame) {
-  const auto dashes = rapid_dashes(path, frame.unit / dashes_across);
+  // The frame is around what is cut: rapids may reach far beyond it.
+  const double extent = path.bounds.empty() ? 0 : (path.bounds.max - path.bounds.min).maxCoeff();
+  const auto dashes = rapid_dashes(path, std::max(frame.unit, extent) / dashes_across);
   rapid_length_ = length_of(path, SpanKind::rapid);
   entries_.rapid = dashes->GetNumberOfCells() > 0;
   auto actor = line_actor(*dashes, false);
@@ -140,7 +142,10 @@ void PathLayers::recolour() {
     const SampledPath& path = executed_->samples();
     key_ = look_.alike ? colour_key(path, *look_.alike, look_.colouring) : colour_key(path, look_.colouring);
     key_.reference = needs_reference(look_.colouring) ? look_.reference : std::string();
-    executed_->set_colours(point_colours(executed_->samples(), key_, look_.colours->kind, look_.run));
+    // While the other run is still compared with, the colours must not say "won".
+    const bool missing = needs_reference(look_.colouring) && !key_.has_scale();
+    executed_->set_colours(point_colours(executed_->samples(), key_, look_.colours->kind,
+                                         missing ? look_.colours->programmed : look_.run));
   }
   for (const Layer& layer : layers_) {
     const Rgb colour = colour_of(layer);
