@@ -54,7 +54,7 @@ void set_axis_limit(Machine& machine, char axis, std::string_view limit, double 
 /// { value = 20, assumed = "reason" }.
 /// Throws InputError naming file, line, column, key, value, bound and the nearest valid name: unknown or
 /// missing key, wrong type, limit not above 0, number without source, syntax error, unreadable file.
-/// `model_settings`: specs beyond common_settings() that a [settings] table may hold.
+/// `model_settings`: specs beyond common_settings() for [settings]; one of key "model" has the known models.
 Machine read_machine(const std::filesystem::path& file, const std::vector<SettingSpec>& model_settings);
 /// The same of a text; `name` stands for the file in messages.
 Machine parse_machine(const std::string& text, const std::string& name,

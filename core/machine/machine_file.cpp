@@ -2,6 +2,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <optional>
 #include <sstream>
 
 #include "core/base/geometry.h"
@@ -21,7 +22,13 @@ std::string file_key(const SettingSpec& limit) {
 class MachineReader {
  public:
   explicit MachineReader(const std::vector<SettingSpec>& model_settings) : settings_(common_settings()) {
-    settings_.insert(settings_.end(), model_settings.begin(), model_settings.end());
+    for (const SettingSpec& spec : model_settings) {
+      if (spec.key == "model") {
+        model_ = spec;
+      } else {
+        settings_.push_back(spec);
+      }
+    }
   }
 
   Machine read(const ConfigNode& root) {
@@ -31,6 +38,9 @@ class MachineReader {
     machine_.control = root.need_text("control", "the file");
     machine_.reference = root.need_text("reference", "the file");
     machine_.model = root.need_text("model", "the file");
+    if (model_) {
+      check_setting(*model_, machine_.model, root.need("model", "the file").place());
+    }
     read_axes(root);
     read_settings(root);
     return std::move(machine_);
@@ -106,6 +116,7 @@ class MachineReader {
   }
 
   std::vector<SettingSpec> settings_;
+  std::optional<SettingSpec> model_;
   Machine machine_;
 };
 

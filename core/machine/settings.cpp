@@ -1,6 +1,5 @@
 #include "core/machine/settings.h"
 
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -9,6 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/typed_number.h"
 
 namespace feedscope {
 namespace {
@@ -83,6 +83,9 @@ std::string with_unit(double value, const SettingSpec& spec) {
 
 /// "above 0 mm and at most 10 mm".
 std::string bounds_text(const SettingSpec& spec) {
+  if (!std::isfinite(spec.minimum)) {
+    return std::isfinite(spec.maximum) ? fmt::format("at most {}", with_unit(spec.maximum, spec)) : "finite";
+  }
   std::string text =
       fmt::format("{} {}", spec.minimum_allowed ? "at least" : "above", with_unit(spec.minimum, spec));
   if (std::isfinite(spec.maximum)) {
@@ -171,17 +174,13 @@ void Settings::set(std::string key, SettingValue value) {
 SettingValue parse_setting(const SettingSpec& spec, std::string_view text) {
   SettingValue value = std::string(text);
   if (spec.choices.empty()) {
-    std::string digits(text);
-    std::replace(digits.begin(), digits.end(), ',', '.');
-    const char* begin = digits.data() + (digits.starts_with('+') ? 1 : 0);
-    const char* end = digits.data() + digits.size();
-    double number = 0;
-    const auto result = fast_float::from_chars(begin, end, number);
-    if (result.ec != std::errc() || result.ptr != end) {
-      throw InputError(
-          fmt::format("{} = '{}' is no number; it must be {}", spec.key, text, bounds_text(spec)));
+    const TypedNumber number = typed_number(text);
+    if (!number.value) {
+      throw InputError(number.problem.empty() ? fmt::format("{} = '{}' is not a number; it must be {}",
+                                                            spec.key, text, bounds_text(spec))
+                                              : fmt::format("{} = '{}': {}", spec.key, text, number.problem));
     }
-    value = number;
+    value = *number.value;
   }
   check_setting(spec, value, "");
   return value;
@@ -216,7 +215,11 @@ std::string nearest_name(std::string_view word, const std::vector<std::string>& 
   std::string best;
   EditDistances least{0, near + 1};
   for (const std::string& candidate : candidates) {
-    const EditDistances d = edit_distances(wanted, lower_case(candidate));
+    const std::string name = lower_case(candidate);
+    EditDistances d = edit_distances(wanted, name);
+    if (d.prefix > 0 && !name.starts_with(wanted.substr(0, 1))) {
+      d.prefix = d.whole;
+    }
     if (d.prefix < least.prefix || (d.prefix == least.prefix && !best.empty() && d.whole < least.whole)) {
       best = candidate;
       least = d;

@@ -45,12 +45,12 @@ class Settings {
   std::map<std::string, SettingValue, std::less<>> values_;
 };
 
-/// Reads `text` for `spec`; decimal point or comma. Throws InputError naming key, value, bounds or choices.
+/// Reads `text` for `spec`, numbers as typed_number(). Throws InputError naming key, value, bounds, choices.
 SettingValue parse_setting(const SettingSpec& spec, std::string_view text);
 /// Throws InputError naming key, value and bound if `value` breaks `spec`; `place` is put in front.
 void check_setting(const SettingSpec& spec, const SettingValue& value, std::string_view place);
 
-/// The candidate nearest to `word` by edit distance, or "" if none is near.
+/// The candidate nearest to `word` by edit distance, or ""; a mere beginning needs the same first letter.
 std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace feedscope

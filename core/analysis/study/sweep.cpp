@@ -7,39 +7,51 @@
 #include <string_view>
 
 #include "core/base/error.h"
+#include "core/base/typed_number.h"
 
 namespace feedscope {
 namespace {
 
 constexpr const char* tolerance_key = "tolerance";
 constexpr const char* form =
-    "write KEY=FROM:TO:logN, KEY=FROM:TO:linN or KEY=A,B,C, as in "
-    "tolerance=0.005:0.1:log12";
+    "write KEY=FROM:TO:logN, KEY=FROM:TO:linN or \"KEY=A;B;C\", as in tolerance=0.005:0.1:log12";
+constexpr std::string_view separators = " \t;";
 
 [[noreturn]] void refuse(const std::string& text, const std::string& reason) {
   throw InputError(fmt::format("sweep '{}': {}; {}", text, reason, form));
 }
 
 double number_in(const std::string& text, std::string_view word) {
-  SettingSpec any;
-  any.key = fmt::format("sweep '{}'", text);
-  any.minimum = -std::numeric_limits<double>::infinity();
-  return std::get<double>(parse_setting(any, word));
+  const TypedNumber number = typed_list_number(word);
+  if (!number.value || !std::isfinite(*number.value)) {
+    refuse(text, fmt::format("'{}' {}", word,
+                             !number.problem.empty() ? "has a comma: " + number.problem
+                             : number.value          ? "is not finite"
+                                                     : "is not a number, and only numbers can be swept"));
+  }
+  return *number.value;
 }
 
-std::vector<std::string_view> split(std::string_view text, char at) {
+std::vector<std::string_view> split(std::string_view text, std::string_view at) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {
-    const std::size_t end = std::min(text.find(at, begin), text.size());
+    const std::size_t end = std::min(text.find_first_of(at, begin), text.size());
     parts.push_back(text.substr(begin, end - begin));
     begin = end + 1;
   }
   return parts;
 }
 
+/// The values between blanks and semicolons; several of them separate as one does.
+std::vector<std::string_view> words_of(std::string_view values) {
+  std::vector<std::string_view> words = split(values, separators);
+  std::erase_if(words, [](std::string_view word) { return word.empty(); });
+  return words;
+}
+
 double rounded(double value) {
   constexpr int digits = 5;
-  return std::stod(fmt::format("{:.{}g}", value, digits));
+  return *typed_number(fmt::format("{:.{}g}", value, digits)).value;
 }
 
 Sweep range(const std::string& text, const std::string& key, const std::vector<std::string_view>& parts) {
@@ -56,8 +68,9 @@ Sweep range(const std::string& text, const std::string& key, const std::vector<s
     refuse(text, fmt::format("{} values; there must be a whole number from 2 to {}", steps.substr(3),
                              most_sweep_values));
   }
-  return make_sweep(key, number_in(text, parts[0]), number_in(text, parts[1]),
-                    static_cast<std::size_t>(count), logarithmic);
+  const double from = number_in(text, parts[0]);
+  const double to = number_in(text, parts[1]);
+  return make_sweep(key, from, to, static_cast<std::size_t>(count), logarithmic);
 }
 
 }  // namespace
@@ -96,15 +109,18 @@ Sweep parse_sweep(const std::string& text) {
   const std::string key = text.substr(0, equals);
   const std::string_view values = std::string_view(text).substr(equals + 1);
   if (values.find(':') != std::string_view::npos) {
-    return range(text, key, split(values, ':'));
+    return range(text, key, split(values, ":"));
   }
   Sweep sweep{key, {}, false};
-  for (const std::string_view word : split(values, ',')) {
+  for (const std::string_view word : words_of(values)) {
     const double value = number_in(text, word);
     if (std::ranges::find(sweep.values, value) != sweep.values.end()) {
-      refuse(text, fmt::format("{} stands there twice", value));
+      refuse(text, fmt::format("{} is listed twice", value));
     }
     sweep.values.push_back(value);
+  }
+  if (sweep.values.empty()) {
+    refuse(text, "there is no value");
   }
   if (sweep.values.size() > most_sweep_values) {
     refuse(text, fmt::format("{} values; at most {} are possible", sweep.values.size(), most_sweep_values));

@@ -18,8 +18,9 @@ struct Sweep {
 inline constexpr std::size_t most_sweep_values = 1000;
 inline constexpr std::size_t most_study_runs = 10'000;
 
-/// Reads KEY=FROM:TO:logN, KEY=FROM:TO:linN, or KEY=A,B,C. Values of a range are rounded to 5 digits, its
-/// ends are as given. Throws InputError naming text, value and bound.
+/// Reads KEY=FROM:TO:logN, KEY=FROM:TO:linN, or KEY=A;B;C, separated by semicolons or blanks; numbers have a
+/// decimal point, a comma is refused. Values of a range are rounded to 5 digits, its ends are as given.
+/// Throws InputError naming text, value and bound.
 Sweep parse_sweep(const std::string& text);
 /// N values from `from` to `to`. Throws InputError as parse_sweep.
 Sweep make_sweep(const std::string& key, double from, double to, std::size_t count, bool logarithmic);

@@ -33,7 +33,8 @@ TEST(Sweep, HasEqualRatiosOrSteps) {
   EXPECT_TRUE(parse_sweep("tolerance=0.01:0.16:log5").logarithmic);
   EXPECT_THAT(parse_sweep("X.jerk=10:40:lin4").values, ElementsAre(10, 20, 30, 40));
   EXPECT_THAT(parse_sweep("X.jerk=40:10:lin4").values, ElementsAre(40, 30, 20, 10));
-  EXPECT_THAT(parse_sweep("filters=2,3").values, ElementsAre(2, 3));
+  EXPECT_THAT(parse_sweep("filters=2;3").values, ElementsAre(2, 3));
+  EXPECT_THAT(parse_sweep("tolerance=0.01 0.02;0.05 ; 0.1").values, ElementsAre(0.01, 0.02, 0.05, 0.1));
   EXPECT_EQ(parse_sweep("a=1").values.size(), 1u);
   const Sweep log = parse_sweep("tolerance=0.005:0.1:log12");
   ASSERT_EQ(log.values.size(), 12u);
@@ -54,9 +55,14 @@ TEST(Sweep, SaysWhatIsWrong) {
   expect_refused("a=1:2:lin2000", {"2000 values"});
   expect_refused("a=1:2:cub3", {"'cub3' is neither logN nor linN"});
   expect_refused("a=1:2", {"three parts, here are 2"});
-  expect_refused("a=1,2,1", {"1 stands there twice"});
-  expect_refused("a=1,x", {"x"});
-  expect_refused("a=1:inf:lin3", {"a=1:inf:lin3"});
+  expect_refused("a=1;2;1", {"1 is listed twice"});
+  expect_refused("a=1;x", {"'x' is not a number"});
+  expect_refused("a=", {"there is no value"});
+  expect_refused("reading=strict", {"'strict' is not a number, and only numbers can be swept"});
+  expect_refused("a=1:inf:lin3", {"a=1:inf:lin3", "'inf' is not finite"});
+  expect_refused("tolerance=0,05", {"'0,05' has a comma", "0.05 for one value", "\"0;05\" in quotes"});
+  expect_refused("tolerance=0,005:0,1:log12", {"'0,005' has a comma", "write 0.005"});
+  expect_refused("filters=2, 3", {"'2,' has a comma"});
 }
 
 TEST(Sweep, KnowsTheUnitOfItsKey) {
@@ -76,7 +82,7 @@ StudyRequest request_of(const std::vector<std::string>& sweeps, const std::vecto
 }
 
 TEST(StudySetups, AreAllCombinationsOfEveryModelThatKnowsTheKeys) {
-  const auto setups = setups_to_study(request_of({"tolerance=0.01,0.02", "X.jerk=20,30,40"}, {}));
+  const auto setups = setups_to_study(request_of({"tolerance=0.01;0.02", "X.jerk=20;30;40"}, {}));
   const auto with_tolerance = std::ranges::count_if(
       all_models(), [](const ControlModel* m) { return sweep_keys(*m).front() == "tolerance"; });
   ASSERT_EQ(setups.size(), 6u * static_cast<std::size_t>(with_tolerance));
@@ -97,15 +103,15 @@ TEST(StudySetups, RefuseWhatNoModelKnowsAndWhatStandsTwice) {
     }
     return std::string();
   };
-  EXPECT_THAT(message(request_of({"X.jerck=1,2"}, {"essid"})),
+  EXPECT_THAT(message(request_of({"X.jerck=1;2"}, {"essid"})),
               AllOf(HasSubstr("X.jerck"), HasSubstr("X.jerk")));
-  EXPECT_THAT(message(request_of({"tolerance=1,2"}, {"cam"})), HasSubstr("none of the models cam"));
-  EXPECT_THAT(message(request_of({"alpha=1,2", "alpha=3"}, {"essid"})), HasSubstr("swept twice"));
-  EXPECT_THAT(message(request_of({"tolerance=0.1,20"}, {"essid"})), HasSubstr("10"));
-  StudyRequest set = request_of({"alpha=1,2"}, {"essid"});
+  EXPECT_THAT(message(request_of({"tolerance=1;2"}, {"cam"})), HasSubstr("none of the models cam"));
+  EXPECT_THAT(message(request_of({"alpha=1;2", "alpha=3"}, {"essid"})), HasSubstr("swept twice"));
+  EXPECT_THAT(message(request_of({"tolerance=0.1;20"}, {"essid"})), HasSubstr("10"));
+  StudyRequest set = request_of({"alpha=1;2"}, {"essid"});
   set.assignments = {"alpha=2"};
   EXPECT_THAT(message(set), HasSubstr("swept and set"));
-  StudyRequest given = request_of({"tolerance=0.1,0.2"}, {"essid"});
+  StudyRequest given = request_of({"tolerance=0.1;0.2"}, {"essid"});
   given.tolerances = {0.1};
   EXPECT_THAT(message(given), HasSubstr("leave --tolerance out"));
   EXPECT_THAT(message(request_of({"alpha=1:3:lin1000", "beta=0.1:1:lin1000"}, {"essid"})),
@@ -132,7 +138,7 @@ TEST(Study, FindsTheFastestWithinABound) {
 }
 
 TEST(Study, CausesAddUpToTheCycleTime) {
-  const Study study = run_study(program_of("G1 X20 F3000\nY20\n"), request_of({"X.jerk=5,50"}, {"essid"}));
+  const Study study = run_study(program_of("G1 X20 F3000\nY20\n"), request_of({"X.jerk=5;50"}, {"essid"}));
   for (const StudyRun& run : study.runs) {
     double sum = 0;
     for (const CauseShare& cause : limiting_causes(run.summary)) {
@@ -146,7 +152,7 @@ TEST(Study, CausesAddUpToTheCycleTime) {
 TEST(Study, IsStoppedByItsProgress) {
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(run_study(program_of("G1 X20 F3000\n"), request_of({"X.jerk=5,50"}, {"essid"}), &progress),
+  EXPECT_THROW(run_study(program_of("G1 X20 F3000\n"), request_of({"X.jerk=5;50"}, {"essid"}), &progress),
                Cancelled);
 }
 
@@ -207,7 +213,7 @@ TEST(Operations, KnowTheHeadingsOfTheDialects) {
 TEST(Operations, AddUpToTheRun) {
   const LoadedProgram program =
       program_of("G0 Z5\n(one)\nG1 X20 F3000\nY20\nX0\n(two)\nG0 Z9\nG1 X9 Y9 F6000\nX0 Y0\nG4 P1\n");
-  StudyRequest request = request_of({"tolerance=0.05,0.1"}, {"essid", "ward", "msaddek"});
+  StudyRequest request = request_of({"tolerance=0.05;0.1"}, {"essid", "ward", "msaddek"});
   request.split = OperationSplit::comment;
   const Study study = run_study(program, request);
   ASSERT_EQ(study.operations.size(), 3u);

@@ -51,11 +51,25 @@ TEST(ParseSetting, TakesPointAndComma) {
   EXPECT_EQ(parsed("contour_tolerance_mm", "+5e-2"), 0.05);
 }
 
+TEST(ParseSetting, SaysWhatToWriteInsteadOfAnAmbiguousComma) {
+  EXPECT_THAT(
+      [] { parse_setting(spec_of("contour_tolerance_mm"), "1,000"); },
+      fails_with("contour_tolerance_mm = '1,000': the comma could be a decimal sign or group thousands; "
+                 "write 1.000 or 1000"));
+}
+
+TEST(ParseSetting, NamesNoBoundsWhereThereAreNone) {
+  SettingSpec any;
+  any.key = "any";
+  any.minimum = -std::numeric_limits<double>::infinity();
+  EXPECT_THAT([&] { parse_setting(any, "x"); }, fails_with("any = 'x' is not a number; it must be finite"));
+}
+
 TEST(ParseSetting, NamesKeyValueAndBoundsOfWhatIsNoNumber) {
-  for (const std::string text : {"", "abc", "1.2.3", "1 mm", "0x10", "--1", "1,2,3"}) {
+  for (const std::string text : {"", "abc", "1.2.3", "1 mm", "0x10", "--1"}) {
     EXPECT_THAT([&] { parse_setting(spec_of("contour_tolerance_mm"), text); },
                 fails_with("contour_tolerance_mm = '" + text +
-                           "' is no number; it must be at least 0 mm and at most 10 mm"));
+                           "' is not a number; it must be at least 0 mm and at most 10 mm"));
   }
 }
 
@@ -114,6 +128,11 @@ TEST(NearestName, FindsSlipsAndBeginnings) {
       << "two swapped letters are one slip";
   EXPECT_EQ(nearest_name("jxek", {"velocity", "acceleration", "jerk"}), "");
   EXPECT_EQ(nearest_name("jerc", {"velocity", "acceleration", "jerk"}), "jerk");
+}
+
+TEST(NearestName, IsNoBeginningWithAnotherFirstLetter) {
+  EXPECT_EQ(nearest_name("foo", {"lookahead_blocks", "filters"}), "");
+  EXPECT_EQ(nearest_name("lok", {"lookahead_blocks", "filters"}), "lookahead_blocks");
 }
 
 TEST(NearestName, PrefersTheWholeNameAmongEqualBeginnings) {

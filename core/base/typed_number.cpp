@@ -1,0 +1,74 @@
+#include "core/base/typed_number.h"
+
+#include <fast_float/fast_float.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+
+namespace feedscope {
+namespace {
+
+std::optional<double> plain_number(std::string_view text) {
+  const char* begin = text.data() + (text.starts_with('+') ? 1 : 0);
+  const char* end = text.data() + text.size();
+  double number = 0;
+  const auto result = fast_float::from_chars(begin, end, number);
+  return result.ec == std::errc() && result.ptr == end ? std::optional(number) : std::nullopt;
+}
+
+std::string replaced(std::string_view text, std::string_view with) {
+  std::string out;
+  for (const char c : text) {
+    out += c == ',' ? std::string(with) : std::string(1, c);
+  }
+  return out;
+}
+
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+/// "1,000": one to three digits, the first of them not 0, then exactly three.
+bool may_group_thousands(std::string_view text) {
+  const std::string_view digits = text.substr(text.find_first_not_of("+-"));
+  const std::size_t comma = digits.find(',');
+  const std::string_view after = digits.substr(comma + 1);
+  const auto count = static_cast<std::size_t>(std::ranges::find_if_not(after, is_digit) - after.begin());
+  return comma >= 1 && comma <= 3 && digits.front() != '0' && count == 3;
+}
+
+}  // namespace
+
+TypedNumber typed_number(std::string_view text) {
+  const auto commas = std::ranges::count(text, ',');
+  if (commas == 0) {
+    return {plain_number(text), ""};
+  }
+  const std::string with_point = replaced(text, ".");
+  if (commas > 1 || text.find('.') != std::string_view::npos) {
+    const std::optional<double> grouped = plain_number(replaced(text, ""));
+    return {std::nullopt,
+            grouped ? fmt::format("a number has one decimal sign and no thousands separators; write {}",
+                                  replaced(text, ""))
+                    : ""};
+  }
+  const std::optional<double> value = plain_number(with_point);
+  if (value && may_group_thousands(text)) {
+    return {std::nullopt, fmt::format("the comma could be a decimal sign or group thousands; write {} or {}",
+                                      with_point, replaced(text, ""))};
+  }
+  return {value, ""};
+}
+
+TypedNumber typed_list_number(std::string_view text) {
+  if (text.find(',') == std::string_view::npos) {
+    return typed_number(text);
+  }
+  return {std::nullopt,
+          fmt::format("the comma could be a decimal sign or separate values; write {} for one value, \"{}\" "
+                      "in quotes for several",
+                      replaced(text, "."), replaced(text, ";"))};
+}
+
+}  // namespace feedscope

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace feedscope {
+
+/// A number as people type it, on the command line, in a setting or a field.
+struct TypedNumber {
+  std::optional<double> value;  ///< none: it cannot be read
+  std::string problem;          ///< why there is none and what to write instead; "" if it is not a number
+};
+
+/// Reads one number. A point is always the decimal sign. A single comma is the decimal sign where it can be
+/// nothing else ("0,05", "12,5"); "1,000" could be one or one thousand and is refused, as is every number
+/// with several commas, or a comma and a point.
+TypedNumber typed_number(std::string_view text);
+
+/// Reads one number of a list. Lists are separated by blanks or semicolons; a comma could be the decimal sign
+/// or a separator and is refused.
+TypedNumber typed_list_number(std::string_view text);
+
+}  // namespace feedscope
