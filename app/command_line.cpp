@@ -4,15 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <iostream>
 #include <new>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
+#include "app/watch.h"
 #include "core/base/error.h"
 #include "core/base/progress.h"
 #include "core/machine/settings.h"
@@ -56,6 +60,16 @@ bool is_no_file(const std::string& word) {
   return !word.empty() && word.find_first_of("./\\") == std::string::npos && !std::filesystem::exists(word);
 }
 
+/// What is missing behind an option that stands without its value; "" for another error.
+std::string option_without_value(const CLI::App& command, const CLI::ParseError& error) {
+  const std::string what = error.what();
+  const CLI::Option* option = command.get_option_no_throw(what.substr(0, what.find(':')));
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) == nullptr || option == nullptr) {
+    return "";
+  }
+  return fmt::format("{0} has no value; write {0} {1}", option->get_name(), option->get_type_name());
+}
+
 std::string explain(const CLI::App& app, const CLI::ParseError& error) {
   const auto chosen = app.get_subcommands();
   const std::vector<std::string> extra = app.remaining(true);
@@ -76,7 +90,21 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     return extra.empty() ? fmt::format("no command given; commands: {}", fmt::join(command_names(app), ", "))
                          : unknown("command", extra.front(), command_names(app));
   }
-  return extra.empty() ? error.what() : fmt::format("unexpected argument '{}'", extra.front());
+  const std::string lacking = option_without_value(*chosen.front(), error);
+  return !lacking.empty() ? lacking
+         : extra.empty()  ? error.what()
+                          : fmt::format("unexpected argument '{}'", extra.front());
+}
+
+/// An option that was given as '' names no file and no value; "nothing was asked for" would hide a mistake.
+void refuse_empty_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    const std::vector<std::string> values =
+        option->count() > 0 ? option->results() : std::vector<std::string>();
+    if (std::ranges::find(values, "") != values.end()) {
+      throw InputError(fmt::format("{} is empty; give a value or leave it out", option->get_name()));
+    }
+  }
 }
 
 int report_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
@@ -89,6 +117,14 @@ int report_wrong_use(const CLI::App& app, const CLI::ParseError& error) {
 int report(const std::string& message, int code) {
   fmt::print(stderr, "feedscope: {}\n", message);
   return code;
+}
+
+/// What no input should bring about.
+int report_mistake(const std::exception& error) {
+  return report(fmt::format("internal error: {}; this is a mistake in Feedscope, please report it with the "
+                            "command and its files",
+                            error.what()),
+                exit_code::failed);
 }
 
 int run_checked(int argc, char** argv) {
@@ -115,25 +151,53 @@ int run_checked(int argc, char** argv) {
   if (app.get_subcommands().empty() && is_no_file(lone_file(app))) {
     throw InputError(unknown("command", lone_file(app), command_names(app)));
   }
+  refuse_empty_values(app);
+  for (const CLI::App* command : app.get_subcommands()) {
+    refuse_empty_values(*command);
+  }
   const auto chosen = std::find_if(commands.begin(), commands.end(),
                                    [](const Command& command) { return command.options->parsed(); });
   return chosen->run();
 }
 
-}  // namespace
+int report_unwritten_text(const std::string& reason) {
+  return report(fmt::format("cannot write '-': {}", reason), exit_code::wrong_use);
+}
 
-int run_command_line(int argc, char** argv) {
+/// What is printed may only fail to arrive at the end: `code`, unless it did not all get to standard output.
+int flushed(int code) {
+  errno = 0;
+  std::cout.flush();
+  const bool written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0 && std::cout.good();
+  return written ? code
+                 : report_unwritten_text(errno != 0 ? std::generic_category().message(errno)
+                                                    : "not everything could be written");
+}
+
+int run_reported(int argc, char** argv) {
   try {
     return run_checked(argc, argv);
   } catch (const InputError& error) {
     return report(error.what(), exit_code::wrong_use);
   } catch (const Cancelled&) {
-    return report("cancelled; no file was written", exit_code::cancelled);
+    return report("cancelled; no file was written", exit_code::stopped_by(Watch::stopped_by()));
   } catch (const std::bad_alloc&) {
-    return report("out of memory; the program is too large for this machine", exit_code::wrong_use);
+    return report("out of memory; the program is too large for this machine", exit_code::failed);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return report(fmt::format("'{}': {}", error.path1().string(), error.code().message()),
+                  exit_code::wrong_use);
+  } catch (const std::system_error& error) {
+    return std::ferror(stdout) != 0 ? report_unwritten_text(error.code().message()) : report_mistake(error);
   } catch (const std::exception& error) {
-    return report(error.what(), exit_code::wrong_use);
+    return report_mistake(error);
   }
+}
+
+}  // namespace
+
+int run_command_line(int argc, char** argv) {
+  const int code = run_reported(argc, argv);
+  return code == exit_code::done || code == exit_code::program_errors ? flushed(code) : code;
 }
 
 }  // namespace feedscope

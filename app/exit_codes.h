@@ -7,6 +7,11 @@ inline constexpr int program_errors = 1;  ///< the NC program had errors; result
 inline constexpr int claim_fails = 1;     ///< something that a lesson claims does not hold
 inline constexpr int wrong_use =
     2;  ///< wrong option, call or machine file; a file that cannot be read or written
-inline constexpr int cancelled = 130;  ///< Ctrl-C, as shells report it
+inline constexpr int failed = 3;  ///< out of memory, or a mistake in Feedscope itself
+
+/// Ended by a signal, as shells report it: 130 for Ctrl-C, 143 for a termination.
+constexpr int stopped_by(int signal) {
+  return 128 + signal;
+}
 
 }  // namespace feedscope::exit_code

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <system_error>
 
+#include "app/part_files.h"
 #include "core/base/error.h"
 
 namespace feedscope {
@@ -45,9 +46,14 @@ OutputFile::OutputFile(const std::string& name) : name_(name) {
   }
   const bool device = fs::exists(status) && !fs::is_regular_file(status);
   written_ = device ? target_ : fs::path(fmt::format("{}.{}.part", target_.string(), getpid()));
+  if (!device) {
+    part_files::remember(written_);
+  }
   file_.open(written_, std::ios::binary);
   if (!file_) {
-    fail(name, last_error());
+    const std::string reason = last_error();
+    part_files::forget(written_);
+    fail(name, reason);
   }
   if (fs::is_regular_file(status)) {
     fs::permissions(written_, status.permissions(), ignored);
@@ -59,6 +65,7 @@ OutputFile::~OutputFile() {
     std::error_code ignored;
     fs::remove(written_, ignored);
   }
+  part_files::forget(written_);
 }
 
 std::ostream& OutputFile::stream() {

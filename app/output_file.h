@@ -8,7 +8,8 @@
 
 namespace feedscope {
 
-/// A result file that is there whole or not at all: written beside its place and moved there by commit().
+/// A result file that is there whole or not at all: written beside its place and moved there by commit(),
+/// and removed if a signal ends the process before.
 /// "-" is standard output; devices and pipes are written directly.
 class OutputFile {
  public:

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <set>
 
+#include "app/number_option.h"
 #include "core/analysis/unfollowed.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -13,6 +14,9 @@
 namespace feedscope {
 
 namespace {
+
+/// Largest whole number that a double keeps exactly.
+constexpr double largest_count = 9007199254740992;
 
 /// The radius stands behind the last "=".
 void add_radius(CutterRadii& radii, const std::string& assignment) {
@@ -27,6 +31,38 @@ void add_radius(CutterRadii& radii, const std::string& assignment) {
 }
 
 }  // namespace
+
+void move_tolerance(std::vector<std::string>& set, std::vector<std::string>& tolerances) {
+  const std::size_t given = tolerances.size();
+  for (const std::string& assignment : set) {
+    const std::string key = assigned_key(assignment);
+    if (key != "tolerance" && key != "contour_tolerance_mm") {
+      continue;
+    }
+    if (given > 0) {
+      throw InputError(fmt::format("--tolerance {} and --set {} both give the tolerance; leave one out",
+                                   tolerances.front(), assignment));
+    }
+    if (key == "tolerance") {
+      tolerances.push_back(assignment.substr(key.size() + 1));
+    }
+  }
+  if (tolerances.size() > given + 1) {
+    throw InputError(
+        fmt::format("--set tolerance={} and --set tolerance={} both give the tolerance; leave one out",
+                    tolerances[given], tolerances[given + 1]));
+  }
+  std::erase_if(set, [](const std::string& assignment) { return assigned_key(assignment) == "tolerance"; });
+}
+
+void move_tolerance(RunOptions& options) {
+  std::vector<std::string> tolerances;
+  if (!options.tolerance.empty()) {
+    tolerances.push_back(options.tolerance);
+  }
+  move_tolerance(options.set, tolerances);
+  options.tolerance = tolerances.empty() ? "" : tolerances.front();
+}
 
 SetupRequest RunOptions::request() const {
   SetupRequest request{machine, model, {}, set};
@@ -76,14 +112,17 @@ void add_program_options(CLI::App& command, ProgramOptions& values) {
                   fmt::format("Language of the program: {} [recognised]", fmt::join(dialects, ", ")))
       ->type_name("ID");
   command.add_flag("--skip-deleted", values.skip_deleted, "Leave out blocks that begin with /");
-  command
-      .add_option("--repeat-limit", values.repeat_limit,
-                  fmt::format("Lines that loops and calls may run [{}]", values.repeat_limit))
+  add_number_option(
+      command, "--repeat-limit", whole_numbers(0, largest_count),
+      [&values](double count) { values.repeat_limit = static_cast<std::uint64_t>(count); },
+      fmt::format("Maximum lines executed by loops and calls [{}]", values.repeat_limit))
       ->type_name("N");
-  command
-      .add_option("--call-depth", values.call_depth,
-                  fmt::format("Calls inside each other [{}]", values.call_depth))
+  add_number_option(
+      command, "--call-depth", whole_numbers(0, largest_count),
+      [&values](double count) { values.call_depth = static_cast<std::size_t>(count); },
+      fmt::format("Maximum call depth [{}]", values.call_depth))
       ->type_name("N");
+  state_number_rule(command);
   command
       .add_option(
           "--tool", values.radii,

@@ -43,6 +43,13 @@ double parse_length(const std::string& text, const std::string& option);
 /// Reads a --tolerance [mm]. Throws InputError if it is no number or below 0.
 double parse_tolerance(const std::string& text);
 
+/// Takes `tolerance=MM` out of what --set was given and adds it to `tolerances`: the same as --tolerance.
+/// Throws InputError if the tolerance is given twice: --tolerance beside --set tolerance or
+/// --set contour_tolerance_mm.
+void move_tolerance(std::vector<std::string>& set, std::vector<std::string>& tolerances);
+/// The same for a command with one run.
+void move_tolerance(RunOptions& options);
+
 /// Adds them to a command; `values` must live as long as the command.
 void add_run_options(CLI::App& command, RunOptions& values);
 /// Adds those of the program alone.

@@ -23,10 +23,17 @@ constexpr int bar_width = 40;
 sigset_t stop_signals() {
   sigset_t set;
   sigemptyset(&set);
-  sigaddset(&set, SIGINT);
-  sigaddset(&set, SIGTERM);
+  for (const int signal : {SIGINT, SIGHUP, SIGTERM}) {
+    struct sigaction action {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler != SIG_IGN) {
+      sigaddset(&set, signal);
+    }
+  }
   return set;
 }
+
+std::atomic<int> stopping_signal{0};
 
 }  // namespace
 
@@ -47,6 +54,10 @@ Watch::~Watch() {
   pthread_sigmask(SIG_UNBLOCK, &set, nullptr);
 }
 
+int Watch::stopped_by() {
+  return stopping_signal;
+}
+
 Progress* Watch::stage(const char* title) {
   title_ = title;
   progress_.report(0);
@@ -62,6 +73,7 @@ void Watch::watch() {
     if ((events[0].revents & POLLIN) != 0) {
       signalfd_siginfo taken{};
       if (read(signals_, &taken, sizeof taken) > 0) {
+        stopping_signal = static_cast<int>(taken.ssi_signo);
         progress_.cancel();
       }
     }

@@ -9,7 +9,8 @@
 namespace feedscope {
 
 /// Watches long work: a progress bar on standard error once it takes longer than a second (on a terminal),
-/// and Ctrl-C cancels it through the progress. While it lives, SIGINT and SIGTERM do nothing else.
+/// and Ctrl-C, a hang-up or a termination cancels it through the progress. While it lives, SIGINT, SIGHUP and
+/// SIGTERM do nothing else; those that are ignored (nohup) stay so.
 class Watch {
  public:
   Watch();
@@ -19,6 +20,8 @@ class Watch {
 
   /// Begins the next stage of the work; `title` must outlive the watch.
   Progress* stage(const char* title);
+  /// The signal that cancelled work of this process, 0 if none did.
+  static int stopped_by();
 
  private:
   void watch();
@@ -26,7 +29,7 @@ class Watch {
 
   Progress progress_;
   std::atomic<const char*> title_{""};
-  int signals_ = -1;  ///< file descriptor that SIGINT and SIGTERM arrive at
+  int signals_ = -1;  ///< file descriptor that the signals arrive at
   int stop_ = -1;     ///< file descriptor that ends the thread
   bool drawn_ = false;
   std::thread thread_;

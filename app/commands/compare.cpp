@@ -167,7 +167,11 @@ int merge(const CompareOptions& options) {
     files.push_back({name, SourceText::from_file(name).text()});
     check_outputs(name, {options.csv, options.json});
   }
-  const MergedComparison merged = merge_comparisons(files);
+  std::optional<double> within;
+  if (!options.within.empty()) {
+    within = parse_length(options.within, "--within");
+  }
+  const MergedComparison merged = merge_comparisons(files, within);
   std::vector<std::pair<std::unique_ptr<OutputFile>, std::string>> results;
   if (!options.csv.empty()) {
     results.emplace_back(std::make_unique<OutputFile>(options.csv), merged_csv(merged));
@@ -243,7 +247,7 @@ Command add_compare_command(CLI::App& app) {
   add_set_option(*command, options->set);
   command->get_option("FILE")->required(false);
   add_list("--sweep", options->sweeps,
-           "Study a setting: tolerance=0.005:0.1:log12, X.jerk=10:50:lin5, filters=2,3")
+           "Study a setting: tolerance=0.005:0.1:log12, X.jerk=10:50:lin5, filters=\"2;3\"")
       ->type_name("KEY=RANGE");
   command
       ->add_option("--within", options->within, "Bound of the contour error in mm: which run is the fastest?")
@@ -266,7 +270,10 @@ Command add_compare_command(CLI::App& app) {
       ->type_name("WxH")
       ->needs(png);
 #endif
-  return {command, [options] { return compare(*options); }};
+  return {command, [options] {
+            move_tolerance(options->set, options->tolerances);
+            return compare(*options);
+          }};
 }
 
 }  // namespace feedscope

@@ -8,6 +8,7 @@
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
 #include "app/output_file.h"
+#include "app/output_format.h"
 #include "app/print.h"
 #include "app/watch.h"
 #include "core/base/error.h"
@@ -26,6 +27,7 @@ struct LessonsOptions {
   std::string id;
   bool check = false;
   std::string out;
+  std::string format;
 };
 
 void list_lessons() {
@@ -138,28 +140,24 @@ int check_lessons(const std::string& id) {
   return failed > 0 ? exit_code::claim_fails : exit_code::done;
 }
 
-/// The hand-out as the ending of `out` asks for it, with pictures where this Feedscope can draw.
-std::string handout([[maybe_unused]] const std::string& out, const Lesson& lesson, LessonRuns& runs,
-                    Progress* progress) {
+std::string format_of(const LessonsOptions& options) {
 #ifdef FEEDSCOPE_WITH_UI
-  const ui::OffscreenApplication application;
-  const bool pages = out.ends_with(".pdf");
-  return ui::make_handout(lesson, runs, pages ? ui::ReportFormat::pdf : ui::ReportFormat::html, progress);
+  return output_format(options.out, options.format, {"html", "pdf"});
 #else
-  return handout_html(lesson, runs.numbers(progress));
+  return output_format(options.out, options.format, {"html"});
 #endif
 }
 
-void check_ending(const std::string& out) {
-  std::vector<std::string> endings{".html"};
+/// The hand-out in a format, with pictures where this Feedscope can draw.
+std::string handout([[maybe_unused]] const std::string& format, const Lesson& lesson, LessonRuns& runs,
+                    Progress* progress) {
 #ifdef FEEDSCOPE_WITH_UI
-  endings.insert(endings.begin(), ".pdf");
+  const ui::OffscreenApplication application;
+  return ui::make_handout(lesson, runs, format == "pdf" ? ui::ReportFormat::pdf : ui::ReportFormat::html,
+                          progress);
+#else
+  return handout_html(lesson, runs.numbers(progress));
 #endif
-  const auto fits = [&](const std::string& ending) { return out.ends_with(ending); };
-  if (!out.empty() && out != "-" && std::none_of(endings.begin(), endings.end(), fits)) {
-    throw InputError(
-        fmt::format("no kind of hand-out: '{}' must end in {}", out, fmt::join(endings, " or ")));
-  }
 }
 
 int run_lessons(const LessonsOptions& options) {
@@ -173,7 +171,7 @@ int run_lessons(const LessonsOptions& options) {
     list_lessons();
     return exit_code::done;
   }
-  check_ending(options.out);
+  const std::string format = options.out.empty() ? "" : format_of(options);
   const std::filesystem::path file = find_lesson(options.id);
   const Lesson lesson = read_lesson(file);
   std::unique_ptr<OutputFile> out;
@@ -193,7 +191,7 @@ int run_lessons(const LessonsOptions& options) {
   }
   {
     Watch watch;
-    out->stream() << handout(options.out, lesson, runs, watch.stage("simulating"));
+    out->stream() << handout(format, lesson, runs, watch.stage("simulating"));
   }
   out->commit();
   return exit_code::done;
@@ -208,9 +206,15 @@ Command add_lessons_command(CLI::App& app) {
   CLI::Option* check = command->add_flag(
       "--check", options->check,
       "Simulate what the lesson claims (without ID: all lessons) and say what does not hold (exit code 1)");
-  command->add_option("--out", options->out, "Write a hand-out to print; - for standard output (HTML)")
-      ->type_name("FILE.pdf|FILE.html")
-      ->excludes(check);
+  CLI::Option* out =
+      command->add_option("--out", options->out, "Write a hand-out to print; - for standard output")
+          ->type_name("FILE.pdf|FILE.html")
+          ->excludes(check);
+  command
+      ->add_option("--format", options->format, "html or pdf [the ending of --out; html on standard output]")
+      ->check(CLI::IsMember({"html", "pdf"}))
+      ->needs(out)
+      ->type_name("FORMAT");
   return {command, [options] { return run_lessons(*options); }};
 }
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <optional>
@@ -9,7 +8,9 @@
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
+#include "app/number_option.h"
 #include "app/output_file.h"
+#include "app/output_format.h"
 #include "app/picture_size.h"
 #include "app/print.h"
 #include "app/session_runs.h"
@@ -56,22 +57,8 @@ std::vector<std::string> colouring_keys() {
   return keys;
 }
 
-/// By --format, else the ending of --out; a name without any becomes a PNG picture.
 ui::PictureFormat format_of(const RenderOptions& options) {
-  std::string ending = options.format;
-  if (ending.empty()) {
-    ending = std::filesystem::path(options.out).extension().string();
-    ending = ending.empty() ? "png" : ending.substr(1);
-    std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  }
-  const auto found = formats.find(ending);
-  if (found == formats.end()) {
-    throw InputError(
-        fmt::format("--out '{}' ends in no format that can be written; there are .png, .svg and "
-                    ".pdf, or add --format",
-                    options.out));
-  }
-  return found->second;
+  return formats.at(output_format(options.out, options.format, {"png", "svg", "pdf"}));
 }
 
 ui::ThemeKind theme_of(const RenderOptions& options, const std::optional<ui::Session>& session) {
@@ -252,15 +239,14 @@ void add_size_options(CLI::App& command, RenderOptions& options) {
           "Width and height in pixels, or a sheet of paper: A4 (lying), A4-portrait, A2 to A6, Letter "
           "[1280x960; A4 for a sheet]")
       ->type_name("WxH|PAPER");
-  command
-      .add_option("--dpi", options.dpi,
-                  "Pixels an inch of paper, and of what is no vector in SVG and PDF [300]")
-      ->check(CLI::Range(36.0, 1200.0))
+  add_number_option(
+      command, "--dpi", numbers(36, 1200), [&options](double dpi) { options.dpi = dpi; },
+      "Pixels an inch of paper, and of what is no vector in SVG and PDF [300]")
       ->type_name("N");
-  command.add_option("--scale", options.scale, "Size of text and lines")
-      ->check(CLI::Range(0.25, 8.0))
-      ->type_name("S")
-      ->capture_default_str();
+  add_number_option(
+      command, "--scale", numbers(0.25, 8), [&options](double scale) { options.scale = scale; },
+      "Size of text and lines [1]")
+      ->type_name("S");
 }
 
 }  // namespace
@@ -288,9 +274,10 @@ Command add_render_command(CLI::App& app) {
               "session's]")
       ->check(CLI::IsMember(colouring_keys()))
       ->type_name("COLOUR");
-  command
-      ->add_option("--reference", options->reference,
-                   "The run that --colour time_lost and path_distance compare with [the first other one]")
+  add_number_option(
+      *command, "--reference", whole_numbers(1, 1'000'000),
+      [options](double number) { options->reference = static_cast<int>(number); },
+      "The run that --colour time_lost and path_distance compare with [the first other one]")
       ->type_name("N");
   command->add_option("--theme", options->theme, "Colours: light, dark [light, or the session's]")
       ->check(CLI::IsMember(themes))
@@ -303,7 +290,10 @@ Command add_render_command(CLI::App& app) {
   command->add_option("--out", options->out, "The picture to write; - for standard output")
       ->type_name("FILE.png|svg|pdf")
       ->required();
-  return {command, [options] { return render(*options); }};
+  return {command, [options] {
+            move_tolerance(options->runs.set, options->runs.tolerances);
+            return render(*options);
+          }};
 }
 
 }  // namespace feedscope

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -8,6 +7,7 @@
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
 #include "app/output_file.h"
+#include "app/output_format.h"
 #include "app/picture_size.h"
 #include "app/print.h"
 #include "app/session_runs.h"
@@ -33,17 +33,7 @@ const std::map<std::string, ui::ReportFormat> formats{{"pdf", ui::ReportFormat::
                                                       {"html", ui::ReportFormat::html}};
 
 ui::ReportFormat format_of(const ReportOptions& options) {
-  std::string ending = options.format;
-  if (ending.empty()) {
-    ending = std::filesystem::path(options.out).extension().string();
-    ending = ending == ".htm" ? "html" : ending.substr(std::min<std::size_t>(1, ending.size()));
-  }
-  const auto found = formats.find(ending);
-  if (found == formats.end()) {
-    throw InputError(fmt::format(
-        "--out '{}' does not say what to write; end it in .pdf or .html, or add --format", options.out));
-  }
-  return found->second;
+  return formats.at(output_format(options.out, options.format, {"pdf", "html"}));
 }
 
 QDateTime date_of(const std::string& text) {
@@ -140,7 +130,10 @@ Command add_report_command(CLI::App& app) {
                    "Where to look from: iso, top, front, right [iso, or the session's]")
       ->check(CLI::IsMember(camera_views))
       ->type_name("CAMERA");
-  return {command, [options] { return report(*options); }};
+  return {command, [options] {
+            move_tolerance(options->runs.set, options->runs.tolerances);
+            return report(*options);
+          }};
 }
 
 }  // namespace feedscope

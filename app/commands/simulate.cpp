@@ -5,6 +5,7 @@
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
+#include "app/number_option.h"
 #include "app/output_file.h"
 #include "app/print.h"
 #include "app/run_options.h"
@@ -151,11 +152,16 @@ Command add_simulate_command(CLI::App& app) {
           "Write the places farthest from the programmed path as CSV, and add them and a histogram of "
           "the contour error to --json; - for standard output")
       ->type_name("FILE");
-  command->add_option("--contour-places", options->contour_places, "How many of these places [20]")
-      ->check(CLI::Range(std::size_t{1}, std::size_t{1'000'000}))
+  add_number_option(
+      *command, "--contour-places", whole_numbers(1, 1'000'000),
+      [options](double count) { options->contour_places = static_cast<std::size_t>(count); },
+      "How many of these places [20]")
       ->needs("--contour")
       ->type_name("N");
-  return {command, [options] { return simulate(*options); }};
+  return {command, [options] {
+            move_tolerance(options->run);
+            return simulate(*options);
+          }};
 }
 
 }  // namespace feedscope

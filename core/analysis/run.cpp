@@ -43,7 +43,14 @@ const SettingSpec& tolerance_spec() {
 }  // namespace
 
 MachineLibrary shipped_machines() {
-  return MachineLibrary(data_folder() / "machines", all_model_settings());
+  std::vector<SettingSpec> specs = all_model_settings();
+  SettingSpec model;
+  model.key = "model";
+  for (const ControlModel* known : all_models()) {
+    model.choices.push_back(known->info().id);
+  }
+  specs.push_back(std::move(model));
+  return MachineLibrary(data_folder() / "machines", std::move(specs));
 }
 
 LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress,

@@ -29,7 +29,11 @@ bool is_called(const std::string& id, const std::string& name) {
   return number(name) >= 0 && number(name) == number(id.substr(0, underscore));
 }
 
+/// A number that no lesson has is near to none of them.
 std::string nearest_id(const std::string& word, const std::vector<std::string>& ids) {
+  if (word.find_first_not_of("0123456789") == std::string::npos) {
+    return "";
+  }
   std::vector<std::string> names;  // without numbers
   for (const std::string& id : ids) {
     names.push_back(id.substr(id.find('_') + 1));

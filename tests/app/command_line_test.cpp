@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace feedscope::test {
 namespace {
@@ -13,6 +15,15 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
+
+/// Long enough that a signal arrives while it runs.
+std::string long_program() {
+  std::string text = "G1 F6000\n";
+  for (int i = 0; i < 20000; ++i) {
+    text += "X" + std::to_string(i % 7) + " Y" + std::to_string(i % 5) + "\n";
+  }
+  return text;
+}
 
 TEST_F(CommandLine, HasHelpForEveryCommand) {
   const Result all = run("--help");
@@ -32,7 +43,10 @@ TEST_F(CommandLine, NamesUnknownOptionAndArgument) {
   expect_wrong_use("simulate corner.nc --qqqqqq=1", "unknown option '--qqqqqq'; known: ");
   expect_wrong_use("simulate corner.nc wrong.nc", "unexpected argument 'wrong.nc'");
   expect_wrong_use("simulate", "FILE is required");
-  expect_wrong_use("simulate corner.nc --csv", "--csv");
+  expect_wrong_use("simulate corner.nc --csv", "--csv has no value; write --csv FILE");
+  expect_wrong_use("compare corner.nc --json", "--json has no value; write --json FILE");
+  expect_wrong_use("simulate corner.nc --csv ''", "--csv is empty; give a value or leave it out");
+  expect_wrong_use("check corner.nc --json=", "--json");
 }
 
 TEST_F(CommandLine, SimulateSumsUpForPeople) {
@@ -192,12 +206,14 @@ TEST_F(CommandLine, NamesAWrongSetup) {
   expect_wrong_use("simulate corner.nc --model esid", "did you mean 'essid'?");
   expect_wrong_use("simulate corner.nc --set X.jrek=1", "did you mean 'X.jerk'?");
   expect_wrong_use("simulate corner.nc --set alpha", "'alpha' has no value");
+  EXPECT_THAT(run("simulate corner.nc --set foo=3").err,
+              AllOf(HasSubstr("'foo' is not known"), Not(HasSubstr("mean"))));
   expect_wrong_use("simulate corner.nc --set alpha=99", "alpha = 99 is out of bounds");
   expect_wrong_use("simulate corner.nc --set X.jerk=-1",
                    "X.jerk = -1 is out of bounds; it must be above 0 m/s3");
   expect_wrong_use("simulate corner.nc --set reading=quick",
                    "it must be one of: corrected, published, strict");
-  expect_wrong_use("simulate corner.nc --tolerance wide", "--tolerance = 'wide' is no number");
+  expect_wrong_use("simulate corner.nc --tolerance wide", "--tolerance = 'wide' is not a number");
   expect_wrong_use("simulate corner.nc --tolerance -1",
                    "--tolerance = -1 is out of bounds; it must be at least 0 mm");
   expect_wrong_use("simulate corner.nc --csv a.csv --step 0",
@@ -224,18 +240,85 @@ TEST_F(CommandLine, KeepsAnOldFileWhenTheNewOneFails) {
   EXPECT_EQ(contents(folder_ / "a.csv"), "old");
 }
 
-TEST_F(CommandLine, CancelsOnInterruptAndLeavesNoFile) {
-  std::string text = "G1 F6000\n";
-  for (int i = 0; i < 20000; ++i) {
-    text += "X" + std::to_string(i % 7) + " Y" + std::to_string(i % 5) + "\n";
+TEST_F(CommandLine, CancelsOnSignalsAndLeavesNoFile) {
+  write("long.nc", long_program());
+  for (const auto& [signal, code] : {std::pair{"INT", 130}, {"HUP", 129}, {"TERM", 143}}) {
+    const Result result = run("simulate long.nc --csv long.csv --step 0.00001",
+                              std::string("timeout --preserve-status --signal=") + signal + " 0.7");
+    EXPECT_EQ(result.code, code) << signal;
+    EXPECT_FALSE(fs::exists(folder_ / "long.csv"));
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".part"))) << signal;
+    }
   }
-  write("long.nc", text);
+}
+
+TEST_F(CommandLine, KeepsRunningWhereAHangUpIsIgnored) {
+  write("long.nc", long_program());
   const Result result =
-      run("simulate long.nc --csv long.csv --step 0.00001", "timeout --preserve-status --signal=INT 0.7");
-  EXPECT_EQ(result.code, 130);
-  EXPECT_FALSE(fs::exists(folder_ / "long.csv"));
-  for (const auto& entry : fs::directory_iterator(folder_)) {
-    EXPECT_THAT(entry.path().filename().string(), Not(HasSubstr(".part")));
+      run("simulate long.nc --csv long.csv --step 0.02",
+          "timeout --preserve-status --signal=HUP 0.3 sh -c 'trap \"\" HUP; exec \"$0\" \"$@\"'");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_TRUE(fs::exists(folder_ / "long.csv"));
+}
+
+/// What is printed and does not arrive is no success, whichever command prints it.
+TEST_F(CommandLine, FailsWhereItsTextCannotBeWritten) {
+  const std::map<std::string, std::vector<std::string>> calls{
+      {"simulate", {"simulate corner.nc", "simulate corner.nc --csv -"}},
+      {"compare", {"compare corner.nc --model cam", "compare corner.nc --model cam --csv -"}},
+      {"check", {"check corner.nc", "check corner.nc --json -"}},
+      {"lessons", {"lessons", "lessons 1", "lessons 1 --out -"}},
+      {"machines", {"machines", "machines huron-kx10"}},
+      {"models", {"models", "models essid"}},
+      {"render", {"render corner.nc --size 100x80 --out -"}},
+      {"report", {"report corner.nc --out - --format html"}}};
+  const std::string help = run("--help").out;
+  std::istringstream lines(help.substr(help.find("Subcommands:")));
+  std::vector<std::string> all{"--help", "--version"};
+  std::string line;
+  std::getline(lines, line);
+  while (std::getline(lines, line)) {
+    const std::string command =
+        line.substr(0, line.find(' ', 2)).substr(std::min<std::size_t>(2, line.size()));
+    if (!command.empty()) {
+      ASSERT_TRUE(calls.contains(command)) << command << ": say how it is called";
+      all.push_back(command + " --help");
+      all.insert(all.end(), calls.at(command).begin(), calls.at(command).end());
+    }
+  }
+  EXPECT_GT(all.size(), 12u);
+  for (const std::string& call : all) {
+    const Result result = run(call + " > /dev/full");
+    EXPECT_EQ(result.code, 2) << call;
+    EXPECT_THAT(result.err, HasSubstr("feedscope: cannot write '-'")) << call;
+  }
+}
+
+TEST_F(CommandLine, TakesTheToleranceFromOnePlace) {
+  const auto figures = [this](const std::string& options) {
+    json report = json::parse(run("simulate corner.nc --json - " + options).out);
+    report.erase("elapsed");
+    return report;
+  };
+  EXPECT_EQ(figures("--set tolerance=0.05"), figures("--tolerance 0.05"));
+  for (const std::string command : {"simulate", "compare"}) {
+    expect_wrong_use(command + " corner.nc --tolerance 0.01 --set contour_tolerance_mm=0.05",
+                     "--tolerance 0.01 and --set contour_tolerance_mm=0.05 both give the tolerance");
+    expect_wrong_use(command + " corner.nc --tolerance 0.01 --set tolerance=0.05", "both give the tolerance");
+    expect_wrong_use(command + " corner.nc --set tolerance=0.01 --set tolerance=0.05",
+                     "both give the tolerance");
+  }
+}
+
+TEST_F(CommandLine, NamesThePlaceOfAWrongModelInAMachineFile) {
+  std::string text = contents(fs::path(FEEDSCOPE_SOURCE_DIR) / "machines" / "spinner-mvc850.toml");
+  write("mine.toml", text.replace(text.find("\"essid\""), 7, "\"esid\""));
+  for (const std::string call : {"simulate corner.nc --machine mine.toml", "machines mine.toml",
+                                 "simulate corner.nc --machine mine.toml --model cam"}) {
+    const Result result = run(call);
+    EXPECT_EQ(result.code, 2) << call;
+    EXPECT_THAT(result.err, testing::ContainsRegex("mine.toml:[0-9]+:[0-9]+: model = 'esid'.*essid")) << call;
   }
 }
 

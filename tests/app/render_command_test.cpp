@@ -15,6 +15,9 @@ namespace fs = std::filesystem;
 using feedscope::ui::read_png;
 using testing::HasSubstr;
 
+/// There is no display.
+constexpr const char* no_display = "env -u DISPLAY -u WAYLAND_DISPLAY";
+
 struct Result {
   int code = -1;
   std::string err;
@@ -32,9 +35,8 @@ class RenderCommand : public testing::Test {
   ~RenderCommand() override { fs::remove_all(folder_); }
 
   Result run(const std::string& arguments) const {
-    const std::string line = "cd '" + folder_.string() +
-                             "' && env -u DISPLAY -u WAYLAND_DISPLAY '" FEEDSCOPE_EXECUTABLE "' render " +
-                             arguments + " 2>stderr";
+    const std::string line = "cd '" + folder_.string() + "' && " + no_display +
+                             " '" FEEDSCOPE_EXECUTABLE "' render " + arguments + " 2>stderr";
     const int status = std::system(line.c_str());
     std::ostringstream err;
     err << std::ifstream(folder_ / "stderr").rdbuf();
@@ -122,7 +124,9 @@ TEST_F(RenderCommand, SeveralRunsShareAPictureButNotAWindow) {
 }
 
 TEST_F(RenderCommand, RefusesWhatDoesNotFitTogether) {
-  expect_wrong_use("corner.nc --out a.jpg", "'a.jpg' ends in no format");
+  expect_wrong_use("corner.nc --out a.jpg",
+                   "--out 'a.jpg' does not say what to write; end it in .png, .svg, .pdf, or add --format");
+  expect_wrong_use("corner.nc --out picture", "--out 'picture' does not say what to write");
   expect_wrong_use("corner.nc --size 800x600 --dpi 300 --out a.png", "--dpi says nothing");
   expect_wrong_use("corner.nc --size A4 --dpi 1000 --out a.png", "smaller --dpi");
   expect_wrong_use("corner.nc --size A4-potrait --out a.png", "did you mean 'A4-portrait'");
