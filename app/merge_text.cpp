@@ -1,34 +1,80 @@
 #include "app/merge_text.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <vector>
 
 #include "app/print.h"
 #include "core/base/clock_text.h"
 
 namespace feedscope {
 
+namespace {
+
+/// "2 errors, read in part", "no motion"; "" for a program that can be counted on.
+std::string defect_text(const MergedProgram& program) {
+  const std::string errors = program.errors == 0 ? ""
+                                                 : fmt::format("{} error{}, read in part", program.errors,
+                                                               program.errors == 1 ? "" : "s");
+  const std::string empty = program.segments == 0 ? "no motion" : "";
+  return errors + (errors.empty() || empty.empty() ? "" : "; ") + empty;
+}
+
+std::string total_heading(const MergedComparison& merged) {
+  std::vector<std::string> defects;
+  for (const MergedProgram& program : merged.programs) {
+    if (const std::string defect = defect_text(program); !defect.empty()) {
+      defects.push_back(fmt::format("{}: {}", program.file, defect));
+    }
+  }
+  const std::string title = fmt::format("All of {} programs", merged.programs.size());
+  return defects.empty()
+             ? title
+             : fmt::format("{}, {} of them incomplete ({})", title, defects.size(), fmt::join(defects, ", "));
+}
+
+std::string fastest_text(const MergedComparison& merged) {
+  if (!merged.within) {
+    return "";
+  }
+  const MergedSum* best = merged.fastest_sum();
+  if (best == nullptr) {
+    return fmt::format("\nNo setting keeps a contour error of {} mm in all {} programs.\n", *merged.within,
+                       merged.programs.size());
+  }
+  return fmt::format("\n* Fastest within {} mm. Of all {} programs: {} on {}, {}, {}.\n", *merged.within,
+                     merged.programs.size(), best->run.model, best->run.machine, best->run.setting,
+                     time_text(best->run.cycle_time));
+}
+
+}  // namespace
+
 std::string merge_text(const MergedComparison& merged) {
   TextTable table;
   table.add(
-      {"machine", "model", "setting", "programs", "cycle time", "h:mm:ss", "mean feed", "contour error"});
-  table.add({"", "", "", "", "[s]", "", "[mm/min]", "[mm]"});
-  const auto add = [&](const MergedRun& run, std::size_t programs, bool has_feed) {
-    table.add({run.machine, run.model, run.setting, fmt::format("{}", programs),
+      {"", "machine", "model", "setting", "programs", "cycle time", "h:mm:ss", "mean feed", "contour error"});
+  table.add({"", "", "", "", "", "[s]", "", "[mm/min]", "[mm]"});
+  const auto add = [&](const MergedRun& run, std::size_t programs, bool has_feed, bool fastest) {
+    table.add({fastest ? "*" : "", run.machine, run.model, run.setting, fmt::format("{}", programs),
                fmt::format("{:.3f}", run.cycle_time), clock_text(run.cycle_time),
                has_feed ? fmt::format("{:.1f}", run.mean_feed) : "",
                fmt::format("{:.4f}", run.max_contour_error)});
   };
   for (const MergedProgram& program : merged.programs) {
-    table.add_heading(program.file);
+    const std::string defect = defect_text(program);
+    table.add_heading(defect.empty() ? program.file : fmt::format("{} ({})", program.file, defect));
+    const MergedRun* best = merged.fastest(program);
     for (const MergedRun& run : program.runs) {
-      add(run, 1, true);
+      add(run, 1, true, &run == best);
     }
   }
-  table.add_heading(fmt::format("All of {} programs", merged.programs.size()));
+  table.add_heading(total_heading(merged));
+  const MergedSum* best = merged.fastest_sum();
   for (const MergedSum& sum : merged.sums) {
-    add(sum.run, sum.programs, false);
+    add(sum.run, sum.programs, false, &sum == best);
   }
-  return table.text("lllrrrrr");
+  return table.text("llllrrrrr") + fastest_text(merged);
 }
 
 }  // namespace feedscope

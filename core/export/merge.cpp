@@ -76,6 +76,22 @@ std::string setting_of(const Place& run) {
   return fmt::format("{}", fmt::join(parts, " "));
 }
 
+std::size_t errors_of(const Place& whole) {
+  std::size_t count = 0;
+  for (const Place& diagnostic : whole.at("diagnostics").list()) {
+    count += diagnostic.at("severity").text() == "error" ? 1 : 0;
+  }
+  return count;
+}
+
+/// The bound that a study was made with.
+std::optional<double> bound_of(const Place& whole) {
+  const Json& json = whole.json();
+  return json.contains("within_mm") && !json["within_mm"].is_null()
+             ? std::optional(whole.at("within_mm").number())
+             : std::nullopt;
+}
+
 MergedRun run_of(const Place& run) {
   MergedRun merged;
   merged.machine = run.at("machine").at("id").text();
@@ -89,16 +105,30 @@ MergedRun run_of(const Place& run) {
   return merged;
 }
 
-MergedProgram program_of(const NamedText& file) {
+/// "line 3, column 7" of a byte in a text; bytes count from 1.
+std::string place_of_byte(std::string_view text, std::size_t byte) {
+  const std::string_view before = text.substr(0, std::min(byte > 0 ? byte - 1 : 0, text.size()));
+  const std::size_t line_begin = before.rfind('\n') + 1;  // 0 where there is none
+  return fmt::format("line {}, column {}", std::ranges::count(before, '\n') + 1,
+                     before.size() - line_begin + 1);
+}
+
+MergedProgram program_of(const NamedText& file, std::optional<double>& within) {
   Json json;
   try {
     json = Json::parse(file.text);
   } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("'{}': no JSON: {}", file.name, error.what()));
+    throw InputError(fmt::format("'{}': not a JSON text, {}{}; merge files that compare --json wrote",
+                                 file.name,
+                                 error.byte > file.text.size() ? "it ends too early: " : "wrong at ",
+                                 place_of_byte(file.text, error.byte)));
   }
   const Place whole(file.name, json);
   MergedProgram program;
   program.file = whole.at("program").at("file").text();
+  program.segments = static_cast<std::size_t>(whole.at("program").at("segments").number());
+  program.errors = errors_of(whole);
+  within = bound_of(whole);
   for (const Place& run : whole.at("runs").list()) {
     program.runs.push_back(run_of(run));
     const auto& added = program.runs.back();
@@ -112,57 +142,115 @@ MergedProgram program_of(const NamedText& file) {
   return program;
 }
 
-Json run_json(const MergedRun& run) {
+Json figures_json(const MergedRun& run) {
   return {{"machine", run.machine},
           {"model", run.model},
           {"setting", run.setting},
           {"cycle_time_s", run.cycle_time},
-          {"mean_feed_mm_min", run.mean_feed},
           {"max_contour_error_mm", run.max_contour_error}};
 }
 
+/// within_bound and fastest of a row; null without a bound.
+void add_marks(Json& row, const MergedComparison& merged, const MergedRun& run, bool fastest) {
+  row["within_bound"] = merged.within ? Json(merged.keeps(run)) : Json();
+  row["fastest"] = merged.within ? Json(fastest) : Json();
+}
+
+std::string marks_csv(const MergedComparison& merged, const MergedRun& run, bool fastest) {
+  return merged.within ? fmt::format("{:d},{:d}", merged.keeps(run), fastest) : ",";
+}
+
 std::string csv_row(const std::string& program, const MergedRun& run, std::size_t programs, bool has_feed) {
-  return fmt::format("{},{},{},{},{},{:.11g},{},{:.11g}\n", csv_field(program), csv_field(run.machine),
+  return fmt::format("{},{},{},{},{},{:.11g},{},{:.11g}", csv_field(program), csv_field(run.machine),
                      run.model, csv_field(run.setting), programs, run.cycle_time,
                      has_feed ? fmt::format("{:.11g}", run.mean_feed) : "", run.max_contour_error);
 }
 
+bool is_faster(const MergedRun& run, const MergedRun& than) {
+  return std::pair(run.cycle_time, run.max_contour_error) <
+         std::pair(than.cycle_time, than.max_contour_error);
+}
+
+void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
+  auto sum = std::ranges::find(sums, run.key, [](const MergedSum& s) { return s.run.key; });
+  if (sum == sums.end()) {
+    sum = sums.insert(sum, {run, 0});
+    sum->run.cycle_time = sum->run.max_contour_error = sum->run.mean_feed = 0;
+  }
+  sum->run.cycle_time += run.cycle_time;
+  sum->run.max_contour_error = std::max(sum->run.max_contour_error, run.max_contour_error);
+  ++sum->programs;
+}
+
 }  // namespace
 
-MergedComparison merge_comparisons(const std::vector<NamedText>& files) {
+bool MergedComparison::keeps(const MergedRun& run) const {
+  constexpr double rounding = 1e-9;  // mm
+  return !within || run.max_contour_error <= *within + rounding;
+}
+
+const MergedRun* MergedComparison::fastest(const MergedProgram& program) const {
+  const MergedRun* best = nullptr;
+  for (const MergedRun& run : program.runs) {
+    if (within && program.segments > 0 && keeps(run) && (best == nullptr || is_faster(run, *best))) {
+      best = &run;
+    }
+  }
+  return best;
+}
+
+const MergedSum* MergedComparison::fastest_sum() const {
+  const MergedSum* best = nullptr;
+  for (const MergedSum& sum : sums) {
+    const bool of_all = sum.programs == programs.size();
+    if (within && of_all && keeps(sum.run) && (best == nullptr || is_faster(sum.run, best->run))) {
+      best = &sum;
+    }
+  }
+  return best;
+}
+
+MergedComparison merge_comparisons(const std::vector<NamedText>& files, std::optional<double> within) {
   MergedComparison merged;
+  std::vector<std::optional<double>> bounds;
   for (const NamedText& file : files) {
-    MergedProgram program = program_of(file);
+    MergedProgram program = program_of(file, bounds.emplace_back());
     const auto same = std::ranges::find(merged.programs, program.file, &MergedProgram::file);
     if (same != merged.programs.end()) {
       throw InputError(fmt::format("'{}': program '{}' is in '{}', too", file.name, program.file,
                                    files[static_cast<std::size_t>(same - merged.programs.begin())].name));
     }
     for (const MergedRun& run : program.runs) {
-      auto sum = std::ranges::find(merged.sums, run.key, [](const MergedSum& s) { return s.run.key; });
-      if (sum == merged.sums.end()) {
-        sum = merged.sums.insert(sum, {run, 0});
-        sum->run.cycle_time = sum->run.max_contour_error = sum->run.mean_feed = 0;
-      }
-      sum->run.cycle_time += run.cycle_time;
-      sum->run.max_contour_error = std::max(sum->run.max_contour_error, run.max_contour_error);
-      ++sum->programs;
+      add_to_sums(merged.sums, run);
     }
     merged.programs.push_back(std::move(program));
   }
+  const bool one_bound = !bounds.empty() && std::ranges::count(bounds, bounds.front()) ==
+                                                static_cast<std::ptrdiff_t>(bounds.size());
+  merged.within = within ? within : one_bound ? bounds.front() : std::nullopt;
   return merged;
 }
 
 std::string merged_csv(const MergedComparison& merged) {
   std::string text =
-      "program,machine,model,setting,programs,cycle_time_s,mean_feed_mm_min,max_contour_error_mm\n";
+      "program,machine,model,setting,programs,cycle_time_s,mean_feed_mm_min,max_contour_error_mm,errors,"
+      "segments,"
+      "within_bound,fastest\n";
+  std::size_t errors = 0;
+  std::size_t segments = 0;
   for (const MergedProgram& program : merged.programs) {
+    const MergedRun* best = merged.fastest(program);
     for (const MergedRun& run : program.runs) {
-      text += csv_row(program.file, run, 1, true);
+      text += fmt::format("{},{},{},{}\n", csv_row(program.file, run, 1, true), program.errors,
+                          program.segments, marks_csv(merged, run, &run == best));
     }
+    errors += program.errors;
+    segments += program.segments;
   }
+  const MergedSum* best = merged.fastest_sum();
   for (const MergedSum& sum : merged.sums) {
-    text += csv_row("", sum.run, sum.programs, false);
+    text += fmt::format("{},{},{},{}\n", csv_row(all_programs, sum.run, sum.programs, false), errors,
+                        segments, marks_csv(merged, sum.run, &sum == best));
   }
   return text;
 }
@@ -170,22 +258,30 @@ std::string merged_csv(const MergedComparison& merged) {
 std::string merged_json(const MergedComparison& merged) {
   Json programs = Json::array();
   for (const MergedProgram& program : merged.programs) {
+    const MergedRun* best = merged.fastest(program);
     Json runs = Json::array();
     for (const MergedRun& run : program.runs) {
-      runs.push_back(run_json(run));
+      Json row = figures_json(run);
+      row["mean_feed_mm_min"] = run.mean_feed;
+      add_marks(row, merged, run, &run == best);
+      runs.push_back(std::move(row));
     }
-    programs.push_back({{"file", program.file}, {"runs", std::move(runs)}});
+    programs.push_back({{"file", program.file},
+                        {"errors", program.errors},
+                        {"segments", program.segments},
+                        {"runs", std::move(runs)}});
   }
+  const MergedSum* best = merged.fastest_sum();
   Json sums = Json::array();
   for (const MergedSum& sum : merged.sums) {
-    sums.push_back({{"machine", sum.run.machine},
-                    {"model", sum.run.model},
-                    {"setting", sum.run.setting},
-                    {"programs", sum.programs},
-                    {"cycle_time_s", sum.run.cycle_time},
-                    {"max_contour_error_mm", sum.run.max_contour_error}});
+    Json row = figures_json(sum.run);
+    row["programs"] = sum.programs;
+    add_marks(row, merged, sum.run, &sum == best);
+    sums.push_back(std::move(row));
   }
-  return Json({{"programs", std::move(programs)}, {"sums", std::move(sums)}})
+  return Json({{"programs", std::move(programs)},
+               {"sums", std::move(sums)},
+               {"within_mm", merged.within ? Json(*merged.within) : Json()}})
              .dump(2, ' ', false, Json::error_handler_t::replace) +
          "\n";
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,7 +19,9 @@ struct MergedRun {
 };
 
 struct MergedProgram {
-  std::string file;  ///< of the program
+  std::string file;          ///< of the program
+  std::size_t errors = 0;    ///< of the program; where there are some, its figures are those of a part of it
+  std::size_t segments = 0;  ///< 0: it moves nothing, and its figures are 0
   std::vector<MergedRun> runs;
 };
 
@@ -29,7 +33,15 @@ struct MergedSum {
 
 struct MergedComparison {
   std::vector<MergedProgram> programs;
-  std::vector<MergedSum> sums;  ///< in the order of their first run
+  std::vector<MergedSum> sums;   ///< in the order of their first run
+  std::optional<double> within;  ///< bound of the contour error [mm]: what was asked for, else of all files
+
+  /// Whether a run keeps the bound; true where there is none.
+  bool keeps(const MergedRun& run) const;
+  /// The fastest run of a program with motion that keeps the bound, the fastest sum over all programs that
+  /// does; nullptr where none keeps it or there is no bound.
+  const MergedRun* fastest(const MergedProgram& program) const;
+  const MergedSum* fastest_sum() const;
 };
 
 /// Name and contents of a file.
@@ -40,14 +52,20 @@ struct NamedText {
 
 /// Reads what `compare --json` wrote, one program each. Runs of two programs are the same setting if machine,
 /// axis limits, model and settings are. Throws InputError naming file and key: no JSON (with its place), a
-/// key that is missing or of the wrong kind, a program or a setting that is there twice.
-MergedComparison merge_comparisons(const std::vector<NamedText>& files);
+/// key that is missing or of the wrong kind, a program or a setting that is there twice. `within` [mm]: the
+/// bound of the contour error; without it the one that all files have been made with.
+MergedComparison merge_comparisons(const std::vector<NamedText>& files, std::optional<double> within = {});
 
-/// program,machine,model,setting,programs,cycle_time_s,mean_feed_mm_min,max_contour_error_mm: a row a run,
-/// then one a setting over all programs (program empty).
+/// How the rows over all programs are called in tables.
+inline constexpr const char* all_programs = "all programs";
+
+/// program,machine,model,setting,programs,cycle_time_s,mean_feed_mm_min,max_contour_error_mm,errors,segments,
+/// within_bound,fastest: a row a run, then one a setting over all programs (program: all_programs), errors
+/// and segments their sums. within_bound and fastest are 0 or 1, empty without a bound.
 std::string merged_csv(const MergedComparison& merged);
-/// programs[{file, runs[{machine, model, setting, cycle_time_s, mean_feed_mm_min, max_contour_error_mm}]}],
-/// sums[{machine, model, setting, programs, cycle_time_s, max_contour_error_mm}].
+/// programs[{file, errors, segments, runs[{machine, model, setting, cycle_time_s, mean_feed_mm_min,
+/// max_contour_error_mm, within_bound, fastest}]}], sums[{machine, model, setting, programs, cycle_time_s,
+/// max_contour_error_mm, within_bound, fastest}], within_mm; the last three null without a bound.
 std::string merged_json(const MergedComparison& merged);
 
 }  // namespace feedscope

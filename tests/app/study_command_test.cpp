@@ -43,7 +43,7 @@ TEST_F(StudyCommand, SaysTheFastestWithinTheBoundAndWhatLimitsAtBothEnds) {
             HasSubstr("contour error 0.0283 mm"), HasSubstr("At tolerance 0.01 mm the time is due to"),
             HasSubstr("; at 0.16 mm to")));
   EXPECT_THAT(
-      in_one_line(run("compare corner.nc --model essid --sweep tolerance=0.1,0.2 --within 0.001").out),
+      in_one_line(run("compare corner.nc --model essid --sweep 'tolerance=0.1;0.2' --within 0.001").out),
       HasSubstr("No setting keeps a contour error of 0.001 mm; the least is 0.0566 mm at tolerance 0.1 mm"));
 }
 
@@ -51,7 +51,7 @@ TEST_F(StudyCommand, WritesJsonWithAllKeysOfCompare) {
   const std::string options = "compare corner.nc --model essid --model ward --json - ";
   const json plain = json::parse(run(options + "--tolerance 0.02").out);
   const json study =
-      json::parse(run(options + "--sweep tolerance=0.02,0.04 --sweep X.jerk=20,50 --within 0.02").out);
+      json::parse(run(options + "--sweep 'tolerance=0.02;0.04' --sweep 'X.jerk=20;50' --within 0.02").out);
   EXPECT_EQ(study["runs"].size(), 8u);
   EXPECT_EQ(study["within_mm"], 0.02);
   EXPECT_EQ(study["sweeps"][1], (json{{"key", "X.jerk"}, {"unit", "m/s3"}, {"values", {20.0, 50.0}}}));
@@ -71,7 +71,7 @@ TEST_F(StudyCommand, WritesJsonWithAllKeysOfCompare) {
 TEST_F(StudyCommand, WritesCsvRowsOfRunsAndOperations) {
   write("two.nc", "(rough)\nG1 X20 F3000\nY20\n(\"fine\", 2)\nX0\nY0\n");
   const Result result =
-      run("compare two.nc --model essid --sweep tolerance=0.02,0.04 --operations comment --csv -");
+      run("compare two.nc --model essid --sweep 'tolerance=0.02;0.04' --operations comment --csv -");
   std::istringstream text(result.out);
   std::vector<std::string> lines;
   for (std::string line; std::getline(text, line);) {
@@ -84,13 +84,13 @@ TEST_F(StudyCommand, WritesCsvRowsOfRunsAndOperations) {
                               "operation,operation_line,cutting_length_mm")));
   EXPECT_THAT(lines[2], HasSubstr(",rough,1,"));
   EXPECT_THAT(lines[3], HasSubstr(",\"\"\"fine\"\", 2\",4,"));
-  EXPECT_THAT(run("compare two.nc --model essid --sweep tolerance=0.02,0.04 --operations comment").out,
+  EXPECT_THAT(run("compare two.nc --model essid --sweep 'tolerance=0.02;0.04' --operations comment").out,
               AllOf(HasSubstr("Operations at tolerance 0.02 mm"), HasSubstr("rough")));
 }
 
 TEST_F(StudyCommand, RefusesWhatCannotBeStudied) {
   expect_wrong_use("corner.nc --sweep tolerance", {"'tolerance'", "KEY=FROM:TO:logN"});
-  expect_wrong_use("corner.nc --model essid --sweep tolerence=0.1,0.2",
+  expect_wrong_use("corner.nc --model essid --sweep 'tolerence=0.1;0.2'",
                    {"'tolerence'", "did you mean 'tolerance'?"});
   expect_wrong_use("corner.nc --model essid --sweep tolerance=1:20:log3", {"contour_tolerance_mm", "10 mm"});
   expect_wrong_use("corner.nc --within small", {"--within", "small"});
@@ -102,7 +102,7 @@ TEST_F(StudyCommand, MergesResultsOfPrograms) {
   write("other.nc", "G1 X5 F3000\nY5\n");
   for (const std::string name : {"corner", "other"}) {
     ASSERT_EQ(
-        run("compare " + name + ".nc --model essid --sweep tolerance=0.02,0.04 --json " + name + ".json")
+        run("compare " + name + ".nc --model essid --sweep 'tolerance=0.02;0.04' --json " + name + ".json")
             .code,
         0);
   }
@@ -134,7 +134,7 @@ TEST_F(StudyCommand, NamesFileAndKeyOfWhatCannotBeMerged) {
   json wrong = json::parse(contents(folder_ / "good.json"));
   wrong["runs"][0]["cycle_time_s"] = "fast";
   write("wrong.json", wrong.dump());
-  expect_wrong_use("--merge good.json broken.json", {"'broken.json'", "no JSON", "line 1, column"});
+  expect_wrong_use("--merge good.json broken.json", {"'broken.json'", "not a JSON text", "line 1, column"});
   expect_wrong_use("--merge simulated.json", {"'simulated.json'", "'runs' is missing"});
   expect_wrong_use("--merge wrong.json", {"'wrong.json'", "runs[0].cycle_time_s", "\"fast\"", "a number"});
   expect_wrong_use("--merge good.json good.json", {"'corner.nc' is in 'good.json', too"});
@@ -142,22 +142,131 @@ TEST_F(StudyCommand, NamesFileAndKeyOfWhatCannotBeMerged) {
   expect_wrong_use("corner.nc --merge good.json", {"corner.nc"});
 }
 
-TEST_F(StudyCommand, StudiesAFolderOvernight) {
-  fs::create_directory(folder_ / "programs");
-  write("programs/a b.nc", "G1 X20 F3000\nY20\n");
-  write("programs/c.nc", "G1 X10 F3000\nfoo\nY10\n");
-  const std::string script =
-      "cd '" + folder_.string() + "' && FEEDSCOPE='" FEEDSCOPE_EXECUTABLE "' JOBS=2 '" + NIGHTLY_SCRIPT "' ";
-  const std::string sweep = " --model essid --sweep tolerance=0.02,0.04 > printed.txt 2> errors.txt";
-  ASSERT_EQ(std::system((script + "programs results" + sweep).c_str()), 0)
-      << contents(folder_ / "errors.txt");
-  EXPECT_THAT(contents(folder_ / "printed.txt"), HasSubstr("All of 2 programs"));
+TEST_F(StudyCommand, MarksIncompleteProgramsInTheTableOfAll) {
+  write("empty.nc", "(nothing)\n");
+  const std::string study = " --model essid --sweep 'tolerance=0.02;0.04' --within 0.02 --json ";
+  ASSERT_EQ(run("compare corner.nc" + study + "1.json").code, 0);
+  ASSERT_EQ(run("compare wrong.nc" + study + "2.json").code, 1);
+  ASSERT_EQ(run("compare empty.nc" + study + "3.json").code, 1);
+  const Result text = run("compare --merge 1.json 2.json 3.json");
+  EXPECT_THAT(text.out, AllOf(HasSubstr("\n corner.nc\n"), HasSubstr("wrong.nc (1 error, read in part)"),
+                              HasSubstr("empty.nc (1 error, read in part; no motion)"),
+                              HasSubstr("All of 3 programs, 2 of them incomplete (wrong.nc: 1 error")));
+  const json merged = json::parse(run("compare --merge 1.json 2.json 3.json --json -").out);
+  EXPECT_EQ(merged["programs"][0]["errors"], 0);
+  EXPECT_EQ(merged["programs"][1]["errors"], 1);
+  EXPECT_EQ(merged["programs"][2]["segments"], 0);
+  std::istringstream csv(run("compare --merge 1.json 2.json 3.json --csv -").out);
+  std::string line;
+  while (std::getline(csv, line)) {
+    EXPECT_EQ(std::ranges::count(line, ','), 11) << line;
+    EXPECT_FALSE(line.starts_with(",")) << "a row without a name: " << line;
+  }
+  EXPECT_THAT(line, testing::IsEmpty());
+}
+
+/// Brute force: the fastest setting that keeps the bound in every program.
+TEST_F(StudyCommand, FindsTheFastestSettingWithinTheBoundOverAllPrograms) {
+  write("other.nc", "G1 X5 F3000\nX10 Y0.1\nY5\n");
+  const std::string study = " --model essid --sweep tolerance=0.01:0.16:log5 --json ";
+  ASSERT_EQ(run("compare corner.nc" + study + "1.json").code, 0);
+  ASSERT_EQ(run("compare other.nc" + study + "2.json --within 0.5").code, 0);
+  const std::string merge = "compare --merge 1.json 2.json --json - ";
+  EXPECT_TRUE(json::parse(run(merge).out)["within_mm"].is_null())
+      << "the two were made with different bounds";
+  EXPECT_EQ(json::parse(run("compare --merge 2.json --json -").out)["within_mm"], 0.5);
+  for (const double bound : {0.001, 0.012, 0.03, 0.05, 1.0}) {
+    const json merged = json::parse(run(merge + "--within " + std::to_string(bound)).out);
+    EXPECT_EQ(merged["within_mm"], bound);
+    std::string best;
+    double least = 1e9;
+    for (std::size_t i = 0; i < merged["sums"].size(); ++i) {
+      double time = 0, error = 0;
+      for (const json& program : merged["programs"]) {
+        time += program["runs"][i]["cycle_time_s"].get<double>();
+        error = std::max(error, program["runs"][i]["max_contour_error_mm"].get<double>());
+      }
+      if (error <= bound && time < least) {
+        least = time;
+        best = merged["sums"][i]["setting"];
+      }
+    }
+    std::string marked;
+    for (const json& sum : merged["sums"]) {
+      marked += sum["fastest"] ? sum["setting"].get<std::string>() : "";
+    }
+    EXPECT_EQ(marked, best) << bound;
+    const std::string text = run("compare --merge 1.json 2.json --within " + std::to_string(bound)).out;
+    EXPECT_THAT(text, HasSubstr(best.empty() ? "No setting keeps" : best)) << bound;
+  }
+}
+
+/// The script of the examples: every way its head names, with programs that cannot be studied among the
+/// others.
+class NightlyStudy : public StudyCommand {
+ protected:
+  NightlyStudy() {
+    fs::create_directory(folder_ / "programs");
+    write("programs/a b.nc", "G1 X20 F3000\nY20\n");
+    write("programs/c.nc", "G1 X10 F3000\nfoo\nY10\n");
+  }
+
+  /// `arguments` of the script; `before` stands before its name.
+  int night(const std::string& arguments, const std::string& before = "") const {
+    const std::string line = "cd '" + folder_.string() + "' && FEEDSCOPE='" FEEDSCOPE_EXECUTABLE "' JOBS=2 " +
+                             before + " '" + NIGHTLY_SCRIPT "' " + arguments + " > printed.txt 2> errors.txt";
+    const int status = std::system(line.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+  std::string printed() const { return contents(folder_ / "printed.txt"); }
+  std::string errors() const { return contents(folder_ / "errors.txt"); }
+
+  static constexpr const char* sweep = " --model essid --sweep 'tolerance=0.02;0.04'";
+};
+
+TEST_F(NightlyStudy, MakesOneTableOfAFolder) {
+  ASSERT_EQ(night(std::string("programs results") + sweep), 0) << errors();
+  EXPECT_THAT(printed(), HasSubstr("All of 2 programs, 1 of them incomplete"));
   EXPECT_TRUE(fs::exists(folder_ / "results" / "a b.nc.json"));
   const std::string merged = contents(folder_ / "results" / "study.csv");
-  ASSERT_EQ(std::system((script + "--job 1 programs array" + sweep).c_str()), 0);
-  ASSERT_EQ(std::system((script + "--job 2 programs array" + sweep).c_str()), 0);
-  ASSERT_EQ(std::system((script + "--merge array > printed.txt").c_str()), 0);
+  ASSERT_EQ(night(std::string("programs by_sh") + sweep, "sh"), 0) << errors();
+  EXPECT_EQ(contents(folder_ / "by_sh" / "study.csv"), merged);
+  ASSERT_EQ(night(std::string("--job 1 programs array") + sweep), 0) << errors();
+  ASSERT_EQ(night(std::string("--job 2 programs array") + sweep), 0) << errors();
+  EXPECT_EQ(night(std::string("--job 3 programs array") + sweep), 2);
+  ASSERT_EQ(night("--merge array"), 0) << errors();
   EXPECT_EQ(contents(folder_ / "array" / "study.csv"), merged);
+  for (const std::string program : {"'programs/a b.nc'", "programs/c.nc"}) {
+    ASSERT_EQ(night("--one " + program + " one/by/one" + sweep), 0) << errors();
+  }
+  ASSERT_EQ(night("--merge one/by/one --within 0.02"), 0) << errors();
+  EXPECT_THAT(printed(), HasSubstr("* Fastest within 0.02 mm. Of all 2 programs: essid"));
+}
+
+TEST_F(NightlyStudy, ListsWhatCouldNotBeStudiedBesideTheTableOfTheRest) {
+  write("programs/d.nc", "G1" + std::string(100, '\0') + "X1");
+  EXPECT_EQ(night(std::string("programs results") + sweep), 1);
+  EXPECT_THAT(printed(), HasSubstr("All of 2 programs"));
+  EXPECT_THAT(errors(), AllOf(HasSubstr("Not studied, and not in the table:"), HasSubstr("  d.nc: "),
+                              HasSubstr("is not a text file"), HasSubstr("exit code 2")));
+  EXPECT_TRUE(fs::exists(folder_ / "results" / "study.csv"));
+  EXPECT_TRUE(fs::exists(folder_ / "results" / "d.nc.failed"));
+  // mended the next night, and another one broken: nothing of the night before is shown
+  write("programs/d.nc", "G1 X5 F1000\n");
+  write("programs/c.nc", "G1" + std::string(100, '\0') + "X1");
+  EXPECT_EQ(night(std::string("programs results") + sweep), 1);
+  EXPECT_THAT(printed(), AllOf(HasSubstr("d.nc"), Not(HasSubstr("c.nc"))));
+  EXPECT_THAT(errors(), AllOf(HasSubstr("  c.nc: "), Not(HasSubstr("  d.nc: "))));
+}
+
+TEST_F(NightlyStudy, EndsWithTwoWhereNothingWasStudied) {
+  fs::create_directory(folder_ / "none");
+  EXPECT_EQ(night("none results"), 2);
+  EXPECT_THAT(errors(), HasSubstr("no program was studied"));
+  EXPECT_EQ(night("programs results --model nonsense"), 2);
+  EXPECT_THAT(errors(), AllOf(HasSubstr("  a b.nc: "), HasSubstr("  c.nc: "), HasSubstr("nonsense")));
+  EXPECT_EQ(night(""), 2);
+  EXPECT_THAT(errors(), HasSubstr("nightly_study.sh PROGRAMS RESULTS"));
 }
 
 }  // namespace
