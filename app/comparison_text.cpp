@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "app/print.h"
+#include "core/analysis/slower_tolerance.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 
@@ -138,8 +139,14 @@ std::string comparison_text(const LoadedProgram& program, std::span<const Compar
   if (!assignments.empty()) {
     heading += fmt::format(", with {}", fmt::join(assignments, " "));
   }
-  return fmt::format("{}\n\n{}\nLargest values in percent of the limits\n{}\nTime by limiting cause\n{}",
-                     heading, times_table(runs), peaks_table(runs), causes_table(runs));
+  std::string text =
+      fmt::format("{}\n\n{}\nLargest values in percent of the limits\n{}\nTime by limiting cause\n{}",
+                  heading, times_table(runs), peaks_table(runs), causes_table(runs));
+  const std::vector<ToleranceRun> all = tolerance_runs(runs);
+  for (const SlowerTolerance& slower : slower_with_wider_tolerance(all)) {
+    text += fmt::format("\n{}\n", wrapped(to_string(slower, all), 0));
+  }
+  return text;
 }
 
 }  // namespace feedscope

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/print.h"
+#include "core/analysis/slower_tolerance.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 
@@ -157,6 +158,13 @@ std::string study_text(const LoadedProgram& program, const Study& study,
     text +=
         fmt::format("\n{}\n{}{}\n{}\n", curve_title(study, curve.front()), curve_table(study, curve, best),
                     wrapped(optimum_text(study, curve), 0), wrapped(ends_text(study, curve), 0));
+    std::vector<ToleranceRun> tolerances;
+    for (const StudyRun& run : curve) {
+      tolerances.push_back({&run.setup, &run.summary});
+    }
+    for (const SlowerTolerance& slower : slower_with_wider_tolerance(tolerances)) {
+      text += fmt::format("{}\n", wrapped(to_string(slower, tolerances), 0));
+    }
     if (!study.operations.empty()) {
       const StudyRun& shown = best != nullptr ? *best : least_error(curve);
       text +=

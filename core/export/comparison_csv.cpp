@@ -66,7 +66,7 @@ std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::s
                                number(run.against_cam()),
                                number(units::to_mm_min(summary.mean_feed)),
                                number(units::to_mm_min(summary.peak_feed)),
-                               number(summary.max_contour_error),
+                               number(rounded_error(summary.max_contour_error)),
                                fmt::format("{}", run.blends)};
   for (std::size_t i = 0; i < summary.axes.size(); ++i) {
     const AxisPeaks& peak = summary.axes[i];
@@ -135,7 +135,7 @@ std::vector<std::string> operation_row(const Study& study, const StudyRun& run, 
   }
   put("cycle_time_s", number(figures.time));
   put("mean_feed_mm_min", number(units::to_mm_min(figures.mean_feed())));
-  put("max_contour_error_mm", number(figures.contour_error));
+  put("max_contour_error_mm", number(rounded_error(figures.contour_error)));
   put("within_bound", bound_text(study.within, figures.contour_error));
   put("limiting_cause", cause_key(figures.cause));
   put("limiting_share", figures.time > 0 ? number(figures.cause_time / figures.time) : "");

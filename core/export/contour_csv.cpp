@@ -21,17 +21,18 @@ std::string row_of(std::size_t rank, const ContourFinding& finding) {
   using Kind = ContourSpot::Kind;
   const ContourPlace& place = finding.place;
   const ContourSpot& spot = finding.spot;
-  return fmt::format(
-      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", rank, place.line, csv_field(finding.block),
-      number(place.time), number(place.path_length), number(place.error), number(place.side),
-      finding.tolerance ? number(*finding.tolerance) : "", contour_word(spot.kind), number(spot.length),
-      spot.kind == Kind::corner ? number(units::to_deg(spot.turn)) : "",
-      spot.kind == Kind::arc ? number(spot.radius) : "",
-      spot.kind == Kind::line ? ""
-      : spot.inside           ? "1"
-                              : "0",
-      numbers(place.position), numbers(place.programmed), number(units::to_mm_min(finding.feed)),
-      number(units::to_mm_min(finding.programmed_feed)), cause_key(finding.cause));
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", rank, place.line,
+                     csv_field(finding.block), number(place.time), number(place.path_length),
+                     number(rounded_error(place.error)), number(rounded_error(place.side)),
+                     finding.tolerance ? number(*finding.tolerance) : "", contour_word(spot.kind),
+                     number(spot.length), spot.kind == Kind::corner ? number(units::to_deg(spot.turn)) : "",
+                     spot.kind == Kind::arc ? number(spot.radius) : "",
+                     spot.kind == Kind::line ? ""
+                     : spot.inside           ? "1"
+                                             : "0",
+                     numbers(place.position), numbers(place.programmed),
+                     number(units::to_mm_min(finding.feed)),
+                     number(units::to_mm_min(finding.programmed_feed)), cause_key(finding.cause));
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "core/analysis/contour/contour_histogram.h"
 #include "core/analysis/contour/contour_report.h"
+#include "core/analysis/slower_tolerance.h"
 #include "core/base/units.h"
 #include "core/export/contour_words.h"
 #include "core/export/export.h"
@@ -15,6 +16,11 @@ using Json = nlohmann::ordered_json;
 /// JSON knows no NaN and no infinity: null where there is no number.
 Json finite(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+/// A measured distance from the programmed path [mm].
+Json rounded_length(double value) {
+  return finite(rounded_error(value));
 }
 
 Json vector(const Vec3& v) {
@@ -122,7 +128,7 @@ Json contour_place(const Summary& summary) {
   return {{"line", place.line},
           {"time_s", finite(place.time)},
           {"position_mm", vector(place.position)},
-          {"side_mm", finite(place.side)}};
+          {"side_mm", rounded_length(place.side)}};
 }
 
 /// `seconds` by cause_index(); those without time are left out.
@@ -145,8 +151,8 @@ Json run_facts(const Machine& machine, const ModelInfo& model, const Settings& s
           {"cycle_time_s", finite(summary.cycle_time)},
           {"programmed_time_s", finite(summary.programmed_time)},
           {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
-          {"max_contour_error_mm", finite(summary.max_contour_error)},
-          {"max_corner_distance_mm", finite(summary.max_corner_distance)},
+          {"max_contour_error_mm", rounded_length(summary.max_contour_error)},
+          {"max_corner_distance_mm", rounded_length(summary.max_corner_distance)},
           {"max_contour_error_at", contour_place(summary)},
           {"peaks", peaks(summary)},
           {"time_by_cause_s", by_cause(summary.time_by_cause)},
@@ -176,7 +182,7 @@ Json place_json(const ContourFinding& finding) {
   }
   json["time_s"] = place.time;
   json["path_mm"] = place.path_length;
-  json["error_mm"] = place.error;
+  json["error_mm"] = rounded_length(place.error);
   json["side_mm"] = place.side;
   if (finding.tolerance) {
     json["tolerance_mm"] = *finding.tolerance;
@@ -257,9 +263,25 @@ Json operations_json(const Study& study, const StudyRun& run) {
                     {"time_s", finite(figures.time)},
                     {"cutting_length_mm", finite(figures.cutting_length)},
                     {"mean_feed_mm_min", finite(units::to_mm_min(figures.mean_feed()))},
-                    {"max_contour_error_mm", finite(figures.contour_error)},
+                    {"max_contour_error_mm", rounded_length(figures.contour_error)},
                     {"limiting_cause", cause_key(figures.cause)},
                     {"limiting_time_s", finite(figures.cause_time)}});
+  }
+  return list;
+}
+
+/// `run` and `against`: places in the list of runs.
+Json slower_json(std::span<const ToleranceRun> runs) {
+  Json list = Json::array();
+  for (const SlowerTolerance& slower : slower_with_wider_tolerance(runs)) {
+    list.push_back({{"run", slower.wide},
+                    {"against", slower.narrow},
+                    {"tolerance_mm", finite(slower.wide_value)},
+                    {"against_tolerance_mm", finite(slower.narrow_value)},
+                    {"more_s", finite(slower.more)},
+                    {"cause", cause_key(slower.cause)},
+                    {"cause_more_s", finite(slower.cause_more)},
+                    {"why", why_slower_with_wider_tolerance}});
   }
   return list;
 }
@@ -279,7 +301,9 @@ std::string comparison_json(const LoadedProgram& program, std::span<const Compar
   for (const ComparedRun& run : runs) {
     list.push_back(run_json(run));
   }
-  return text_of(with_runs(program, std::move(list)));
+  Json json = with_runs(program, std::move(list));
+  json["slower_with_wider_tolerance"] = slower_json(tolerance_runs(runs));
+  return text_of(json);
 }
 
 std::string study_json(const LoadedProgram& program, const Study& study) {
@@ -308,6 +332,11 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
   }
   json["sweeps"] = std::move(sweeps);
   json["within_mm"] = study.within ? Json(*study.within) : Json(nullptr);
+  std::vector<ToleranceRun> tolerances;
+  for (const StudyRun& run : study.runs) {
+    tolerances.push_back({&run.setup, &run.summary});
+  }
+  json["slower_with_wider_tolerance"] = slower_json(tolerances);
   return text_of(json);
 }
 

@@ -141,6 +141,12 @@ std::vector<std::string> sentences(const Guarantees& g) {
                             "acceleration changes within one interpolation period."
                           : "BRISK of the program is not followed.");
   }
+  if (g.meets_tangent_ends) {
+    text.emplace_back(
+        "A junction that touches an arc and turns by up to 0.01 rad is passed as if it were tangent: there "
+        "the "
+        "velocity of an axis jumps by up to 1 % of the feed (1 mm/s at 6000 mm/min).");
+  }
   text.push_back(stop_sentence(g));
   return text;
 }

@@ -28,7 +28,8 @@ struct KeptLimits {
   bool of_blend_jerk = false;
 };
 
-/// What has no jumps along the path, everything before it included.
+/// What has no jumps along the path, everything before it included; but for junctions within tangent_angle,
+/// where the direction of the motion jumps in models that meet tangent ends.
 enum class Continuity : std::uint8_t { position, speed, acceleration };
 
 /// Which kinds of blocks the source of a model covers; the rest keeps to shared rules.

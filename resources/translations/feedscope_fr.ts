@@ -1058,16 +1058,16 @@
         <translation>Jerk des filtres</translation>
     </message>
     <message>
-        <source>Jerk of a ramp to the largest feed of a stretch; the filter time is the root of feed over jerk. 0: the least jerk of the axes.</source>
-        <translation>Jerk d&apos;une rampe jusqu&apos;à la plus grande avance d&apos;un tronçon&#xa0;; le temps de filtrage est la racine de l&apos;avance divisée par le jerk. 0&#xa0;: le plus petit jerk des axes.</translation>
+        <source>Only where the filter time is 0: jerk of a ramp to the largest programmed feed of a stretch, from which the filter time follows as the square root of feed over jerk. 0: the smallest jerk of the axes.</source>
+        <translation>Seulement si le temps de filtrage est 0&#xa0;: jerk d&apos;une rampe jusqu&apos;à la plus grande avance programmée d&apos;un tronçon, dont le temps de filtrage est la racine carrée de l&apos;avance divisée par le jerk. 0&#xa0;: le plus petit jerk des axes.</translation>
     </message>
     <message>
         <source>Filter time</source>
         <translation>Temps de filtrage</translation>
     </message>
     <message>
-        <source>Length of one moving average for all feeds; 0: from the jerk of the filters.</source>
-        <translation>Durée d&apos;une moyenne glissante, pour toutes les avances&#xa0;; 0&#xa0;: d&apos;après le jerk des filtres.</translation>
+        <source>Length of one moving average, the same for all feeds. 0: from the largest programmed feed and the jerk of the filters, stop by stop; a higher programmed feed can then slow the program down.</source>
+        <translation>Durée d&apos;une moyenne glissante, la même pour toutes les avances. 0&#xa0;: d&apos;après la plus grande avance programmée et le jerk des filtres, d&apos;arrêt en arrêt&#xa0;; une avance programmée plus élevée peut alors ralentir le programme.</translation>
     </message>
     <message>
         <source>Keep the tolerance where corners are close</source>
@@ -3807,6 +3807,10 @@ Ensemble : %3</translation>
 </context>
 <context>
     <name>feedscope::ui::StudyTable</name>
+    <message>
+        <source>A tolerance of %1 mm takes %2 s longer than %3 mm, mostly by %4 (%5 s more): a corner blend can take longer than a narrower one or an exact stop, because it is passed at a limited speed along its whole length.</source>
+        <translation>Une tolérance de %1 mm demande %2 s de plus que %3 mm, surtout par %4 (%5 s de plus) : un raccordement de coin peut durer plus longtemps qu’un plus étroit ou qu’un arrêt exact, car il est parcouru à vitesse limitée sur toute sa longueur.</translation>
+    </message>
     <message>
         <source>%1 % %2</source>
         <translation>%1 % %2</translation>

@@ -6,6 +6,7 @@
 
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
+#include "ui/models/study_table.h"
 #include "ui/models/texts.h"
 
 namespace feedscope::ui {
@@ -128,7 +129,26 @@ QString RunTable::explanation(std::size_t row) const {
   } else if (figures != nullptr && best() == row && runs_.items().size() > 1) {
     lines.append(tr("★ The fastest of these runs."));
   }
+  if (figures != nullptr) {
+    append_slower_tolerance(row, lines);
+  }
   return QStringLiteral("<p>%1</p>").arg(lines.join(QStringLiteral("<br>")));
+}
+
+void RunTable::append_slower_tolerance(std::size_t row, QStringList& lines) const {
+  std::vector<ToleranceRun> runs;
+  std::vector<std::size_t> rows;
+  for (std::size_t i = 0; i < runs_.items().size(); ++i) {
+    if (const Summary* figures = summary(i)) {
+      runs.push_back({&runs_.result(i)->run.setup, figures});
+      rows.push_back(i);
+    }
+  }
+  for (const SlowerTolerance& slower : slower_with_wider_tolerance(runs)) {
+    if (rows[slower.wide] == row) {
+      lines.append(slower_tolerance_text(slower).toHtmlEscaped());
+    }
+  }
 }
 
 QVariant RunTable::data(const QModelIndex& index, int role) const {

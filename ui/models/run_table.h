@@ -36,6 +36,7 @@ class RunTable : public QAbstractTableModel {
   QString text(std::size_t row, int column) const;
   QString figure(std::size_t row, int column) const;
   QString explanation(std::size_t row) const;
+  void append_slower_tolerance(std::size_t row, QStringList& lines) const;
   const Summary* summary(std::size_t row) const;
   bool keeps_bound(const Summary& summary) const;
   void changed(std::size_t row);

@@ -18,6 +18,19 @@ QString main_cause_text(const Summary& summary) {
                                              core_text(cause_title(causes.front().cause)));
 }
 
+QString slower_tolerance_text(const SlowerTolerance& slower) {
+  const QLocale locale;
+  const auto seconds = [&](double value) { return locale.toString(value, 'f', 3); };
+  return StudyTable::tr(
+             "A tolerance of %1 mm takes %2 s longer than %3 mm, mostly by %4 (%5 s more): a corner blend "
+             "can take "
+             "longer than a narrower one or an exact stop, because it is passed at a limited speed along its "
+             "whole length.")
+      .arg(locale.toString(slower.wide_value, 'g', 5), seconds(slower.more),
+           locale.toString(slower.narrow_value, 'g', 5), core_text(cause_title(slower.cause)),
+           seconds(slower.cause_more));
+}
+
 void StudyTable::set_study(std::shared_ptr<const Study> study) {
   beginResetModel();
   study_ = std::move(study);

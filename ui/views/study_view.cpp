@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/slower_tolerance.h"
 #include "core/base/error.h"
 #include "core/export/export.h"
 #include "ui/models/panel_action.h"
@@ -281,8 +282,17 @@ QString StudyView::verdict() const {
 }
 
 QString StudyView::ends_text() const {
-  return tr("At the first value %1, at the last %2.")
-      .arg(main_cause_text(study_->runs.front().summary), main_cause_text(study_->runs.back().summary));
+  QString text =
+      tr("At the first value %1, at the last %2.")
+          .arg(main_cause_text(study_->runs.front().summary), main_cause_text(study_->runs.back().summary));
+  std::vector<ToleranceRun> runs;
+  for (const StudyRun& run : study_->runs) {
+    runs.push_back({&run.setup, &run.summary});
+  }
+  for (const SlowerTolerance& slower : slower_with_wider_tolerance(runs)) {
+    text += QLatin1Char(' ') + slower_tolerance_text(slower);
+  }
+  return text;
 }
 
 void StudyView::make_run(int row) {

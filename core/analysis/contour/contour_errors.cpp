@@ -160,4 +160,9 @@ ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest&
   return Analysis(trajectory, request, progress).run();
 }
 
+double rounded_error(double error) {
+  constexpr double steps = 1e9;  // a mm
+  return std::round(error * steps) / steps;
+}
+
 }  // namespace feedscope

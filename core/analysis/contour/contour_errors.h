@@ -75,4 +75,7 @@ struct ContourErrors {
 ContourErrors contour_errors(const Trajectory& trajectory, const ContourRequest& request = {},
                              Progress* progress = nullptr);
 
+/// An error as it is exported: known to 1e-6 mm, so that what is below 1e-9 mm says nothing.
+double rounded_error(double error);
+
 }  // namespace feedscope

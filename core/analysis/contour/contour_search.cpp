@@ -36,11 +36,25 @@ double ContourSearch::sagitta(const ContourNode& from, const ContourNode& to) co
   return (bend + course_.bend_between(to.place.element, from.place.u, to.place.u, bend)) * step * step / 8;
 }
 
+PathDeviation::Foot ContourSearch::foot_of(const Vec3& position, std::size_t segment) const {
+  const double enough = of_interest_ * of_interest_;
+  const std::size_t segments = programmed_path(trajectory_).segments.size();
+  for (const std::size_t near : {segment, last_segment_, segment + 1, last_segment_ + 1}) {
+    if (enough > 0 && near < segments) {
+      const PathDeviation::Foot foot = deviation_.foot_on(near, position);
+      if (foot.squared <= enough) {
+        return foot;
+      }
+    }
+  }
+  return deviation_.nearest(position, segment, last_segment_);
+}
+
 ContourNode ContourSearch::node(const CoursePlace& at) {
   ContourNode node;
   node.place = at;
   node.point = course_.at(at);
-  node.foot = deviation_.nearest(node.point.position, trajectory_.path().segment(at.element), last_segment_);
+  node.foot = foot_of(node.point.position, trajectory_.path().segment(at.element));
   node.error = std::sqrt(node.foot.squared);
   last_segment_ = node.foot.segment;
   return node;

@@ -45,6 +45,10 @@ class ContourSearch {
   /// `deviation`: from the programmed path of `trajectory`.
   ContourSearch(const Trajectory& trajectory, const PathDeviation& deviation);
 
+  /// From now on errors up to `error` [mm] need not be exact but may be too large: places that are no farther
+  /// are of no interest, which spares the look at other passes.
+  void look_above(double error) { of_interest_ = error; }
+
   ContourCourse& course() { return course_; }
   const PathDeviation& deviation() const { return deviation_; }
 
@@ -62,6 +66,7 @@ class ContourSearch {
  private:
   /// What a span may be away from its chord [mm].
   double sagitta(const ContourNode& from, const ContourNode& to) const;
+  PathDeviation::Foot foot_of(const Vec3& position, std::size_t segment) const;
   bool is_steady(const ContourSpan& span) const;
   double bound_of(const ContourSpan& span) const;
   double rise_above_chord(std::size_t segment, const PathDeviation::Foot& at_from,
@@ -75,6 +80,7 @@ class ContourSearch {
   const Trajectory& trajectory_;
   ContourCourse course_;
   PathDeviation deviation_;
+  double of_interest_ = 0;        ///< as look_above() [mm]
   std::size_t last_segment_ = 0;  ///< of the foot found last
   std::vector<double> ends_;
 };

@@ -73,6 +73,9 @@ void WorstPlaces::add(const ContourNode& place, double bound) {
   }
   worst_.push_back(place);
   std::ranges::push_heap(worst_, is_worse);
+  if (worst_.size() == most_) {
+    search_.look_above(worst_.front().error);
+  }
 }
 
 void WorstPlaces::close() {

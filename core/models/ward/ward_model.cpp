@@ -28,15 +28,18 @@ const ModelInfo& WardModel::info() const {
     jerk.title = "Jerk of the filters";
     jerk.unit = "m/s3";
     jerk.explanation =
-        "Jerk of a ramp to the largest feed of a stretch; the filter time is the root of feed over jerk. 0: "
-        "the "
-        "least jerk of the axes.";
+        "Only where the filter time is 0: jerk of a ramp to the largest programmed feed of a stretch, from "
+        "which the filter time follows as the square root of feed over jerk. 0: the smallest jerk of the "
+        "axes.";
     jerk.maximum = 1e6;
     SettingSpec time;
     time.key = "filter_time_s";
     time.title = "Filter time";
     time.unit = "s";
-    time.explanation = "Length of one moving average for all feeds; 0: from the jerk of the filters.";
+    time.explanation =
+        "Length of one moving average, the same for all feeds. 0: from the largest programmed feed and the "
+        "jerk "
+        "of the filters, stop by stop; a higher programmed feed can then slow the program down.";
     time.maximum = 10;
     SettingSpec enforce;
     enforce.key = "enforce";

@@ -26,7 +26,6 @@ void WardRunner::run(const StretchRange& range, ProgressSteps& steps) {
     limit_arcs();
   }
   choose_corner_speeds();
-  lay_pulses(train_, limits_, corner_speeds_);
   walk_.forget();
   if (settings_.enforce) {
     enforce_tolerance(steps);
@@ -65,14 +64,45 @@ void WardRunner::limit_arcs() {
   }
 }
 
+/// Blocks too short for the pulses of their corners get a lower feed, which is that of the legs of these
+/// corners: pulses and feeds are computed again until they settle (MODELS section 5). Where the tolerance is
+/// enforced the first speeds are a start only, which the measured distances lower.
 void WardRunner::choose_corner_speeds() {
-  corner_speeds_.assign(train_.size(), 0);
-  for (std::size_t i = 1; i < train_.size(); ++i) {
-    corner_speeds_[i] =
-        corner_speed(settings_.filters, train_.filter_time,
-                     {limits_[i - 1].value, limits_[i].value, corner_turn(train_, i)}, corner_tolerance(i));
+  constexpr int most_passes = 200;
+  constexpr double same = 1e-12;
+  std::vector<double> alone(train_.size(), 0.0);  // speeds of the corners by their own legs
+  std::vector<double> leg_feeds;                  // for which these hold
+  for (const SpeedBound& limit : limits_) {
+    leg_feeds.push_back(limit.value);
   }
-  cap_by_short_blocks(train_, corner_speeds_);
+  std::vector<char> moved(train_.size(), 1);
+  for (int pass = 0; pass < most_passes; ++pass) {
+    for (std::size_t i = 1; i < train_.size(); ++i) {
+      if (moved[i - 1] != 0 || moved[i] != 0) {
+        alone[i] =
+            corner_speed(settings_.filters, train_.filter_time,
+                         {leg_feeds[i - 1], leg_feeds[i], corner_turn(train_, i)}, corner_tolerance(i));
+      }
+    }
+    corner_speeds_ = alone;
+    cap_by_short_blocks(train_, corner_speeds_);
+    lay_pulses(train_, limits_, corner_speeds_);
+    if (settings_.enforce) {
+      return;
+    }
+    bool any = false;
+    for (std::size_t i = 0; i < train_.size(); ++i) {
+      const double feed = train_.blocks[i].feed;
+      moved[i] = std::abs(feed - leg_feeds[i]) > same * feed ? 1 : 0;
+      if (moved[i] != 0) {
+        leg_feeds[i] = feed;
+        any = true;
+      }
+    }
+    if (!any) {
+      return;
+    }
+  }
 }
 
 }  // namespace feedscope

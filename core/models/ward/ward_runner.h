@@ -56,10 +56,11 @@ class WardRunner {
   bool lower_corner(std::size_t block, double distance, int pass);
   bool lower_arc(std::size_t block, double distance, int pass);
   void mark_neighbours();
-  /// Calls f(point, time) for programmed points inside the arc that `block` is, as far from its ends as the
-  /// filters reach at most, and in its middle; `time` is when the path is about there [s].
+  /// Calls f(point, time) for programmed points inside the arc that `block` is: every `step` [s] from its
+  /// ends up to `reach`, and in its middle; `time` is when the path is about there [s].
   template <typename F>
-  void for_points_of_arc(std::size_t block, F f) const;
+  void for_points_of_arc(std::size_t block, double step, double reach, F f) const;
+  double distance_of_arc(std::size_t block);
   /// Distance of a point from the path near `time` [mm]: by one evaluation and its Newton step where that is
   /// precise, which it mostly is because the path lags as much as at the point before.
   double distance_of(const Vec3& point, double time, double tolerance);

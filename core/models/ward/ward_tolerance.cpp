@@ -115,18 +115,36 @@ void WardRunner::mark_neighbours() {
 }
 
 template <typename F>
-void WardRunner::for_points_of_arc(std::size_t block, F f) const {
+void WardRunner::for_points_of_arc(std::size_t block, double step, double reach, F f) const {
   const double begin = train_.blocks[block].start;
   const double half = (train_.blocks[block + 1].start - begin) / 2;
   const double c = train_.half_delay();
   const auto at = [&](double t) { return f(train_.commanded(block, t), t + c); };
-  for (const double reach : {c / 2, c}) {
-    if (reach < half) {
-      at(begin + reach);
-      at(begin + 2 * half - reach);
-    }
+  for (double from_end = step; from_end < std::min(half, reach); from_end += step) {
+    at(begin + from_end);
+    at(begin + 2 * half - from_end);
   }
   at(begin + half);
+}
+
+double WardRunner::distance_of_arc(std::size_t block) {
+  // Where an arc is near its tolerance, its ends are looked at closely: there the neighbours add to what the
+  // filters take off.
+  constexpr double near_tolerance = 0.5;
+  const double c = train_.half_delay();
+  const double tolerance = arc_tolerance(block);
+  double largest = 0;
+  const auto look = [&](double step, double reach) {
+    for_points_of_arc(block, step, reach, [&](const Vec3& point, double time) {
+      largest = std::max(largest, distance_of(point, time, tolerance));
+    });
+  };
+  const double half = (train_.blocks[block + 1].start - train_.blocks[block].start) / 2;
+  look(std::min(c / 2, half / 2), 1.25 * c);
+  if (largest > near_tolerance * tolerance && largest <= tolerance * (1 + slack)) {
+    look(std::min(c / 8, half / 8), 2 * c);
+  }
+  return largest;
 }
 
 WardRunner::BlockDistance WardRunner::distance_of_block(std::size_t block) {
@@ -136,9 +154,7 @@ WardRunner::BlockDistance WardRunner::distance_of_block(std::size_t block) {
                                   corner_tolerance(block));
   }
   if (is_arc(block)) {
-    for_points_of_arc(block, [&](const Vec3& point, double time) {
-      distance.arc = std::max(distance.arc, distance_of(point, time, arc_tolerance(block)));
-    });
+    distance.arc = distance_of_arc(block);
   }
   return distance;
 }

@@ -1,12 +1,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
 
 #include "core/analysis/contour/contour_errors.h"
-#include "core/analysis/path_deviation.h"
+#include "core/analysis/run.h"
 #include "core/trajectory/part_walk.h"
 #include "tests/support/brute_force.h"
+#include "tests/support/folders.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -260,6 +262,32 @@ TEST_P(ContourErrorOfModel, IsThatOfBruteForceOnRandomPaths) {
 
 INSTANTIATE_TEST_SUITE_P(Models, ContourErrorOfModel, ::testing::Range(std::size_t{0}, variants().size()),
                          [](const auto& test) { return std::string(variants()[test.param].name); });
+
+TEST(ContourErrorOfSamples, IsThatOfBruteForce) {
+  const std::filesystem::path folder = std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "resources" / "programs";
+  std::mt19937 random(3);
+  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+    if (entry.path().extension() == ".md") {
+      continue;
+    }
+    const LoadedProgram program = load_program(entry.path());
+    const Toolpath& path = *program.toolpath;
+    for (const char* model : {"essid", "gassara", "msaddek", "ward"}) {
+      SCOPED_TRACE(entry.path().filename().string() + " " + model);
+      const Trajectory trajectory = simulate({model, model, {}}, path, 0.02);
+      const ContourErrors errors = contour_errors(trajectory, {.places = 3});
+      for (const ContourPlace& place : errors.worst) {
+        EXPECT_NEAR(brute_force_distance(path, place.position), place.error, nanometre);
+        EXPECT_LE((trajectory.state(place.time).position - place.position).norm(), 5 * nanometre);
+      }
+      std::uniform_real_distribution<double> time(0, trajectory.duration());
+      for (int i = 0; i < 100; ++i) {
+        EXPECT_LE(brute_force_distance(path, trajectory.state(time(random)).position),
+                  errors.largest + nanometre);
+      }
+    }
+  }
+}
 
 }  // namespace
 }  // namespace feedscope

@@ -242,6 +242,12 @@ TEST(ContourErrors, SpreadsTellWhetherTheDeviationLiesInXy) {
   EXPECT_NEAR(in_plane(polyline({{0, 0, 0}, {20, 0, 0}, {30, 0, 10}}, 50)), 0, 1e-9);
 }
 
+TEST(ContourErrors, AreExportedToAPicometre) {
+  EXPECT_EQ(rounded_error(0.01000000000080466), 0.01);
+  EXPECT_EQ(rounded_error(-0.0123456789123), -0.012345679);
+  EXPECT_EQ(rounded_error(0), 0);
+}
+
 TEST(ContourErrors, CanBeStopped) {
   std::mt19937 random(3);
   const Trajectory trajectory = run(random_path(random, 20), "ward", 0.02);

@@ -48,12 +48,13 @@ std::size_t rows(const std::string& text) {
 }
 
 TEST(Csv, HoldsARowEachStepAndOneForTheEnd) {
-  EXPECT_EQ(csv(ramp_and_cruise(), 0.02),
-            std::string(csv_header) +
-                "0,0,7,1,2,3,300,600,-300,0,0,0,0,0,-1,0,0,0,1,axis_jerk_x\n"
-                "0.02,1,7,0,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed\n"
-                "0.04,1.2,7,-0.2,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed\n"
-                "0.05,1.3,7,-0.3,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed\n");
+  std::string expected = csv_header;
+  expected +=
+      "0,0,7,1,2,3,300,600,-300,0,0,0,0,0,-1,0,0,0,1,axis_jerk_x\n"
+      "0.02,1,7,0,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed\n"
+      "0.04,1.2,7,-0.2,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed\n"
+      "0.05,1.3,7,-0.3,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed\n";
+  EXPECT_EQ(csv(ramp_and_cruise(), 0.02), expected);
 }
 
 TEST(Csv, DoesNotRepeatTheEndThatFallsOnAStep) {
@@ -61,6 +62,22 @@ TEST(Csv, DoesNotRepeatTheEndThatFallsOnAStep) {
   EXPECT_EQ(rows(csv(ramp_and_cruise(), 0.01)), 6U);
   EXPECT_EQ(rows(csv(ramp_and_cruise(), 0.05 / 3)), 4U);
   EXPECT_EQ(rows(csv(ramp_and_cruise(), 1)), 2U);
+}
+
+TEST(Csv, NeverPrintsTheSameTimeTwice) {
+  for (int i = 1; i < 400; ++i) {
+    for (const double off : {-1e-9, -3e-11, -1e-11, -1e-13, 0.0, 1e-13, 1e-11, 3e-11, 1e-9}) {
+      std::istringstream lines;
+      lines.str(csv(ramp_and_cruise(), 0.05 / i * (1 + off)));
+      std::string before;
+      for (std::string row; std::getline(lines, row);) {
+        row.resize(row.find(','));
+        EXPECT_NE(row, before) << "step 0.05 s / " << i << ", off by " << off;
+        before = row;
+      }
+      EXPECT_EQ(before, "0.05");
+    }
+  }
 }
 
 TEST(Csv, OfNothingIsTheHeader) {

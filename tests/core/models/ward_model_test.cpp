@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/analysis/run.h"
 #include "core/analysis/summary.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -178,6 +179,40 @@ TEST(WardShortBlocks, PulsesCoverTheBlockExactly) {
       end += widths.sum();
     }
     EXPECT_NEAR(train.end(), end, 1e-15);
+  }
+}
+
+TEST(WardShortBlocks, PulsesAndFeedSettleWhereTheToleranceIsNotEnforced) {
+  // In the middle of a long regular polygon all corners are alike: V_c is that of legs with the feed f of a
+  // short block, and f = 2 c V_c^2/(2 c V_c - L) is that of such corners (MODELS section 5).
+  for (const double radius : {2.0, 4.0, 8.6}) {
+    for (const int degrees : {2, 5, 10}) {
+      std::vector<Vec3> points;
+      const double turn = units::from_deg(degrees);
+      for (int i = 0; i <= 720; ++i) {
+        points.push_back({radius * std::cos(i * turn), radius * std::sin(i * turn), 0});
+      }
+      const double length = (points[1] - points[0]).norm();
+      const Trajectory trajectory = run(testing::polyline(points, 50), {3, 0, 0.0255, 0.01, false});
+      const PulseTrain& train = trajectory.motions()[0].train();
+      const BlockPulses& middle = train.blocks[360];
+      EXPECT_NEAR(middle.corner_speed, corner_speed(3, 0.0255, {middle.feed, middle.feed, turn}, 0.01),
+                  1e-9 * middle.corner_speed)
+          << radius << ", " << degrees;
+      const double reach = 2 * train.half_delay() * middle.corner_speed;
+      const double feed = reach > length ? reach * middle.corner_speed / (reach - length) : 50;
+      EXPECT_NEAR(middle.feed, std::min(feed, 50.0), 1e-9 * middle.feed) << radius << ", " << degrees;
+    }
+  }
+}
+
+TEST(WardSettings, TheFilterTimeOfTheDmgIsAConstantOfTheMachine) {
+  const ControlModel& ward = find_model("ward");
+  const Machine machine = shipped_machines().load("dmg-mori-evo40");
+  const Settings settings = complete_settings(ward, machine);
+  for (const double feed : {10.0, 50.0, 300.0}) {
+    const Toolpath path = testing::polyline({{0, 0, 0}, {60, 0, 0}}, feed);
+    EXPECT_NEAR(ward.simulate(path, machine, settings).duration(), 60 / feed + 3 * 0.0255, 1e-9) << feed;
   }
 }
 
