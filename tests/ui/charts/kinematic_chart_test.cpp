@@ -26,6 +26,8 @@ class JerkChart : public testing::Test {
                 as_it_is},
                range_, true) {
     chart_.resize(600, 300);
+    chart_.setAttribute(Qt::WA_DontShowOnScreen);
+    chart_.show();  // gives the plot its place
   }
 
   /// Shows one column; jerks as tangential, X, Y.
