@@ -95,7 +95,7 @@ TEST(WhyText, NothingIsZeroAndHasNoSign) {
   EXPECT_EQ(WhyText::number(-1e-12, Dimension::length), "0 mm");
   EXPECT_EQ(WhyText::number(1e-15, Dimension::time), "0 ms");
   EXPECT_EQ(WhyText::number(-1e-9, Dimension::acceleration), "0 m/s²");
-  EXPECT_EQ(WhyText::number(1e-5, Dimension::length), "1E-05 mm");
+  EXPECT_EQ(WhyText::number(1e-5, Dimension::length), "1e-05 mm");
 }
 
 }  // namespace
