@@ -252,16 +252,20 @@ TEST(CompensationGouge, OfARoundThatOverrunsItsFirstCornerIsSaidIfAndOnlyIfTheTo
     if (comes_to_another_side(corners, start, corner) || comes_to_another_side(corners, corner, end)) {
       continue;
     }
-    ContourWriter writer(round % 8 < 4 ? OutsideCorner::arc : OutsideCorner::lines);
+    ContourWriter writer;
     writer.rapid(start + 0.001 * first).on(side, radius).line(start);
     through(writer, {corners.begin() + 1, corners.end()}).line(end).off().line({200, 200, 0});
     const Program program = writer.finish();
     double depth = 0;
-    bool backward = false;  // beside the last side there is no room even with what it overruns
+    bool backward = false;  // there is no room beside a side, were it longer
     Vec3 tool = Vec3::Zero();
     for (const MotionBlock& block : program.motions) {
       const bool of_last = block.line == corners.size() + 2;
-      backward = backward || (of_last && block.motion == Motion::line && (block.target - tool).dot(last) < 0);
+      if (block.motion == Motion::line && block.line > 2 && block.line <= corners.size() + 2) {
+        const std::size_t k = block.line - 3;
+        const Vec3 along_side = corners[(k + 1) % corners.size()] - corners[k];
+        backward = backward || (block.target - tool).dot(along_side) < 0;
+      }
       for (int i = 0; i <= 80 && block.line > 2 && block.line <= corners.size() + 2; ++i) {
         const Vec3 at = tool + i / 80.0 * (block.target - tool);
         const bool beyond = of_last && (at - corner).dot(last) > 0;
