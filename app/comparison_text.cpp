@@ -63,8 +63,7 @@ class RunTable {
       machine_ = machine.id;
       table_.add_heading(fmt::format("{} ({})", machine.name, machine.id));
     }
-    const std::optional<double> tolerance = contour_tolerance(run.setup);
-    add({run.setup.model->info().id, tolerance ? fmt::format("{}", *tolerance) : "-"}, std::move(cells));
+    add({run.setup.model->info().id, range_text(run.tolerance)}, std::move(cells));
   }
 
   /// Another line of the run above.

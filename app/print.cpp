@@ -6,6 +6,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/analysis/tolerance_in_force.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 
@@ -165,6 +166,8 @@ std::string summary_text(const Run& run) {
   TextTable figures;
   figures.add({"cycle time", time_text(s.cycle_time)});
   figures.add({"programmed time", time_text(s.programmed_time)});
+  const auto tolerance = tolerance_in_force(run.input.feed_controls, run.setup);
+  figures.add({"tolerance", tolerance ? describe(tolerance) : "none: the model follows none"});
   figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
   figures.add({"mean feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.mean_feed))});
   figures.add({"peak feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.peak_feed))});

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "app/number_option.h"
+#include "core/analysis/control_dialect.h"
 #include "core/analysis/unfollowed.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -64,8 +65,12 @@ void move_tolerance(RunOptions& options) {
   options.tolerance = tolerances.empty() ? "" : tolerances.front();
 }
 
-SetupRequest RunOptions::request() const {
-  SetupRequest request{machine, model, {}, set};
+Dialect dialect_of(const ProgramOptions& options, const SourceText& source) {
+  return options.dialect.empty() ? recognise(source) : dialect_of_id(options.dialect);
+}
+
+SetupRequest RunOptions::request(Dialect program_dialect) const {
+  SetupRequest request{machine, model, {}, set, program_dialect};
   if (!tolerance.empty()) {
     request.tolerance = parse_tolerance(tolerance);
   }
@@ -88,6 +93,9 @@ ReadOptions ProgramOptions::reading() const {
   if (!dialect.empty()) {
     options.dialect = dialect_of_id(dialect);
   }
+  if (!unit.empty()) {
+    options.unit = unit == "inch" ? LengthUnit::inch : LengthUnit::mm;
+  }
   options.skip_deleted_blocks = skip_deleted;
   options.repeat_limit = repeat_limit;
   options.call_depth = call_depth;
@@ -101,16 +109,29 @@ ReadOptions ProgramOptions::reading() const {
   return options;
 }
 
+std::string machine_help() {
+  return fmt::format("Machine id or machine file [{}; {} for Heidenhain programs]", default_machine,
+                     default_machine_of(Dialect::heidenhain));
+}
+
 void add_program_options(CLI::App& command, ProgramOptions& values) {
   std::vector<std::string_view> dialects;
   for (const DialectInfo& info : all_dialects()) {
     dialects.push_back(info.id);
   }
-  command.add_option("FILE", values.file, "NC program; - for standard input")->required();
+  command.add_option("FILE", values.file, "NC program, or a session (.feedscope); - for standard input")
+      ->required();
   command
       .add_option("--dialect", values.dialect,
                   fmt::format("Language of the program: {} [recognised]", fmt::join(dialects, ", ")))
       ->type_name("ID");
+  command
+      .add_option(
+          "--unit", values.unit,
+          "Unit of lengths and feeds until the program says one (G20, G71, BEGIN PGM n MM): mm or inch "
+          "[mm, with a warning]")
+      ->type_name("UNIT")
+      ->check(CLI::IsMember({"mm", "inch"}));
   command.add_flag("--skip-deleted", values.skip_deleted, "Leave out blocks that begin with /");
   add_number_option(
       command, "--repeat-limit", whole_numbers(0, largest_count),
@@ -149,10 +170,7 @@ void add_program_options(CLI::App& command, ProgramOptions& values) {
 
 void add_run_options(CLI::App& command, RunOptions& values) {
   add_program_options(command, values);
-  command
-      .add_option("--machine", values.machine,
-                  fmt::format("Machine id or machine file [{}]", default_machine))
-      ->type_name("ID|FILE");
+  command.add_option("--machine", values.machine, machine_help())->type_name("ID|FILE");
   command.add_option("--model", values.model, "Control model [the machine's own]")->type_name("ID");
   command
       .add_option("--tolerance", values.tolerance,
@@ -177,10 +195,15 @@ void note_replaced_tolerance(const Toolpath& toolpath) {
   }
 }
 
-void note_unfollowed(const Toolpath& toolpath, const std::vector<Setup>& setups) {
+void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
   std::set<std::string> said;
   for (const Setup& setup : setups) {
-    for (const std::string& sentence : unfollowed(toolpath, setup)) {
+    if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
+      if (const std::string note = describe(*mismatch); said.insert(note).second) {
+        fmt::print(stderr, "feedscope: note: {}\n", note);
+      }
+    }
+    for (const std::string& sentence : unfollowed(*program.toolpath, setup)) {
       std::string note = fmt::format("model '{}': {}", setup.model->info().id, sentence);
       if (said.insert(note).second) {
         fmt::print(stderr, "feedscope: note: {}\n", note);

@@ -9,11 +9,12 @@
 
 namespace feedscope {
 
-/// The program and how it is read: FILE --dialect --skip-deleted --repeat-limit --call-depth --tool --tools
-/// --tools-unit --wear-only --simulate-cut-off.
+/// The program and how it is read: FILE --dialect --unit --skip-deleted --repeat-limit --call-depth --tool
+/// --tools --tools-unit --wear-only --simulate-cut-off.
 struct ProgramOptions {
   std::string file;
   std::string dialect;  ///< id; "" to recognise it
+  std::string unit;     ///< "inch", "mm"; "" where the program says it, or mm
   bool skip_deleted = false;
   std::uint64_t repeat_limit = ReadOptions().repeat_limit;
   std::size_t call_depth = ReadOptions().call_depth;
@@ -34,9 +35,12 @@ struct RunOptions : ProgramOptions {
   std::string tolerance;  ///< as typed, [mm]
   std::vector<std::string> set;
 
-  /// Throws InputError if the tolerance is no number.
-  SetupRequest request() const;
+  /// For a program in `dialect`. Throws InputError if the tolerance is no number.
+  SetupRequest request(Dialect program_dialect) const;
 };
+
+/// The dialect that is asked for, or else recognised.
+Dialect dialect_of(const ProgramOptions& options, const SourceText& source);
 
 /// Reads a length [mm] of `option`. Throws InputError if it is no number or below 0.
 double parse_length(const std::string& text, const std::string& option);
@@ -50,6 +54,8 @@ void move_tolerance(std::vector<std::string>& set, std::vector<std::string>& tol
 /// The same for a command with one run.
 void move_tolerance(RunOptions& options);
 
+/// What --machine says of itself.
+std::string machine_help();
 /// Adds them to a command; `values` must live as long as the command.
 void add_run_options(CLI::App& command, RunOptions& values);
 /// Adds those of the program alone.
@@ -59,8 +65,8 @@ void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 
 /// Tells on standard error when a tolerance was asked for that replaces the program's own.
 void note_replaced_tolerance(const Toolpath& toolpath);
-/// Says once for each model what of the program's path control its runs do not follow.
-void note_unfollowed(const Toolpath& toolpath, const std::vector<Setup>& setups);
+/// Tells what run_notes() say of the setups on standard error, each once.
+void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups);
 /// Tells on standard error when a tolerance was asked for that the model does not read.
 void note_unused_tolerance(const RunOptions& options, const Setup& setup);
 

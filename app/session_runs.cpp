@@ -9,14 +9,15 @@
 namespace feedscope {
 namespace {
 
-void refuse_runs(const SeveralRunsOptions& options) {
-  const std::pair<const char*, bool> asked[] = {
-      {"--machine", !options.machines.empty()},     {"--model", !options.models.empty()},
-      {"--tolerance", !options.tolerances.empty()}, {"--set", !options.set.empty()},
-      {"--dialect", !options.dialect.empty()},      {"--skip-deleted", options.skip_deleted},
-      {"--tool", !options.radii.empty()},           {"--tools", !options.tool_table.empty()}};
-  for (const auto& [option, given] : asked) {
-    if (given) {
+void refuse_options(const ProgramOptions& options, const std::vector<GivenOption>& more) {
+  std::vector<GivenOption> given{{"--dialect", !options.dialect.empty()},
+                                 {"--unit", !options.unit.empty()},
+                                 {"--skip-deleted", options.skip_deleted},
+                                 {"--tool", !options.radii.empty()},
+                                 {"--tools", !options.tool_table.empty()}};
+  given.insert(given.begin(), more.begin(), more.end());
+  for (const auto& [option, is_given] : given) {
+    if (is_given) {
       throw InputError(
           fmt::format("{} does not go with session '{}', which has its own; give the NC program "
                       "instead, or change the session in the window",
@@ -28,10 +29,17 @@ void refuse_runs(const SeveralRunsOptions& options) {
 }  // namespace
 
 std::optional<ui::Session> asked_session(const SeveralRunsOptions& options) {
+  return asked_session(options, {{"--machine", !options.machines.empty()},
+                                 {"--model", !options.models.empty()},
+                                 {"--tolerance", !options.tolerances.empty()},
+                                 {"--set", !options.set.empty()}});
+}
+
+std::optional<ui::Session> asked_session(const ProgramOptions& options, std::vector<GivenOption> more) {
   if (!ui::is_session_file(options.file)) {
     return std::nullopt;
   }
-  refuse_runs(options);
+  refuse_options(options, more);
   ui::ReadSession read = ui::read_session_file(options.file);
   for (const QString& note : read.notes) {
     fmt::print(stderr, "feedscope: note: {}: {}\n", options.file, note.toStdString());

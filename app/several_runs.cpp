@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "core/analysis/compare.h"
+#include "core/analysis/control_dialect.h"
 #include "ui/models/simulate_shown.h"
 
 namespace feedscope {
@@ -28,8 +29,7 @@ std::vector<std::string> taken_by_any(const std::vector<std::string>& models,
 
 std::string options_of(const SeveralRunsOptions& asked, const std::string& machine, const Setup& setup) {
   const std::string& model = setup.model->info().id;
-  std::string text =
-      fmt::format("--machine {} --model {}", quoted(machine.empty() ? default_machine : machine), model);
+  std::string text = fmt::format("--machine {} --model {}", quoted(machine), model);
   const std::optional<double> tolerance = contour_tolerance(setup);
   if (!asked.tolerances.empty() && tolerance) {
     text += fmt::format(" --tolerance {}", *tolerance);
@@ -53,8 +53,7 @@ void add_several_runs_options(CLI::App& command, SeveralRunsOptions& values) {
   const auto add_list = [&](const char* name, std::vector<std::string>& list, const std::string& text) {
     return command.add_option(name, list, text + "; repeat for more runs")->allow_extra_args(false);
   };
-  add_list("--machine", values.machines, fmt::format("Machine id or machine file [{}]", default_machine))
-      ->type_name("ID|FILE");
+  add_list("--machine", values.machines, machine_help())->type_name("ID|FILE");
   add_list("--model", values.models, "Control model [the machine's own]")->type_name("ID");
   add_list("--tolerance", values.tolerances,
            "Contour tolerance in mm, instead of the program's own [or else the machine's]")
@@ -62,7 +61,7 @@ void add_several_runs_options(CLI::App& command, SeveralRunsOptions& values) {
   add_set_option(command, values.set);
 }
 
-std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options) {
+std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options, Dialect dialect) {
   std::vector<double> tolerances;
   for (const std::string& text : options.tolerances) {
     tolerances.push_back(parse_tolerance(text));
@@ -71,10 +70,9 @@ std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options) {
   std::vector<std::string> all_used = options.models;
   const MachineLibrary library = shipped_machines();
   for (const std::string& machine :
-       options.machines.empty() ? std::vector<std::string>{""} : options.machines) {
+       options.machines.empty() ? std::vector{default_machine_of(dialect)} : options.machines) {
     const std::vector<std::string> models =
-        options.models.empty() ? std::vector{library.load(machine.empty() ? default_machine : machine).model}
-                               : options.models;
+        options.models.empty() ? std::vector{library.load(machine).model} : options.models;
     all_used.insert(all_used.end(), models.begin(), models.end());
     for (Setup& setup : setups_to_compare({machine}, models, tolerances, taken_by_any(models, options.set))) {
       const std::string text = options_of(options, machine, setup);
@@ -102,10 +100,13 @@ std::string quoted(const std::string& text) {
   return word + "'";
 }
 
-std::string options_text(const SeveralRunsOptions& options) {
+std::string program_text(const ProgramOptions& options) {
   std::string text = quoted(options.file);
   if (!options.dialect.empty()) {
     text += " --dialect " + options.dialect;
+  }
+  if (!options.unit.empty()) {
+    text += " --unit " + options.unit;
   }
   if (options.skip_deleted) {
     text += " --skip-deleted";
@@ -130,11 +131,24 @@ std::string options_text(const SeveralRunsOptions& options) {
   if (options.simulate_cut_off) {
     text += " --simulate-cut-off";
   }
+  return text;
+}
+
+std::string options_text(const SeveralRunsOptions& options) {
+  std::string text = program_text(options);
   add_asked(text, "--machine", options.machines);
   add_asked(text, "--model", options.models);
   add_asked(text, "--tolerance", options.tolerances);
   add_asked(text, "--set", options.set);
   return text;
+}
+
+void note_shown_runs(const ui::ReportInput& input) {
+  std::vector<Setup> setups;
+  for (const ui::ReportRun& run : input.runs) {
+    setups.push_back(run.shown->run.setup);
+  }
+  note_runs(input.program(), setups);
 }
 
 ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<AskedRun>& runs,

@@ -32,8 +32,8 @@ std::string curve_title(const Study& study, const StudyRun& run) {
   std::string title = fmt::format("{} on {}", run.setup.model->info().id, run.setup.machine.name);
   const bool sweeps_tolerance =
       std::ranges::any_of(study.sweeps, [](const Sweep& sweep) { return sweep.key == "tolerance"; });
-  if (const auto tolerance = contour_tolerance(run.setup); tolerance && !sweeps_tolerance) {
-    title += fmt::format(", tolerance {} mm", *tolerance);
+  if (run.tolerance && !sweeps_tolerance) {
+    title += fmt::format(", tolerance {}", describe(run.tolerance));
   }
   for (std::size_t i = 1; i < study.sweeps.size(); ++i) {
     title += fmt::format(", {} {}", study.sweeps[i].key, value_text(study.sweeps[i], run.swept[i]));

@@ -8,8 +8,10 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/analysis/control_dialect.h"
 #include "core/analysis/unfollowed.h"
 #include "ui/language/core_texts.h"
+#include "ui/models/reading_faults.h"
 #include "ui/views/annotation_overlay.h"
 #include "ui/views/status_panel.h"
 
@@ -192,6 +194,7 @@ void MainWindow::show_program() {
   diagnostics_->set_program(program);
   annotations_->set_toolpath(model_.shown_program().input.toolpath);
   scene_->scene().set_programmed(model_.shown_program().samples);
+  scene_->scene().set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
   show_title();
 }
 
@@ -218,7 +221,7 @@ void MainWindow::show_run() {
   const bool any = shown != nullptr;
   scenes_->show_current();
   scene_->annotations().set_run(any ? shown->run.trajectory : nullptr,
-                                run_title(model_.runs().current_item()));
+                                model_.runs().title(model_.runs().current_item()));
   charts_->set_limits(model_.setup().setup().machine.axes);
   charts_->set_run(any ? shown->run.trajectory : nullptr, any ? shown->envelope : nullptr, any);
   playback_->set_duration(any ? shown->run.trajectory->duration() : 0);
@@ -238,6 +241,12 @@ void MainWindow::show_run() {
 void MainWindow::show_unfollowed() {
   QStringList sentences;
   if (const auto shown = model_.shown(); shown != nullptr) {
+    if (const auto mismatch = control_mismatch(shown->run.setup.machine, shown->run.input.program->dialect)) {
+      const QString dialect = QString::fromUtf8(info_of(mismatch->dialect).title.data());
+      sentences.append(
+          tr("The program is written for %1; this machine has a %2, whose path and times are shown.")
+              .arg(dialect, QString::fromStdString(mismatch->control)));
+    }
     for (const std::string& sentence : unfollowed(*shown->run.input.toolpath, shown->run.setup)) {
       sentences.append(core_text(sentence));
     }
@@ -254,9 +263,9 @@ void MainWindow::show_other_runs() {
     const auto result = runs.result(row);
     const RunItem& item = runs.items()[row];
     if (row != runs.current() && item.visible && result != nullptr) {
-      in_charts.push_back({result->run.trajectory, result->envelope, item.colour, run_title(item)});
+      in_charts.push_back({result->run.trajectory, result->envelope, item.colour, runs.title(item)});
       if (scenes_->mode() != ScenesMode::split) {  // where the other run has its half
-        in_scene.push_back({result->samples, rgb(item.colour), run_title(item).toStdString()});
+        in_scene.push_back({result->samples, rgb(item.colour), runs.title(item).toStdString()});
       }
     }
   }

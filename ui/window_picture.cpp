@@ -11,6 +11,7 @@
 #include "ui/charts/comparison_chart.h"
 #include "ui/charts/study_chart.h"
 #include "ui/main_window.h"
+#include "ui/models/reading_faults.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/picture_file.h"
 #include "ui/theme/offscreen_application.h"
@@ -67,7 +68,10 @@ QString comparison_details(const LoadedProgram& program, const std::vector<std::
   for (const std::string& assignment : assignments) {
     set.append(QString::fromStdString(assignment));
   }
-  return set.isEmpty() ? path : ComparisonChart::tr("%1, with %2").arg(path, set.join(QStringLiteral(", ")));
+  const QString details =
+      set.isEmpty() ? path : ComparisonChart::tr("%1, with %2").arg(path, set.join(QStringLiteral(", ")));
+  const QString faults = reading_faults_text(*program.program);
+  return faults.isEmpty() ? details : QStringLiteral("%1 · %2").arg(faults, details);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/asked_program.h"
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
 #include "app/output_file.h"
@@ -52,6 +53,7 @@ std::string cutters_text(const Program& program) {
 std::string facts_text(const Program& program, const ProgramFacts& facts) {
   TextTable table;
   table.add({"dialect", std::string(info_of(program.dialect).title)});
+  table.add({"unit", describe(program.unit)});
   table.add({"lines", fmt::format("{}; {} blocks run", facts.lines, facts.blocks)});
   table.add({"segments", fmt::format("{}: {} lines, {} arcs, {} dwells", facts.segments,
                                      facts.segments - facts.arcs - facts.dwells, facts.arcs, facts.dwells)});
@@ -84,12 +86,14 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
 }
 
 int check(const CheckOptions& options) {
-  check_outputs(options.file, {options.json});
-  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.file));
+  const AskedProgram asked = asked_program(options);
+  for (const std::string& input : {options.file, asked.file}) {
+    check_outputs(input, {options.json});
+  }
   LoadedProgram loaded;
   {
     Watch watch;
-    loaded = load_program(source, watch.stage("reading"), options.reading());
+    loaded = load_program(asked.source, watch.stage("reading"), asked.reading);
   }
   const ProgramFacts facts = facts_of(*loaded.program, *loaded.toolpath);
   print_diagnostics(*loaded.program, DiagnosticStyle::with_source);
@@ -99,7 +103,7 @@ int check(const CheckOptions& options) {
     json.commit();
   }
   if (options.json != "-") {
-    fmt::print("{}\n{}", source->name(), facts_text(*loaded.program, facts));
+    fmt::print("{}\n{}", asked.source->name(), facts_text(*loaded.program, facts));
   }
   return has_errors(loaded.program->diagnostics) ? exit_code::program_errors : exit_code::done;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "app/asked_program.h"
 #include "app/commands/command.h"
 #include "app/comparison_text.h"
 #include "app/exit_codes.h"
@@ -16,6 +17,7 @@
 #include "app/run_options.h"
 #include "app/study_text.h"
 #include "app/watch.h"
+#include "core/analysis/control_dialect.h"
 #include "core/base/error.h"
 #include "core/export/export.h"
 #include "core/export/merge.h"
@@ -97,12 +99,15 @@ std::vector<Result> results_of(const CompareOptions& options, [[maybe_unused]] c
 /// Result files that are opened before the work begins and moved to their place after all are written.
 class ResultFiles {
  public:
-  ResultFiles(const std::string& input, std::vector<Result> results) : results_(std::move(results)) {
+  ResultFiles(const std::vector<std::string>& inputs, std::vector<Result> results)
+      : results_(std::move(results)) {
     std::vector<std::string> names;
     for (const Result& result : results_) {
       names.push_back(result.name);
     }
-    check_outputs(input, names);
+    for (const std::string& input : inputs) {
+      check_outputs(input, names);
+    }
     for (const std::string& name : names) {
       files_.push_back(std::make_unique<OutputFile>(name));
       to_standard_output_ = to_standard_output_ || name == "-";
@@ -126,8 +131,11 @@ class ResultFiles {
   bool to_standard_output_ = false;
 };
 
-StudyRequest request_of(const CompareOptions& options) {
-  StudyRequest request{options.machines, options.models, {}, options.set, {}, {}, {}};
+StudyRequest request_of(const CompareOptions& options, const AskedProgram& asked) {
+  StudyRequest request{options.machines, options.models, {}, options.set, {}, {}, {}, asked.setups};
+  if (request.machines.empty() && !asked.is_session()) {
+    request.machines = {default_machine_of(asked.dialect())};
+  }
   for (const std::string& text : options.tolerances) {
     request.tolerances.push_back(parse_tolerance(text));
   }
@@ -201,18 +209,21 @@ int compare(const CompareOptions& options) {
   if (options.file.empty()) {
     throw InputError("no program given; name one, or the results of others with --merge");
   }
-  const StudyRequest request = request_of(options);
+  const AskedProgram asked = asked_program(options, {{"--machine", !options.machines.empty()},
+                                                     {"--model", !options.models.empty()},
+                                                     {"--tolerance", !options.tolerances.empty()},
+                                                     {"--set", !options.set.empty()}});
+  const StudyRequest request = request_of(options, asked);
   std::vector<Setup> setups;
   for (StudySetup& one : setups_to_study(request)) {
     setups.push_back(std::move(one.setup));
   }
-  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.file));
-  ResultFiles files(options.file, results_of(options, request, setups));
+  ResultFiles files({options.file, asked.file}, results_of(options, request, setups));
   LoadedProgram program;
   Study study;
   {
     Watch watch;
-    program = load_program(source, watch.stage("reading"), options.reading());
+    program = load_program(asked.source, watch.stage("reading"), asked.reading);
     study = run_study(program, request, watch.stage("simulating"));
   }
   files.write(program, study);
@@ -221,7 +232,7 @@ int compare(const CompareOptions& options) {
   if (!request.tolerances.empty() || replaces_tolerance) {
     note_replaced_tolerance(*program.toolpath);
   }
-  note_unfollowed(*program.toolpath, setups);
+  note_runs(program, setups);
   print_diagnostics(*program.program);
   if (!files.to_standard_output()) {
     fmt::print("{}", text_of(options, program, study));
@@ -239,10 +250,10 @@ Command add_compare_command(CLI::App& app) {
   const auto add_list = [&](const char* name, std::vector<std::string>& values, const std::string& text) {
     return command->add_option(name, values, text + "; repeat for more")->allow_extra_args(false);
   };
-  add_list("--machine", options->machines, fmt::format("Machine id or machine file [{}]", default_machine))
-      ->type_name("ID|FILE");
+  add_list("--machine", options->machines, machine_help())->type_name("ID|FILE");
   add_list("--model", options->models, "Control model [all]")->type_name("ID");
-  add_list("--tolerance", options->tolerances, "Contour tolerance in mm [the machine's own]")
+  add_list("--tolerance", options->tolerances,
+           "Contour tolerance in mm, instead of the program's own [or else the machine's]")
       ->type_name("MM");
   add_set_option(*command, options->set);
   command->get_option("FILE")->required(false);

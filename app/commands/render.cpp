@@ -200,15 +200,16 @@ int render(const RenderOptions& options) {
   const std::optional<ui::Session> session = asked_session(options.runs);
   ui::PictureRequest request = request_of(options);
   request.theme = theme_of(options, session);
-  const std::vector<AskedRun> runs = session ? std::vector<AskedRun>() : asked_runs(options.runs);
+  const auto source =
+      session ? nullptr : std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
+  const std::vector<AskedRun> runs =
+      session ? std::vector<AskedRun>() : asked_runs(options.runs, dialect_of(options.runs, *source));
   check_runs(options, runs);
   note_unused_tolerances(options, runs);
   check_outputs(options.runs.file, {options.out});
   if (session) {
     check_outputs(session->program.string(), {options.out});
   }
-  const auto source =
-      session ? nullptr : std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
   OutputFile out(options.out);
   ui::ReportInput input;
   {
@@ -227,6 +228,7 @@ int render(const RenderOptions& options) {
   if (!options.runs.tolerances.empty()) {
     note_replaced_tolerance(*input.program().toolpath);
   }
+  note_shown_runs(input);
   const Program& program = *input.program().program;
   print_diagnostics(program);
   return has_errors(program.diagnostics) ? exit_code::program_errors : exit_code::done;

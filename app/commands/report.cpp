@@ -63,7 +63,7 @@ QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun
   QStringList commands{QString::fromStdString(whole)};
   for (const AskedRun& run : runs) {
     commands.append(QString::fromStdString(
-        fmt::format("feedscope simulate {} {}", quoted(options.runs.file), run.options)));
+        fmt::format("feedscope simulate {} {}", program_text(options.runs), run.options)));
   }
   return commands;
 }
@@ -72,13 +72,14 @@ int report(const ReportOptions& options) {
   const ui::ReportFormat format = format_of(options);
   const QDateTime date = date_of(options.date);
   const std::optional<ui::Session> session = asked_session(options.runs);
-  const std::vector<AskedRun> runs = session ? std::vector<AskedRun>() : asked_runs(options.runs);
+  const auto source =
+      session ? nullptr : std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
+  const std::vector<AskedRun> runs =
+      session ? std::vector<AskedRun>() : asked_runs(options.runs, dialect_of(options.runs, *source));
   check_outputs(options.runs.file, {options.out});
   if (session) {
     check_outputs(session->program.string(), {options.out});
   }
-  const auto source =
-      session ? nullptr : std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
   const ui::ReportTemplate page = ui::load_report_template(QString::fromStdString(options.page));
   OutputFile out(options.out);
   ui::ReportInput input;
@@ -100,6 +101,7 @@ int report(const ReportOptions& options) {
   if (!options.runs.tolerances.empty()) {
     note_replaced_tolerance(*input.program().toolpath);
   }
+  note_shown_runs(input);
   const Program& program = *input.program().program;
   print_diagnostics(program);
   return has_errors(program.diagnostics) ? exit_code::program_errors : exit_code::done;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/asked_program.h"
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
 #include "app/number_option.h"
@@ -10,6 +11,8 @@
 #include "app/print.h"
 #include "app/run_options.h"
 #include "app/watch.h"
+#include "core/analysis/run_notes.h"
+#include "core/base/error.h"
 #include "core/export/contour.h"
 #include "core/export/export.h"
 
@@ -24,6 +27,7 @@ struct SimulateOptions {
   std::string blends;
   std::string contour;
   std::size_t contour_places = 20;
+  std::optional<std::size_t> number;  ///< of a run of a session, from 1
 };
 
 std::optional<double> parse_step(const std::string& text) {
@@ -49,7 +53,9 @@ double default_step(const Setup& setup) {
 
 std::string json_of(const Run& run, const ContourReport* contour) {
   return simulation_json({*run.input.program, *run.input.toolpath, run.setup.machine, run.setup.model->info(),
-                          run.setup.settings, run.summary, run.input.read_time, run.simulate_time, contour});
+                          run.setup.settings, run.summary, run.input.read_time, run.simulate_time, contour,
+                          tolerance_in_force(run.input.feed_controls, run.setup),
+                          run_notes(run.input, run.setup)});
 }
 
 /// The outputs that were asked for, opened before the work begins and moved to their place after it.
@@ -103,24 +109,51 @@ class Results {
   bool to_standard_output_ = false;
 };
 
+/// That of the options, or the run of a session that --run names.
+Setup setup_of(const SimulateOptions& options, const AskedProgram& asked) {
+  if (!asked.is_session()) {
+    if (options.number) {
+      throw InputError(fmt::format("--run {} names a run of a session, and '{}' is not a session",
+                                   *options.number, options.run.file));
+    }
+    return make_setup(options.run.request(asked.dialect()));
+  }
+  const std::size_t number = options.number.value_or(asked.current + 1);
+  if (number < 1 || number > asked.setups.size()) {
+    throw InputError(fmt::format("--run {} is not a run of session '{}'; it has runs 1 to {}", number,
+                                 options.run.file, asked.setups.size()));
+  }
+  if (!options.number && asked.setups.size() > 1) {
+    fmt::print(stderr,
+               "feedscope: note: session '{}' has {} runs; number {} is simulated, --run takes another one\n",
+               options.run.file, asked.setups.size(), number);
+  }
+  return asked.setups[number - 1];
+}
+
 int simulate(const SimulateOptions& options) {
-  const Setup setup = make_setup(options.run.request());
+  const AskedProgram asked = asked_program(options.run, {{"--machine", !options.run.machine.empty()},
+                                                         {"--model", !options.run.model.empty()},
+                                                         {"--tolerance", !options.run.tolerance.empty()},
+                                                         {"--set", !options.run.set.empty()}});
+  const Setup setup = setup_of(options, asked);
   note_unused_tolerance(options.run, setup);
   const double step = parse_step(options.step).value_or(default_step(setup));
-  check_outputs(options.run.file, {options.csv, options.json, options.blends, options.contour});
-  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.run.file));
+  for (const std::string& input : {options.run.file, asked.file}) {
+    check_outputs(input, {options.csv, options.json, options.blends, options.contour});
+  }
   Results results(options);
   Run run;
   {
     Watch watch;
-    const LoadedProgram program = load_program(source, watch.stage("reading"), options.run.reading());
+    const LoadedProgram program = load_program(asked.source, watch.stage("reading"), asked.reading);
     run = simulate_run(program, setup, watch.stage("simulating"));
     results.write(run, step, watch);
   }
   if (!options.run.tolerance.empty()) {
     note_replaced_tolerance(*run.input.toolpath);
   }
-  note_unfollowed(*run.input.toolpath, {run.setup});
+  note_runs(run.input, {run.setup});
   print_diagnostics(*run.input.program);
   if (!results.to_standard_output()) {
     fmt::print("{}", summary_text(run));
@@ -135,6 +168,8 @@ Command add_simulate_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("simulate", "Simulate an NC program on a machine and write the results");
   add_run_options(*command, options->run);
+  command->add_option("--run", options->number, "Number of the run of a session [the one it shows]")
+      ->type_name("N");
   command->add_option("--csv", options->csv, "Write the motion, one row a step; - for standard output")
       ->type_name("FILE");
   command

@@ -55,8 +55,12 @@ std::vector<std::string> taken_by(const ControlModel& model, std::vector<std::st
 }
 
 ComparedRun figures_of(const Run& run) {
-  return {run.setup, run.summary, run.trajectory->path_length(), run.trajectory->blend_count(),
-          run.simulate_time};
+  return {run.setup,
+          run.summary,
+          run.trajectory->path_length(),
+          run.trajectory->blend_count(),
+          run.simulate_time,
+          tolerance_in_force(run.input.feed_controls, run.setup)};
 }
 
 }  // namespace

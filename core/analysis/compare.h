@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/analysis/run.h"
+#include "core/analysis/tolerance_in_force.h"
 
 namespace feedscope {
 
@@ -15,6 +16,7 @@ struct ComparedRun {
   double path_length = 0;    ///< executed [mm]
   std::size_t blends = 0;    ///< corners that the control rounds
   double simulate_time = 0;  ///< wall clock [s]
+  std::optional<ToleranceInForce> tolerance = std::nullopt;
 
   /// Cycle time over that of the model `cam`, which is the programmed time; 1 for an empty program.
   double against_cam() const {

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <chrono>
 
+#include "core/analysis/control_dialect.h"
 #include "core/analysis/run_stages.h"
 #include "core/base/data_folder.h"
 #include "core/base/error.h"
+#include "core/machine/contour_tolerance.h"
 
 namespace feedscope {
 namespace {
@@ -25,7 +27,20 @@ class StopWatch {
 const SettingSpec& tolerance_spec() {
   const auto& specs = common_settings();
   return *std::find_if(specs.begin(), specs.end(),
-                       [](const SettingSpec& spec) { return spec.key == "contour_tolerance_mm"; });
+                       [](const SettingSpec& spec) { return spec.key == contour_tolerance_key; });
+}
+
+std::vector<PathControl> controls_of_feed_motions(const Toolpath& toolpath) {
+  std::vector<PathControl> controls;
+  std::vector<bool> met(toolpath.path_controls.size());
+  for (const Segment& segment : toolpath.segments) {
+    const bool feeds = segment.kind != SegmentKind::dwell && !segment.rapid;
+    if (feeds && !met[segment.path_control]) {
+      met[segment.path_control] = true;
+      controls.push_back(toolpath.path_controls[segment.path_control]);
+    }
+  }
+  return controls;
 }
 
 [[noreturn]] void throw_refused(const Program& program) {
@@ -61,6 +76,7 @@ LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* p
   loaded.toolpath = std::make_shared<const Toolpath>(take_toolpath(program));
   loaded.refused = program.cut_off && !options.simulate_cut_off;
   loaded.program = std::make_shared<const Program>(std::move(program));
+  loaded.feed_controls = controls_of_feed_motions(*loaded.toolpath);
   loaded.read_time = watch.seconds();
   return loaded;
 }
@@ -76,16 +92,12 @@ LoadedProgram load_program(const std::filesystem::path& file, Progress* progress
 
 Setup make_setup(const SetupRequest& request) {
   Setup setup;
-  setup.machine = shipped_machines().load(request.machine.empty() ? default_machine : request.machine);
+  setup.machine = shipped_machines().load(request.machine.empty() ? default_machine_of(request.dialect)
+                                                                  : request.machine);
   setup.model = &find_model(request.model.empty() ? setup.machine.model : request.model);
   setup.settings = complete_settings(*setup.model, setup.machine);
   if (request.tolerance) {
-    const SettingSpec& spec = tolerance_spec();
-    check_setting(spec, *request.tolerance, "tolerance");
-    if (setup.settings.has(spec.key)) {
-      setup.settings.set(spec.key, *request.tolerance);
-      setup.settings.set("program_tolerance", "off");
-    }
+    set_tolerance(setup, *request.tolerance);
   }
   for (const std::string& assignment : request.assignments) {
     apply_setting(assignment, *setup.model, setup.machine, setup.settings);
@@ -93,9 +105,19 @@ Setup make_setup(const SetupRequest& request) {
   return setup;
 }
 
+void set_tolerance(Setup& setup, double tolerance) {
+  check_setting(tolerance_spec(), tolerance, "tolerance");
+  if (setup.settings.has(contour_tolerance_key)) {
+    for (auto& [key, value] : settings_for_tolerance(tolerance)) {
+      setup.settings.set(key, value);
+    }
+  }
+}
+
 std::optional<double> contour_tolerance(const Setup& setup) {
-  const std::string& key = tolerance_spec().key;
-  return setup.settings.has(key) ? std::optional(setup.settings.number(key)) : std::nullopt;
+  return setup.settings.has(contour_tolerance_key)
+             ? std::optional(setup.settings.number(contour_tolerance_key))
+             : std::nullopt;
 }
 
 Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress) {

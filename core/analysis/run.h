@@ -15,6 +15,8 @@ namespace feedscope {
 struct LoadedProgram {
   std::shared_ptr<const Program> program;  ///< its motions have become the toolpath
   std::shared_ptr<const Toolpath> toolpath;
+  /// Those of the feed motions, each once, in the order of their first use.
+  std::vector<PathControl> feed_controls;
   double read_time = 0;  ///< wall clock, text to toolpath [s]
   bool refused = false;  ///< cut off at a limit, and ReadOptions do not ask to simulate it
 };
@@ -29,12 +31,14 @@ struct Setup {
 
 /// How people ask for a setup: on the command line, in a session.
 struct SetupRequest {
-  std::string machine;              ///< id or file; "" for default_machine
+  std::string machine;              ///< id or file; "" for default_machine_of(dialect)
   std::string model;                ///< id; "" for the machine's own
   std::optional<double> tolerance;  ///< contour tolerance [mm] instead of the program's and the machine's
-  std::vector<std::string> assignments;  ///< KEY=VALUE, applied last and in order
+  std::vector<std::string> assignments = {};  ///< KEY=VALUE, applied last and in order
+  Dialect dialect = Dialect::iso;             ///< of the program
 };
 
+/// For programs of no particular control; default_machine_of() knows those of the others.
 inline constexpr const char* default_machine = "spinner-mvc850";
 
 /// One program on one machine with one model: everything that is shown or written of it.
@@ -62,7 +66,12 @@ LoadedProgram load_program(const std::filesystem::path& file, Progress* progress
 /// setting, value out of bounds. A tolerance has no effect on a model that does not read it.
 Setup make_setup(const SetupRequest& request);
 
-/// The contour tolerance [mm] of a setup whose model reads one.
+/// Sets the contour tolerance [mm] in place of the program's own; a model that reads none stays as it is.
+/// Throws InputError if it is out of bounds.
+void set_tolerance(Setup& setup, double tolerance);
+
+/// The contour tolerance [mm] that is set, of a setup whose model reads one; where the program has its own
+/// another one holds: tolerance_in_force().
 std::optional<double> contour_tolerance(const Setup& setup);
 
 /// Simulates and summarises. Throws what ControlModel::simulate throws, and InputError for a program that is

@@ -3,30 +3,45 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/machine/contour_tolerance.h"
+
 namespace feedscope {
 
-PathRules::PathRules(const Toolpath& toolpath, const Settings& settings)
-    : PathRules(toolpath, settings.number("contour_tolerance_mm"),
-                !settings.has("program_tolerance") || settings.text("program_tolerance") == "on") {}
-
-PathRules PathRules::exact_corners(const Toolpath& toolpath) {
-  return {toolpath, 0, false};
+MotionTolerance tolerance_of(const PathControl& control, const Settings& settings) {
+  if (follows_program_tolerance(settings)) {
+    if (control.contour_tolerance) {
+      return {*control.contour_tolerance, true};
+    }
+    if (control.blend_distance) {
+      return {*control.blend_distance, true};
+    }
+  }
+  return {settings.number(contour_tolerance_key), false};
 }
 
-PathRules::PathRules(const Toolpath& toolpath, double tolerance, bool follow_program) : toolpath_(&toolpath) {
+PathRules::PathRules(const Toolpath& toolpath, const Settings& settings) : toolpath_(&toolpath) {
+  const bool follow_program = follows_program_tolerance(settings);
   for (const PathControl& control : toolpath.path_controls) {
-    Rule rule{tolerance, std::numeric_limits<double>::infinity(),
-              control.compaction != Switch::off && control.mode != PathMode::exact_stop,
-              control.acceleration == AccelerationMode::brisk};
+    Rule& rule = rules_.emplace_back(rule_of(control));
+    rule.tolerance = tolerance_of(control, settings).tolerance;
     if (follow_program && control.blend_distance) {
-      // A blend strays from the corner by less than the distance at which it begins.
-      rule.tolerance = rule.longest_blend = *control.blend_distance;
+      rule.longest_blend = *control.blend_distance;
     }
-    if (follow_program && control.contour_tolerance) {
-      rule.tolerance = *control.contour_tolerance;
-    }
-    rules_.push_back(rule);
   }
+}
+
+PathRules PathRules::exact_corners(const Toolpath& toolpath) {
+  PathRules rules(toolpath);
+  for (const PathControl& control : toolpath.path_controls) {
+    rules.rules_.push_back(rule_of(control));
+  }
+  return rules;
+}
+
+PathRules::Rule PathRules::rule_of(const PathControl& control) {
+  return {0, std::numeric_limits<double>::infinity(),
+          control.compaction != Switch::off && control.mode != PathMode::exact_stop,
+          control.acceleration == AccelerationMode::brisk};
 }
 
 double PathRules::corner_tolerance(std::size_t segment) const {

@@ -7,6 +7,16 @@
 
 namespace feedscope {
 
+/// Contour tolerance of the motions with one path control.
+struct MotionTolerance {
+  double tolerance = 0;     ///< [mm]; 0: no corner is blended
+  bool by_program = false;  ///< else by the setting contour_tolerance_mm
+};
+
+/// The program's contour tolerance, else its blend distance, which a blend strays from the corner by less
+/// than, else the setting; the setting always where program_tolerance is off.
+MotionTolerance tolerance_of(const PathControl& control, const Settings& settings);
+
 /// What rules the corners of a path: the path control that the program itself asks for, and the settings of
 /// the run where it says nothing. Exact stops that the program asks for are not here: they are
 /// JunctionKind::stop for every model.
@@ -40,7 +50,8 @@ class PathRules {
     bool acceleration_jumps = false;
   };
 
-  PathRules(const Toolpath& toolpath, double tolerance, bool follow_program);
+  explicit PathRules(const Toolpath& toolpath) : toolpath_(&toolpath) {}
+  static Rule rule_of(const PathControl& control);
   const Rule& rule(std::size_t segment) const { return rules_[toolpath_->segments[segment].path_control]; }
 
   const Toolpath* toolpath_;

@@ -42,7 +42,10 @@ std::vector<std::string> header(const std::vector<std::size_t>& causes) {
                                "mean_feed_mm_min",
                                "peak_feed_mm_min",
                                "max_contour_error_mm",
-                               "blends"};
+                               "blends",
+                               "tolerance_min_mm",
+                               "tolerance_max_mm",
+                               "tolerance_set_by"};
   for (const char name : axis_names) {
     const char axis = static_cast<char>(std::tolower(name));
     for (const char* column : {"v{}_mm_min", "a{}_m_s2", "j{}_m_s3", "v{}_share", "a{}_share", "j{}_share"}) {
@@ -57,17 +60,20 @@ std::vector<std::string> header(const std::vector<std::size_t>& causes) {
 
 std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::size_t>& causes) {
   const Summary& summary = run.summary;
-  const std::optional<double> tolerance = contour_tolerance(run.setup);
+  const std::optional<ToleranceInForce>& tolerance = run.tolerance;
   std::vector<std::string> row{csv_field(run.setup.machine.id),
                                run.setup.model->info().id,
-                               tolerance ? number(*tolerance) : "",
+                               tolerance && !tolerance->is_range() ? number(tolerance->max) : "",
                                number(summary.cycle_time),
                                number(summary.programmed_time),
                                number(run.against_cam()),
                                number(units::to_mm_min(summary.mean_feed)),
                                number(units::to_mm_min(summary.peak_feed)),
                                number(rounded_error(summary.max_contour_error)),
-                               fmt::format("{}", run.blends)};
+                               fmt::format("{}", run.blends),
+                               tolerance ? number(tolerance->min) : "",
+                               tolerance ? number(tolerance->max) : "",
+                               std::string(tolerance ? to_string(tolerance->set_by) : "")};
   for (std::size_t i = 0; i < summary.axes.size(); ++i) {
     const AxisPeaks& peak = summary.axes[i];
     const AxisLimits& limit = run.setup.machine.axes[i];

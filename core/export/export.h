@@ -35,6 +35,8 @@ struct Report {
   double read_time = 0;                    ///< wall clock [s]
   double simulate_time = 0;                ///< wall clock [s]
   const ContourReport* contour = nullptr;  ///< null: its keys are left out
+  std::optional<ToleranceInForce> tolerance = std::nullopt;
+  std::vector<std::string> notes = {};  ///< as run_notes()
 };
 
 /// The run as JSON, keys of DESIGN section 4, indented, newline at the end. With a contour report also
@@ -49,8 +51,9 @@ std::string simulation_json(const Report& report);
 /// time over programmed time), path_mm, blends, limits{axes} with the keys of peaks{axes},
 /// elapsed{simulate_s}.
 std::string comparison_json(const LoadedProgram& program, std::span<const ComparedRun> runs);
-/// Several runs as CSV, one row each: machine,model,tolerance_mm (empty where the model reads none),
-/// cycle_time_s,programmed_time_s,against_cam,mean_feed_mm_min,peak_feed_mm_min,max_contour_error_mm,blends,
+/// Several runs as CSV, one row each: machine,model,tolerance_mm (in force; empty where the model follows
+/// none or the program has several), cycle_time_s,programmed_time_s,against_cam,mean_feed_mm_min,
+/// peak_feed_mm_min,max_contour_error_mm,blends,tolerance_min_mm,tolerance_max_mm,tolerance_set_by,
 /// for every axis its peaks (vx_mm_min,ax_m_s2,jx_m_s3) and their share of the limits (vx_share,...), and
 /// time_CAUSE_s for every cause that any run has.
 std::string comparison_csv(std::span<const ComparedRun> runs);

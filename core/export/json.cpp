@@ -3,6 +3,7 @@
 
 #include "core/analysis/contour/contour_histogram.h"
 #include "core/analysis/contour/contour_report.h"
+#include "core/analysis/run_notes.h"
 #include "core/analysis/slower_tolerance.h"
 #include "core/base/units.h"
 #include "core/export/contour_words.h"
@@ -31,9 +32,19 @@ Json bounds(const Bounds& box) {
   return {{"min", vector(box.min)}, {"max", vector(box.max)}};
 }
 
+Json unit_json(const ProgramUnit& unit) {
+  using Source = ProgramUnit::Source;
+  return {{"name", to_string(unit.unit)},
+          {"said_by", unit.source == Source::program ? "program"
+                      : unit.source == Source::asked ? "option"
+                                                     : "nobody"}};
+}
+
 Json program_facts(const Program& program, const Toolpath& toolpath) {
   return {{"file", program.source->name()},
           {"lines", program.source->line_count()},
+          {"dialect", info_of(program.dialect).id},
+          {"unit", unit_json(program.unit)},
           {"blocks", program.block_count},
           {"segments", toolpath.segments.size()},
           {"path_mm", finite(toolpath.length())},
@@ -142,12 +153,21 @@ Json by_cause(const std::vector<double>& seconds) {
   return times;
 }
 
+/// Null for a run that follows no tolerance.
+Json tolerance_json(const std::optional<ToleranceInForce>& tolerance) {
+  return tolerance ? Json{{"min", tolerance->min}, {"max", tolerance->max}} : Json();
+}
+
 /// What a run is and what came out of it.
 Json run_facts(const Machine& machine, const ModelInfo& model, const Settings& settings,
-               const Summary& summary) {
-  return {{"machine", {{"id", machine.id}, {"name", machine.name}}},
+               const Summary& summary, const std::optional<ToleranceInForce>& tolerance,
+               const std::vector<std::string>& notes) {
+  return {{"machine", {{"id", machine.id}, {"name", machine.name}, {"control", machine.control}}},
           {"model", {{"id", model.id}, {"title", model.title}, {"reference", model.reference}}},
           {"settings", settings_values(settings)},
+          {"tolerance_in_force_mm", tolerance_json(tolerance)},
+          {"tolerance_set_by", tolerance ? Json(to_string(tolerance->set_by)) : Json()},
+          {"notes", notes},
           {"cycle_time_s", finite(summary.cycle_time)},
           {"programmed_time_s", finite(summary.programmed_time)},
           {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
@@ -226,7 +246,8 @@ Json contour_json(const ContourReport& report) {
 
 std::string simulation_json(const Report& report) {
   Json json{{"program", program_facts(report.program, report.toolpath)}};
-  json.update(run_facts(report.machine, report.model, report.settings, report.summary));
+  json.update(run_facts(report.machine, report.model, report.settings, report.summary, report.tolerance,
+                        report.notes));
   if (report.contour != nullptr) {
     json.update(contour_json(*report.contour));
   }
@@ -237,8 +258,9 @@ std::string simulation_json(const Report& report) {
 
 namespace {
 
-Json run_json(const ComparedRun& run) {
-  Json json = run_facts(run.setup.machine, run.setup.model->info(), run.setup.settings, run.summary);
+Json run_json(const LoadedProgram& program, const ComparedRun& run) {
+  Json json = run_facts(run.setup.machine, run.setup.model->info(), run.setup.settings, run.summary,
+                        run.tolerance, run_notes(program, run.setup));
   json["against_cam"] = finite(run.against_cam());
   json["path_mm"] = finite(run.path_length);
   json["blends"] = run.blends;
@@ -299,7 +321,7 @@ Json limits_json(const StudyRun& run) {
 std::string comparison_json(const LoadedProgram& program, std::span<const ComparedRun> runs) {
   Json list = Json::array();
   for (const ComparedRun& run : runs) {
-    list.push_back(run_json(run));
+    list.push_back(run_json(program, run));
   }
   Json json = with_runs(program, std::move(list));
   json["slower_with_wider_tolerance"] = slower_json(tolerance_runs(runs));
@@ -311,7 +333,7 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
   for (const auto& curve : study.curves()) {
     const StudyRun* best = fastest(curve, study.within);
     for (const StudyRun& run : curve) {
-      Json json = run_json(run);
+      Json json = run_json(program, run);
       Json swept = Json::object();
       for (std::size_t i = 0; i < study.sweeps.size(); ++i) {
         swept[study.sweeps[i].key] = run.swept[i];
@@ -344,6 +366,7 @@ std::string check_json(const Program& program, const ProgramFacts& facts) {
   return text_of({{"program",
                    {{"file", program.source->name()},
                     {"dialect", info_of(program.dialect).id},
+                    {"unit", unit_json(program.unit)},
                     {"lines", facts.lines},
                     {"blocks", facts.blocks},
                     {"segments", facts.segments},

@@ -71,7 +71,11 @@ std::string setting_of(const Place& run) {
   }
   const Json& settings = run.at("settings").json();
   if (parts.empty() && settings.is_object() && settings.contains("contour_tolerance_mm")) {
-    parts.push_back(fmt::format("tolerance={}", settings["contour_tolerance_mm"].dump()));
+    // Where programs have their own, one setting stands for many tolerances.
+    const bool own = json.contains("tolerance_set_by") && json["tolerance_set_by"] != "setting" &&
+                     json["tolerance_set_by"].is_string();
+    parts.push_back(own ? std::string("tolerance=program")
+                        : fmt::format("tolerance={}", settings["contour_tolerance_mm"].dump()));
   }
   return fmt::format("{}", fmt::join(parts, " "));
 }
@@ -176,6 +180,9 @@ void add_to_sums(std::vector<MergedSum>& sums, const MergedRun& run) {
   if (sum == sums.end()) {
     sum = sums.insert(sum, {run, 0});
     sum->run.cycle_time = sum->run.max_contour_error = sum->run.mean_feed = 0;
+  }
+  if (sum->run.setting != run.setting) {
+    sum->run.setting = "tolerance=program or setting";
   }
   sum->run.cycle_time += run.cycle_time;
   sum->run.max_contour_error = std::max(sum->run.max_contour_error, run.max_contour_error);

@@ -9,10 +9,11 @@ namespace feedscope {
 
 /// Figures of one run as comparison_json and study_json write them.
 struct MergedRun {
-  std::string machine;           ///< id
-  std::string model;             ///< id
-  std::string setting;           ///< "tolerance=0.02 X.jerk=20"; what was swept, or the tolerance
-  std::string key;               ///< everything that runs of the same setting share
+  std::string machine;  ///< id
+  std::string model;    ///< id
+  std::string setting;  ///< "tolerance=0.02 X.jerk=20"; what was swept, or the tolerance: "tolerance=program"
+                        ///< where that of the program is in force
+  std::string key;      ///< everything that runs of the same setting share
   double cycle_time = 0;         ///< [s]
   double mean_feed = 0;          ///< [mm/min]
   double max_contour_error = 0;  ///< [mm]

@@ -5,6 +5,7 @@
 #include "core/base/data_folder.h"
 #include "core/base/error.h"
 #include "core/lessons/lesson.h"
+#include "core/machine/contour_tolerance.h"
 
 namespace feedscope {
 namespace {
@@ -55,16 +56,11 @@ fs::path find_program(const Lesson& lesson, const std::string& name) {
                                nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
 }
 
-/// `tolerance` is what --tolerance does: it counts instead of the program's own.
-Changes in_settings(const std::string& change, const ControlModel& model) {
-  if (assigned_key(change) != "tolerance") {
-    return {change};
-  }
-  const std::vector<std::string> keys = assignable_keys(model);
-  if (std::find(keys.begin(), keys.end(), "contour_tolerance_mm") == keys.end()) {
-    return {};
-  }
-  return {"contour_tolerance_mm=" + value_of(change), "program_tolerance=off"};
+/// `tolerance` is what --tolerance does.
+void apply_tolerance(const std::string& change, Setup& setup) {
+  const auto& specs = common_settings();
+  const auto spec = std::ranges::find(specs, contour_tolerance_key, &SettingSpec::key);
+  set_tolerance(setup, std::get<double>(parse_setting(*spec, value_of(change))));
 }
 
 void apply(const Changes& changes, bool only_known, Setup& setup) {
@@ -73,11 +69,13 @@ void apply(const Changes& changes, bool only_known, Setup& setup) {
     if (is_choice_of_run(assigned_key(change))) {
       continue;
     }
-    for (const std::string& setting : in_settings(change, *setup.model)) {
-      const bool known = std::find(keys.begin(), keys.end(), assigned_key(setting)) != keys.end();
-      if (known || !only_known) {
-        apply_setting(setting, *setup.model, setup.machine, setup.settings);
-      }
+    if (assigned_key(change) == "tolerance") {
+      apply_tolerance(change, setup);
+      continue;
+    }
+    const bool known = std::find(keys.begin(), keys.end(), assigned_key(change)) != keys.end();
+    if (known || !only_known) {
+      apply_setting(change, *setup.model, setup.machine, setup.settings);
     }
   }
 }

@@ -12,6 +12,7 @@
 #include "core/base/progress.h"
 #include "core/program/dialect.h"
 #include "core/program/path_control.h"
+#include "core/program/program_unit.h"
 #include "core/program/text/source_text.h"
 #include "core/program/tools/cutter_radii.h"
 
@@ -65,6 +66,7 @@ struct CutterUse {
 struct Program {
   std::shared_ptr<const SourceText> source;
   Dialect dialect = Dialect::iso;  ///< it was read as
+  ProgramUnit unit;                ///< of its first motion
   /// Lines with words, readable or not, up to the program's end; in loops and calls each time they run.
   std::uint64_t block_count = 0;
   std::vector<MotionBlock> motions;
@@ -93,7 +95,9 @@ struct ReadOptions {
   /// curves may make 25 times as many motions.
   std::uint64_t repeat_limit = 2'000'000;
   std::size_t call_depth = 64;  ///< of calls inside each other
-  CutterRadii radii = {};       ///< of cutters, whatever program and tool table say
+  /// Of lengths and feeds until the program says its own; none: mm, and a warning that it is assumed.
+  std::optional<LengthUnit> unit = std::nullopt;
+  CutterRadii radii = {};  ///< of cutters, whatever program and tool table say
   /// Tool table for radii that the program does not set; empty: one beside the program, if there is any.
   std::filesystem::path tool_table = {};
   double table_unit = 1;  ///< of lengths in a tool table that does not name it [mm]

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
+#include "core/base/units.h"
 #include "core/program/text/read_fault.h"
 
 namespace feedscope {
@@ -49,10 +51,14 @@ Program Reader::read() {
     } catch (const ReadFault& fault) {
       report(Severity::error, fault.code, 0, fault.column, [&] { return Text{fault.message, fault.hint}; });
     }
+    watch_unit();
   }
   before_finish();
   finish();
   path_.finish();
+  watch_unit();
+  settle_unit();
+  report_assumed_unit();
   report_nothing_read();
   report_text_after_end();
   program_.called_files = files_.all_read();
@@ -85,6 +91,28 @@ bool Reader::within_run_limit() {
         "the rest is skipped; check the loop's condition, or raise the limit with --repeat-limit"};
   });
   return false;
+}
+
+/// Until there is a motion with a length; what it was written in is the program's unit.
+void Reader::watch_unit() {
+  while (!unit_settled_ && first_motion_ < program_.motions.size()) {
+    if (program_.motions[first_motion_].motion == Motion::dwell) {
+      ++first_motion_;
+    } else {
+      settle_unit();
+    }
+  }
+}
+
+void Reader::settle_unit() {
+  if (unit_settled_) {
+    return;
+  }
+  unit_settled_ = true;
+  using Source = ProgramUnit::Source;
+  program_.unit = {said_unit_.value_or(first_unit()), said_unit_      ? Source::program
+                                                      : options_.unit ? Source::asked
+                                                                      : Source::assumed};
 }
 
 void Reader::run_out() {
@@ -191,6 +219,54 @@ void Reader::note_other_axis(std::string_view axis, double target, AxisMotion mo
                 fmt::format("{}; the time of this axis is not counted, so the cycle time is too short; "
                             "reported once",
                             path)};
+  });
+}
+
+namespace {
+
+CutSize cut_size(const std::vector<MotionBlock>& motions) {
+  Bounds bounds;
+  CutSize cut;
+  const MotionBlock* before = nullptr;
+  for (const MotionBlock& motion : motions) {
+    if (motion.motion == Motion::line || motion.motion == Motion::arc) {
+      if (before != nullptr) {
+        bounds.add(before->target);
+      }
+      bounds.add(motion.target);
+      cut.feed = std::max(cut.feed, motion.feed);
+    }
+    before = &motion;
+  }
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    const double size = bounds.max[axis] - bounds.min[axis];
+    cut.size[axis] = std::isfinite(size) ? size : 0;
+  }
+  return cut;
+}
+
+}  // namespace
+
+/// grbl and printers start in mm whatever the machine; only sizes that look like inches are worth a word.
+void Reader::report_assumed_unit() {
+  if (program_.unit.source != ProgramUnit::Source::assumed || first_motion_ >= program_.motions.size()) {
+    return;
+  }
+  const CutSize cut = cut_size(program_.motions);
+  const bool inches = looks_like_inches(cut);
+  if (options_.dialect == Dialect::grbl && !inches) {
+    return;
+  }
+  std::string hint = "give it as a reading option: --unit mm or --unit inch";
+  if (inches) {
+    hint = fmt::format(
+        "{:.4g} x {:.4g} x {:.4g} mm cut at {:.4g} mm/min at most look like inches; give --unit inch, or "
+        "--unit mm "
+        "if that is right",
+        cut.size.x(), cut.size.y(), cut.size.z(), units::to_mm_min(cut.feed));
+  }
+  log_.add(Severity::warning, "unit-assumed", 0, {program_.motions[first_motion_].line, 0, {}}, [&] {
+    return Text{"the program does not say its unit; mm is used", hint};
   });
 }
 

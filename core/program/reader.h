@@ -64,6 +64,11 @@ class Reader {
   void end_program() { end_line_ = shown_line(); }
   bool ended() const { return end_line_ != 0; }
 
+  /// The unit that holds until the program says one.
+  LengthUnit first_unit() const { return options_.unit.value_or(LengthUnit::mm); }
+  /// The program says its unit.
+  void say_unit(LengthUnit unit) { said_unit_ = unit; }
+
   /// Line of the program itself that the line in force was called from, or is.
   std::uint32_t shown_line() const;
   /// The program asks for a tool, by number or name.
@@ -112,6 +117,9 @@ class Reader {
   };
 
   bool within_run_limit();
+  void watch_unit();
+  void settle_unit();
+  void report_assumed_unit();
   void report_nothing_read();
   void report_text_after_end();
 
@@ -125,6 +133,9 @@ class Reader {
   std::shared_ptr<const SourceText> text_;
   std::vector<Call> calls_;
   std::vector<OtherAxis> other_axes_;
+  std::optional<LengthUnit> said_unit_;
+  std::size_t first_motion_ = 0;  ///< the first of Program::motions with a length, once unit_settled_
+  bool unit_settled_ = false;
   std::uint32_t line_ = 0;
   std::uint32_t next_line_ = 1;
   std::uint32_t end_line_ = 0;  ///< shown; 0: not met

@@ -207,6 +207,33 @@
     </message>
 </context>
 <context>
+    <name>Faults</name>
+    <message>
+        <source>1 error</source>
+        <translation>1 erreur</translation>
+    </message>
+    <message>
+        <source>%1 errors</source>
+        <translation>%1 erreurs</translation>
+    </message>
+    <message>
+        <source>1 warning</source>
+        <translation>1 avertissement</translation>
+    </message>
+    <message>
+        <source>%1 warnings</source>
+        <translation>%1 avertissements</translation>
+    </message>
+    <message>
+        <source>Program read with %1 and %2</source>
+        <translation>Programme lu avec %1 et %2</translation>
+    </message>
+    <message>
+        <source>Program read with %1</source>
+        <translation>Programme lu avec %1</translation>
+    </message>
+</context>
+<context>
     <name>LineFinder</name>
     <message>
         <source>At character %1: %2</source>
@@ -382,6 +409,25 @@
     <message>
         <source>paths %1 µm apart</source>
         <translation>trajectoires écartées de %1&#xa0;µm</translation>
+    </message>
+</context>
+<context>
+    <name>Tolerance</name>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1&#xa0;mm</translation>
+    </message>
+    <message>
+        <source>The tolerance is set by the program.</source>
+        <translation>La tolérance est fixée par le programme.</translation>
+    </message>
+    <message>
+        <source>The tolerance is set by the program on some blocks, by the setting on the others.</source>
+        <translation>La tolérance est fixée par le programme sur certains blocs, par le réglage sur les autres.</translation>
+    </message>
+    <message>
+        <source>The tolerance is set by the setting, not by the program.</source>
+        <translation>La tolérance est fixée par le réglage, pas par le programme.</translation>
     </message>
 </context>
 <context>
@@ -2511,6 +2557,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>Language of the program, cutter radii, limits of loops and calls</source>
         <translation>Langage du programme, rayons des fraises, limites des boucles et des appels</translation>
     </message>
+    <message>
+        <source>The program is written for %1; this machine has a %2, whose path and times are shown.</source>
+        <translation>Le programme est écrit pour %1 ; cette machine a une %2, dont la trajectoire et les temps sont affichés.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::PlaybackBar</name>
@@ -2872,6 +2922,26 @@ Ensemble : %3</translation>
         <source>Choose a tool table</source>
         <translation>Choisir une table d’outils</translation>
     </message>
+    <message>
+        <source>Unit</source>
+        <translation>Unité</translation>
+    </message>
+    <message>
+        <source>Unit of the program</source>
+        <translation>Unité du programme</translation>
+    </message>
+    <message>
+        <source>the program&apos;s (now %1)</source>
+        <translation>celle du programme (actuellement %1)</translation>
+    </message>
+    <message>
+        <source>the program&apos;s, or else mm</source>
+        <translation>celle du programme, sinon mm</translation>
+    </message>
+    <message>
+        <source>Unit of lengths and feeds until the program says one: G20, G21, G70, G71, BEGIN PGM ... MM</source>
+        <translation>Unité des longueurs et des avances tant que le programme n&apos;en indique pas : G20, G21, G70, G71, BEGIN PGM ... MM</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::RemedyJob</name>
@@ -2929,10 +2999,6 @@ Ensemble : %3</translation>
 </context>
 <context>
     <name>feedscope::ui::RunList</name>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1&#xa0;mm</translation>
-    </message>
     <message>
         <source>duplicate run</source>
         <translation>copie de simulation</translation>
@@ -3017,10 +3083,6 @@ Ensemble : %3</translation>
         <translation>Modèle de commande</translation>
     </message>
     <message>
-        <source>Contour tolerance [mm]</source>
-        <translation>Tolérance de contour [mm]</translation>
-    </message>
-    <message>
         <source>Cycle time [s, or min:s]; the star marks the fastest run that keeps the error bound</source>
         <translation>Temps de cycle [s, ou min:s]&#xa0;; l&apos;étoile marque la simulation la plus rapide qui respecte la borne d&apos;erreur</translation>
     </message>
@@ -3035,6 +3097,10 @@ Ensemble : %3</translation>
     <message>
         <source>Largest distance of the executed path from the programmed one [µm]</source>
         <translation>Plus grande distance entre la trajectoire exécutée et la trajectoire programmée [µm]</translation>
+    </message>
+    <message>
+        <source>Contour tolerance in force, of the program or the setting [mm]</source>
+        <translation>Tolérance de contour en vigueur, du programme ou du réglage [mm]</translation>
     </message>
 </context>
 <context>
@@ -4241,6 +4307,10 @@ Ensemble : %3</translation>
     <message>
         <source>Simulating %1 of %2 blocks%3</source>
         <translation>Simulation&#xa0;: %1 blocs sur %2%3</translation>
+    </message>
+    <message>
+        <source>%1 is used: its control reads %2 programs.</source>
+        <translation>%1 est utilisée : sa commande lit les programmes %2.</translation>
     </message>
 </context>
 <context>

@@ -141,11 +141,15 @@ TEST_F(CheckCommand, SaysOnceWhatAppliesToManyLines) {
 }
 
 TEST_F(CheckCommand, ToleranceReplacesTheProgramsOwnAndSaysSo) {
-  write("control.ngc", "G64 P0.2\nG1 X10 F3000\nY10\n");
+  write("control.ngc", "G21 G64 P0.2\nG1 X10 F3000\nY10\n");
   const Result own = run("simulate control.ngc --json - --blends blends.csv");
-  EXPECT_EQ(own.err,
-            "feedscope: note: model 'essid': Compaction that the program asks for is not followed: "
-            "short blocks are not joined.\n");
+  EXPECT_EQ(
+      own.err,
+      "feedscope: note: The program is written for LinuxCNC, but Spinner MVC 850 has a Siemens Sinumerik "
+      "840D: path and times are those of that control. No published machine has a LinuxCNC control; use a "
+      "machine file of your own.\n"
+      "feedscope: note: model 'essid': Compaction that the program asks for is not followed: "
+      "short blocks are not joined.\n");
   EXPECT_NEAR(json::parse(own.out)["max_corner_distance_mm"].get<double>(), 0.16, 1e-9);
   const Result replaced = run("simulate control.ngc --tolerance 0.05 --json -");
   EXPECT_THAT(replaced.err, HasSubstr("note: --tolerance replaces the program's own path control"));

@@ -35,8 +35,8 @@ class CommandLine : public testing::Test {
   CommandLine() {
     std::string name = (fs::temp_directory_path() / "feedscope-cli-XXXXXX").string();
     folder_ = mkdtemp(name.data());
-    write("corner.nc", "G1 X20 F3000\nY20\n");
-    write("wrong.nc", "G1 X20 F3000\nfoo\nY20\n");
+    write("corner.nc", "G21 G1 X20 F3000\nY20\n");
+    write("wrong.nc", "G21 G1 X20 F3000\nfoo\nY20\n");
   }
   ~CommandLine() override { fs::remove_all(folder_); }
 

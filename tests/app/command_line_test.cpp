@@ -379,5 +379,64 @@ TEST_F(CommandLine, NamesAWordThatIsNeitherCommandNorFile) {
 }
 #endif
 
+/// A tolerance of the program is the one that every output tells.
+TEST_F(CommandLine, TheToleranceInForceIsToldEverywhere) {
+  write("own.mpf", "G71 G90\nCYCLE832(0.02,1)\nG1 X20 F3000\nY20\n");
+  const Result result = run("simulate own.mpf --json run.json");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("0.02 mm (program)"));
+  const json report = json::parse(contents(folder_ / "run.json"));
+  EXPECT_EQ(report["settings"]["contour_tolerance_mm"], 0.1);
+  EXPECT_EQ(report["tolerance_in_force_mm"], (json{{"min", 0.02}, {"max", 0.02}}));
+  EXPECT_EQ(report["tolerance_set_by"], "program");
+  const json asked = json::parse(run("simulate own.mpf --tolerance 0.1 --json -").out);
+  EXPECT_EQ(asked["tolerance_in_force_mm"], (json{{"min", 0.1}, {"max", 0.1}}));
+  EXPECT_EQ(asked["tolerance_set_by"], "setting");
+  const json cam = json::parse(run("simulate own.mpf --model cam --json -").out);
+  EXPECT_TRUE(cam["tolerance_in_force_mm"].is_null());
+  EXPECT_THAT(cam["notes"].dump(),
+              HasSubstr("Tolerances and blend distances of the program are not followed"));
+
+  const Result table = run("compare own.mpf --model essid --csv own.csv");
+  EXPECT_THAT(table.out, HasSubstr("essid        0.02"));
+  EXPECT_THAT(contents(folder_ / "own.csv"), HasSubstr("spinner-mvc850,essid,0.02,"));
+  write("two.mpf", "G71 G90\nCYCLE832(0.02,1)\nG1 X20 F3000\nY20\nCYCLE832(0.05,1)\nX0\n");
+  EXPECT_THAT(run("compare two.mpf --model essid --csv two.csv").out, HasSubstr("0.02 ... 0.05"));
+  EXPECT_THAT(contents(folder_ / "two.csv"), HasSubstr("spinner-mvc850,essid,,"));
+  EXPECT_THAT(contents(folder_ / "two.csv"), HasSubstr(",0.02,0.05,program,"));
+  EXPECT_THAT(run("compare own.mpf --model essid --sweep X.jerk=10,20").out,
+              HasSubstr("tolerance 0.02 mm (program)"));
+}
+
+TEST_F(CommandLine, AProgramRunsOnAMachineWithItsControlAndOthersAreSaid) {
+  write("part.h", "0 BEGIN PGM A MM\n1 L X+20 F3000\n2 L Y+20\n3 END PGM A MM\n");
+  const Result fitting = run("simulate part.h --json -");
+  EXPECT_EQ(json::parse(fitting.out)["machine"]["id"], "dmg-mori-evo40");
+  EXPECT_EQ(fitting.err, "");
+  EXPECT_EQ(json::parse(run("compare part.h --model cam --json -").out)["runs"][0]["machine"]["id"],
+            "dmg-mori-evo40");
+  for (const char* command : {"simulate", "compare"}) {
+    const Result other = run(std::string(command) + " part.h --machine huron-kx10 --model cam");
+    EXPECT_EQ(other.code, 0) << other.err;
+    EXPECT_THAT(other.err, HasSubstr("written for Heidenhain, but Huron KX10 has a Siemens Sinumerik 840D"));
+  }
+  EXPECT_EQ(json::parse(run("simulate corner.nc --json -").out)["machine"]["id"], "spinner-mvc850");
+}
+
+TEST_F(CommandLine, TheUnitIsAskedForOrWarnedOf) {
+  write("no_unit.nc", "G1 X4 F80\nY3\n");
+  const Result assumed = run("simulate no_unit.nc --json -");
+  EXPECT_EQ(assumed.code, 0);
+  EXPECT_THAT(assumed.err,
+              HasSubstr("warning: the program does not say its unit; mm is used [unit-assumed]"));
+  EXPECT_THAT(assumed.err, HasSubstr("4 x 3 x 0 mm cut at 80 mm/min"));
+  EXPECT_EQ(json::parse(assumed.out)["program"]["unit"], (json{{"name", "mm"}, {"said_by", "nobody"}}));
+  const Result inch = run("simulate no_unit.nc --unit inch --json -");
+  EXPECT_EQ(inch.err, "");
+  EXPECT_NEAR(json::parse(inch.out)["program"]["path_mm"].get<double>(), 7 * 25.4, 1e-9);
+  EXPECT_THAT(run("check no_unit.nc --unit inch").out, HasSubstr("inch, by --unit"));
+  expect_wrong_use("check no_unit.nc --unit cm", "--unit");
+}
+
 }  // namespace
 }  // namespace feedscope::test

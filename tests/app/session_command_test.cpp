@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
 #include "tests/app/command_line.h"
 
 namespace feedscope::test {
@@ -9,7 +13,7 @@ using testing::HasSubstr;
 class SessionCommand : public CommandLine {
  protected:
   void SetUp() override {
-    write("part.nc", "G1 X20 F3000\nY20\nX40\n");
+    write("part.nc", "G21 G1 X20 F3000\nY20\nX40\n");
     write("part.feedscope", session("part.nc", ""));
   }
 
@@ -72,6 +76,64 @@ TEST_F(SessionCommand, TheReportHasItsRunsByName) {
   EXPECT_THAT(html, HasSubstr("wide"));
   EXPECT_THAT(html, HasSubstr("msaddek"));
   EXPECT_THAT(html, HasSubstr("feedscope report part.feedscope"));
+}
+
+/// A session gives every command what its program, reading options and runs would give by hand.
+TEST_F(SessionCommand, EveryCommandTakesOneAndDoesWhatItsOptionsWouldDo) {
+  using nlohmann::json;
+  std::string text = session("part.nc", "");
+  text.insert(text.find("\"runs\""), R"("reading": {"unit": "inch"}, "current_run": 1, )");
+  write("part.nc", "G1 X2 F30\nY2\nX4\n");
+  write("part.feedscope", text);
+  const std::string reading = " part.nc --unit inch ";
+  const auto same = [&](const std::string& of_session, const std::string& by_hand) {
+    const Result one = quiet(of_session + " --json -");
+    const Result other = quiet(by_hand + " --json -");
+    ASSERT_EQ(one.code, 0) << one.err;
+    ASSERT_EQ(other.code, 0) << other.err;
+    json a = json::parse(one.out);
+    json b = json::parse(other.out);
+    for (json* whole : {&a, &b}) {
+      whole->erase("elapsed");
+      (*whole)["program"].erase("file");
+      if (whole->contains("runs")) {
+        for (json& run : (*whole)["runs"]) {
+          run.erase("elapsed");
+        }
+      }
+    }
+    EXPECT_EQ(a, b) << of_session;
+  };
+  const std::string first = " --machine spinner-mvc850 --model essid --set contour_tolerance_mm=0.05";
+  const std::string second = " --machine huron-kx10 --model msaddek";
+  same("check part.feedscope", "check" + reading);
+  same("simulate part.feedscope", "simulate" + reading + second);
+  same("simulate part.feedscope --run 1", "simulate" + reading + first);
+  EXPECT_THAT(quiet("simulate part.feedscope").err, HasSubstr("number 2 is simulated"));
+
+  const json compared = json::parse(quiet("compare part.feedscope --json -").out);
+  ASSERT_EQ(compared["runs"].size(), 2U);
+  const auto time = [&](const std::string& options) {
+    return json::parse(quiet("simulate" + reading + options + " --json -").out)["cycle_time_s"];
+  };
+  EXPECT_EQ(compared["runs"][0]["cycle_time_s"], time(first));
+  EXPECT_EQ(compared["runs"][1]["cycle_time_s"], time(second));
+  const json swept = json::parse(quiet("compare part.feedscope --sweep tolerance=0.01,0.02 --json -").out);
+  EXPECT_EQ(swept["runs"].size(), 4U);
+}
+
+TEST_F(SessionCommand, OptionsThatItHasOfItsOwnAreRefusedByEveryCommand) {
+  for (const char* command : {"simulate", "compare"}) {
+    for (const char* option : {"--machine huron-kx10", "--model cam", "--tolerance 0.1", "--set X.jerk=3",
+                               "--unit inch", "--dialect iso"}) {
+      expect_wrong_use(fmt::format("{} part.feedscope {}", command, option), "does not go with session");
+    }
+  }
+  expect_wrong_use("check part.feedscope --unit mm", "--unit does not go with session");
+  expect_wrong_use("simulate part.feedscope --run 3", "it has runs 1 to 2");
+  expect_wrong_use("simulate corner.nc --run 1", "is not a session");
+  expect_wrong_use("simulate part.feedscope --json part.nc", "it is the program itself");
+  EXPECT_THAT(contents(folder_ / "part.nc"), HasSubstr("G1 X20"));
 }
 
 TEST_F(SessionCommand, AChangedProgramIsSaidAndTheRestGoesOn) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <string>
 #include <vector>
@@ -128,6 +129,28 @@ TEST(Layering, SceneKnowsNoWidgets) {
     return std::regex_match(name, widget) || name.starts_with("ui/views/") || name.starts_with("ui/charts/");
   };
   EXPECT_THAT(includes_where(sources_under({"ui/scene"}), is_widget), testing::IsEmpty());
+}
+
+/// Two classes of one name in one namespace break the program wherever the linker keeps one constructor of
+/// both.
+TEST(Layering, NoTwoHeadersDefineTheSameClass) {
+  const std::regex opens(R"(namespace ([\w:]+) \{)");
+  const std::regex defines(R"((?:struct|class|enum class) (\w+)[^;]*\{.*)");
+  std::map<std::string, std::string> known;
+  for (const SourceFile& file : sources_under({"core", "ui", "app"})) {
+    std::string space;
+    for (const std::string& line : file.path.ends_with(".h") ? file.lines : std::vector<std::string>()) {
+      std::smatch match;
+      if (std::regex_match(line, match, opens)) {
+        space = match[1];
+      } else if (std::regex_match(line, match, defines)) {
+        const auto [first, is_new] = known.emplace(space + "::" + match[1].str(), file.path);
+        EXPECT_TRUE(is_new || first->second == file.path)
+            << first->first << " is defined in " << first->second << " and " << file.path;
+      }
+    }
+  }
+  EXPECT_GT(known.size(), 300U);
 }
 
 TEST(Layering, NoFileIsLongerThan500Lines) {

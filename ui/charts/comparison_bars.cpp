@@ -57,8 +57,9 @@ KindFlags kinds_told_apart(std::span<const ComparedRun> runs) {
 
 ComparisonBar bar_of(const ComparedRun& run, const KindFlags& told) {
   const Summary& summary = run.summary;
-  ComparisonBar bar{run.setup.model->info().id, contour_tolerance(run.setup), summary.cycle_time,
-                    run.against_cam(),          summary.max_contour_error,    {}};
+  ComparisonBar bar{run.setup.model->info().id, run.tolerance,
+                    summary.cycle_time,         run.against_cam(),
+                    summary.max_contour_error,  {}};
   double rest = 0;
   for (std::size_t i = 0; i < summary.time_by_cause.size(); ++i) {
     const double time = summary.time_by_cause[i];

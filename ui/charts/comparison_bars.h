@@ -18,11 +18,11 @@ struct BarPart {
 
 /// One run as a bar, and the figures beside it.
 struct ComparisonBar {
-  std::string model;                ///< id
-  std::optional<double> tolerance;  ///< where the model reads one [mm]
-  double cycle_time = 0;            ///< [s]
-  double against_cam = 1;           ///< cycle time over programmed time
-  double contour_error = 0;         ///< largest [mm]
+  std::string model;                          ///< id
+  std::optional<ToleranceInForce> tolerance;  ///< where the model follows one
+  double cycle_time = 0;                      ///< [s]
+  double against_cam = 1;                     ///< cycle time over programmed time
+  double contour_error = 0;                   ///< largest [mm]
   std::vector<BarPart> parts;  ///< in the order of all_causes(), the rest last; they add up to cycle_time
 };
 

@@ -127,8 +127,13 @@ TextColumn column_of(const ComparisonBars& bars, const QString& heading, const Q
 std::vector<TextColumn> name_columns(const ComparisonBars& bars) {
   return {model_column(bars),
           column_of(bars, tr("tolerance"), QStringLiteral("[mm]"), [](const ComparisonBar& bar) {
-            return bar.tolerance ? QLocale().toString(*bar.tolerance, 'g', QLocale::FloatingPointShortest)
-                                 : QStringLiteral("–");
+            const auto number = [](double mm) {
+              return QLocale().toString(mm, 'g', QLocale::FloatingPointShortest);
+            };
+            return !bar.tolerance ? QStringLiteral("–")
+                   : bar.tolerance->is_range()
+                       ? QStringLiteral("%1 … %2").arg(number(bar.tolerance->min), number(bar.tolerance->max))
+                       : number(bar.tolerance->max);
           })};
 }
 

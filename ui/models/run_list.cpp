@@ -4,6 +4,9 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "core/machine/contour_tolerance.h"
+#include "ui/models/tolerance_text.h"
+
 namespace feedscope::ui {
 
 namespace {
@@ -13,9 +16,6 @@ namespace {
 // colour vision.
 constexpr std::array<QRgb, 8> run_colours{0xff7036c8, 0xff8f4a1e, 0xffe05ab0, 0xff6b8e23,
                                           0xff4a7dff, 0xffa3213f, 0xff12a5c0, 0xff9a8500};
-
-const std::string tolerance_key = "contour_tolerance_mm";
-const std::string program_tolerance_key = "program_tolerance";  // goes with it
 
 QString value_text(const SettingValue& value) {
   const auto* number = std::get_if<double>(&value);
@@ -29,17 +29,17 @@ QColor run_colour(std::size_t number) {
   return QColor(run_colours[number % run_colours.size()]);
 }
 
-QString run_title(const RunItem& item) {
+QString run_title(const RunItem& item, std::span<const PathControl> feed_controls) {
   if (!item.name.isEmpty()) {
     return item.name;
   }
   const SetupState& setup = item.setup;
   QStringList parts{QString::fromStdString(setup.file().model->info().id)};
-  if (setup.file().settings.has(tolerance_key)) {
-    parts.append(RunList::tr("%1 mm").arg(value_text(setup.value(tolerance_key))));
+  if (const auto tolerance = tolerance_in_force(feed_controls, setup.setup())) {
+    parts.append(tolerance_text(*tolerance));
   }
   for (const auto& [key, value] : setup.edits()) {
-    if (key != tolerance_key && key != program_tolerance_key) {
+    if (key != contour_tolerance_key && key != program_tolerance_key) {
       parts.append(QStringLiteral("%1 %2").arg(QString::fromStdString(key), value_text(value)));
     }
   }
@@ -185,6 +185,17 @@ void RunList::apply(const Snapshot& snapshot) {
       }
     }
   }
+}
+
+void RunList::set_feed_controls(std::vector<PathControl> controls) {
+  feed_controls_ = std::move(controls);
+  for (std::size_t row = 0; row < items_.size(); ++row) {
+    emit item_changed(row);
+  }
+}
+
+std::optional<ToleranceInForce> RunList::tolerance(const RunItem& item) const {
+  return tolerance_in_force(feed_controls_, item.setup.setup());
 }
 
 QColor RunList::free_colour() const {

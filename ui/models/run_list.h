@@ -6,8 +6,11 @@
 #include <QUndoStack>
 #include <map>
 #include <memory>
+#include <optional>
+#include <span>
 #include <vector>
 
+#include "core/analysis/tolerance_in_force.h"
 #include "ui/models/setup_state.h"
 #include "ui/models/shown_run.h"
 
@@ -27,8 +30,9 @@ struct RunItem {
 /// Colours of runs that nobody has coloured, by their number: told apart with every kind of colour vision.
 QColor run_colour(std::size_t number);
 
-/// The name of a run, or else model, tolerance and what is changed: "essid, 0.05 mm, X.jerk 20".
-QString run_title(const RunItem& item);
+/// The name of a run, or else model, tolerance in force and what is changed: "essid, 0.05 mm, X.jerk 20".
+/// `feed_controls`: LoadedProgram::feed_controls.
+QString run_title(const RunItem& item, std::span<const PathControl> feed_controls);
 
 /// The runs of one program and which of them is the current one: the one that is edited, played and shown in
 /// full. There is always at least one. What changes a run can be undone; results are not part of that and are
@@ -61,6 +65,13 @@ class RunList : public QObject {
   /// Another set of runs altogether; the history goes.
   void replace(std::vector<RunItem> items, std::size_t current);
   QUndoStack& history() { return history_; }
+
+  /// Those of the program, which may set tolerances of its own: LoadedProgram::feed_controls.
+  void set_feed_controls(std::vector<PathControl> controls);
+  /// As run_title().
+  QString title(const RunItem& item) const { return run_title(item, feed_controls_); }
+  /// None where the model follows none.
+  std::optional<ToleranceInForce> tolerance(const RunItem& item) const;
 
   /// The last result of a run, if any; it may be of an earlier setup.
   std::shared_ptr<const ShownRun> result(std::size_t row) const;
@@ -95,6 +106,7 @@ class RunList : public QObject {
   std::size_t current_ = 0;
   int next_id_ = 1;
   std::map<int, std::shared_ptr<const ShownRun>> results_;
+  std::vector<PathControl> feed_controls_;
   QUndoStack history_;
 };
 

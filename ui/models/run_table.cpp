@@ -8,6 +8,7 @@
 #include "ui/language/core_texts.h"
 #include "ui/models/study_table.h"
 #include "ui/models/texts.h"
+#include "ui/models/tolerance_text.h"
 
 namespace feedscope::ui {
 
@@ -103,15 +104,13 @@ QString RunTable::text(std::size_t row, int column) const {
   const Setup& file = item.setup.file();
   switch (column) {
     case name:
-      return run_title(item);
+      return runs_.title(item);
     case machine:
       return QString::fromStdString(file.machine.name);
     case model:
       return QString::fromStdString(file.model->info().id);
-    case tolerance: {
-      const auto value = contour_tolerance(item.setup.setup());
-      return value ? QLocale().toString(*value, 'g', 6) : QStringLiteral("–");
-    }
+    case tolerance:
+      return tolerance_range(runs_.tolerance(item));
     default:
       return figure(row, column);
   }
@@ -119,9 +118,12 @@ QString RunTable::text(std::size_t row, int column) const {
 
 QString RunTable::explanation(std::size_t row) const {
   const RunItem& item = runs_.items()[row];
-  QStringList lines{QStringLiteral("<b>%1</b>").arg(run_title(item).toHtmlEscaped()),
+  QStringList lines{QStringLiteral("<b>%1</b>").arg(runs_.title(item).toHtmlEscaped()),
                     QString::fromStdString(item.setup.file().machine.name).toHtmlEscaped(),
                     core_text(item.setup.file().model->info().title).toHtmlEscaped()};
+  if (const auto in_force = runs_.tolerance(item)) {
+    lines.append(tolerance_origin(*in_force));
+  }
   const Summary* figures = summary(row);
   if (figures != nullptr && !keeps_bound(*figures)) {
     lines.append(tr("Its contour error of %1 µm is above the bound of %2 µm.")
@@ -161,7 +163,7 @@ QVariant RunTable::data(const QModelIndex& index, int role) const {
     case Qt::DisplayRole:
       return text(row, index.column());
     case Qt::EditRole:
-      return index.column() == name ? QVariant(run_title(item)) : QVariant();
+      return index.column() == name ? QVariant(runs_.title(item)) : QVariant();
     case Qt::CheckStateRole:
       return index.column() == name ? QVariant(item.visible ? Qt::Checked : Qt::Unchecked) : QVariant();
     case Qt::DecorationRole:
@@ -193,7 +195,7 @@ bool RunTable::setData(const QModelIndex& index, const QVariant& value, int role
     return true;
   }
   if (role == Qt::EditRole) {
-    if (value.toString() != run_title(runs_.items()[row])) {
+    if (value.toString() != runs_.title(runs_.items()[row])) {
       runs_.rename(row, value.toString());
     }
     return true;
@@ -219,7 +221,7 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
       QT_TR_NOOP("Name of the run; the box shows its path and feed beside those of the current run"),
       QT_TR_NOOP("Machine whose axis limits hold"),
       QT_TR_NOOP("Control model"),
-      QT_TR_NOOP("Contour tolerance [mm]"),
+      QT_TR_NOOP("Contour tolerance in force, of the program or the setting [mm]"),
       QT_TR_NOOP("Cycle time [s, or min:s]; the star marks the fastest run that keeps the error bound"),
       QT_TR_NOOP("Cycle time above that of the fastest run [%]"),
       QT_TR_NOOP("Mean feed: executed path over cycle time without dwells [mm/min]"),

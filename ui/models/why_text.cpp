@@ -352,7 +352,8 @@ QString WhyText::remedy(const Remedy& remedy, const Setup& setup) {
   const std::string name = axis ? key.substr(2) : key;
   for (const SettingSpec& spec : axis ? axis_limit_specs() : settings_of(*setup.model)) {
     if (spec.key == name && std::holds_alternative<double>(value)) {
-      const double before = axis ? axis_limit(setup.machine, key[0], name) : setup.settings.number(key);
+      const double before =
+          axis ? axis_limit(setup.machine, key[0], name) : remedy.before.value_or(setup.settings.number(key));
       const QString title = core_text(spec.title);
       return tr("%1 %2 → %3 %4")
           .arg(axis ? tr("%1 of %2").arg(title, QString(QLatin1Char(key[0]))) : title, significant(before, 4),

@@ -6,7 +6,9 @@
 #include <chrono>
 #include <utility>
 
+#include "core/analysis/control_dialect.h"
 #include "core/base/error.h"
+#include "core/machine/contour_tolerance.h"
 
 namespace feedscope::ui {
 
@@ -54,12 +56,14 @@ Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
 void Workbench::show(const Run& run) {
   job_.cancel();
   working_on_ = 0;
+  machine_chosen_ = true;
   file_ = run.input.program->source->name();
   reading_ = {};
   program_ = {};
   annotations_.replace({});
   runs_.replace({{0, {}, runs_.current_item().colour, true, SetupState(run.setup)}}, 0);
   program_ = make_shown(run.input);
+  runs_.set_feed_controls(run.input.feed_controls);
   emit program_changed();
   runs_.set_result(runs_.current_item().id, make_shown(run));
   show_current();
@@ -84,6 +88,7 @@ void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> run
   job_.cancel();
   file_ = file;
   reading_ = reading;
+  machine_chosen_ = true;
   program_ = {};
   annotations_.replace({});
   runs_.replace(std::move(runs), current);
@@ -123,13 +128,18 @@ void Workbench::cancel() {
   job_.cancel();
 }
 
+Setup Workbench::plain_setup(const std::string& id_or_file) const {
+  Setup setup;
+  setup.machine = machines_.load(id_or_file);
+  setup.model = &find_model(setup.machine.model);
+  setup.settings = complete_settings(*setup.model, setup.machine);
+  return setup;
+}
+
 void Workbench::choose_machine(const QString& id_or_file) {
   try {
-    Setup setup;
-    setup.machine = machines_.load(id_or_file.toStdString());
-    setup.model = &find_model(setup.machine.model);
-    setup.settings = complete_settings(*setup.model, setup.machine);
-    setup_.set_file(std::move(setup));
+    setup_.set_file(plain_setup(id_or_file.toStdString()));
+    machine_chosen_ = true;
   } catch (const InputError& error) {
     emit failed(QString::fromUtf8(error.what()));
   }
@@ -163,9 +173,8 @@ void Workbench::save_machine(const std::filesystem::path& file) {
 bool Workbench::set_tolerance(double tolerance) {
   try {
     SetupState changed = setup_.state();
-    changed.set("contour_tolerance_mm", tolerance);
-    if (program() != nullptr && find_own_tolerance(program()->path_controls) != nullptr) {
-      changed.set("program_tolerance", std::string("off"));
+    for (const auto& [key, value] : settings_for_tolerance(tolerance)) {
+      changed.set(key, value);
     }
     runs_.set_setup(runs_.current(), changed, tr("contour tolerance"));
     return true;
@@ -217,8 +226,30 @@ bool Workbench::under_way(std::size_t row) const {
 
 void Workbench::take_program(const ShownProgram& program) {
   program_ = program;
+  runs_.set_feed_controls(program.input.feed_controls);
+  use_default_machine();
   watch();
   emit program_changed();
+}
+
+/// That of the program's dialect, unless someone has chosen a machine or set something up.
+void Workbench::use_default_machine() {
+  const std::string id = default_machine_of(program_.input.program->dialect);
+  const RunItem& only = runs_.current_item();
+  if (machine_chosen_ || runs_.items().size() > 1 || !only.setup.edits().empty() ||
+      only.setup.file().machine.id == id) {
+    return;
+  }
+  try {
+    RunItem run = only;
+    run.setup = SetupState(plain_setup(id));
+    runs_.replace({std::move(run)}, 0);
+    emit noticed(tr("%1 is used: its control reads %2 programs.")
+                     .arg(QString::fromStdString(runs_.current_item().setup.file().machine.name),
+                          QString::fromUtf8(info_of(program_.input.program->dialect).title.data())));
+  } catch (const InputError& error) {
+    emit failed(QString::fromUtf8(error.what()));
+  }
 }
 
 void Workbench::take_result(const std::shared_ptr<const ShownRun>& result) {

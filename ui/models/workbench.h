@@ -34,7 +34,8 @@ class Workbench : public QObject {
 
   /// Shows a run that is done, with its program and setup, as the only one.
   void show(const Run& run);
-  /// Reads a program and simulates every run of it. Another one than before is read as usual.
+  /// Reads a program and simulates every run of it. Another one than before is read as usual. Until someone
+  /// has chosen a machine it runs on that of its dialect: default_machine_of().
   void open(const std::filesystem::path& file);
   /// The same with other runs, at least one; their history goes.
   void open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
@@ -86,6 +87,8 @@ class Workbench : public QObject {
 
  private:
   void read_file();
+  Setup plain_setup(const std::string& id_or_file) const;
+  void use_default_machine();
   void schedule();
   bool wanted(std::size_t row) const;
   bool under_way(std::size_t row) const;
@@ -108,6 +111,7 @@ class Workbench : public QObject {
   bool reload_on_change_ = true;
   std::filesystem::path file_;
   ReadOptions reading_;
+  bool machine_chosen_ = false;  ///< else the program's dialect chooses it
   ShownProgram program_;
   int working_on_ = 0;         ///< id of the run under way
   Setup working_setup_;        ///< as it was when that began

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/language/core_texts.h"
+#include "ui/models/reading_faults.h"
 
 namespace feedscope::ui {
 
@@ -16,9 +17,13 @@ namespace {
 QString title_of(const Run& run) {
   const QString file = program_file_name(*run.input.program);
   const QString time = QLocale().toString(run.trajectory->duration(), 'f', 3);
-  return QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4 s")
+  const QString faults = reading_faults_text(*run.input.program);
+  return QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4 s%5")
       .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
-           core_text(run.setup.model->info().title).toHtmlEscaped(), time);
+           core_text(run.setup.model->info().title).toHtmlEscaped(), time,
+           faults.isEmpty()
+               ? QString()
+               : QStringLiteral(" &nbsp; <span style=\"color:#c62818\"><b>%1</b></span>").arg(faults));
 }
 
 }  // namespace

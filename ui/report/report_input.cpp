@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <set>
 
+#include "core/machine/contour_tolerance.h"
 #include "ui/models/run_list.h"
+#include "ui/models/tolerance_text.h"
 
 namespace feedscope::ui {
 
@@ -34,17 +36,18 @@ std::set<std::string> differing_settings(const std::vector<std::shared_ptr<const
   return keys;
 }
 
-QString name_of(const Setup& setup, bool with_machine, const std::set<std::string>& keys) {
+QString name_of(const Run& run, bool with_machine, const std::set<std::string>& keys) {
+  const Setup& setup = run.setup;
   QStringList parts;
   if (with_machine) {
     parts.append(QString::fromStdString(setup.machine.id));
   }
   parts.append(QString::fromStdString(setup.model->info().id));
-  if (const std::optional<double> tolerance = contour_tolerance(setup)) {
-    parts.append(QStringLiteral("%1 mm").arg(QLocale().toString(*tolerance, 'g', 6)));
+  if (const auto tolerance = tolerance_in_force(run.input.feed_controls, setup)) {
+    parts.append(tolerance_text(*tolerance));
   }
   for (const std::string& key : keys) {
-    const bool said = key == "contour_tolerance_mm" || key == "program_tolerance";
+    const bool said = key == contour_tolerance_key || key == program_tolerance_key;
     if (!said && setup.settings.has(key)) {
       parts.append(QStringLiteral("%1 %2").arg(QString::fromStdString(key),
                                                value_text(setup.settings.values().at(key))));
@@ -81,7 +84,7 @@ std::vector<ReportRun> report_runs(const std::vector<std::shared_ptr<const Shown
   const std::set<std::string> keys = differing_settings(runs);
   std::vector<ReportRun> named;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    QString name = name_of(runs[i]->run.setup, machines.size() > 1, keys);
+    QString name = name_of(runs[i]->run, machines.size() > 1, keys);
     const auto same = std::ranges::count(named, name, &ReportRun::name);
     if (same > 0) {
       name += QStringLiteral(" (%1)").arg(i + 1);

@@ -5,6 +5,7 @@
 
 #include "core/base/geometry.h"
 #include "ui/models/setup_state.h"
+#include "ui/models/tolerance_text.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
@@ -134,6 +135,16 @@ std::vector<SettingRow> identity_rows(const ReportInput& input) {
                  [](const Setup& setup) { return html_text(setup.model->info().id); })};
 }
 
+/// What the runs follow, which the program may set.
+SettingRow tolerance_row(const ReportInput& input) {
+  SettingRow row{QStringLiteral("Tolerance in force"), QStringLiteral("mm"), {}};
+  for (const ReportRun& run : input.runs) {
+    row.values.push_back(
+        tolerance_range(tolerance_in_force(run.shown->run.input.feed_controls, run.shown->run.setup)));
+  }
+  return row;
+}
+
 std::vector<SettingRow> limit_rows(const ReportInput& input) {
   std::vector<SettingRow> rows;
   for (const SettingSpec& spec : axis_limit_specs()) {
@@ -229,6 +240,7 @@ QString differing_settings_block(const ReportInput& input) {
 
 QString settings_block(const ReportInput& input) {
   std::vector<SettingRow> rows = identity_rows(input);
+  rows.push_back(tolerance_row(input));
   std::ranges::move(setting_rows(input), std::back_inserter(rows));
   return rows_table(input, rows, true);
 }

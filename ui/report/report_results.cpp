@@ -2,8 +2,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/analysis/run_notes.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
+#include "ui/models/reading_faults.h"
 #include "ui/models/texts.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
@@ -147,6 +149,28 @@ QString causes_table(const ReportInput& input, const std::vector<std::size_t>& c
   return table.html();
 }
 
+/// What run_notes() say of the runs, each once, with the runs that it is said of where those are not all.
+QString run_notes_text(const ReportInput& input) {
+  std::vector<std::pair<std::string, QStringList>> notes;
+  for (const ReportRun& run : input.runs) {
+    for (const std::string& note : run_notes(run.shown->run.input, run.shown->run.setup)) {
+      auto same = std::ranges::find(notes, note, &std::pair<std::string, QStringList>::first);
+      if (same == notes.end()) {
+        same = notes.insert(notes.end(), {note, {}});
+      }
+      same->second.append(run.name);
+    }
+  }
+  QString html;
+  for (const auto& [note, runs] : notes) {
+    const QString whose = runs.size() == static_cast<qsizetype>(input.runs.size())
+                              ? QString()
+                              : html_text(runs.join(QStringLiteral("; "))) + QStringLiteral(": ");
+    html += QStringLiteral("<p class=\"small\">%1%2</p>\n").arg(whose, html_text(note));
+  }
+  return html;
+}
+
 }  // namespace
 
 std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary) {
@@ -164,14 +188,20 @@ std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary) {
 }
 
 QString summary_block(const ReportInput& input) {
-  QString html = QStringLiteral("<p>%1</p>\n")
-                     .arg(input.runs.size() > 1 ? fastest_sentence(input) : one_run_sentence(input.run()));
+  QString html;
+  if (const QString faults = reading_faults_text(*input.program().program); !faults.isEmpty()) {
+    html +=
+        QStringLiteral("<p style=\"color:#c62818\"><b>%1.</b> The messages are listed under Program.</p>\n")
+            .arg(faults);
+  }
+  html += QStringLiteral("<p>%1</p>\n")
+              .arg(input.runs.size() > 1 ? fastest_sentence(input) : one_run_sentence(input.run()));
   const QString causes = main_causes(summary_of(input.run()));
   if (!causes.isEmpty()) {
     html += QStringLiteral("<p>Most of the time of %1 is limited by: %2.</p>\n")
                 .arg(html_text(input.run().name), html_text(causes));
   }
-  return html;
+  return html + run_notes_text(input);
 }
 
 QString comparison_block(const ReportInput& input) {

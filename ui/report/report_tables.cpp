@@ -70,6 +70,7 @@ QString program_facts_block(const ReportInput& input) {
   };
   add("File", html_text(program.source->name()));
   add("Language", html_text(std::string(info_of(program.dialect).title)));
+  add("Unit", html_text(describe(program.unit)));
   add("Size", QStringLiteral("%1 lines, %2 blocks run").arg(facts.lines).arg(program.block_count));
   add("Segments", QStringLiteral("%1: %2 lines, %3 arcs, %4 dwells")
                       .arg(facts.segments)

@@ -8,10 +8,12 @@
 #include <QTextDocument>
 #include <algorithm>
 
+#include "core/analysis/control_dialect.h"
 #include "core/analysis/program_facts.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
+#include "ui/models/reading_faults.h"
 #include "ui/models/texts.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/html_table.h"
@@ -33,12 +35,13 @@ constexpr std::size_t most_runs = 12;          // in the table
 constexpr QSizeF enough_for_charts(640, 400);  // smaller ones are laid out larger and shrunk
 
 struct Colours {
-  QColor title, text, muted, rule, tile, paper;
+  QColor title, text, muted, rule, tile, paper, alarm;
 };
 
 Colours colours_of(ThemeKind theme) {
-  return theme == ThemeKind::dark ? Colours{"#9cc7f0", "#e3e6e9", "#a0a6ad", "#4a4f55", "#2d3136", "#1b1d20"}
-                                  : Colours{"#16324f", "#22262a", "#5a6068", "#c8cdd2", "#f1f4f7", "#ffffff"};
+  return theme == ThemeKind::dark
+             ? Colours{"#9cc7f0", "#e3e6e9", "#a0a6ad", "#4a4f55", "#2d3136", "#1b1d20", "#ff8a70"}
+             : Colours{"#16324f", "#22262a", "#5a6068", "#c8cdd2", "#f1f4f7", "#ffffff", "#c62818"};
 }
 
 class SheetPainter {
@@ -96,8 +99,12 @@ class SheetPainter {
 
   void draw_title(const QRectF& room) {
     const Setup& setup = input_.run().shown->run.setup;
-    write({room.left(), room.top(), room.width(), 30}, paper_font(22, true), colours_.title, Qt::AlignLeft,
-          input_.heading());
+    const QString faults = reading_faults_text(*input_.program().program);
+    const QFont bold = paper_font(13, true);
+    const double beside = faults.isEmpty() ? 0 : QFontMetricsF(bold).horizontalAdvance(faults) + 20;
+    write({room.left(), room.top(), room.width() - beside, 30}, paper_font(22, true), colours_.title,
+          Qt::AlignLeft, input_.heading());
+    write({room.left(), room.top(), room.width(), 30}, bold, colours_.alarm, Qt::AlignRight, faults);
     QStringList right;
     for (const QString& part :
          {input_.author,
@@ -221,8 +228,12 @@ class SheetPainter {
                      .arg(significant(units::to_mm_min(facts.least_feed), 6),
                           significant(units::to_mm_min(facts.largest_feed), 6))});
     }
-    const ModelInfo& model = input_.run().shown->run.setup.model->info();
+    const Run& run = input_.run().shown->run;
+    const ModelInfo& model = run.setup.model->info();
     table.add({QStringLiteral("Control model"), html_text(model.title)});
+    if (const auto mismatch = control_mismatch(run.setup.machine, program.dialect)) {
+      table.add({QStringLiteral("Control"), html_text(describe(*mismatch))});
+    }
     return table.html();
   }
 

@@ -1,6 +1,5 @@
 #include "ui/scene/path_scene.h"
 
-#include <vtkCallbackCommand.h>
 #include <vtkCamera.h>
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
@@ -16,6 +15,7 @@
 #include "ui/scene/draw/captions.h"
 #include "ui/scene/draw/pointers.h"
 #include "ui/scene/path/pick.h"
+#include "ui/scene/render_callback.h"
 
 namespace feedscope::ui {
 
@@ -48,13 +48,6 @@ Bounds near_cutting(const Bounds& cutting, const Bounds& all) {
   near.add(all.min.cwiseMax(cutting.min - Vec3::Constant(reach)));
   near.add(all.max.cwiseMin(cutting.max + Vec3::Constant(reach)));
   return near;
-}
-
-void call_before(vtkRenderer& renderer, void* data, void (*call)(vtkObject*, unsigned long, void*, void*)) {
-  const vtkNew<vtkCallbackCommand> before;
-  before->SetClientData(data);
-  before->SetCallback(call);
-  renderer.AddObserver(vtkCommand::StartEvent, before);
 }
 
 }  // namespace
@@ -321,6 +314,11 @@ void PathScene::set_run_colour(const Rgb& colour) {
     impl_->look.run = colour;
     impl_->apply_look();
   }
+}
+
+void PathScene::set_warning(const std::string& text) {
+  impl_->texts.warning = text;
+  impl_->changed();
 }
 
 void PathScene::set_comparison(const std::string& reference, std::shared_ptr<const SampledPath> alike) {

@@ -60,6 +60,8 @@ class PathScene {
   Colouring colouring() const;
   /// Colour of the executed path for Colouring::run.
   void set_run_colour(const Rgb& colour);
+  /// What is wrong with the program, named in the legend; empty: nothing. UTF-8, Latin letters.
+  void set_warning(const std::string& text);
   /// `reference`: name of the run that the samples of the executed path are compared with (sample_compared).
   /// `alike`: a path in another scene whose colours are to mean the same, so that the scale holds both; null:
   /// none.

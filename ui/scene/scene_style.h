@@ -34,6 +34,7 @@ struct SceneTexts {
   std::string executed = "executed";
   std::string blend = "corner blend";
   std::string exaggerated = "deviation drawn × %1";  ///< %1: the factor
+  std::string warning;                               ///< PathScene::set_warning()
   std::string feed = "Feed";
   std::string feed_ratio = "Feed / programmed";
   std::string tangential_acceleration = "Tangential acceleration";

@@ -9,12 +9,13 @@ namespace feedscope::ui {
 namespace {
 
 constexpr const char* dialect_key = "dialect";
+constexpr const char* unit_key = "unit";
 constexpr const char* skip_key = "skip_deleted";
 constexpr const char* repeat_key = "repeat_limit";
 constexpr const char* depth_key = "call_depth";
 constexpr const char* radii_key = "cutter_radii_mm";
 constexpr const char* table_key = "tool_table";
-constexpr const char* unit_key = "tool_table_unit_mm";
+constexpr const char* table_unit_key = "tool_table_unit_mm";
 constexpr const char* wear_key = "wear_only";
 constexpr const char* cut_off_key = "simulate_cut_off";
 constexpr double largest_count = 1e15;
@@ -33,11 +34,22 @@ double number_of(const QJsonObject& json, const QString& key, double least, bool
                        .toStdString());
 }
 
+LengthUnit unit_of(const QJsonValue& json) {
+  for (const LengthUnit unit : {LengthUnit::mm, LengthUnit::inch}) {
+    if (json.toString().toStdString() == to_string(unit)) {
+      return unit;
+    }
+  }
+  throw InputError(QStringLiteral("\"reading\": \"%1\" is %2; it must be \"mm\" or \"inch\"")
+                       .arg(unit_key, json.toVariant().toString())
+                       .toStdString());
+}
+
 }  // namespace
 
 std::vector<std::string> reading_keys() {
-  return {dialect_key, skip_key, repeat_key, depth_key,  radii_key,
-          table_key,   unit_key, wear_key,   cut_off_key};
+  return {dialect_key, unit_key,  skip_key,       repeat_key, depth_key,
+          radii_key,   table_key, table_unit_key, wear_key,   cut_off_key};
 }
 
 QJsonObject to_json(const ReadOptions& options, const std::filesystem::path& folder) {
@@ -45,6 +57,9 @@ QJsonObject to_json(const ReadOptions& options, const std::filesystem::path& fol
   QJsonObject json;
   if (options.dialect) {
     json[dialect_key] = QString::fromUtf8(info_of(*options.dialect).id.data());
+  }
+  if (options.unit) {
+    json[unit_key] = QString::fromUtf8(to_string(*options.unit).data());
   }
   if (options.skip_deleted_blocks) {
     json[skip_key] = true;
@@ -68,7 +83,7 @@ QJsonObject to_json(const ReadOptions& options, const std::filesystem::path& fol
         QString::fromStdU16String((relative.empty() ? options.tool_table : relative).generic_u16string());
   }
   if (options.table_unit != usual.table_unit) {
-    json[unit_key] = options.table_unit;
+    json[table_unit_key] = options.table_unit;
   }
   if (options.wear_only) {
     json[wear_key] = true;
@@ -84,6 +99,9 @@ ReadOptions read_reading(const QJsonObject& json, const std::filesystem::path& f
   if (json.contains(dialect_key)) {
     options.dialect = dialect_of_id(json[dialect_key].toString().toStdString());
   }
+  if (json.contains(unit_key)) {
+    options.unit = unit_of(json[unit_key]);
+  }
   options.skip_deleted_blocks = json[skip_key].toBool();
   if (json.contains(repeat_key)) {
     options.repeat_limit = static_cast<std::uint64_t>(number_of(json, repeat_key, 0, true));
@@ -98,8 +116,8 @@ ReadOptions read_reading(const QJsonObject& json, const std::filesystem::path& f
   if (const QString table = json[table_key].toString(); !table.isEmpty()) {
     options.tool_table = (folder / std::filesystem::path(table.toStdU16String())).lexically_normal();
   }
-  if (json.contains(unit_key)) {
-    options.table_unit = number_of(json, unit_key, 1e-6, false);
+  if (json.contains(table_unit_key)) {
+    options.table_unit = number_of(json, table_unit_key, 1e-6, false);
   }
   options.wear_only = json[wear_key].toBool();
   options.simulate_cut_off = json[cut_off_key].toBool();

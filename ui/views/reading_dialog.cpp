@@ -24,6 +24,7 @@ constexpr int most_lines = 2'000'000'000;
 constexpr int most_calls = 100'000;
 constexpr int lines_a_step = 1'000'000;
 constexpr int recognised = -1;
+constexpr int unit_of_program = -1;
 constexpr double largest_radius = 1e6;  // [mm]
 
 enum Column { tool_column, radius_column, source_column, column_count };
@@ -59,6 +60,7 @@ QTableWidgetItem* fixed_item(const QString& text) {
 ReadingDialog::ReadingDialog(const ReadOptions& options, const Program* program, QWidget* parent)
     : QDialog(parent),
       dialect_(new QComboBox(this)),
+      unit_(new QComboBox(this)),
       skip_deleted_(new QCheckBox(tr("Leave out blocks that begin with /"), this)),
       repeat_limit_(new QSpinBox(this)),
       call_depth_(new QSpinBox(this)),
@@ -66,12 +68,13 @@ ReadingDialog::ReadingDialog(const ReadOptions& options, const Program* program,
       wear_only_(new QCheckBox(tr("The path is already compensated (wear only): radius 0"), this)),
       cutters_(new QTableWidget(this)),
       tool_table_(new QLineEdit(this)),
-      unit_(new QComboBox(this)),
+      table_unit_(new QComboBox(this)),
       fault_(new QLabel(this)),
       buttons_(new QDialogButtonBox(
           QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults, this)) {
   setWindowTitle(tr("Reading options"));
   list_dialects(program);
+  list_units(program);
   list_cutters(options, program);
   make_layout();
   show_options(options);
@@ -95,6 +98,19 @@ void ReadingDialog::list_dialects(const Program* program) {
   for (const DialectInfo& info : all_dialects()) {
     dialect_->addItem(QString::fromUtf8(info.title.data()), static_cast<int>(info.dialect));
   }
+}
+
+void ReadingDialog::list_units(const Program* program) {
+  unit_->setAccessibleName(tr("Unit of the program"));
+  const bool says_it = program != nullptr && program->unit.source == ProgramUnit::Source::program;
+  const QString now =
+      program == nullptr ? QString() : QString::fromUtf8(to_string(program->unit.unit).data());
+  unit_->addItem(says_it ? tr("the program's (now %1)").arg(now) : tr("the program's, or else mm"),
+                 unit_of_program);
+  unit_->addItem(tr("mm"), static_cast<int>(LengthUnit::mm));
+  unit_->addItem(tr("inch"), static_cast<int>(LengthUnit::inch));
+  unit_->setToolTip(
+      tr("Unit of lengths and feeds until the program says one: G20, G21, G70, G71, BEGIN PGM ... MM"));
 }
 
 /// Those that the program asks for, and what else is set; the cell of a radius holds what is set here.
@@ -141,9 +157,9 @@ void ReadingDialog::make_layout() {
   tool_table_->setPlaceholderText(tr("one beside the program, if there is any"));
   tool_table_->setToolTip(
       tr("Of LinuxCNC, Sinumerik, Fanuc (G10), Heidenhain (TOOL.T), or a list with headings T and R"));
-  unit_->addItem(tr("mm"), 1.0);
-  unit_->addItem(tr("inch"), units::from_inch(1));
-  unit_->setToolTip(tr("Unit of a tool table that does not name it"));
+  table_unit_->addItem(tr("mm"), 1.0);
+  table_unit_->addItem(tr("inch"), units::from_inch(1));
+  table_unit_->setToolTip(tr("Unit of a tool table that does not name it"));
   auto* browse = new QPushButton(tr("Choose …"), this);
   browse->setAutoDefault(false);
   connect(browse, &QPushButton::clicked, this, &ReadingDialog::choose_table);
@@ -151,9 +167,10 @@ void ReadingDialog::make_layout() {
   auto* table_row = new QHBoxLayout;
   table_row->addWidget(tool_table_, 1);
   table_row->addWidget(browse);
-  table_row->addWidget(unit_);
+  table_row->addWidget(table_unit_);
   auto* form = new QFormLayout(this);
   form->addRow(tr("Language"), dialect_);
+  form->addRow(tr("Unit"), unit_);
   form->addRow(QString(), skip_deleted_);
   form->addRow(tr("Lines that loops and calls may run"), repeat_limit_);
   form->addRow(QString(), simulate_cut_off_);
@@ -179,19 +196,23 @@ void ReadingDialog::make_layout() {
 void ReadingDialog::show_options(const ReadOptions& options) {
   dialect_->setCurrentIndex(
       dialect_->findData(options.dialect ? static_cast<int>(*options.dialect) : recognised));
+  unit_->setCurrentIndex(unit_->findData(options.unit ? static_cast<int>(*options.unit) : unit_of_program));
   skip_deleted_->setChecked(options.skip_deleted_blocks);
   repeat_limit_->setValue(static_cast<int>(std::min<std::uint64_t>(options.repeat_limit, most_lines)));
   simulate_cut_off_->setChecked(options.simulate_cut_off);
   wear_only_->setChecked(options.wear_only);
   call_depth_->setValue(static_cast<int>(std::min<std::size_t>(options.call_depth, most_calls)));
   tool_table_->setText(QString::fromStdU16String(options.tool_table.u16string()));
-  unit_->setCurrentIndex(options.table_unit == 1 ? 0 : 1);
+  table_unit_->setCurrentIndex(options.table_unit == 1 ? 0 : 1);
 }
 
 ReadOptions ReadingDialog::options() const {
   ReadOptions options;
   if (const int dialect = dialect_->currentData().toInt(); dialect != recognised) {
     options.dialect = static_cast<Dialect>(dialect);
+  }
+  if (const int unit = unit_->currentData().toInt(); unit != unit_of_program) {
+    options.unit = static_cast<LengthUnit>(unit);
   }
   options.skip_deleted_blocks = skip_deleted_->isChecked();
   options.repeat_limit = static_cast<std::uint64_t>(repeat_limit_->value());
@@ -201,7 +222,7 @@ ReadOptions ReadingDialog::options() const {
   if (const QString table = tool_table_->text().trimmed(); !table.isEmpty()) {
     options.tool_table = std::filesystem::absolute(table.toStdU16String());
   }
-  options.table_unit = unit_->currentData().toDouble();
+  options.table_unit = table_unit_->currentData().toDouble();
   for (int row = 0; row < cutters_->rowCount(); ++row) {
     if (const auto radius = length_of(cutters_->item(row, radius_column)->text())) {
       options.radii.set(cutters_->item(row, tool_column)->text().toStdString(), *radius);

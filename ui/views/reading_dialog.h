@@ -14,7 +14,8 @@ class QTableWidget;
 
 namespace feedscope::ui {
 
-/// Asks how a program is to be read: its language, blocks with "/", limits of loops and calls, cutter radii.
+/// Asks how a program is to be read: its language and unit, blocks with "/", limits of loops and calls,
+/// cutter radii.
 class ReadingDialog : public QDialog {
   Q_OBJECT
 
@@ -30,6 +31,7 @@ class ReadingDialog : public QDialog {
  private:
   void make_layout();
   void list_dialects(const Program* program);
+  void list_units(const Program* program);
   void list_cutters(const ReadOptions& options, const Program* program);
   void add_cutter(const std::string& tool, std::optional<double> own, const QString& source);
   void show_options(const ReadOptions& options);
@@ -38,6 +40,7 @@ class ReadingDialog : public QDialog {
   QString fault() const;
 
   QComboBox* dialect_;
+  QComboBox* unit_;
   QCheckBox* skip_deleted_;
   QSpinBox* repeat_limit_;
   QSpinBox* call_depth_;
@@ -45,7 +48,7 @@ class ReadingDialog : public QDialog {
   QCheckBox* wear_only_;
   QTableWidget* cutters_;
   QLineEdit* tool_table_;
-  QComboBox* unit_;
+  QComboBox* table_unit_;
   QLabel* fault_;
   QDialogButtonBox* buttons_;
 };

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
+#include "core/machine/contour_tolerance.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
 
@@ -24,7 +25,6 @@ namespace {
 constexpr int row_height = 22;
 constexpr double usual_bound = 10;      // [um]
 constexpr double largest_bound = 1000;  // [um]
-const std::string tolerance_key = "contour_tolerance_mm";
 
 /// "0.01 0.02; 0,05" by point or comma; what is no number is left out.
 QList<double> numbers_of(const QString& text) {
@@ -134,7 +134,7 @@ void RunsView::duplicate() {
 }
 
 void RunsView::add_variants() {
-  if (!runs_.current_item().setup.file().settings.has(tolerance_key)) {
+  if (!runs_.current_item().setup.file().settings.has(contour_tolerance_key)) {
     verdict_->setText(tr("The model of this run reads no contour tolerance."));
     return;
   }
@@ -150,8 +150,9 @@ void RunsView::add_variants() {
     std::vector<SetupState> setups;
     for (const double tolerance : numbers_of(text)) {
       setups.push_back(runs_.current_item().setup);
-      setups.back().set(tolerance_key, tolerance);
-      setups.back().set("program_tolerance", std::string("off"));
+      for (const auto& [key, value] : settings_for_tolerance(tolerance)) {
+        setups.back().set(key, value);
+      }
     }
     runs_.history().beginMacro(tr("runs with other tolerances"));
     for (const SetupState& setup : setups) {
@@ -207,7 +208,7 @@ QString RunsView::verdict() const {
                         : tr("No run keeps this bound.");
   }
   return tr("Fastest: %1 with %2.")
-      .arg(run_title(runs_.items()[*best]), clock_text(runs_.result(*best)->run.summary.cycle_time));
+      .arg(runs_.title(runs_.items()[*best]), clock_text(runs_.result(*best)->run.summary.cycle_time));
 }
 
 void RunsView::show_verdict() {

@@ -6,12 +6,13 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include "ui/language/core_texts.h"
+#include "ui/models/tolerance_text.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-const std::string tolerance_key = "contour_tolerance_mm";
+constexpr double several = -1;  // of the tolerance box: not one value, a text stands for it [mm]
 
 QLabel* make_label(const QString& text, QWidget* buddy, QWidget* parent) {
   auto* label = new QLabel(text, parent);
@@ -55,7 +56,6 @@ SetupBar::SetupBar(Workbench& model, QWidget* parent)
   tolerance_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   tolerance_->setKeyboardTracking(false);
   tolerance_->setSuffix(QStringLiteral(" mm"));
-  tolerance_->setToolTip(tr("Contour tolerance: how far the path may leave the programmed corners"));
 
   addWidget(make_label(tr("&Machine"), machine_, this));
   addWidget(machine_);
@@ -71,6 +71,7 @@ SetupBar::SetupBar(Workbench& model, QWidget* parent)
   connect(tolerance_, &QDoubleSpinBox::valueChanged, this, &SetupBar::set_tolerance);
   connect(&model_.setup(), &SetupEdit::keys_changed, this, &SetupBar::show_setup);
   connect(&model_.setup(), &SetupEdit::values_changed, this, &SetupBar::show_tolerance);
+  connect(&model_.runs(), &RunList::item_changed, this, &SetupBar::show_tolerance);
   show_setup();
 }
 
@@ -87,10 +88,16 @@ void SetupBar::show_setup() {
 
 void SetupBar::show_tolerance() {
   const QSignalBlocker blocker(tolerance_);
-  const bool read = model_.setup().file().settings.has(tolerance_key);
-  tolerance_->setEnabled(read);
-  tolerance_->setSpecialValueText(read ? QString() : QStringLiteral("–"));  // stands for the 0 set below
-  tolerance_->setValue(read ? std::get<double>(model_.setup().state().value(tolerance_key)) : 0);
+  const auto tolerance = model_.runs().tolerance(model_.runs().current_item());
+  const bool is_one = tolerance && !tolerance->is_range();
+  tolerance_->setEnabled(tolerance.has_value());
+  tolerance_->setMinimum(is_one ? 0 : several);
+  tolerance_->setSpecialValueText(is_one      ? QString()
+                                  : tolerance ? tolerance_text(*tolerance)
+                                              : tolerance_range({}));
+  tolerance_->setValue(is_one ? tolerance->max : several);
+  const QString tip = tr("Contour tolerance: how far the path may leave the programmed corners");
+  tolerance_->setToolTip(tolerance ? tip + QStringLiteral("\n") + tolerance_origin(*tolerance) : tip);
 }
 
 void SetupBar::set_tolerance(double tolerance) {

@@ -11,6 +11,7 @@
 
 #include "core/analysis/programmed_place.h"
 #include "ui/models/panel_action.h"
+#include "ui/models/reading_faults.h"
 #include "ui/views/annotation_overlay.h"
 #include "ui/views/split_overlay.h"
 
@@ -113,7 +114,7 @@ void SideBySide::list_references() {
   };
   add(tr("The run beside it, or the first other one"), 0);
   for (const RunItem& run : model_.runs().items()) {
-    add(run_title(run), run.id);
+    add(model_.runs().title(run), run.id);
   }
 }
 
@@ -226,7 +227,7 @@ void SideBySide::list_runs() {
       const RunItem& run = runs.items()[row];
       QPixmap colour(12, 12);
       colour.fill(run.colour);
-      choice_->addItem(QIcon(colour), run_title(run), run.id);
+      choice_->addItem(QIcon(colour), runs.title(run), run.id);
     }
   }
   if (choice_->count() == 0) {
@@ -247,6 +248,8 @@ void SideBySide::show_run() {
   const RunList& runs = model_.runs();
   PathScene& scene = second_->scene();
   scene.set_programmed(model_.shown_program().samples);
+  const auto program = model_.program();
+  scene.set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
   if (const std::size_t row = runs.row_of(id); row < runs.items().size()) {
     const QColor& colour = runs.items()[row].colour;
     scene.set_run_colour({colour.redF(), colour.greenF(), colour.blueF()});
@@ -273,14 +276,14 @@ void SideBySide::show_names() {
     return;
   }
   const RunItem& current = model_.runs().current_item();
-  split_->set_left_name(run_title(current), current.colour);
+  split_->set_left_name(model_.runs().title(current), current.colour);
   // That the halves are compared with each other goes without saying.
   const auto against = [&](const SceneRun& run, const QString& beside) {
     const QString& name = run.reference_name();
     return name.isEmpty() || name == beside ? QString() : tr("against %1").arg(name);
   };
   split_->set_notes(against(first_run_, choice_->currentText()),
-                    second_run_ != nullptr ? against(*second_run_, run_title(current)) : QString());
+                    second_run_ != nullptr ? against(*second_run_, model_.runs().title(current)) : QString());
 }
 
 void SideBySide::show_cursor() {

@@ -22,6 +22,7 @@
 #include "core/analysis/slower_tolerance.h"
 #include "core/base/error.h"
 #include "core/export/export.h"
+#include "core/machine/contour_tolerance.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
 
@@ -34,15 +35,18 @@ constexpr int usual_count = 12;
 constexpr double usual_bound = 10;  // [um]
 const std::string tolerance = "tolerance";
 
-/// "contour_tolerance_mm" of the setup, by which a sweep calls it too.
+/// The setting of the setup that a sweep of `key` changes.
 std::string setting_of(const std::string& key) {
-  return key == tolerance ? "contour_tolerance_mm" : key;
+  return key == tolerance ? contour_tolerance_key : key;
 }
 
 SetupState with_value(SetupState setup, const std::string& key, double value) {
-  setup.set(setting_of(key), value);
-  if (key == tolerance) {
-    setup.set("program_tolerance", std::string("off"));
+  if (key != tolerance) {
+    setup.set(key, value);
+    return setup;
+  }
+  for (const auto& [name, setting] : settings_for_tolerance(value)) {
+    setup.set(name, setting);
   }
   return setup;
 }

@@ -381,7 +381,9 @@ void WhyView::try_remedies() {
   }
   tried_ = true;
   tried_for_ = why_->ahead ? why_->ahead->reason.cause : why_->reason.cause;
-  RemedyRequest request{shown_->run, feedscope::remedies(shown_->run.setup, *why_), segments_here()};
+  RemedyRequest request{shown_->run,
+                        feedscope::remedies(shown_->run.setup, *why_, shown_->run.input.feed_controls),
+                        segments_here()};
   const RemedyTrial before{trajectory().duration(), passage_time(trajectory(), request.here), {}};
   table_model_->begin(shown_->run.setup, request.remedies, before);
   job_.start(std::move(request));

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/analysis/contour/contour_search.h"
+#include "core/analysis/tolerance_in_force.h"
 #include "core/blend/path_rules.h"
 #include "core/program/text/block_number.h"
 
@@ -54,11 +55,6 @@ bool moves(const Toolpath& path, std::size_t segment) {
   return segment < path.segments.size() && path.segments[segment].kind != SegmentKind::dwell;
 }
 
-/// Whether the run is held to a tolerance, or at least told one.
-bool reads_tolerance(const Setup& setup) {
-  return contour_tolerance(setup) && setup.model->guarantees(setup.settings).contour > 0;
-}
-
 /// The tolerance of a place: in a corner the smaller one of both blocks.
 double tolerance_at(const PathRules& rules, const Toolpath& path, const ContourPlace& place,
                     const ContourSpot& spot) {
@@ -78,18 +74,6 @@ void order(std::vector<ContourFinding>& findings) {
     return std::pair(-std::round(finding.place.error / as_bad), finding.place.time);
   };
   std::ranges::sort(findings, std::ranges::less(), key);
-}
-
-std::optional<std::array<double, 2>> tolerance_range(const PathRules& rules, const Toolpath& path) {
-  std::optional<std::array<double, 2>> range;
-  for (std::size_t i = 0; i < path.segments.size(); ++i) {
-    if (moves(path, i) && !path.segments[i].rapid) {
-      const double tolerance = rules.tolerance(i);
-      range = range ? std::array{std::min((*range)[0], tolerance), std::max((*range)[1], tolerance)}
-                    : std::array{tolerance, tolerance};
-    }
-  }
-  return range;
 }
 
 }  // namespace
@@ -130,9 +114,10 @@ ContourReport contour_report(const Run& run, std::size_t places, Progress* progr
       contour_errors(trajectory, {.places = places, .bins = ContourBins::none, .spread = true}, progress);
   ContourReport report{errors.largest, {}, errors.spread, std::nullopt};
   std::optional<PathRules> rules;
-  if (reads_tolerance(run.setup)) {
+  const auto tolerance = tolerance_in_force(run.input.feed_controls, run.setup);
+  if (tolerance && tolerance->max > 0) {
+    report.tolerance = {tolerance->min, tolerance->max};
     rules.emplace(programmed, run.setup.settings);
-    report.tolerance = tolerance_range(*rules, programmed);
   }
   for (const ContourPlace& place : errors.worst) {
     const State state = trajectory.state(place.time);

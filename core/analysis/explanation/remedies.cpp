@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "core/analysis/tolerance_in_force.h"
+#include "core/machine/contour_tolerance.h"
+
 namespace feedscope {
 namespace {
 
@@ -15,7 +18,8 @@ constexpr double more_feed = 1.2;  // of the programmed feed
 /// Collects changes that have an effect, each once.
 class Candidates {
  public:
-  explicit Candidates(const Setup& setup) : setup_(setup), specs_(settings_of(*setup.model)) {}
+  Candidates(const Setup& setup, const std::optional<ToleranceInForce>& tolerance)
+      : setup_(setup), specs_(settings_of(*setup.model)), tolerance_(tolerance) {}
 
   void axis(int axis, const std::string& limit, double factor = more) {
     add(axis_changes(axis, limit, factor));
@@ -52,6 +56,9 @@ class Candidates {
       return;
     }
     Remedy remedy{{{key, std::move(value)}}};
+    if (key == contour_tolerance_key) {
+      remedy.before = tolerance();
+    }
     for (auto& other : besides) {
       if (has(other.first)) {
         remedy.changes.push_back(std::move(other));
@@ -66,6 +73,10 @@ class Candidates {
     add(std::move(remedy));
   }
 
+  /// Largest contour tolerance in force [mm]; none where the model follows none.
+  std::optional<double> tolerance() const {
+    return tolerance_ ? std::optional(tolerance_->max) : std::nullopt;
+  }
   bool has(const std::string& key) const { return setup_.settings.has(key); }
   std::vector<Remedy> take() { return std::move(found_); }
 
@@ -84,11 +95,15 @@ class Candidates {
 
   const Setup& setup_;
   std::vector<SettingSpec> specs_;
+  std::optional<ToleranceInForce> tolerance_;
   std::vector<Remedy> found_;
 };
 
 void larger_tolerance(Candidates& candidates) {
-  candidates.setting("contour_tolerance_mm", 2, {{"program_tolerance", std::string("off")}});
+  if (const std::optional<double> now = candidates.tolerance()) {
+    auto [tolerance, program] = settings_for_tolerance(2 * *now);
+    candidates.set(tolerance.first, std::move(tolerance.second), {std::move(program)});
+  }
 }
 
 /// What smoothing filters take their jerk from.
@@ -193,8 +208,9 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
 
 }  // namespace
 
-std::vector<Remedy> remedies(const Setup& setup, const Explanation& why) {
-  Candidates candidates(setup);
+std::vector<Remedy> remedies(const Setup& setup, const Explanation& why,
+                             std::span<const PathControl> feed_controls) {
+  Candidates candidates(setup, tolerance_in_force(feed_controls, setup));
   add_for(candidates, why.ahead ? why.ahead->reason.cause : why.reason.cause, setup);
   faster_filters(candidates, setup);
   candidates.all_axes("jerk");

@@ -13,6 +13,8 @@ struct Remedy {
   /// Keys and values as for --set, in the unit of the key: "X.jerk", "contour_tolerance_mm".
   std::vector<std::pair<std::string, SettingValue>> changes;
   double feed_factor = 1;  ///< of every programmed feed; such a change is made in the program, not in a setup
+  /// What holds now of the first change, where that is not the setup's value: a tolerance of the program.
+  std::optional<double> before = std::nullopt;
 
   bool operator==(const Remedy&) const = default;
 };
@@ -20,7 +22,8 @@ struct Remedy {
 /// What is worth trying where `why` holds: first what its formula names, then limits of all axes, contour
 /// tolerance, look-ahead, interpolation period and feed. Only what the model of `setup` reads and its bounds
 /// allow; each once.
-std::vector<Remedy> remedies(const Setup& setup, const Explanation& why);
+std::vector<Remedy> remedies(const Setup& setup, const Explanation& why,
+                             std::span<const PathControl> feed_controls = {});
 
 /// `setup` with the changes. Throws InputError as apply_setting.
 Setup with_remedy(Setup setup, const Remedy& remedy);

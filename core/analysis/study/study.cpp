@@ -65,6 +65,18 @@ std::vector<std::string> models_that_know(const StudyRequest& request) {
   return models;
 }
 
+/// Those of the given setups whose model knows every swept key.
+std::vector<Setup> setups_that_know(const StudyRequest& request) {
+  StudyRequest of_models = request;
+  for (const Setup& setup : request.setups) {
+    of_models.models.push_back(setup.model->info().id);
+  }
+  const std::vector<std::string> models = models_that_know(of_models);
+  std::vector<Setup> setups = request.setups;
+  std::erase_if(setups, [&](const Setup& setup) { return !contains(models, setup.model->info().id); });
+  return setups;
+}
+
 std::size_t combinations(const std::vector<Sweep>& sweeps) {
   std::size_t count = 1;
   for (const Sweep& sweep : sweeps) {
@@ -80,8 +92,10 @@ std::size_t combinations(const std::vector<Sweep>& sweeps) {
 
 std::vector<StudySetup> setups_to_study(const StudyRequest& request) {
   check_keys(request);
-  const std::vector<Setup> bases =
-      setups_to_compare(request.machines, models_that_know(request), request.tolerances, request.assignments);
+  const std::vector<Setup> bases = !request.setups.empty()
+                                       ? setups_that_know(request)
+                                       : setups_to_compare(request.machines, models_that_know(request),
+                                                           request.tolerances, request.assignments);
   const std::size_t count = combinations(request.sweeps);
   if (count * bases.size() > most_study_runs) {
     throw InputError(fmt::format("the sweeps ask for more than {} runs; take fewer values", most_study_runs));

@@ -20,6 +20,8 @@ struct StudyRequest {
   std::vector<Sweep> sweeps;
   OperationSplit split = OperationSplit::none;
   std::optional<double> within;  ///< bound of the contour error [mm]
+  /// Instead of machines, models, tolerances and assignments, which are empty then: the runs of a session.
+  std::vector<Setup> setups = {};
 };
 
 /// One run of a study.

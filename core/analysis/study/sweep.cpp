@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/base/typed_number.h"
+#include "core/machine/contour_tolerance.h"
 
 namespace feedscope {
 namespace {
@@ -130,7 +131,7 @@ Sweep parse_sweep(const std::string& text) {
 
 std::vector<std::string> sweep_keys(const ControlModel& model) {
   std::vector<std::string> keys = assignable_keys(model);
-  const bool reads_tolerance = std::ranges::find(keys, "contour_tolerance_mm") != keys.end();
+  const bool reads_tolerance = std::ranges::find(keys, contour_tolerance_key) != keys.end();
   if (reads_tolerance) {
     keys.insert(keys.begin(), tolerance_key);
   }
@@ -154,11 +155,10 @@ std::string sweep_unit(const std::string& key) {
 }
 
 void apply_swept(const std::string& key, double value, Setup& setup) {
-  const bool tolerance = key == tolerance_key;
-  const std::string name = tolerance ? "contour_tolerance_mm" : key;
-  apply_setting(fmt::format("{}={}", name, value), *setup.model, setup.machine, setup.settings);
-  if (tolerance) {
-    setup.settings.set("program_tolerance", "off");
+  if (key == tolerance_key) {
+    set_tolerance(setup, value);
+  } else {
+    apply_setting(fmt::format("{}={}", key, value), *setup.model, setup.machine, setup.settings);
   }
 }
 

@@ -180,13 +180,13 @@ bool ContourWriter::soften_approach(double radius, const std::optional<ContourFe
   return true;
 }
 
-void ContourWriter::report_approach(const ContourPlace& place, std::string message, std::string hint) {
+void ContourWriter::report_approach(const BlockPlace& place, std::string message, std::string hint) {
   log_.add(Severity::error, "approach", 0, place.place, [&] {
     return Text{std::move(message), std::move(hint)};
   });
 }
 
-void ContourWriter::go(const Vec3& target, const ContourFeed& feed, const ContourPlace& place, int side,
+void ContourWriter::go(const Vec3& target, const ContourFeed& feed, const BlockPlace& place, int side,
                        std::optional<double> tool_radius) {
   const int normal = normal_axis(plane_);
   ContourElement step;

@@ -12,7 +12,7 @@
 namespace feedscope {
 
 /// The line that programs a motion.
-struct ContourPlace {
+struct BlockPlace {
   std::uint32_t line = 0;  ///< shown
   DiagnosticLog::Place place;
   std::uint8_t axes = 0;  ///< bit per axis programmed
@@ -36,7 +36,7 @@ struct ContourElement {
   ContourFeed feed;
   int side = 0;  ///< of the tool: 1 left of the contour, -1 right, 0 on it
   std::optional<double> tool_radius = std::nullopt;  ///< none: not known, the contour itself is shown
-  ContourPlace place;
+  BlockPlace place;
 };
 
 /// What takes the place of a corner: RND, CHF.
@@ -44,7 +44,7 @@ struct ContourCorner {
   bool rounding = true;
   double size = 0;  ///< radius or side [mm]
   std::optional<ContourFeed> feed;
-  ContourPlace place;
+  BlockPlace place;
 };
 
 /// APPR: the first point of the contour and the way there.
@@ -55,7 +55,7 @@ struct ContourApproach {
   ContourFeed feed;    ///< from there on
   int side = 0;        ///< of the tool from the auxiliary point on
   std::optional<double> tool_radius = std::nullopt;
-  ContourPlace place;
+  BlockPlace place;
 };
 
 /// DEP: the way off the contour.
@@ -64,7 +64,7 @@ struct ContourDeparture {
   Vec3 target;  ///< LCT: where it goes; the others: height along the tool axis only
   ContourFeed feed;
   ContourFeed curve_feed;  ///< of the line or arc next to the contour
-  ContourPlace place;
+  BlockPlace place;
 };
 
 /// Takes contours as the blocks of a program give them and writes their path. The last element is held back,
@@ -103,9 +103,9 @@ class ContourWriter {
   void resolve_approach(const ContourElement& first);
   void hand_corner_on();
   void report_corner(std::string message, std::string hint);
-  void report_approach(const ContourPlace& place, std::string message, std::string hint);
+  void report_approach(const BlockPlace& place, std::string message, std::string hint);
   /// Motion in the plane, then along the tool axis.
-  void go(const Vec3& target, const ContourFeed& feed, const ContourPlace& place, int side = 0,
+  void go(const Vec3& target, const ContourFeed& feed, const BlockPlace& place, int side = 0,
           std::optional<double> tool_radius = std::nullopt);
   std::optional<PlaneElement> curve_of(const Vec3& start, const ContourElement& element) const;
   ContourElement curve_element(const ApproachPath& path, const Vec3& target) const;

@@ -13,7 +13,8 @@ HeidenhainCore::HeidenhainCore(std::shared_ptr<const SourceText> source, const R
                                Progress* progress)
     : Reader(std::move(source), options, progress),
       contour_(path(), log()),
-      formulas_(parameters_, [this](const QName& name) { return unset_parameter(name); }) {}
+      formulas_(parameters_, [this](const QName& name) { return unset_parameter(name); }),
+      unit_(first_unit() == LengthUnit::inch ? units::from_inch(1) : 1) {}
 
 namespace {
 
@@ -92,7 +93,7 @@ DiagnosticLog::Place HeidenhainCore::spot(std::uint32_t column) const {
   return spot;
 }
 
-ContourPlace HeidenhainCore::contour_place(std::uint32_t column, std::uint8_t axes) const {
+BlockPlace HeidenhainCore::contour_place(std::uint32_t column, std::uint8_t axes) const {
   return {shown_line(), parts_.empty() ? place(column) : spot(column), axes};
 }
 
@@ -104,6 +105,7 @@ double HeidenhainCore::to_feed(double value) const {
 
 void HeidenhainCore::set_inch(bool inch) {
   unit_ = inch ? units::from_inch(1) : 1;
+  say_unit(inch ? LengthUnit::inch : LengthUnit::mm);
 }
 
 double HeidenhainCore::unset_parameter(const QName& name) {

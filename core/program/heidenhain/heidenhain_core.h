@@ -41,7 +41,7 @@ class HeidenhainCore : public Reader {
     log().add(severity, code, detail, spot(column), text);
   }
   DiagnosticLog::Place spot(std::uint32_t column) const;
-  ContourPlace contour_place(std::uint32_t column, std::uint8_t axes) const;
+  BlockPlace contour_place(std::uint32_t column, std::uint8_t axes) const;
 
   /// Lengths and feeds as written, in mm and mm/s.
   double to_mm(double value) const { return value * unit_; }

@@ -28,7 +28,10 @@ void HeidenhainReader::begin(Scanner& scanner, std::uint32_t) {
   std::string_view rest = scanner.rest();
   rest = rest.substr(0, rest.find_last_not_of(" \t\r") + 1);
   const std::size_t last = rest.find_last_of(" \t");
-  set_inch(last != std::string_view::npos && letters::same(rest.substr(last + 1), "INCH"));
+  const std::string_view unit = last == std::string_view::npos ? rest : rest.substr(last + 1);
+  if (letters::same(unit, "INCH") || letters::same(unit, "MM")) {
+    set_inch(letters::same(unit, "INCH"));
+  }
 }
 
 void HeidenhainReader::end(Scanner&, std::uint32_t) {

@@ -29,6 +29,7 @@ IsoReader::IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions
       variables_(dialect_),
       expression_(dialect_, *this) {
   state_.absolute_centers = absolute_centers;
+  state_.inch = first_unit() == LengthUnit::inch;
   argument_lexer_.take_e_as_word();
 }
 
@@ -235,10 +236,9 @@ void IsoReader::apply_modal(const GCode& code, const Word& word) {
       state_.plane = Plane::yz;
       break;
     case GAction::inch:
-      state_.inch = true;
-      break;
     case GAction::metric:
-      state_.inch = false;
+      state_.inch = code.action == GAction::inch;
+      say_unit(state_.inch ? LengthUnit::inch : LengthUnit::mm);
       break;
     case GAction::absolute:
       state_.incremental = false;

@@ -88,7 +88,7 @@ void ContourCorners::resolve(PathMotion& next, Vec3& from) {
   } else {
     const PlaneElement first = plane_.element_of(held_->motion, plane_.in_plane(held_->from));
     const PlaneElement second = plane_.element_of(next, plane_.in_plane(from));
-    CornerPiece piece = piece_of(first, second, corner_->size);
+    PlaneCorner piece = piece_of(first, second, corner_->size);
     if (piece.fault == CornerFault::too_large && corner_->shrinks) {
       piece = largest_piece(first, second);
     }
@@ -103,7 +103,7 @@ void ContourCorners::resolve(PathMotion& next, Vec3& from) {
   corner_.reset();
 }
 
-void ContourCorners::write(const CornerPiece& piece, const PlaneElement& first, const PathMotion& next) {
+void ContourCorners::write(const PlaneCorner& piece, const PlaneElement& first, const PathMotion& next) {
   const Vec3 corner = held_->motion.block.target;
   PathMotion cut = held_->motion;
   PathMotion before = part_of(held_->motion, first, first.start, piece.from);
@@ -122,7 +122,7 @@ void ContourCorners::write(const CornerPiece& piece, const PlaneElement& first, 
   held_.reset();
 }
 
-CornerPiece ContourCorners::piece_of(const PlaneElement& first, const PlaneElement& second,
+PlaneCorner ContourCorners::piece_of(const PlaneElement& first, const PlaneElement& second,
                                      double size) const {
   switch (corner_->kind) {
     case CornerCut::Kind::rounding:
@@ -136,15 +136,15 @@ CornerPiece ContourCorners::piece_of(const PlaneElement& first, const PlaneEleme
   return chamfer_corner(first, second, size);
 }
 
-CornerPiece ContourCorners::largest_piece(const PlaneElement& first, const PlaneElement& second) {
+PlaneCorner ContourCorners::largest_piece(const PlaneElement& first, const PlaneElement& second) {
   constexpr int halvings = 40;
-  CornerPiece largest;
+  PlaneCorner largest;
   largest.fault = CornerFault::too_large;
   double fits = 0;
   double too_large = corner_->size;
   for (int i = 0; i < halvings; ++i) {
     const double size = (fits + too_large) / 2;
-    const CornerPiece piece = piece_of(first, second, size);
+    const PlaneCorner piece = piece_of(first, second, size);
     if (piece.fault == CornerFault::none) {
       fits = size;
       largest = piece;

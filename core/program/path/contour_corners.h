@@ -66,9 +66,9 @@ class ContourCorners {
 
   void resolve(PathMotion& next, Vec3& from);
   bool in_plane(const PathMotion& motion, const Vec3& from) const;
-  CornerPiece piece_of(const PlaneElement& first, const PlaneElement& second, double size) const;
-  CornerPiece largest_piece(const PlaneElement& first, const PlaneElement& second);
-  void write(const CornerPiece& piece, const PlaneElement& first, const PathMotion& next);
+  PlaneCorner piece_of(const PlaneElement& first, const PlaneElement& second, double size) const;
+  PlaneCorner largest_piece(const PlaneElement& first, const PlaneElement& second);
+  void write(const PlaneCorner& piece, const PlaneElement& first, const PathMotion& next);
   void report(std::string message, std::string hint, Severity severity = Severity::error) const;
   void report(CornerFault fault) const;
 

@@ -43,10 +43,10 @@ CornerFault fault_of_turn(const Vec2& before, const Vec2& after) {
 
 }  // namespace
 
-CornerPiece round_corner(const PlaneElement& first, const PlaneElement& second, double radius) {
+PlaneCorner round_corner(const PlaneElement& first, const PlaneElement& second, double radius) {
   const Vec2 before = first.tangent_at_end();
   const Vec2 after = second.tangent_at_start();
-  CornerPiece piece;
+  PlaneCorner piece;
   piece.fault = fault_of_turn(before, after);
   if (piece.fault != CornerFault::none) {
     return piece;
@@ -74,10 +74,10 @@ CornerPiece round_corner(const PlaneElement& first, const PlaneElement& second, 
   return piece;
 }
 
-CornerPiece chamfer_corner(const PlaneElement& first, const PlaneElement& second, double side) {
+PlaneCorner chamfer_corner(const PlaneElement& first, const PlaneElement& second, double side) {
   const Vec2 before = first.tangent_at_end();
   const Vec2 after = second.tangent_at_start();
-  CornerPiece piece;
+  PlaneCorner piece;
   piece.fault = fault_of_turn(before, after);
   if (first.is_arc() || second.is_arc()) {
     piece.fault = CornerFault::not_lines;

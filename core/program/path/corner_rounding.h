@@ -15,7 +15,7 @@ enum class CornerFault : std::uint8_t {
 };
 
 /// What takes the place of the corner where two curves meet.
-struct CornerPiece {
+struct PlaneCorner {
   CornerFault fault = CornerFault::none;
   Vec2 from = Vec2::Zero();    ///< on the first curve
   Vec2 to = Vec2::Zero();      ///< on the second
@@ -24,9 +24,9 @@ struct CornerPiece {
 };
 
 /// An arc of `radius` > 0 that touches both curves; `second` starts where `first` ends.
-CornerPiece round_corner(const PlaneElement& first, const PlaneElement& second, double radius);
+PlaneCorner round_corner(const PlaneElement& first, const PlaneElement& second, double radius);
 
 /// A line that cuts `side` > 0 off both.
-CornerPiece chamfer_corner(const PlaneElement& first, const PlaneElement& second, double side);
+PlaneCorner chamfer_corner(const PlaneElement& first, const PlaneElement& second, double side);
 
 }  // namespace feedscope

@@ -72,7 +72,11 @@ void SinumerikReader::apply_action(const Function& function) {
     case Action::inch_all:
     case Action::metric_all:
       modal_.inch = function.action == Action::inch || function.action == Action::inch_all;
-      modal_.inch_feed = function.action == Action::inch_all;
+      modal_.inch_feed = modal_.inch;
+      if (function.action == Action::inch || function.action == Action::metric) {
+        modal_.inch_feed = first_unit() == LengthUnit::inch;  // feeds stay in the control's basic system
+      }
+      say_unit(modal_.inch ? LengthUnit::inch : LengthUnit::mm);
       break;
     case Action::absolute:
     case Action::incremental:

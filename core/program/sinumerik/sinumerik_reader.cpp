@@ -20,7 +20,9 @@ SinumerikReader::SinumerikReader(std::shared_ptr<const SourceText> source, const
         // ENDFOR reads the line of FOR, whose columns are not its own.
         const bool own = column <= text().line(line()).size();
         report(Severity::warning, code, detail, own ? column : 0, [&] { return said; });
-      }) {}
+      }) {
+  modal_.inch = modal_.inch_feed = first_unit() == LengthUnit::inch;
+}
 
 void SinumerikReader::run_line(std::string_view line) {
   replaced_.reset();

@@ -62,6 +62,15 @@ TEST(Remedies, SetOnlyWhatTheModelReadsWithinItsBounds) {
   }
 }
 
+TEST(Remedies, ALargerToleranceIsTwiceTheOneInForce) {
+  PathControl fine;
+  fine.contour_tolerance = 0.02;
+  const auto setup = make_setup({});
+  const auto list = remedies(setup, caused_by({CauseKind::blend_radial_jerk, 0}), std::span(&fine, 1));
+  EXPECT_TRUE(
+      has(list, {{{"contour_tolerance_mm", 0.04}, {"program_tolerance", std::string("off")}}, 1, 0.02}));
+}
+
 TEST(Remedies, ASlowerPlaceAheadNamesWhatIsToBeChanged) {
   Explanation why = caused_by({CauseKind::ramp_down});
   why.ahead.emplace();

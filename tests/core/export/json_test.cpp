@@ -56,13 +56,15 @@ struct Sample {
 
 TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
   const Json expected = Json::parse(R"({
-    "program": {"file": "part \"1\".nc", "lines": 2, "blocks": 2, "segments": 1, "path_mm": 3.0,
+    "program": {"file": "part \"1\".nc", "lines": 2, "dialect": "iso",
+                "unit": {"name": "mm", "said_by": "nobody"}, "blocks": 2, "segments": 1, "path_mm": 3.0,
                 "bounds": {"min": [0.0, 0.0, 0.0], "max": [3.0, 0.0, 0.0]},
                 "cutting_bounds": {"min": [1.0, 0.0, 0.0], "max": [1.0, 0.0, 0.0]},
                 "rapid_bounds": {"min": [2.0, 0.0, 0.0], "max": [2.0, 0.0, 0.0]}},
-    "machine": {"id": "test", "name": "Test machine"},
+    "machine": {"id": "test", "name": "Test machine", "control": ""},
     "model": {"id": "cam", "title": "Title", "reference": "Paper"},
     "settings": {"alpha": 0.1, "reading": "strict"},
+    "tolerance_in_force_mm": null, "tolerance_set_by": null, "notes": [],
     "cycle_time_s": 3.25,
     "programmed_time_s": 3.0,
     "mean_feed_mm_min": 30.0,

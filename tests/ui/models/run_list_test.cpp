@@ -127,13 +127,26 @@ TEST_F(RunListTest, AResultOfARunThatIsGoneIsDropped) {
 }
 
 TEST_F(RunListTest, ATitleSaysModelToleranceAndWhatIsChanged) {
-  EXPECT_EQ(run_title(runs.items()[0]).toStdString(), "essid, 0.1 mm");
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.1 mm");
   SetupState setup = changed("X.jerk", 3.0);
   setup.set("contour_tolerance_mm", 0.05);
   runs.set_setup(0, setup, "two");
-  EXPECT_EQ(run_title(runs.items()[0]).toStdString(), "essid, 0.05 mm, X.jerk 3");
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.05 mm, X.jerk 3");
   runs.rename(0, "mine");
-  EXPECT_EQ(run_title(runs.items()[0]).toStdString(), "mine");
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "mine");
+}
+
+TEST_F(RunListTest, ATitleSaysTheToleranceOfTheProgramWhereThatIsInForce) {
+  QSignalSpy renamed(&runs, &RunList::item_changed);
+  PathControl fine;
+  fine.contour_tolerance = 0.02;
+  runs.set_feed_controls({fine});
+  EXPECT_EQ(renamed.count(), 1);
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.02 mm");
+  runs.set_feed_controls({fine, PathControl()});
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.02 … 0.1 mm");
+  runs.set_setup(0, changed("program_tolerance", std::string("off")), "off");
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.1 mm");
 }
 
 /// In the charts curves of other runs lie among those of the axes.

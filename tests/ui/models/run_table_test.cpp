@@ -80,6 +80,18 @@ TEST_F(RunTableTest, NameAndVisibilityAreEditedInPlace) {
   EXPECT_FALSE(table.setData(table.index(1, RunTable::cycle_time), "1"));
 }
 
+TEST_F(RunTableTest, TheToleranceIsTheOneInForce) {
+  PathControl fine;
+  fine.contour_tolerance = 0.03;
+  runs.set_feed_controls({fine});
+  EXPECT_EQ(text(0, RunTable::tolerance), "0.03");
+  EXPECT_THAT(table.index(0, 0).data(Qt::ToolTipRole).toString().toStdString(), HasSubstr("by the program"));
+  SetupState off = runs.items()[1].setup;
+  off.set("program_tolerance", std::string("off"));
+  runs.set_setup(1, off, "off");
+  EXPECT_EQ(text(1, RunTable::tolerance), "0.02");
+}
+
 TEST_F(RunTableTest, NumbersFollowTheLocale) {
   QLocale::setDefault(QLocale(QLocale::German));
   EXPECT_EQ(text(1, RunTable::tolerance), "0,02");

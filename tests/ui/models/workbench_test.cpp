@@ -208,6 +208,36 @@ TEST_F(WorkbenchTest, AToleranceReplacesTheProgramsOwn) {
   EXPECT_EQ(std::get<std::string>(model.setup().state().value("program_tolerance")), "on");
 }
 
+/// As --tolerance, a sweep and a lesson set it.
+TEST_F(WorkbenchTest, AToleranceGivesTheSettingsOfTheCommandLine) {
+  for (const char* words : {"G64 P0.2\n", ""}) {
+    model.open(write("part.nc", words + test::small_program));
+    wait_until_idle(model);
+    ASSERT_TRUE(model.set_tolerance(0.042));
+    EXPECT_EQ(model.setup().setup(), make_setup({model.setup().file().machine.id, "essid", 0.042})) << words;
+    model.setup().history().undo();
+  }
+}
+
+TEST_F(WorkbenchTest, AProgramRunsOnAMachineWithItsControlUntilSomeoneChoosesOne) {
+  const auto heidenhain = write("part.h", "0 BEGIN PGM A MM\n1 L X+20 F3000\n2 L Y+20\n3 END PGM A MM\n");
+  const auto plain = write("part.nc", test::small_program);
+  QSignalSpy noticed(&model, &Workbench::noticed);
+  model.open(heidenhain);
+  wait_until_idle(model);
+  EXPECT_EQ(model.setup().file().machine.id, "dmg-mori-evo40");
+  ASSERT_NE(model.shown(), nullptr);
+  EXPECT_EQ(model.shown()->run.setup.machine.id, "dmg-mori-evo40");
+  EXPECT_EQ(noticed.count(), 1);
+  model.open(plain);
+  wait_until_idle(model);
+  EXPECT_EQ(model.setup().file().machine.id, default_machine);
+  model.choose_machine("huron-kx10");
+  model.open(heidenhain);
+  wait_until_idle(model);
+  EXPECT_EQ(model.setup().file().machine.id, "huron-kx10");
+}
+
 TEST_F(WorkbenchTest, ASavedMachineReadsBackWithAllChangesAndIsTheNewBase) {
   model.setup().set("X.jerk", 21.0);
   model.setup().set("alpha", 3.0);

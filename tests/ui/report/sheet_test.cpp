@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "tests/ui/report/pdf_reading.h"
 #include "tests/ui/report/report_fixture.h"
+#include "ui/models/reading_faults.h"
 #include "ui/report/pictures.h"
 #include "ui/report/scene_picture.h"
 
@@ -101,6 +102,56 @@ TEST(ScenePicture, RefusesMorePixelsThanCanBeDrawn) {
         picture.image({4000, 300}, {3, 1});
       },
       testing::ThrowsMessage<InputError>(testing::HasSubstr("12000 x 900")));
+}
+
+/// The same runs of a program of which the reading says this.
+ReportInput said(ReportInput input, std::vector<Severity> severities) {
+  auto program = std::make_shared<Program>(*input.program().program);
+  program->diagnostics.clear();
+  for (const Severity severity : severities) {
+    program->diagnostics.push_back({severity, 1, 1, "code", "something", ""});
+  }
+  for (ReportRun& run : input.runs) {
+    auto shown = std::make_shared<ShownRun>(*run.shown);
+    shown->run.input.program = program;
+    run.shown = std::move(shown);
+  }
+  return input;
+}
+
+TEST(Pictures, EveryOneCountsErrorsAndWarningsOfTheReadingAndNothingElse) {
+  const ReportInput input = test::two_runs();
+  const auto pictures = [&](const std::vector<Severity>& severities) {
+    const ReportInput changed = said(input, severities);
+    std::vector<std::string> all;
+    for (const PictureFormat format : {PictureFormat::png, PictureFormat::svg, PictureFormat::pdf}) {
+      for (auto* const make : {scene_file, charts_file, sheet_file}) {
+        all.push_back(make(changed, request_of(format, {1123, 794})));
+      }
+    }
+    return all;
+  };
+  const std::vector<std::string> clean = pictures({});
+  EXPECT_EQ(pictures({Severity::info, Severity::info}), clean);
+  const std::vector<std::string> warned = pictures({Severity::warning});
+  const std::vector<std::string> wrong = pictures({Severity::error});
+  for (std::size_t i = 0; i < clean.size(); ++i) {
+    EXPECT_NE(warned[i], clean[i]) << i;
+    EXPECT_NE(wrong[i], clean[i]) << i;
+    EXPECT_NE(wrong[i], warned[i]) << i;
+  }
+}
+
+TEST(ReadingFaults, AreCountedInWords) {
+  const auto text = [](const std::vector<Severity>& severities) {
+    return reading_faults_text(*said(test::two_runs(), severities).program().program).toStdString();
+  };
+  using enum Severity;
+  EXPECT_EQ(text({}), "");
+  EXPECT_EQ(text({info}), "");
+  EXPECT_EQ(text({error}), "Program read with 1 error");
+  EXPECT_EQ(text({warning, warning, info}), "Program read with 2 warnings");
+  EXPECT_EQ(text({error, warning, error}), "Program read with 2 errors and 1 warning");
 }
 
 TEST(ReportRuns, AreNamedByWhatTellsThemApart) {

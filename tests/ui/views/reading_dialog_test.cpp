@@ -44,6 +44,10 @@ TEST(ReadingDialog, GivesBackWhatItWasGiven) {
   EXPECT_EQ(ReadingDialog(options, nullptr).options(), options);
   options.simulate_cut_off = true;
   EXPECT_EQ(ReadingDialog(options, nullptr).options(), options);
+  for (const LengthUnit unit : {LengthUnit::inch, LengthUnit::mm}) {
+    options.unit = unit;
+    EXPECT_EQ(ReadingDialog(options, nullptr).options(), options);
+  }
 }
 
 TEST(ReadingDialog, ListsTheCuttersThatTheProgramAsksFor) {

@@ -114,7 +114,7 @@ TEST_F(SideBySideTest, TheMouseTellsBothRuns) {
   };
   ASSERT_TRUE(told(true)) << QToolTip::text().toStdString();
   const QString text = QToolTip::text();
-  EXPECT_TRUE(text.contains(run_title(model.runs().items()[0]))) << text.toStdString();
+  EXPECT_TRUE(text.contains(model.runs().title(model.runs().items()[0]))) << text.toStdString();
   for (const QString& part : {QStringLiteral("ms/mm"), QStringLiteral("since the start"),
                               QStringLiteral("there after"), QStringLiteral("µm apart")}) {
     EXPECT_TRUE(text.contains(part)) << text.toStdString();

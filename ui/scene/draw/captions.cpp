@@ -88,6 +88,10 @@ std::vector<Entry> legend(const Captions& captions) {
   if (captions.exaggeration != 1) {
     list.push_back({exaggeration_text(captions), solid(0, colours.text)});
   }
+  if (!texts.warning.empty()) {
+    constexpr Rgb alarm{0.86, 0.15, 0.10};
+    list.push_back({texts.warning, solid(8, alarm)});
+  }
   return list;
 }
 

@@ -142,7 +142,8 @@ class HeidenhainFiles : public testing::Test {
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
   Program read(const std::string& name) const {
-    return read_program(std::make_shared<const SourceText>(SourceText::from_file(folder / name)));
+    return read_program(std::make_shared<const SourceText>(SourceText::from_file(folder / name)), nullptr,
+                        {.unit = LengthUnit::mm});
   }
 
   std::filesystem::path folder;

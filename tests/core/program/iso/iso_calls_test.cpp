@@ -218,7 +218,7 @@ class FilesBeside : public testing::Test {
   }
   Program read(const std::string& name, Dialect dialect, const std::string& text) const {
     return read_program(std::make_shared<const SourceText>(SourceText::from_file(write(name, text))), nullptr,
-                        {.dialect = dialect});
+                        {.dialect = dialect, .unit = LengthUnit::mm});
   }
   std::filesystem::path folder_;
 };

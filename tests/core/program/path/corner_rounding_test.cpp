@@ -24,7 +24,7 @@ void expect_near(const Vec2& a, const Vec2& b, double tolerance = 1e-12) {
 
 // A right angle is rounded by a quarter circle whose ends lie one radius from the corner.
 TEST(CornerRounding, RightAngleBecomesAQuarterCircle) {
-  const CornerPiece piece = round_corner(line({0, 0}, {10, 0}), line({10, 0}, {10, 10}), 3);
+  const PlaneCorner piece = round_corner(line({0, 0}, {10, 0}), line({10, 0}, {10, 10}), 3);
   ASSERT_EQ(piece.fault, CornerFault::none);
   expect_near(piece.from, {7, 0});
   expect_near(piece.to, {10, 3});
@@ -37,7 +37,7 @@ TEST(CornerRounding, RightAngleBecomesAQuarterCircle) {
 TEST(CornerRounding, AnyAngleIsCutByRadiusTimesTangentOfHalfTheTurn) {
   for (double turn = 0.1; turn < 3; turn += 0.1) {
     const Vec2 end(100 + 100 * std::cos(turn), 100 * std::sin(turn));
-    const CornerPiece piece = round_corner(line({0, 0}, {100, 0}), line({100, 0}, end), 2);
+    const PlaneCorner piece = round_corner(line({0, 0}, {100, 0}), line({100, 0}, end), 2);
     ASSERT_EQ(piece.fault, CornerFault::none) << turn;
     EXPECT_NEAR(100 - piece.from.x(), 2 * std::tan(turn / 2), 1e-9);
     EXPECT_NEAR((piece.to - Vec2(100, 0)).norm(), 2 * std::tan(turn / 2), 1e-9);
@@ -47,7 +47,7 @@ TEST(CornerRounding, AnyAngleIsCutByRadiusTimesTangentOfHalfTheTurn) {
 // From a line along X onto a circle about the origin: the centre lies one radius above the line and on the
 // circle of 10 - 2.
 TEST(CornerRounding, LineAndArcAreTouchedInside) {
-  const CornerPiece piece = round_corner(line({0, 0}, {10, 0}), arc({10, 0}, {0, 10}, {0, 0}, 1), 2);
+  const PlaneCorner piece = round_corner(line({0, 0}, {10, 0}), arc({10, 0}, {0, 10}, {0, 0}, 1), 2);
   ASSERT_EQ(piece.fault, CornerFault::none);
   expect_near(piece.center, {std::sqrt(64 - 4), 2});
   EXPECT_NEAR(piece.to.norm(), 10, 1e-12);
@@ -66,7 +66,7 @@ TEST(CornerRounding, NamesWhyACornerIsNotRounded) {
 }
 
 TEST(CornerRounding, ChamferCutsItsSideOffBothLines) {
-  const CornerPiece piece = chamfer_corner(line({0, 0}, {10, 0}), line({10, 0}, {10, 10}), 2);
+  const PlaneCorner piece = chamfer_corner(line({0, 0}, {10, 0}), line({10, 0}, {10, 10}), 2);
   ASSERT_EQ(piece.fault, CornerFault::none);
   expect_near(piece.from, {8, 0});
   expect_near(piece.to, {10, 2});
@@ -97,7 +97,7 @@ TEST(CornerRounding, RandomCornersAreTouchedByTheRounding) {
     const PlaneElement first = curve(corner, true);
     const PlaneElement second = curve(corner, false);
     const double radius = sizes(random);
-    const CornerPiece piece = round_corner(first, second, radius);
+    const PlaneCorner piece = round_corner(first, second, radius);
     if (piece.fault != CornerFault::none) {
       continue;
     }

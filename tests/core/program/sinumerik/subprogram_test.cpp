@@ -62,7 +62,8 @@ TEST(SinumerikSubprograms, LieBesideTheProgramWhateverTheCaseOfTheirNames) {
   std::ofstream(folder / "sub_a.spf") << "%_N_SUB_A_SPF\n;$PATH=/_N_SPF_DIR\nG91 X1\nG90\nM17\n";
   std::ofstream(folder / "L20.SPF") << "G91\nX10\nG90";
   const Program program =
-      read_program(std::make_shared<const SourceText>(SourceText::from_file(folder / "part.mpf")));
+      read_program(std::make_shared<const SourceText>(SourceText::from_file(folder / "part.mpf")), nullptr,
+                   {.unit = LengthUnit::mm});
   EXPECT_EQ(program.dialect, Dialect::sinumerik);
   EXPECT_TRUE(program.diagnostics.empty()) << format(program.diagnostics.front(), "part.mpf");
   ASSERT_EQ(program.motions.size(), 8U);

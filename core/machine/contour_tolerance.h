@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <utility>
+
+#include "core/machine/settings.h"
+
+namespace feedscope {
+
+/// Setting of the contour tolerance [mm].
+inline constexpr const char* contour_tolerance_key = "contour_tolerance_mm";
+/// Setting that says whether the program's own tolerances and blend distances go before it: "on", "off".
+inline constexpr const char* program_tolerance_key = "program_tolerance";
+
+/// The settings that "set the tolerance" changes, wherever it is asked for: `tolerance` [mm] holds
+/// everywhere, in place of the program's own.
+inline std::array<std::pair<std::string, SettingValue>, 2> settings_for_tolerance(double tolerance) {
+  return {{{contour_tolerance_key, tolerance}, {program_tolerance_key, std::string("off")}}};
+}
+
+/// Whether the program's own tolerances and blend distances hold, which they do if nothing is set.
+inline bool follows_program_tolerance(const Settings& settings) {
+  return !settings.has(program_tolerance_key) || settings.text(program_tolerance_key) == "on";
+}
+
+}  // namespace feedscope

@@ -1,0 +1,32 @@
+#include "core/program/program_unit.h"
+
+#include <fmt/format.h>
+
+#include "core/base/units.h"
+
+namespace feedscope {
+
+std::string_view to_string(LengthUnit unit) {
+  return unit == LengthUnit::inch ? "inch" : "mm";
+}
+
+std::string describe(const ProgramUnit& unit) {
+  switch (unit.source) {
+    case ProgramUnit::Source::program:
+      return fmt::format("{}, by the program", to_string(unit.unit));
+    case ProgramUnit::Source::asked:
+      return fmt::format("{}, by --unit", to_string(unit.unit));
+    default:
+      return fmt::format("{}, assumed: the program does not say its unit", to_string(unit.unit));
+  }
+}
+
+bool looks_like_inches(const CutSize& cut) {
+  constexpr double largest_size = 50;   // [mm]; of an inch program that is 1.3 m
+  constexpr double largest_feed = 300;  // [mm/min]; of an inch program that is 7.6 m/min
+  const double size = cut.size.maxCoeff();
+  const double feed = units::to_mm_min(cut.feed);
+  return size > 0 && size <= largest_size && feed > 0 && feed <= largest_feed;
+}
+
+}  // namespace feedscope
