@@ -168,7 +168,10 @@ Command add_simulate_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("simulate", "Simulate an NC program on a machine and write the results");
   add_run_options(*command, options->run);
-  command->add_option("--run", options->number, "Number of the run of a session [the one it shows]")
+  add_number_option(
+      *command, "--run", whole_numbers(1, 1'000'000),
+      [options](double number) { options->number = static_cast<std::size_t>(number); },
+      "Number of the run of a session [the one it shows]")
       ->type_name("N");
   command->add_option("--csv", options->csv, "Write the motion, one row a step; - for standard output")
       ->type_name("FILE");
