@@ -404,7 +404,7 @@ TEST_F(CommandLine, TheToleranceInForceIsToldEverywhere) {
   EXPECT_THAT(run("compare two.mpf --model essid --csv two.csv").out, HasSubstr("0.02 ... 0.05"));
   EXPECT_THAT(contents(folder_ / "two.csv"), HasSubstr("spinner-mvc850,essid,,"));
   EXPECT_THAT(contents(folder_ / "two.csv"), HasSubstr(",0.02,0.05,program,"));
-  EXPECT_THAT(run("compare own.mpf --model essid --sweep X.jerk=10,20").out,
+  EXPECT_THAT(run("compare own.mpf --model essid --sweep 'X.jerk=10;20'").out,
               HasSubstr("tolerance 0.02 mm (program)"));
 }
 

@@ -118,7 +118,7 @@ TEST_F(SessionCommand, EveryCommandTakesOneAndDoesWhatItsOptionsWouldDo) {
   };
   EXPECT_EQ(compared["runs"][0]["cycle_time_s"], time(first));
   EXPECT_EQ(compared["runs"][1]["cycle_time_s"], time(second));
-  const json swept = json::parse(quiet("compare part.feedscope --sweep tolerance=0.01,0.02 --json -").out);
+  const json swept = json::parse(quiet("compare part.feedscope --sweep 'tolerance=0.01;0.02' --json -").out);
   EXPECT_EQ(swept["runs"].size(), 4U);
 }
 
