@@ -224,20 +224,14 @@ void Reader::note_other_axis(std::string_view axis, double target, AxisMotion mo
 
 namespace {
 
-CutSize cut_size(const std::vector<MotionBlock>& motions) {
-  Bounds bounds;
+CutSize cut_size(const Program& program) {
   CutSize cut;
-  const MotionBlock* before = nullptr;
-  for (const MotionBlock& motion : motions) {
+  for (const MotionBlock& motion : program.motions) {
     if (motion.motion == Motion::line || motion.motion == Motion::arc) {
-      if (before != nullptr) {
-        bounds.add(before->target);
-      }
-      bounds.add(motion.target);
       cut.feed = std::max(cut.feed, motion.feed);
     }
-    before = &motion;
   }
+  const Bounds& bounds = program.cutting_bounds;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
     const double size = bounds.max[axis] - bounds.min[axis];
     cut.size[axis] = std::isfinite(size) ? size : 0;
@@ -252,7 +246,7 @@ void Reader::report_assumed_unit() {
   if (program_.unit.source != ProgramUnit::Source::assumed || first_motion_ >= program_.motions.size()) {
     return;
   }
-  const CutSize cut = cut_size(program_.motions);
+  const CutSize cut = cut_size(program_);
   const bool inches = looks_like_inches(cut);
   if (options_.dialect == Dialect::grbl && !inches) {
     return;

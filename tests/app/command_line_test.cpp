@@ -231,7 +231,7 @@ TEST_F(CommandLine, NamesAnOutputThatCannotBeWritten) {
   expect_wrong_use("simulate corner.nc --csv - --json -", "two results would go there");
   expect_wrong_use("simulate corner.nc --json /dev/full", "cannot write '/dev/full'");
   expect_wrong_use("simulate corner.nc --json - > /dev/full", "cannot write '-'");
-  EXPECT_EQ(contents(folder_ / "corner.nc"), "G1 X20 F3000\nY20\n");
+  EXPECT_EQ(contents(folder_ / "corner.nc"), "G21 G1 X20 F3000\nY20\n");
 }
 
 TEST_F(CommandLine, KeepsAnOldFileWhenTheNewOneFails) {

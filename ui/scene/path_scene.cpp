@@ -15,6 +15,7 @@
 #include "ui/scene/draw/captions.h"
 #include "ui/scene/draw/pointers.h"
 #include "ui/scene/path/pick.h"
+#include "ui/scene/path/shown_extent.h"
 #include "ui/scene/render_callback.h"
 
 namespace feedscope::ui {
@@ -25,30 +26,6 @@ constexpr double largest_exaggeration = 1000;
 constexpr double cube_half = 24;    // [pixels]
 constexpr double cube_height = 98;  // of its centre, above the lower edge
 constexpr int layer_count = 3;
-
-/// Where the path is not rapid.
-void add_cutting(const SampledPath& path, Bounds& bounds) {
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    if (path.kinds[i] != SpanKind::rapid) {
-      bounds.add(path.position(i));
-      bounds.add(path.position(i + 1));
-    }
-  }
-}
-
-/// What a picture is to show: what is cut, and as much of the rest as is close to it. Rapids high above a
-/// part would leave little of the picture to it.
-Bounds near_cutting(const Bounds& cutting, const Bounds& all) {
-  constexpr double close = 0.2;  // of the largest extent of what is cut
-  const double reach = cutting.empty() ? 0 : close * (cutting.max - cutting.min).maxCoeff();
-  if (!(reach > 0)) {
-    return all;
-  }
-  Bounds near = cutting;
-  near.add(all.min.cwiseMax(cutting.min - Vec3::Constant(reach)));
-  near.add(all.max.cwiseMin(cutting.max + Vec3::Constant(reach)));
-  return near;
-}
 
 }  // namespace
 
@@ -113,19 +90,9 @@ class PathScene::Impl {
   void rebuild() {
     const bool fitted = camera.fitted();
     const CameraState state = camera.state(frame);
-    Bounds content;
-    Bounds cutting;
-    for (const auto& path : {programmed, executed_samples}) {
-      if (path && !path->bounds.empty()) {
-        content.add(path->bounds.min);
-        content.add(path->bounds.max);
-        add_cutting(*path, cutting);
-      }
-    }
-    const Bounds near = near_cutting(cutting, content);
-    frame = frame_around(near);
-    beyond =
-        content.empty() ? 0 : (near.min - content.min).cwiseMax(content.max - near.max).norm() / frame.unit;
+    const ShownExtent extent = shown_extent({programmed, executed_samples});
+    frame = frame_around(extent.fitted);
+    beyond = extent.beyond() / frame.unit;
     layers.show(programmed, executed_samples, overlays, frame);
     camera.set_state(state, frame);
     if (fitted) {

@@ -28,7 +28,7 @@ TEST(ComparisonBars, CutABarByCauseInTheOrderOfTheLegend) {
   EXPECT_EQ(bar.parts[1].cause, jerk_y);
   EXPECT_EQ(bar.parts[2].cause, ramp);
   EXPECT_EQ(bar.model, "essid");
-  EXPECT_EQ(bar.tolerance, 0.05);
+  EXPECT_EQ(bar.tolerance, (ToleranceInForce{0.05, 0.05}));
   EXPECT_EQ(bar.cycle_time, 6);
   EXPECT_EQ(bar.against_cam, 3);
   EXPECT_EQ(bar.contour_error, 0.008);

@@ -1,0 +1,49 @@
+#include "ui/scene/path/shown_extent.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+/// Where the path is not rapid.
+void add_cutting(const SampledPath& path, Bounds& bounds) {
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
+    if (path.kinds[i] != SpanKind::rapid) {
+      bounds.add(path.position(i));
+      bounds.add(path.position(i + 1));
+    }
+  }
+}
+
+Bounds near_cutting(const Bounds& cutting, const Bounds& all) {
+  constexpr double close = 0.2;  // of the largest extent of what is cut
+  const double reach = cutting.empty() ? 0 : close * (cutting.max - cutting.min).maxCoeff();
+  if (!(reach > 0)) {
+    return all;
+  }
+  Bounds near = cutting;
+  near.add(all.min.cwiseMax(cutting.min - Vec3::Constant(reach)));
+  near.add(all.max.cwiseMin(cutting.max + Vec3::Constant(reach)));
+  return near;
+}
+
+}  // namespace
+
+double ShownExtent::beyond() const {
+  return all.empty() ? 0 : (fitted.min - all.min).cwiseMax(all.max - fitted.max).norm();
+}
+
+ShownExtent shown_extent(std::initializer_list<std::shared_ptr<const SampledPath>> paths) {
+  ShownExtent extent;
+  Bounds cutting;
+  for (const auto& path : paths) {
+    if (path && !path->bounds.empty()) {
+      extent.all.add(path->bounds.min);
+      extent.all.add(path->bounds.max);
+      add_cutting(*path, cutting);
+    }
+  }
+  extent.fitted = near_cutting(cutting, extent.all);
+  return extent;
+}
+
+}  // namespace feedscope::ui
