@@ -29,8 +29,8 @@ class RenderCommand : public testing::Test {
   RenderCommand() {
     std::string name = (fs::temp_directory_path() / "feedscope-render-XXXXXX").string();
     folder_ = mkdtemp(name.data());
-    std::ofstream(folder_ / "corner.nc") << "G1 X20 F3000\nY20\n";
-    std::ofstream(folder_ / "wrong.nc") << "G1 X20 F3000\nfoo\nY20\n";
+    std::ofstream(folder_ / "corner.nc") << "G21 G1 X20 F3000\nY20\n";
+    std::ofstream(folder_ / "wrong.nc") << "G21 G1 X20 F3000\nfoo\nY20\n";
   }
   ~RenderCommand() override { fs::remove_all(folder_); }
 
@@ -161,7 +161,7 @@ TEST_F(RenderCommand, RefusesASizeOutOfBoundsWithTheBounds) {
 
 TEST_F(RenderCommand, NamesAPlaceItCannotWriteTo) {
   expect_wrong_use("corner.nc --out nowhere/a.png", "cannot write 'nowhere/a.png'");
-  expect_wrong_use("corner.nc --out .", "cannot write '.'");
+  expect_wrong_use("corner.nc --format png --out .", "cannot write '.'");
 }
 
 TEST_F(RenderCommand, NamesWhatItDoesNotKnow) {

@@ -18,6 +18,7 @@ inline ComparedRun compared_run(const std::string& machine, const std::string& m
   run.setup.model = &find_model(model);
   if (tolerance) {
     run.setup.settings.set("contour_tolerance_mm", *tolerance);
+    run.tolerance = ToleranceInForce{*tolerance, *tolerance};
   }
   run.summary.time_by_cause.assign(all_causes().size(), 0);
   for (const auto& [cause, time] : times) {

@@ -153,6 +153,7 @@ void LessonDesk::set_up_window() {
     runs.select(0);
     runs.history().clear();
     view_pending_ = true;
+    model_.hold_machine();
     model_.open(start.program);
   } catch (const std::exception& error) {
     report(error);
@@ -177,6 +178,7 @@ void LessonDesk::move_control(const std::string& value) {
   try {
     const LessonSetup moved = set_up(open_->lesson, changes);
     model_.runs().set_setup(model_.runs().current(), state_of(moved), QString::fromStdString(changes.back()));
+    model_.hold_machine();
     if (moved.program != model_.file()) {
       model_.open(moved.program);
     }

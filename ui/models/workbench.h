@@ -49,6 +49,8 @@ class Workbench : public QObject {
   void cancel();
   /// Id or file; its own model is chosen with it. An unusable file is reported by failed().
   void choose_machine(const QString& id_or_file);
+  /// The machine of the current run is wanted: no program that is opened chooses another one by its dialect.
+  void hold_machine() { machine_chosen_ = true; }
   void choose_model(const QString& id);
   /// Writes the machine of the current run with all edits to a machine file, whose name becomes its id, and
   /// goes on with that file. What cannot be written is reported by failed(), and nothing is left behind.

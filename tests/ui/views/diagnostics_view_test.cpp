@@ -18,7 +18,7 @@ class DiagnosticsViewTest : public testing::Test {
   DiagnosticsViewTest() {
     view.resize(600, 200);
     view.show();
-    view.set_program(test::program_of("G1 X5 F100\nX1..2\nG77.7\nM2\nG1 X8\n"));
+    view.set_program(test::program_of("G21 G1 X5 F100\nX1..2\nG77.7\nM2\nG1 X8\n"));
   }
   std::pair<uint, uint> last_place() const { return {chosen.last()[0].toUInt(), chosen.last()[1].toUInt()}; }
 
