@@ -14,6 +14,7 @@
 #include "ui/views/lesson_view.h"
 #include "ui/views/playback_bar.h"
 #include "ui/views/program/program_panel.h"
+#include "ui/views/run_notice.h"
 #include "ui/views/runs_view.h"
 #include "ui/views/scene_view.h"
 #include "ui/views/setup_view.h"
@@ -44,6 +45,7 @@ class MainWindow : public QMainWindow {
   DiagnosticsView& diagnostics() { return *diagnostics_; }
   SlowPlacesView& slow_places() { return *slow_places_; }
   RunsView& runs() { return *runs_; }
+  RunNotice& notice() { return *notice_; }
   WhyView& why() { return *why_; }
   AnnotationsView& annotations() { return *annotations_; }
   StudyView& study() { return *study_; }
@@ -89,6 +91,7 @@ class MainWindow : public QMainWindow {
   void show_place(double time, double from, double to);
   void show_unfollowed();
   void show_other_runs();
+  void show_run_name();
   void show_lesson(const LessonWindow& look);
   void raise_lessons();
   void show_failure(const QString& message);
@@ -109,6 +112,7 @@ class MainWindow : public QMainWindow {
   DiagnosticsView* diagnostics_;
   SlowPlacesView* slow_places_;
   RunsView* runs_;
+  RunNotice* notice_;
   WhyView* why_;
   AnnotationsView* annotations_;
   StudyView* study_;
@@ -123,6 +127,7 @@ class MainWindow : public QMainWindow {
   QDockWidget* diagnostics_dock_ = nullptr;
   QDockWidget* runs_dock_ = nullptr;
   QByteArray first_layout_;
+  std::filesystem::path fitted_to_;  ///< program that the camera was last fitted to
 };
 
 }  // namespace feedscope::ui
