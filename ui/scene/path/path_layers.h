@@ -45,7 +45,7 @@ class PathLayers {
  public:
   explicit PathLayers(vtkRenderer& renderer) : renderer_(renderer) {}
 
-  /// Replaces what is shown; each path may be null.
+  /// Replaces what is shown; each path may be null. What is shown already stays as it is.
   void show(std::shared_ptr<const SampledPath> programmed, std::shared_ptr<const SampledPath> executed,
             std::vector<OverlayRun> overlays, const SceneFrame& frame);
   void set_look(const PathLook& look);
@@ -79,13 +79,18 @@ class PathLayers {
     double height = 0;
   };
 
-  void clear();
+  template <class Wanted>
+  void remove(Wanted wanted);
   void add(Role role, const DrawnPath* path, bool discs = false, const Rgb& colour = {});
-  void add_rapids(const SampledPath& path, const SceneFrame& frame);
+  void show_rapids(const std::shared_ptr<const SampledPath>& path, const SceneFrame& frame);
+  void show_programmed(std::shared_ptr<const SampledPath> programmed);
+  void show_executed(std::shared_ptr<const SampledPath> executed);
+  void show_overlays(std::vector<OverlayRun> overlays);
   vtkSmartPointer<vtkActor> make_actor(const Layer& layer, const PathLevel& level) const;
   vtkSmartPointer<vtkCellArray> cells_of(const Layer& layer, const PathLevel& level) const;
   PathLevel highlighted(const SampledPath& path, const PathLevel& level) const;
-  void recolour();
+  void colour_executed();
+  void colour_layers();
   Rgb colour_of(const Layer& layer) const;
   Style style_of(Role role, double thinner) const;
   static double crowding(const SceneFrame& frame, const Projection& view, double drawn);
@@ -99,6 +104,8 @@ class PathLayers {
   std::optional<std::array<double, 2>> range_;
   LegendEntries entries_;
   ColourKey key_;
+  std::shared_ptr<const SampledPath> rapids_of_;
+  double dashes_for_ = 0;          ///< unit of the frame that the dashes of rapids were made for [mm]
   Vec3 rapids_at_ = Vec3::Zero();  ///< origin of their dashes [mm]
   double rapid_length_ = 0;        ///< [mm]
   double cut_length_ = 0;          ///< [mm]
