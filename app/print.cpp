@@ -6,6 +6,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/analysis/not_counted.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 
@@ -164,6 +165,9 @@ std::string summary_text(const Run& run) {
                                 run.setup.machine.control, run.setup.model->info().id);
   TextTable figures;
   figures.add({"cycle time", time_text(s.cycle_time)});
+  if (const std::string missing = describe(s.not_counted); !missing.empty()) {
+    figures.add({"not counted", missing});
+  }
   figures.add({"programmed time", time_text(s.programmed_time)});
   figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
   figures.add({"mean feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.mean_feed))});

@@ -235,11 +235,29 @@ void MainWindow::show_run() {
   show_cursor();
 }
 
+QStringList MainWindow::not_counted_texts(const NotCounted& counts) {
+  QStringList texts;
+  const auto add = [&](const QString& text, std::size_t count) {
+    if (count > 0) {
+      texts.append(text.arg(count));
+    }
+  };
+  add(tr("tool changes: %1"), counts.tool_changes);
+  add(tr("spindle starts: %1"), counts.spindle_starts);
+  add(tr("program stops: %1"), counts.stops);
+  add(tr("moves to or from machine positions: %1"), counts.machine_moves);
+  return texts;
+}
+
 void MainWindow::show_unfollowed() {
   QStringList sentences;
   if (const auto shown = model_.shown(); shown != nullptr) {
     for (const std::string& sentence : unfollowed(*shown->run.input.toolpath, shown->run.setup)) {
       sentences.append(core_text(sentence));
+    }
+    const QStringList events = not_counted_texts(shown->run.summary.not_counted);
+    if (!events.empty()) {
+      sentences.append(tr("Not counted in the cycle time: %1.").arg(events.join(QStringLiteral(", "))));
     }
   }
   setup_->show_unfollowed(sentences);

@@ -88,6 +88,7 @@ class MainWindow : public QMainWindow {
   /// Cursor and charts at a place that lasts from one time to another [s].
   void show_place(double time, double from, double to);
   void show_unfollowed();
+  static QStringList not_counted_texts(const NotCounted& counts);
   void show_other_runs();
   void show_lesson(const LessonWindow& look);
   void raise_lessons();

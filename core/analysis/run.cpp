@@ -101,6 +101,7 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   run.setup = std::move(setup);
   run.trajectory = std::make_shared<const Trajectory>(
       run.setup.model->simulate(input.toolpath, run.setup.machine, run.setup.settings, progress));
+  run.input.toolpath = on_machine(input.toolpath, run.setup.settings);
   run.simulate_time = watch.seconds();
   return run;
 }

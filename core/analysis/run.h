@@ -40,7 +40,7 @@ inline constexpr const char* default_machine = "spinner-mvc850";
 /// One program on one machine with one model: everything that is shown or written of it.
 /// Cheap to copy; runs of the same program share program and toolpath.
 struct Run {
-  LoadedProgram input;
+  LoadedProgram input;  ///< its toolpath as on_machine() makes it
   Setup setup;
   std::shared_ptr<const Trajectory> trajectory;
   Summary summary;

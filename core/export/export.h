@@ -37,11 +37,12 @@ struct Report {
   const ContourReport* contour = nullptr;  ///< null: its keys are left out
 };
 
-/// The run as JSON, keys of DESIGN section 4, indented, newline at the end. With a contour report also
-/// contour_places[{line, block, time_s, path_mm, error_mm, side_mm, tolerance_mm, at, length_mm, turn_deg,
-/// radius_mm, inside, position_mm[3], programmed_mm[3], feed_mm_min, programmed_feed_mm_min, cause}], keys as
-/// contour_places_csv() has columns and absent where those are empty, and contour_histogram{distance{
-/// edges_mm[], length_mm[]}, side{...}}.
+/// The run as JSON, keys of DESIGN section 4 and not_counted[{what: tool_change, spindle_start, stop or
+/// machine_move, count, settings: keys that would give the time}], indented, newline at the end. With a
+/// contour report also contour_places[{line, block, time_s, path_mm, error_mm, side_mm, tolerance_mm, at,
+/// length_mm, turn_deg, radius_mm, inside, position_mm[3], programmed_mm[3], feed_mm_min,
+/// programmed_feed_mm_min, cause}], keys as contour_places_csv() has columns and absent where those are
+/// empty, and contour_histogram{distance{ edges_mm[], length_mm[]}, side{...}}.
 std::string simulation_json(const Report& report);
 
 /// Several runs of a program as JSON: program, diagnostics and elapsed{read_s} as in simulation_json, and
@@ -67,7 +68,8 @@ std::string study_json(const LoadedProgram& program, const Study& study);
 std::string study_csv(const Study& study);
 
 /// What `check` found as JSON: program{file, lines, blocks, segments, arcs, dwells, path_mm, rapid_mm,
-/// dwell_s, feed_mm_min{min, max}, bounds} and diagnostics as in simulation_json.
+/// dwell_s, feed_mm_min{min, max}, work_offsets[{name, line, motions, given}], not_counted[{what, count,
+/// settings}], bounds} and diagnostics as in simulation_json.
 std::string check_json(const Program& program, const ProgramFacts& facts);
 
 }  // namespace feedscope

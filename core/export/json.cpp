@@ -3,6 +3,7 @@
 
 #include "core/analysis/contour/contour_histogram.h"
 #include "core/analysis/contour/contour_report.h"
+#include "core/analysis/not_counted.h"
 #include "core/base/units.h"
 #include "core/export/contour_words.h"
 #include "core/export/export.h"
@@ -29,7 +30,7 @@ Json program_facts(const Program& program, const Toolpath& toolpath) {
   return {{"file", program.source->name()},
           {"lines", program.source->line_count()},
           {"blocks", program.block_count},
-          {"segments", toolpath.segments.size()},
+          {"segments", facts_of(program, toolpath).segments},
           {"path_mm", finite(toolpath.length())},
           {"bounds", bounds(program.bounds)},
           {"cutting_bounds", bounds(program.cutting_bounds)},
@@ -69,6 +70,14 @@ Json cutters(const Program& program) {
                     {"radius_mm", known ? Json(use.radius) : Json(nullptr)},
                     {"source", to_string(use.source)},
                     {"line", use.line}});
+  }
+  return list;
+}
+
+Json work_offsets(const Program& program) {
+  Json list = Json::array();
+  for (const OffsetUse& use : program.work_offsets) {
+    list.push_back({{"name", use.name}, {"line", use.line}, {"motions", use.blocks}, {"given", use.given}});
   }
   return list;
 }
@@ -136,6 +145,14 @@ Json by_cause(const std::vector<double>& seconds) {
   return times;
 }
 
+Json not_counted_json(const NotCounted& counts) {
+  Json list = Json::array();
+  for (const NotCountedItem& item : not_counted_items(counts)) {
+    list.push_back({{"what", item.key}, {"count", item.count}, {"settings", item.settings}});
+  }
+  return list;
+}
+
 /// What a run is and what came out of it.
 Json run_facts(const Machine& machine, const ModelInfo& model, const Settings& settings,
                const Summary& summary) {
@@ -150,7 +167,8 @@ Json run_facts(const Machine& machine, const ModelInfo& model, const Settings& s
           {"max_contour_error_at", contour_place(summary)},
           {"peaks", peaks(summary)},
           {"time_by_cause_s", by_cause(summary.time_by_cause)},
-          {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)}};
+          {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)},
+          {"not_counted", not_counted_json(summary.not_counted)}};
 }
 
 Json axis_limits(const Machine& machine) {
@@ -328,7 +346,9 @@ std::string check_json(const Program& program, const ProgramFacts& facts) {
                       {"max", finite(units::to_mm_min(facts.largest_feed))}}},
                     {"tools", tools(program)},
                     {"cutters", cutters(program)},
+                    {"work_offsets", work_offsets(program)},
                     {"calls", program.call_count},
+                    {"not_counted", not_counted_json(facts.not_counted)},
                     {"path_control", path_control(facts)},
                     {"bounds", bounds(facts.bounds)},
                     {"cutting_bounds", bounds(facts.cutting_bounds)},

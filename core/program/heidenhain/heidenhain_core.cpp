@@ -93,7 +93,7 @@ DiagnosticLog::Place HeidenhainCore::spot(std::uint32_t column) const {
 }
 
 ContourPlace HeidenhainCore::contour_place(std::uint32_t column, std::uint8_t axes) const {
-  return {shown_line(), parts_.empty() ? place(column) : spot(column), axes};
+  return {shown_line(), parts_.empty() ? place(column) : spot(column), axes, 0};
 }
 
 double HeidenhainCore::to_feed(double value) const {

@@ -20,7 +20,9 @@ SinumerikReader::SinumerikReader(std::shared_ptr<const SourceText> source, const
         // ENDFOR reads the line of FOR, whose columns are not its own.
         const bool own = column <= text().line(line()).size();
         report(Severity::warning, code, detail, own ? column : 0, [&] { return said; });
-      }) {}
+      }) {
+  take_given_offsets();
+}
 
 void SinumerikReader::run_line(std::string_view line) {
   replaced_.reset();
@@ -107,6 +109,11 @@ void SinumerikReader::run_block(const Block& block) {
   groups_.fill(nullptr);
   own_block_ = nullptr;
   machine_axes_ = false;
+  fixed_point_ = 1;
+  tool_change_ = false;
+  spindle_start_ = false;
+  spindle_stop_ = false;
+  stop_ = false;
   exact_stop_ = false;
   ends_ = false;
   moved_ = false;
@@ -194,6 +201,27 @@ void SinumerikReader::set_letter(char letter, const BlockWords::Value& value, st
 
 void SinumerikReader::apply_m(double number) {
   ends_ = ends_ || number == 2 || number == 17 || number == 30;
+  tool_change_ = tool_change_ || number == 6;
+  stop_ = stop_ || number == 0 || number == 1;
+  spindle_start_ = spindle_start_ || number == 3 || number == 4;
+  spindle_stop_ = spindle_stop_ || number == 5 || number == 19;
+}
+
+/// Those that act before the block moves.
+void SinumerikReader::run_m_functions() {
+  if (!tool_change_ && !spindle_start_ && !spindle_stop_) {
+    return;
+  }
+  finish_spline();
+  if (tool_change_) {
+    change_tool(modal_.tool);
+  }
+  if (spindle_stop_) {
+    stop_spindle();
+  }
+  if (spindle_start_) {
+    start_spindle();
+  }
 }
 
 void SinumerikReader::apply_g(double number, std::uint32_t column, std::string_view written) {
@@ -218,6 +246,7 @@ void SinumerikReader::execute_block(bool sound) {
   if (own_block_ == nullptr) {
     apply_compensation();
   }
+  run_m_functions();
   if (sound) {
     if (own_block_ != nullptr) {
       finish_spline();
@@ -238,6 +267,10 @@ void SinumerikReader::execute_block(bool sound) {
 }
 
 void SinumerikReader::finish_block() {
+  if (stop_) {
+    finish_spline();
+    stop_program();
+  }
   if (call_) {
     const auto times = static_cast<std::uint32_t>(
         words_.has(Address::p) ? std::clamp(words_[Address::p].value, 1.0, 9999.0) : 1.0);
