@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <sstream>
 #include <vector>
 
 #include "app/commands/command.h"
@@ -14,8 +13,9 @@
 #include "core/base/error.h"
 #include "core/lessons/handout.h"
 #include "core/lessons/lesson_runs.h"
+#include "core/lessons/plain_text.h"
 #ifdef FEEDSCOPE_WITH_UI
-#include "ui/report/paged_pdf.h"
+#include "ui/report/handout.h"
 #include "ui/theme/offscreen_application.h"
 #endif
 
@@ -36,36 +36,17 @@ void list_lessons() {
   }
 }
 
-bool begins_paragraph(const std::string& line) {
-  const std::size_t digits = line.find_first_not_of("0123456789");
-  return line.starts_with("- ") || line.starts_with("|") ||
-         (digits != 0 && digits != std::string::npos && line.compare(digits, 2, ". ") == 0);
-}
-
-/// Paragraphs and list items of a Markdown text, each wrapped by itself; lines set in by four stay as they
-/// are.
+/// Paragraphs and list items of a Markdown text, each wrapped by itself; code as it is.
 void print_text(const std::string& text, std::size_t indent) {
-  const std::string blanks(indent, ' ');
-  std::string paragraph;
-  const auto flush = [&] {
-    if (!paragraph.empty()) {
-      fmt::print("{}{}\n", blanks, wrapped(paragraph, indent + (begins_paragraph(paragraph) ? 2 : 0)));
-    }
-    paragraph.clear();
-  };
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);) {
-    const bool as_it_is = line.empty() || line.starts_with("    ");
-    if (as_it_is || begins_paragraph(line)) {
-      flush();
-    }
-    if (as_it_is) {
-      fmt::print("{}{}\n", line.empty() ? "" : blanks, line);
-    } else {
-      paragraph += (paragraph.empty() ? "" : " ") + line;
-    }
+  bool first = true;
+  for (const PlainBlock& block : plain_blocks(text)) {
+    fmt::print("{}", first || block.follows ? "" : "\n");
+    first = false;
+    const std::size_t inside = indent + block.indent;
+    const std::string blanks(inside - block.marker.size(), ' ');
+    fmt::print("{}{}{}\n", blanks, block.marker,
+               block.code ? "    " + block.text : wrapped(block.text, inside));
   }
-  flush();
 }
 
 void print_question(const Question& question, std::size_t number, const WrittenNumbers& numbers) {
@@ -76,7 +57,7 @@ void print_question(const Question& question, std::size_t number, const WrittenN
   }
   fmt::print("  Move   {}\n  Watch  {}\n", control_text(question.control), title_of(question.watch));
   if (!question.hint.empty()) {
-    fmt::print("  Hint   {}\n", wrapped(filled(question.hint, numbers), 9));
+    fmt::print("  Hint   {}\n", wrapped(plain_line(filled(question.hint, numbers)), 9));
   }
 }
 
@@ -157,18 +138,16 @@ int check_lessons(const std::string& id) {
   return failed > 0 ? exit_code::claim_fails : exit_code::done;
 }
 
-/// The hand-out as the ending of `out` asks for it.
-std::string handout([[maybe_unused]] const std::string& out, const Lesson& lesson,
-                    const WrittenNumbers& numbers) {
-  const std::string html = handout_html(lesson, numbers);
+/// The hand-out as the ending of `out` asks for it, with pictures where this Feedscope can draw.
+std::string handout([[maybe_unused]] const std::string& out, const Lesson& lesson, LessonRuns& runs,
+                    Progress* progress) {
 #ifdef FEEDSCOPE_WITH_UI
-  if (out.ends_with(".pdf")) {
-    const ui::OffscreenApplication application;
-    return ui::paged_pdf(QString::fromStdString(html), ui::ReportPictures(),
-                         {QString::fromStdString(lesson.title), {}, {}});
-  }
+  const ui::OffscreenApplication application;
+  const bool pages = out.ends_with(".pdf");
+  return ui::make_handout(lesson, runs, pages ? ui::ReportFormat::pdf : ui::ReportFormat::html, progress);
+#else
+  return handout_html(lesson, runs.numbers(progress));
 #endif
-  return html;
 }
 
 void check_ending(const std::string& out) {
@@ -202,17 +181,21 @@ int run_lessons(const LessonsOptions& options) {
     check_outputs(file.string(), {options.out});
     out = std::make_unique<OutputFile>(options.out);
   }
-  WrittenNumbers numbers;
+  LessonRuns runs(lesson);
+  if (out == nullptr) {
+    WrittenNumbers numbers;
+    {
+      Watch watch;
+      numbers = runs.numbers(watch.stage("simulating"));
+    }
+    show_lesson(lesson, numbers);
+    return exit_code::done;
+  }
   {
     Watch watch;
-    numbers = LessonRuns(lesson).numbers(watch.stage("simulating"));
+    out->stream() << handout(options.out, lesson, runs, watch.stage("simulating"));
   }
-  if (out != nullptr) {
-    out->stream() << handout(options.out, lesson, numbers);
-    out->commit();
-  } else {
-    show_lesson(lesson, numbers);
-  }
+  out->commit();
   return exit_code::done;
 }
 

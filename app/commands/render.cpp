@@ -180,7 +180,7 @@ void set_colours(const RenderOptions& options, ui::ReportInput& input) {
   input.reference = static_cast<std::size_t>(*options.reference - 1);
 }
 
-/// The command as the foot of a sheet names it.
+/// The command as the foot of a sheet names it: it makes the same bytes again.
 QString command_of(const RenderOptions& options) {
   std::string text = fmt::format("feedscope render {} --view {}", options_text(options.runs), options.view);
   const auto add = [&](const char* name, const std::string& value) {
@@ -191,6 +191,12 @@ QString command_of(const RenderOptions& options) {
   add("--camera", options.camera == "iso" ? "" : options.camera);
   add("--colour", options.colour);
   add("--reference", options.reference ? std::to_string(*options.reference) : "");
+  add("--dpi", options.dpi ? fmt::format("{}", *options.dpi) : "");
+  add("--scale", options.scale != 1 ? fmt::format("{}", options.scale) : "");
+  add("--theme", options.theme);
+  add("--format", options.format);
+  text += options.transparent ? " --transparent" : "";
+  add("--out", options.out);
   return QString::fromStdString(text);
 }
 

@@ -30,6 +30,9 @@ table.lines { border-collapse: collapse; width: 100%; }
 table.lines td { border-bottom: 1px solid #999; height: 30px; font-size: 17px; }
 h1.answers { break-before: page; page-break-before: always; }
 .answer { break-inside: avoid; }
+.figure { break-inside: avoid; margin-top: 6px; }
+.caption { color: #555; font-size: 12px; margin: 3px 0 10px; }
+img { max-width: 100%; height: auto; }
 .footer { margin-top: 30px; border-top: 1px solid #999; font-size: 12px; color: #555; padding-top: 8px; }
 )";
 
@@ -105,12 +108,14 @@ std::string html_of(const std::string& markdown) {
   return html.get();
 }
 
-std::string handout_html(const Lesson& lesson, const WrittenNumbers& numbers) {
+std::string handout_html(const Lesson& lesson, const WrittenNumbers& numbers, const std::string& figures) {
   std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>{0}</title>\n<style>{1}"
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, "
+      "initial-scale=1\">\n<title>{0}</title>\n<style>{1}"
       "</style>\n</head>\n<body>\n<h1>{0}</h1>\n<p class=\"learn\">{2} About {3} minutes.</p>\n",
       escaped(lesson.title), style, escaped(lesson.learn), lesson.minutes);
-  html += setup_table(lesson) + html_of(filled(lesson.text, numbers));
+  html += setup_table(lesson) + html_of(filled(lesson.text, numbers)) + figures;
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     html += question_html(lesson.questions[i], i + 1, numbers);
   }

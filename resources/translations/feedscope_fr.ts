@@ -2999,8 +2999,8 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Avance moyenne&#xa0;: trajectoire exécutée divisée par le temps de cycle sans temporisations [mm/min]</translation>
     </message>
     <message>
-        <source>Largest distance of a programmed corner from the executed path [µm]</source>
-        <translation>Plus grande distance d&apos;un angle programmé à la trajectoire exécutée [µm]</translation>
+        <source>Largest distance of the executed path from the programmed one [µm]</source>
+        <translation>Plus grande distance entre la trajectoire exécutée et la trajectoire programmée [µm]</translation>
     </message>
 </context>
 <context>
@@ -3355,6 +3355,13 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>There is no other run to compare with: duplicate the run (Ctrl+D) and change the copy</source>
         <translation>Il n&apos;y a pas d&apos;autre simulation à comparer&#xa0;: dupliquez la simulation (Ctrl+D) et modifiez la copie</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::SceneRun</name>
+    <message>
+        <source>the other half</source>
+        <translation>l&apos;autre moitié</translation>
     </message>
 </context>
 <context>

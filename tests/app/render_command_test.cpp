@@ -167,4 +167,35 @@ TEST_F(RenderCommand, NamesWhatItDoesNotKnow) {
   expect_wrong_use("missing.nc --out a.png", "missing.nc");
 }
 
+/// The command at the foot of a sheet, run as it is printed, makes the sheet again.
+TEST_F(RenderCommand, TheCommandOnASheetMakesTheSheet) {
+  const auto bytes = [&](const std::string& name) {
+    std::ostringstream text;
+    text << std::ifstream(folder_ / name, std::ios::binary).rdbuf();
+    return text.str();
+  };
+  for (const std::string options :
+       {"--view sheet --out sheet.svg",
+        "--view sheet --tolerance 0.01 --tolerance 0.05 --theme dark --title 'A b' "
+        "--camera top --colour cause --out sheet.svg",
+        "--view sheet --size A3 --dpi 150 --scale 1.25 --format svg --transparent --out sheet.svg"}) {
+    ASSERT_EQ(run("corner.nc " + options).code, 0) << options;
+    const std::string sheet = bytes("sheet.svg");
+    const std::size_t begin = sheet.find("feedscope render ");
+    ASSERT_NE(begin, std::string::npos) << options;
+    std::string command = sheet.substr(begin, sheet.find('<', begin) - begin);
+    for (const auto& [entity, sign] :
+         {std::pair{"&quot;", "\""}, {"&apos;", "'"}, {"&#39;", "'"}, {"&amp;", "&"}}) {
+      for (std::size_t at = 0; (at = command.find(entity, at)) != std::string::npos;) {
+        command.replace(at, std::string(entity).size(), sign);
+      }
+    }
+    fs::remove(folder_ / "sheet.svg");
+    const std::string arguments = command.substr(std::string("feedscope render ").size());
+    const Result result = run(arguments);
+    EXPECT_EQ(result.code, 0) << arguments << ": " << result.err;
+    EXPECT_EQ(bytes("sheet.svg"), sheet) << arguments;
+  }
+}
+
 }  // namespace

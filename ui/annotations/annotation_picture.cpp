@@ -7,6 +7,8 @@
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 
 #include "ui/annotations/annotation_text.h"
 
@@ -19,6 +21,7 @@ constexpr double line_width = 1.5;   // the same
 constexpr double region_width = 11;  // the same
 constexpr double arrow_length = 11;  // the same
 constexpr double tick_length = 12;   // the same
+constexpr double label_gap = 3;      // between two [pixels of scale 1]
 constexpr int region_spans = 1000;
 
 QFont font_of(const PlacedAnnotation& placed) {
@@ -43,11 +46,78 @@ QSizeF label_size(const PlacedAnnotation& placed, double scale) {
   return QSizeF(width, height) + QSizeF(2, 2) * padding * scale;
 }
 
-/// Moved by as little as brings it into the picture.
-QRectF moved_into(QRectF label, const QSizeF& size) {
-  label.moveLeft(std::max(0.0, std::min(label.left(), size.width() - label.width())));
-  label.moveTop(std::max(0.0, std::min(label.top(), size.height() - label.height())));
+/// Moved by as little as brings it into the room.
+QRectF moved_into(QRectF label, const QRectF& room) {
+  label.moveLeft(std::max(room.left(), std::min(label.left(), room.right() - label.width())));
+  label.moveTop(std::max(room.top(), std::min(label.top(), room.bottom() - label.height())));
   return label;
+}
+
+/// Gives labels places one after the other.
+class LabelPlacer {
+ public:
+  LabelPlacer(const QRectF& room, double scale) : room_(room), gap_(label_gap * scale) {}
+
+  /// Where a label should be kept away from, if it must move.
+  void avoid(const QPointF& place) { places_.append(place); }
+
+  /// The nearest free place; where there is none, the one that is wanted.
+  QRectF place(const QRectF& asked) {
+    const QRectF wanted = moved_into(asked, room_);
+    const QRectF found = is_free(wanted) ? wanted : nearest_free(wanted).value_or(wanted);
+    taken_.append(found);
+    return found;
+  }
+
+ private:
+  bool is_free(const QRectF& label) const {
+    const QRectF wide = label.adjusted(-gap_, -gap_, gap_, gap_);
+    return std::ranges::none_of(taken_, [&](const QRectF& taken) { return taken.intersects(wide); });
+  }
+  bool covers_place(const QRectF& label) const {
+    return std::ranges::any_of(places_, [&](const QPointF& place) { return label.contains(place); });
+  }
+
+  std::optional<QRectF> nearest_free(const QRectF& wanted) const {
+    constexpr int directions = 16;
+    const double step = wanted.height() / 3;
+    const double farthest = std::hypot(room_.width(), room_.height());
+    std::optional<QRectF> covering;
+    for (double distance = step; distance < farthest; distance += step) {
+      for (int i = 0; i < directions; ++i) {
+        const double angle = 2 * std::numbers::pi * i / directions;
+        const QPointF shift(distance * std::cos(angle), distance * std::sin(angle));
+        const QRectF moved = moved_into(wanted.translated(shift), room_);
+        if (!is_free(moved)) {
+          continue;
+        }
+        if (!covers_place(moved)) {
+          return moved;
+        }
+        covering = covering ? covering : moved;
+      }
+    }
+    return covering;
+  }
+
+  QRectF room_;
+  double gap_;
+  QList<QRectF> taken_;
+  QList<QPointF> places_;
+};
+
+QRectF room_of(const AnnotatedView& view) {
+  const auto [upper, lower] = view.scene.path_room();
+  return QRectF(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1])) & QRectF(QPointF(), view.size);
+}
+
+/// How much further from its place a label is than where a person put it.
+double spread_of(const Annotation& annotation, const AnnotatedView& view) {
+  if (annotation.view.isEmpty()) {
+    return 1;
+  }
+  const QSizeF now = view.size / view.scale;
+  return std::min(now.width() / annotation.view.width(), now.height() / annotation.view.height());
 }
 
 PlacedAnnotation place(const Annotation& annotation, const AnnotatedView& view) {
@@ -78,15 +148,14 @@ PlacedAnnotation place(const Annotation& annotation, const AnnotatedView& view) 
     placed.middle = placed.stretch[region_spans / 2];
   }
   QRectF label(QPointF(), label_size(placed, view.scale));
-  label.moveCenter(placed.middle + annotation.offset * view.scale);
-  placed.label = moved_into(label, view.size);
+  label.moveCenter(placed.middle + annotation.offset * view.scale * spread_of(annotation, view));
+  placed.label = label;
   return placed;
 }
 
-bool in_picture(const PlacedAnnotation& placed, const QSizeF& size) {
-  const QRectF picture(QPointF(), size);
-  return picture.contains(placed.anchor) || picture.contains(placed.other) ||
-         (!placed.stretch.isEmpty() && picture.intersects(placed.stretch.boundingRect()));
+bool is_in(const PlacedAnnotation& placed, const QRectF& room) {
+  return room.contains(placed.anchor) || room.contains(placed.other) ||
+         std::ranges::any_of(placed.stretch, [&](const QPointF& point) { return room.contains(point); });
 }
 
 struct Tones {
@@ -219,20 +288,34 @@ std::vector<PlacedAnnotation> place_annotations(std::span<const Annotation> anno
   if (view.trajectory.pieces().empty()) {
     return all;
   }
+  const QRectF room = room_of(view);
+  LabelPlacer labels(room, view.scale);
   for (const Annotation& annotation : annotations) {
     PlacedAnnotation placed = place(annotation, view);
-    if (in_picture(placed, view.size)) {
+    if (is_in(placed, room)) {
+      labels.avoid(placed.anchor);
       all.push_back(std::move(placed));
     }
   }
+  for (PlacedAnnotation& placed : all) {
+    placed.label = labels.place(placed.label);
+  }
   return all;
+}
+
+QStringList annotation_texts(std::span<const Annotation> annotations, const AnnotatedView& view) {
+  QStringList texts;
+  for (const Annotation& annotation : annotations) {
+    texts.append(place(annotation, view).lines.join('\n'));
+  }
+  return texts;
 }
 
 void draw_annotations(QPainter& painter, std::span<const PlacedAnnotation> annotations,
                       const AnnotatedView& view, int selected) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setClipRect(QRectF(QPointF(), view.size));
+  painter.setClipRect(room_of(view), Qt::IntersectClip);
   const Tones tones = tones_of(view.background);
   for (const PlacedAnnotation& placed : annotations) {
     draw(painter, placed, tones, selected != 0 && placed.id == selected, view.scale);

@@ -14,7 +14,8 @@ namespace {
 constexpr double least_overlap = 2;       // [px] of neighbouring columns that swing
 constexpr double swinging_overlap = 0.4;  // of the lower of the two
 constexpr std::size_t least_swinging = 4;
-constexpr double jump = 8;  // height in widths from which on a column is filled as a whole
+constexpr double least_hollow = 6;  // [px] that two edges leave between them
+constexpr double jump = 8;          // height in widths from which on a column is filled as a whole
 constexpr std::size_t dash_period = 10;
 constexpr std::size_t dash_length = 6;
 
@@ -43,14 +44,19 @@ bool swings(const ColumnSpan& a, const ColumnSpan& b) {
   return overlap > std::max(least_overlap, swinging_overlap * std::min(a.height(), b.height()));
 }
 
+/// What of a curve is drawn.
+enum class CurvePart { all, edges, inside };
+
 class ColumnPainter {
  public:
-  ColumnPainter(QPainter& painter, const QRectF& plot, std::vector<ColumnSpan> spans, double width)
+  ColumnPainter(QPainter& painter, const QRectF& plot, std::vector<ColumnSpan> spans, double width,
+                CurvePart part)
       : painter_(painter),
         plot_(plot),
         spans_(std::move(spans)),
         column_(plot.width() / static_cast<double>(spans_.size())),
-        half_width_(width / 2) {}
+        half_width_(width / 2),
+        part_(part) {}
 
   /// Columns [first, end), none of them empty.
   void draw(std::size_t first, std::size_t end) const {
@@ -90,8 +96,16 @@ class ColumnPainter {
   void fill_each(std::size_t first, std::size_t end) const {
     QVarLengthArray<QRectF, 1024> columns;
     for (std::size_t i = first; i < end; ++i) {
-      columns.append(
-          QRectF(left_of(i), spans_[i].top - half_width_, column_, spans_[i].height() + 2 * half_width_));
+      const double height = spans_[i].height();
+      const bool hollow = part_ != CurvePart::all && height > least_hollow + 2 * half_width_;
+      if (!hollow && part_ != CurvePart::inside) {
+        columns.append(QRectF(left_of(i), spans_[i].top - half_width_, column_, height + 2 * half_width_));
+      } else if (part_ == CurvePart::edges) {
+        columns.append(QRectF(left_of(i), spans_[i].top - half_width_, column_, 2 * half_width_));
+        columns.append(QRectF(left_of(i), spans_[i].bottom - half_width_, column_, 2 * half_width_));
+      } else if (hollow) {
+        columns.append(QRectF(left_of(i), spans_[i].top, column_, height));
+      }
     }
     painter_.drawRects(columns.constData(), static_cast<int>(columns.size()));
   }
@@ -104,6 +118,9 @@ class ColumnPainter {
   }
 
   void fill_band(std::size_t first, std::size_t end) const {
+    if (part_ == CurvePart::inside) {
+      return;
+    }
     QPolygonF outline;
     outline.reserve(2 * static_cast<qsizetype>(end - first) + 4);
     const auto add = [&](std::size_t i, double x, bool upper) {
@@ -133,18 +150,17 @@ class ColumnPainter {
   std::vector<ColumnSpan> spans_;
   double column_;
   double half_width_;
+  CurvePart part_;
 };
 
-}  // namespace
-
-void draw_columns(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
-                  const CurvePen& pen) {
+void draw_part(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
+               const CurvePen& pen, CurvePart part) {
   if (columns.empty()) {
     return;
   }
   painter.setPen(Qt::NoPen);
   painter.setBrush(pen.color);
-  const ColumnPainter columns_painter(painter, plot, joined(columns), pen.width);
+  const ColumnPainter columns_painter(painter, plot, joined(columns), pen.width, part);
   std::size_t first = 0;
   for (std::size_t i = 0; i <= columns.size(); ++i) {
     const bool gap =
@@ -156,6 +172,18 @@ void draw_columns(QPainter& painter, const QRectF& plot, std::span<const ColumnS
       first = i + 1;
     }
   }
+}
+
+}  // namespace
+
+void draw_columns(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
+                  const CurvePen& pen) {
+  draw_part(painter, plot, columns, pen, pen.hollow ? CurvePart::edges : CurvePart::all);
+}
+
+void fill_hollows(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
+                  const CurvePen& pen) {
+  draw_part(painter, plot, columns, pen, CurvePart::inside);
 }
 
 }  // namespace feedscope::ui

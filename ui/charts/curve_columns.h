@@ -21,11 +21,17 @@ struct CurvePen {
   QColor color;
   double width = 1;     ///< [px]
   bool dashed = false;  ///< 6 columns drawn, 4 left out
+  bool hollow = false;  ///< where the curve swings within the columns only its largest and least values
 };
 
 /// Draws a curve over equally wide columns of `plot`. Where it swings to and fro within the columns they are
 /// filled one by one, elsewhere they make one smooth band: linear in the columns, whatever the curve does.
 void draw_columns(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
+                  const CurvePen& pen);
+
+/// Fills what a hollow pen leaves out, so that curves that swing one over the other can all be seen: first
+/// what is inside of each in a pale colour, then each curve.
+void fill_hollows(QPainter& painter, const QRectF& plot, std::span<const ColumnSpan> columns,
                   const CurvePen& pen);
 
 }  // namespace feedscope::ui

@@ -31,7 +31,6 @@ QValueAxis* make_axis(QChart* chart, Qt::Alignment side) {
   font.setPixelSize(11);
   axis->setLabelsFont(font);
   axis->setTickType(QValueAxis::TicksDynamic);
-  axis->setTickAnchor(0);
   axis->setTruncateLabels(false);
   chart->addAxis(axis, side);
   return axis;
@@ -55,7 +54,16 @@ void set_range(QValueAxis* axis, const Interval& range, int most_ticks) {
     axis->setLabelFormat(QStringLiteral("%.%1f").arg(decimals));
   }
   axis->setTickInterval(step);
+  constexpr double nudge = 1e-9;  // of a step: rounding must not make "-0.0" of 0
+  axis->setTickAnchor(nudge * step);
   axis->setRange(range.lower, range.upper);
+}
+
+QColor mixed(const QColor& a, const QColor& b, double share_of_b) {
+  const auto part = [&](int one, int other) {
+    return static_cast<int>(std::lround(std::lerp(one, other, share_of_b)));
+  };
+  return {part(a.red(), b.red()), part(a.green(), b.green()), part(a.blue(), b.blue())};
 }
 
 float magnitude(const std::vector<Extent>& columns) {
@@ -64,6 +72,45 @@ float magnitude(const std::vector<Extent>& columns) {
     largest = extent.empty() ? largest : std::max({largest, extent.max, -extent.min});
   }
   return largest;
+}
+
+std::vector<ColumnSpan> spans_of(const KinematicChart& chart, const QRectF& plot,
+                                 const std::vector<Extent>& extents) {
+  const double beyond = plot.height();  // far values would overflow the rasterizer
+  const auto to_pixel = [&](float value) {
+    const double height = chart.height_of(chart.spec().convert(double{value}));
+    return std::clamp(height, plot.top() - beyond, plot.bottom() + beyond);
+  };
+  std::vector<ColumnSpan> spans(extents.size());
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    if (!extents[i].empty()) {
+      spans[i] = {to_pixel(extents[i].max), to_pixel(extents[i].min)};
+    }
+  }
+  return spans;
+}
+
+QFont limit_font(QFont font) {
+  font.setPixelSize(10);
+  return font;
+}
+
+/// What must be above `values` so that the names of the limits in it do not lie over curves. `plot`: height
+/// [px].
+double room_for_names(const std::vector<LimitLine>& limits, const Interval& values, const QFont& font,
+                      double plot) {
+  const double wanted = QFontMetricsF(limit_font(font)).height() + 2;
+  double highest = values.lower;
+  for (const LimitLine& limit : limits) {
+    highest = limit.value < values.upper ? std::max(highest, limit.value) : highest;
+  }
+  if (!(highest > values.lower) || plot < 2 * wanted) {
+    return 0;
+  }
+  // (upper - highest) / (upper - lower) * plot = wanted
+  const double share = wanted / plot;
+  const double upper = (highest - share * values.lower) / (1 - share);
+  return std::max(0.0, upper - values.upper);
 }
 
 }  // namespace
@@ -180,7 +227,9 @@ void KinematicChart::fit() {
   for (const LimitLine& limit : limits_) {
     limits.push_back(limit.value);
   }
-  values_ = chosen_values_.value_or(fit_values(curves, limits));
+  values_ = fit_values(curves, limits);
+  values_.upper += room_for_names(limits_, values_, font(), chart()->plotArea().height());
+  values_ = chosen_values_.value_or(values_);
   const QRectF plot = chart()->plotArea();
   set_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / tick_distance)));
   set_range(abscissa_, {range_.lower(), range_.upper()}, std::max(2, static_cast<int>(plot.width() / 80)));
@@ -254,7 +303,7 @@ void KinematicChart::draw_picture(QPainter& painter) {
                    Qt::AlignHCenter | Qt::AlignBottom, abscissa_title_);
 }
 
-/// The largest curve first, so that none hides another.
+/// The largest curve first, so that none hides another; what is inside of those that swing below all.
 void KinematicChart::draw_curves(QPainter& painter) const {
   for (const OverlayCurve& overlay : overlays_) {
     draw_extents(painter, overlay.columns, overlay.color, overlay_width, overlay.dashed);
@@ -264,41 +313,41 @@ void KinematicChart::draw_curves(QPainter& painter) const {
   std::vector<std::size_t> order(columns_.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, std::greater(), [&](std::size_t k) { return size[k]; });
+  std::erase_if(order, [&](std::size_t k) { return !shown_[k]; });
   const ThemeColours& colours = theme_colours(palette());
+  const QRectF plot = chart()->plotArea();
   for (const std::size_t k : order) {
-    if (shown_[k]) {
-      const CurveSpec& curve = spec_.curves[k];
-      draw_extents(painter, columns_[k], curve_colour(curve.role, colours), curve.width, false);
-    }
+    constexpr double pale = 0.3;
+    const QColor colour = curve_colour(spec_.curves[k].role, colours);
+    fill_hollows(painter, plot, spans_of(*this, plot, columns_[k]),
+                 {mixed(colours.plot, colour, pale), spec_.curves[k].width});
+  }
+  for (const std::size_t k : order) {
+    const CurveSpec& curve = spec_.curves[k];
+    draw_extents(painter, columns_[k], curve_colour(curve.role, colours), curve.width, false);
   }
 }
 
 void KinematicChart::draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color,
                                   double width, bool dashed) const {
   const QRectF plot = chart()->plotArea();
-  const double beyond = plot.height();  // far values would overflow the rasterizer
-  const auto to_pixel = [&](float value) {
-    return std::clamp(height_of(spec_.convert(double{value})), plot.top() - beyond, plot.bottom() + beyond);
-  };
-  std::vector<ColumnSpan> spans(extents.size());
-  for (std::size_t i = 0; i < extents.size(); ++i) {
-    if (!extents[i].empty()) {
-      spans[i] = {to_pixel(extents[i].max), to_pixel(extents[i].min)};
-    }
-  }
-  draw_columns(painter, plot, spans, {color, width, dashed});
+  draw_columns(painter, plot, spans_of(*this, plot, extents), {color, width, dashed, true});
 }
 
 void KinematicChart::draw_limits(QPainter& painter) const {
   const QRectF plot = chart()->plotArea();
   const ThemeColours& colours = theme_colours(palette());
-  QFont small = font();
-  small.setPixelSize(10);
-  painter.setFont(small);
-  const QFontMetricsF metrics(small);
+  painter.setFont(limit_font(font()));
+  const QFontMetricsF metrics(painter.font());
   QColor behind = colours.plot;
   behind.setAlpha(230);
   double label_right = plot.right() - 4;
+  double highest = plot.bottom();  // of the limits that are seen: their names are above it, where no curve is
+  for (const LimitLine& limit : limits_) {
+    const double top = height_of(limit.value);
+    highest = top > plot.top() && top < highest ? top : highest;
+  }
+  const double above = highest - metrics.height() - 1;
   for (const LimitLine& limit : limits_) {
     const double top = height_of(limit.value);
     const double bottom = height_of(-limit.value);
@@ -307,7 +356,8 @@ void KinematicChart::draw_limits(QPainter& painter) const {
     painter.drawLine(QPointF(plot.left(), bottom), QPointF(plot.right(), bottom));
     if (top > plot.top() && top < plot.bottom()) {
       const double width = metrics.horizontalAdvance(limit.label);
-      const QRectF label(label_right - width, top + 1, width, metrics.height());
+      const double label_top = above >= plot.top() ? above : top + 1;
+      const QRectF label(label_right - width, label_top, width, metrics.height());
       painter.fillRect(label.adjusted(-2, 1, 2, -1), behind);
       painter.drawText(label, Qt::AlignCenter, limit.label);
       label_right -= width + 12;

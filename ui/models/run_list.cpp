@@ -9,8 +9,10 @@ namespace feedscope::ui {
 namespace {
 
 // Okabe and Ito's palette without black and yellow, then darker tones of the same hues.
-constexpr std::array<QRgb, 8> run_colours{0xff0072b2, 0xffd55e00, 0xff009e73, 0xffcc79a7,
-                                          0xffe69f00, 0xff56b4e9, 0xff8c510a, 0xff5e4fa2};
+// None is that of an axis or of another curve in the charts; the first ones are told apart with every kind of
+// colour vision.
+constexpr std::array<QRgb, 8> run_colours{0xff7036c8, 0xff8f4a1e, 0xffe05ab0, 0xff6b8e23,
+                                          0xff4a7dff, 0xffa3213f, 0xff12a5c0, 0xff9a8500};
 
 const std::string tolerance_key = "contour_tolerance_mm";
 const std::string program_tolerance_key = "program_tolerance";  // goes with it

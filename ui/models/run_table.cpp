@@ -203,7 +203,7 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
       QT_TR_NOOP("Cycle time [s, or min:s]; the star marks the fastest run that keeps the error bound"),
       QT_TR_NOOP("Cycle time above that of the fastest run [%]"),
       QT_TR_NOOP("Mean feed: executed path over cycle time without dwells [mm/min]"),
-      QT_TR_NOOP("Largest distance of a programmed corner from the executed path [µm]")};
+      QT_TR_NOOP("Largest distance of the executed path from the programmed one [µm]")};
   const auto i = static_cast<std::size_t>(section);
   if (role == Qt::DisplayRole) {
     return tr(titles[i]);

@@ -29,6 +29,24 @@ QString significant(double value, int digits) {
   return text;
 }
 
+/// What rounding leaves of nothing, in the units of people: 1 nm, 1 ns, 1 nm/s and the like.
+double without_noise(double value, Dimension dimension) {
+  constexpr double least = 1e-6;  // mm, mm/s, mm/s2, mm/s3; rad
+  constexpr double instant = 1e-9;
+  switch (dimension) {
+    case Dimension::length:
+    case Dimension::speed:
+    case Dimension::acceleration:
+    case Dimension::jerk:
+    case Dimension::angle:
+      return std::abs(value) < least ? 0 : value;
+    case Dimension::time:
+      return std::abs(value) < instant ? 0 : value;
+    default:
+      return value;
+  }
+}
+
 /// As people write it: "m/s3" becomes "m/s³".
 QString unit_text(const std::string& unit) {
   QString text = QString::fromStdString(unit);
@@ -66,7 +84,8 @@ QString as_rich_text(const QString& plain) {
 
 }  // namespace
 
-QString WhyText::number(double value, Dimension dimension) {
+QString WhyText::number(double asked, Dimension dimension) {
+  const double value = without_noise(asked, dimension);
   switch (dimension) {
     case Dimension::number:
       return significant(value, 3);
@@ -92,7 +111,7 @@ QString WhyText::number(double value, Dimension dimension) {
 }
 
 QString WhyText::speed(double value) {
-  const double feed = units::to_mm_min(value);
+  const double feed = units::to_mm_min(without_noise(value, Dimension::speed));
   return tr("%1 mm/min").arg(feed >= 100 ? QLocale().toString(feed, 'f', 0) : significant(feed, 3));
 }
 
@@ -286,6 +305,11 @@ QString WhyText::sentence(const SlowerPlace& ahead, const State& now) {
     return tr("It is this slow for the sake of a place further on.");
   }
   return limit_sentence(ahead.reason, there);
+}
+
+QString WhyText::sentence(Cause cause, const Explanation& why) {
+  const bool ahead = why.ahead && why.ahead->reason.cause == cause;
+  return ahead ? sentence(*why.ahead, why.state) : sentence(why);
 }
 
 QString WhyText::formula(const Reason& reason) {

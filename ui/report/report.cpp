@@ -6,8 +6,8 @@
 #include "ui/report/paged_pdf.h"
 #include "ui/report/report_contour.h"
 #include "ui/report/report_html.h"
-#include "ui/report/report_pictures.h"
 #include "ui/report/report_tables.h"
+#include "ui/report/template_pictures.h"
 
 namespace feedscope::ui {
 
@@ -96,26 +96,33 @@ QStringList report_placeholders() {
 
 ReportTemplate load_report_template(const QString& file) {
   const QString name = file.isEmpty() ? shipped_template() : file;
-  return {read_template(name), name, report_placeholders()};
+  return {with_pictures_inside(read_template(name), name), name, report_placeholders()};
 }
 
-std::string make_report(const ReportInput& asked, const ReportTemplate& page, ReportFormat format,
-                        Progress* progress) {
+ReportPage report_page(const ReportInput& asked, const ReportTemplate& page, ReportFormat format,
+                       Progress* progress) {
   const ReportInput input = with_contour_reports(asked, progress);
-  ReportPictures pictures(progress);
-  const QString html = page.filled([&](const QString& name) {
+  ReportPage result{{}, ReportPictures(progress)};
+  result.html = page.filled([&](const QString& name) {
     if (name == screen_section) {
       return format == ReportFormat::html ? name : QString();
     }
     for (const Block& block : blocks()) {
       if (name == QLatin1String(block.name)) {
-        return block.make(input, pictures);
+        return block.make(input, result.pictures);
       }
     }
     return QString();
   });
-  return format == ReportFormat::pdf ? paged_pdf(html, pictures, {input.heading(), input.author, input.date})
-                                     : report_html(html, pictures);
+  return result;
+}
+
+std::string make_report(const ReportInput& input, const ReportTemplate& page, ReportFormat format,
+                        Progress* progress) {
+  const ReportPage report = report_page(input, page, format, progress);
+  return format == ReportFormat::pdf
+             ? paged_pdf(report.html, report.pictures, {input.heading(), input.author, input.date})
+             : report_html(report.html, report.pictures);
 }
 
 }  // namespace feedscope::ui

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "ui/report/report_input.h"
+#include "ui/report/report_pictures.h"
 #include "ui/report/report_template.h"
 
 namespace feedscope::ui {
@@ -14,9 +15,18 @@ enum class ReportFormat : std::uint8_t { pdf, html };
 /// Every placeholder that a template may hold; resources/report/README.md says what each becomes.
 QStringList report_placeholders();
 
-/// The shipped template for "", else the one in `file`. Throws InputError as read_template and
-/// ReportTemplate.
+/// The shipped template for "", else the one in `file` with the pictures that it names inside. Throws
+/// InputError as read_template, with_pictures_inside and ReportTemplate.
 ReportTemplate load_report_template(const QString& file = {});
+
+/// A report before it is laid out.
+struct ReportPage {
+  QString html;  ///< names its pictures
+  ReportPictures pictures;
+};
+/// Throws Cancelled if `progress` is cancelled.
+ReportPage report_page(const ReportInput& input, const ReportTemplate& page, ReportFormat format,
+                       Progress* progress = nullptr);
 
 /// The bytes of the report; needs a QApplication. The same input and template give the same bytes. Throws
 /// Cancelled if `progress` is cancelled.

@@ -14,6 +14,7 @@
 #include "ui/report/report_numbers.h"
 #include "ui/report/scene_picture.h"
 #include "ui/scene/ticks.h"
+#include "ui/theme/fonts.h"
 
 namespace feedscope::ui {
 
@@ -91,6 +92,7 @@ ReportPicture close_up(const ReportInput& input, const ContourPlace& place) {
                                     trajectory.state_at_path(place.path_length + around).time};
   ReportInput seen = input;
   seen.view = view_of(trajectory, times);
+  seen.annotations = annotations_between(input, times[0], times[1]);
   seen.scene.colouring = Colouring::contour_error;
   seen.scene.exaggeration = enlargement(place);
   const QSizeF size = close_up_size();
@@ -125,9 +127,8 @@ QString contour_histogram_block(const ReportInput& input, ReportPictures& pictur
   }
   const QSizeF size(report_width, 230);
   const auto paint = [curves, size](QPainter& painter, double) {
-    QFont font(QStringLiteral("DejaVu Sans"));
-    font.setPixelSize(10);
-    ContourPlot(*curves, QRectF(QPointF(), size), font, theme_colours(QPalette(Qt::white))).draw(painter);
+    ContourPlot(*curves, QRectF(QPointF(), size), paper_font(10), theme_colours(QPalette(Qt::white)))
+        .draw(painter);
   };
   const QString others = curves->runs.size() > 1 ? QStringLiteral(", the other runs as outlines") : QString();
   return figure(pictures.add(QStringLiteral("contour"), {size, false, paint},

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/analysis/ruled_instant.h"
 #include "core/base/units.h"
 #include "ui/charts/comparison_chart.h"
 #include "ui/models/why_text.h"
@@ -22,6 +23,7 @@ constexpr std::size_t most_places = 8;  // in the table
 constexpr std::size_t most_close_ups = 6;
 constexpr std::size_t most_charts = 6;
 constexpr int close_ups_a_row = 2;
+constexpr double view_height = 400;  // [1/96 inch]
 
 /// The current run in 3D. `seen`: the input, with what is to be seen of it.
 ReportPicture scene_picture(const ReportInput& seen, const QSizeF& size) {
@@ -89,6 +91,7 @@ StandardView view_of(const Run& run, const SlowPlace& place) {
 ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const QSizeF& size) {
   ReportInput seen = input;
   seen.view = view_of(input.run().shown->run, place);
+  seen.annotations = annotations_between(input, place.from, place.to);
   seen.scene.colouring = Colouring::feed;
   seen.scene.exaggeration = 1;
   return {size, true, [seen, size, place](QPainter& painter, double pixel_ratio) {
@@ -104,6 +107,19 @@ ReportPicture close_up(const ReportInput& input, const SlowPlace& place, const Q
 }
 
 }  // namespace
+
+std::vector<Annotation> annotations_between(const ReportInput& input, double from, double to) {
+  const Trajectory& trajectory = *input.run().shown->run.trajectory;
+  std::vector<Annotation> found;
+  for (const Annotation& annotation : input.annotations) {
+    const double one = time_of(trajectory, annotation.place);
+    const double other = has_two_places(annotation.kind) ? time_of(trajectory, annotation.until) : one;
+    if (std::min(one, other) <= to && std::max(one, other) >= from) {
+      found.push_back(annotation);
+    }
+  }
+  return found;
+}
 
 QString figure(const QString& picture, const QString& caption) {
   return QStringLiteral(
@@ -156,45 +172,55 @@ void ReportPictures::paint(const QString& name, QPainter& painter, double pixel_
   found->second.paint(painter, pixel_ratio);
 }
 
-QString view_block(const ReportInput& input, ReportPictures& pictures) {
+QString run_view(const ReportInput& input, ReportPictures& pictures, double height) {
   const QString name = html_text(input.run().name);
   const QString caption =
       input.scene.exaggeration > 1
           ? QStringLiteral("Executed path of %1; deviations drawn %2 times as large as they are.")
                 .arg(name, significant(input.scene.exaggeration, 4))
           : QStringLiteral("Programmed and executed path of %1.").arg(name);
-  return figure(pictures.add(QStringLiteral("view"), scene_picture(input, {report_width, 400}),
+  return figure(pictures.add(QStringLiteral("view"), scene_picture(input, {report_width, height}),
                              QStringLiteral("3D view")),
                 caption);
+}
+
+QString view_block(const ReportInput& input, ReportPictures& pictures) {
+  return run_view(input, pictures, view_height);
 }
 
 QString cause_view_block(const ReportInput& input, ReportPictures& pictures) {
   ReportInput seen = input;
   seen.scene.colouring = Colouring::cause;
   return figure(
-      pictures.add(QStringLiteral("causes"), scene_picture(seen, {report_width, 400}),
+      pictures.add(QStringLiteral("causes"), scene_picture(seen, {report_width, view_height}),
                    QStringLiteral("3D view by limiting cause")),
       QStringLiteral("What limits the feed of %1 along the path.").arg(html_text(input.run().name)));
 }
 
-QString charts_block(const ReportInput& input, ReportPictures& pictures) {
-  QString html;
-  const QSizeF size(report_width, 430);
+QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height) {
+  const QSizeF size(report_width, height);
   constexpr double shrunk = 0.84;  // the charts are laid out larger
+  const auto paint = [input, row, size](QPainter& painter, double pixel_ratio) {
+    ChartsPage page;
+    page.set_runs(input, row);
+    page.hide_title();
+    page.set_background(Qt::white);
+    page.prepare((size / shrunk).toSize(), std::max(1.0, shrunk * pixel_ratio));
+    painter.scale(shrunk, shrunk);
+    page.draw(painter, false);
+  };
+  const QString name = input.runs[row].name;
+  return figure(
+      pictures.add(QStringLiteral("charts%1").arg(row), {size, false, paint},
+                   QStringLiteral("Charts of %1").arg(name)),
+      QStringLiteral("Feed with what limits it, acceleration and jerk of %1.").arg(html_text(name)));
+}
+
+QString charts_block(const ReportInput& input, ReportPictures& pictures) {
+  constexpr double height = 430;
+  QString html;
   for (std::size_t i = 0; i < std::min(input.runs.size(), most_charts); ++i) {
-    const auto paint = [input, i, size](QPainter& painter, double pixel_ratio) {
-      ChartsPage page;
-      page.set_runs(input, i);
-      page.hide_title();
-      page.set_background(Qt::white);
-      page.prepare((size / shrunk).toSize(), std::max(1.0, shrunk * pixel_ratio));
-      painter.scale(shrunk, shrunk);
-      page.draw(painter, false);
-    };
-    html += figure(pictures.add(QStringLiteral("charts%1").arg(i), {size, false, paint},
-                                QStringLiteral("Charts of %1").arg(input.runs[i].name)),
-                   QStringLiteral("Feed with what limits it, acceleration and jerk of %1.")
-                       .arg(html_text(input.runs[i].name)));
+    html += run_charts(input, i, pictures, height);
   }
   return html;
 }
@@ -233,13 +259,13 @@ QString slow_places_block(const ReportInput& input) {
   double listed = 0;
   for (const AlikePlaces& places : worst_places(input, most_places)) {
     const SlowPlace& place = places.worst;
-    const Explanation why = explain(run, run.trajectory->state(place.slowest));
+    const Explanation why = explain(run, run.trajectory->state(ruled_instant(*run.trajectory, place)));
     const QString cause = WhyText::cause(place.cause).toHtmlEscaped();
     table.add(
         {QString::number(++number), lines_text(places), fixed(places.loss, 3),
          QStringLiteral("%1 of %2")
              .arg(fixed(units::to_mm_min(place.feed), 0), fixed(units::to_mm_min(place.programmed_feed), 0)),
-         QStringLiteral("<b>%1.</b> %2").arg(cause, WhyText::sentence(why).toHtmlEscaped())});
+         QStringLiteral("<b>%1.</b> %2").arg(cause, WhyText::sentence(place.cause, why).toHtmlEscaped())});
     listed += places.loss;
   }
   if (table.empty()) {
@@ -248,7 +274,7 @@ QString slow_places_block(const ReportInput& input) {
   return table.html() +
          QStringLiteral(
              "<p class=\"caption\">%1 places lose %2 s against the programmed feed; the %3 listed lose "
-             "%4 s of it. “Why” is said of the slowest instant.</p>\n")
+             "%4 s of it. “Why” names what most of the time is lost to.</p>\n")
              .arg(found.count)
              .arg(fixed(found.loss, 3))
              .arg(number)
@@ -274,10 +300,7 @@ QString notes_block(const ReportInput& input) {
   if (input.annotations.empty()) {
     return html;
   }
-  ReportInput seen = input;
-  seen.view = StandardView::iso;  // all of the path, and so all annotations
-  for (const QString& note :
-       ScenePicture(seen, seen.current, ThemeKind::light).annotation_texts({800, 600}, {})) {
+  for (const QString& note : ScenePicture(input, input.current, ThemeKind::light).annotation_texts()) {
     html += QStringLiteral("<li>%1</li>\n").arg(html_text(note).replace('\n', QStringLiteral("<br/>")));
   }
   return html.isEmpty() ? html : QStringLiteral("<ol>\n%1</ol>\n").arg(html);

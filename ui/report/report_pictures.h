@@ -46,7 +46,15 @@ QString close_up_table(const std::vector<std::pair<QString, QString>>& pictures)
 /// The size of a picture there.
 QSizeF close_up_size();
 
+/// The annotations of the current run that belong to what it does between two times [s]: what a close-up
+/// shows of them.
+std::vector<Annotation> annotations_between(const ReportInput& input, double from, double to);
+
 // Blocks with pictures as HTML.
+
+/// The current run in 3D as `view_block`, and the charts of one run, so high [1/96 inch].
+QString run_view(const ReportInput& input, ReportPictures& pictures, double height);
+QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height);
 
 /// The current run in 3D, with the annotations, coloured as the input says.
 QString view_block(const ReportInput& input, ReportPictures& pictures);

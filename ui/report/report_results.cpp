@@ -57,7 +57,7 @@ QString one_run_sentence(const ReportRun& run) {
   const Summary& summary = summary_of(run);
   return QStringLiteral(
              "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "
-             "%6 mm/min; the path comes within <b>%7 µm</b> of the programmed path.")
+             "%6 mm/min; the path stays within <b>%7 µm</b> of the programmed path.")
       .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name), clock_text(summary.cycle_time),
            significant(against_programmed(summary), 3), clock_text(summary.programmed_time),
            fixed(units::to_mm_min(summary.mean_feed), 0), micrometres(summary.max_contour_error));

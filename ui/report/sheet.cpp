@@ -18,6 +18,7 @@
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/scene_picture.h"
+#include "ui/theme/fonts.h"
 
 namespace feedscope::ui {
 
@@ -38,14 +39,6 @@ struct Colours {
 Colours colours_of(ThemeKind theme) {
   return theme == ThemeKind::dark ? Colours{"#9cc7f0", "#e3e6e9", "#a0a6ad", "#4a4f55", "#2d3136", "#1b1d20"}
                                   : Colours{"#16324f", "#22262a", "#5a6068", "#c8cdd2", "#f1f4f7", "#ffffff"};
-}
-
-QFont font_of(double pixels, bool bold = false) {
-  QFont font(QStringLiteral("DejaVu Sans"));
-  font.setPixelSize(static_cast<int>(pixels));
-  font.setBold(bold);
-  font.setHintingPreference(QFont::PreferNoHinting);
-  return font;
 }
 
 class SheetPainter {
@@ -103,7 +96,7 @@ class SheetPainter {
 
   void draw_title(const QRectF& room) {
     const Setup& setup = input_.run().shown->run.setup;
-    write({room.left(), room.top(), room.width(), 30}, font_of(22, true), colours_.title, Qt::AlignLeft,
+    write({room.left(), room.top(), room.width(), 30}, paper_font(22, true), colours_.title, Qt::AlignLeft,
           input_.heading());
     QStringList right;
     for (const QString& part :
@@ -114,7 +107,7 @@ class SheetPainter {
       }
     }
     const QString told = right.join(QStringLiteral(" · "));
-    const QFont small = font_of(11);
+    const QFont small = paper_font(11);
     const double used = told.isEmpty() ? 0 : QFontMetricsF(small).horizontalAdvance(told) + 20;
     QStringList left{program_file_name(*input_.program().program),
                      QString::fromStdString(setup.machine.name)};
@@ -147,16 +140,23 @@ class SheetPainter {
       painter_.setBrush(colours_.tile);
       painter_.drawRoundedRect(tile, 4, 4);
       painter_.setBrush(Qt::NoBrush);
-      write({left + 12, tile.top() + 6, width - 20, 22}, font_of(16, true), colours_.text, Qt::AlignLeft,
+      write({left + 12, tile.top() + 6, width - 20, 22}, paper_font(16, true), colours_.text, Qt::AlignLeft,
             value);
-      write({left + 12, tile.top() + 29, width - 20, 14}, font_of(10), colours_.muted, Qt::AlignLeft, name);
+      write({left + 12, tile.top() + 29, width - 20, 14}, paper_font(10), colours_.muted, Qt::AlignLeft,
+            name);
       left += width + 8;
     }
   }
 
   void draw_footer(const QRectF& room) {
-    write(room, font_of(9), colours_.muted, Qt::AlignLeft, input_.commands.value(0));
-    write(room, font_of(9), colours_.muted, Qt::AlignRight,
+    const QString command = input_.commands.value(0);
+    constexpr int smallest = 5;  // [1/96 inch]
+    int pixels = 9;
+    while (pixels > smallest && QFontMetricsF(paper_font(pixels)).horizontalAdvance(command) > room.width()) {
+      --pixels;  // a command with a piece left out could not be run
+    }
+    write(room, paper_font(pixels), colours_.muted, Qt::AlignLeft, command);
+    write(room, paper_font(9), colours_.muted, Qt::AlignRight,
           input_.commands.isEmpty() ? QStringLiteral("Feedscope %1").arg(QStringLiteral(FEEDSCOPE_VERSION))
                                     : QString());
   }
@@ -247,7 +247,7 @@ class SheetPainter {
   /// Made smaller where it would not fit.
   void draw_html(const QRectF& room, const QString& contents) {
     QTextDocument document;
-    document.setDefaultFont(font_of(11));
+    document.setDefaultFont(paper_font(11));
     document.setUseDesignMetrics(true);
     document.setDocumentMargin(0);
     document.setDefaultStyleSheet(

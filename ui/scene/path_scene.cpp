@@ -26,6 +26,15 @@ constexpr double cube_half = 24;    // [pixels]
 constexpr double cube_height = 98;  // of its centre, above the lower edge
 constexpr int layer_count = 3;
 
+/// Where the path is not rapid.
+void add_cutting(const SampledPath& path, Bounds& bounds) {
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if (path.kinds[i] != SpanKind::rapid || (i > 0 && path.kinds[i - 1] != SpanKind::rapid)) {
+      bounds.add(path.position(i));
+    }
+  }
+}
+
 void call_before(vtkRenderer& renderer, void* data, void (*call)(vtkObject*, unsigned long, void*, void*)) {
   const vtkNew<vtkCallbackCommand> before;
   before->SetClientData(data);
@@ -56,7 +65,7 @@ class PathScene::Impl {
     call_before(*front, this, [](vtkObject*, unsigned long, void* self, void*) {
       auto& scene = *static_cast<Impl*>(self);
       const double reach = scene.tool_drawn.reach(scene.projection(), scene.frame, scene.scale);
-      scene.camera.set_clipping(reach, reach);
+      scene.camera.set_clipping(reach + scene.frame.beyond, reach + scene.frame.beyond);
     });
     camera.look(StandardView::iso);
     apply_colours();
@@ -97,13 +106,15 @@ class PathScene::Impl {
     const bool fitted = camera.fitted();
     const CameraState state = camera.state(frame);
     Bounds content;
+    Bounds cutting;
     for (const auto& path : {programmed, executed_samples}) {
       if (path && !path->bounds.empty()) {
         content.add(path->bounds.min);
         content.add(path->bounds.max);
+        add_cutting(*path, cutting);
       }
     }
-    frame = frame_around(content);
+    frame = frame_around(cutting, content);
     layers.show(programmed, executed_samples, overlays, frame);
     camera.set_state(state, frame);
     if (fitted) {
@@ -150,7 +161,7 @@ class PathScene::Impl {
     layers.place(frame, view, scale, moving);
     tool_drawn.place(tip, view, frame, scale);
     constexpr double lifted = 40;  // pixels at most, of the path's layers
-    camera.set_clipping(lifted * scale / view.scale);
+    camera.set_clipping(lifted * scale / view.scale + frame.beyond, frame.beyond);
 
     under.begin();
     draw(lay_out_axes(frame, view, scale), scale, grid, colours(), texts, under);
@@ -489,6 +500,11 @@ Vec3 PathScene::drawn_at(double time) const {
   }
   const Vec3 place = impl_->trajectory->state(time).position;
   return place + (exaggeration() - 1) * deviation_at(impl_->pickable(), time);
+}
+
+std::array<Pixel, 2> PathScene::path_room() const {
+  const ScreenLayout layout = impl_->layout();
+  return {Pixel{0, layout.legend_height}, Pixel{layout.width - layout.panel_width, layout.height}};
 }
 
 Pixel PathScene::pixel_of(const Vec3& point) const {

@@ -5,6 +5,8 @@
 #include <QLocale>
 #include <cstdio>
 
+#include "ui/theme/fonts.h"
+
 namespace feedscope::ui {
 namespace {
 
@@ -29,7 +31,7 @@ OffscreenApplication::OffscreenApplication(ThemeKind theme, double pixel_ratio) 
   apply_theme(theme);
   QFont font = QApplication::font();
   font.setFamily(QStringLiteral("DejaVu Sans"));  // in every package list, as the system's font is not
-  QApplication::setFont(font);
+  QApplication::setFont(without_ligatures(font));
 }
 
 OffscreenApplication::~OffscreenApplication() = default;

@@ -298,7 +298,7 @@ void WhyView::show_reason(const Explanation& why) {
           ? tr("Line %1, %2 s: %3 of %4, %5\u00a0%")
                 .arg(QString::number(state.line), QLocale().toString(state.time, 'f', 3), feed,
                      WhyText::speed(state.programmed_feed),
-                     QLocale().toString(100 * state.speed / state.programmed_feed, 'f', 0))
+                     QLocale().toString(std::abs(100 * state.speed / state.programmed_feed), 'f', 0))
           : tr("Line %1, %2 s").arg(QString::number(state.line), QLocale().toString(state.time, 'f', 3)));
   sentence_->setText(WhyText::sentence(why));
   const QString formula = WhyText::formula(why.reason);

@@ -185,6 +185,32 @@ TEST_P(ExplanationOfSamples, FormulasGiveWhatTheRunHas) {
   EXPECT_GT(ahead.share(), 0.98) << ahead.exact << " of " << ahead.all;
 }
 
+/// At standstills, on stops and blends too: sizes are no negative numbers, and what is ahead is not behind.
+TEST_P(ExplanationOfSamples, NumbersAreSizes) {
+  for (const char* name : {"essid_table1.nc", "tapie_circle_30.nc", "msaddek_pocket.nc", "fanuc_flange.nc",
+                           "lesson_corners.nc", "lesson_short_blocks.nc", "trochoidal_slot.nc"}) {
+    const SimulatedRun run = run_of(sample(name), GetParam(), "spinner-mvc850");
+    const auto check = [&](const Reason& reason, double time) {
+      for (const Quantity& quantity : reason.formula.numbers) {
+        EXPECT_GE(quantity.value, 0) << name << " at " << time << " s: " << reason.formula.text();
+        EXPECT_TRUE(std::isfinite(quantity.value)) << name << " at " << time << " s";
+      }
+      EXPECT_GE(reason.formula.value(), 0) << name << " at " << time << " s: " << reason.formula.text();
+    };
+    constexpr int instants = 400;
+    for (int i = 0; i <= instants; ++i) {
+      const State state = run.trajectory->state(run.trajectory->duration() * i / instants);
+      const Explanation why = explain(run, state);
+      check(why.reason, state.time);
+      if (why.ahead) {
+        check(why.ahead->reason, state.time);
+        EXPECT_GE(why.ahead->path_length - state.path_length, -1e-9) << name << " at " << state.time << " s";
+        EXPECT_GE(why.ahead->time, state.time) << name;
+      }
+    }
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Models, ExplanationOfSamples,
                          ::testing::Values("essid", "gassara", "tapie", "msaddek"),
                          [](const auto& instance) { return std::string(instance.param); });

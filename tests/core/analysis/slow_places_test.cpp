@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <random>
 
+#include "core/analysis/explanation/explanation.h"
+#include "core/analysis/ruled_instant.h"
 #include "core/models/control_model.h"
 #include "tests/core/analysis/hand_made_run.h"
+#include "tests/support/folders.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -187,6 +191,30 @@ TEST(SlowPlaces, AccountForAllTimeThatEveryModelLoses) {
     EXPECT_NEAR(sum, found.loss, 1e-5 * scale) << model->info().id;
     EXPECT_EQ(found.places.size() > 3, model->info().id != "cam") << model->info().id;  // which loses none
   }
+}
+
+/// What is said of a place must be said of an instant that its cause rules.
+TEST(SlowPlaces, OfSamplesAreExplainedByTheirOwnCause) {
+  int looked_at = 0;
+  for (const char* name : {"essid_table1.nc", "msaddek_pocket.nc", "fanuc_flange.nc", "lesson_corners.nc",
+                           "lesson_short_blocks.nc", "trochoidal_slot.nc", "tapie_bore.nc"}) {
+    const LoadedProgram program =
+        load_program(std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "resources/programs" / name);
+    for (const char* model : {"essid", "gassara", "tapie", "msaddek", "ward", "optimal"}) {
+      const feedscope::Run run = simulate_run(program, make_setup({"", model, {}, {}}));
+      for (const SlowPlace& place : find_slow_places(*run.trajectory, 30).places) {
+        const double instant = ruled_instant(*run.trajectory, place);
+        const Explanation why = explain(run, run.trajectory->state(instant));
+        EXPECT_GE(instant, place.from) << name << ", " << model;
+        EXPECT_LE(instant, place.to) << name << ", " << model;
+        const Cause told = why.ahead ? why.ahead->reason.cause : why.reason.cause;
+        EXPECT_EQ(cause_key(told), cause_key(place.cause))
+            << name << ", " << model << ", " << instant << " s";
+        ++looked_at;
+      }
+    }
+  }
+  EXPECT_GT(looked_at, 200);
 }
 
 }  // namespace

@@ -100,5 +100,45 @@ TEST(CurveColumns, EmptyColumnsAndDashesStayWhite) {
   EXPECT_EQ(drawn({}).pixelColor(10, 50), QColor(Qt::white));
 }
 
+/// Two curves that swing over the whole height within each column: both are still to be seen.
+TEST(CurveColumns, CurvesThatSwingDoNotHideEachOther) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> noise(0, 3);
+  std::vector<ColumnSpan> wide;
+  std::vector<ColumnSpan> narrow;
+  for (int x = 0; x < width; ++x) {
+    wide.push_back({5 + noise(random), 95 - noise(random)});
+    narrow.push_back({20 + noise(random), 80 - noise(random)});
+  }
+  QImage image(width, height, QImage::Format_RGB32);
+  image.fill(Qt::white);
+  QPainter painter(&image);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QRectF plot(0, 0, width, height);
+  const CurvePen red{Qt::red, 1.2, false, true};
+  const CurvePen blue{Qt::blue, 1.2, false, true};
+  fill_hollows(painter, plot, wide, {QColor(255, 200, 200), 1.2});
+  fill_hollows(painter, plot, narrow, {QColor(200, 200, 255), 1.2});
+  draw_columns(painter, plot, wide, red);
+  draw_columns(painter, plot, narrow, blue);
+  painter.end();
+  const auto count = [&](int y0, int y1, auto test) {
+    int found = 0;
+    for (int y = y0; y < y1; ++y) {
+      for (int x = 0; x < width; ++x) {
+        found += test(image.pixelColor(x, y)) ? 1 : 0;
+      }
+    }
+    return found;
+  };
+  const auto is_red = [](const QColor& c) { return c.red() > 200 && c.green() < 60; };
+  const auto is_blue = [](const QColor& c) { return c.blue() > 200 && c.green() < 60; };
+  const auto is_pale = [](const QColor& c) { return c.green() > 150 && c.green() < 250; };
+  EXPECT_GT(count(0, 12, is_red), width / 2) << "upper edge of the wide curve";
+  EXPECT_GT(count(88, height, is_red), width / 2);
+  EXPECT_GT(count(15, 30, is_blue), width / 2) << "upper edge of the narrow curve";
+  EXPECT_GT(count(30, 70, is_pale), 0.95 * 40 * width) << "the inside is pale";
+}
+
 }  // namespace
 }  // namespace feedscope::ui

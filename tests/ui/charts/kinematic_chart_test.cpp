@@ -5,6 +5,7 @@
 #include <QValueAxis>
 #include <array>
 #include <cmath>
+#include <random>
 
 namespace feedscope::ui {
 namespace {
@@ -77,6 +78,39 @@ TEST_F(JerkChart, ShowsALimitThatIsNotFarAway) {
   EXPECT_LE(lowest(), -6);
   show({0, 200}, {-1, 2}, {0, 0});
   EXPECT_LT(highest(), 6);
+}
+
+TEST_F(JerkChart, NamesOfLimitsLieAboveTheCurves) {
+  for (const float peak : {5.99F, 4.0F, 3.5F}) {
+    chart().set_limits({{6, "limit of X Y", {}}});
+    show({0, 0}, {-peak, peak}, {-1, 1});
+    const double limit = chart().height_of(6);
+    const QRectF plot = chart().chart()->plotArea();
+    EXPECT_GE(limit - plot.top(), 11) << "room for a line of text above the limit";
+  }
+}
+
+/// Zero and its neighbours for every range: "-0.0" is none of their labels.
+TEST_F(JerkChart, ZeroHasNoSignInAnyRange) {
+  std::mt19937 random(9);
+  std::uniform_real_distribution<double> exponent(-3, 5);
+  for (int i = 0; i < 300; ++i) {
+    const double size = std::pow(10.0, exponent(random));
+    const double lower = -size * (0.05 + 0.01 * (i % 100));
+    chart().choose_values(Interval{lower, size});
+    const auto& axis = *qobject_cast<QValueAxis*>(chart().chart()->axes(Qt::Vertical).front());
+    const double step = axis.tickInterval();
+    // As Qt Charts finds its ticks: from the anchor down to the lower end, then up step by step.
+    double tick = axis.tickAnchor() - std::floor((axis.tickAnchor() - axis.min()) / step) * step;
+    int zeros = 0;
+    for (; tick <= axis.max(); tick += step) {
+      const QString label = QString::asprintf(axis.labelFormat().toLatin1().constData(), tick);
+      EXPECT_FALSE(label.startsWith('-') && label.toDouble() == 0)
+          << label.toStdString() << " of step " << step;
+      zeros += label.toDouble() == 0 ? 1 : 0;
+    }
+    EXPECT_EQ(zeros, 1) << lower << " to " << size;
+  }
 }
 
 }  // namespace

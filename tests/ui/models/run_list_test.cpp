@@ -3,10 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QPalette>
 #include <QSignalSpy>
+#include <cmath>
 
 #include "core/base/error.h"
+#include "tests/support/cielab.h"
 #include "tests/ui/run_fixture.h"
+#include "ui/theme/theme.h"
 
 namespace feedscope::ui {
 namespace {
@@ -130,6 +134,32 @@ TEST_F(RunListTest, ATitleSaysModelToleranceAndWhatIsChanged) {
   EXPECT_EQ(run_title(runs.items()[0]).toStdString(), "essid, 0.05 mm, X.jerk 3");
   runs.rename(0, "mine");
   EXPECT_EQ(run_title(runs.items()[0]).toStdString(), "mine");
+}
+
+/// In the charts curves of other runs lie among those of the axes.
+TEST(RunColour, IsThatOfNoCurveInAnyTheme) {
+  const auto lab = [](const QColor& colour) {
+    return test::to_lab(test::to_linear({colour.redF(), colour.greenF(), colour.blueF()}));
+  };
+  const auto distance = [&](const QColor& one, const QColor& other) {
+    const auto a = lab(one);
+    const auto b = lab(other);
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  };
+  constexpr double told_apart = 18;  // [CIELAB]
+  for (std::size_t run = 0; run < 8; ++run) {
+    for (const QColor& window : {QColor(Qt::white), QColor(Qt::black)}) {
+      const ThemeColours& theme = theme_colours(QPalette(window));
+      for (const QColor& curve :
+           {theme.axes[0], theme.axes[1], theme.axes[2], theme.path, theme.programmed}) {
+        EXPECT_GT(distance(run_colour(run), curve), told_apart)
+            << "run " << run + 1 << ", " << curve.name().toStdString();
+      }
+    }
+    for (std::size_t other = 0; other < run; ++other) {
+      EXPECT_GT(distance(run_colour(run), run_colour(other)), told_apart) << run + 1 << " and " << other + 1;
+    }
+  }
 }
 
 }  // namespace

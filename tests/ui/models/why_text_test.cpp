@@ -89,5 +89,14 @@ TEST_F(WhyTextTest, NumbersAreRoundedToWhatCounts) {
   QLocale::setDefault(QLocale::c());
 }
 
+TEST(WhyText, NothingIsZeroAndHasNoSign) {
+  EXPECT_EQ(WhyText::speed(-6.2e-10), "0 mm/min");
+  EXPECT_EQ(WhyText::speed(6.2e-10), "0 mm/min");
+  EXPECT_EQ(WhyText::number(-1e-12, Dimension::length), "0 mm");
+  EXPECT_EQ(WhyText::number(1e-15, Dimension::time), "0 ms");
+  EXPECT_EQ(WhyText::number(-1e-9, Dimension::acceleration), "0 m/s²");
+  EXPECT_EQ(WhyText::number(1e-5, Dimension::length), "1E-05 mm");
+}
+
 }  // namespace
 }  // namespace feedscope::ui

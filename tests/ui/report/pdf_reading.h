@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cctype>
 #include <map>
 #include <memory>
 #include <qpdf/QPDF.hh>
@@ -51,6 +53,23 @@ class PdfReading {
       }
     }
     return fonts > 0;
+  }
+  /// What copying text gives that nobody has typed: ligatures as characters of their own, U+FB00 to U+FB06,
+  /// as the file's maps from glyphs to text have them.
+  std::vector<std::string> copied_ligatures() {
+    std::vector<std::string> found;
+    for (QPDFObjectHandle object : pdf_.getAllObjects()) {
+      if (!object.isDictionary() || !object.hasKey("/ToUnicode")) {
+        continue;
+      }
+      const auto map = object.getKey("/ToUnicode").getStreamData();
+      std::string text(reinterpret_cast<const char*>(map->getBuffer()), map->getSize());
+      std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return std::toupper(c); });
+      for (std::size_t at = text.find("<FB0"); at != std::string::npos; at = text.find("<FB0", at + 1)) {
+        found.push_back(text.substr(at, 6));
+      }
+    }
+    return found;
   }
   /// Pictures in the file: width and height [pixels] of each that is no mask.
   std::vector<std::pair<int, int>> images() {

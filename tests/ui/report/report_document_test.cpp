@@ -1,16 +1,12 @@
 #include <gmock/gmock.h>
 
-#include <QAbstractTextDocumentLayout>
 #include <QRegularExpression>
 #include <QSvgRenderer>
-#include <QTextBlock>
-#include <QTextDocument>
-#include <QTextTable>
 
 #include "tests/ui/report/pdf_reading.h"
 #include "tests/ui/report/report_fixture.h"
-#include "ui/report/page_breaks.h"
 #include "ui/report/report.h"
+#include "ui/theme/offscreen_application.h"
 
 namespace feedscope::ui {
 namespace {
@@ -121,53 +117,48 @@ TEST(Report, CanBeCancelled) {
                Cancelled);
 }
 
-/// Pages of `height`, text of one size.
-void lay_out(QTextDocument& document, const QString& html, double height) {
-  QFont font(QStringLiteral("DejaVu Sans"));
-  font.setPixelSize(11);
-  document.setDefaultFont(font);
-  document.setDocumentMargin(0);
-  document.setHtml(html);
-  document.setPageSize({400, height});
-  keep_together(document, height);
+TEST(Report, PdfTextIsCopiedAsItIsRead) {
+  const OffscreenApplication application;
+  ReportInput input = test::two_runs("ff_fi_fl_ffi_affluent_profile.nc");
+  input.title = "Official fluffy profile of a stiff flange";
+  input.annotations = {test::note("ffi fluff")};
+  const std::string bytes = made(input, ReportFormat::pdf);
+  EXPECT_THAT(test::PdfReading(bytes).copied_ligatures(), testing::IsEmpty());
 }
 
-int page_of(const QTextDocument& document, const QTextBlock& block, double height) {
-  return static_cast<int>(document.documentLayout()->blockBoundingRect(block).top() / height);
+TEST(Report, HtmlFitsANarrowScreen) {
+  const std::string html = made(test::two_runs(), ReportFormat::html);
+  EXPECT_THAT(html, HasSubstr("<meta name=\"viewport\" content=\"width=device-width"));
+  EXPECT_THAT(html, HasSubstr("overflow-x: auto"));
 }
 
-TEST(PageBreaks, AHeadingStaysWithWhatFollows) {
-  constexpr double height = 300;
-  for (int lines = 0; lines < 30; ++lines) {
-    QTextDocument document;
-    const QString filler = QStringLiteral("<p>line</p>").repeated(lines);
-    lay_out(document, filler + "<h2>Head</h2><h3>Part</h3><p>text</p>", height);
-    QTextBlock text = document.lastBlock();
-    EXPECT_EQ(page_of(document, text.previous(), height), page_of(document, text, height)) << lines;
-    EXPECT_EQ(page_of(document, text.previous().previous(), height), page_of(document, text, height))
-        << lines;
+TEST(Report, CloseUpsHoldTheAnnotationsOfTheirPlaceOnly) {
+  ReportInput input = test::two_runs();
+  const Trajectory& trajectory = *input.run().shown->run.trajectory;
+  for (std::uint32_t segment = 0; segment < 4; ++segment) {
+    Annotation annotation = test::note(QString::number(segment));
+    annotation.place = {segment, 0.5};
+    input.annotations.push_back(annotation);
   }
-}
-
-TEST(PageBreaks, ARowOfATableIsNotCut) {
-  constexpr double height = 300;
-  for (int lines = 0; lines < 24; ++lines) {
-    QTextDocument document;
-    const QString cell = QStringLiteral("<td>%1</td>").arg(QStringLiteral("word<br/>").repeated(4));
-    lay_out(document,
-            QStringLiteral("<p>line</p>").repeated(lines) + "<table>" +
-                QStringLiteral("<tr>%1%1</tr>").arg(cell).repeated(6) + "</table>",
-            height);
-    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
-      const QTextLayout& layout = *block.layout();
-      if (layout.lineCount() > 1) {
-        const double top = document.documentLayout()->blockBoundingRect(block).top();
-        const double first = top + layout.lineAt(0).y();
-        const double last = top + layout.lineAt(layout.lineCount() - 1).y();
-        EXPECT_EQ(static_cast<int>(first / height), static_cast<int>(last / height)) << lines;
-      }
+  const double duration = trajectory.duration();
+  constexpr int parts = 12;
+  std::size_t seen = 0;
+  for (int i = 0; i < parts; ++i) {
+    const double from = duration * i / parts;
+    const double to = duration * (i + 1) / parts;
+    for (const Annotation& annotation : annotations_between(input, from, to)) {
+      const double time = time_of(trajectory, annotation.place);
+      EXPECT_TRUE(from <= time && time <= to);
+      ++seen;
     }
   }
+  EXPECT_EQ(seen, input.annotations.size()) << "each in one part";
+  Annotation region = test::note("over all");
+  region.kind = AnnotationKind::region;
+  region.place = {0, 0.0};
+  region.until = {3, 1.0};
+  input.annotations = {region};
+  EXPECT_EQ(annotations_between(input, 0.4 * duration, 0.5 * duration).size(), 1U);
 }
 
 }  // namespace

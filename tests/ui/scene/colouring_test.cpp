@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <set>
 
 #include "core/base/units.h"
@@ -61,6 +63,60 @@ TEST(ColourKey, LeavesRarePeaksOutOfTheScaleAndSaysSo) {
   key = colour_key(with_values(Quantity::jerk, values), Colouring::jerk);
   EXPECT_TRUE(key.scale.beyond);
   EXPECT_NEAR(key.scale.high, 0.9, 0.011);
+}
+
+TEST(ColourKey, OfFeedIsThatOfTheTimeAndNotOfOneFastMove) {
+  // Four of 100 seconds at a feed 40 times as high as in the others.
+  std::vector<double> feeds(100, units::from_mm_min(300));
+  for (std::size_t i = 50; i < 54; ++i) {
+    feeds[i] = units::from_mm_min(12000);
+  }
+  SampledPath path = with_values(Quantity::feed, feeds);
+  path.peak_feed = units::from_mm_min(12000);
+  const ColourScale cut = colour_key(path, Colouring::feed).scale;
+  EXPECT_TRUE(cut.beyond);
+  EXPECT_NEAR(cut.high, 300, 15);
+  // As fast for half of the time, it is no exception.
+  for (std::size_t i = 0; i < 50; ++i) {
+    path.values[static_cast<std::size_t>(Quantity::feed)][i] = Stored(float(path.peak_feed));
+  }
+  const ColourScale whole = colour_key(path, Colouring::feed).scale;
+  EXPECT_FALSE(whole.beyond);
+  EXPECT_NEAR(whole.high, 12000, 600);
+}
+
+TEST(ColourKey, OfTimeLostIsThatOfThePathOnWhichAnyIsLost) {
+  // A stretch of loss with one place a thousand times as bad, in a path that loses nothing to speak of.
+  std::vector<double> lost(10'000, 1e-9);
+  for (std::size_t i = 4000; i < 4200; ++i) {
+    lost[i] = (i % 2 == 0 ? 1 : -1) * 0.005;
+  }
+  lost[4100] = 0.1;
+  const ColourKey key = colour_key(with_values(Quantity::time_lost, lost), Colouring::time_lost);
+  EXPECT_TRUE(key.scale.beyond);
+  EXPECT_NEAR(key.scale.high, 5, 0.5) << "ms/mm";
+  EXPECT_EQ(key.scale.low, -key.scale.high);
+}
+
+/// However the values are spread: of what counts at most the rare share lies beyond, and a scale says so.
+TEST(ColourKey, HoldsAllButWhatIsRareAndSaysWhatItLeavesOut) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 40; ++round) {
+    std::lognormal_distribution<double> spread(-3, 0.2 + 0.1 * round);
+    std::vector<double> values(3000);
+    std::ranges::generate(values, [&] { return spread(random); });
+    for (const auto& [colouring, quantity] : {std::pair{Colouring::feed, Quantity::feed},
+                                              {Colouring::jerk, Quantity::jerk},
+                                              {Colouring::time_lost, Quantity::time_lost}}) {
+      SampledPath path = with_values(quantity, values);
+      path.peak_feed = *std::ranges::max_element(values);
+      const ColourScale scale = colour_key(path, colouring).scale;
+      const auto beyond =
+          std::ranges::count_if(values, [&](double value) { return scale.position(value) > 1.005; });
+      EXPECT_EQ(beyond > 0, scale.beyond) << "round " << round;
+      EXPECT_LE(beyond, 0.051 * 3000) << "round " << round;
+    }
+  }
 }
 
 TEST(ColourKey, OfContourErrorTakesMicrometresOrMillimetres) {

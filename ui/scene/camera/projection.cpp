@@ -24,12 +24,32 @@ SceneFrame frame_around(const Bounds& content) {
     box.max += Vec3(extent / 2, extent / 2, 0);
   }
   frame.unit = extent;
+  frame.extent = extent;
   for (int axis = 0; axis < 3; ++axis) {
     double half = (box.max[axis] - box.min[axis]) / 2 / extent;
     half = half < 1e-7 ? 0.0 : half + std::min(air, half);
     frame.box.add(axis, -half);
     frame.box.add(axis, half);
   }
+  return frame;
+}
+
+SceneFrame frame_around(const Bounds& main, const Bounds& all) {
+  constexpr double close = 0.2;  // of the largest extent of what is shown
+  if (main.empty() || all.empty()) {
+    return frame_around(main.empty() ? all : main);
+  }
+  const double reach = close * (main.max - main.min).maxCoeff();
+  if (!(reach > 0)) {
+    return frame_around(all);
+  }
+  Bounds near = main;
+  near.add(all.min.cwiseMax(main.min - Vec3::Constant(reach)));
+  near.add(all.max.cwiseMin(main.max + Vec3::Constant(reach)));
+  SceneFrame frame = frame_around(near);
+  frame.extent = (all.max - all.min).maxCoeff();
+  const Vec3 past = (near.min - all.min).cwiseMax(all.max - near.max).cwiseMax(0);
+  frame.beyond = past.norm() / frame.unit;
   return frame;
 }
 

@@ -17,6 +17,8 @@ struct SceneFrame {
   Vec3 centre = Vec3::Zero();  ///< [mm]
   double unit = 1;             ///< [mm]
   Bounds box;                  ///< of the axes, in scene coordinates
+  double extent = 1;           ///< largest one of all that is drawn, what is outside the box too [mm]
+  double beyond = 0;           ///< how far outside the box something may be, in scene coordinates
 
   Vec3 to_scene(const Vec3& point) const { return (point - centre) / unit; }
   double to_mm(int axis, double coordinate) const { return centre[axis] + coordinate * unit; }
@@ -25,6 +27,9 @@ struct SceneFrame {
 /// Frame around `content` [mm] with a little air; a flat extent stays flat, a single point or nothing gets a
 /// plane of 100 mm.
 SceneFrame frame_around(const Bounds& content);
+/// Frame around `main`, what a picture is to show, and as much of `all` as is close to it: rapids high above
+/// a part would leave little of the picture to it.
+SceneFrame frame_around(const Bounds& main, const Bounds& all);
 
 /// One frame's projection: where the camera puts scene coordinates.
 struct Projection {

@@ -12,8 +12,15 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr double usual_share = 0.995;  // of the points that a scale must hold
-constexpr double far_beyond = 1.6;     // times that, from which on the scale leaves the rest out
+constexpr double far_beyond = 1.6;  // times what is usual, from which on a scale leaves the rest out
+
+/// What makes a value so rare that a scale may leave it out.
+enum class Weight { points, time, length };
+struct Rare {
+  Weight weight = Weight::points;
+  double share = 0.005;
+  double nothing = 0;  ///< share of the largest value; what is less does not count at all
+};
 
 /// What a colouring that has a scale reads and how it is written.
 struct Scaled {
@@ -66,29 +73,38 @@ void for_each_value(const SampledPath& path, Colouring colouring, Use use) {
 /// Largest absolute values on what is not rapid.
 struct Peaks {
   double all = 0;
-  double usual = 0;  ///< of usual_share of the points
+  double usual = 0;  ///< of the usual share
 };
 
-Peaks peaks_of(const SampledPath& path, Colouring colouring) {
+/// How much the span before a point counts.
+double weight_of(const SampledPath& path, std::size_t i, Weight weight) {
+  if (weight == Weight::points || i == 0) {
+    return weight == Weight::points ? 1 : 0;
+  }
+  return weight == Weight::time ? path.times[i] - path.times[i - 1]
+                                : static_cast<double>((path.positions[i] - path.positions[i - 1]).norm());
+}
+
+Peaks peaks_of(const SampledPath& path, Colouring colouring, const Rare& rare) {
   // The bits of a positive value rise with it: 32768 of them are a histogram.
-  std::vector<std::uint32_t> histogram(1U << 15U);
-  std::size_t count = 0;
+  std::vector<double> histogram(1U << 15U);
   Peaks peaks;
   for_each_value(path, colouring, [&](std::size_t i, double value) {
     if (path.kinds[i] != SpanKind::rapid) {
       const double size = std::abs(value);
       peaks.all = std::max(peaks.all, size);
-      ++histogram[Stored(static_cast<float>(size)).value];
-      ++count;
+      histogram[Stored(static_cast<float>(size)).value] += weight_of(path, i, rare.weight);
     }
   });
-  const auto wanted = static_cast<std::size_t>(usual_share * static_cast<double>(count));
-  std::size_t seen = 0;
+  const std::size_t least = Stored(static_cast<float>(rare.nothing * peaks.all)).value;
+  std::fill(histogram.begin(), histogram.begin() + static_cast<std::ptrdiff_t>(least), 0.0);
+  const double wanted = (1 - rare.share) * std::accumulate(histogram.begin(), histogram.end(), 0.0);
+  double seen = 0;
   for (std::size_t bits = 0; bits < histogram.size() && seen < wanted; ++bits) {
     seen += histogram[bits];
     Stored edge;
     edge.value = static_cast<std::uint16_t>(bits);
-    peaks.usual = static_cast<double>(static_cast<float>(edge));
+    peaks.usual = seen > 0 ? static_cast<double>(static_cast<float>(edge)) : 0;
   }
   return peaks;
 }
@@ -99,13 +115,20 @@ double round_end(double peak) {
   return half > 0 ? std::ceil(peak / half - 1e-2) * half : 0;
 }
 
+Rare rare_of(Colouring colouring) {
+  switch (colouring) {
+    case Colouring::feed:
+      return {Weight::time, 0.05, 0};
+    case Colouring::time_lost:
+      return {Weight::length, 0.05, 0.01};
+    default:
+      return {};
+  }
+}
+
 ColourScale scale_of(const SampledPath& path, Colouring colouring) {
   const Scaled kind = scaled(colouring);
   ColourScale scale{kind.unit, 0, 0, kind.factor, false, kind.diverging};
-  if (colouring == Colouring::feed) {
-    scale.high = round_end(path.peak_feed * scale.factor);
-    return scale;
-  }
   if (colouring == Colouring::feed_ratio) {
     scale.high = 100;
     return scale;
@@ -113,7 +136,10 @@ ColourScale scale_of(const SampledPath& path, Colouring colouring) {
   if (path.values[static_cast<std::size_t>(quantity_of(colouring))].empty()) {
     return scale;  // no other run to compare with
   }
-  const Peaks peaks = peaks_of(path, colouring);
+  Peaks peaks = peaks_of(path, colouring, rare_of(colouring));
+  if (colouring == Colouring::feed) {
+    peaks.all = path.peak_feed;  // as it is, not as it is stored
+  }
   scale.beyond = peaks.usual > 0 && peaks.all > far_beyond * peaks.usual;
   scale.high = round_end((scale.beyond ? peaks.usual : peaks.all) * scale.factor);
   constexpr double rounding = 1e-3;  // no contour error [um], no time lost [ms/mm]

@@ -1,0 +1,36 @@
+#include "core/analysis/ruled_instant.h"
+
+#include <limits>
+#include <tuple>
+
+#include "core/trajectory/part_walk.h"
+
+namespace feedscope {
+
+double ruled_instant(const Trajectory& trajectory, const SlowPlace& place) {
+  constexpr int looks = 4;  // at a part
+  double instant = place.slowest;
+  auto best =
+      std::tuple(true, std::numeric_limits<double>::infinity());  // ahead of what rules, share of feed
+  const std::size_t first = trajectory.piece_at(place.from);
+  const double into = std::max(0.0, place.from - trajectory.pieces()[first].time);
+  for (PartWalk walk(trajectory, first, into); !walk.done() && walk.part().time < place.to; walk.next()) {
+    const Part part = walk.part();
+    const bool ahead = part.cause.kind == CauseKind::ramp_down;
+    if ((ahead ? trajectory.slower_place(part.piece) : part.cause) != place.cause) {
+      continue;
+    }
+    PartMotion motion = walk.motion();
+    for (int i = 0; i < looks; ++i) {
+      const State state = motion.state_without_length(part.duration * (i + 0.5) / looks);
+      const auto here = std::tuple(ahead, state.speed / state.programmed_feed);
+      if (here < best) {
+        best = here;
+        instant = state.time;
+      }
+    }
+  }
+  return instant;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,130 @@
+#include "ui/report/page_flow.h"
+
+#include <gtest/gtest.h>
+
+#include <QAbstractTextDocumentLayout>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextTable>
+#include <random>
+
+#include "tests/ui/report/page_checks.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double height = 300;
+
+/// Text of one size in a narrow column.
+void lay_out(QTextDocument& document, const QString& html) {
+  QFont font(QStringLiteral("DejaVu Sans"));
+  font.setPixelSize(11);
+  document.setDefaultFont(font);
+  document.setDocumentMargin(0);
+  document.setHtml(html);
+  document.setTextWidth(400);
+}
+
+QString paragraph(int words) {
+  return QStringLiteral("<p>%1</p>").arg(QStringLiteral("word ").repeated(words));
+}
+
+QString table(int rows, int lines, int heads) {
+  QString html = QStringLiteral("<table width=\"100%\" cellpadding=\"3\">");
+  if (heads > 0) {
+    html += QStringLiteral("<thead><tr><th>one</th><th>two</th></tr></thead>");
+  }
+  const QString cell = QStringLiteral("<td>%1</td>").arg(QStringList(lines, "cell").join("<br/>"));
+  return html + QStringLiteral("<tr><td>a</td>%1</tr>").arg(cell).repeated(rows) + "</table>";
+}
+
+TEST(PageFlow, AHeadingStaysWithWhatFollows) {
+  for (int lines = 0; lines < 30; ++lines) {
+    QTextDocument document;
+    const QString filler = QStringLiteral("<p>line</p>").repeated(lines);
+    lay_out(document, filler + "<h2>Head</h2><h3>Part</h3><p>text</p>");
+    test::check_pages(document, page_parts(document, height), height);
+  }
+}
+
+TEST(PageFlow, ARowOfATableIsNotCut) {
+  for (int lines = 0; lines < 24; ++lines) {
+    QTextDocument document;
+    lay_out(document, QStringLiteral("<p>line</p>").repeated(lines) + table(6, 4, 0));
+    test::check_pages(document, page_parts(document, height), height);
+  }
+}
+
+TEST(PageFlow, HeadsOfATableThatGoesOnAreRepeated) {
+  QTextDocument document;
+  lay_out(document, paragraph(10) + table(60, 1, 1) + paragraph(10));
+  const std::vector<PagePart> pages = page_parts(document, height);
+  ASSERT_GE(pages.size(), 4U);
+  EXPECT_EQ(pages.front().head(), 0);
+  EXPECT_GT(pages[1].head(), 10);
+  EXPECT_LT(pages[1].head(), 40);
+  EXPECT_EQ(pages[2].head(), pages[1].head());
+  test::check_pages(document, pages, height);
+}
+
+TEST(PageFlow, APageThatIsAskedForBeginsThere) {
+  QTextDocument document;
+  lay_out(document, paragraph(200) + "<h1 style=\"page-break-before: always\">Answers</h1>" + paragraph(20));
+  const std::vector<PagePart> pages = page_parts(document, height);
+  ASSERT_EQ(pages.size(), 2U);
+  EXPECT_NEAR(pages[1].top,
+              document.documentLayout()->blockBoundingRect(document.lastBlock().previous()).top(), 1);
+}
+
+TEST(PageFlow, ACellThatNoPageHoldsIsCutBetweenItsLines) {
+  QTextDocument document;
+  lay_out(document, paragraph(10) + table(1, 80, 0) + paragraph(10));
+  const std::vector<PagePart> pages = page_parts(document, height);
+  EXPECT_GE(pages.size(), 4U);
+  test::check_pages(document, pages, height);
+}
+
+TEST(PageFlow, NothingIsOnePage) {
+  QTextDocument document;
+  lay_out(document, {});
+  EXPECT_EQ(page_parts(document, height).size(), 1U);
+}
+
+/// Every way in which texts, headings, notes and tables, one inside the other, may follow each other.
+TEST(PageFlow, HoldsWhatItPromisesForRandomDocuments) {
+  std::mt19937 random(14);
+  const auto up_to = [&](unsigned most) { return static_cast<int>(random() % most); };
+  for (int i = 0; i < 150; ++i) {
+    QString html;
+    const int pieces = 4 + up_to(24);
+    for (int piece = 0; piece < pieces; ++piece) {
+      switch (up_to(7)) {
+        case 0:
+          html += QStringLiteral("<h%1>Head</h%1>").arg(1 + up_to(3)) + paragraph(1 + up_to(60));
+          break;
+        case 1:
+          html += "<h2>Head</h2>" + paragraph(3) + table(1 + up_to(8), 1 + up_to(2), up_to(2));
+          break;
+        case 2:
+          html += table(1 + up_to(9), 1, up_to(2)) + "<p style=\"font-size: 9px\">A note.</p>";
+          break;
+        case 3:
+          html += "<table width=\"100%\"><tr><td><h2>Question</h2>" + paragraph(1 + up_to(30)) +
+                  table(3, 1, 0) + "</td></tr></table>";
+          break;
+        default:
+          html += paragraph(1 + up_to(120));
+      }
+    }
+    QTextDocument document;
+    lay_out(document, html);
+    SCOPED_TRACE(testing::Message() << "seed 14, document " << i << ": " << html.toStdString());
+    test::check_pages(document, page_parts(document, height), height);
+    if (HasFailure()) {
+      break;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace feedscope::ui

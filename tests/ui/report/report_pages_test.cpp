@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include "core/base/data_folder.h"
+#include "core/lessons/lesson_runs.h"
+#include "tests/ui/report/page_checks.h"
+#include "ui/report/handout.h"
+#include "ui/report/paged_document.h"
+#include "ui/report/report.h"
+
+namespace feedscope::ui {
+namespace {
+
+void check(const ReportPage& page) {
+  const PagedDocument document(page.html, page.pictures);
+  test::check_pages(document.text(), document.pages(), page_contents_height);
+}
+
+struct SampleReport {
+  const char* program;
+  std::vector<const char*> models;
+  std::vector<double> tolerances;
+};
+
+class ReportPages : public testing::TestWithParam<SampleReport> {};
+
+TEST_P(ReportPages, AreWellFilledAndKeepTogetherWhatBelongsTogether) {
+  const LoadedProgram program = load_program(data_folder() / "resources" / "programs" / GetParam().program);
+  std::vector<std::shared_ptr<const ShownRun>> shown;
+  for (const char* model : GetParam().models) {
+    for (const double tolerance : GetParam().tolerances) {
+      shown.push_back(make_shown(simulate_run(program, make_setup({"", model, tolerance, {}}))));
+    }
+  }
+  ReportInput input;
+  input.runs = report_runs(shown);
+  input.commands = QStringList(1 + static_cast<int>(shown.size()),
+                               QStringLiteral("feedscope simulate part.nc --model essid --tolerance 0.01"));
+  check(report_page(input, load_report_template(), ReportFormat::pdf));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    OfSamples, ReportPages,
+    testing::Values(SampleReport{"trochoidal_slot.nc", {"essid"}, {0.01, 0.05}},
+                    SampleReport{"trochoidal_slot.nc", {"essid"}, {0.02}},
+                    SampleReport{"fanuc_flange.nc", {"essid"}, {0.01}},
+                    SampleReport{"heidenhain_plate.h", {"essid", "ward"}, {0.01, 0.1}},
+                    SampleReport{"sinumerik_plate.mpf", {"essid", "gassara", "ward"}, {0.02}},
+                    SampleReport{"lesson_corners.nc", {"essid"}, {0.01, 0.02, 0.03, 0.05, 0.1, 0.2}},
+                    SampleReport{"essid_table1.nc", {"cam"}, {0.01}}));
+
+class HandoutPages : public testing::TestWithParam<std::filesystem::path> {};
+
+TEST_P(HandoutPages, AreWellFilledAndKeepTogetherWhatBelongsTogether) {
+  const Lesson lesson = read_lesson(GetParam());
+  LessonRuns runs(lesson);
+  const ReportPage page = handout_page(lesson, runs);
+  EXPECT_FALSE(page.pictures.all().empty());
+  check(page);
+}
+
+INSTANTIATE_TEST_SUITE_P(OfEveryLesson, HandoutPages, testing::ValuesIn(shipped_lessons()),
+                         [](const auto& each) { return "Lesson" + each.param.stem().string(); });
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,66 @@
+#include "ui/report/handout.h"
+
+#include <algorithm>
+
+#include "core/lessons/handout.h"
+#include "ui/report/html_table.h"
+#include "ui/report/paged_pdf.h"
+#include "ui/report/report_html.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+/// What the window shows when the lesson begins.
+ReportInput input_of(const Lesson& lesson, LessonRuns& runs, Progress* progress) {
+  std::vector<std::shared_ptr<const ShownRun>> shown{make_shown(runs.run({}, progress))};
+  for (const Changes& changes : lesson.window.runs) {
+    const Run& run = runs.run(changes, progress);
+    if (run.input.program == shown.front()->run.input.program) {
+      shown.push_back(make_shown(run));
+    }
+  }
+  ReportInput input;
+  input.runs = report_runs(shown);
+  input.scene.colouring = *std::ranges::find(all_colourings, lesson.window.colouring,
+                                             [](Colouring c) { return colouring_key(c); });
+  const auto camera = std::ranges::find(lesson_cameras(), lesson.window.camera);
+  input.view = static_cast<StandardView>(camera - lesson_cameras().begin());
+  if (lesson.window.chart_range) {
+    input.charts.time = Interval{lesson.window.chart_range->first, lesson.window.chart_range->second};
+  }
+  return input;
+}
+
+bool is_straight(const SampledPath& path) {
+  constexpr double least_share = 1e-3;
+  Vec3 size = path.bounds.empty() ? Vec3::Zero() : Vec3(path.bounds.max - path.bounds.min);
+  std::ranges::sort(size);
+  return !(size[1] > least_share * size[2]);
+}
+
+}  // namespace
+
+ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, Progress* progress) {
+  const WrittenNumbers numbers = runs.numbers(progress);
+  const ReportInput input = input_of(lesson, runs, progress);
+  ReportPage page{{}, ReportPictures(progress)};
+  constexpr double view_height = 270;
+  constexpr double charts_height = 360;
+  QString figures;
+  if (!is_straight(*input.run().shown->samples)) {
+    figures += run_view(input, page.pictures, view_height);
+  }
+  figures += run_charts(input, input.current, page.pictures, charts_height);
+  page.html = QString::fromStdString(handout_html(lesson, numbers, figures.toStdString()));
+  return page;
+}
+
+std::string make_handout(const Lesson& lesson, LessonRuns& runs, ReportFormat format, Progress* progress) {
+  const ReportPage page = handout_page(lesson, runs, progress);
+  return format == ReportFormat::pdf
+             ? paged_pdf(page.html, page.pictures, {QString::fromStdString(lesson.title), {}, {}})
+             : report_html(page.html, page.pictures);
+}
+
+}  // namespace feedscope::ui
