@@ -23,7 +23,7 @@ constexpr double least_block = 1e-4;
 /// Nearer places are one place [mm].
 constexpr double same_place = 1e-10;
 /// Within this length a turn by more than a curve may turn is a standstill [mm].
-constexpr double turned_back = 1e-9;
+constexpr double turned_back = 1e-7;
 /// Share of the largest speed that counts as a standstill.
 constexpr double still = 1e-9;
 
@@ -38,6 +38,20 @@ constexpr double curvature_of_limit = 2e-3;
 constexpr double least_cosine = 0.5;
 
 constexpr int deepest = 60;
+
+/// Curvature of a knot times the chord of a curve beside it at most. What follows the motion turns less;
+/// where a curve is put for being short, beside a standstill, the curvature of the motion has no bound.
+constexpr double most_bend = 2;
+
+/// Lowers the curvature of `knot` to `most` [1/mm]; whether it was larger.
+bool bend_at_most(double most, CourseKnot& knot) {
+  const double curvature = knot.curvature.norm();
+  if (!(curvature > most)) {
+    return false;
+  }
+  knot.curvature *= most / curvature;
+  return true;
+}
 
 }  // namespace
 
@@ -203,8 +217,11 @@ void FilteredPath::put(const Place& place) {
       knot.tangent = direction;
       knot.curvature = Vec3::Zero();
     }
-    // Beside a standstill the curvature has no bound; no curve follows it within such a short way.
-    knot.curvature /= std::max(1.0, chord.norm() * knot.curvature.norm());
+    bend_at_most(most_bend / chord.norm(), knot);
+    if (bend_at_most(most_bend / chord.norm(), knots_.back()) && knots_.size() > 1) {
+      const CourseKnot& before = knots_[knots_.size() - 2];
+      knots_.back().s = before.s + course_length(before, knots_.back());
+    }
     knot.s = knots_.back().s + course_length(knots_.back(), knot);
     knots_.push_back(knot);
     const std::size_t most = curves_for_any + curves_a_block * run_.path().size();

@@ -45,9 +45,7 @@ double distance_from(const BlendedPath& path, const Vec3& point, double s) {
   return least;
 }
 
-void expect_close_everywhere(const Trajectory& run, int samples = 2000) {
-  const BlendedPath path = fitted(run);
-  ASSERT_NEAR(path.length(), run.path_length(), 1e-6 * (1 + run.path_length()));
+void expect_within_error(const Trajectory& run, const BlendedPath& path, int samples) {
   for (std::size_t e = 1; e < path.size(); ++e) {
     ASSERT_LT((path.curve(e).start - path.curve(e - 1).end).norm(), 1e-9) << "element " << e;
   }
@@ -56,6 +54,12 @@ void expect_close_everywhere(const Trajectory& run, int samples = 2000) {
     ASSERT_LE(distance_from(path, at.position, at.path_length), FilteredPath::usual_error)
         << "at " << at.time << " s";
   }
+}
+
+void expect_close_everywhere(const Trajectory& run, int samples = 2000) {
+  const BlendedPath path = fitted(run);
+  ASSERT_NEAR(path.length(), run.path_length(), 1e-6 * (1 + run.path_length()));
+  expect_within_error(run, path, samples);
 }
 
 TEST(FilteredPath, LiesWithinItsErrorOfTheMotion) {
@@ -96,6 +100,42 @@ TEST(FilteredPath, EndsElementsWhereTheMotionStands) {
   EXPECT_LT((path.curve(0).end - Vec3(10, 0, 0)).norm(), 1e-9);
   EXPECT_NEAR(path.curve(0).at(10).d1.x(), 1, 1e-12);
   EXPECT_NEAR(path.curve(1).at(0).d1.x(), -1, 1e-12);
+}
+
+/// Curves no longer than half as much again as their chords.
+void expect_short_curves(const BlendedPath& path) {
+  for (std::size_t e = 0; e < path.size(); ++e) {
+    const auto course = path.curve(e).course;
+    for (std::size_t i = 0; i + 1 < course.size(); ++i) {
+      const double chord = (course[i + 1].position - course[i].position).norm();
+      ASSERT_LE(course[i + 1].s - course[i].s, 1.5 * chord) << "element " << e << ", curve " << i;
+    }
+  }
+}
+
+TEST(FilteredPath, GoesThroughNearReversalsWithoutLoops) {
+  // There the motion nearly stands while it turns: within nanometres and less the curvature has no bound.
+  std::mt19937 random(41);
+  std::uniform_real_distribution<double> exponent(-12, 0);
+  std::uniform_real_distribution<double> length(-4, 1.5);
+  std::normal_distribution<double> across;
+  for (int i = 0; i < 300; ++i) {
+    SCOPED_TRACE(i);
+    Vec3 along = Vec3(across(random), across(random), across(random)).normalized();
+    std::vector<Vec3> points{{-31.856, 21.052, 0}};
+    for (int k = 0; k < 6; ++k) {
+      points.push_back(points.back() + std::pow(10, length(random)) * along);
+      const Vec3 off(across(random), across(random), across(random));
+      along = (std::pow(10, exponent(random)) * off - along).normalized();
+    }
+    const Trajectory run = ward_run(testing::polyline(points, 350), i % 2 == 0 ? 3 : 2);
+    const BlendedPath path = fitted(run);
+    expect_short_curves(path);
+    expect_within_error(run, path, 200);
+    if (::testing::Test::HasFatalFailure()) {
+      return;
+    }
+  }
 }
 
 TEST(FilteredPath, ManyBlocksShorterThanRoundingAllowsAreLaidTogether) {
