@@ -131,14 +131,16 @@ TEST(Pictures, EveryOneCountsErrorsAndWarningsOfTheReadingAndNothingElse) {
     }
     return all;
   };
+  pictures({});  // the first ones of a process lay out fonts and charts anew
   const std::vector<std::string> clean = pictures({});
-  EXPECT_EQ(pictures({Severity::info, Severity::info}), clean);
+  const std::vector<std::string> informed = pictures({Severity::info, Severity::info});
   const std::vector<std::string> warned = pictures({Severity::warning});
   const std::vector<std::string> wrong = pictures({Severity::error});
   for (std::size_t i = 0; i < clean.size(); ++i) {
-    EXPECT_NE(warned[i], clean[i]) << i;
-    EXPECT_NE(wrong[i], clean[i]) << i;
-    EXPECT_NE(wrong[i], warned[i]) << i;
+    EXPECT_TRUE(informed[i] == clean[i]) << i;
+    EXPECT_TRUE(warned[i] != clean[i]) << i;
+    EXPECT_TRUE(wrong[i] != clean[i]) << i;
+    EXPECT_TRUE(wrong[i] != warned[i]) << i;
   }
 }
 
