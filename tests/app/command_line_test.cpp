@@ -424,7 +424,7 @@ TEST_F(CommandLine, AProgramRunsOnAMachineWithItsControlAndOthersAreSaid) {
 }
 
 TEST_F(CommandLine, TheUnitIsAskedForOrWarnedOf) {
-  write("no_unit.nc", "G1 X4 F80\nY3\n");
+  write("no_unit.nc", "G0 X0 Y0\nG1 X4 F80\nY3\n");
   const Result assumed = run("simulate no_unit.nc --json -");
   EXPECT_EQ(assumed.code, 0);
   EXPECT_THAT(assumed.err,
