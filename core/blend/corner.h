@@ -20,7 +20,8 @@ struct Corner {
   double epsilon = 0;     ///< distance of the corner from the blend [mm]
 };
 
-/// eps before it is cut for short blocks: beta rho [mm].
+/// eps before it is cut for short blocks: beta rho [mm]. An axis that moves by no more than straight_angle of
+/// the path before or behind the corner does not count as reversing: that is rounding of the coordinates.
 double used_tolerance(const Vec3& in, const Vec3& out, const CornerRule& rule);
 
 /// T = min(4 eps / ((4 - alpha) sin(phi/2)), longest), eps = beta rho, computed again where `longest` cuts T.

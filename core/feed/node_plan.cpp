@@ -9,7 +9,10 @@
 namespace feedscope {
 namespace {
 
-constexpr double slack = 1 + 1e-9;
+constexpr double slack = 1 + 1e-7;
+/// Places whose ceilings differ by less are equally slow: which of them becomes a node must not depend on
+/// the rounding of coordinates, and in short blocks that is as much of a curvature.
+constexpr double equal = 1 + 1e-4;
 
 /// Nodes, and per gap between neighbours its limits and whether it still has to be checked.
 class NodePlanner {
@@ -103,7 +106,7 @@ class NodePlanner {
           take();
           continue;
         }
-        if (slowest == last || ceiling_[e + 1].value * slack < ceiling_[slowest].value) {
+        if (slowest == last || ceiling_[e + 1].value * equal < ceiling_[slowest].value) {
           slowest = e + 1;
         }
         if (++run == together || !careful) {

@@ -10,7 +10,12 @@ namespace {
 /// A line shorter than this [mm] between two blends is left out.
 constexpr double least_line = 1e-12;
 
-CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std::size_t segment,
+/// Blends that would leave less than this of the line between them [mm] meet: a hundredth of a nanometre is
+/// rounding of the coordinates, and a line, however short, is a place where the law of a model may change.
+constexpr double meeting = 1e-8;
+
+/// `left`: what the corner before leaves of the segment [mm].
+CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std::size_t segment, double left,
                           const Vec3& velocity) {
   const Segment& before = toolpath.segments[segment];
   const Segment& after = toolpath.segments[segment + 1];
@@ -20,6 +25,9 @@ CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std:
   place.in = toolpath.tangent_at_end(segment);
   place.out = toolpath.tangent_at_start(segment + 1);
   place.longest = std::min(std::min(before.length, after.length) / 2, rules.longest_blend(segment));
+  if (std::abs(left - place.longest) < meeting) {
+    place.longest = left;
+  }
   place.tolerance = rules.corner_tolerance(segment);
   place.feed = programmed_speed(toolpath, segment, velocity);
   const SpeedBound next = programmed_speed(toolpath, segment + 1, velocity);
@@ -40,7 +48,7 @@ void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec
     CornerPlace place;
     CornerPiece piece;
     if (corner) {
-      place = corner_behind(toolpath, rules, i, axis_velocity);
+      place = corner_behind(toolpath, rules, i, segment.length - cut_before, axis_velocity);
       piece = blend(place);
     }
     const double length = segment.length - cut_before - piece.transition;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <span>
 
 #include "core/blend/junction.h"
@@ -157,11 +158,31 @@ class ProfileLayer {
       : builder_(builder), stretch_(stretch), element_(first), last_(last), at_(start) {}
 
   double speed() const { return at_.v; }
+  /// Whether nothing is run by the parameter of a blend: then a piece may go over several elements.
+  bool all_by_length() const {
+    for (std::size_t e = element_; stretch_.blends_by_parameter && e < last_; ++e) {
+      if (stretch_.by_parameter(e)) {
+        return false;
+      }
+    }
+    return true;
+  }
 
   /// Constant jerk over one phase, whatever elements it crosses.
   void add(const Phase& phase, Cause cause, std::uint8_t second = Piece::no_cause) {
-    add_piece(at_.a, phase.jerk, cause, Law::path_length, second, phase.duration);
-    move_to(advance(at_, phase.jerk, phase.duration));
+    double left = phase.duration;
+    while (left > 0) {
+      const double end = end_of_law();
+      const double time =
+          std::isfinite(end) ? time_to_reach({at_.s, at_.v, at_.a, phase.jerk}, end, left) : left;
+      add_piece(at_.a, phase.jerk, cause, Law::path_length, second, time);
+      Motion1d there = advance(at_, phase.jerk, time);
+      if (time < left) {
+        there.s = end;
+      }
+      move_to(there);
+      left -= time;
+    }
   }
 
   /// Up to `top` acceleration, held, and back, as one piece.
@@ -186,7 +207,7 @@ class ProfileLayer {
       double end = start_ + stretch_.plan[element_].length;
       for (std::size_t e = element_ + 1;
            e < last_ && e - element_ < most_elements && stretch_.plan[e].limits.speed.cause == cause &&
-           end < at_.s + at_.v * duration;
+           !stretch_.by_parameter(e) && !stretch_.by_parameter(element_) && end < at_.s + at_.v * duration;
            ++e) {
         end += stretch_.plan[e].length;
       }
@@ -200,8 +221,24 @@ class ProfileLayer {
   }
 
  private:
+  /// Where the law under way has to give way to another one; infinite if to none [mm].
+  double end_of_law() const {
+    if (!stretch_.blends_by_parameter) {
+      return std::numeric_limits<double>::infinity();
+    }
+    double end = start_ + stretch_.plan[element_].length;
+    std::size_t e = element_ + 1;
+    for (; !stretch_.by_parameter(element_) && e < last_ && !stretch_.by_parameter(e); ++e) {
+      end += stretch_.plan[e].length;
+    }
+    return e < last_ ? end : std::numeric_limits<double>::infinity();
+  }
+
   void add_piece(double a, double j, Cause cause, Law law, std::uint8_t second, double duration) {
-    builder_.add_piece({0, at_.s - start_, at_.v, a, j, stretch_.element[element_], cause, law, second},
+    const bool by_parameter = stretch_.by_parameter(element_);
+    const double per_length = by_parameter ? 1 / stretch_.plan[element_].length : 1;
+    builder_.add_piece({0, (at_.s - start_) * per_length, at_.v * per_length, a * per_length, j * per_length,
+                        stretch_.element[element_], cause, by_parameter ? Law::parameter : law, second},
                        duration);
   }
 
@@ -251,7 +288,7 @@ double add_profile(TrajectoryBuilder& builder, const Stretch& stretch, const Spe
     const Cause outer = slows ? Cause{CauseKind::ramp_down} : by_jerk;
     const Cause inner = slows ? outer : by_acceleration;
     const std::uint8_t second = code_of(slows ? slower_place : by_acceleration);
-    if (is_ramp(phases, acceleration)) {
+    if (is_ramp(phases, acceleration) && layer.all_by_length()) {
       layer.add_ramp(phases, outer, second);
       return;
     }

@@ -20,6 +20,9 @@ struct Stretch {
   std::vector<std::uint8_t> blend;     ///< 1: a corner blend, whose speed the model itself sets
   std::vector<SpeedBound> ceiling;     ///< at the plan.size() + 1 junctions [mm/s]
   std::vector<std::uint32_t> level;    ///< junctions that are nodes of the plan in any case
+  /// Blends are planned and run by their own parameter u: what the plan calls path length there is u times
+  /// the blend's planned length, which is |dS/du| at both of its ends, so that the speed goes on there.
+  bool blends_by_parameter = false;
 
   void clear();
   /// Makes room for that many, so that long stretches are not copied while they grow.
@@ -31,6 +34,7 @@ struct Stretch {
   /// set_junction_ceilings().
   void hold_level(std::uint32_t e);
   bool is_level(std::size_t e) const { return plan[e].limits.jerk.value == no_ramp; }
+  bool by_parameter(std::size_t e) const { return blends_by_parameter && blend[e] != 0; }
 
   static constexpr double no_ramp = 1e-12;  ///< limits of a level element [mm/s2, mm/s3]
 };

@@ -1,6 +1,7 @@
 #include "core/models/essid/blend_law.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace feedscope {
@@ -277,6 +278,77 @@ SpeedBound steady_speed_limit(const BlendShape& shape, const SpeedBound& feed, c
     rate.lower(std::cbrt(jerk_across.value), {CauseKind::blend_radial_jerk, jerk_across.axis});
   }
   return {rate.value * shape.at(0).sigma, rate.cause};
+}
+
+namespace {
+
+/// What running a blend by its parameter asks for at one place, and what the axes allow there.
+struct ParameterPlace {
+  double g;        ///< |S'(u)| / |S'(0)|
+  double g_x;      ///< |dg/dx|
+  double turning;  ///< v^2 k / w^2
+  double along;    ///< |v'' - v^3 k^2| / w^3 where w' = w'' = 0
+  double across;   ///< |3 v v' k + v^3 dk/ds| / w^3, likewise
+  AxisBound acceleration, jerk, across_jerk;
+};
+
+ParameterPlace parameter_place(const BlendShape::Point& p, double sigma, const BlendLimits& limits) {
+  const double g = p.sigma / sigma;
+  const double g_x = p.dsigma / (sigma * sigma);
+  const double g_xx = p.ddsigma / (sigma * sigma * sigma);
+  return {g,
+          std::abs(g_x),
+          g * g * p.k,
+          std::abs(g_xx - g * g * g * p.k * p.k),
+          std::abs(3 * g * g_x * p.k + g * g * g * p.dk_ds),
+          axis_share(limits.tangential_acceleration, p.tangent),
+          axis_share(limits.tangential_jerk, p.tangent),
+          axis_share(limits.radial_jerk, p.normal)};
+}
+
+void lower(AxisBound& bound, double value, const AxisBound& by) {
+  if (value < bound.value) {
+    bound = {value, by.axis};
+  }
+}
+
+}  // namespace
+
+BlendRamps parameter_ramps(const BlendShape& shape, const BlendLimits& limits) {
+  constexpr int intervals = 64;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  std::array<ParameterPlace, intervals + 1> places;
+  const double sigma = shape.at(0).sigma;
+  double turning = infinite;  // rows (1) and (3)
+  double ramping = infinite;  // rows (2), (4) and (5)
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const BlendShape::Point p = shape.at(static_cast<double>(i) / intervals);
+    places[i] = parameter_place(p, sigma, limits);
+    const ParameterPlace& at = places[i];
+    turning = std::min({turning, axis_share(limits.velocity, at.g * p.tangent).value,
+                        std::sqrt(axis_share(limits.radial_acceleration, at.turning * p.normal).value)});
+    ramping = std::min({ramping, std::sqrt(at.acceleration.value / at.g_x),
+                        std::cbrt(at.jerk.value / at.along), std::cbrt(at.across_jerk.value / at.across)});
+  }
+  BlendRamps ramps;
+  for (std::size_t step = 0; step < ramps.size(); ++step) {
+    const double w = blend_ramp_speed(step, turning, ramping);
+    AxisBound acceleration{infinite, -1};
+    AxisBound jerk{infinite, -1};
+    for (const ParameterPlace& at : places) {
+      lower(acceleration, (at.acceleration.value - at.g_x * w * w) / at.g, at.acceleration);
+      lower(acceleration, (at.across_jerk.value - at.across * w * w * w) / (3 * at.turning * w),
+            at.across_jerk);
+      // Half of what row (4) leaves for 3 g_x w w', the rest for g w''.
+      lower(acceleration, (at.jerk.value - at.along * w * w * w) / (6 * at.g_x * w), at.jerk);
+    }
+    for (const ParameterPlace& at : places) {
+      const double rest = at.jerk.value - at.along * w * w * w - 3 * at.g_x * w * acceleration.value;
+      lower(jerk, rest / at.g, at.jerk);
+    }
+    ramps[step] = {w, acceleration, jerk};
+  }
+  return ramps;
 }
 
 bool keeps_rows_at(const BlendShape& shape, double speed, const BlendLimits& limits) {

@@ -4,6 +4,7 @@
 
 #include "core/blend/corner.h"
 #include "core/limits/segment_limits.h"
+#include "core/trajectory/blend_chains.h"
 
 namespace feedscope {
 
@@ -74,6 +75,13 @@ BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& c
 /// Speed at both ends of a blend that is run at constant du/dt, the highest that keeps every row of eq 24 on
 /// the whole blend (reading "strict").
 SpeedBound steady_speed_limit(const BlendShape& shape, const SpeedBound& feed, const BlendLimits& limits);
+
+/// Ramps over a blend that is run by its parameter, as in chains of blends with reading "strict": every row
+/// of eq 24 is kept while w = |S'(0)| du/dt, the speed at both ends of the blend, stays below the speed of a
+/// step and changes by no more than its acceleration and jerk. With g = |S'(u)| / |S'(0)| and its derivatives
+/// by x = |S'(0)| u: v = g w, v' = g w' + g_x w^2, v'' = g w'' + 3 g_x w w' + g_xx w^3, put into rows (2),
+/// (4) and (5) with the signs that add up worst.
+BlendRamps parameter_ramps(const BlendShape& shape, const BlendLimits& limits);
 
 /// Whether a whole blend can be run at constant `speed` [mm/s] with every row of eq 24 kept.
 bool keeps_rows_at(const BlendShape& shape, double speed, const BlendLimits& limits);

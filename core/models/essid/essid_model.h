@@ -23,7 +23,9 @@ namespace feedscope {
 ///  - Arcs and tangent junctions keep the static limits of Tapie 2007 (segment_limits.h); corners that touch
 ///    an arc and corners with a rapid are exact stops.
 /// Readings: `corrected` carries the acceleration at a blend's end on; `published` drops it to 0, as the
-/// figures of the paper compare; `strict` passes a blend at constant du/dt with every row of eq 24 kept.
+/// figures of the paper compare; `strict` passes a blend at constant du/dt with every row of eq 24 kept, and
+/// blends that follow each other without a line between them, or nearly so, by a du/dt that ramps over many
+/// of them, with every row kept too (parameter_ramps() in blend_law.h).
 class EssidModel : public ControlModel {
  public:
   const ModelInfo& info() const override;

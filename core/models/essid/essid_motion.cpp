@@ -15,7 +15,7 @@ void EssidRunner::move(const std::vector<PlanNode>& nodes, ProgressSteps& steps)
         n = *reached;
         continue;
       }
-      if (is_level(blend_of(first))) {
+      if (stretch_.is_level(first)) {
         pass_level(first);
         ++n;
         continue;
@@ -48,10 +48,12 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
   SpeedBound ceiling = blend.feed;
   ceiling.lower(last == e + 1 ? end_speed : reachable_speed(end_speed, span.length, span.ramp()),
                 {CauseKind::ramp_down});
-  if (ceiling.value < speed_) {
+  constexpr double same = 1e-7;  // of a speed: what rounding of the coordinates does to it decides nothing
+  if (ceiling.value < speed_ * (1 - same)) {
     return std::nullopt;
   }
-  if (ceiling.value <= speed_ * (1 + 1e-9) && keeps_rows_at(blend.shape, speed_, blend_limits_)) {
+  ceiling.value = std::max(ceiling.value, speed_);
+  if (ceiling.value <= speed_ * (1 + same) && keeps_rows_at(blend.shape, speed_, blend_limits_)) {
     return std::nullopt;  // nothing to gain
   }
   // The law is worth its samples where the second half of the blend, used to accelerate, gains some speed,
@@ -78,7 +80,7 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
     }
     const double carried = settings_.reading == EssidReading::published ? 0 : motion.exit_acceleration;
     if (last == e + 1) {  // the next blend begins without acceleration, eq 25
-      if (motion.exit_speed > end_speed * (1 + 1e-9)) {
+      if (motion.exit_speed > end_speed * (1 + same)) {
         continue;
       }
       add_blend_steps(motion.steps, e, nodes[target].cause);

@@ -39,6 +39,11 @@ void EssidRunner::run(const StretchRange& range, ProgressSteps& steps) {
   lay_path(range);
   follow_acceleration_mode(stretch_, builder_.path(), rules_, settings_.period);
   set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
+  if (settings_.reading == EssidReading::strict) {
+    const auto ramps = [&](std::size_t e) { return parameter_ramps(blend_of(e).shape, blend_limits_); };
+    move(plan_over_blends(stretch_, ramps), steps);
+    return;
+  }
   hold_level_blends();
   move(plan_nodes(stretch_.plan, stretch_.ceiling, stretch_.level), steps);
 }
@@ -51,6 +56,12 @@ void EssidRunner::lay_path(const StretchRange& range) {
   std::int32_t next = 0;
   for (const std::uint8_t blend : stretch_.blend) {
     blend_index_.push_back(blend != 0 ? next++ : no_blend);
+  }
+  stretch_.blends_by_parameter = settings_.reading == EssidReading::strict;
+  for (std::size_t e = 0; e < stretch_.plan.size(); ++e) {
+    if (stretch_.by_parameter(e)) {
+      stretch_.plan[e].length = blend_of(e).shape.at(0).sigma;
+    }
   }
 }
 
@@ -71,13 +82,9 @@ CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
   return piece;
 }
 
-bool EssidRunner::is_level(const Blend& blend) const {
-  return settings_.reading == EssidReading::strict || blend.turn > level_turn;
-}
-
 void EssidRunner::hold_level_blends() {
   for (std::uint32_t e = 0; e < stretch_.plan.size(); ++e) {
-    if (blend_index_[e] != no_blend && is_level(blend_of(e))) {
+    if (blend_index_[e] != no_blend && blend_of(e).turn > level_turn) {
       stretch_.hold_level(e);
     }
   }

@@ -35,8 +35,7 @@ class EssidRunner {
 
   void lay_path(const StretchRange& range);
   CornerPiece blend_corner(const CornerPlace& place);
-  /// Whether a blend is a level place of the plan, with one speed for both of its ends.
-  bool is_level(const Blend& blend) const;
+  /// Makes level places of the plan, with one speed for both of their ends, of blends that turn much.
   void hold_level_blends();
 
   void move(const std::vector<PlanNode>& nodes, ProgressSteps& steps);

@@ -4,6 +4,7 @@
 
 #include "core/blend/corner.h"
 #include "core/models/shared_settings.h"
+#include "core/trajectory/blend_chains.h"
 #include "core/trajectory/blended_stretch.h"
 
 namespace feedscope {
@@ -38,20 +39,40 @@ AxisBound least_of_axes(const Vec3& limit, const CornerPlace& place) {
   return least;
 }
 
-/// min(F, V, sqrt(R_A A R), cbrt(R_J Jtb R^2)) on an arc of `radius` R, and what is left along it.
+/// min(F, V, sqrt(R_A A R), cbrt((1 - R_J) Jtb R^2)) on an arc of `radius` R, and what is left along it: at
+/// constant speed the acceleration v^2/R lies across the path, the jerk v^3/R^2 along it.
 MotionLimits arc_blend_limits(const CornerPlace& place, double radius, const AxisVectors& axes,
                               const GassaraSettings& settings) {
   const AxisBound velocity = least_of_axes(axes.velocity, place);
   const AxisBound acceleration = least_of_axes(axes.acceleration, place);
   const AxisBound jerk = least_of_axes(axes.blend_jerk, place);
   const double radial = settings.radial_acceleration_share * acceleration.value;
-  const double radial_jerk = settings.radial_jerk_share * jerk.value;
-  MotionLimits limits{
-      place.feed, {acceleration.value - radial, acceleration.axis}, {jerk.value - radial_jerk, jerk.axis}};
+  const double along_jerk = (1 - settings.radial_jerk_share) * jerk.value;
+  MotionLimits limits{place.feed, {acceleration.value - radial, acceleration.axis}, {along_jerk, jerk.axis}};
   limits.speed.lower(velocity.value, {CauseKind::blend_velocity, velocity.axis});
   limits.speed.lower(std::sqrt(radial * radius), {CauseKind::blend_radial_acceleration, acceleration.axis});
-  limits.speed.lower(std::cbrt(radial_jerk * radius * radius), {CauseKind::blend_radial_jerk, jerk.axis});
+  limits.speed.lower(std::cbrt(along_jerk * radius * radius), {CauseKind::blend_tangential_jerk, jerk.axis});
   return limits;
+}
+
+/// Ramps over an arc of `radius` whose limits at one speed are `level`: v' <= (1 - R_A) A, and of the jerk
+/// v'' + v^3/R^2 <= (1 - R_J) Jtb along the path and 3 v v'/R <= R_J Jtb across it.
+BlendRamps arc_blend_ramps(const MotionLimits& level, double radius, const GassaraSettings& settings) {
+  const double along = level.jerk.value;
+  const double across = along * settings.radial_jerk_share / (1 - settings.radial_jerk_share);
+  const double turning = std::sqrt(level.acceleration.value * settings.radial_acceleration_share /
+                                   (1 - settings.radial_acceleration_share) * radius);
+  const double ramping = std::cbrt(along * radius * radius);
+  BlendRamps ramps;
+  for (std::size_t step = 0; step < ramps.size(); ++step) {
+    const double v = blend_ramp_speed(step, turning, ramping);
+    AxisBound acceleration = level.acceleration;
+    if (across * radius / (3 * v) < acceleration.value) {
+      acceleration = {across * radius / (3 * v), level.jerk.axis};
+    }
+    ramps[step] = {v, acceleration, {along - v * v * v / (radius * radius), level.jerk.axis}};
+  }
+  return ramps;
 }
 
 struct LaidArc {
@@ -114,12 +135,11 @@ Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
     lay_blended_stretch(toolpath, range, axes, rules, builder, stretch, blend_corner);
     follow_acceleration_mode(stretch, builder.path(), rules, own.period);
     set_junction_ceilings(stretch, builder.path(), axes.jerk, own.period, own.lookahead);
-    for (std::uint32_t e = 0; e < stretch.plan.size(); ++e) {
-      if (stretch.blend[e] != 0) {
-        stretch.hold_level(e);
-      }
-    }
-    add_planned_motion(builder, stretch, plan_nodes(stretch.plan, stretch.ceiling, stretch.level), steps);
+    const std::vector<PlanNode> nodes = plan_over_blends(stretch, [&](std::size_t e) {
+      return arc_blend_ramps(stretch.plan[e].limits,
+                             builder.path().min_radius(builder.path().index(stretch.element[e])), own);
+    });
+    add_planned_motion(builder, stretch, nodes, steps);
   });
   return builder.finish();
 }

@@ -46,7 +46,8 @@ TEST(GassaraModel, BlendsTheCornersOfEssidByArcsOfTheSameDepth) {
 }
 
 TEST(GassaraModel, PassesABlendAtTheLeastOfItsThreeLimits) {
-  // Right angle, eps = 0.8 rho = 0.08 mm: R = eps / (sqrt 2 - 1); A_R = 0.2 m/s2, J_R = 2 m/s3
+  // Right angle, eps = 0.8 rho = 0.08 mm: R = eps / (sqrt 2 - 1); 0.2 of 1 m/s2 across the path, 0.8 of 10
+  // m/s3 along it
   const double radius = 0.08 / (std::sqrt(2.0) - 1);
   const auto entry = [](double feed) {
     const Trajectory trajectory = run(testing::polyline({{0, 0, 0}, {50, 0, 0}, {50, 50, 0}}, feed));
@@ -55,7 +56,7 @@ TEST(GassaraModel, PassesABlendAtTheLeastOfItsThreeLimits) {
                 1e-9);
     return blend.entry_speed;
   };
-  EXPECT_NEAR(entry(50), std::cbrt(2000 * radius * radius), 1e-9);
+  EXPECT_NEAR(entry(50), std::sqrt(200 * radius), 1e-9);
   EXPECT_NEAR(entry(2), 2, 1e-12);
 }
 
@@ -74,18 +75,62 @@ TEST(GassaraModel, HoldsItsSpeedOnEveryBlendAndSaysWhatLimitsIt) {
   EXPECT_EQ(middle.cause.kind, CauseKind::blend_radial_acceleration);
 }
 
-TEST(GassaraModel, ABlendBetweenSlowerOnesIsLimitedByTheSlowerOfThem) {
-  // 0.4 mm on both sides of a gentle corner: too short to speed up much between two nearly right angles
-  const auto cause_behind = [](const Vec3& last) {
-    const Trajectory trajectory =
-        run(testing::polyline({{0, 0, 0}, {20, 0, 0}, {20, 0.4, 0}, {20.002, 0.8, 0}, last}, 50));
-    const BlendRecord gentle = trajectory.blend(1);
-    EXPECT_LT(gentle.entry_speed, std::sqrt(200 * gentle.min_radius));
-    const double start = trajectory.path().s(gentle.element);
-    return trajectory.state_at_path(start + gentle.length / 2).cause.kind;
+TEST(GassaraTable1, TakesTheDerivedTimeAndNamesTheJerkAlongThePath) {
+  // MODELS section 6: v^3/R^2 lies along the path and has the share 1 - R_J of 10 m/s3
+  const Trajectory trajectory = run(testing::polyline(testing::essid_table1(), 50));
+  EXPECT_NEAR(trajectory.duration(), 1.2223659, 5e-7);
+}
+
+TEST(GassaraModel, NamesTheJerkAlongThePathOnATightArc) {
+  // Right angle, eps = 0.8 rho = 0.008 mm: v^3/R^2 = 8 m/s3 at 1.44 mm/s, v^2/R = 0.2 m/s2 at 1.97 mm/s only
+  const ControlModel& gassara = find_model("gassara");
+  Settings settings = testing::spinner_settings(gassara);
+  settings.set("contour_tolerance_mm", 0.01);
+  const Trajectory trajectory = gassara.simulate(testing::polyline({{0, 0, 0}, {50, 0, 0}, {50, 50, 0}}, 50),
+                                                 testing::spinner(), settings);
+  const BlendRecord blend = trajectory.blend(0);
+  EXPECT_NEAR(blend.entry_speed, std::cbrt(8000 * blend.min_radius * blend.min_radius), 1e-9);
+  const State middle = trajectory.state_at_path(trajectory.path().s(blend.element) + blend.length / 2);
+  EXPECT_EQ(middle.cause.kind, CauseKind::blend_tangential_jerk);
+}
+
+/// A circle of R 14 mm in chords of 1.2 mm, whose blends meet in their middles.
+Toolpath chorded_circle() {
+  std::vector<Vec3> points;
+  constexpr int chords = 73;
+  for (int i = 0; i <= chords; ++i) {
+    const double angle = 2 * units::pi * i / chords;
+    points.emplace_back(14 * std::cos(angle), 14 * std::sin(angle), 0);
+  }
+  return testing::polyline(points, 50);
+}
+
+TEST(GassaraModel, SpeedsUpOverBlendsThatMeet) {
+  const Trajectory trajectory = run(chorded_circle());
+  const auto speed_on = [&](std::size_t blend) {
+    const BlendRecord& record = trajectory.blend(blend);
+    return trajectory.state_at_path(trajectory.path().s(record.element) + record.length / 2).speed;
   };
-  EXPECT_EQ(cause_behind({0, 0.8, 0}), CauseKind::ramp_down);   // X reverses: 0.6 of the tolerance
-  EXPECT_EQ(cause_behind({40, 0.8, 0}), CauseKind::axis_jerk);  // 0.8 of it, as before
+  // 0.2 m/s2 of 1 m/s2 across the path: sqrt(200 * 14) = 52.9 mm/s, above the programmed 50 mm/s
+  EXPECT_NEAR(speed_on(40), 50, 0.5);
+  EXPECT_LT(speed_on(0), 20);  // what half a chord from rest reaches
+  EXPECT_GT(speed_on(8), 1.3 * speed_on(1));
+}
+
+TEST(GassaraModel, KeepsTheSharesOfTurningAndOfRampsOnBlendsThatItSpeedsUpOn) {
+  const Trajectory trajectory = run(chorded_circle());
+  for (const Part& part : testing::parts_of(trajectory)) {
+    const State s = testing::state_in(trajectory, part, part.duration / 2);
+    if (trajectory.path().kind(s.element) != ElementKind::connecting_arc) {
+      continue;
+    }
+    const Vec3 tangent = s.velocity / s.speed;
+    const auto across = [&](const Vec3& vector) { return (vector - vector.dot(tangent) * tangent).norm(); };
+    ASSERT_LE(std::abs(s.acceleration.dot(tangent)), 800 * 1.00001);
+    ASSERT_LE(across(s.acceleration), 200 * 1.00001);
+    ASSERT_LE(std::abs(s.jerk.dot(tangent)), 8000 * 1.00001);
+    ASSERT_LE(across(s.jerk), 2000 * 1.00001);
+  }
 }
 
 }  // namespace
