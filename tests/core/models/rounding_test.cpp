@@ -67,7 +67,8 @@ struct Choice {
   const char* model;
   const char* key;
   const char* value;
-  /// What a time may change by, relative; above 1e-5 only where the model itself is no closer than that.
+  /// What a time may change by, relative. Above 1e-5 where the law of the paper on a blend is run or not, by
+  /// whether it gains anything: in chords of 0.1 mm the noise is 1e-5 of a direction change, and of a gain.
   double most = 1e-5;
 };
 
@@ -150,8 +151,8 @@ TEST_P(Rounding, OfARandomProgramChangesNoTime) {
 
 INSTANTIATE_TEST_SUITE_P(
     Models, Rounding,
-    ::testing::Values(Choice{"cam", "", ""}, Choice{"essid", "reading", "corrected"},
-                      Choice{"essid", "reading", "published"}, Choice{"essid", "reading", "strict"},
+    ::testing::Values(Choice{"cam", "", ""}, Choice{"essid", "reading", "corrected", 1e-4},
+                      Choice{"essid", "reading", "published", 1e-4}, Choice{"essid", "reading", "strict"},
                       Choice{"gassara", "", ""}, Choice{"tapie", "", ""}, Choice{"msaddek", "law", "dynamic"},
                       Choice{"msaddek", "law", "static"}, Choice{"ward", "enforce", "on"},
                       Choice{"ward", "enforce", "off"}, Choice{"optimal", "path", "essid"},
