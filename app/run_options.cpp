@@ -203,7 +203,7 @@ void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
         fmt::print(stderr, "feedscope: note: {}\n", note);
       }
     }
-    for (const std::string& sentence : unfollowed(*program.toolpath, setup)) {
+    for (const std::string& sentence : unfollowed(program, setup)) {
       std::string note = fmt::format("model '{}': {}", setup.model->info().id, sentence);
       if (said.insert(note).second) {
         fmt::print(stderr, "feedscope: note: {}\n", note);

@@ -247,7 +247,7 @@ void MainWindow::show_unfollowed() {
           tr("The program is written for %1; this machine has a %2, whose path and times are shown.")
               .arg(dialect, QString::fromStdString(mismatch->control)));
     }
-    for (const std::string& sentence : unfollowed(*shown->run.input.toolpath, shown->run.setup)) {
+    for (const std::string& sentence : unfollowed(shown->run.input, shown->run.setup)) {
       sentences.append(core_text(sentence));
     }
   }

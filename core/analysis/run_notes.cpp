@@ -6,7 +6,7 @@
 namespace feedscope {
 
 std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup) {
-  std::vector<std::string> notes = unfollowed(*program.toolpath, setup);
+  std::vector<std::string> notes = unfollowed(program, setup);
   if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
     notes.insert(notes.begin(), describe(*mismatch));
   }

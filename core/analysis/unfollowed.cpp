@@ -43,7 +43,27 @@ constexpr auto rules = std::to_array<Rule>({
      [](const Asked& a) { return a.control.look_ahead == Switch::off && a.has_ramps(); }},
 });
 
+/// Times of splines as arcs over those on the curves of continuous curvature that they stand for: 2 to 2.4.
+constexpr const char* curves_as_arcs =
+    "Curves of the program run as arcs that touch each other: where the curvature jumps, a control that "
+    "limits "
+    "the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.";
+
+bool has_curves_as_arcs(const LoadedProgram& program) {
+  const std::vector<Diagnostic>& said = program.program->diagnostics;
+  return std::any_of(said.begin(), said.end(), [](const Diagnostic& d) { return d.code == "curve-as-arcs"; });
+}
+
 }  // namespace
+
+std::vector<std::string> unfollowed(const LoadedProgram& program, const Setup& setup) {
+  std::vector<std::string> sentences = unfollowed(*program.toolpath, setup);
+  const bool has_ramps = setup.model->guarantees(setup.settings).continuity != Continuity::position;
+  if (has_ramps && has_curves_as_arcs(program)) {
+    sentences.emplace_back(curves_as_arcs);
+  }
+  return sentences;
+}
 
 std::vector<std::string> unfollowed(const Toolpath& toolpath, const Setup& setup) {
   const Guarantees promised = setup.model->guarantees(setup.settings);
@@ -65,6 +85,7 @@ std::vector<std::string> all_unfollowed() {
   for (const Rule& rule : rules) {
     sentences.emplace_back(rule.sentence);
   }
+  sentences.emplace_back(curves_as_arcs);
   return sentences;
 }
 

@@ -11,6 +11,9 @@ namespace feedscope {
 /// it follows all that the program asks for. Tolerances that the setup replaces on purpose are not named.
 std::vector<std::string> unfollowed(const Toolpath& toolpath, const Setup& setup);
 
+/// The same of a program as it was read, and what a run makes of its curves: they are arcs by then.
+std::vector<std::string> unfollowed(const LoadedProgram& program, const Setup& setup);
+
 /// Every sentence that unfollowed() may give, for translators.
 std::vector<std::string> all_unfollowed();
 

@@ -9,7 +9,8 @@ double used_tolerance(const Vec3& in, const Vec3& out, const CornerRule& rule) {
   // A part as small as what counts as straight on is rounding of the coordinates, not a motion of the axis.
   bool reverses = false;
   for (int j = 0; j < 3; ++j) {
-    reverses = reverses || (in[j] * out[j] < 0 && std::min(std::abs(in[j]), std::abs(out[j])) > straight_angle);
+    reverses =
+        reverses || (in[j] * out[j] < 0 && std::min(std::abs(in[j]), std::abs(out[j])) > straight_angle);
   }
   const double beta = rule.beta > 0 ? rule.beta : (reverses ? 0.6 : 0.8);
   return beta * rule.tolerance;

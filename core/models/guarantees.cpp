@@ -19,16 +19,24 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
+/// What is kept of an acceleration or a jerk in parts: the parts, what that says of their sum, and what is
+/// not bounded.
+std::string parts_text(const KeptLimit& kept, bool jerk) {
+  const std::string limit = kept.factor == 1 ? "the limit" : fmt::format("{} times the limit", kept.factor);
+  return jerk ? fmt::format(
+                    "of every axis: along the path the change of the acceleration (v'') and what turning "
+                    "takes (v^3 k^2) each stay within {}, together within {} times the limit; across "
+                    "the path (3 v v' k) it is not bounded",
+                    limit, 2 * kept.factor)
+              : fmt::format(
+                    "of every axis: along and across the path it stays within {} each, together within "
+                    "{} times the limit",
+                    limit, 2 * kept.factor);
+}
+
 std::string how_kept(const KeptLimit& kept, bool many) {
-  switch (kept.of) {
-    case Of::nothing:
-      return many ? "are not bounded" : "is not bounded";
-    case Of::parts:
-      return fmt::format("{} to {} in each part along and across the path, not in their sum",
-                         many ? "keep" : "keeps",
-                         kept.factor == 1 ? "the limits" : fmt::format("{} times the limits", kept.factor));
-    case Of::whole:
-      break;
+  if (kept.of == Of::nothing) {
+    return many ? "are not bounded" : "is not bounded";
   }
   if (kept.factor == 1) {
     return many ? "of every axis are kept" : "of every axis is kept";
@@ -46,6 +54,11 @@ std::string place_sentence(const char* place, const KeptLimits& limits) {
     std::vector<std::string> words;
     const KeptLimit& kept = all[i].second;
     text += i == 0 ? ": " : "; ";
+    if (kept.of == Of::parts) {  // of a jerk other parts than of an acceleration
+      text += all[i].first + " " + parts_text(kept, i == 2);
+      ++i;
+      continue;
+    }
     for (; i < all.size() && all[i].second == kept; ++i) {
       words.push_back(all[i].first);
     }

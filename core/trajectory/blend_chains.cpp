@@ -10,66 +10,77 @@ namespace {
 
 constexpr double slack = 1 + 1e-7;  // as of plan_nodes()
 
-/// A stretch and the step of ramps that each of its elements has come to.
+/// How a stretch is planned: the step of ramps that each of its elements has come to, and whether ramps over
+/// blends run over the short lines between them too.
+struct Steps {
+  static constexpr std::uint8_t level = std::tuple_size_v<BlendRamps>;  ///< of what is run at one speed
+  static constexpr std::uint8_t separate = level + 1;                   ///< of a line by itself
+
+  std::vector<std::uint8_t> of;  ///< an element
+  bool lines_join = true;
+};
+
 class BlendChains {
  public:
   BlendChains(Stretch& stretch, const RampsOfBlend& ramps_of)
-      : stretch_(stretch), plan_(stretch.plan), first_step_(stretch.plan.size(), level) {
+      : stretch_(stretch), plan_(stretch.plan), chains_{std::vector(stretch.plan.size(), Steps::level)} {
     const std::size_t count = plan_.size();
-    ramps_.resize(count);
-    own_.reserve(count);
+    blend_.resize(count);
     for (std::size_t e = 0; e < count; ++e) {
-      own_.push_back(plan_[e].limits);
       if (is_blend(e)) {
-        ramps_[e] = ramps_of(e);
+        blend_[e] = static_cast<std::uint32_t>(ramps_.size());
+        ramps_.push_back(ramps_of(e));
+        level_limits_.push_back({plan_[e].limits.acceleration, plan_[e].limits.jerk});
       }
     }
     for (std::size_t e = 1; e < count; ++e) {
-      const bool touches = is_blend(e) && is_blend(e - 1);
-      const bool nearly = e > 1 && is_blend(e) && is_blend(e - 2) && !gains_more_alone(e - 1);
-      if (touches || nearly) {
+      if (is_blend(e) && is_blend(e - 1)) {
+        chains_.of[e - 1] = chains_.of[e] = 0;
         any_ = true;
-        std::fill(first_step_.begin() + static_cast<std::ptrdiff_t>(touches ? e - 1 : e - 2),
-                  first_step_.begin() + static_cast<std::ptrdiff_t>(e + 1), 0);
+      } else if (e > 1 && is_blend(e) && is_blend(e - 2) && !gains_more_alone(e - 1)) {
+        chains_.of[e - 2] = chains_.of[e - 1] = chains_.of[e] = 0;
+        any_ = has_lines_ = true;
       }
     }
   }
 
-  bool any() const { return any_; }  ///< whether there is a chain
-
-  /// All blends level.
-  std::vector<PlanNode> plan_level() {
-    step_.assign(plan_.size(), level);
-    set_limits();
-    return plan_nodes(plan_, stretch_.ceiling, stretch_.level);
-  }
-
-  std::vector<PlanNode> plan_ramps(bool lines_join) {
-    step_ = first_step_;
-    lines_join_ = lines_join;
-    for (;;) {
-      set_limits();
-      std::vector<PlanNode> nodes = plan_nodes(plan_, stretch_.ceiling, stretch_.level);
-      if (!take_next_steps(nodes)) {
-        return nodes;
+  std::vector<PlanNode> fastest() {
+    Steps best{std::vector(plan_.size(), Steps::level)};
+    set_limits(best);
+    std::vector<PlanNode> nodes = plan_nodes(plan_, stretch_.ceiling, stretch_.level);
+    if (!any_) {
+      return nodes;
+    }
+    const double level = planned_time(nodes);
+    for (const bool lines_join : {true, false}) {
+      Steps steps = chains_;
+      steps.lines_join = lines_join;
+      std::vector<PlanNode> ramped = plan_ramps(steps);
+      if (planned_time(ramped) < level) {
+        best = std::move(steps);
+        nodes = std::move(ramped);
+        break;
+      }
+      if (!has_lines_) {
+        break;
       }
     }
+    set_limits(best);
+    return nodes;
   }
 
  private:
-  static constexpr std::size_t separate = std::tuple_size_v<BlendRamps> + 1;
-  static constexpr std::size_t level = std::tuple_size_v<BlendRamps>;  ///< step of what is run at one speed
-
   bool is_blend(std::size_t e) const { return stretch_.blend[e] != 0; }
+  const BlendRamps& ramps(std::size_t e) const { return ramps_[blend_[e]]; }
 
   /// Whether a ramp on line `e` between two blends gains more speed than one over it and half of each blend.
   bool gains_more_alone(std::size_t e) const {
     constexpr std::size_t usual = 1;  // step
-    const BlendRamp& before = ramps_[e - 1][usual];
-    const BlendRamp& after = ramps_[e + 1][usual];
-    const double speed = std::min({before.speed, after.speed, own_[e].speed.value});
-    const double alone =
-        reachable_speed(speed, plan_[e].length, {own_[e].acceleration.value, own_[e].jerk.value});
+    const BlendRamp& before = ramps(e - 1)[usual];
+    const BlendRamp& after = ramps(e + 1)[usual];
+    const MotionLimits& line = plan_[e].limits;
+    const double speed = std::min({before.speed, after.speed, line.speed.value});
+    const double alone = reachable_speed(speed, plan_[e].length, {line.acceleration.value, line.jerk.value});
     const double length = plan_[e].length + (plan_[e - 1].length + plan_[e + 1].length) / 2;
     const double acceleration = std::min(before.acceleration.value, after.acceleration.value);
     return alone > std::sqrt(speed * speed + 2 * acceleration * length);
@@ -77,55 +88,73 @@ class BlendChains {
 
   /// A line of a chain goes with the neighbour that leaves more for ramps, or by itself behind the first
   /// step.
-  std::size_t step_of(std::size_t e) const {
-    if (is_blend(e) || step_[e] == level) {
-      return step_[e];
+  std::uint8_t step_of(const Steps& steps, std::size_t e) const {
+    if (is_blend(e) || steps.of[e] == Steps::level) {
+      return steps.of[e];
     }
-    const std::size_t slower = std::min(step_[e - 1], step_[e + 1]);
-    return lines_join_ || slower == 0 ? slower : separate;
+    const std::uint8_t slower = std::min(steps.of[e - 1], steps.of[e + 1]);
+    return steps.lines_join || slower == 0 ? slower : Steps::separate;
   }
 
-  void set_limits() {
+  void set_limits(const Steps& steps) {
     stretch_.level.clear();
-    std::size_t before = level;
+    std::uint8_t before = Steps::level;
     for (std::size_t e = 0; e < plan_.size(); ++e) {
-      MotionLimits& limits = plan_[e].limits;
-      limits = own_[e];
-      const std::size_t step = step_of(e);
+      const std::uint8_t step = step_of(steps, e);
       if (step != before && (stretch_.level.empty() || stretch_.level.back() < e)) {
         stretch_.level.push_back(static_cast<std::uint32_t>(e));
       }
       before = step;
-      if (is_blend(e) && step == level) {
+      if (!is_blend(e)) {
+        continue;
+      }
+      MotionLimits& limits = plan_[e].limits;
+      limits.acceleration = level_limits_[blend_[e]].acceleration;
+      limits.jerk = level_limits_[blend_[e]].jerk;
+      if (step == Steps::level) {
         stretch_.hold_level(static_cast<std::uint32_t>(e));
-      } else if (is_blend(e)) {
-        limits.acceleration = ramps_[e][step].acceleration;
-        limits.jerk = ramps_[e][step].jerk;
+      } else {
+        limits.acceleration = ramps(e)[step].acceleration;
+        limits.jerk = ramps(e)[step].jerk;
       }
     }
   }
 
+  std::vector<PlanNode> plan_ramps(Steps& steps) {
+    for (;;) {
+      set_limits(steps);
+      std::vector<PlanNode> nodes = plan_nodes(plan_, stretch_.ceiling, stretch_.level);
+      if (!take_next_steps(steps, nodes)) {
+        return nodes;
+      }
+    }
+  }
+
+  SpeedProfile profile(const PlanNode& from, const PlanNode& to) const {
+    const SpanLimits span = span_limits(plan_, from.junction, to.junction);
+    return plan_profile(from.speed, 0, to.speed, span.length, span.ceiling, span.ramp());
+  }
+
+  bool is_level(const PlanNode& from, const PlanNode& to) const {
+    return to.junction == from.junction + 1 && stretch_.is_level(from.junction);
+  }
+
   /// The next step for every blend that `nodes` passes too fast for ramps; whether there is one.
-  bool take_next_steps(const std::vector<PlanNode>& nodes) {
+  bool take_next_steps(Steps& steps, const std::vector<PlanNode>& nodes) const {
     bool found = false;
     for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
-      const std::size_t first = nodes[n].junction;
-      const std::size_t last = nodes[n + 1].junction;
-      if (std::all_of(step_.begin() + static_cast<std::ptrdiff_t>(first),
-                      step_.begin() + static_cast<std::ptrdiff_t>(last),
-                      [](std::size_t step) { return step == level; })) {
+      if (is_level(nodes[n], nodes[n + 1])) {
         continue;
       }
-      const SpanLimits span = span_limits(plan_, first, last);
-      const SpeedProfile profile =
-          plan_profile(nodes[n].speed, 0, nodes[n + 1].speed, span.length, span.ceiling, span.ramp());
-      ProfileWalk walk(profile);
+      const SpeedProfile law = profile(nodes[n], nodes[n + 1]);
+      ProfileWalk walk(law);
       double s = 0;
-      for (std::size_t e = first; e < last; ++e) {
+      for (std::size_t e = nodes[n].junction; e < nodes[n + 1].junction; ++e) {
         s += plan_[e].length;
         walk.move_to(s);
-        if (is_blend(e) && step_[e] != level && walk.largest_speed() > ramps_[e][step_[e]].speed * slack) {
-          ++step_[e];
+        if (is_blend(e) && steps.of[e] != Steps::level &&
+            walk.largest_speed() > ramps(e)[steps.of[e]].speed * slack) {
+          ++steps.of[e];
           found = true;
         }
       }
@@ -133,31 +162,29 @@ class BlendChains {
     return found;
   }
 
+  double planned_time(const std::vector<PlanNode>& nodes) const {
+    double time = 0;
+    for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
+      time += is_level(nodes[n], nodes[n + 1]) ? plan_[nodes[n].junction].length / nodes[n].speed
+                                               : profile(nodes[n], nodes[n + 1]).duration();
+    }
+    return time;
+  }
+
+  struct Ramp {
+    AxisBound acceleration;
+    AxisBound jerk;
+  };
+
   Stretch& stretch_;
   std::vector<PlanElement>& plan_;
-  std::vector<MotionLimits> own_;        ///< of every element at one speed
-  std::vector<BlendRamps> ramps_;        ///< an element; of blends only
-  std::vector<std::size_t> first_step_;  ///< an element
-  std::vector<std::size_t> step_;        ///< an element
+  std::vector<std::uint32_t> blend_;  ///< an element; of a blend: which it is
+  std::vector<BlendRamps> ramps_;     ///< a blend
+  std::vector<Ramp> level_limits_;    ///< a blend; as the stretch came
+  Steps chains_;                      ///< chains with their first step, everything else level
   bool any_ = false;
-  bool lines_join_ = true;
+  bool has_lines_ = false;
 };
-
-double planned_time(const Stretch& stretch, const std::vector<PlanNode>& nodes) {
-  double time = 0;
-  for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
-    const std::size_t first = nodes[n].junction;
-    const std::size_t last = nodes[n + 1].junction;
-    if (last == first + 1 && stretch.is_level(first)) {
-      time += stretch.plan[first].length / nodes[n].speed;
-      continue;
-    }
-    const SpanLimits span = span_limits(stretch.plan, first, last);
-    time += plan_profile(nodes[n].speed, 0, nodes[n + 1].speed, span.length, span.ceiling, span.ramp())
-                .duration();
-  }
-  return time;
-}
 
 }  // namespace
 
@@ -168,26 +195,7 @@ double blend_ramp_speed(std::size_t step, double turning, double ramping) {
 }
 
 std::vector<PlanNode> plan_over_blends(Stretch& stretch, const RampsOfBlend& ramps) {
-  BlendChains chains(stretch, ramps);
-  std::vector<PlanNode> best = chains.plan_level();
-  if (!chains.any()) {
-    return best;
-  }
-  double least = planned_time(stretch, best);
-  for (const bool lines_join : {true, false}) {
-    const std::vector<PlanElement> plan = stretch.plan;
-    const std::vector<std::uint32_t> level = stretch.level;
-    std::vector<PlanNode> nodes = chains.plan_ramps(lines_join);
-    const double time = planned_time(stretch, nodes);
-    if (time < least) {
-      least = time;
-      best = std::move(nodes);
-    } else {
-      stretch.plan = plan;
-      stretch.level = level;
-    }
-  }
-  return best;
+  return BlendChains(stretch, ramps).fastest();
 }
 
 }  // namespace feedscope

@@ -38,11 +38,11 @@ using RampsOfBlend = std::function<BlendRamps(std::size_t e)>;
 /// one over line and blends together, make a chain. Its blends begin with their first step of ramps; those
 /// that the plan passes faster are given the next one, and at last are level, until the plan keeps all
 /// speeds. All other blends are level from the start. Neighbours of different steps are parted by a node.
-/// Of three plans, all blends level, chains with and without ramps over their short lines, the fastest runs:
-/// ramps over blends never make a stretch slower.
+/// Ramps run over the short lines of a chain too, else over its blends only, where that is faster than all
+/// blends level: they never make a stretch slower.
 ///
 /// `stretch`: limits of blends are those at one speed; this function sets those of the plan it returns, and
-/// the levels. Cost: one plan, of a stretch that holds a chain eleven at most.
+/// the levels. Cost: one plan, of a stretch that holds a chain six to eleven.
 std::vector<PlanNode> plan_over_blends(Stretch& stretch, const RampsOfBlend& ramps);
 
 }  // namespace feedscope

@@ -1171,6 +1171,10 @@
         <source>Look-ahead that the program switches off is not followed.</source>
         <translation>L’anticipation de blocs (look-ahead) que le programme désactive n’est pas suivie.</translation>
     </message>
+    <message>
+        <source>Curves of the program run as arcs that touch each other: where the curvature jumps, a control that limits the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.</source>
+        <translation>Les courbes du programme sont parcourues comme des arcs tangents : là où la courbure saute, une commande qui limite le jerk ralentit, et le temps indiqué atteint 2,4 fois celui de la courbe elle-même.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui</name>

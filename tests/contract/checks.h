@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/analysis/summary.h"
 #include "core/models/control_model.h"
@@ -44,8 +45,9 @@ Result check_path_lookup(const Motion& motion);
 
 // What the model promises (guarantee_checks.cpp).
 
-/// Axis limits on lines, arcs and blends.
-Result check_limits(const Motion& motion, const Guarantees& promised, const Machine& machine);
+/// Axis limits on lines, arcs and blends, component by component; one finding of each limit and kind of
+/// place.
+std::vector<Finding> check_limits(const Motion& motion, const Guarantees& promised, const Machine& machine);
 /// Programmed feed.
 Result check_feed(const Motion& motion, const Guarantees& promised);
 /// Full stops stand, in the programmed point.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "core/program/program.h"
@@ -14,32 +15,29 @@ std::string text_of(const Case& example) {
   return fmt::format("{}\n", fmt::join(example.lines, "\n"));
 }
 
-Result check_run(const Toolpath& toolpath, const Inputs& inputs) {
+std::vector<Finding> check_run(const Toolpath& toolpath, const Inputs& inputs) {
   const Trajectory run = inputs.model.simulate(toolpath, inputs.machine, inputs.settings);
   const Guarantees promised = inputs.model.guarantees(inputs.settings);
   const double tolerance =
       inputs.settings.has("contour_tolerance_mm") ? inputs.settings.number("contour_tolerance_mm") : 0;
   const Motion motion(toolpath, run);
-  const auto first_of = [](auto... checks) {
-    Result broken;
-    ((broken = broken ? broken : checks()), ...);
-    return broken;
-  };
-  return first_of(
-      [&] { return check_time(motion); }, [&] { return check_finite(motion); },
-      [&] { return check_summary(motion, inputs.machine); }, [&] { return check_ends(motion, promised); },
-      [&] { return check_continuity(motion, promised); },
-      [&] { return check_limits(motion, promised, inputs.machine); },
-      [&] { return check_feed(motion, promised); }, [&] { return check_stops(motion, promised); },
-      [&] { return check_contour(motion, promised, tolerance); }, [&] { return check_derivatives(motion); },
-      [&] { return check_displacement(motion); }, [&] { return check_path_lookup(motion); },
-      [&] { return check_again(motion, inputs); }, [&] { return check_split(motion, promised, inputs); },
-      [&] { return check_bound(motion, promised, inputs); });
+  std::vector<Finding> broken = check_limits(motion, promised, inputs.machine);
+  for (const Result& result :
+       {check_time(motion), check_finite(motion), check_summary(motion, inputs.machine),
+        check_ends(motion, promised), check_continuity(motion, promised), check_feed(motion, promised),
+        check_stops(motion, promised), check_contour(motion, promised, tolerance), check_derivatives(motion),
+        check_displacement(motion), check_path_lookup(motion), check_again(motion, inputs),
+        check_split(motion, promised, inputs), check_bound(motion, promised, inputs)}) {
+    if (result) {
+      broken.push_back(*result);
+    }
+  }
+  return broken;
 }
 
 }  // namespace
 
-Result check_case(const Case& example) {
+std::vector<Finding> check_case(const Case& example) {
   try {
     const Program program =
         read_program(std::make_shared<const SourceText>(SourceText("program", text_of(example))));
@@ -47,8 +45,14 @@ Result check_case(const Case& example) {
     return check_run(build_toolpath(program),
                      {model, example.machine, complete_settings(model, example.machine)});
   } catch (const std::exception& error) {
-    return Finding{"throws", error.what()};
+    return {Finding{"throws", error.what()}};
   }
+}
+
+Result finding_of(const std::vector<Finding>& findings, const std::string& check) {
+  const auto found =
+      std::find_if(findings.begin(), findings.end(), [&](const Finding& f) { return f.check == check; });
+  return found == findings.end() ? Result() : Result(*found);
 }
 
 Case smallest(const Case& broken, const std::string& check) {
@@ -62,8 +66,7 @@ Case smallest(const Case& broken, const std::string& check) {
       const std::size_t count = std::min(chunk, best.lines.size() - first);
       fewer.lines.erase(begin, begin + static_cast<std::ptrdiff_t>(count));
       ++runs;
-      const Result result = check_case(fewer);
-      if (result && result->check == check) {
+      if (finding_of(check_case(fewer), check)) {
         best = std::move(fewer);
       } else {
         first += chunk;

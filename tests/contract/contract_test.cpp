@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "core/analysis/run.h"
 #include "tests/contract/hand_cases.h"
@@ -22,27 +23,64 @@ std::vector<std::string> model_ids() {
   return ids;
 }
 
-/// Checks that a model is known not to pass on a few programs in a hundred; the long run shows them all.
+/// Checks that a model is known not to pass on a few programs, and on how many of one test at most: one more
+/// is a fault. The long run shows them all.
 struct OpenFinding {
   const char* model;
   const char* check;
+  int most;  ///< programs of one test: of a share of the random ones, or all hand-made ones
 };
 constexpr OpenFinding open_findings[] = {
-    // A program begun elsewhere has other roundings of path lengths: on them hang the cells of jerk=on in a
+    // A program begun elsewhere has other roundings of path lengths: on them depend the cells of jerk=on in a
     // few programs in a thousand, and the time of blocks of 1e-6 mm.
-    {"optimal", "split"},
+    {"optimal", "split", 12},
     // Parts of nanoseconds in the peak of curvature of a near reversal.
-    {"optimal", "derivatives"},
+    {"optimal", "derivatives", 12},
+    // The same peaks: a quadrature misses up to a few 1e-9 mm of them.
+    {"optimal", "displacement", 12},
     // The same peaks: the place of a path length on a blend is not known as finely as they are narrow.
-    {"optimal", "acceleration-on-blend"},
-    {"optimal", "jerk-on-blend"},
+    {"optimal", "acceleration-on-blend", 12},
+    {"optimal", "jerk-on-blend", 12},
 };
 
-bool is_open(const std::string& model, const Finding& finding) {
-  return std::any_of(std::begin(open_findings), std::end(open_findings), [&](const OpenFinding& open) {
-    return model == open.model && finding.check == open.check;
-  });
-}
+/// Broken promises of the programs of one test: reports all that are not open, and counts those that are.
+class Findings {
+ public:
+  explicit Findings(std::string model) : model_(std::move(model)) {}
+  Findings(const Findings&) = delete;
+  Findings& operator=(const Findings&) = delete;
+  ~Findings() {
+    for (const OpenFinding& open : open_findings) {
+      if (model_ == open.model) {
+        EXPECT_LE(counts_[open.check], open.most)
+            << open.model << " breaks the open promise '" << open.check << "' on more programs than before";
+      }
+    }
+  }
+
+  /// Every promise that `example` breaks; `name`: of the files that show it.
+  void check(const Case& example, const std::string& name) {
+    for (const Finding& broken : check_case(example)) {
+      if (is_open(broken)) {
+        ++counts_[broken.check];
+        continue;
+      }
+      const Case small = smallest(example, broken.check);
+      ADD_FAILURE() << report(small, finding_of(check_case(small), broken.check).value_or(broken), findings,
+                              model_ + "-" + broken.check + "-" + name);
+    }
+  }
+
+ private:
+  bool is_open(const Finding& finding) const {
+    return std::any_of(std::begin(open_findings), std::end(open_findings), [&](const OpenFinding& open) {
+      return model_ == open.model && finding.check == open.check;
+    });
+  }
+
+  std::string model_;
+  std::map<std::string, int> counts_;  ///< programs by open check
+};
 
 const char* const tolerance_key = "contour_tolerance_mm";
 
@@ -69,12 +107,7 @@ std::vector<Machine> with_every_choice(const Machine& machine, const ControlMode
 
 class ModelContract : public ::testing::TestWithParam<std::string> {
  protected:
-  static void expect_kept(const Case& example, const std::string& name) {
-    if (const Result broken = check_case(example); broken && !is_open(GetParam(), *broken)) {
-      const Case small = smallest(example, broken->check);
-      ADD_FAILURE() << report(small, check_case(small).value_or(*broken), findings, GetParam() + "-" + name);
-    }
-  }
+  Findings found_{GetParam()};
 };
 
 TEST_P(ModelContract, HoldsOnHandCasesOnEveryMachineWithEveryChoice) {
@@ -83,7 +116,7 @@ TEST_P(ModelContract, HoldsOnHandCasesOnEveryMachineWithEveryChoice) {
   for (const std::string& id : library.ids()) {
     for (const Machine& machine : with_every_choice(library.load(id), model)) {
       for (const HandCase& hand : hand_cases()) {
-        expect_kept({hand.lines, machine, GetParam()}, hand.name + "-" + id);
+        found_.check({hand.lines, machine, GetParam()}, hand.name + "-" + id);
         if (HasFailure()) {
           return;
         }
@@ -95,7 +128,7 @@ TEST_P(ModelContract, HoldsOnHandCasesOnEveryMachineWithEveryChoice) {
 TEST_P(ModelContract, HoldsOnAMillionIdenticalPoints) {
   std::vector<std::string> lines{"G1 X10 F3000"};
   lines.resize(1000000, "X10");
-  expect_kept({lines, shipped_machines().load(default_machine), GetParam()}, "points");
+  found_.check({lines, shipped_machines().load(default_machine), GetParam()}, "points");
 }
 
 TEST_P(ModelContract, HoldsOnRandomProgramsWithoutAnyTolerance) {
@@ -104,7 +137,7 @@ TEST_P(ModelContract, HoldsOnRandomProgramsWithoutAnyTolerance) {
   for (std::uint64_t number = 0; reads_tolerance(find_model(GetParam())) && number < programs; ++number) {
     Case example = random_case(GetParam(), seed, number);
     example.machine.settings.set(tolerance_key, 0.0);
-    expect_kept(example, "exact-" + std::to_string(number));
+    found_.check(example, "exact-" + std::to_string(number));
   }
 }
 
@@ -118,14 +151,10 @@ TEST_P(RandomContract, Holds) {
   constexpr std::uint64_t programs = 510;
   constexpr std::uint64_t seed = 2026;
   const auto& [model, share] = GetParam();
-  for (std::uint64_t i = 0; i < programs; ++i) {
+  Findings found(model);
+  for (std::uint64_t i = 0; i < programs && !HasFailure(); ++i) {
     const std::uint64_t number = static_cast<std::uint64_t>(share) * programs + i;
-    const Case example = random_case(model, seed, number);
-    if (const Result broken = check_case(example); broken && !is_open(model, *broken)) {
-      const Case small = smallest(example, broken->check);
-      FAIL() << report(small, check_case(small).value_or(*broken), findings,
-                       model + "-" + std::to_string(number));
-    }
+    found.check(random_case(model, seed, number), std::to_string(number));
   }
 }
 

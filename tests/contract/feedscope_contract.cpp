@@ -43,7 +43,7 @@ class LongRun {
     for (std::thread& thread : threads) {
       thread.join();
     }
-    fmt::print("{} programs, {} break a promise\n", options_.programs, broken_);
+    fmt::print("{} programs, {} break a promise\n", options_.programs, broken_.load());
     for (const auto& [promise, count] : counts_) {
       fmt::print("  {:6}  {}\n", count, promise);
     }
@@ -58,14 +58,15 @@ class LongRun {
         return;
       }
       const Case example = random_case(models_[number % models_.size()], options_.seed, number);
-      const Result result = check_case(example);
-      if (result) {
-        note(example, *result, number);
+      const std::vector<Finding> findings = check_case(example);
+      broken_ += findings.empty() ? 0 : 1;
+      for (const Finding& finding : findings) {
+        note(example, finding, number);
       }
       const std::uint64_t done = number - options_.first + 1;
       constexpr std::uint64_t every = 1000;
       if (done % every == 0) {
-        fmt::print(stderr, "\r{} of {}, {} broken ", done, options_.programs, broken_);
+        fmt::print(stderr, "\r{} of {}, {} broken ", done, options_.programs, broken_.load());
       }
     }
   }
@@ -73,13 +74,12 @@ class LongRun {
   void note(const Case& example, const Finding& finding, std::uint64_t number) {
     {
       const std::lock_guard lock(mutex_);
-      ++broken_;
       if (++counts_[example.model + " " + finding.check] > options_.most_reports) {
         return;
       }
     }
     const Case small = smallest(example, finding.check);
-    const Result again = check_case(small);
+    const Result again = finding_of(check_case(small), finding.check);
     const std::string name = fmt::format("{}-{}-{}", example.model, finding.check, number);
     const std::lock_guard lock(mutex_);
     fmt::print("\n{}", report(small, again.value_or(finding), options_.out, name));
@@ -90,7 +90,7 @@ class LongRun {
   std::vector<std::string> models_;
   std::atomic<std::uint64_t> next_;
   std::mutex mutex_;
-  std::uint64_t broken_ = 0;
+  std::atomic<std::uint64_t> broken_ = 0;
   std::map<std::string, std::uint64_t> counts_;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/base/units.h"
 #include "core/blend/junction.h"
@@ -14,46 +15,67 @@ constexpr double rounding = 2e-6;  ///< of a limit, relative
 constexpr double met = 1e-9;       ///< a programmed point is met [mm]
 constexpr double rest = 1e-3;      ///< speed that rounding of lengths leaves at a standstill [mm/s]
 
-/// Largest absolute value of each axis that counts against a limit.
+/// One component of what an axis bears, and how many times the limit it may be.
+struct Component {
+  const char* name;
+  Vec3 value;  ///< absolute, of each axis
+  double factor;
+};
+
+/// What an axis bears by components.
 struct AxisLoad {
   Vec3 whole;
+  Vec3 parts_sum;  ///< of the two parts that are promised each for itself
   Vec3 along;
-  Vec3 across;
-  Vec3 of(KeptLimit::Of what) const {
-    return what == KeptLimit::Of::parts ? Vec3(along.cwiseMax(across)) : whole;
+  Vec3 across;  ///< of a jerk: what turning takes along the path
+
+  /// All that is promised; two parts that are kept each for itself keep twice the limit together.
+  std::vector<Component> promised(const KeptLimit& kept) const {
+    switch (kept.of) {
+      case KeptLimit::Of::whole:
+        return {{"", whole, kept.factor}};
+      case KeptLimit::Of::parts:
+        return {{" (first part)", along, kept.factor},
+                {" (second part)", across, kept.factor},
+                {" (both parts)", parts_sum, 2 * kept.factor}};
+      case KeptLimit::Of::nothing:
+        break;
+    }
+    return {};
   }
 };
 
 AxisLoad acceleration_load(const State& s) {
   const Vec3 along = s.speed > 0 ? Vec3(s.velocity / s.speed * s.tangential_acceleration) : s.acceleration;
-  return {s.acceleration.cwiseAbs(), along.cwiseAbs(), (s.acceleration - along).cwiseAbs()};
+  return {s.acceleration.cwiseAbs(), s.acceleration.cwiseAbs(), along.cwiseAbs(),
+          (s.acceleration - along).cwiseAbs()};
 }
 
 AxisLoad jerk_load(const State& s) {
   if (!(s.speed > 0)) {
-    return {s.jerk.cwiseAbs(), s.jerk.cwiseAbs(), Vec3::Zero()};
+    return {s.jerk.cwiseAbs(), s.jerk.cwiseAbs(), s.jerk.cwiseAbs(), Vec3::Zero()};
   }
   const Vec3 tangent = s.velocity / s.speed;
   const double turning = (s.acceleration - tangent * s.tangential_acceleration).squaredNorm() / s.speed;
-  return {s.jerk.cwiseAbs(), (tangent * s.tangential_jerk).cwiseAbs(), (tangent * turning).cwiseAbs()};
+  const Vec3 along = tangent * s.jerk.dot(tangent);  // v'' - v^3 k^2
+  return {s.jerk.cwiseAbs(), along.cwiseAbs(), (tangent * s.tangential_jerk).cwiseAbs(),
+          (tangent * turning).cwiseAbs()};
 }
 
-Result broken_limit(const Motion& motion, const Part& part, const char* name, const KeptLimit& kept,
-                    const Vec3& load, const Machine& machine, double AxisLimits::*limit) {
-  if (kept.of == KeptLimit::Of::nothing) {
-    return {};
-  }
+Result broken_limit(const Motion& motion, const Part& part, const char* name, const Component& component,
+                    const Machine& machine, double AxisLimits::*limit) {
   for (std::size_t j = 0; j < 3; ++j) {
-    const double bound = kept.factor * machine.axes[j].*limit;
-    const double value = load[static_cast<Eigen::Index>(j)];
+    const double bound = component.factor * machine.axes[j].*limit;
+    const double value = component.value[static_cast<Eigen::Index>(j)];
     if (!(value <= bound * (1 + rounding))) {
       static constexpr const char* places[]{"line", "arc", "blend", "dwell"};
       const char* place = places[static_cast<std::size_t>(part.place)];
-      return Finding{fmt::format("{}-on-{}", name, place),
-                     fmt::format("part {} at {} s, line {}: {} of axis {} on a {} is {}, {} times the limit; "
-                                 "promised is {}",
-                                 part.number, part.time, motion.run().line_of(part.element), name,
-                                 axis_names[j], place, value, value / (machine.axes[j].*limit), kept.factor)};
+      return Finding{
+          fmt::format("{}-on-{}", name, place),
+          fmt::format("part {} at {} s, line {}: {}{} of axis {} on a {} is {}, {} times the limit; "
+                      "promised is {}",
+                      part.number, part.time, motion.run().line_of(part.element), name, component.name,
+                      axis_names[j], place, value, value / (machine.axes[j].*limit), component.factor)};
     }
   }
   return {};
@@ -77,7 +99,8 @@ bool acceleration_jumps(const Motion& motion, const Part& part) {
 
 }  // namespace
 
-Result check_limits(const Motion& motion, const Guarantees& promised, const Machine& machine) {
+std::vector<Finding> check_limits(const Motion& motion, const Guarantees& promised, const Machine& machine) {
+  std::map<std::string, Finding> broken;  // the first of every kind of place and limit
   for (const Part& part : motion.parts()) {
     if (part.place == Place::dwell) {
       continue;
@@ -88,25 +111,30 @@ Result check_limits(const Motion& motion, const Guarantees& promised, const Mach
         part.place == Place::blend && kept.of_blend_jerk ? &AxisLimits::blend_jerk : &AxisLimits::jerk;
     for (const double share : {0.0, 0.21, 0.5, 0.79, 1.0}) {
       const State s = motion.at(part, share);
-      const AxisLoad a = acceleration_load(s);
       AxisLoad j = jerk_load(s);
       if (jumps) {
         j.along = Vec3::Zero();
-        j.whole = j.across;
+        j.whole = j.parts_sum = j.across;
       }
-      for (const Result& broken :
-           {broken_limit(motion, part, "velocity", kept.velocity, s.velocity.cwiseAbs(), machine,
-                         &AxisLimits::velocity),
-            broken_limit(motion, part, "acceleration", kept.acceleration, a.of(kept.acceleration.of), machine,
-                         &AxisLimits::acceleration),
-            broken_limit(motion, part, "jerk", kept.jerk, j.of(kept.jerk.of), machine, jerk)}) {
-        if (broken) {
-          return broken;
+      const auto look = [&](const char* name, const AxisLoad& load, const KeptLimit& limit,
+                            double AxisLimits::*of_axis) {
+        for (const Component& component : load.promised(limit)) {
+          if (Result found = broken_limit(motion, part, name, component, machine, of_axis)) {
+            broken.try_emplace(found->check, *found);
+          }
         }
-      }
+      };
+      const Vec3 v = s.velocity.cwiseAbs();
+      look("velocity", {v, v, v, v}, kept.velocity, &AxisLimits::velocity);
+      look("acceleration", acceleration_load(s), kept.acceleration, &AxisLimits::acceleration);
+      look("jerk", j, kept.jerk, jerk);
     }
   }
-  return {};
+  std::vector<Finding> findings;
+  for (const auto& [check, finding] : broken) {
+    findings.push_back(finding);
+  }
+  return findings;
 }
 
 namespace {

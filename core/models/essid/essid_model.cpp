@@ -32,7 +32,7 @@ const ModelInfo& EssidModel::info() const {
     reading.title = "Reading of the paper";
     reading.explanation =
         "corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper's "
-        "figures; strict: constant du/dt on a blend, every limit kept.";
+        "figures; strict: constant du/dt on a blend, where blends meet ramps of it, every limit kept.";
     reading.choices = {"corrected", "published", "strict"};
     return ModelInfo{
         "essid",

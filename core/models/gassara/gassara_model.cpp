@@ -97,12 +97,15 @@ const ModelInfo& GassaraModel::info() const {
       "in "
       "Essid et al. 2019, section 4.3",
       "Corners between lines are blended by circle arcs within the contour tolerance and passed at constant "
-      "speed, limits taken along tangent and normal instead of per axis; jerk-limited ramps on the lines, "
+      "speed, those that meet within ramps; limits taken along tangent and normal instead of per axis; "
+      "jerk-limited ramps on the lines, "
       "look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007.",
       {used_tolerance_setting()},
       {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
        "radial_acceleration_share", "radial_jerk_share"},
-      {"On blends the radial shares of the least acceleration and jerk of the axes are kept."}};
+      {"On blends the shares of the least acceleration and jerk of the axes are kept: of the acceleration "
+       "R_A "
+       "across and 1 - R_A along the path, of the jerk R_J across and 1 - R_J along it."}};
   return info;
 }
 

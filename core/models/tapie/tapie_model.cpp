@@ -17,8 +17,10 @@ const ModelInfo& TapieModel::info() const {
       "stops: the paper says that the control rounds them, but not how.",
       {},
       {"interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3", "tangential_share"},
-      {"On arcs the tangential and the radial part each keep the axis acceleration and jerk at the place "
-       "where the steady feed is reached; elsewhere on the arc the radial part may exceed them, as measured "
+      {"On arcs the tangential and the radial acceleration each keep the axis limits at the place where the "
+       "steady feed is reached, and so do the two parts of the jerk along the path, v'' and v^3 k^2; their "
+       "sum "
+       "may exceed them, and elsewhere on the arc the radial acceleration and v^3 k^2 too, as measured "
        "there."}};
   return info;
 }

@@ -54,6 +54,28 @@ TEST(Unfollowed, NoModelHasFollowingErrors) {
   EXPECT_THAT(unfollowed_of("FFWON", "ward"), IsEmpty());
 }
 
+TEST(Unfollowed, CurvesRunAsArcsInModelsWithRamps) {
+  const auto said = [](const std::string& motion, const std::string& model) {
+    const std::string text = "G64 G90 F1000\nG1 X0 Y0\n" + motion + " X10 Y5\nX20 Y0\nX30 Y5\n";
+    const LoadedProgram program =
+        load_program(std::make_shared<const SourceText>(SourceText("spline.mpf", text)), nullptr,
+                     {.dialect = Dialect::sinumerik});
+    SetupRequest request;
+    request.model = model;
+    return unfollowed(program, make_setup(request));
+  };
+  for (const ControlModel* model : all_models()) {
+    const std::string& id = model->info().id;
+    EXPECT_THAT(said("G1", id), IsEmpty()) << id;
+    if (id == "cam") {
+      EXPECT_THAT(said("CSPLINE", id), IsEmpty());
+    } else {
+      EXPECT_THAT(said("CSPLINE", id), ElementsAre(HasSubstr("2.4 times"))) << id;
+      EXPECT_THAT(all_unfollowed(), testing::Contains(said("CSPLINE", id).front()));
+    }
+  }
+}
+
 TEST(Unfollowed, IsSaidOnceInAFixedOrder) {
   EXPECT_THAT(unfollowed_of("FFWOF DRIVE COMPCAD\nG1 X1 F100\nCOMPCURV\nG1 X2", "essid"),
               ElementsAre(HasSubstr("Compaction"), HasSubstr("DRIVE"), HasSubstr("Feed-forward")));
