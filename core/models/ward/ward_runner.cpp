@@ -66,10 +66,13 @@ void WardRunner::limit_arcs() {
 
 /// Blocks too short for the pulses of their corners get a lower feed, which is that of the legs of these
 /// corners: pulses and feeds are computed again until they settle (MODELS section 5). Where the tolerance is
-/// enforced the first speeds are a start only, which the measured distances lower.
+/// enforced the first speeds are a start only, which the measured distances lower. Faster corners make a
+/// shorter block's feed rise or fall, so that a few swing for ever: feeds that have not settled after a
+/// few passes go half of the way to the new ones.
 void WardRunner::choose_corner_speeds() {
   constexpr int most_passes = 200;
   constexpr double same = 1e-12;
+  constexpr int quick_passes = 16;
   std::vector<double> alone(train_.size(), 0.0);  // speeds of the corners by their own legs
   std::vector<double> leg_feeds;                  // for which these hold
   for (const SpeedBound& limit : limits_) {
@@ -95,7 +98,7 @@ void WardRunner::choose_corner_speeds() {
       const double feed = train_.blocks[i].feed;
       moved[i] = std::abs(feed - leg_feeds[i]) > same * feed ? 1 : 0;
       if (moved[i] != 0) {
-        leg_feeds[i] = feed;
+        leg_feeds[i] += (pass < quick_passes ? 1.0 : 0.5) * (feed - leg_feeds[i]);
         any = true;
       }
     }
