@@ -10,6 +10,7 @@
 #include "app/print.h"
 #include "app/run_options.h"
 #include "app/watch.h"
+#include "core/analysis/program_facts.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
 
@@ -99,7 +100,7 @@ int check(const CheckOptions& options) {
   print_diagnostics(*loaded.program, DiagnosticStyle::with_source);
   if (!options.json.empty()) {
     OutputFile json(options.json);
-    json.stream() << check_json(*loaded.program, facts);
+    json.stream() << check_json(loaded);
     json.commit();
   }
   if (options.json != "-") {

@@ -11,7 +11,6 @@
 #include "app/print.h"
 #include "app/run_options.h"
 #include "app/watch.h"
-#include "core/analysis/run_notes.h"
 #include "core/base/error.h"
 #include "core/export/contour.h"
 #include "core/export/export.h"
@@ -51,13 +50,6 @@ double default_step(const Setup& setup) {
   return 0.001;
 }
 
-std::string json_of(const Run& run, const ContourReport* contour) {
-  return simulation_json({*run.input.program, *run.input.toolpath, run.setup.machine, run.setup.model->info(),
-                          run.setup.settings, run.summary, run.input.read_time, run.simulate_time, contour,
-                          tolerance_in_force(run.input.feed_controls, run.setup),
-                          run_notes(run.input, run.setup)});
-}
-
 /// The outputs that were asked for, opened before the work begins and moved to their place after it.
 class Results {
  public:
@@ -82,7 +74,7 @@ class Results {
       contour_->stream() << contour_places_csv(*contour);
     }
     if (json_) {
-      json_->stream() << json_of(run, contour ? &*contour : nullptr);
+      json_->stream() << simulation_json(run.input, figures_of(run), contour ? &*contour : nullptr);
     }
     if (blends_) {
       write_blends(blends_->stream(), *run.trajectory);

@@ -54,6 +54,8 @@ std::vector<std::string> taken_by(const ControlModel& model, std::vector<std::st
   return assignments;
 }
 
+}  // namespace
+
 ComparedRun figures_of(const Run& run) {
   return {run.setup,
           run.summary,
@@ -62,8 +64,6 @@ ComparedRun figures_of(const Run& run) {
           run.simulate_time,
           tolerance_in_force(run.input.feed_controls, run.setup)};
 }
-
-}  // namespace
 
 std::vector<Setup> setups_to_compare(const std::vector<std::string>& machines,
                                      const std::vector<std::string>& models,

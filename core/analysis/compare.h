@@ -24,6 +24,8 @@ struct ComparedRun {
   }
 };
 
+ComparedRun figures_of(const Run& run);
+
 /// Every machine with every model and every tolerance [mm], in that order; none of a kind: the default
 /// machine, all models, the machine's own tolerance. A model that reads no tolerance is taken once a machine.
 /// An assignment (KEY=VALUE, as of make_setup) goes to every model that knows its key.

@@ -1,8 +1,12 @@
+#include <fmt/format.h>
+
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "core/analysis/contour/contour_histogram.h"
 #include "core/analysis/contour/contour_report.h"
+#include "core/analysis/program_facts.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/slower_tolerance.h"
 #include "core/base/units.h"
@@ -13,6 +17,13 @@ namespace feedscope {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+constexpr int format_version = 1;
+
+/// What a file of this kind begins with. The version grows when a key goes or changes its meaning.
+Json with_format(const char* kind) {
+  return {{"format", {{"name", fmt::format("feedscope-{}", kind)}, {"version", format_version}}}};
+}
 
 /// JSON knows no NaN and no infinity: null where there is no number.
 Json finite(double value) {
@@ -38,19 +49,6 @@ Json unit_json(const ProgramUnit& unit) {
           {"said_by", unit.source == Source::program ? "program"
                       : unit.source == Source::asked ? "option"
                                                      : "nobody"}};
-}
-
-Json program_facts(const Program& program, const Toolpath& toolpath) {
-  return {{"file", program.source->name()},
-          {"lines", program.source->line_count()},
-          {"dialect", info_of(program.dialect).id},
-          {"unit", unit_json(program.unit)},
-          {"blocks", program.block_count},
-          {"segments", toolpath.segments.size()},
-          {"path_mm", finite(toolpath.length())},
-          {"bounds", bounds(program.bounds)},
-          {"cutting_bounds", bounds(program.cutting_bounds)},
-          {"rapid_bounds", bounds(program.rapid_bounds)}};
 }
 
 Json diagnostics(const Program& program) {
@@ -106,6 +104,32 @@ Json path_control(const ProgramFacts& facts) {
   return list;
 }
 
+/// The same keys whichever command read the program.
+Json program_json(const Program& program, const Toolpath& toolpath) {
+  const ProgramFacts facts = facts_of(program, toolpath);
+  return {{"file", program.source->name()},
+          {"lines", facts.lines},
+          {"dialect", info_of(program.dialect).id},
+          {"unit", unit_json(program.unit)},
+          {"blocks", facts.blocks},
+          {"segments", facts.segments},
+          {"arcs", facts.arcs},
+          {"dwells", facts.dwells},
+          {"path_mm", finite(facts.path_length)},
+          {"rapid_mm", finite(facts.rapid_length)},
+          {"dwell_s", finite(facts.dwell_time)},
+          {"feed_mm_min",
+           {{"min", finite(units::to_mm_min(facts.least_feed))},
+            {"max", finite(units::to_mm_min(facts.largest_feed))}}},
+          {"tools", tools(program)},
+          {"cutters", cutters(program)},
+          {"calls", program.call_count},
+          {"path_control", path_control(facts)},
+          {"bounds", bounds(facts.bounds)},
+          {"cutting_bounds", bounds(facts.cutting_bounds)},
+          {"rapid_bounds", bounds(facts.rapid_bounds)}};
+}
+
 Json settings_values(const Settings& settings) {
   Json values = Json::object();
   for (const auto& [key, value] : settings.values()) {
@@ -158,27 +182,6 @@ Json tolerance_json(const std::optional<ToleranceInForce>& tolerance) {
   return tolerance ? Json{{"min", tolerance->min}, {"max", tolerance->max}} : Json();
 }
 
-/// What a run is and what came out of it.
-Json run_facts(const Machine& machine, const ModelInfo& model, const Settings& settings,
-               const Summary& summary, const std::optional<ToleranceInForce>& tolerance,
-               const std::vector<std::string>& notes) {
-  return {{"machine", {{"id", machine.id}, {"name", machine.name}, {"control", machine.control}}},
-          {"model", {{"id", model.id}, {"title", model.title}, {"reference", model.reference}}},
-          {"settings", settings_values(settings)},
-          {"tolerance_in_force_mm", tolerance_json(tolerance)},
-          {"tolerance_set_by", tolerance ? Json(to_string(tolerance->set_by)) : Json()},
-          {"notes", notes},
-          {"cycle_time_s", finite(summary.cycle_time)},
-          {"programmed_time_s", finite(summary.programmed_time)},
-          {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
-          {"max_contour_error_mm", rounded_length(summary.max_contour_error)},
-          {"max_corner_distance_mm", rounded_length(summary.max_corner_distance)},
-          {"max_contour_error_at", contour_place(summary)},
-          {"peaks", peaks(summary)},
-          {"time_by_cause_s", by_cause(summary.time_by_cause)},
-          {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)}};
-}
-
 Json axis_limits(const Machine& machine) {
   Json axes = Json::object();
   for (std::size_t i = 0; i < machine.axes.size(); ++i) {
@@ -186,6 +189,32 @@ Json axis_limits(const Machine& machine) {
     axes[std::string(1, axis_names[i])] = axis_figures(axis.velocity, axis.acceleration, axis.jerk);
   }
   return axes;
+}
+
+/// What a run is and what came out of it: the same keys whichever command ran it.
+Json run_json(const LoadedProgram& program, const ComparedRun& run) {
+  const Machine& machine = run.setup.machine;
+  const ModelInfo& model = run.setup.model->info();
+  const Summary& summary = run.summary;
+  return {{"machine", {{"id", machine.id}, {"name", machine.name}, {"control", machine.control}}},
+          {"model", {{"id", model.id}, {"title", model.title}, {"reference", model.reference}}},
+          {"settings", settings_values(run.setup.settings)},
+          {"limits", {{"axes", axis_limits(machine)}}},
+          {"tolerance_in_force_mm", tolerance_json(run.tolerance)},
+          {"tolerance_set_by", run.tolerance ? Json(to_string(run.tolerance->set_by)) : Json()},
+          {"notes", run_notes(program, run.setup)},
+          {"cycle_time_s", finite(summary.cycle_time)},
+          {"programmed_time_s", finite(summary.programmed_time)},
+          {"against_cam", finite(run.against_cam())},
+          {"mean_feed_mm_min", finite(units::to_mm_min(summary.mean_feed))},
+          {"path_mm", finite(run.path_length)},
+          {"blends", run.blends},
+          {"max_contour_error_mm", rounded_length(summary.max_contour_error)},
+          {"max_corner_distance_mm", rounded_length(summary.max_corner_distance)},
+          {"max_contour_error_at", contour_place(summary)},
+          {"peaks", peaks(summary)},
+          {"time_by_cause_s", by_cause(summary.time_by_cause)},
+          {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)}};
 }
 
 /// Text with bytes that are no UTF-8 is shown with replacement characters.
@@ -244,36 +273,34 @@ Json contour_json(const ContourReport& report) {
 
 }  // namespace
 
-std::string simulation_json(const Report& report) {
-  Json json{{"program", program_facts(report.program, report.toolpath)}};
-  json.update(run_facts(report.machine, report.model, report.settings, report.summary, report.tolerance,
-                        report.notes));
-  if (report.contour != nullptr) {
-    json.update(contour_json(*report.contour));
+std::string simulation_json(const LoadedProgram& program, const ComparedRun& run,
+                            const ContourReport* contour) {
+  Json json = with_format("simulation");
+  json["program"] = program_json(*program.program, *program.toolpath);
+  json.update(run_json(program, run));
+  if (contour != nullptr) {
+    json.update(contour_json(*contour));
   }
-  json["diagnostics"] = diagnostics(report.program);
-  json["elapsed"] = {{"read_s", report.read_time}, {"simulate_s", report.simulate_time}};
+  json["diagnostics"] = diagnostics(*program.program);
+  json["elapsed"] = {{"read_s", program.read_time}, {"simulate_s", run.simulate_time}};
   return text_of(json);
 }
 
 namespace {
 
-Json run_json(const LoadedProgram& program, const ComparedRun& run) {
-  Json json = run_facts(run.setup.machine, run.setup.model->info(), run.setup.settings, run.summary,
-                        run.tolerance, run_notes(program, run.setup));
-  json["against_cam"] = finite(run.against_cam());
-  json["path_mm"] = finite(run.path_length);
-  json["blends"] = run.blends;
-  json["limits"] = {{"axes", axis_limits(run.setup.machine)}};
-  json["elapsed"] = {{"simulate_s", run.simulate_time}};
+/// `runs` as run_json().
+Json with_runs(const char* kind, const LoadedProgram& program, Json runs) {
+  Json json = with_format(kind);
+  json["program"] = program_json(*program.program, *program.toolpath);
+  json["runs"] = std::move(runs);
+  json["diagnostics"] = diagnostics(*program.program);
   return json;
 }
 
-Json with_runs(const LoadedProgram& program, Json runs) {
-  return {{"program", program_facts(*program.program, *program.toolpath)},
-          {"runs", std::move(runs)},
-          {"diagnostics", diagnostics(*program.program)},
-          {"elapsed", {{"read_s", program.read_time}}}};
+Json elapsed_json(const LoadedProgram& program, const std::vector<double>& of_runs) {
+  return {{"read_s", program.read_time},
+          {"simulate_s", std::accumulate(of_runs.begin(), of_runs.end(), 0.0)},
+          {"runs_s", of_runs}};
 }
 
 Json operations_json(const Study& study, const StudyRun& run) {
@@ -320,16 +347,20 @@ Json limits_json(const StudyRun& run) {
 
 std::string comparison_json(const LoadedProgram& program, std::span<const ComparedRun> runs) {
   Json list = Json::array();
+  std::vector<double> times;
   for (const ComparedRun& run : runs) {
     list.push_back(run_json(program, run));
+    times.push_back(run.simulate_time);
   }
-  Json json = with_runs(program, std::move(list));
+  Json json = with_runs("comparison", program, std::move(list));
   json["slower_with_wider_tolerance"] = slower_json(tolerance_runs(runs));
+  json["elapsed"] = elapsed_json(program, times);
   return text_of(json);
 }
 
 std::string study_json(const LoadedProgram& program, const Study& study) {
   Json list = Json::array();
+  std::vector<double> times;
   for (const auto& curve : study.curves()) {
     const StudyRun* best = fastest(curve, study.within);
     for (const StudyRun& run : curve) {
@@ -345,9 +376,10 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
         json["operations"] = operations_json(study, run);
       }
       list.push_back(std::move(json));
+      times.push_back(run.simulate_time);
     }
   }
-  Json json = with_runs(program, std::move(list));
+  Json json = with_runs("study", program, std::move(list));
   Json sweeps = Json::array();
   for (const Sweep& sweep : study.sweeps) {
     sweeps.push_back({{"key", sweep.key}, {"unit", sweep_unit(sweep.key)}, {"values", sweep.values}});
@@ -359,33 +391,16 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
     tolerances.push_back({&run.setup, &run.summary});
   }
   json["slower_with_wider_tolerance"] = slower_json(tolerances);
+  json["elapsed"] = elapsed_json(program, times);
   return text_of(json);
 }
 
-std::string check_json(const Program& program, const ProgramFacts& facts) {
-  return text_of({{"program",
-                   {{"file", program.source->name()},
-                    {"dialect", info_of(program.dialect).id},
-                    {"unit", unit_json(program.unit)},
-                    {"lines", facts.lines},
-                    {"blocks", facts.blocks},
-                    {"segments", facts.segments},
-                    {"arcs", facts.arcs},
-                    {"dwells", facts.dwells},
-                    {"path_mm", finite(facts.path_length)},
-                    {"rapid_mm", finite(facts.rapid_length)},
-                    {"dwell_s", finite(facts.dwell_time)},
-                    {"feed_mm_min",
-                     {{"min", finite(units::to_mm_min(facts.least_feed))},
-                      {"max", finite(units::to_mm_min(facts.largest_feed))}}},
-                    {"tools", tools(program)},
-                    {"cutters", cutters(program)},
-                    {"calls", program.call_count},
-                    {"path_control", path_control(facts)},
-                    {"bounds", bounds(facts.bounds)},
-                    {"cutting_bounds", bounds(facts.cutting_bounds)},
-                    {"rapid_bounds", bounds(facts.rapid_bounds)}}},
-                  {"diagnostics", diagnostics(program)}});
+std::string check_json(const LoadedProgram& program) {
+  Json json = with_format("check");
+  json["program"] = program_json(*program.program, *program.toolpath);
+  json["diagnostics"] = diagnostics(*program.program);
+  json["elapsed"] = {{"read_s", program.read_time}};
+  return text_of(json);
 }
 
 }  // namespace feedscope

@@ -286,7 +286,8 @@ std::string merged_json(const MergedComparison& merged) {
     add_marks(row, merged, sum.run, &sum == best);
     sums.push_back(std::move(row));
   }
-  return Json({{"programs", std::move(programs)},
+  return Json({{"format", {{"name", "feedscope-merge"}, {"version", 1}}},
+               {"programs", std::move(programs)},
                {"sums", std::move(sums)},
                {"within_mm", merged.within ? Json(*merged.within) : Json()}})
              .dump(2, ' ', false, Json::error_handler_t::replace) +

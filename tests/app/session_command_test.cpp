@@ -96,11 +96,6 @@ TEST_F(SessionCommand, EveryCommandTakesOneAndDoesWhatItsOptionsWouldDo) {
     for (json* whole : {&a, &b}) {
       whole->erase("elapsed");
       (*whole)["program"].erase("file");
-      if (whole->contains("runs")) {
-        for (json& run : (*whole)["runs"]) {
-          run.erase("elapsed");
-        }
-      }
     }
     EXPECT_EQ(a, b) << of_session;
   };

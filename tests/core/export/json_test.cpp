@@ -1,5 +1,7 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -10,13 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// A program of two lines, and a run with round figures.
 struct Sample {
   Program program;
   Toolpath toolpath;
-  Machine machine;
-  ModelInfo model;
-  Settings settings;
-  Summary summary;
+  ComparedRun run;
 
   Sample() {
     program.source = std::make_shared<const SourceText>("part \"1\".nc", "G1 X3 F60\nfoo\n");
@@ -25,17 +25,24 @@ struct Sample {
     program.bounds.add(Vec3(3, 0, 0));
     program.cutting_bounds.add(Vec3(1, 0, 0));
     program.rapid_bounds.add(Vec3(2, 0, 0));
-    program.diagnostics = {{Severity::error, 2, 1, "unread", "\"foo\" is no word", "hint"}};
+    program.diagnostics = {{Severity::error, 2, 1, "unread", "\"foo\" is not a word", "hint"}};
     toolpath.segments.resize(1);
     toolpath.segments[0].length = 3;
+    toolpath.segments[0].feed = 1;
+    Machine& machine = run.setup.machine;
     machine.id = "test";
     machine.name = "Test machine";
-    model.id = "cam";
-    model.title = "Title";
-    model.reference = "Paper";
-    settings.set("alpha", 0.1);
-    settings.set("reading", std::string("strict"));
-    summary.cycle_time = 3.25;
+    for (AxisLimits& axis : machine.axes) {
+      axis = {100, 1000, 20000, 10000};
+    }
+    run.setup.model = &find_model("cam");
+    run.setup.settings.set("alpha", 0.1);
+    run.setup.settings.set("reading", std::string("strict"));
+    run.path_length = 2.5;
+    run.blends = 7;
+    run.simulate_time = 0.25;
+    Summary& summary = run.summary;
+    summary.cycle_time = 3.75;
     summary.programmed_time = 3;
     summary.mean_feed = 0.5;
     summary.max_contour_error = 0.08;
@@ -44,30 +51,45 @@ struct Sample {
     summary.peak_feed = 1;
     summary.axes[1] = {2, 3000, 4000};
     summary.time_by_cause.assign(all_causes().size(), 0);
-    summary.time_by_cause[cause_index({CauseKind::axis_jerk, 1})] = 2;
+    summary.time_by_cause[cause_index({CauseKind::axis_jerk, 1})] = 2.5;
     summary.time_by_cause[cause_index({CauseKind::ramp_down})] = 1.25;
     summary.time_by_slower_place.assign(all_causes().size(), 0);
     summary.time_by_slower_place[cause_index({CauseKind::exact_stop})] = 1.25;
   }
-  std::string text() const {
-    return simulation_json({program, toolpath, machine, model, settings, summary, 0.5, 0.25});
+  LoadedProgram loaded() const {
+    LoadedProgram loaded;
+    loaded.program = std::make_shared<const Program>(program);
+    loaded.toolpath = std::make_shared<const Toolpath>(toolpath);
+    loaded.read_time = 0.5;
+    return loaded;
   }
+  std::string text() const { return simulation_json(loaded(), run); }
 };
 
 TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
-  const Json expected = Json::parse(R"({
+  Json expected = Json::parse(R"({
+    "format": {"name": "feedscope-simulation", "version": 1},
     "program": {"file": "part \"1\".nc", "lines": 2, "dialect": "iso",
-                "unit": {"name": "mm", "said_by": "nobody"}, "blocks": 2, "segments": 1, "path_mm": 3.0,
+                "unit": {"name": "mm", "said_by": "nobody"}, "blocks": 2, "segments": 1, "arcs": 0,
+                "dwells": 0, "path_mm": 3.0, "rapid_mm": 0.0, "dwell_s": 0.0,
+                "feed_mm_min": {"min": 60.0, "max": 60.0}, "tools": [], "cutters": [], "calls": 0,
+                "path_control": "?",
                 "bounds": {"min": [0.0, 0.0, 0.0], "max": [3.0, 0.0, 0.0]},
                 "cutting_bounds": {"min": [1.0, 0.0, 0.0], "max": [1.0, 0.0, 0.0]},
                 "rapid_bounds": {"min": [2.0, 0.0, 0.0], "max": [2.0, 0.0, 0.0]}},
     "machine": {"id": "test", "name": "Test machine", "control": ""},
-    "model": {"id": "cam", "title": "Title", "reference": "Paper"},
+    "model": {"id": "cam", "title": "?", "reference": "?"},
     "settings": {"alpha": 0.1, "reading": "strict"},
+    "limits": {"axes": {"X": {"velocity_mm_min": 6000.0, "acceleration_m_s2": 1.0, "jerk_m_s3": 20.0},
+                        "Y": {"velocity_mm_min": 6000.0, "acceleration_m_s2": 1.0, "jerk_m_s3": 20.0},
+                        "Z": {"velocity_mm_min": 6000.0, "acceleration_m_s2": 1.0, "jerk_m_s3": 20.0}}},
     "tolerance_in_force_mm": null, "tolerance_set_by": null, "notes": [],
-    "cycle_time_s": 3.25,
+    "cycle_time_s": 3.75,
     "programmed_time_s": 3.0,
+    "against_cam": 1.25,
     "mean_feed_mm_min": 30.0,
+    "path_mm": 2.5,
+    "blends": 7,
     "max_contour_error_mm": 0.08,
     "max_corner_distance_mm": 0.11,
     "max_contour_error_at": {"line": 4, "time_s": 0.5, "position_mm": [1.0, 2.0, 3.0], "side_mm": -0.05},
@@ -75,24 +97,34 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
               "axes": {"X": {"velocity_mm_min": 0.0, "acceleration_m_s2": 0.0, "jerk_m_s3": 0.0},
                        "Y": {"velocity_mm_min": 120.0, "acceleration_m_s2": 3.0, "jerk_m_s3": 4.0},
                        "Z": {"velocity_mm_min": 0.0, "acceleration_m_s2": 0.0, "jerk_m_s3": 0.0}}},
-    "time_by_cause_s": {"axis_jerk_y": 2.0, "ramp_down": 1.25},
+    "time_by_cause_s": {"axis_jerk_y": 2.5, "ramp_down": 1.25},
     "ramp_down_by_slower_place_s": {"exact_stop": 1.25},
     "diagnostics": [{"severity": "error", "line": 2, "column": 1, "code": "unread",
-                     "message": "\"foo\" is no word", "hint": "hint"}],
+                     "message": "\"foo\" is not a word", "hint": "hint"}],
     "elapsed": {"read_s": 0.5, "simulate_s": 0.25}})");
+  const Json written = Json::parse(Sample().text());
+  expected["program"]["path_control"] = written["program"]["path_control"];
+  expected["model"]["title"] = find_model("cam").info().title;
+  expected["model"]["reference"] = find_model("cam").info().reference;
   EXPECT_EQ(Sample().text(), expected.dump(2) + "\n");
 }
 
 TEST(SimulationJson, KeepsEveryDigit) {
   Sample sample;
-  sample.summary.cycle_time = 0.1 + 0.2;
+  sample.run.summary.cycle_time = 0.1 + 0.2;
   EXPECT_EQ(Json::parse(sample.text())["cycle_time_s"].get<double>(), 0.1 + 0.2);
+}
+
+TEST(SimulationJson, RoundsMeasuredDistances) {
+  Sample sample;
+  sample.run.summary.max_contour_error = 0.01000000000080466;
+  EXPECT_EQ(Json::parse(sample.text())["max_contour_error_mm"].get<double>(), 0.01);
 }
 
 TEST(SimulationJson, GivesNullWhereThereIsNoNumber) {
   Sample sample;
   sample.program.bounds = Bounds();
-  sample.summary.mean_feed = std::numeric_limits<double>::quiet_NaN();
+  sample.run.summary.mean_feed = std::numeric_limits<double>::quiet_NaN();
   const Json json = Json::parse(sample.text());
   EXPECT_EQ(json["program"]["bounds"]["min"], Json::parse("[null, null, null]"));
   EXPECT_TRUE(json["mean_feed_mm_min"].is_null());
@@ -105,23 +137,18 @@ TEST(SimulationJson, SurvivesBytesThatAreNoUtf8) {
   EXPECT_NO_THROW(Json::parse(sample.text()));
 }
 
-TEST(CheckJson, HoldsFactsAndDiagnostics) {
+TEST(Json, GivesAProgramAndARunTheSameKeysInEveryCommand) {
   const Sample sample;
-  ProgramFacts facts;
-  facts.lines = 2;
-  facts.segments = 3;
-  facts.arcs = 1;
-  facts.rapid_length = 1.5;
-  facts.least_feed = 1;
-  facts.largest_feed = 10;
-  const Json json = Json::parse(check_json(sample.program, facts));
-  EXPECT_EQ(json["program"]["file"], "part \"1\".nc");
-  EXPECT_EQ(json["program"]["lines"], 2);
-  EXPECT_EQ(json["program"]["segments"], 3);
-  EXPECT_EQ(json["program"]["arcs"], 1);
-  EXPECT_EQ(json["program"]["rapid_mm"], 1.5);
-  EXPECT_EQ(json["program"]["feed_mm_min"], Json::parse(R"({"min": 60.0, "max": 600.0})"));
-  EXPECT_EQ(json["diagnostics"].size(), 1U);
+  const LoadedProgram loaded = sample.loaded();
+  const Json simulation = Json::parse(simulation_json(loaded, sample.run));
+  const Json comparison = Json::parse(comparison_json(loaded, std::vector{sample.run}));
+  const Json check = Json::parse(check_json(loaded));
+  EXPECT_EQ(comparison["program"], simulation["program"]);
+  EXPECT_EQ(check["program"], simulation["program"]);
+  EXPECT_EQ(check["diagnostics"], simulation["diagnostics"]);
+  for (const auto& [key, value] : comparison["runs"][0].items()) {
+    EXPECT_EQ(simulation[key], value) << key;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,168 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <regex>
+#include <set>
+
+#include "core/analysis/contour/contour_report.h"
+#include "core/export/export.h"
+#include "core/export/merge.h"
+#include "tests/support/folders.h"
+
+namespace feedscope {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Letters of the kinds of file that hold a key, as the table of core/export/README.md gives them.
+using KeyTable = std::map<std::string, std::set<char>>;
+
+KeyTable read_table() {
+  std::ifstream file(FEEDSCOPE_SOURCE_DIR "/core/export/README.md");
+  static const std::regex row(R"(\| `([^`]+)` \| ([sctkm]+) \|.*)");
+  KeyTable keys;
+  std::smatch found;
+  for (std::string line; std::getline(file, line);) {
+    if (std::regex_match(line, found, row)) {
+      const std::string kinds = found[2];
+      keys[found[1]] = {kinds.begin(), kinds.end()};
+    }
+  }
+  return keys;
+}
+
+const KeyTable& documented() {
+  static const KeyTable table = read_table();
+  return table;
+}
+
+/// Objects whose keys are names of axes, settings or causes.
+bool holds_names(const std::string& path) {
+  for (const char* name :
+       {"axes", "settings", "swept", "time_by_cause_s", "ramp_down_by_slower_place_s", "limiting_share"}) {
+    if (path == name || path.ends_with("." + std::string(name))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+void add_keys(const Json& json, const std::string& path, char kind, KeyTable& keys) {
+  if (json.is_object()) {
+    for (const auto& [key, value] : json.items()) {
+      const std::string name = holds_names(path) ? "*" : key;
+      add_keys(value, path.empty() ? name : path + "." + name, kind, keys);
+    }
+  } else if (json.is_array()) {
+    for (const Json& value : json) {
+      add_keys(value, path + "[]", kind, keys);
+    }
+  } else if (!json.is_null() || documented().contains(path)) {  // null may stand for an object
+    keys[path].insert(kind);
+  }
+}
+
+/// Programs and runs that have something of everything.
+class Files {
+ public:
+  Files() {
+    auto program = load_program(std::make_shared<const SourceText>(
+        "all.mpf",
+        "N1 G17 G90 CYCLE832(0.02,1,1)\nT=\"MILL\"\nM6\nG0 X0 Y0 Z5\nG41 G1 X10 Y0 F3000\nG1 Z0\n"
+        "N7 X40\nN8 G2 X50 Y10 I0 J10\nG1 Y40\nG4 F0.5\nG40 X0 Y60\nfoo\n"));
+    auto corners = load_program(std::make_shared<const SourceText>(
+        "corners.nc", "G21\nT1 M6\nN1 G1 X20 F3000\nN2 Y20\nN3 X40\nN4 G2 X60 Y40 I20 J0\nM30\n"));
+    Program called = *program.program;
+    called.diagnostics.back().file = "called.spf";
+    program.program = std::make_shared<const Program>(std::move(called));
+    const auto session = [](const char* model, double tolerance) {
+      return make_setup({"spinner-mvc850", model, tolerance});
+    };
+    const Run run = simulate_run(program, session("essid", 0.05));
+    const Run second = simulate_run(corners, session("ward", 0.05));
+    for (const Run* each : {&run, &second}) {
+      const ContourReport contour = contour_report(*each, 50);
+      add('s', simulation_json(each->input, figures_of(*each), &contour));
+    }
+    for (const LoadedProgram* each : {&program, &corners}) {
+      add('k', check_json(*each));
+      // One right angle is passed slower with a blend than with a stop.
+      std::vector<Setup> setups;
+      for (const double tolerance : {0.0, 0.001, 0.1}) {
+        setups.push_back(session("gassara", tolerance));
+      }
+      const std::string comparison = comparison_json(*each, compare_runs(*each, setups));
+      add('c', comparison);
+      const StudyRequest request{
+          {"spinner-mvc850"},   {"gassara"}, {}, {}, {parse_sweep("tolerance=0 0.001 0.1")},
+          OperationSplit::tool, 0.05};
+      const std::string study = study_json(*each, run_study(*each, request));
+      add('t', study);
+      merged_.push_back({"file" + std::to_string(merged_.size()), study});
+    }
+    add('m', merged_json(merge_comparisons(merged_)));
+  }
+
+  const KeyTable& keys() const { return keys_; }
+  const std::vector<Json>& all() const { return all_; }
+
+ private:
+  void add(char kind, const std::string& text) {
+    all_.push_back(Json::parse(text));
+    Json json = all_.back();
+    if (kind == 's') {  // the keys of a run are at the top
+      Json run = Json::object();
+      for (const char* key :
+           {"machine", "model", "settings", "limits", "tolerance_in_force_mm", "tolerance_set_by", "notes",
+            "cycle_time_s", "programmed_time_s", "against_cam", "mean_feed_mm_min", "path_mm", "blends",
+            "max_contour_error_mm", "max_corner_distance_mm", "max_contour_error_at", "peaks",
+            "time_by_cause_s", "ramp_down_by_slower_place_s"}) {
+        run[key] = json[key];
+        json.erase(key);
+      }
+      json["runs"] = Json::array({run});
+    }
+    add_keys(json, "", kind, keys_);
+  }
+
+  std::vector<NamedText> merged_;
+  std::vector<Json> all_;
+  KeyTable keys_;
+};
+
+const Files& files() {
+  static const Files all;
+  return all;
+}
+
+TEST(JsonKeys, AreThoseOfTheTableWithNoneLeftOver) {
+  const KeyTable& table = documented();
+  ASSERT_GT(table.size(), 100U);
+  for (const auto& [key, kinds] : files().keys()) {
+    ASSERT_TRUE(table.contains(key)) << key << " is written and not in core/export/README.md";
+    for (const char kind : kinds) {
+      EXPECT_TRUE(table.at(key).contains(kind)) << key << " is written in files of kind " << kind;
+    }
+  }
+  for (const auto& [key, kinds] : table) {
+    for (const char kind : kinds) {
+      const auto written = files().keys().find(key);
+      EXPECT_TRUE(written != files().keys().end() && written->second.contains(kind))
+          << key << " is in the table for files of kind " << kind << " and not written";
+    }
+  }
+}
+
+TEST(JsonKeys, FormatNamesTheKindAndComesFirst) {
+  for (const Json& json : files().all()) {
+    EXPECT_EQ(json.items().begin().key(), "format");
+    EXPECT_EQ(json["format"]["version"], 1);
+    EXPECT_THAT(json["format"]["name"].get<std::string>(), testing::StartsWith("feedscope-"));
+  }
+}
+
+}  // namespace
+}  // namespace feedscope
