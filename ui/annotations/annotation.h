@@ -2,6 +2,7 @@
 
 #include <QColor>
 #include <QPointF>
+#include <QSizeF>
 #include <QString>
 #include <cstdint>
 
@@ -35,6 +36,9 @@ struct Annotation {
   /// Lines; "{feed}" and the other annotation_fields() become the values at the place.
   QString text;
   QPointF offset{60, -50};  ///< of the label's middle from what it belongs to [pixels at 96 dots an inch]
+  /// The 3D view in which a person put the label there [pixels at 96 dots an inch]: in a larger or smaller
+  /// one it is further or nearer in proportion. Empty: the same everywhere.
+  QSizeF view;
   QColor colour{0xd5, 0x5e, 0x00};
   double size = 10;  ///< of the text [points]
 

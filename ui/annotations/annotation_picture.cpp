@@ -107,7 +107,17 @@ class LabelPlacer {
 };
 
 QRectF room_of(const AnnotatedView& view) {
-  return QRectF(QPointF(), view.size);
+  const auto [upper, lower] = view.scene.path_room();
+  return QRectF(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1])) & QRectF(QPointF(), view.size);
+}
+
+/// How much further from its place a label is than where a person put it.
+double spread_of(const Annotation& annotation, const AnnotatedView& view) {
+  if (annotation.view.isEmpty()) {
+    return 1;
+  }
+  const QSizeF now = view.size / view.scale;
+  return std::min(now.width() / annotation.view.width(), now.height() / annotation.view.height());
 }
 
 PlacedAnnotation place(const Annotation& annotation, const AnnotatedView& view) {
@@ -138,7 +148,7 @@ PlacedAnnotation place(const Annotation& annotation, const AnnotatedView& view) 
     placed.middle = placed.stretch[region_spans / 2];
   }
   QRectF label(QPointF(), label_size(placed, view.scale));
-  label.moveCenter(placed.middle + annotation.offset * view.scale);
+  label.moveCenter(placed.middle + annotation.offset * view.scale * spread_of(annotation, view));
   placed.label = label;
   return placed;
 }
@@ -291,6 +301,14 @@ std::vector<PlacedAnnotation> place_annotations(std::span<const Annotation> anno
     placed.label = labels.place(placed.label);
   }
   return all;
+}
+
+QStringList annotation_texts(std::span<const Annotation> annotations, const AnnotatedView& view) {
+  QStringList texts;
+  for (const Annotation& annotation : annotations) {
+    texts.append(place(annotation, view).lines.join('\n'));
+  }
+  return texts;
 }
 
 void draw_annotations(QPainter& painter, std::span<const PlacedAnnotation> annotations,

@@ -31,17 +31,20 @@ struct PlacedAnnotation {
   QPointF other;      ///< of two places the other one
   QPolygonF stretch;  ///< of a region: the path between them
   QPointF middle;     ///< what the label belongs to and its offset counts from
-  QRectF label;       ///< moved to where all of it is in the picture
+  QRectF label;       ///< moved to where all of it is beside the path's legend and covers no other label
   QStringList lines;
   QColor colour;
   double text_pixels = 0;
 };
 
-/// Those whose places are in the picture, in order. Costs time in the number of annotations alone.
+/// Those whose places are in the part of the picture that the path has, in order; a label that would cover
+/// one before it goes to the nearest free place. Costs time in the number of annotations alone.
 std::vector<PlacedAnnotation> place_annotations(std::span<const Annotation> annotations,
                                                 const AnnotatedView& view);
+/// What all of them say, those out of the picture too.
+QStringList annotation_texts(std::span<const Annotation> annotations, const AnnotatedView& view);
 
-/// `selected`: id of the one that is marked; 0 for none.
+/// Inside the part of the picture that the path has. `selected`: id of the one that is marked; 0 for none.
 void draw_annotations(QPainter& painter, std::span<const PlacedAnnotation> annotations,
                       const AnnotatedView& view, int selected = 0);
 

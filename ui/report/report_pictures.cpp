@@ -311,10 +311,7 @@ QString notes_block(const ReportInput& input) {
   if (input.annotations.empty()) {
     return html;
   }
-  ReportInput seen = input;
-  seen.view = StandardView::iso;  // all of the path, and so all annotations
-  for (const QString& note :
-       ScenePicture(seen, seen.current, ThemeKind::light).annotation_texts({800, 600}, {})) {
+  for (const QString& note : ScenePicture(input, input.current, ThemeKind::light).annotation_texts()) {
     html += QStringLiteral("<li>%1</li>\n").arg(html_text(note).replace('\n', QStringLiteral("<br/>")));
   }
   return html.isEmpty() ? html : QStringLiteral("<ol>\n%1</ol>\n").arg(html);

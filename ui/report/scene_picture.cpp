@@ -143,14 +143,14 @@ void ScenePicture::paint(QPainter& painter, const QRectF& asked, const SceneScal
   painter.restore();
 }
 
-QStringList ScenePicture::annotation_texts(const QSizeF& size, const SceneScale& scale) {
-  prepare(size, scale);
-  scene_.fit();
-  QStringList texts;
-  for (const PlacedAnnotation& placed : place_annotations(input_.annotations, annotated(size, scale))) {
-    texts.append(placed.lines.join('\n'));
-  }
-  return texts;
+std::vector<PlacedAnnotation> ScenePicture::annotations(const QSizeF& size, const SceneScale& scale) const {
+  return place_annotations(input_.annotations, annotated(size, scale));
+}
+
+QStringList ScenePicture::annotation_texts() {
+  constexpr QSizeF any_size(800, 600);
+  prepare(any_size, {});
+  return ui::annotation_texts(input_.annotations, annotated(any_size, {}));
 }
 
 }  // namespace feedscope::ui

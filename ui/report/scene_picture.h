@@ -35,8 +35,10 @@ class ScenePicture {
   QImage image(const QSizeF& size, const SceneScale& scale);
   /// The same as part of a larger picture, the annotations above it as vectors.
   void paint(QPainter& painter, const QRectF& place, const SceneScale& scale);
-  /// What the annotations say, those in the picture.
-  QStringList annotation_texts(const QSizeF& size, const SceneScale& scale);
+  /// Where the annotations are in such a picture, as it was prepared.
+  std::vector<PlacedAnnotation> annotations(const QSizeF& size, const SceneScale& scale) const;
+  /// What the annotations say.
+  QStringList annotation_texts();
 
  private:
   std::shared_ptr<const SampledPath> samples();

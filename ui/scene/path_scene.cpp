@@ -486,6 +486,11 @@ Vec3 PathScene::drawn_at(double time) const {
   return place + (exaggeration() - 1) * deviation_at(impl_->pickable(), time);
 }
 
+std::array<Pixel, 2> PathScene::path_room() const {
+  const ScreenLayout layout = impl_->layout();
+  return {Pixel{0, layout.legend_height}, Pixel{layout.width - layout.panel_width, layout.height}};
+}
+
 Pixel PathScene::pixel_of(const Vec3& point) const {
   const Vec2 display = impl_->projection().to_display(impl_->frame.to_scene(point));
   return {display.x(), impl_->height() - display.y()};

@@ -129,6 +129,9 @@ class PathScene {
   Vec3 drawn_at(double time) const;
   /// Where a point [mm] is drawn.
   Pixel pixel_of(const Vec3& point) const;
+  /// Upper left and lower right corner of the part of the window that the path has to itself, beside legend
+  /// and colour scale.
+  std::array<Pixel, 2> path_room() const;
 
  private:
   class Impl;

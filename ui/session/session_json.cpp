@@ -149,6 +149,9 @@ QJsonObject to_json(const Annotation& annotation) {
                    {"offset_px", QJsonArray{annotation.offset.x(), annotation.offset.y()}},
                    {"colour", annotation.colour.name()},
                    {"size_pt", annotation.size}};
+  if (!annotation.view.isEmpty()) {
+    json["view_px"] = QJsonArray{annotation.view.width(), annotation.view.height()};
+  }
   if (has_two_places(annotation.kind)) {
     json["until"] = to_json(annotation.until);
   }
@@ -168,7 +171,8 @@ AnnotationKind read_kind(const QJsonValue& json, const QString& place) {
 }
 
 Annotation read_annotation(const QJsonObject& json, const QString& place, QStringList& notes) {
-  note_unknown(json, {"kind", "place", "until", "text", "offset_px", "colour", "size_pt"}, place, notes);
+  note_unknown(json, {"kind", "place", "until", "text", "offset_px", "view_px", "colour", "size_pt"}, place,
+               notes);
   Annotation annotation;
   annotation.kind = read_kind(json["kind"], place);
   annotation.place = read_place(json["place"].toObject(), place + QStringLiteral(", place"));
@@ -179,6 +183,10 @@ Annotation read_annotation(const QJsonObject& json, const QString& place, QStrin
   const QJsonArray offset = json["offset_px"].toArray();
   if (offset.size() == 2) {
     annotation.offset = {offset[0].toDouble(), offset[1].toDouble()};
+  }
+  const QJsonArray view = json["view_px"].toArray();
+  if (view.size() == 2 && view[0].toDouble() > 0 && view[1].toDouble() > 0) {
+    annotation.view = {view[0].toDouble(), view[1].toDouble()};
   }
   if (const QColor colour(json["colour"].toString()); colour.isValid()) {
     annotation.colour = colour;

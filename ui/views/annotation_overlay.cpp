@@ -152,6 +152,7 @@ void AnnotationOverlay::move(const QPointF& pixel) {
   Annotation moved = *annotation;
   if (held_->grip == Grip::label) {
     moved.offset = held_->offset + (pixel - held_->from) / scale_;
+    moved.view = QSizeF(size()) * devicePixelRatioF() / scale_;
   } else {
     constexpr double reach = 60;  // [pixels of scale 1]
     const auto time = scene_.pick_time({pixel.x(), pixel.y()}, reach);

@@ -32,8 +32,20 @@ void SceneRun::show(int id) {
 void SceneRun::set_alike(std::shared_ptr<const SampledPath> samples) {
   if (samples != alike_) {
     alike_ = std::move(samples);
-    view_.scene().set_comparison(reference_name_.toStdString(), alike_);
+    show_comparison();
   }
+}
+
+void SceneRun::set_halves(bool halves) {
+  if (halves != halves_) {
+    halves_ = halves;
+    show_comparison();
+  }
+}
+
+void SceneRun::show_comparison() {
+  const QString name = halves_ && !reference_name_.isEmpty() ? tr("the other half") : reference_name_;
+  view_.scene().set_comparison(name.toStdString(), alike_);
 }
 
 void SceneRun::follow_runs() {
@@ -71,7 +83,7 @@ void SceneRun::follow() {
   if (samples_ != before || shown_ != run_before) {
     scene.set_executed(shown_ != nullptr ? shown_->run.trajectory : nullptr, samples_);
   }
-  scene.set_comparison(reference_name_.toStdString(), alike_);
+  show_comparison();
   if (samples_ != before || reference_name_ != name_before) {
     emit changed();
   }

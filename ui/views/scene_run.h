@@ -24,6 +24,8 @@ class SceneRun : public QObject {
   const std::shared_ptr<const SampledPath>& samples() const { return samples_; }
   /// A path in another view to be coloured by the same scale; may be null.
   void set_alike(std::shared_ptr<const SampledPath> samples);
+  /// Whether the run that is compared with is the other half of this view: the title then holds for both.
+  void set_halves(bool halves);
   /// The run that the colours compare with; empty where they compare with none.
   const QString& reference_name() const { return reference_name_; }
 
@@ -35,6 +37,7 @@ class SceneRun : public QObject {
   void follow();
   void follow_runs();
   QString hover_text(double time) const;
+  void show_comparison();
 
   SceneView& view_;
   RunList& runs_;
@@ -42,6 +45,7 @@ class SceneRun : public QObject {
   int id_ = 0;
   bool following_ = false;
   bool compares_ = false;  ///< the colours need another run
+  bool halves_ = false;
   std::shared_ptr<const ShownRun> shown_;
   std::shared_ptr<const ShownRun> reference_;
   std::shared_ptr<const SampledPath> samples_;

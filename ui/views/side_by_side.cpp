@@ -213,6 +213,7 @@ void SideBySide::close() {
   }
   comparison_.set_beside(0);
   first_run_.set_alike(nullptr);
+  first_run_.set_halves(false);
 }
 
 /// All runs but the current one; the one that was chosen stays, else the first.
@@ -272,6 +273,13 @@ void SideBySide::colour_alike() {
 }
 
 void SideBySide::show_names() {
+  const bool halves = split_ != nullptr && second_run_ != nullptr &&
+                      first_run_.reference_name() == choice_->currentText() &&
+                      second_run_->reference_name() == model_.runs().title(model_.runs().current_item());
+  first_run_.set_halves(halves);
+  if (second_run_ != nullptr) {
+    second_run_->set_halves(halves);
+  }
   if (split_ == nullptr) {
     return;
   }

@@ -2,6 +2,7 @@
 
 #include <QImage>
 #include <QPainter>
+#include <algorithm>
 #include <random>
 
 #include "tests/ui/report/report_fixture.h"
@@ -10,7 +11,12 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr QSizeF sizes[] = {{1280, 960}, {640, 480}, {326, 215}};
+/// A picture, and how many labels have room in it beside each other.
+struct PictureRoom {
+  QSizeF size;
+  int labels;
+};
+constexpr PictureRoom pictures[] = {{{1280, 960}, 6}, {{640, 480}, 6}, {{326, 215}, 3}};
 
 /// Annotations of all kinds at places of the path, with labels where they want.
 std::vector<Annotation> some_annotations(int count, unsigned seed) {
@@ -32,17 +38,16 @@ std::vector<Annotation> some_annotations(int count, unsigned seed) {
   return all;
 }
 
-TEST(AnnotationPlacing, LabelsAreInThePictureAndCoverNoOther) {
+TEST(AnnotationPlacing, LabelsAreInTheRoomOfThePathAndCoverNoOther) {
   ReportInput input = test::two_runs();
   for (unsigned seed = 0; seed < 12; ++seed) {
-    input.annotations = some_annotations(2 + static_cast<int>(seed % 5), seed);
-    ScenePicture picture(input, 0, ThemeKind::light);
-    for (const QSizeF& size : sizes) {
+    for (const auto& [size, most] : pictures) {
+      input.annotations = some_annotations(std::min(2 + static_cast<int>(seed % 5), most), seed);
+      ScenePicture picture(input, 0, ThemeKind::light);
       picture.image(size, {});
-      const QRectF room(QPointF(), size);
-      const AnnotatedView view{
-          picture.scene(), *input.run().shown->run.trajectory, size, 1, Background::light, "run"};
-      const auto placed = place_annotations(input.annotations, view);
+      const auto [upper, lower] = picture.scene().path_room();
+      const QRectF room(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1]));
+      const auto placed = picture.annotations(size, {});
       EXPECT_EQ(placed.size(), input.annotations.size()) << "all of the path is in view";
       for (std::size_t i = 0; i < placed.size(); ++i) {
         EXPECT_TRUE(room.adjusted(-0.01, -0.01, 0.01, 0.01).contains(placed[i].label))
@@ -53,6 +58,68 @@ TEST(AnnotationPlacing, LabelsAreInThePictureAndCoverNoOther) {
         }
       }
     }
+  }
+}
+
+TEST(AnnotationPlacing, ALabelKeepsItsPlaceInAPictureOfAnotherSize) {
+  ReportInput input = test::two_runs();
+  Annotation annotation = test::note("here");
+  annotation.offset = {120, 90};
+  annotation.view = {1280, 960};
+  input.annotations = {annotation};
+  ScenePicture picture(input, 0, ThemeKind::light);
+  for (const QSizeF& size : {QSizeF(1280, 960), QSizeF(640, 480)}) {
+    picture.image(size, {});
+    const PlacedAnnotation placed = picture.annotations(size, {}).at(0);
+    const QPointF away = placed.label.center() - placed.middle;
+    EXPECT_NEAR(away.x(), 120 * size.width() / 1280, 0.01);
+    EXPECT_NEAR(away.y(), 90 * size.width() / 1280, 0.01);
+  }
+  input.annotations[0].view = {};
+  picture.image({640, 480}, {});
+  const PlacedAnnotation placed = picture.annotations({640, 480}, {}).at(0);
+  EXPECT_NEAR((placed.label.center() - placed.middle).x(), 120, 0.01) << "made in no view that is known";
+}
+
+/// Near the edge of the view, where a wide stroke would reach over legend and colour scale.
+TEST(AnnotationPlacing, NothingIsDrawnOverLegendAndColourScale) {
+  ReportInput input = test::two_runs();
+  const QSizeF size(640, 480);
+  for (unsigned seed = 0; seed < 6; ++seed) {
+    const auto picture_with = [&](const std::vector<Annotation>& annotations, QRectF& room) {
+      ReportInput seen = input;
+      seen.annotations = annotations;
+      ScenePicture picture(seen, 0, ThemeKind::light);
+      picture.prepare(size, {});
+      picture.scene().fit();
+      picture.scene().zoom(3, {200.0 + 40 * seed, 240});
+      QImage image(size.toSize(), QImage::Format_RGB32);
+      QPainter painter(&image);
+      picture.paint(painter, QRectF(QPointF(), size), {});
+      const auto [upper, lower] = picture.scene().path_room();
+      room = QRectF(QPointF(upper[0], upper[1]), QPointF(lower[0], lower[1]));
+      return image;
+    };
+    std::vector<Annotation> regions = some_annotations(6, seed);
+    for (Annotation& annotation : regions) {
+      annotation.kind = AnnotationKind::region;
+      annotation.place = {0, 0.0};
+      annotation.until = {3, 1.0};
+    }
+    QRectF room;
+    const QImage without = picture_with({}, room);
+    const QImage with = picture_with(regions, room);
+    int inside = 0;
+    int outside = 0;
+    for (int y = 0; y < with.height(); ++y) {
+      for (int x = 0; x < with.width(); ++x) {
+        const bool changed = with.pixel(x, y) != without.pixel(x, y);
+        const bool in_room = room.adjusted(-1, -1, 1, 1).contains(QPointF(x + 0.5, y + 0.5));
+        (in_room ? inside : outside) += changed ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(outside, 0) << "seed " << seed;
+    EXPECT_GT(inside, 100) << "seed " << seed;
   }
 }
 

@@ -40,6 +40,7 @@ inline Session some_session(const std::filesystem::path& program) {
     annotation.until = has_two_places(kind) ? ProgrammedPlace{9, 1} : annotation.place;
     annotation.text = QStringLiteral("{feed}\nécart \"1\"");
     annotation.offset = {-12.5, 33};
+    annotation.view = {1280, 800.5};
     annotation.colour = QColor(1, 2, 3);
     annotation.size = 14;
     session.annotations.push_back(annotation);

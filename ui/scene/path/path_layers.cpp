@@ -25,6 +25,7 @@ constexpr double blend_width = 4.4;
 constexpr double blend_edge_width = 7;
 constexpr double range_width = 12;
 
+constexpr double most_covered = 0.5;           // of the path by edges of blends
 constexpr double dashes_across = 90;           // along the largest extent
 constexpr std::size_t points_moving = 30'000;  // drawn of a path while the view moves
 
@@ -34,6 +35,14 @@ bool is_cut(SpanKind kind) {
 
 bool is_blend(SpanKind kind) {
   return kind == SpanKind::blend;
+}
+
+std::size_t count_of_blends(const SampledPath& path) {
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    count += is_blend(path.kinds[i]) && (i == 0 || !is_blend(path.kinds[i - 1])) ? 1 : 0;
+  }
+  return count;
 }
 
 Rgb mixed(const Rgb& a, const Rgb& b, double share_of_b) {
@@ -61,6 +70,7 @@ void PathLayers::clear() {
   entries_ = {};
   key_ = {};
   rapid_length_ = cut_length_ = blend_length_ = 0;
+  blend_count_ = 0;
 }
 
 void PathLayers::add(Role role, const DrawnPath* path, bool discs, const Rgb& colour) {
@@ -90,6 +100,7 @@ void PathLayers::show(std::shared_ptr<const SampledPath> programmed,
   if (executed && !executed->levels.empty()) {
     cut_length_ = length_of(*executed, SpanKind::cut);
     blend_length_ = length_of(*executed, SpanKind::blend);
+    blend_count_ = count_of_blends(*executed);
     entries_.executed = cut_length_ + blend_length_ > 0;
     executed_ = std::make_unique<DrawnPath>(std::move(executed));
     add(Role::range, executed_.get());
@@ -256,6 +267,14 @@ double PathLayers::crowding(const SceneFrame& frame, const Projection& view, dou
   return drawn * view.scale / frame.unit / std::max(area, 1.0);
 }
 
+/// Share of the path on the screen that the edges of the blends cover: however short a blend is, its edge is
+/// as long as it is wide. `millimetre`: pixels a mm.
+double PathLayers::covered_by_edges(double millimetre, double scale) const {
+  const double edges =
+      static_cast<double>(blend_count_) * blend_edge_width * scale + blend_length_ * millimetre;
+  return edges / std::max((cut_length_ + blend_length_) * millimetre, 1e-9);
+}
+
 PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
   switch (role) {
     case Role::rapid:
@@ -282,7 +301,8 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
       crowding(frame, view, scale * (cut_length_ * cut_width + blend_length_ * blend_edge_width));
   const double thinner = std::min(1.0, comfortable / std::max(lines, 1e-9));
   // Deviations drawn larger show blends by themselves.
-  const bool edges = thinner > 0.9 && look_.exaggeration == 1;
+  const bool edges = thinner > 0.9 && look_.exaggeration == 1 &&
+                     covered_by_edges(view.scale / frame.unit, scale) < most_covered;
   entries_.blend = blend_length_ > 0 && edges;
   const double rapids = crowding(frame, view, scale * rapid_length_ * thin_width / 2);
   const double rapid_opacity = std::clamp(comfortable / std::max(rapids, 1e-9), 0.08, 1.0);

@@ -39,7 +39,8 @@ struct PathLook {
 /// The lines of a run: rapids dashed, programmed path thin, executed path coloured, blends wide with an edge,
 /// other runs thin unless the colours compare with one, a range of time underlaid.
 ///
-/// Where lines would cover the picture they get thinner, and blends lose their edge, until one zooms in.
+/// Where lines would cover the picture they get thinner, and where edges of blends would cover the path these
+/// are left out, until one zooms in.
 /// Paths of many points are drawn without what is smaller than a pixel, and coarser while the view moves.
 class PathLayers {
  public:
@@ -87,6 +88,7 @@ class PathLayers {
   PathLevel highlighted(const SampledPath& path, const PathLevel& level) const;
   void recolour();
   Rgb colour_of(const Layer& layer) const;
+  double covered_by_edges(double millimetre, double scale) const;
   Style style_of(Role role, double thinner) const;
   static double crowding(const SceneFrame& frame, const Projection& view, double drawn);
 
@@ -103,6 +105,7 @@ class PathLayers {
   double rapid_length_ = 0;        ///< [mm]
   double cut_length_ = 0;          ///< [mm]
   double blend_length_ = 0;        ///< [mm]
+  std::size_t blend_count_ = 0;
 };
 
 }  // namespace feedscope::ui
