@@ -11,8 +11,8 @@ namespace {
 
 constexpr double slack = 1 + 1e-7;
 /// Places whose ceilings differ by less are equally slow: which of them becomes a node must not depend on
-/// the rounding of coordinates, and in short blocks that is as much of a curvature.
-constexpr double equal = 1 + 1e-4;
+/// the rounding of coordinates, and in short blocks curvatures of a few values come again and again.
+constexpr double equal = 1 + 1e-3;
 
 /// Nodes, and per gap between neighbours its limits and whether it still has to be checked.
 class NodePlanner {
@@ -25,6 +25,47 @@ class NodePlanner {
     forward_ = {{0, false}, {0, false}};
     gaps_ = {{span_limits(elements, 0, elements.size())}};
     insert_found();
+    make_reachable();
+  }
+
+  /// Begins with the nodes of `before`. Of those between two level ones at their ceilings, which part what
+  /// lies before from what lies behind, the level ones alone stay if an element is `changed` there.
+  NodePlanner(std::span<const PlanElement> elements, std::span<const SpeedBound> ceiling,
+              std::span<const std::uint32_t> level, std::span<const PlanNode> before,
+              std::span<const std::uint32_t> changed)
+      : elements_(elements), ceiling_(ceiling), nodes_{before.front()}, forward_{{0, false}} {
+    auto change = changed.begin();
+    auto next_level = level.begin();
+    auto parting = level.begin();
+    for (std::size_t b = 1; b < before.size();) {
+      // To the next node that parts: `last` of `before`, or its end.
+      std::size_t last = b;
+      for (; last + 1 < before.size(); ++last) {
+        const PlanNode& node = before[last];
+        parting = std::find_if(parting, level.end(), [&](std::uint32_t j) { return j >= node.junction; });
+        if (parting != level.end() && *parting == node.junction &&
+            node.speed == ceiling[node.junction].value) {
+          break;
+        }
+      }
+      const std::uint32_t end = before[last].junction;
+      const auto behind = std::find_if(change, changed.end(), [&](std::uint32_t e) { return e >= end; });
+      if (behind == change) {
+        for (; b <= last; ++b) {
+          append(before[b], false);
+        }
+        next_level = std::find_if(next_level, level.end(), [&](std::uint32_t j) { return j > end; });
+      } else {
+        for (; next_level != level.end() && *next_level < end; ++next_level) {
+          append({*next_level, ceiling[*next_level].value, ceiling[*next_level].cause}, true);
+        }
+        append(before[last], true);
+        next_level += next_level != level.end() && *next_level == end ? 1 : 0;
+        b = last + 1;
+      }
+      change = behind;
+    }
+    forward_.back() = {0, false};
     make_reachable();
   }
 
@@ -49,6 +90,12 @@ class NodePlanner {
     double speed = std::numeric_limits<double>::quiet_NaN();
     bool changed = true;
   };
+
+  void append(const PlanNode& node, bool unchecked) {
+    gaps_.push_back({span_limits(elements_, nodes_.back().junction, node.junction), unchecked});
+    nodes_.push_back(node);
+    forward_.emplace_back();
+  }
 
   bool any_unchecked() const {
     return std::any_of(gaps_.begin(), gaps_.end(), [](const Gap& gap) { return gap.unchecked; });
@@ -220,6 +267,13 @@ std::vector<PlanNode> plan_nodes(std::span<const PlanElement> elements,
                                  std::span<const SpeedBound> junction_ceiling,
                                  std::span<const std::uint32_t> level) {
   return NodePlanner(elements, junction_ceiling, level).plan();
+}
+
+std::vector<PlanNode> plan_nodes_again(std::span<const PlanElement> elements,
+                                       std::span<const SpeedBound> junction_ceiling,
+                                       std::span<const std::uint32_t> level, std::span<const PlanNode> before,
+                                       std::span<const std::uint32_t> changed) {
+  return NodePlanner(elements, junction_ceiling, level, before, changed).plan();
 }
 
 std::size_t first_too_fast(std::span<const PlanElement> elements,

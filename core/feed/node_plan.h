@@ -50,6 +50,14 @@ std::vector<PlanNode> plan_nodes(std::span<const PlanElement> elements,
                                  std::span<const SpeedBound> junction_ceiling,
                                  std::span<const std::uint32_t> level = {});
 
+/// plan_nodes() where `before` is a plan of the same elements and ceilings, and only the limits of elements
+/// `changed`, in order, and level junctions beside them are others now: what lies between level nodes that
+/// stand at their ceilings is planned again where something in it is changed.
+std::vector<PlanNode> plan_nodes_again(std::span<const PlanElement> elements,
+                                       std::span<const SpeedBound> junction_ceiling,
+                                       std::span<const std::uint32_t> level, std::span<const PlanNode> before,
+                                       std::span<const std::uint32_t> changed);
+
 /// Lowers `junction_ceiling` so that from every junction standstill is reached within `horizon` programmed
 /// blocks: the look-ahead of MODELS section 1. `block_of`: the programmed block of each element.
 void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<const std::uint32_t> block_of,

@@ -121,12 +121,18 @@ class BlendChains {
   }
 
   std::vector<PlanNode> plan_ramps(Steps& steps) {
+    set_limits(steps);
+    std::vector<PlanNode> before;
+    std::vector<PlanNode> nodes = plan_nodes(plan_, stretch_.ceiling, stretch_.level);
+    std::vector<std::uint32_t> changed;
     for (;;) {
-      set_limits(steps);
-      std::vector<PlanNode> nodes = plan_nodes(plan_, stretch_.ceiling, stretch_.level);
-      if (!take_next_steps(steps, nodes)) {
+      changed = take_next_steps(steps, nodes, before, changed);
+      if (changed.empty()) {
         return nodes;
       }
+      set_limits(steps);
+      before = std::move(nodes);
+      nodes = plan_nodes_again(plan_, stretch_.ceiling, stretch_.level, before, changed);
     }
   }
 
@@ -139,27 +145,48 @@ class BlendChains {
     return to.junction == from.junction + 1 && stretch_.is_level(from.junction);
   }
 
-  /// The next step for every blend that `nodes` passes too fast for ramps; whether there is one.
-  bool take_next_steps(Steps& steps, const std::vector<PlanNode>& nodes) const {
-    bool found = false;
+  /// The next step for every blend that `nodes` passes too fast for ramps; which these are, in order and with
+  /// the lines beside them. What lies as it did in the plan `before`, whose blends have been given their
+  /// steps, is not looked at again, unless it holds one of those that were `changed` since.
+  std::vector<std::uint32_t> take_next_steps(Steps& steps, const std::vector<PlanNode>& nodes,
+                                             const std::vector<PlanNode>& before,
+                                             const std::vector<std::uint32_t>& changed) const {
+    std::vector<std::uint32_t> found;
+    auto same = before.begin();
+    auto change = changed.begin();
     for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
-      if (is_level(nodes[n], nodes[n + 1])) {
+      const PlanNode& from = nodes[n];
+      const PlanNode& to = nodes[n + 1];
+      same = std::find_if(same, before.end(), [&](const PlanNode& p) { return p.junction >= from.junction; });
+      change = std::find_if(change, changed.end(), [&](std::uint32_t e) { return e >= from.junction; });
+      const bool is_same = before.end() - same > 1 && is_equal(same[0], from) && is_equal(same[1], to) &&
+                           (change == changed.end() || *change >= to.junction);
+      if (is_same || is_level(from, to)) {
         continue;
       }
-      const SpeedProfile law = profile(nodes[n], nodes[n + 1]);
+      const SpeedProfile law = profile(from, to);
       ProfileWalk walk(law);
       double s = 0;
-      for (std::size_t e = nodes[n].junction; e < nodes[n + 1].junction; ++e) {
+      for (std::uint32_t e = from.junction; e < to.junction; ++e) {
         s += plan_[e].length;
         walk.move_to(s);
         if (is_blend(e) && steps.of[e] != Steps::level &&
             walk.largest_speed() > ramps(e)[steps.of[e]].speed * slack) {
           ++steps.of[e];
-          found = true;
+          for (std::uint32_t beside = is_blend(e - 1) ? e : e - 1; beside <= e + (is_blend(e + 1) ? 0 : 1);
+               ++beside) {
+            if (found.empty() || found.back() < beside) {
+              found.push_back(beside);
+            }
+          }
         }
       }
     }
     return found;
+  }
+
+  static bool is_equal(const PlanNode& a, const PlanNode& b) {
+    return a.junction == b.junction && a.speed == b.speed;
   }
 
   double planned_time(const std::vector<PlanNode>& nodes) const {

@@ -42,7 +42,7 @@ using RampsOfBlend = std::function<BlendRamps(std::size_t e)>;
 /// blends level: they never make a stretch slower.
 ///
 /// `stretch`: limits of blends are those at one speed; this function sets those of the plan it returns, and
-/// the levels. Cost: one plan, of a stretch that holds a chain six to eleven.
+/// the levels. Cost: one plan, of a stretch that holds a chain three to five.
 std::vector<PlanNode> plan_over_blends(Stretch& stretch, const RampsOfBlend& ramps);
 
 }  // namespace feedscope

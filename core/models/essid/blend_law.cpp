@@ -270,12 +270,19 @@ SpeedBound steady_speed_limit(const BlendShape& shape, const SpeedBound& feed, c
         axis_share(limits.tangential_jerk, (p.ddsigma - s * s * s * p.k * p.k) * p.tangent);
     const AxisBound jerk_across =
         axis_share(limits.radial_jerk, (3 * s * p.dsigma * p.k + s * s * s * p.dk_ds) * p.normal);
+    const auto lower = [&](const AxisBound& bound, int order, CauseKind kind) {
+      if (bound.value <
+          rate.value * rate.value *
+              (order == 2 ? 1 : rate.value)) {  // most are not the least so far, and need no root
+        rate.lower(order == 2 ? std::sqrt(bound.value) : std::cbrt(bound.value), {kind, bound.axis});
+      }
+    };
     rate.lower(feed.value / s, feed.cause);
     rate.lower(velocity.value, {CauseKind::blend_velocity, velocity.axis});
-    rate.lower(std::sqrt(along.value), {CauseKind::blend_tangential_acceleration, along.axis});
-    rate.lower(std::sqrt(across.value), {CauseKind::blend_radial_acceleration, across.axis});
-    rate.lower(std::cbrt(jerk_along.value), {CauseKind::blend_tangential_jerk, jerk_along.axis});
-    rate.lower(std::cbrt(jerk_across.value), {CauseKind::blend_radial_jerk, jerk_across.axis});
+    lower(along, 2, CauseKind::blend_tangential_acceleration);
+    lower(across, 2, CauseKind::blend_radial_acceleration);
+    lower(jerk_along, 3, CauseKind::blend_tangential_jerk);
+    lower(jerk_across, 3, CauseKind::blend_radial_jerk);
   }
   return {rate.value * shape.at(0).sigma, rate.cause};
 }
@@ -319,17 +326,22 @@ BlendRamps parameter_ramps(const BlendShape& shape, const BlendLimits& limits) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   std::array<ParameterPlace, intervals + 1> places;
   const double sigma = shape.at(0).sigma;
-  double turning = infinite;  // rows (1) and (3)
-  double ramping = infinite;  // rows (2), (4) and (5)
+  double velocity = infinite;         // row (1)
+  double turning_squared = infinite;  // row (3)
+  double ramping_squared = infinite;  // row (2)
+  double ramping_cubed = infinite;    // rows (4) and (5)
   for (std::size_t i = 0; i < places.size(); ++i) {
     const BlendShape::Point p = shape.at(static_cast<double>(i) / intervals);
     places[i] = parameter_place(p, sigma, limits);
     const ParameterPlace& at = places[i];
-    turning = std::min({turning, axis_share(limits.velocity, at.g * p.tangent).value,
-                        std::sqrt(axis_share(limits.radial_acceleration, at.turning * p.normal).value)});
-    ramping = std::min({ramping, std::sqrt(at.acceleration.value / at.g_x),
-                        std::cbrt(at.jerk.value / at.along), std::cbrt(at.across_jerk.value / at.across)});
+    velocity = std::min(velocity, axis_share(limits.velocity, at.g * p.tangent).value);
+    turning_squared =
+        std::min(turning_squared, axis_share(limits.radial_acceleration, at.turning * p.normal).value);
+    ramping_squared = std::min(ramping_squared, at.acceleration.value / at.g_x);
+    ramping_cubed = std::min({ramping_cubed, at.jerk.value / at.along, at.across_jerk.value / at.across});
   }
+  const double turning = std::min(velocity, std::sqrt(turning_squared));
+  const double ramping = std::min(std::sqrt(ramping_squared), std::cbrt(ramping_cubed));
   BlendRamps ramps;
   for (std::size_t step = 0; step < ramps.size(); ++step) {
     const double w = blend_ramp_speed(step, turning, ramping);

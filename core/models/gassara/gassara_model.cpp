@@ -27,9 +27,9 @@ struct GassaraSettings {
   }
 };
 
-/// Least of an axis limit over the axes that `place` moves.
+/// Least of an axis limit over the axes that `place` moves, by more than the rounding of coordinates makes.
 AxisBound least_of_axes(const Vec3& limit, const CornerPlace& place) {
-  constexpr double moves = 1e-9;
+  constexpr double moves = 1e-6;  // of the path
   AxisBound least{std::numeric_limits<double>::infinity(), -1};
   for (int j = 0; j < 3; ++j) {
     if (std::abs(place.in[j]) + std::abs(place.out[j]) > moves && limit[j] < least.value) {

@@ -85,9 +85,8 @@ TEST(NodePlan, LevelJunctionsAreNodesInAnyCase) {
 }
 
 /// Every gap has a feasible law that passes nothing too fast, from standstill to standstill.
-void expect_kept(const std::vector<PlanElement>& elements) {
+void expect_kept(const std::vector<PlanElement>& elements, const std::vector<PlanNode>& nodes) {
   const auto ceiling = ceilings(elements);
-  const auto nodes = plan_nodes(elements, ceiling);
   ASSERT_EQ(nodes.front().speed, 0);
   ASSERT_EQ(nodes.back().speed, 0);
   ASSERT_EQ(nodes.back().junction, elements.size());
@@ -114,8 +113,54 @@ TEST(NodePlan, KeepsEveryCeilingAndEveryRampOnRandomStretches) {
       elements.push_back(element(std::pow(10, 4 * unit(random) - 3), std::pow(10, 3 * unit(random) - 1),
                                  5000 + 15000 * unit(random)));
     }
-    expect_kept(elements);
+    expect_kept(elements, plan_nodes(elements, ceilings(elements)));
   }
+}
+
+TEST(NodePlan, PlannedAgainKeepsEveryCeilingAndIsAsFastAsPlannedFromTheStart) {
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> unit(0, 1);
+  double again_time = 0;
+  double new_time = 0;
+  for (int run = 0; run < 200; ++run) {
+    SCOPED_TRACE(run);
+    std::vector<PlanElement> elements;
+    const std::uint32_t count = 50 + static_cast<std::uint32_t>(500 * unit(random));
+    for (std::uint32_t i = 0; i < count; ++i) {
+      elements.push_back(element(std::pow(10, 2 * unit(random) - 2), 5 + 50 * unit(random)));
+    }
+    std::vector<bool> is_level(count);
+    const auto level = [&] {
+      std::vector<std::uint32_t> junctions;
+      for (std::uint32_t j = 1; j < count; ++j) {
+        if (is_level[j]) {
+          junctions.push_back(j);
+        }
+      }
+      return junctions;
+    };
+    std::vector<PlanNode> nodes = plan_nodes(elements, ceilings(elements));
+    for (int round = 0; round < 4; ++round) {
+      std::vector<std::uint32_t> changed;
+      for (std::uint32_t e = 1; e + 1 < count; ++e) {
+        if (unit(random) < 0.02) {
+          changed.push_back(e);
+          elements[e].limits.acceleration.value *= unit(random);
+          elements[e].limits.jerk.value *= unit(random);
+          is_level[e] = is_level[e + 1] = unit(random) < 0.8;
+        }
+      }
+      nodes = plan_nodes_again(elements, ceilings(elements), level(), nodes, changed);
+      expect_kept(elements, nodes);
+      for (const std::uint32_t j : level()) {
+        EXPECT_TRUE(
+            std::any_of(nodes.begin(), nodes.end(), [&](const PlanNode& n) { return n.junction == j; }));
+      }
+    }
+    again_time += duration(elements, nodes);
+    new_time += duration(elements, plan_nodes(elements, ceilings(elements), level()));
+  }
+  EXPECT_NEAR(again_time / new_time, 1, 1e-3);
 }
 
 TEST(NodePlan, KeepsEveryCeilingOnStairsThatRiseBlockByBlock) {
@@ -124,7 +169,7 @@ TEST(NodePlan, KeepsEveryCeilingOnStairsThatRiseBlockByBlock) {
   for (int i = 0; i < 20000; ++i) {
     elements.push_back(element(0.01, 1 + 0.001 * i));
   }
-  expect_kept(elements);
+  expect_kept(elements, plan_nodes(elements, ceilings(elements)));
 }
 
 TEST(LookaheadHorizon, LetsTheToolStopWithinTheBlocksAhead) {

@@ -67,14 +67,15 @@ struct Choice {
   const char* model;
   const char* key;
   const char* value;
-  /// What a time may change by, relative. Above 1e-5 where the law of the paper on a blend is run or not, by
-  /// whether it gains anything: in chords of 0.1 mm the noise is 1e-5 of a direction change, and of a gain.
-  double most = 1e-5;
+  /// false: those of the Spinner and the DMG only. With enforce=off the feeds of a thousand short blocks
+  /// depend on each other, and on two machines have not settled after as many passes as they are given.
+  bool every_machine = true;
 };
 
 class Rounding : public ::testing::TestWithParam<Choice> {
  protected:
   static constexpr double distance = 1e-9;  // mm
+  static constexpr double most = 1e-5;      // of a time
 
   static void expect_same_time(const Toolpath& path, const std::string& machine, const std::string& name) {
     const ControlModel& model = find_model(GetParam().model);
@@ -86,13 +87,15 @@ class Rounding : public ::testing::TestWithParam<Choice> {
     const double time = model.simulate(path, loaded, settings).duration();
     for (const std::uint64_t seed : {1U, 2U}) {
       const double other = model.simulate(moved(path, distance, seed), loaded, settings).duration();
-      EXPECT_NEAR(other / time, 1, GetParam().most)
+      EXPECT_NEAR(other / time, 1, most)
           << name << " on " << machine << ", noise " << seed << ": " << time << " s becomes " << other;
     }
   }
 };
 
 TEST_P(Rounding, OfASampleChangesNoTime) {
+  const MachineLibrary machines = shipped_machines();
+  const std::vector<std::string> few{"spinner-mvc850", "dmg-mori-evo40"};
   for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(FEEDSCOPE_SOURCE_DIR) /
                                                               "resources/programs")) {
     constexpr std::uintmax_t small = 100000;
@@ -100,7 +103,7 @@ TEST_P(Rounding, OfASampleChangesNoTime) {
       continue;
     }
     const LoadedProgram program = load_program(file.path());
-    for (const char* machine : {"spinner-mvc850", "dmg-mori-evo40"}) {
+    for (const std::string& machine : GetParam().every_machine ? machines.ids() : few) {
       expect_same_time(*program.toolpath, machine, file.path().filename().string());
     }
   }
@@ -151,11 +154,11 @@ TEST_P(Rounding, OfARandomProgramChangesNoTime) {
 
 INSTANTIATE_TEST_SUITE_P(
     Models, Rounding,
-    ::testing::Values(Choice{"cam", "", ""}, Choice{"essid", "reading", "corrected", 1e-4},
-                      Choice{"essid", "reading", "published", 1e-4}, Choice{"essid", "reading", "strict"},
+    ::testing::Values(Choice{"cam", "", ""}, Choice{"essid", "reading", "corrected"},
+                      Choice{"essid", "reading", "published"}, Choice{"essid", "reading", "strict"},
                       Choice{"gassara", "", ""}, Choice{"tapie", "", ""}, Choice{"msaddek", "law", "dynamic"},
                       Choice{"msaddek", "law", "static"}, Choice{"ward", "enforce", "on"},
-                      Choice{"ward", "enforce", "off"}, Choice{"optimal", "path", "essid"},
+                      Choice{"ward", "enforce", "off", false}, Choice{"optimal", "path", "essid"},
                       Choice{"optimal", "path", "msaddek"}),
     [](const auto& choice) { return std::string(choice.param.model) + choice.param.value; });
 
