@@ -243,7 +243,7 @@ void add_size_options(CLI::App& command, RenderOptions& options) {
       ->type_name("WxH|PAPER");
   add_number_option(
       command, "--dpi", numbers(36, 1200), [&options](double dpi) { options.dpi = dpi; },
-      "Pixels an inch of paper, and of what is no vector in SVG and PDF [300]")
+      "Pixels per inch of paper, and of the bitmaps in SVG and PDF [300]")
       ->type_name("N");
   add_number_option(
       command, "--scale", numbers(0.25, 8), [&options](double scale) { options.scale = scale; },

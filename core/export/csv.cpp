@@ -131,7 +131,7 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
         "a step of {} s gives more than a billion rows for a cycle time of {:.6g} s; use a larger step", step,
         duration));
   }
-  // A row whose time prints like that of the end is no row of its own: 11 digits tell 1e-10 apart.
+  // A row whose time prints like that of the end would repeat it: 11 digits tell 1e-10 apart.
   const auto count = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-10)));
   SampleRows rows(out, trajectory, 0, count, progress);
   for (std::size_t row = 0; row < count; ++row) {

@@ -72,7 +72,7 @@ case ${1:-} in
     job=$2 programs=$3 results=$4
     shift 4
     program=$(programs_in "$programs" | tr '\0\n' '\n\0' | sed -n "${job}p" | tr '\0' '\n')
-    [ -n "$program" ] || { echo "nightly_study.sh: there is no program $job in '$programs'" >&2; exit 2; }
+    [ -n "$program" ] || { echo "nightly_study.sh: '$programs' has no program number $job" >&2; exit 2; }
     one "$program" "$results" "$@"
     ;;
   -* | '') sed -n '2,15s/^# \{0,1\}//p' "$0" >&2; exit 2 ;;

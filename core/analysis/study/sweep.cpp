@@ -121,7 +121,7 @@ Sweep parse_sweep(const std::string& text) {
     sweep.values.push_back(value);
   }
   if (sweep.values.empty()) {
-    refuse(text, "there is no value");
+    refuse(text, "the value is missing");
   }
   if (sweep.values.size() > most_sweep_values) {
     refuse(text, fmt::format("{} values; at most {} are possible", sweep.values.size(), most_sweep_values));

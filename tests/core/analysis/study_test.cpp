@@ -57,7 +57,7 @@ TEST(Sweep, SaysWhatIsWrong) {
   expect_refused("a=1:2", {"three parts, here are 2"});
   expect_refused("a=1;2;1", {"1 is listed twice"});
   expect_refused("a=1;x", {"'x' is not a number"});
-  expect_refused("a=", {"there is no value"});
+  expect_refused("a=", {"the value is missing"});
   expect_refused("reading=strict", {"'strict' is not a number, and only numbers can be swept"});
   expect_refused("a=1:inf:lin3", {"a=1:inf:lin3", "'inf' is not finite"});
   expect_refused("tolerance=0,05", {"'0,05' has a comma", "0.05 for one value", "\"0;05\" in quotes"});

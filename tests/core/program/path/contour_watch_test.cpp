@@ -7,18 +7,18 @@
 #include <vector>
 
 #include "core/program/path/plane_distance.h"
-#include "tests/core/program/path/contour_writer.h"
+#include "tests/core/program/path/line_writer.h"
 
 namespace feedscope {
 namespace {
 
 constexpr double pi = std::numbers::pi;
 
-std::vector<Diagnostic> said(ContourWriter& writer) {
+std::vector<Diagnostic> said(LineWriter& writer) {
   return writer.finish().diagnostics;
 }
 
-ContourWriter& through(ContourWriter& writer, const std::vector<Vec3>& points) {
+LineWriter& through(LineWriter& writer, const std::vector<Vec3>& points) {
   for (const Vec3& point : points) {
     writer.line(point);
   }
@@ -34,7 +34,7 @@ std::vector<Vec3> rooms(double neck, double level = 0) {
 }
 
 TEST(CompensationGouge, ANeckNarrowerThanTheToolIsSeenFromFarBehind) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.rapid({30, 0, 0}).on(ToolSide::left, 5).line({30, -20, 0});
   const std::vector<Diagnostic> found = said(through(writer, rooms(9.9)).off().line({30, 0, 0}));
   ASSERT_FALSE(found.empty());
@@ -46,13 +46,13 @@ TEST(CompensationGouge, ANeckNarrowerThanTheToolIsSeenFromFarBehind) {
 }
 
 TEST(CompensationGouge, ANeckThatIsWideEnoughIsNotSaid) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.rapid({30, 0, 0}).on(ToolSide::left, 5).line({30, -20, 0});
   through(writer, rooms(10)).off().line({30, 0, 0}).finish_clean();
 }
 
 TEST(CompensationGouge, RoundsAtSeveralDepthsAreSound) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.rapid({30, 0, 0}).on(ToolSide::left, 5).line({30, -20, 0});
   for (const double level : {0.0, -1.0, -2.0}) {
     writer.line({30, -20, level});
@@ -62,7 +62,7 @@ TEST(CompensationGouge, RoundsAtSeveralDepthsAreSound) {
 }
 
 TEST(CompensationGouge, PassesOfASpiralOutwardsAreSound) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.on(ToolSide::left, 5).line({0, -20, 0});
   double size = 20;
   for (int i = 0; i < 12; ++i, size += 3) {
@@ -73,7 +73,7 @@ TEST(CompensationGouge, PassesOfASpiralOutwardsAreSound) {
 
 TEST(CompensationGouge, LinesThatLeadInAndOutMayCross) {
   for (const double radius : {1.0, 5.0, 12.0}) {
-    ContourWriter writer;
+    LineWriter writer;
     writer.rapid({-50, -30, 0}).on(ToolSide::right, radius).line({-20, 0, 0});
     through(writer, {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}, {0, 0, 0}, {0, -20, 0}});
     writer.off().line({0, -60, 0}).finish_clean();
@@ -82,7 +82,7 @@ TEST(CompensationGouge, LinesThatLeadInAndOutMayCross) {
 
 TEST(CompensationGouge, ArcsThatLeadInAndOutOfARoundWithAnOverlapMayCross) {
   for (const double lead : {6.0, 9.0}) {
-    ContourWriter writer;
+    LineWriter writer;
     writer.rapid({0, 0, 0}).on(ToolSide::left, 5).line({50 - lead, -lead, 0});
     writer.arc({50, 0, 0}, {50 - lead, 0, 0}, Vec3::UnitZ());
     writer.arc({50, 0, 0}, {0, 0, 0}, Vec3::UnitZ());
@@ -96,7 +96,7 @@ TEST(CompensationGouge, ArcsThatLeadInAndOutOfARoundWithAnOverlapMayCross) {
 
 TEST(CompensationGouge, AShallowDishOfShortLinesSwallowsThemOneByOne) {
   // A circle of radius 4 in chords of 0.8 mm: none of them alone is too short, the dish as a whole is.
-  ContourWriter writer;
+  LineWriter writer;
   writer.rapid({-20, 10, 0}).on(ToolSide::left, 5).line({-20, 0, 0}).line({-4, 0, 0});
   for (int i = 1; i <= 15; ++i) {
     const double angle = pi + i * pi / 15;
@@ -108,7 +108,7 @@ TEST(CompensationGouge, AShallowDishOfShortLinesSwallowsThemOneByOne) {
 
 TEST(CompensationGouge, AFingerThatPointsAtAWallIsSeen) {
   // The finger's tip is 8 mm from the wall that was passed before; the tool is 10 mm across.
-  ContourWriter writer;
+  LineWriter writer;
   writer.rapid({0, 20, 0}).on(ToolSide::left, 5).line({0, 0, 0});
   through(writer, {{100, 0, 0}, {100, 60, 0}, {55, 60, 0}, {50, 8, 0}, {45, 60, 0}, {0, 60, 0}});
   const std::vector<Diagnostic> found = said(writer.off().line({0, 100, 0}));
@@ -119,7 +119,7 @@ TEST(CompensationGouge, AFingerThatPointsAtAWallIsSeen) {
 }
 
 TEST(CompensationGouge, OfAnotherLevelIsNotSaid) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.rapid({0, 20, 0}).on(ToolSide::left, 5).line({0, 0, 0});
   through(writer, {{100, 0, 0}, {100, 60, 0}, {100, 60, -3}, {55, 60, -3}, {50, 8, -3}, {45, 60, -3}});
   writer.line({0, 60, -3}).off().line({0, 100, -3}).finish_clean();
@@ -127,7 +127,7 @@ TEST(CompensationGouge, OfAnotherLevelIsNotSaid) {
 
 TEST(CompensationGouge, ANotchWithoutWidthIsAnInsideCorner) {
   // Two half circles of radius 10 that meet in a notch: the paths of radius 15 about X10 and X30 meet at X20.
-  ContourWriter notch;
+  LineWriter notch;
   notch.rapid({-20, -20, 0}).on(ToolSide::left, 5).line({0, -10, 0}).line({0, 0, 0});
   notch.arc({20, 0, 0}, {10, 0, 0}, -Vec3::UnitZ()).arc({40, 0, 0}, {30, 0, 0}, -Vec3::UnitZ());
   const Program program = notch.line({40, -10, 0}).off().line({60, -20, 0}).finish_clean();
@@ -135,14 +135,14 @@ TEST(CompensationGouge, ANotchWithoutWidthIsAnInsideCorner) {
   EXPECT_NEAR((program.motions[3].target - Vec3(20, std::sqrt(15 * 15 - 10 * 10), 0)).norm(), 0, 1e-9);
 
   // Mirrored at the X axis, and so with the other one of the two meetings first.
-  ContourWriter mirrored;
+  LineWriter mirrored;
   mirrored.rapid({-20, 20, 0}).on(ToolSide::right, 5).line({0, 10, 0}).line({0, 0, 0});
   mirrored.arc({20, 0, 0}, {10, 0, 0}, Vec3::UnitZ()).arc({44, 0, 0}, {32, 0, 0}, Vec3::UnitZ());
   const Program below = mirrored.line({44, 10, 0}).off().line({60, 20, 0}).finish_clean();
   EXPECT_LT(below.motions.at(3).target.y(), -10);
 
   // From the other side the same place is a tip.
-  ContourWriter tip;
+  LineWriter tip;
   tip.rapid({-20, -20, 0}).on(ToolSide::right, 5).line({0, -10, 0}).line({0, 0, 0});
   tip.arc({20, 0, 0}, {10, 0, 0}, -Vec3::UnitZ()).arc({40, 0, 0}, {30, 0, 0}, -Vec3::UnitZ());
   const Program around = tip.line({40, -10, 0}).off().line({60, -20, 0}).finish_clean();
@@ -197,7 +197,7 @@ TEST(CompensationGouge, InRandomContoursIsSaidIfAndOnlyIfTheToolCutsIn) {
     const std::vector<Vec3> corners = random_star(random);
     const double radius = 0.5 + static_cast<double>(random() % 1000) / (round % 2 == 0 ? 30 : 200);
     const ToolSide side = round % 4 < 2 ? ToolSide::left : ToolSide::right;
-    ContourWriter writer(round % 8 < 4 ? OutsideCorner::arc : OutsideCorner::lines);
+    LineWriter writer(round % 8 < 4 ? OutsideCorner::arc : OutsideCorner::lines);
     // From the far end of the last side, so that the first corner is one of the contour.
     const Vec3 start = (corners.back() + corners.front()) / 2;
     writer.rapid(start * (side == ToolSide::left ? 0.5 : 3)).on(side, radius).line(start);
@@ -252,7 +252,7 @@ TEST(CompensationGouge, OfARoundThatOverrunsItsFirstCornerIsSaidIfAndOnlyIfTheTo
     if (comes_to_another_side(corners, start, corner) || comes_to_another_side(corners, corner, end)) {
       continue;
     }
-    ContourWriter writer;
+    LineWriter writer;
     writer.rapid(start + 0.001 * first).on(side, radius).line(start);
     through(writer, {corners.begin() + 1, corners.end()}).line(end).off().line({200, 200, 0});
     const Program program = writer.finish();
@@ -291,7 +291,7 @@ TEST(CompensationGouge, OfARoundThatOverrunsItsFirstCornerIsSaidIfAndOnlyIfTheTo
 
 TEST(CompensationGouge, ALongContourIsReadInLinearTime) {
   // Waves of short lines: far more than what is kept in view.
-  ContourWriter writer;
+  LineWriter writer;
   writer.rapid({-10, 10, 0}).on(ToolSide::left, 1).line({-10, 0, 0});
   for (int i = 0; i < 40000; ++i) {
     const double x = 0.01 * i;

@@ -6,7 +6,7 @@
 #include <random>
 #include <vector>
 
-#include "tests/core/program/path/contour_writer.h"
+#include "tests/core/program/path/line_writer.h"
 
 namespace feedscope {
 namespace {
@@ -52,7 +52,7 @@ std::vector<Element> random_contour(std::mt19937& random) {
 }
 
 Program compensated(const std::vector<Element>& contour, ToolSide side, double radius, OutsideCorner corner) {
-  ContourWriter writer(corner);
+  LineWriter writer(corner);
   writer.on(side, radius);
   for (const Element& element : contour) {
     if (element.turn == 0) {
@@ -126,7 +126,7 @@ TEST(CutterCompensation, AroundAConvexContourIsAsFarFromAllOfIt) {
       corners.push_back(Vec3(50 * std::cos(angle), 30 * std::sin(angle), 0));
     }
     const double radius = 0.1 + 20 * unit(random);
-    ContourWriter writer;
+    LineWriter writer;
     writer.rapid({200, 200, 0}).on(ToolSide::right, radius);
     for (const Vec3& corner : corners) {
       writer.line(corner);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "tests/core/program/motion_text.h"
-#include "tests/core/program/path/contour_writer.h"
+#include "tests/core/program/path/line_writer.h"
 
 namespace feedscope {
 namespace {
@@ -16,20 +16,20 @@ namespace {
 constexpr double pi = std::numbers::pi;
 
 /// Once around the square from (0, 0) to (20, 20), counter-clockwise, in from and out to (-10, 0).
-ContourWriter& around_square(ContourWriter& writer, ToolSide side, double radius) {
+LineWriter& around_square(LineWriter& writer, ToolSide side, double radius) {
   writer.rapid({-10, 0, 0}).on(side, radius).line({0, 0, 0}).line({20, 0, 0}).line({20, 20, 0});
   return writer.line({0, 20, 0}).line({0, 0, 0}).off().line({-10, 0, 0});
 }
 
 TEST(CutterCompensation, LeavesTheContourAloneForRadiusZero) {
-  ContourWriter writer;
+  LineWriter writer;
   EXPECT_EQ(text_of(around_square(writer, ToolSide::left, 0).finish_clean()),
             (Lines{"rapid -10 0 0 @1", "line 0 0 0 @2", "line 20 0 0 @3", "line 20 20 0 @4", "line 0 20 0 @5",
                    "line 0 0 0 @6", "line -10 0 0 @7"}));
 }
 
 TEST(CutterCompensation, RunsInsideASquareFromMeetingPointToMeetingPoint) {
-  ContourWriter writer;
+  LineWriter writer;
   const Program program = around_square(writer, ToolSide::left, 3).finish();
   EXPECT_EQ(text_of(program), (Lines{"rapid -10 0 0 @1", "line 0 3 0 @2", "line 17 3 0 @3", "line 17 17 0 @4",
                                      "line 3 17 0 @5", "line 3 0 0 @6", "line -10 0 0 @7"}))
@@ -43,7 +43,7 @@ TEST(CutterCompensation, RunsInsideASquareFromMeetingPointToMeetingPoint) {
 }
 
 TEST(CutterCompensation, RunsAroundOutsideCornersOnArcsAboutThem) {
-  ContourWriter writer;
+  LineWriter writer;
   const Program program = around_square(writer, ToolSide::right, 3).finish_clean();
   EXPECT_EQ(text_of(program), (Lines{"rapid -10 0 0 @1", "line 0 -3 0 @2", "line 20 -3 0 @3", "arc 23 0 0 @4",
                                      "line 23 20 0 @4", "arc 20 23 0 @5", "line 0 23 0 @5", "arc -3 20 0 @6",
@@ -54,7 +54,7 @@ TEST(CutterCompensation, RunsAroundOutsideCornersOnArcsAboutThem) {
 }
 
 TEST(CutterCompensation, RunsAroundOutsideCornersOnLines) {
-  ContourWriter writer(OutsideCorner::lines);
+  LineWriter writer(OutsideCorner::lines);
   EXPECT_EQ(text_of(around_square(writer, ToolSide::right, 3).finish_clean()),
             (Lines{"rapid -10 0 0 @1", "line 0 -3 0 @2", "line 23 -3 0 @3", "line 23 23 0 @4",
                    "line -3 23 0 @5", "line -3 0 0 @6", "line -10 0 0 @7"}));
@@ -62,14 +62,14 @@ TEST(CutterCompensation, RunsAroundOutsideCornersOnLines) {
 
 TEST(CutterCompensation, CutsTheTipOffSharpOutsideCorners) {
   // Back along the same line: both paths run on by the radius, and a straight line joins them.
-  ContourWriter writer(OutsideCorner::lines);
+  LineWriter writer(OutsideCorner::lines);
   writer.on(ToolSide::left, 2).line({0, 10, 0}).line({10, 10, 0}).line({0, 10, 0}).off().line({0, 0, 0});
   EXPECT_EQ(text_of(writer.finish_clean()),
             (Lines{"line 0 12 0 @1", "line 12 12 0 @2", "line 12 8 0 @3", "line 0 8 0 @3", "line 0 0 0 @4"}));
 }
 
 TEST(CutterCompensation, TurnsAboutTheEndWhereTheContourComesBack) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.on(ToolSide::left, 2).line({0, 10, 0}).line({10, 10, 0}).line({0, 10, 0}).off().line({0, 0, 0});
   const Program program = writer.finish_clean();
   EXPECT_EQ(text_of(program),
@@ -79,7 +79,7 @@ TEST(CutterCompensation, TurnsAboutTheEndWhereTheContourComesBack) {
 
 TEST(CutterCompensation, LinesAroundACornerOfAnArcTouchBothEnds) {
   // A quarter circle that meets a line at a right angle: line from its end, on to the line's path.
-  ContourWriter writer(OutsideCorner::lines);
+  LineWriter writer(OutsideCorner::lines);
   writer.rapid({10, -5, 0}).on(ToolSide::right, 2).line({10, 0, 0});
   writer.arc({0, 10, 0}, {0, 0, 0}, Vec3::UnitZ()).line({0, 0, 0}).off().line({0, -9, 0});
   EXPECT_EQ(text_of(writer.finish_clean()), (Lines{"rapid 10 -5 0 @1", "line 12 0 0 @2", "arc 0 12 0 @3",
@@ -96,7 +96,7 @@ class CompensatedCircle : public testing::TestWithParam<CircleCase> {};
 
 TEST_P(CompensatedCircle, RunsOnTheCircleBeside) {
   for (const double extra : {0.0, 2.0}) {
-    ContourWriter writer;
+    LineWriter writer;
     writer.on(GetParam().side, 4).line({10, 0, 0});
     writer.arc({10, 0, -6}, {0, 0, 0}, GetParam().axis * Vec3::UnitZ(), extra).off().line({0, 0, -6});
     const Program program = writer.finish_clean();
@@ -116,7 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Sides, CompensatedCircle,
 TEST(CutterCompensation, TangentElementsStayTangent) {
   // A slot outline: two lines, two half circles; nothing is put in anywhere.
   for (const double out : {3.0, -3.0}) {
-    ContourWriter writer;
+    LineWriter writer;
     writer.rapid({0, -20, 0}).on(ToolSide::right, out).line({0, -5, 0}).line({30, -5, 0});
     writer.arc({30, 5, 0}, {30, 0, 0}, Vec3::UnitZ()).line({0, 5, 0});
     writer.arc({0, -5, 0}, {0, 0, 0}, Vec3::UnitZ()).off().line({0, -20, 0});
@@ -129,7 +129,7 @@ TEST(CutterCompensation, TangentElementsStayTangent) {
 }
 
 TEST(CutterCompensation, AnArcAsSmallAsTheToolBecomesAPoint) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.rapid({0, 5, 0}).on(ToolSide::left, 5).line({0, 0, 0}).line({15, 0, 0});
   writer.arc({20, 5, 0}, {15, 5, 0}, Vec3::UnitZ()).line({20, 30, 0}).off().line({0, 30, 0});
   EXPECT_EQ(text_of(writer.finish_clean()), (Lines{"rapid 0 5 0 @1", "line 0 5 0 @2", "line 15 5 0 @3",
@@ -138,7 +138,7 @@ TEST(CutterCompensation, AnArcAsSmallAsTheToolBecomesAPoint) {
 
 TEST(CutterCompensation, InsideCornersBetweenLineAndArcEndWhereThePathsMeet) {
   // The line runs along a radius into the middle of a circle of 10 mm; the tool meets line + 2 and circle 8.
-  ContourWriter writer;
+  LineWriter writer;
   writer.rapid({-20, 0, 0}).on(ToolSide::left, 2).line({0, 0, 0}).line({10, 0, 0});
   writer.arc({-10, 0, 0}, {0, 0, 0}, Vec3::UnitZ()).line({0, 0, 0}).off().line({0, 5, 0});
   const Program program = writer.finish_clean();
@@ -150,7 +150,7 @@ TEST(CutterCompensation, InsideCornersBetweenLineAndArcEndWhereThePathsMeet) {
 }
 
 TEST(CutterCompensation, MotionsAcrossThePlaneAndDwellsTakePlaceAtTheCorner) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.on(ToolSide::left, 1).line({0, 0, -2}).line({10, 0, -2}).line({10, 0, 5}).dwell();
   writer.line({10, 0, -3}).line({10, 10, -3}).off().line({10, 10, 0}).rapid({0, 0, 0});
   EXPECT_EQ(text_of(writer.finish_clean()),
@@ -159,7 +159,7 @@ TEST(CutterCompensation, MotionsAcrossThePlaneAndDwellsTakePlaceAtTheCorner) {
 }
 
 TEST(CutterCompensation, AnotherRadiusOrSideMakesAnEntryOfTheNextMotion) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.on(ToolSide::left, 1).line({10, 0, 0}).line({20, 0, 0}).on(ToolSide::left, 2).line({30, 0, 0});
   writer.line({40, 0, 0}).on(ToolSide::right, 2).line({50, 0, 0}).line({60, 0, 0});
   EXPECT_EQ(text_of(writer.finish_clean()), (Lines{"line 10 1 0 @1", "line 20 1 0 @2", "line 30 2 0 @3",
@@ -168,53 +168,53 @@ TEST(CutterCompensation, AnotherRadiusOrSideMakesAnEntryOfTheNextMotion) {
 }
 
 TEST(CutterCompensation, TheSameAgainChangesNothing) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.on(ToolSide::left, 1).line({10, 0, 0}).line({20, 0, 0}).on(ToolSide::left, 1).line({20, 9, 0});
   EXPECT_EQ(text_of(writer.finish_clean()), (Lines{"line 10 1 0 @1", "line 19 1 0 @2", "line 19 9 0 @3"}));
 }
 
 TEST(CutterCompensation, PositionsStayThoseOfTheContour) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.on(ToolSide::left, 1).line({10, 0, 0}).line({20, 0, 0}).line({20, 9, 0});
   EXPECT_EQ(writer.path().position(), Vec3(20, 9, 0));
 }
 
 TEST(CutterCompensation, RapidsAreCompensatedAndMeetOnRapids) {
-  ContourWriter writer;
+  LineWriter writer;
   writer.on(ToolSide::left, 1).rapid({10, 0, 0}).rapid({20, 0, 0}).rapid({20, -9, 0}).off();
   EXPECT_EQ(text_of(writer.finish_clean()),
             (Lines{"rapid 10 1 0 @1", "rapid 21 1 0 @2", "rapid 21 -9 0 @3"}));
 }
 
 TEST(CutterCompensation, WorksInEveryPlane) {
-  ContourWriter zx;
+  LineWriter zx;
   zx.on(ToolSide::left, 1, Plane::zx).line({0, 0, 10}).line({0, 0, 20}).line({9, 0, 20});
   EXPECT_EQ(text_of(zx.finish_clean()), (Lines{"line 1 0 10 @1", "line 1 0 19 @2", "line 9 0 19 @3"}))
       << "Z to the right, X up";
-  ContourWriter yz;
+  LineWriter yz;
   yz.on(ToolSide::left, 1, Plane::yz).line({0, 10, 0}).line({0, 20, 0}).line({0, 20, 9});
   EXPECT_EQ(text_of(yz.finish_clean()), (Lines{"line 0 10 1 @1", "line 0 19 1 @2", "line 0 19 9 @3"}));
 }
 
 TEST(CutterCompensation, FramesMoveTheContourNotTheRadius) {
-  ContourWriter turned;
+  LineWriter turned;
   turned.frame(CoordinateFrame::rotation(Vec3::UnitZ(), pi / 2)).on(ToolSide::left, 1);
   turned.line({10, 0, 0}).line({20, 0, 0}).line({20, 9, 0});
   EXPECT_EQ(text_of(turned.finish_clean()), (Lines{"line -1 10 0 @1", "line -1 19 0 @2", "line -9 19 0 @3"}));
-  ContourWriter mirrored;
+  LineWriter mirrored;
   mirrored.frame(CoordinateFrame::scale({-1, 1, 1})).on(ToolSide::left, 1);
   mirrored.line({10, 0, 0}).line({20, 0, 0}).line({20, 9, 0});
   EXPECT_EQ(text_of(mirrored.finish_clean()),
             (Lines{"line -10 1 0 @1", "line -19 1 0 @2", "line -19 9 0 @3"}))
       << "inside stays inside";
-  ContourWriter scaled;
+  LineWriter scaled;
   scaled.frame(CoordinateFrame::scale({2, 2, 2})).on(ToolSide::left, 1);
   scaled.line({10, 0, 0}).line({20, 0, 0}).line({20, 9, 0});
   EXPECT_EQ(text_of(scaled.finish_clean()), (Lines{"line 20 1 0 @1", "line 39 1 0 @2", "line 39 18 0 @3"}));
 }
 
 TEST(CutterCompensation, BoundsAreThoseOfTheToolsCentre) {
-  ContourWriter writer;
+  LineWriter writer;
   const Program program = around_square(writer, ToolSide::right, 3).finish_clean();
   EXPECT_EQ(program.bounds.min, Vec3(-10, -3, 0));
   EXPECT_EQ(program.bounds.max, Vec3(23, 23, 0));
@@ -222,14 +222,14 @@ TEST(CutterCompensation, BoundsAreThoseOfTheToolsCentre) {
 
 struct FaultCase {
   const char* name;
-  void (*write)(ContourWriter&);
+  void (*write)(LineWriter&);
   const char* expected;
 };
 
 class CompensationFault : public testing::TestWithParam<FaultCase> {};
 
 TEST_P(CompensationFault, NamesBlockAndRadius) {
-  ContourWriter writer;
+  LineWriter writer;
   GetParam().write(writer);
   const Program program = writer.finish();
   ASSERT_EQ(program.diagnostics.size(), 1U);
@@ -243,7 +243,7 @@ INSTANTIATE_TEST_SUITE_P(
     All, CompensationFault,
     testing::Values(
         FaultCase{"arc",
-                  [](ContourWriter& writer) {
+                  [](LineWriter& writer) {
                     writer.on(ToolSide::left, 5).line({10, 0, 0}).line({20, 0, 0});
                     writer.arc({23, 3, 0}, {20, 3, 0}, Vec3::UnitZ()).line({23, 30, 0});
                   },
@@ -251,7 +251,7 @@ INSTANTIATE_TEST_SUITE_P(
                   "[compensation-gouge] (a straight line to its end is taken instead, which cuts into the "
                   "contour; use a smaller tool)"},
         FaultCase{"circle",
-                  [](ContourWriter& writer) {
+                  [](LineWriter& writer) {
                     writer.on(ToolSide::left, 5).line({10, 0, 0});
                     writer.arc({10, 0, 0}, {13, 0, 0}, Vec3::UnitZ()).line({20, 0, 0});
                   },
@@ -259,35 +259,35 @@ INSTANTIATE_TEST_SUITE_P(
                   "[compensation-gouge] (a straight line to its end is taken instead, which cuts into the "
                   "contour; use a smaller tool)"},
         FaultCase{"step",
-                  [](ContourWriter& writer) {
+                  [](LineWriter& writer) {
                     writer.on(ToolSide::left, 5).line({10, 0, 0}).line({20, 0, 0}).line({22, 2, 0});
                     writer.line({22, 30, 0});
                   },
                   "f:3: error: a tool of radius 5.0000 mm does not fit between this block and its neighbours "
                   "[compensation-gouge] (the path shown cuts into the contour here; use a smaller tool)"},
         FaultCase{"apart",
-                  [](ContourWriter& writer) {
+                  [](LineWriter& writer) {
                     writer.on(ToolSide::left, 5).line({0, 8, 0});
                     writer.arc({0, -8, 0}, {0, 0, 0}, Vec3::UnitZ()).line({0, 20, 0});
                   },
                   "f:2: error: a tool of radius 5.0000 mm does not fit between this block and its neighbours "
                   "[compensation-gouge] (the path shown cuts into the contour here; use a smaller tool)"},
         FaultCase{"entry",
-                  [](ContourWriter& writer) {
+                  [](LineWriter& writer) {
                     writer.on(ToolSide::left, 1).arc({10, 10, 0}, {10, 0, 0}, -Vec3::UnitZ());
                   },
                   "f:1: error: cutter radius compensation begins on an arc [compensation-entry] (a straight "
                   "line leads to the arc beside its start; begin it on a line)"},
         FaultCase{
             "exit",
-            [](ContourWriter& writer) {
+            [](LineWriter& writer) {
               writer.on(ToolSide::left, 1).line({10, 0, 0}).line({20, 0, 0}).off();
               writer.arc({30, 10, 0}, {20, 10, 0}, Vec3::UnitZ());
             },
             "f:3: error: cutter radius compensation ends on an arc [compensation-exit] (a straight line "
             "leads to its end instead; end it on a line)"},
         FaultCase{"plane",
-                  [](ContourWriter& writer) {
+                  [](LineWriter& writer) {
                     writer.on(ToolSide::left, 1).line({10, 0, 0}).line({20, 0, 0});
                     writer.on(ToolSide::left, 1, Plane::zx).line({20, 0, 10});
                   },

@@ -9,29 +9,29 @@
 namespace feedscope {
 
 /// A path written line by line, each motion on a line of its own.
-class ContourWriter {
+class LineWriter {
  public:
-  explicit ContourWriter(OutsideCorner corner = OutsideCorner::arc) : corner_(corner) { path_.set_feed(10); }
+  explicit LineWriter(OutsideCorner corner = OutsideCorner::arc) : corner_(corner) { path_.set_feed(10); }
 
-  ContourWriter& on(ToolSide side, double radius, Plane plane = Plane::xy) {
+  LineWriter& on(ToolSide side, double radius, Plane plane = Plane::xy) {
     path_.set_compensation(side, radius, corner_, plane, 1);
     return *this;
   }
-  ContourWriter& off() {
+  LineWriter& off() {
     path_.end_compensation();
     return *this;
   }
-  ContourWriter& rapid(const Vec3& to) {
+  LineWriter& rapid(const Vec3& to) {
     next();
     path_.rapid(to);
     return *this;
   }
-  ContourWriter& line(const Vec3& to) {
+  LineWriter& line(const Vec3& to) {
     next();
     path_.line(to);
     return *this;
   }
-  ContourWriter& arc(const Vec3& to, const Vec3& center, const Vec3& axis, double extra_turns = 0) {
+  LineWriter& arc(const Vec3& to, const Vec3& center, const Vec3& axis, double extra_turns = 0) {
     next();
     ArcRequest request;
     request.target = to;
@@ -41,12 +41,12 @@ class ContourWriter {
     path_.arc_by_center(request);
     return *this;
   }
-  ContourWriter& dwell() {
+  LineWriter& dwell() {
     next();
     path_.dwell(1);
     return *this;
   }
-  ContourWriter& frame(const CoordinateFrame& frame) {
+  LineWriter& frame(const CoordinateFrame& frame) {
     path_.set_frame(frame);
     return *this;
   }
