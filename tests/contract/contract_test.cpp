@@ -34,8 +34,7 @@ struct OpenFinding {
 };
 constexpr OpenFinding open_findings[] = {
     // A program begun elsewhere has other roundings of path lengths: on them depend the cells of the grid,
-    // with
-    // jerk=on the stages of its law too, and the time of blocks of 1e-6 mm.
+    // with jerk=on the stages of its law too, and the time of blocks of 1e-6 mm.
     {"optimal", "split", 88, 45},
     // Parts of nanoseconds in the peak of curvature of a near reversal.
     {"optimal", "derivatives", 63, 22},
