@@ -466,16 +466,16 @@ std::optional<StandardView> PathScene::cube_view(const Pixel& pixel) const {
   return impl_->cube().view_at(impl_->display(pixel));
 }
 
+const std::shared_ptr<const Trajectory>& PathScene::trajectory() const {
+  return impl_->trajectory;
+}
+
 std::optional<State> PathScene::state_at(double time) const {
   return impl_->trajectory ? std::optional(impl_->trajectory->state(time)) : std::nullopt;
 }
 
 double PathScene::contour_error_at(double time) const {
   return value_at(impl_->pickable(), Quantity::contour_error, time);
-}
-
-double PathScene::duration() const {
-  return impl_->trajectory ? impl_->trajectory->duration() : 0;
 }
 
 Vec3 PathScene::drawn_at(double time) const {

@@ -119,12 +119,14 @@ class PathScene {
   std::optional<double> pick_time(const Pixel& pixel, double radius = 8) const;
   /// The view of the cube's face under a pixel.
   std::optional<StandardView> cube_view(const Pixel& pixel) const;
+  /// What is shown as executed; null for nothing.
+  const std::shared_ptr<const Trajectory>& trajectory() const;
   /// The executed motion at a time [s]; none without one.
   std::optional<State> state_at(double time) const;
   /// Distance from the programmed path at a time [mm].
   double contour_error_at(double time) const;
   /// Of the executed motion [s]; 0 without one.
-  double duration() const;
+  double duration() const { return trajectory() ? trajectory()->duration() : 0; }
   /// Where an instant of the executed path is drawn [mm].
   Vec3 drawn_at(double time) const;
   /// Where a point [mm] is drawn.

@@ -7,6 +7,12 @@
 
 namespace feedscope::ui {
 
+namespace {
+
+constexpr double most_values = 1000;
+
+}  // namespace
+
 double round_up_125(double step) {
   const double power = std::pow(10.0, std::floor(std::log10(step)));
   constexpr double slack = 1 + 1e-9;  // 0.1 * 10 must count as 1
@@ -18,25 +24,49 @@ double round_up_125(double step) {
   return 10 * power;
 }
 
+std::string tick_label(double value, double step) {
+  const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 12);
+  return fmt::format("{:.{}f}", value, decimals);
+}
+
 Ticks round_ticks(double minimum, double maximum, int most) {
+  return round_ticks_between(minimum, maximum, most, minimum, maximum);
+}
+
+std::vector<double> multiples(double step, double low, double high) {
+  std::vector<double> values;
+  if (!std::isfinite(high - low)) {
+    return values;
+  }
+  while (std::floor(high / step) - std::ceil(low / step) >= most_values) {
+    step = round_up_125(step * 1.5);
+  }
+  const double last = std::floor(high / step);
+  for (double k = std::ceil(low / step); k <= last; ++k) {
+    values.push_back(k == 0 ? 0.0 : k * step);
+  }
+  return values;
+}
+
+Ticks round_ticks_between(double minimum, double maximum, double most, double low, double high) {
   Ticks ticks;
   const double range = maximum - minimum;
-  if (!(range > 0) || !std::isfinite(range) || most < 1) {
+  if (!(range > 0) || !std::isfinite(range) || !(most >= 1)) {
     return ticks;
   }
   const double slack = 1e-9 * range;
+  const double from = std::max(minimum, low) - slack;
+  const double to = std::min(maximum, high) + slack;
   for (double step = round_up_125(range / most);; step = round_up_125(step * 1.5)) {
-    const double first = std::ceil((minimum - slack) / step);
-    const double last = std::floor((maximum + slack) / step);
-    if (last - first + 1 > most) {
+    const double count = std::floor((maximum + slack) / step) - std::ceil((minimum - slack) / step) + 1;
+    if (count > most || std::floor(to / step) - std::ceil(from / step) >= most_values) {
       continue;
     }
     ticks.step = step;
-    const int decimals = std::clamp(static_cast<int>(-std::floor(std::log10(step) + 1e-9)), 0, 12);
-    for (double k = first; k <= last; ++k) {
-      const double value = k == 0 ? 0.0 : k * step;
-      ticks.values.push_back(value);
-      ticks.labels.push_back(fmt::format("{:.{}f}", value, decimals));
+    ticks.count = count;
+    ticks.values = multiples(step, from, to);
+    for (const double value : ticks.values) {
+      ticks.labels.push_back(tick_label(value, step));
     }
     return ticks;
   }

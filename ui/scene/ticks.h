@@ -10,6 +10,7 @@ struct Ticks {
   double step = 0;
   std::vector<double> values;       ///< multiples of step, rising
   std::vector<std::string> labels;  ///< as many decimals as the step needs, decimal point
+  double count = 0;                 ///< multiples of step in all of the scale
 };
 
 /// The smallest of 1, 2 and 5 times a power of ten that is at least `step`; step > 0.
@@ -18,5 +19,15 @@ double round_up_125(double step);
 /// Multiples of a round step in [minimum, maximum], at most `most` of them; none if the range is empty or not
 /// finite or `most` is 0.
 Ticks round_ticks(double minimum, double maximum, int most);
+/// The same scale, its values from `low` to `high` alone: for a scale of which a small part is shown. At most
+/// 1000 values; beyond, the step is larger.
+Ticks round_ticks_between(double minimum, double maximum, double most, double low, double high);
+
+/// Multiples of `step` > 0 from `low` to `high`, rising; where they are more than 1000, of a larger round
+/// step.
+std::vector<double> multiples(double step, double low, double high);
+
+/// A multiple of `step`, as labels have it.
+std::string tick_label(double value, double step);
 
 }  // namespace feedscope::ui

@@ -1,5 +1,6 @@
 #include "ui/views/scene_canvas.h"
 
+#include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
 #include <vtkUnsignedCharArray.h>
@@ -28,10 +29,34 @@ GpuCanvas::GpuCanvas(vtkGenericOpenGLRenderWindow& window, QWidget* parent)
   format.setDepthBufferSize(24);
   format.setStencilBufferSize(8);
   setFormat(format);
+  // Outside of a frame VTK asks for the context to give buffers back.
+  const auto observe = [&](unsigned long event, void (*call)(vtkObject*, unsigned long, void*, void*)) {
+    const vtkNew<vtkCallbackCommand> command;
+    command->SetClientData(this);
+    command->SetCallback(call);
+    return window_.AddObserver(event, command);
+  };
+  make_current_ =
+      observe(vtkCommand::WindowMakeCurrentEvent, [](vtkObject*, unsigned long, void* self, void*) {
+        auto& canvas = *static_cast<GpuCanvas*>(self);
+        if (!canvas.is_current()) {
+          canvas.makeCurrent();
+        }
+      });
+  ask_current_ =
+      observe(vtkCommand::WindowIsCurrentEvent, [](vtkObject*, unsigned long, void* self, void* answer) {
+        *static_cast<bool*>(answer) = static_cast<GpuCanvas*>(self)->is_current();
+      });
 }
 
 GpuCanvas::~GpuCanvas() {
   release();
+  window_.RemoveObserver(make_current_);
+  window_.RemoveObserver(ask_current_);
+}
+
+bool GpuCanvas::is_current() const {
+  return context() != nullptr && QOpenGLContext::currentContext() == context();
 }
 
 void GpuCanvas::initializeGL() {

@@ -21,8 +21,11 @@ class GpuCanvas : public QOpenGLWidget {
 
  private:
   void release();
+  bool is_current() const;
 
   vtkGenericOpenGLRenderWindow& window_;
+  unsigned long make_current_ = 0;  ///< observers of the window
+  unsigned long ask_current_ = 0;
 };
 
 /// Shows the image of a VTK window that draws in software.

@@ -138,6 +138,80 @@ TEST(AxesBox, FillsTheRoomItIsGiven) {
   }
 }
 
+/// What is drawn is bounded by the window's size whatever the camera sees, and lies in or around the window.
+TEST(AxesBox, StaysSmallForEveryCamera) {
+  std::mt19937 random(3);
+  std::uniform_real_distribution<double> unit(0, 1);
+  std::size_t most_strokes = 0;
+  std::size_t gridded = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec3 low(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5);
+    const Bounds content =
+        box(1e3 * low, 1e3 * low + std::pow(10, 8 * unit(random) - 4) *
+                                       Vec3(unit(random), unit(random), i % 3 == 0 ? 0 : unit(random)));
+    const SceneFrame frame = frame_around(content);
+    const int width = 200 + static_cast<int>(3000 * unit(random));
+    const int height = 200 + static_cast<int>(2000 * unit(random));
+    const vtkNew<vtkCamera> vtk_camera;
+    SceneCamera camera(*vtk_camera);
+    camera.look(views[static_cast<std::size_t>(i) % views.size()]);
+    camera.set_perspective(i % 4 == 0);
+    camera.orbit(unit(random), unit(random), Vec3::Zero());
+    for (int click = 0; click < static_cast<int>(90 * unit(random)); ++click) {
+      camera.zoom(1.2, Vec2(width * unit(random), height * unit(random)), width, height);
+    }
+    const Projection view = camera.projection(width, height);
+    const AxesLayout axes = lay_out_axes(frame, view, 1);
+    const double across = 3 * std::hypot(width, height);  // window and margins, from corner to corner
+    const bool is_parallel = !view.perspective();
+    const double most = is_parallel ? across / 30 + 8 : 1001;
+    EXPECT_LE(axes.labels.size(), 3 * most) << "case " << i;
+    EXPECT_LE(axes.grid.size(), 6 * most) << "case " << i;
+    EXPECT_LE(axes.frame.size(), 3 * most + 12) << "case " << i;
+    for (const auto* strokes : {&axes.grid, &axes.frame}) {
+      for (const auto& stroke : *strokes) {
+        for (const Vec2& end : {stroke.from, stroke.to}) {
+          EXPECT_LE((end - view.middle).cwiseAbs().maxCoeff(), 1.51 * std::max(width, height) + 10)
+              << "case " << i;
+        }
+      }
+    }
+    most_strokes = std::max(most_strokes, axes.grid.size());
+    gridded += axes.grid.empty() ? 0 : 1;
+  }
+  EXPECT_GT(most_strokes, 50U);
+  EXPECT_GT(gridded, 1000U) << "close up there is still a grid";
+}
+
+TEST(AxesBox, TicksStandWhereTheirNumbersAre) {
+  for (const bool perspective : {false, true}) {
+    const vtkNew<vtkCamera> vtk_camera;
+    SceneCamera camera(*vtk_camera);
+    camera.look(StandardView::iso);
+    camera.set_perspective(perspective);
+    const SceneFrame frame = frame_around(box({0, 0, 0}, {100, 60, 30}));
+    const Projection view = camera.projection(900, 700);
+    const AxesLayout axes = lay_out_axes(frame, view, 1);
+    for (const auto& label : axes.labels) {
+      if (label.text.find('(') != std::string::npos) {
+        continue;
+      }
+      const double value = std::stod(label.text);
+      double nearest = 1e9;  // of a point with that coordinate on one of the edges
+      for (int axis = 0; axis < 3; ++axis) {
+        for (int corner = 0; corner < 4; ++corner) {
+          Vec3 p;
+          p[axis] = (value - frame.centre[axis]) / frame.unit;
+          p[(axis + 1) % 3] = (corner % 2 == 0 ? frame.box.min : frame.box.max)[(axis + 1) % 3];
+          p[(axis + 2) % 3] = (corner < 2 ? frame.box.min : frame.box.max)[(axis + 2) % 3];
+          nearest = std::min(nearest, std::abs((label.place - view.to_display(p)).norm() - 9));
+        }
+      }
+      EXPECT_LT(nearest, 0.01) << label.text;
+    }
+  }
+}
+
 TEST(SceneFrame, MakesTheLargestExtentOneAndPutsItsCentreInTheMiddle) {
   const SceneFrame frame = frame_around(box({1000, 0, -2}, {1400, 100, 2}));
   EXPECT_EQ(frame.unit, 400);

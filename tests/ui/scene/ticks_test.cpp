@@ -36,6 +36,38 @@ TEST(Ticks, HaveAsManyDecimalsAsTheStepNeeds) {
   EXPECT_THAT(round_ticks(0, 1e6, 3).labels, ElementsAre("0", "500000", "1000000"));
 }
 
+TEST(Ticks, OfAPartAreThoseOfTheWholeInThere) {
+  std::mt19937 random(4);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int i = 0; i < 2000; ++i) {
+    const double from = 1000 * (unit(random) - 0.5);
+    const double to = from + std::pow(10, 6 * unit(random) - 3);
+    const int most = 1 + static_cast<int>(400 * unit(random));
+    const double low = from + (to - from) * (1.4 * unit(random) - 0.2);
+    const double high = low + (to - from) * unit(random);
+    const Ticks whole = round_ticks(from, to, most);
+    const Ticks part = round_ticks_between(from, to, most, low, high);
+    EXPECT_EQ(part.step, whole.step);
+    EXPECT_EQ(part.count, static_cast<double>(whole.values.size()));
+    std::vector<double> expected;
+    for (const double value : whole.values) {
+      if (value >= low - 1e-9 * (to - from) && value <= high + 1e-9 * (to - from)) {
+        expected.push_back(value);
+      }
+    }
+    EXPECT_EQ(part.values, expected);
+    EXPECT_EQ(part.labels.size(), part.values.size());
+  }
+}
+
+TEST(Ticks, OfAScaleWithoutEndAreFewWhereFewAreShown) {
+  const Ticks part = round_ticks_between(0, 1e9, 1e9, 5e8, 5e8 + 10);
+  EXPECT_EQ(part.step, 1);
+  EXPECT_EQ(part.values.size(), 11U);
+  EXPECT_LE(round_ticks_between(0, 1e9, 1e9, 0, 1e9).values.size(), 1000U);
+  EXPECT_LE(multiples(1e-3, -1e6, 1e6).size(), 1000U);
+}
+
 TEST(Ticks, NeverShowMinusZero) {
   for (const std::string& label : round_ticks(-1, 1, 3).labels) {
     EXPECT_NE(label, "-0");

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <span>
 
 #include "core/base/units.h"
+#include "ui/scene/camera/view_window.h"
 #include "ui/scene/ticks.h"
 
 namespace feedscope::ui {
@@ -21,6 +23,7 @@ constexpr double upright = 0.9;       // least vertical part of the direction of
 constexpr int enough_labels = 4;      // on a short edge, if they keep apart
 constexpr double shortest_axis = 24;  // an edge that looks shorter has no labels
 constexpr double end_on = 1e-6;
+constexpr double shown_around = 1;  // of the window, on each side: labels reach into it, and fits look there
 
 double side(const Bounds& box, int axis, bool high) {
   return high ? box.max[axis] : box.min[axis];
@@ -28,8 +31,9 @@ double side(const Bounds& box, int axis, bool high) {
 
 /// One edge of the box as it is seen.
 struct Edge {
-  Vec2 from, to;
-  Vec2 outward;  ///< unit, away from the box
+  Vec3 low, high;  ///< its ends
+  Vec2 from, to;   ///< where they are seen
+  Vec2 outward;    ///< unit, away from the box
 
   double length() const { return (to - from).norm(); }
   Vec2 along() const { return (to - from).normalized(); }
@@ -38,7 +42,11 @@ struct Edge {
 class Layouter {
  public:
   Layouter(const SceneFrame& frame, const Projection& projection, double scale)
-      : frame_(frame), projection_(projection), scale_(scale), style_{.size = text_pixels * scale} {
+      : frame_(frame),
+        projection_(projection),
+        window_(projection, shown_around),
+        scale_(scale),
+        style_{.size = text_pixels * scale} {
     layout_.low = layout_.high = projection.to_display(Vec3::Zero());
   }
 
@@ -73,12 +81,33 @@ class Layouter {
     return (high ? 1 : -1) * projection_.towards_eye(middle)[axis];
   }
 
-  Vec2 display(int axis, double a, int other, double b, int third, double c) const {
+  static Vec3 point(int axis, double a, int other, double b, int third, double c) {
     Vec3 p;
     p[axis] = a;
     p[other] = b;
     p[third] = c;
-    return projection_.to_display(p);
+    return p;
+  }
+
+  /// From where to where a polygon or a line is in view, along an axis [mm].
+  struct Range {
+    double low, high;
+  };
+  std::optional<Range> in_view(std::span<const Vec3> corners, int axis) const {
+    const std::vector<Vec3> seen = window_.clip(corners);
+    if (seen.empty()) {
+      return std::nullopt;
+    }
+    const auto along = [axis](const Vec3& p) { return p[axis]; };
+    return Range{frame_.to_mm(axis, along(std::ranges::min(seen, {}, along))),
+                 frame_.to_mm(axis, along(std::ranges::max(seen, {}, along)))};
+  }
+
+  void add_stroke(std::vector<AxesLayout::Stroke>& strokes, const Vec3& from, const Vec3& to) const {
+    if (const std::vector<Vec3> seen = window_.clip(std::array{from, to}); !seen.empty()) {
+      strokes.push_back(
+          {projection_.to_display(seen.front()), projection_.to_display(seen[seen.size() / 2])});
+    }
   }
 
   void cover(const Vec2& p) {
@@ -103,8 +132,10 @@ class Layouter {
         Edge edge;
         const double at_b = side(frame_.box, other, b);
         const double at_c = side(frame_.box, third, c);
-        edge.from = display(axis, frame_.box.min[axis], other, at_b, third, at_c);
-        edge.to = display(axis, frame_.box.max[axis], other, at_b, third, at_c);
+        edge.low = point(axis, frame_.box.min[axis], other, at_b, third, at_c);
+        edge.high = point(axis, frame_.box.max[axis], other, at_b, third, at_c);
+        edge.from = projection_.to_display(edge.low);
+        edge.to = projection_.to_display(edge.high);
         if (edge.length() < shortest_axis * scale_) {
           continue;
         }
@@ -128,24 +159,40 @@ class Layouter {
     return best;
   }
 
+  /// Pixels from end to end; of an edge that is partly in view, at the scale of that part.
+  double seen_length(const Edge& edge) const {
+    const std::vector<Vec3> seen = window_.clip(std::array{edge.low, edge.high});
+    const double part = seen.empty() ? 0 : (seen[seen.size() / 2] - seen.front()).norm();
+    const double whole = (edge.high - edge.low).norm();
+    if (!(part > 0) || part >= whole) {
+      return edge.length();
+    }
+    const Vec2 from = projection_.to_display(seen.front());
+    return (projection_.to_display(seen[seen.size() / 2]) - from).norm() / part * whole;
+  }
+
+  /// The steps that suit the edge, and the values where it is in view.
   Ticks ticks_along(int axis, const Edge& edge) const {
     const double from = frame_.to_mm(axis, frame_.box.min[axis]);
     const double to = frame_.to_mm(axis, frame_.box.max[axis]);
+    const double length = seen_length(edge);
+    const Range seen = in_view(std::array{edge.low, edge.high}, axis).value_or(Range{to, from});
     const Vec2 along = edge.along().cwiseAbs();
-    for (int most = std::max(enough_labels, static_cast<int>(edge.length() / (grid_spacing * scale_)));;
-         --most) {
-      Ticks ticks = round_ticks(from, to, most);
+    double most = std::max<double>(enough_labels, std::floor(length / (grid_spacing * scale_)));
+    while (true) {
+      Ticks ticks = round_ticks_between(from, to, most, seen.low, seen.high);
       Vec2 largest = Vec2::Zero();
       for (const std::string& label : ticks.labels) {
         largest = largest.cwiseMax(Canvas::text_size(label, style_));
       }
       const Vec2 needed = largest + scale_ * Vec2(label_spacing, line_spacing);
       const double spacing =
-          ticks.step / frame_.unit * edge.length() / (frame_.box.max[axis] - frame_.box.min[axis]);
+          ticks.step / frame_.unit * length / (frame_.box.max[axis] - frame_.box.min[axis]);
       const bool apart = spacing * along.x() >= needed.x() || spacing * along.y() >= needed.y();
-      if (apart || ticks.values.size() < 2) {
+      if (apart || ticks.count < 2) {
         return ticks;
       }
+      most = ticks.count - 1;
     }
   }
 
@@ -158,19 +205,35 @@ class Layouter {
       const int across = (axis + 3 - step) % 3;
       const double from = frame_.box.min[along];
       const double to = frame_.box.max[along];
-      for (const double value : ticks_[across].values) {
-        const double c = tick_position(across, value);
-        layout_.grid.push_back(
-            {display(along, from, across, c, axis, at), display(along, to, across, c, axis, at)});
-      }
+      const auto line_at = [&](double c) {
+        return std::array{point(along, from, across, c, axis, at), point(along, to, across, c, axis, at)};
+      };
+      add_grid(across, line_at);
       for (const bool far : {false, true}) {
-        const double c = side(frame_.box, across, far);
-        const Vec2 p = display(along, from, across, c, axis, at);
-        const Vec2 q = display(along, to, across, c, axis, at);
-        layout_.frame.push_back({p, q});
-        cover(p);
-        cover(q);
+        const auto line = line_at(side(frame_.box, across, far));
+        add_stroke(layout_.frame, line[0], line[1]);
+        cover(projection_.to_display(line[0]));
+        cover(projection_.to_display(line[1]));
       }
+    }
+  }
+
+  /// Lines over a face, at the steps of `across`, as far as the face is in view.
+  template <class LineAt>
+  void add_grid(int across, LineAt line_at) {
+    const double low = frame_.box.min[across];
+    const double high = frame_.box.max[across];
+    const auto first = line_at(low);
+    const auto last = line_at(high);
+    const auto seen = in_view(std::array{first[0], first[1], last[1], last[0]}, across);
+    const double step = ticks_[across].step;
+    if (!seen || !(step > 0)) {
+      return;
+    }
+    const double slack = 1e-9 * (high - low) * frame_.unit;
+    for (const double value : multiples(step, seen->low - slack, seen->high + slack)) {
+      const auto line = line_at(tick_position(across, value));
+      add_stroke(layout_.grid, line[0], line[1]);
     }
   }
 
@@ -190,12 +253,11 @@ class Layouter {
     constexpr double slant = 0.35;
     style.horizontal = edge.outward.x() > slant ? -1 : edge.outward.x() < -slant ? 1 : 0;
     style.vertical = edge.outward.y() > slant ? -1 : edge.outward.y() < -slant ? 1 : 0;
-    const double from = frame_.box.min[axis];
-    const double extent = frame_.box.max[axis] - from;
     double depth = 0;  // of the labels, away from the edge
     for (std::size_t i = 0; i < ticks_[axis].values.size(); ++i) {
-      const double u = (tick_position(axis, ticks_[axis].values[i]) - from) / extent;
-      const Vec2 p = edge.from + u * (edge.to - edge.from);
+      Vec3 at = edge.low;
+      at[axis] = tick_position(axis, ticks_[axis].values[i]);
+      const Vec2 p = projection_.to_display(at);
       layout_.frame.push_back({p, p + tick_length * scale_ * edge.outward});
       const Vec2 size = Canvas::text_size(ticks_[axis].labels[i], style_);
       depth = std::max(depth, size.dot(edge.outward.cwiseAbs()));
@@ -217,6 +279,7 @@ class Layouter {
 
   const SceneFrame& frame_;
   const Projection& projection_;
+  ViewWindow window_;
   double scale_;
   TextStyle style_;
   std::array<Ticks, 3> ticks_;

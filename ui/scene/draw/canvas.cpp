@@ -16,6 +16,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
+#include <tuple>
 
 #include "core/base/units.h"
 
@@ -36,6 +38,16 @@ void apply(const TextStyle& style, vtkTextProperty& property) {
                                     : style.vertical > 0 ? VTK_TEXT_TOP
                                                          : VTK_TEXT_CENTERED);
   property.SetOrientation(units::to_deg(style.angle));
+}
+
+Vec2 measured(const std::string& text, const TextStyle& style) {
+  const vtkNew<vtkTextProperty> property;
+  TextStyle level = style;
+  level.angle = 0;
+  apply(level, *property);
+  std::array<int, 4> box{};
+  vtkTextRenderer::GetInstance()->GetBoundingBox(property, text, box.data(), dots_per_inch);
+  return {box[1] - box[0] + 1, box[3] - box[2] + 1};
 }
 
 }  // namespace
@@ -125,13 +137,18 @@ void Canvas::text(const std::string& text, const Vec2& place, const TextStyle& s
 }
 
 Vec2 Canvas::text_size(const std::string& text, const TextStyle& style) {
-  const vtkNew<vtkTextProperty> property;
-  TextStyle level = style;
-  level.angle = 0;
-  apply(level, *property);
-  std::array<int, 4> box{};
-  vtkTextRenderer::GetInstance()->GetBoundingBox(property, text, box.data(), dots_per_inch);
-  return {box[1] - box[0] + 1, box[3] - box[2] + 1};
+  // Each frame asks for the same few hundred, and each measures a text anew.
+  using Key = std::tuple<std::string, int, bool>;
+  constexpr std::size_t most_kept = 4096;
+  thread_local std::map<Key, Vec2> known;
+  const Key key(text, static_cast<int>(std::lround(style.size)), style.bold);
+  if (const auto found = known.find(key); found != known.end()) {
+    return found->second;
+  }
+  if (known.size() == most_kept) {
+    known.clear();
+  }
+  return known.emplace(key, measured(text, style)).first->second;
 }
 
 }  // namespace feedscope::ui

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <ranges>
 
+#include "ui/scene/current_context.h"
 #include "ui/scene/path/path_actors.h"
 
 namespace feedscope::ui {
@@ -56,6 +57,7 @@ Rgb mixed(const Rgb& a, const Rgb& b, double share_of_b) {
 }  // namespace
 
 void PathLayers::clear() {
+  const CurrentContext context(renderer_);
   for (const Layer& layer : layers_) {
     for (const auto& actor : layer.actors) {
       if (actor) {
@@ -181,6 +183,7 @@ void PathLayers::set_highlight(std::optional<std::array<double, 2>> range) {
     return;
   }
   range_ = range;
+  const CurrentContext context(renderer_);
   for (Layer& layer : layers_) {
     if (layer.role == Role::range) {
       for (auto& actor : layer.actors) {
