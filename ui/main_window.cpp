@@ -7,9 +7,11 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/unfollowed.h"
+#include "ui/dock_sizes.h"
 #include "ui/language/core_texts.h"
 #include "ui/models/reading_faults.h"
 #include "ui/views/annotation_overlay.h"
@@ -42,6 +44,7 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
       diagnostics_(new DiagnosticsView(this)),
       slow_places_(new SlowPlacesView(this)),
       runs_(new RunsView(model.runs(), this)),
+      notice_(new RunNotice(model, this)),
       why_(new WhyView(model.cursor(), this)),
       annotations_(new AnnotationsView(model.annotations(), model.cursor(), this)),
       study_(new StudyView(model, this)),
@@ -57,6 +60,7 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
   make_docks();
   make_menus();
   first_layout_ = saveState();
+  dock_sizes_ = new DockSizes(*this, program_width, setup_width, charts_height);
 
   auto* status = new StatusPanel(model_, this);
   statusBar()->addPermanentWidget(status);
@@ -97,6 +101,8 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
   connect(why_, &WhyView::time_chosen, &model_.cursor(), &Cursor::set_time);
   connect(why_, &WhyView::run_wanted, this,
           [this](const SetupState& setup) { model_.runs().duplicate_as(model_.runs().current(), setup); });
+  connect(runs_, &RunsView::again_wanted, &model_, &Workbench::simulate_again);
+  connect(&model_.runs(), &RunList::item_changed, this, &MainWindow::show_run_name);
   connect(scenes_, &SideBySide::mode_changed, this, &MainWindow::show_other_runs);
   scene_->annotations().set_annotations(&model_.annotations());
   scene_->set_place_actions(annotations_->panel_actions());
@@ -123,6 +129,7 @@ void MainWindow::make_docks() {
   auto* layout = new QVBoxLayout(centre);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
+  layout->addWidget(notice_);
   layout->addWidget(scenes_, 1);
   layout->addWidget(playback_);
   setCentralWidget(centre);
@@ -188,6 +195,12 @@ QDockWidget* MainWindow::add_dock(const QString& name, const QString& title, QWi
   return dock;
 }
 
+void MainWindow::restore_layout(const QByteArray& layout) {
+  if (restoreState(layout)) {
+    dock_sizes_->follow_layout();
+  }
+}
+
 void MainWindow::show_program() {
   const auto program = model_.program();
   program_->set_program(program);
@@ -195,6 +208,9 @@ void MainWindow::show_program() {
   annotations_->set_toolpath(model_.shown_program().input.toolpath);
   scene_->scene().set_programmed(model_.shown_program().samples);
   scene_->scene().set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
+  if (program != nullptr && std::exchange(fitted_to_, model_.file()) != model_.file()) {
+    scene_->scene().fit();  // the place of the program before means nothing in this one
+  }
   show_title();
 }
 
@@ -220,10 +236,10 @@ void MainWindow::show_run() {
   const auto shown = model_.shown();
   const bool any = shown != nullptr;
   scenes_->show_current();
-  scene_->annotations().set_run(any ? shown->run.trajectory : nullptr,
-                                model_.runs().title(model_.runs().current_item()));
+  show_run_name();
   charts_->set_limits(model_.setup().setup().machine.axes);
-  charts_->set_run(any ? shown->run.trajectory : nullptr, any ? shown->envelope : nullptr, any);
+  charts_->set_run(any ? shown->run.trajectory : nullptr, any ? shown->envelope : nullptr,
+                   model_.program() != nullptr);
   playback_->set_duration(any ? shown->run.trajectory->duration() : 0);
   slow_places_->set_places(any ? shown->slow_places : nullptr);
   program().set_times(any ? shown->line_times : nullptr);
@@ -236,6 +252,12 @@ void MainWindow::show_run() {
     charts_->set_sample_time(period);
   }
   show_cursor();
+}
+
+void MainWindow::show_run_name() {
+  const auto shown = model_.shown();
+  scene_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr,
+                                model_.runs().title(model_.runs().current_item()));
 }
 
 void MainWindow::show_unfollowed() {
@@ -332,9 +354,13 @@ void MainWindow::show_cursor() {
 }
 
 void MainWindow::show_place(double time, double from, double to) {
+  const auto shown = model_.shown();
+  if (shown == nullptr) {
+    return;
+  }
   model_.cursor().set_time(time);
   ViewRange& range = charts_->range();
-  const Trajectory& trajectory = *model_.shown()->run.trajectory;
+  const Trajectory& trajectory = *shown->run.trajectory;
   const double around = to - from;  // as much before and behind
   range.show(range.position_of(trajectory.state(from - around)),
              range.position_of(trajectory.state(to + around)));

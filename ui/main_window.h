@@ -14,6 +14,7 @@
 #include "ui/views/lesson_view.h"
 #include "ui/views/playback_bar.h"
 #include "ui/views/program/program_panel.h"
+#include "ui/views/run_notice.h"
 #include "ui/views/runs_view.h"
 #include "ui/views/scene_view.h"
 #include "ui/views/setup_view.h"
@@ -24,6 +25,8 @@
 #include "ui/window_session.h"
 
 namespace feedscope::ui {
+
+class DockSizes;
 
 /// Program text, 3D view and charts of one run, locked together by one cursor, with the machine editor.
 /// Wires models and views; holds no logic of its own.
@@ -44,6 +47,7 @@ class MainWindow : public QMainWindow {
   DiagnosticsView& diagnostics() { return *diagnostics_; }
   SlowPlacesView& slow_places() { return *slow_places_; }
   RunsView& runs() { return *runs_; }
+  RunNotice& notice() { return *notice_; }
   WhyView& why() { return *why_; }
   AnnotationsView& annotations() { return *annotations_; }
   StudyView& study() { return *study_; }
@@ -59,6 +63,8 @@ class MainWindow : public QMainWindow {
   WindowSession& session() { return *session_; }
   /// A program or a session, by the end of its name; asks before what is not saved goes.
   void open(const std::filesystem::path& file);
+  /// As QMainWindow::restoreState(), with sizes that hold when the window becomes smaller and larger again.
+  void restore_layout(const QByteArray& layout);
   /// Every command of the menus, in their order.
   QList<ListedAction> commands() const;
 
@@ -89,6 +95,7 @@ class MainWindow : public QMainWindow {
   void show_place(double time, double from, double to);
   void show_unfollowed();
   void show_other_runs();
+  void show_run_name();
   void show_lesson(const LessonWindow& look);
   void raise_lessons();
   void show_failure(const QString& message);
@@ -109,6 +116,7 @@ class MainWindow : public QMainWindow {
   DiagnosticsView* diagnostics_;
   SlowPlacesView* slow_places_;
   RunsView* runs_;
+  RunNotice* notice_;
   WhyView* why_;
   AnnotationsView* annotations_;
   StudyView* study_;
@@ -122,7 +130,9 @@ class MainWindow : public QMainWindow {
   QDockWidget* lesson_dock_ = nullptr;
   QDockWidget* diagnostics_dock_ = nullptr;
   QDockWidget* runs_dock_ = nullptr;
+  DockSizes* dock_sizes_ = nullptr;
   QByteArray first_layout_;
+  std::filesystem::path fitted_to_;  ///< program that the camera was last fitted to
 };
 
 }  // namespace feedscope::ui

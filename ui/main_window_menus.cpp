@@ -9,6 +9,7 @@
 #include <QStatusBar>
 #include <QStyle>
 
+#include "ui/dock_sizes.h"
 #include "ui/language/language.h"
 #include "ui/main_window.h"
 #include "ui/models/panel_action.h"
@@ -193,8 +194,10 @@ void MainWindow::make_view_menu() {
     docks->addAction(dock->toggleViewAction());
   }
   docks->addSeparator();
-  connect(docks->addAction(tr("&Default layout")), &QAction::triggered, this,
-          [this] { restoreState(first_layout_); });
+  connect(docks->addAction(tr("&Default layout")), &QAction::triggered, this, [this] {
+    restoreState(first_layout_);
+    dock_sizes_->follow_first_layout();
+  });
   QAction* dark =
       add_action(view, tr("&Dark"), QKeySequence(tr("Ctrl+Shift+D")), tr("Light or dark colours"));
   dark->setCheckable(true);

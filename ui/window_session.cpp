@@ -60,7 +60,7 @@ Session WindowSession::capture() const {
 void WindowSession::show(const Session& session) {
   model_.open(session.program, session.runs, session.current_run, session.reading);
   model_.annotations().replace(session.annotations);
-  window_.restoreState(session.layout);
+  window_.restore_layout(session.layout);
   if (session.program_font_size) {
     window_.program().set_font_size(*session.program_font_size);
   }

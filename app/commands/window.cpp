@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <QApplication>
+#include <QScreen>
 #include <QSettings>
 #include <cstdlib>
 #include <memory>
@@ -39,6 +40,12 @@ void leave_on_fatal(QtMsgType type, const QMessageLogContext&, const QString& me
   fmt::print(stderr, "feedscope: {}\n", message.toStdString());
 }
 
+/// What a window may have of a screen, with a frame around it.
+QSize room_on(const QScreen& screen) {
+  constexpr QSize frame(16, 48);
+  return screen.availableSize() - frame;
+}
+
 int show_window(const std::string& file, const std::string& lesson_id) {
   const std::filesystem::path lesson = lesson_id.empty() ? "" : find_lesson(lesson_id);
   check_display();
@@ -62,8 +69,9 @@ int show_window(const std::string& file, const std::string& lesson_id) {
     }
   });
   QSettings settings;
+  window.resize(window.size().boundedTo(room_on(*window.screen())));
   window.restoreGeometry(settings.value("geometry").toByteArray());
-  window.restoreState(settings.value("layout").toByteArray());
+  window.restore_layout(settings.value("layout").toByteArray());
   ui::restore_panel_states(window);
   window.show();
   window.session().begin_keeping();

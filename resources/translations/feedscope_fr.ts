@@ -1275,8 +1275,8 @@
         <translation>impossible d&apos;écrire %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>a row each %1 s would be more than 20 million rows; show a shorter range, or export a row each pixel</source>
-        <translation>une ligne toutes les %1&#xa0;s ferait plus de 20 millions de lignes&#xa0;; afficher une plage plus courte, ou exporter une ligne par pixel</translation>
+        <source>a row each %1 s would be more than 20 million rows; show a shorter range, or choose a larger step</source>
+        <translation>une ligne toutes les %1&#xa0;s ferait plus de 20 millions de lignes&#xa0;; afficher une plage plus courte, ou choisir un pas plus grand</translation>
     </message>
 </context>
 <context>
@@ -1681,14 +1681,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>%1 a été écrit</translation>
     </message>
     <message>
-        <source>Table, a row each pixel (*.csv)</source>
-        <translation>Tableau, une ligne par pixel (*.csv)</translation>
-    </message>
-    <message>
-        <source>Table, a row each %1 s (*.csv)</source>
-        <translation>Tableau, une ligne toutes les %1&#xa0;s (*.csv)</translation>
-    </message>
-    <message>
         <source>Export visible range</source>
         <translation>Exporter la plage visible</translation>
     </message>
@@ -1715,6 +1707,10 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>Ctrl+Shift+0</source>
         <translation>Ctrl+Shift+0</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
     </message>
 </context>
 <context>
@@ -1974,6 +1970,49 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>%1 cannot be written: %2. Choose another folder.</source>
         <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
+    </message>
+    <message>
+        <source>This run has not been simulated.</source>
+        <translation>Cette simulation n’a pas été faite.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::CsvDialog</name>
+    <message>
+        <source>One row every</source>
+        <translation>Une ligne toutes les</translation>
+    </message>
+    <message>
+        <source>One row where each block begins</source>
+        <translation>Une ligne au début de chaque bloc</translation>
+    </message>
+    <message>
+        <source>One row per pixel of the charts</source>
+        <translation>Une ligne par pixel des courbes</translation>
+    </message>
+    <message>
+        <source>Export visible range</source>
+        <translation>Exporter la plage visible</translation>
+    </message>
+    <message>
+        <source>From %1 s to %2 s</source>
+        <translation>De %1 s à %2 s</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>Time from row to row</source>
+        <translation>Temps d’une ligne à la suivante</translation>
+    </message>
+    <message>
+        <source>What happens between two pixels is not in the table</source>
+        <translation>Ce qui se passe entre deux pixels n’est pas dans le tableau</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 lignes</translation>
     </message>
 </context>
 <context>
@@ -3033,6 +3072,25 @@ Ensemble : %3</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::RunNotice</name>
+    <message>
+        <source>Simulate again</source>
+        <translation>Simuler de nouveau</translation>
+    </message>
+    <message>
+        <source>Simulate the current run (F9)</source>
+        <translation>Simuler la simulation courante (F9)</translation>
+    </message>
+    <message>
+        <source>The run “%1” was cancelled: there is nothing to show of it.</source>
+        <translation>La simulation « %1 » a été annulée : il n’y a rien à en montrer.</translation>
+    </message>
+    <message>
+        <source>The run “%1” has failed: %2</source>
+        <translation>La simulation « %1 » a échoué : %2</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::RunTable</name>
     <message>
         <source>Its contour error of %1 µm is above the bound of %2 µm.</source>
@@ -3105,6 +3163,22 @@ Ensemble : %3</translation>
     <message>
         <source>Contour tolerance in force, of the program or the setting [mm]</source>
         <translation>Tolérance de contour en vigueur, du programme ou du réglage [mm]</translation>
+    </message>
+    <message>
+        <source>cancelled</source>
+        <translation>annulé</translation>
+    </message>
+    <message>
+        <source>failed</source>
+        <translation>échec</translation>
+    </message>
+    <message>
+        <source>It was cancelled and has no result. Simulate it again with F9.</source>
+        <translation>Elle a été annulée et n’a pas de résultat. Simulez-la de nouveau avec F9.</translation>
+    </message>
+    <message>
+        <source>It failed: %1</source>
+        <translation>Elle a échoué : %1</translation>
     </message>
 </context>
 <context>
@@ -3228,6 +3302,22 @@ Ensemble : %3</translation>
     <message>
         <source>Fastest: %1 with %2.</source>
         <translation>La plus rapide&#xa0;: %1 en %2.</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate again</source>
+        <translation>&amp;Simuler de nouveau</translation>
+    </message>
+    <message>
+        <source>Simulate the current run, which was cancelled or failed</source>
+        <translation>Simuler la simulation courante, annulée ou en échec</translation>
+    </message>
+    <message>
+        <source>%1 of %2 runs are simulated; %3 were cancelled or failed.</source>
+        <translation>%1 simulations sur %2 sont terminées ; %3 annulées ou en échec.</translation>
+    </message>
+    <message>
+        <source>“%1” is not a number. Put spaces or semicolons between the tolerances; a comma is a decimal sign.</source>
+        <translation>« %1 » n’est pas un nombre. Séparez les tolérances par des espaces ou des points-virgules ; la virgule est un signe décimal.</translation>
     </message>
 </context>
 <context>
@@ -4055,6 +4145,10 @@ Ensemble : %3</translation>
     <message>
         <source>At the first value %1, at the last %2.</source>
         <translation>À la première valeur %1, à la dernière %2.</translation>
+    </message>
+    <message>
+        <source>%1 on %2</source>
+        <translation>%1 sur %2</translation>
     </message>
 </context>
 <context>

@@ -153,6 +153,21 @@ TEST(Layering, NoTwoHeadersDefineTheSameClass) {
   EXPECT_GT(known.size(), 300U);
 }
 
+/// Those of Qt drop the decimal sign of another language.
+TEST(Layering, NumbersAreTypedIntoFieldsOfUiFieldsAlone) {
+  static const std::regex own_reading(
+      R"(\bQ(Double)?SpinBox\b|\bQ(Double|Int)Validator\b|QInputDialog::get(Double|Int)\b|\.toDouble\(&|\.toInt\(&)");
+  std::vector<std::string> found;
+  for (const SourceFile& file : sources_under({"ui", "app"})) {
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      if (!file.path.starts_with("ui/fields/") && std::regex_search(file.lines[i], own_reading)) {
+        found.push_back(file.path + ":" + std::to_string(i + 1) + ": " + file.lines[i]);
+      }
+    }
+  }
+  EXPECT_THAT(found, testing::IsEmpty());
+}
+
 TEST(Layering, NoFileIsLongerThan500Lines) {
   std::vector<std::string> found;
   for (const SourceFile& file : sources_under({"core", "ui", "app", "tests"})) {

@@ -8,6 +8,7 @@
 #include <QSaveFile>
 #include <QSvgGenerator>
 #include <cmath>
+#include <optional>
 #include <ostream>
 #include <streambuf>
 
@@ -86,8 +87,8 @@ void save_csv(const QString& file, const Trajectory& trajectory, std::span<const
 std::vector<double> sample_times(const Interval& range, double step) {
   const double count = std::ceil(range.width() / step * (1 - 1e-12));
   if (!(count <= most_samples)) {
-    throw InputError(tr("a row each %1 s would be more than 20 million rows; show a shorter range, or export "
-                        "a row each pixel")
+    throw InputError(tr("a row each %1 s would be more than 20 million rows; show a shorter range, or choose "
+                        "a larger step")
                          .arg(step)
                          .toStdString());
   }
@@ -97,6 +98,23 @@ std::vector<double> sample_times(const Interval& range, double step) {
     times.push_back(range.lower + i * step);
   }
   times.push_back(range.upper);
+  return times;
+}
+
+std::vector<double> block_times(const Trajectory& trajectory, const Interval& range) {
+  std::vector<double> times{range.lower};
+  const BlendedPath& path = trajectory.path();
+  std::optional<std::uint32_t> block;
+  for (const Piece& piece : trajectory.pieces()) {
+    const std::uint32_t own = path.segment(piece.element);
+    if (own != block && piece.time > times.back() && piece.time < range.upper) {
+      times.push_back(piece.time);
+    }
+    block = own;
+  }
+  if (range.upper > range.lower) {
+    times.push_back(range.upper);
+  }
   return times;
 }
 

@@ -22,6 +22,9 @@ void save_csv(const QString& file, const Trajectory& trajectory, std::span<const
 /// they are more than 20 million.
 std::vector<double> sample_times(const Interval& range, double step);
 
+/// Times at which blocks begin between two instants, and the two instants themselves [s].
+std::vector<double> block_times(const Trajectory& trajectory, const Interval& range);
+
 /// Bytes that are there already.
 void write_whole_file(const QString& file, const QByteArray& bytes);
 

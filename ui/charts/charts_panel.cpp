@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "core/base/units.h"
 #include "ui/charts/measurement.h"
@@ -106,6 +107,11 @@ void ChartsPanel::connect_chart(KinematicChart& chart) {
 
 void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
                           std::shared_ptr<const Envelope> envelope, bool keep_range) {
+  if (!keep_range) {
+    held_.reset();
+  } else if (trajectory == nullptr && trajectory_ != nullptr) {
+    hold_range();
+  }
   if (second_.has_value() && trajectory != nullptr && trajectory_ != nullptr && keep_range) {
     second_ = trajectory->state_at_path(trajectory_->state(*second_).path_length).time;
   } else {
@@ -127,9 +133,27 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
     history_.start(view());
   }
   rest();
+  if (trajectory_ != nullptr && held_.has_value()) {
+    show_held_range();
+  }
   if (trajectory_ != nullptr && awaiting_run_.has_value()) {
     show_range(ChartsState(*awaiting_run_));
   }
+}
+
+void ChartsPanel::hold_range() {
+  held_ = {state(), std::nullopt};
+  if (second_.has_value()) {
+    held_->second_place = trajectory_->state(*second_).path_length;
+  }
+}
+
+void ChartsPanel::show_held_range() {
+  Held held = *std::exchange(held_, std::nullopt);
+  if (held.second_place.has_value()) {
+    held.state.second_cursor = trajectory_->state_at_path(*held.second_place).time;
+  }
+  show_range(held.state);
 }
 
 void ChartsPanel::set_overlays(std::vector<RunOverlay> overlays) {
@@ -363,6 +387,9 @@ void ChartsPanel::begin_rest() {
 
 void ChartsPanel::rest() {
   rest_.stop();
+  if (trajectory_ == nullptr) {
+    return;
+  }
   history_.rest(view());
   back_->setEnabled(history_.can_go_back());
   forward_->setEnabled(history_.can_go_forward());
@@ -422,6 +449,9 @@ ChartsState ChartsPanel::state() const {
   if (awaiting_run_.has_value()) {
     state.time = awaiting_run_->time;
     state.second_cursor = awaiting_run_->second_cursor;
+  } else if (held_.has_value()) {
+    state.time = held_->state.time;
+    state.second_cursor = held_->state.second_cursor;
   } else {
     state.time = range_.shows_all() ? std::nullopt : std::optional(view().time);
     state.second_cursor = second_;

@@ -14,6 +14,7 @@
 #include "ui/charts/chart_header.h"
 #include "ui/charts/charts_state.h"
 #include "ui/charts/column_cache.h"
+#include "ui/charts/csv_dialog.h"
 #include "ui/charts/kinematic_chart.h"
 #include "ui/charts/run_overlay.h"
 #include "ui/charts/zoom_history.h"
@@ -41,7 +42,8 @@ class ChartsPanel : public QWidget {
   explicit ChartsPanel(Cursor& cursor, QWidget* parent = nullptr);
   ~ChartsPanel() override;
 
-  /// Shows a run, or nothing if `trajectory` is null. `keep_range`: stay at the stretch that is shown.
+  /// Shows a run, or nothing if `trajectory` is null. `keep_range`: stay at the stretch that is shown; with
+  /// nothing in between, the next run that keeps it goes on there.
   void set_run(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const Envelope> envelope,
                bool keep_range);
   /// Other runs of the same program, drawn behind. Over path length they stand by place.
@@ -55,6 +57,9 @@ class ChartsPanel : public QWidget {
   /// For pictures, where nothing can be pressed.
   void hide_controls();
 
+  /// What is shown; null for nothing.
+  const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
+  const std::vector<RunOverlay>& overlays() const { return overlays_; }
   ViewRange& range() { return range_; }
   /// 0 feed, 1 acceleration, 2 jerk.
   KinematicChart& chart(std::size_t i) { return *charts_[i]; }
@@ -78,9 +83,9 @@ class ChartsPanel : public QWidget {
   void draw(QPainter& painter);
   /// As the file's ending says, png or svg; throws InputError.
   void save_picture(const QString& file);
-  /// The visible range, a row each pixel, or each sample time if `by_time`; another thread writes it and one
-  /// of exported() and failed() follows.
-  void save_csv(const QString& file, bool by_time);
+  /// The visible range; `step` of CsvRows::samples [s]. Another thread writes it and one of exported() and
+  /// failed() follows.
+  void save_csv(const QString& file, CsvRows rows, double step = 0);
   /// Brings the curves up to date now, not with the next turn of the event loop.
   void refresh();
 
@@ -118,6 +123,8 @@ class ChartsPanel : public QWidget {
   ChartView view() const;
   void show_view(const ChartView& view);
   void show_range(const ChartsState& state);
+  void hold_range();
+  void show_held_range();
   void begin_rest();
   void rest();
   void ask_for_csv();
@@ -134,6 +141,12 @@ class ChartsPanel : public QWidget {
   std::optional<double> second_;
   ZoomHistory history_;
   std::optional<ChartsState> awaiting_run_;  ///< its range is the next run's
+  /// What was shown of the last run while there is none.
+  struct Held {
+    ChartsState state;
+    std::optional<double> second_place;  ///< cursor B, path length [mm]
+  };
+  std::optional<Held> held_;
   double sample_time_ = 0.001;
   CauseStrip* causes_;
   QLabel* readout_;

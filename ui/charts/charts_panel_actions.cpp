@@ -173,14 +173,21 @@ void ChartsPanel::show_menu(const QPoint& global) {
 }
 
 void ChartsPanel::ask_for_csv() {
-  const QString by_pixel = tr("Table, a row each pixel (*.csv)");
-  const QString by_time = tr("Table, a row each %1 s (*.csv)").arg(QLocale().toString(sample_time_));
-  QString chosen = by_pixel;
-  const QString file =
-      QFileDialog::getSaveFileName(this, tr("Export visible range"), QStringLiteral("charts.csv"),
-                                   by_pixel + QStringLiteral(";;") + by_time, &chosen);
+  if (trajectory_ == nullptr) {
+    emit failed(tr("There is no run to export yet."));
+    return;
+  }
+  refresh();
+  const Interval range = view().time;
+  CsvDialog dialog(range, sample_time_, block_times(*trajectory_, range).size(), columns_.times().size(),
+                   this);
+  if (dialog.exec() != QDialog::Accepted) {
+    return;
+  }
+  const QString file = QFileDialog::getSaveFileName(this, tr("Export visible range"),
+                                                    QStringLiteral("charts.csv"), tr("Tables (*.csv)"));
   if (!file.isEmpty()) {
-    save_csv(file, chosen == by_time);
+    save_csv(file, dialog.rows(), dialog.step());
   }
 }
 
@@ -208,7 +215,7 @@ void ChartsPanel::save_picture(const QString& file) {
   }
 }
 
-void ChartsPanel::save_csv(const QString& file, bool by_time) {
+void ChartsPanel::save_csv(const QString& file, CsvRows rows, double step) {
   if (trajectory_ == nullptr) {
     emit failed(tr("There is no run to export yet."));
     return;
@@ -221,10 +228,13 @@ void ChartsPanel::save_csv(const QString& file, bool by_time) {
   const Interval range = view().time;
   const std::vector<double> columns = columns_.times();
   export_file_ = file;
-  export_.setFuture(QtConcurrent::run(
-      [file, by_time, range, columns, step = sample_time_, trajectory = trajectory_]() -> QString {
+  export_.setFuture(
+      QtConcurrent::run([file, rows, range, columns, step, trajectory = trajectory_]() -> QString {
         try {
-          feedscope::ui::save_csv(file, *trajectory, by_time ? sample_times(range, step) : columns);
+          feedscope::ui::save_csv(file, *trajectory,
+                                  rows == CsvRows::samples  ? sample_times(range, step)
+                                  : rows == CsvRows::blocks ? block_times(*trajectory, range)
+                                                            : columns);
           return {};
         } catch (const std::exception& error) {
           return QString::fromUtf8(error.what());

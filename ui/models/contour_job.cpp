@@ -53,8 +53,9 @@ void ContourJob::deliver() {
   const bool cancelled = progress_->cancelled();
   const auto run = std::exchange(under_way_, nullptr);
   progress_.reset();
+  const Result report = watcher_.result();
   if (!cancelled) {
-    reports_.insert_or_assign(run, watcher_.result());
+    reports_.insert_or_assign(run, report);
   }
   launch();
   if (!cancelled) {

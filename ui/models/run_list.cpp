@@ -81,8 +81,8 @@ void RunList::duplicate(std::size_t row) {
 void RunList::duplicate_as(std::size_t row, const SetupState& setup) {
   Snapshot after{items_, row + 1};
   RunItem copy{next_id_++, {}, free_colour(), true, setup};
-  if (const auto found = results_.find(items_[row].id); found != results_.end()) {
-    results_[copy.id] = found->second;
+  if (const auto same = result(row); same != nullptr && same->run.setup == setup.setup()) {
+    results_[copy.id] = {same, true};
   }
   after.items.insert(after.items.begin() + static_cast<std::ptrdiff_t>(row) + 1, std::move(copy));
   push(std::move(after), tr("duplicate run"));
@@ -146,6 +146,7 @@ void RunList::set_setup(std::size_t row, const SetupState& setup, const QString&
 void RunList::replace(std::vector<RunItem> items, std::size_t current) {
   history_.clear();
   results_.clear();
+  given_up_.clear();
   for (RunItem& item : items) {
     item.id = next_id_++;
   }
@@ -166,7 +167,18 @@ void RunList::apply(const Snapshot& snapshot) {
   const int selected = current_item().id;
   items_ = snapshot.items;
   current_ = snapshot.current;
-  std::erase_if(results_, [this](const auto& result) { return row_of(result.first) == items_.size(); });
+  const auto is_gone = [this](const auto& entry) { return row_of(entry.first) == items_.size(); };
+  std::erase_if(results_, is_gone);
+  std::erase_if(given_up_, is_gone);
+  for (const RunItem& was : before.items) {
+    const std::size_t now = row_of(was.id);
+    if (now < items_.size() && !(items_[now].setup == was.setup)) {
+      given_up_.erase(was.id);
+      if (const auto found = results_.find(was.id); found != results_.end()) {
+        found->second.holds = found->second.shown->run.setup == items_[now].setup.setup();
+      }
+    }
+  }
 
   const bool same_rows = std::ranges::equal(before.items, items_, {}, &RunItem::id, &RunItem::id);
   if (!same_rows) {
@@ -207,24 +219,52 @@ QColor RunList::free_colour() const {
 
 std::shared_ptr<const ShownRun> RunList::result(std::size_t row) const {
   const auto found = results_.find(items_[row].id);
-  return found == results_.end() ? nullptr : found->second;
+  return found != results_.end() && found->second.holds ? found->second.shown : nullptr;
 }
 
-bool RunList::up_to_date(std::size_t row) const {
-  const auto shown = result(row);
-  return shown != nullptr && shown->run.setup == items_[row].setup.setup();
+RunStatus RunList::status(std::size_t row) const {
+  if (result(row) != nullptr) {
+    return RunStatus::simulated;
+  }
+  const auto found = given_up_.find(items_[row].id);
+  if (found == given_up_.end()) {
+    return RunStatus::waiting;
+  }
+  return found->second.isEmpty() ? RunStatus::cancelled : RunStatus::failed;
+}
+
+QString RunList::failure(std::size_t row) const {
+  const auto found = given_up_.find(items_[row].id);
+  return found == given_up_.end() ? QString() : found->second;
 }
 
 void RunList::set_result(int id, std::shared_ptr<const ShownRun> result) {
   const std::size_t row = row_of(id);
   if (row < items_.size()) {
-    results_[id] = std::move(result);
+    const bool holds = result->run.setup == items_[row].setup.setup();
+    results_[id] = {std::move(result), holds};
+    given_up_.erase(id);
     emit result_changed(row);
+  }
+}
+
+void RunList::give_up(int id, const QString& failure) {
+  const std::size_t row = row_of(id);
+  if (row < items_.size() && result(row) == nullptr) {
+    given_up_[id] = failure;
+    emit status_changed(row);
+  }
+}
+
+void RunList::resume(std::size_t row) {
+  if (given_up_.erase(items_[row].id) > 0) {
+    emit status_changed(row);
   }
 }
 
 void RunList::clear_results() {
   results_.clear();
+  given_up_.clear();
   for (std::size_t row = 0; row < items_.size(); ++row) {
     emit result_changed(row);
   }

@@ -27,6 +27,9 @@ struct RunItem {
   bool operator==(const RunItem&) const = default;
 };
 
+/// What there is of a run that is to be simulated.
+enum class RunStatus { waiting, simulated, cancelled, failed };
+
 /// Colours of runs that nobody has coloured, by their number: told apart with every kind of colour vision.
 QColor run_colour(std::size_t number);
 
@@ -36,7 +39,7 @@ QString run_title(const RunItem& item, std::span<const PathControl> feed_control
 
 /// The runs of one program and which of them is the current one: the one that is edited, played and shown in
 /// full. There is always at least one. What changes a run can be undone; results are not part of that and are
-/// dropped with their run.
+/// dropped with their run. A result is that of the setup which its run has now, or there is none.
 class RunList : public QObject {
   Q_OBJECT
 
@@ -73,13 +76,18 @@ class RunList : public QObject {
   /// None where the model follows none.
   std::optional<ToleranceInForce> tolerance(const RunItem& item) const;
 
-  /// The last result of a run, if any; it may be of an earlier setup.
+  /// What the setup that a run has now gives; null while that has not been simulated.
   std::shared_ptr<const ShownRun> result(std::size_t row) const;
-  /// The result is of the setup that the run has now.
-  bool up_to_date(std::size_t row) const;
+  RunStatus status(std::size_t row) const;
+  /// Why a run has failed; empty for every other one.
+  QString failure(std::size_t row) const;
   /// For a run that is gone: nothing.
   void set_result(int id, std::shared_ptr<const ShownRun> result);
-  /// Another program: no result holds.
+  /// The setup that a run has now is not simulated: cancelled, or failed with a message for the user.
+  void give_up(int id, const QString& failure = {});
+  /// A run that was given up waits again.
+  void resume(std::size_t row);
+  /// Another program: no result holds, and nothing is given up.
   void clear_results();
 
  signals:
@@ -90,6 +98,8 @@ class RunList : public QObject {
   void setup_changed(std::size_t row, const feedscope::ui::SetupState& before);
   void current_changed();
   void result_changed(std::size_t row);
+  /// Given up, or waiting again.
+  void status_changed(std::size_t row);
 
  private:
   struct Snapshot {
@@ -105,7 +115,12 @@ class RunList : public QObject {
   std::vector<RunItem> items_;
   std::size_t current_ = 0;
   int next_id_ = 1;
-  std::map<int, std::shared_ptr<const ShownRun>> results_;
+  struct Result {
+    std::shared_ptr<const ShownRun> shown;
+    bool holds;  ///< of the setup that the run has now
+  };
+  std::map<int, Result> results_;    ///< the last of each run
+  std::map<int, QString> given_up_;  ///< why, by the id of the run; empty: cancelled
   std::vector<PathControl> feed_controls_;
   QUndoStack history_;
 };

@@ -30,6 +30,7 @@ RunTable::RunTable(RunList& runs, QObject* parent) : QAbstractTableModel(parent)
   connect(&runs_, &RunList::item_changed, this, &RunTable::changed);
   connect(&runs_, &RunList::result_changed, this, &RunTable::all_changed);  // the best one may be another
   connect(&runs_, &RunList::current_changed, this, &RunTable::all_changed);
+  connect(&runs_, &RunList::status_changed, this, &RunTable::changed);
 }
 
 void RunTable::set_error_bound(std::optional<double> bound) {
@@ -47,7 +48,8 @@ void RunTable::all_changed() {
 }
 
 const Summary* RunTable::summary(std::size_t row) const {
-  return runs_.up_to_date(row) ? &runs_.result(row)->run.summary : nullptr;
+  const auto result = runs_.result(row);
+  return result != nullptr ? &result->run.summary : nullptr;
 }
 
 bool RunTable::keeps_bound(const Summary& summary) const {
@@ -77,7 +79,14 @@ int RunTable::columnCount(const QModelIndex& parent) const {
 QString RunTable::figure(std::size_t row, int column) const {
   const Summary* figures = summary(row);
   if (figures == nullptr) {
-    return QStringLiteral("…");
+    switch (runs_.status(row)) {
+      case RunStatus::cancelled:
+        return column == cycle_time ? tr("cancelled") : QString();
+      case RunStatus::failed:
+        return column == cycle_time ? tr("failed") : QString();
+      default:
+        return QStringLiteral("…");
+    }
   }
   switch (column) {
     case cycle_time:
@@ -123,6 +132,11 @@ QString RunTable::explanation(std::size_t row) const {
                     core_text(item.setup.file().model->info().title).toHtmlEscaped()};
   if (const auto in_force = runs_.tolerance(item)) {
     lines.append(tolerance_origin(*in_force));
+  }
+  if (runs_.status(row) == RunStatus::cancelled) {
+    lines.append(tr("It was cancelled and has no result. Simulate it again with F9."));
+  } else if (runs_.status(row) == RunStatus::failed) {
+    lines.append(tr("It failed: %1").arg(runs_.failure(row).toHtmlEscaped()));
   }
   const Summary* figures = summary(row);
   if (figures != nullptr && !keeps_bound(*figures)) {

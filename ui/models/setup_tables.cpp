@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "ui/fields/number_text.h"
 #include "ui/language/core_texts.h"
 
 namespace feedscope::ui {
@@ -110,7 +111,10 @@ bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int ro
     return true;  // not to replace a number by its rounded text
   }
   try {
-    edit_.set(key, parse_setting(edit_.state().spec(key), value.toString().trimmed().toStdString()));
+    const SettingSpec spec = edit_.state().spec(key);
+    const QString text = value.toString().trimmed();
+    const auto number = spec.choices.empty() ? number_of(text) : std::nullopt;
+    edit_.set(key, number ? SettingValue(*number) : parse_setting(spec, text.toStdString()));
     return true;
   } catch (const InputError& error) {
     emit refused(index, QString::fromUtf8(error.what()));

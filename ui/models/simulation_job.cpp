@@ -1,5 +1,9 @@
 #include "ui/models/simulation_job.h"
 
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
 #include <QtConcurrentRun>
 #include <chrono>
 #include <utility>
@@ -7,6 +11,17 @@
 #include "ui/models/simulate_shown.h"
 
 namespace feedscope::ui {
+
+namespace {
+
+/// What the program before has left, which its allocator would keep.
+void give_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace
 
 void SimulationJob::Stages::cancel() {
   reading.cancel();
@@ -57,6 +72,7 @@ SimulationJob::Outcome SimulationJob::work(const JobRequest& request, const std:
   try {
     LoadedProgram input;
     if (const auto* file = std::get_if<std::filesystem::path>(&request.input)) {
+      give_back_memory();
       input = load_program(*file, &stages->reading, request.reading);
       QMetaObject::invokeMethod(this, [this, program = make_shown(input), stages] {
         if (!stages->reading.cancelled()) {

@@ -59,9 +59,11 @@ void StudyJob::cancel() {
 
 void StudyJob::deliver() {
   poll_.stop();
-  progress_.reset();
+  const bool is_cancelled = std::exchange(progress_, nullptr)->cancelled();
   const Outcome outcome = watcher_.result();
-  if (outcome.study != nullptr) {
+  if (is_cancelled) {
+    emit cancelled();
+  } else if (outcome.study != nullptr) {
     emit finished(outcome.study);
   } else if (outcome.failure.isEmpty()) {
     emit cancelled();

@@ -28,7 +28,9 @@ Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
       playback_(cursor_),
       annotations_(runs_.history()) {
   connect(&runs_, &RunList::setup_changed, this, [this](std::size_t row) {
-    given_up_.erase(runs_.items()[row].id);
+    if (row == runs_.current()) {
+      show_current();
+    }
     schedule();
   });
   connect(&runs_, &RunList::list_changed, this, &Workbench::schedule);
@@ -76,7 +78,7 @@ void Workbench::open(const std::filesystem::path& file) {
   }
   file_ = file;
   program_ = {};
-  given_up_.clear();
+  place_.reset();
   runs_.clear_results();
   show_current();
   emit program_changed();
@@ -120,12 +122,25 @@ void Workbench::set_reload_on_change(bool on) {
 }
 
 void Workbench::cancel() {
-  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
-    if (!runs_.up_to_date(row)) {
-      given_up_.insert(runs_.items()[row].id);
-    }
+  if (!busy()) {
+    return;
   }
   job_.cancel();
+  if (place_) {
+    place_->playing = false;
+  }
+  for (const RunItem& run : std::vector(runs_.items())) {
+    runs_.give_up(run.id);
+  }
+}
+
+void Workbench::simulate_again(std::size_t row) {
+  runs_.resume(row);
+  if (program_.input.program == nullptr) {
+    reload();
+  } else {
+    schedule();
+  }
 }
 
 Setup Workbench::plain_setup(const std::string& id_or_file) const {
@@ -216,7 +231,7 @@ void Workbench::schedule() {
 }
 
 bool Workbench::wanted(std::size_t row) const {
-  return !runs_.up_to_date(row) && !given_up_.contains(runs_.items()[row].id);
+  return runs_.status(row) == RunStatus::waiting;
 }
 
 bool Workbench::under_way(std::size_t row) const {
@@ -253,6 +268,9 @@ void Workbench::use_default_machine() {
 }
 
 void Workbench::take_result(const std::shared_ptr<const ShownRun>& result) {
+  if (result->run.input.program != program_.input.program) {
+    return;
+  }
   runs_.set_result(working_on_, result);
   if (runs_.current_item().id == working_on_) {
     show_current();
@@ -261,7 +279,7 @@ void Workbench::take_result(const std::shared_ptr<const ShownRun>& result) {
 }
 
 void Workbench::take_failure(const QString& message) {
-  given_up_.insert(working_on_);
+  runs_.give_up(working_on_, message);
   emit failed(message);
   schedule();
 }
@@ -269,12 +287,34 @@ void Workbench::take_failure(const QString& message) {
 void Workbench::show_current() {
   const auto result = shown();
   const std::shared_ptr<const Trajectory> trajectory = result == nullptr ? nullptr : result->run.trajectory;
+  if (trajectory == nullptr) {
+    keep_place();
+  }
   cursor_.set_trajectory(trajectory, result == nullptr ? nullptr : result->line_times);
   playback_.set_duration(trajectory == nullptr ? 0 : trajectory->duration());
   if (trajectory != nullptr && stay_at_ > 0) {
     cursor_.set_line(std::exchange(stay_at_, 0));
   }
+  if (trajectory != nullptr) {
+    return_to_place();
+  }
   emit run_changed();
+}
+
+/// Until the run that comes next is simulated.
+void Workbench::keep_place() {
+  if (program_.input.program != nullptr && cursor_.valid() && cursor_.state().time > 0) {
+    place_ = Place{cursor_.state().path_length, playback_.playing()};
+  }
+}
+
+void Workbench::return_to_place() {
+  if (const auto place = std::exchange(place_, std::nullopt)) {
+    cursor_.set_path_length(place->path_length);
+    if (place->playing) {
+      playback_.play();
+    }
+  }
 }
 
 /// Editors replace a file as often as they write it anew; a path that was gone must be watched again.

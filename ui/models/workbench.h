@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <filesystem>
 #include <memory>
-#include <set>
+#include <optional>
 #include <vector>
 
 #include "ui/annotations/annotation_list.h"
@@ -46,7 +46,10 @@ class Workbench : public QObject {
   /// How the program is read; another way reads it again.
   const ReadOptions& reading() const { return reading_; }
   void set_reading(const ReadOptions& options);
+  /// The runs that are not simulated yet are given up.
   void cancel();
+  /// A run that was given up, once more.
+  void simulate_again(std::size_t row);
   /// Id or file; its own model is chosen with it. An unusable file is reported by failed().
   void choose_machine(const QString& id_or_file);
   /// The machine of the current run is wanted: no program that is opened chooses another one by its dialect.
@@ -71,14 +74,14 @@ class Workbench : public QObject {
   /// Null until a program has been read.
   std::shared_ptr<const Program> program() const { return program_.input.program; }
   const ShownProgram& shown_program() const { return program_; }
-  /// Of the current run; null until its first simulation is done.
+  /// Of the current run, simulated with the setup that it has now; null until that is done.
   std::shared_ptr<const ShownRun> shown() const { return runs_.result(runs_.current()); }
   bool busy() const { return job_.busy(); }
 
  signals:
   /// Another program, or none; its runs follow.
   void program_changed();
-  /// Another current run, or another result of it.
+  /// Another current run, another result of it, or none any more.
   void run_changed();
   void busy_changed(bool busy);
   /// What is being done, for the user, and how much of it [0, 1].
@@ -98,6 +101,8 @@ class Workbench : public QObject {
   void take_result(const std::shared_ptr<const ShownRun>& result);
   void take_failure(const QString& message);
   void show_current();
+  void keep_place();
+  void return_to_place();
   void watch();
   void report(JobStage stage, double fraction);
 
@@ -117,8 +122,13 @@ class Workbench : public QObject {
   ShownProgram program_;
   int working_on_ = 0;         ///< id of the run under way
   Setup working_setup_;        ///< as it was when that began
-  std::set<int> given_up_;     ///< cancelled or failed, until their setup changes
   std::uint32_t stay_at_ = 0;  ///< line of the cursor before the program was read again
+  /// Where the cursor was in the last run that was shown; none: at the start, or of another program.
+  struct Place {
+    double path_length;  ///< [mm]
+    bool playing;
+  };
+  std::optional<Place> place_;
 };
 
 }  // namespace feedscope::ui

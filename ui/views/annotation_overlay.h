@@ -28,6 +28,8 @@ class AnnotationOverlay : public QWidget {
   void set_annotations(AnnotationList* annotations);
   /// The run whose values they tell, and its name.
   void set_run(std::shared_ptr<const Trajectory> trajectory, const QString& name);
+  const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
+  const QString& run_name() const { return run_; }
   /// Size of text and lines, as of the scene.
   void set_scale(double scale);
   void set_background(Background background);

@@ -8,13 +8,13 @@
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QTableView>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 #include "ui/annotations/annotation_text.h"
+#include "ui/fields/whole_number_box.h"
 
 namespace feedscope::ui {
 
@@ -46,7 +46,7 @@ AnnotationsView::AnnotationsView(AnnotationList& annotations, Cursor& cursor, QW
       table_(new QTableView(this)),
       text_(new QPlainTextEdit(this)),
       colour_(new QToolButton(this)),
-      size_(new QSpinBox(this)),
+      size_(new WholeNumberBox(this)),
       hint_(new QLabel(this)) {
   table_->setModel(model_);
   table_->setAccessibleName(tr("Annotations"));
@@ -74,7 +74,7 @@ AnnotationsView::AnnotationsView(AnnotationList& annotations, Cursor& cursor, QW
     change(tr("text of annotation"), [this](Annotation& item) { item.text = text_->toPlainText(); });
     show_hint();
   });
-  connect(size_, &QSpinBox::valueChanged, this, [this](int points) {
+  connect(size_, &WholeNumberBox::valueChanged, this, [this](int points) {
     change(tr("size of annotation"), [points](Annotation& item) { item.size = points; });
   });
   connect(colour_, &QToolButton::clicked, this, &AnnotationsView::choose_colour);

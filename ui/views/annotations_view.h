@@ -11,11 +11,12 @@
 class QAction;
 class QLabel;
 class QPlainTextEdit;
-class QSpinBox;
 class QTableView;
 class QToolButton;
 
 namespace feedscope::ui {
+
+class WholeNumberBox;
 
 /// The annotations of the program: put one at the cursor, change its text, colour and size, remove it.
 class AnnotationsView : public QWidget {
@@ -62,7 +63,7 @@ class AnnotationsView : public QWidget {
   QTableView* table_;
   QPlainTextEdit* text_;
   QToolButton* colour_;
-  QSpinBox* size_;
+  WholeNumberBox* size_;
   QLabel* hint_;
   QList<QAction*> actions_;
 };

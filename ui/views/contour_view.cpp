@@ -142,18 +142,12 @@ void ContourView::refresh() {
   }
   std::erase(wanted, nullptr);
   job_.want(std::move(wanted));
-  if (is_seen()) {
-    show_reports();
-  }
+  show_reports();  // hidden too: what the panel holds can be copied and saved
 }
 
-/// What is there of them; meanwhile the places of the last result of the current run stay.
 void ContourView::show_reports() {
   const auto shown = model_.shown();
   const auto report = shown == nullptr ? nullptr : job_.report(shown);
-  if (shown != nullptr && report == nullptr && job_.busy() && places_->report() != nullptr) {
-    return;
-  }
   if (places_->report() != report.get()) {
     places_->set_report(report);
     for (int column = 0; column < ContourPlacesModel::cause; ++column) {
@@ -175,7 +169,9 @@ void ContourView::show_reports() {
 
 QString ContourView::verdict() const {
   if (model_.shown() == nullptr) {
-    return tr("How far the executed path is from the programmed one: open a program.");
+    return model_.program() == nullptr
+               ? tr("How far the executed path is from the programmed one: open a program.")
+               : tr("This run has not been simulated.");
   }
   if (places_->report() == nullptr) {
     return job_.busy() ? tr("Comparing the executed with the programmed path …")
@@ -227,11 +223,12 @@ void ContourView::step(bool forward) {
 }
 
 void ContourView::choose(const QModelIndex& index) {
-  if (model_.shown() == nullptr) {
+  const auto shown = model_.shown();
+  if (shown == nullptr || job_.report(shown).get() != places_->report()) {
     return;
   }
   const ContourPlace& place = places_->finding(index.row()).place;
-  const Trajectory& trajectory = *model_.shown()->run.trajectory;
+  const Trajectory& trajectory = *shown->run.trajectory;
   constexpr double shown_errors = 12;  // of path on both sides
   constexpr double least = 0.01;       // [mm]
   const double around = std::max(shown_errors * place.error, least);

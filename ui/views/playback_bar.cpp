@@ -1,6 +1,5 @@
 #include "ui/views/playback_bar.h"
 
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -10,6 +9,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "ui/fields/number_box.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
 #include "ui/theme/icons.h"
@@ -30,7 +30,7 @@ PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
       play_(new QToolButton(this)),
       slider_(new QSlider(Qt::Horizontal, this)),
       time_(new QLabel(this)),
-      speed_(new QDoubleSpinBox(this)) {
+      speed_(new NumberBox(this)) {
   slider_->setRange(0, slider_steps);
   slider_->setToolTip(tr("Time within the cycle"));
   slider_->setAccessibleName(tr("Time within the cycle"));
@@ -59,7 +59,7 @@ PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
   layout->addWidget(time_);
   layout->addWidget(speed_);
 
-  connect(speed_, &QDoubleSpinBox::valueChanged, &playback_, &Playback::set_speed);
+  connect(speed_, &NumberBox::valueChanged, &playback_, &Playback::set_speed);
   connect(slider_, &QSlider::valueChanged, this,
           [this](int value) { cursor_.set_time(duration_ * value / slider_steps); });
   connect(&cursor_, &Cursor::changed, this, &PlaybackBar::show_cursor);

@@ -6,12 +6,13 @@
 #include "ui/models/playback.h"
 
 class QAction;
-class QDoubleSpinBox;
 class QLabel;
 class QSlider;
 class QToolButton;
 
 namespace feedscope::ui {
+
+class NumberBox;
 
 /// Plays a run: play or pause, steps by block and sample, a slider over the cycle time, time, speed.
 class PlaybackBar : public QWidget {
@@ -49,7 +50,7 @@ class PlaybackBar : public QWidget {
   QToolButton* play_;
   QSlider* slider_;
   QLabel* time_;
-  QDoubleSpinBox* speed_;
+  NumberBox* speed_;
   QList<QAction*> actions_;
   double duration_ = 0;
   double sample_time_ = 0.001;

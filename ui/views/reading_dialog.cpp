@@ -11,10 +11,11 @@
 #include <QLineEdit>
 #include <QLocale>
 #include <QPushButton>
-#include <QSpinBox>
 #include <QTableWidget>
 
 #include "core/base/units.h"
+#include "ui/fields/number_text.h"
+#include "ui/fields/whole_number_box.h"
 
 namespace feedscope::ui {
 
@@ -42,11 +43,10 @@ QString source_text(CutterSource source) {
   }
 }
 
-/// A length of 0 or more, its point a comma too; none for anything else.
-std::optional<double> length_of(QString text) {
-  bool is_number = false;
-  const double length = text.trimmed().replace(',', '.').toDouble(&is_number);
-  return is_number && length >= 0 && length <= largest_radius ? std::optional(length) : std::nullopt;
+/// A length of 0 or more; none for anything else.
+std::optional<double> length_of(const QString& text) {
+  const auto length = number_of(text);
+  return length && *length >= 0 && *length <= largest_radius ? length : std::nullopt;
 }
 
 QTableWidgetItem* fixed_item(const QString& text) {
@@ -62,8 +62,8 @@ ReadingDialog::ReadingDialog(const ReadOptions& options, const Program* program,
       dialect_(new QComboBox(this)),
       unit_(new QComboBox(this)),
       skip_deleted_(new QCheckBox(tr("Leave out blocks that begin with /"), this)),
-      repeat_limit_(new QSpinBox(this)),
-      call_depth_(new QSpinBox(this)),
+      repeat_limit_(new WholeNumberBox(this)),
+      call_depth_(new WholeNumberBox(this)),
       simulate_cut_off_(new QCheckBox(tr("Simulate a program that was cut off at this limit"), this)),
       wear_only_(new QCheckBox(tr("The path is already compensated (wear only): radius 0"), this)),
       cutters_(new QTableWidget(this)),
@@ -125,7 +125,7 @@ void ReadingDialog::list_cutters(const ReadOptions& options, const Program* prog
     const std::optional<double> own = options.radii.find(use.tool);
     const bool found = use.source == CutterSource::program || use.source == CutterSource::table;
     add_cutter(use.tool, own,
-               found ? tr("%1: %2 mm").arg(source_text(use.source), QString::number(use.radius))
+               found ? tr("%1: %2 mm").arg(source_text(use.source), editable_text(use.radius))
                      : source_text(use.source));
     others.erase(use.tool);
   }
@@ -138,15 +138,14 @@ void ReadingDialog::add_cutter(const std::string& tool, std::optional<double> ow
   const int row = cutters_->rowCount();
   cutters_->insertRow(row);
   cutters_->setItem(row, tool_column, fixed_item(QString::fromStdString(tool)));
-  auto* radius =
-      new QTableWidgetItem(own ? QString::number(*own, 'g', QLocale::FloatingPointShortest) : QString());
+  auto* radius = new QTableWidgetItem(own ? editable_text(*own) : QString());
   radius->setToolTip(tr("Empty: as the program or the tool table says"));
   cutters_->setItem(row, radius_column, radius);
   cutters_->setItem(row, source_column, fixed_item(source));
 }
 
 void ReadingDialog::make_layout() {
-  for (QSpinBox* box : {repeat_limit_, call_depth_}) {
+  for (WholeNumberBox* box : {repeat_limit_, call_depth_}) {
     box->setGroupSeparatorShown(true);
     box->setMinimum(1);
   }

@@ -9,10 +9,11 @@ class QComboBox;
 class QDialogButtonBox;
 class QLabel;
 class QLineEdit;
-class QSpinBox;
 class QTableWidget;
 
 namespace feedscope::ui {
+
+class WholeNumberBox;
 
 /// Asks how a program is to be read: its language and unit, blocks with "/", limits of loops and calls,
 /// cutter radii.
@@ -42,8 +43,8 @@ class ReadingDialog : public QDialog {
   QComboBox* dialect_;
   QComboBox* unit_;
   QCheckBox* skip_deleted_;
-  QSpinBox* repeat_limit_;
-  QSpinBox* call_depth_;
+  WholeNumberBox* repeat_limit_;
+  WholeNumberBox* call_depth_;
   QCheckBox* simulate_cut_off_;
   QCheckBox* wear_only_;
   QTableWidget* cutters_;

@@ -2,19 +2,19 @@
 
 #include <QCheckBox>
 #include <QColorDialog>
-#include <QDoubleSpinBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
 #include <QLocale>
 #include <QRegularExpression>
 #include <QTableView>
-#include <QToolButton>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
 #include "core/machine/contour_tolerance.h"
+#include "ui/fields/number_box.h"
+#include "ui/fields/number_text.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
 
@@ -26,16 +26,19 @@ constexpr int row_height = 22;
 constexpr double usual_bound = 10;      // [um]
 constexpr double largest_bound = 1000;  // [um]
 
-/// "0.01 0.02; 0,05" by point or comma; what is no number is left out.
+/// "0.01 0.02; 0,05" by point or comma. Throws InputError that names a word which is not a number.
 QList<double> numbers_of(const QString& text) {
   QList<double> numbers;
   static const QRegularExpression separators(QStringLiteral("[\\s;]+"));
-  for (QString word : text.split(separators, Qt::SkipEmptyParts)) {
-    bool is_number = false;
-    const double number = word.replace(',', '.').toDouble(&is_number);
-    if (is_number) {
-      numbers.append(number);
+  for (const QString& word : text.split(separators, Qt::SkipEmptyParts)) {
+    const auto number = number_of(word);
+    if (!number) {
+      throw InputError(RunsView::tr("“%1” is not a number. Put spaces or semicolons between the tolerances; "
+                                    "a comma is a decimal sign.")
+                           .arg(word)
+                           .toStdString());
     }
+    numbers.append(*number);
   }
   return numbers;
 }
@@ -48,7 +51,7 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
       model_(new RunTable(runs, this)),
       table_(new QTableView(this)),
       bounded_(new QCheckBox(tr("Error at &most"), this)),
-      bound_(new QDoubleSpinBox(this)),
+      bound_(new NumberBox(this)),
       verdict_(new QLabel(this)) {
   table_->setModel(model_);
   table_->setAccessibleName(tr("Runs and their results"));
@@ -72,23 +75,20 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   verdict_->setWordWrap(true);
 
   make_actions();
-  auto* bar = new QHBoxLayout;
-  bar->setContentsMargins(4, 2, 4, 2);
+  auto* bar = new QToolBar(this);  // what has no room in it goes into a menu: the panel may be narrow
+  bar->setToolButtonStyle(Qt::ToolButtonTextOnly);
   for (QAction* action : actions_) {
-    auto* button = new QToolButton(this);
-    button->setDefaultAction(action);
-    bar->addWidget(button);
+    bar->addAction(action);
     table_->addAction(action);
   }
-  bar->addSpacing(8);
+  bar->addSeparator();
   bar->addWidget(bounded_);
   bar->addWidget(bound_);
-  bar->addSpacing(8);
-  bar->addWidget(verdict_, 1);
+  bar->addWidget(verdict_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
-  layout->addLayout(bar);
+  layout->addWidget(bar);
   layout->addWidget(table_);
 
   const auto set_bound = [this] {
@@ -96,7 +96,7 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
     model_->set_error_bound(bounded_->isChecked() ? std::optional(bound_->value() / 1000) : std::nullopt);
   };
   connect(bounded_, &QCheckBox::toggled, this, set_bound);
-  connect(bound_, &QDoubleSpinBox::valueChanged, this, set_bound);
+  connect(bound_, &NumberBox::valueChanged, this, set_bound);
   connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           [this](const QModelIndex& index) {
             if (index.isValid()) {
@@ -105,6 +105,9 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
           });
   connect(&runs_, &RunList::current_changed, this, &RunsView::follow_current);
   connect(&runs_, &RunList::list_changed, this, &RunsView::follow_current);
+  for (const auto signal : {&RunList::status_changed, &RunList::result_changed, &RunList::item_changed}) {
+    connect(&runs_, signal, this, &RunsView::follow_status);
+  }
   connect(model_, &RunTable::dataChanged, this, &RunsView::show_verdict);
   connect(model_, &RunTable::modelReset, this, &RunsView::show_verdict);
   follow_current();
@@ -120,6 +123,10 @@ void RunsView::make_actions() {
   add_action(tr("&Up"), tr("Move the current run up"), QKeySequence(tr("Alt+Up")), &RunsView::move_up);
   add_action(tr("Dow&n"), tr("Move the current run down"), QKeySequence(tr("Alt+Down")),
              &RunsView::move_down);
+  again_ =
+      make_action(this, tr("&Simulate again"), tr("Simulate the current run, which was cancelled or failed"),
+                  QKeySequence(Qt::Key_F9), [this] { emit again_wanted(runs_.current()); });
+  actions_.append(again_);
   table_->addAction(make_action(this, tr("&Colour …"), tr("Colour of the current run in charts and 3D view"),
                                 {}, [this] { choose_colour(runs_.current()); }));
 }
@@ -141,8 +148,8 @@ void RunsView::add_variants() {
   bool accepted = false;
   const QString text = QInputDialog::getText(
       this, tr("Runs with other tolerances"), tr("Contour tolerances [mm], with spaces between them:"),
-      QLineEdit::Normal,
-      QLocale().toString(0.01) + ' ' + QLocale().toString(0.02) + ' ' + QLocale().toString(0.05), &accepted);
+      QLineEdit::Normal, editable_text(0.01) + ' ' + editable_text(0.02) + ' ' + editable_text(0.05),
+      &accepted);
   if (!accepted) {
     return;
   }
@@ -190,6 +197,12 @@ void RunsView::follow_current() {
   if (table_->currentIndex().row() != index.row()) {
     table_->setCurrentIndex(index);
   }
+  follow_status();
+}
+
+void RunsView::follow_status() {
+  const RunStatus status = runs_.status(runs_.current());
+  again_->setEnabled(status == RunStatus::cancelled || status == RunStatus::failed);
   show_verdict();
 }
 
@@ -201,8 +214,17 @@ QString RunsView::verdict() const {
   const auto best = model_->best();
   if (!best) {
     std::size_t done = 0;
+    std::size_t given_up = 0;
     for (std::size_t row = 0; row < count; ++row) {
-      done += runs_.up_to_date(row) ? 1 : 0;
+      const RunStatus status = runs_.status(row);
+      done += status == RunStatus::simulated ? 1 : 0;
+      given_up += status == RunStatus::cancelled || status == RunStatus::failed ? 1 : 0;
+    }
+    if (given_up > 0) {
+      return tr("%1 of %2 runs are simulated; %3 were cancelled or failed.")
+          .arg(done)
+          .arg(count)
+          .arg(given_up);
     }
     return done < count ? tr("%1 of %2 runs are simulated.").arg(done).arg(count)
                         : tr("No run keeps this bound.");

@@ -7,11 +7,12 @@
 
 class QAction;
 class QCheckBox;
-class QDoubleSpinBox;
 class QLabel;
 class QTableView;
 
 namespace feedscope::ui {
+
+class NumberBox;
 
 /// The runs of the program with their results: choose the current one, duplicate and change it, hide,
 /// reorder, remove; and which is the fastest within a bound on the contour error.
@@ -26,8 +27,14 @@ class RunsView : public QWidget {
   RunTable& results() { return *model_; }
   /// Duplicate, variants, remove, up, down.
   QList<QAction*> panel_actions() const { return actions_; }
+  /// Simulates a run again that was cancelled or has failed.
+  QAction* again() { return again_; }
   /// Which run is the fastest, in one sentence.
   QString verdict() const;
+
+ signals:
+  /// The run of this row is to be simulated once more.
+  void again_wanted(std::size_t row);
 
  private:
   void make_actions();
@@ -39,15 +46,17 @@ class RunsView : public QWidget {
   void move_down();
   void choose_colour(std::size_t row);
   void follow_current();
+  void follow_status();
   void show_verdict();
 
   RunList& runs_;
   RunTable* model_;
   QTableView* table_;
   QCheckBox* bounded_;
-  QDoubleSpinBox* bound_;
+  NumberBox* bound_;
   QLabel* verdict_;
   QList<QAction*> actions_;
+  QAction* again_ = nullptr;
 };
 
 }  // namespace feedscope::ui

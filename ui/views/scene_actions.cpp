@@ -1,12 +1,12 @@
 #include "ui/views/scene_actions.h"
 
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QLocale>
 #include <QMenu>
 #include <QToolButton>
 #include <QWidgetAction>
 
+#include "ui/fields/number_box.h"
 #include "ui/models/panel_action.h"
 #include "ui/views/scene_texts.h"
 #include "ui/views/scene_view.h"
@@ -150,12 +150,12 @@ void SceneActions::make_tools() {
   add(tr("Bull nose end mill"), tr("A cylinder with rounded corners"), ToolKind::bull);
   add(tr("No tool"), tr("Nothing at the cursor"), ToolKind::none);
   const auto make_size = [this](double value, double most) {
-    auto* size = new QDoubleSpinBox;
+    auto* size = new NumberBox;
     size->setRange(0.01, most);
     size->setDecimals(2);
     size->setValue(value);
     size->setSuffix(tr(" mm"));
-    connect(size, &QDoubleSpinBox::valueChanged, this, &SceneActions::apply_tool);
+    connect(size, &NumberBox::valueChanged, this, &SceneActions::apply_tool);
     return size;
   };
   auto* sizes = new QWidget;

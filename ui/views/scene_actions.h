@@ -8,11 +8,12 @@
 
 #include "ui/scene/scene_state.h"
 
-class QDoubleSpinBox;
 class QMenu;
 class QToolButton;
 
 namespace feedscope::ui {
+
+class NumberBox;
 
 class SceneView;
 
@@ -25,6 +26,8 @@ class SceneActions : public QObject {
 
   QToolBar* bar() { return bar_; }
   QList<QAction*> all() const;
+  /// Those that have keys.
+  const QList<QAction*>& commands() const { return commands_; }
   /// The context menu.
   void fill(QMenu& menu) const;
   /// The scene may have changed: checks, sizes and the bar's words say what it shows.
@@ -65,8 +68,8 @@ class SceneActions : public QObject {
   QAction* grid_ = nullptr;
   QAction* measure_ = nullptr;
   QAction* box_ = nullptr;
-  QDoubleSpinBox* diameter_ = nullptr;
-  QDoubleSpinBox* corner_radius_ = nullptr;
+  NumberBox* diameter_ = nullptr;
+  NumberBox* corner_radius_ = nullptr;
   std::optional<SceneState> followed_;  ///< but for where the camera is
 };
 

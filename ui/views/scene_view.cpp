@@ -104,6 +104,21 @@ void SceneView::hide_bar() {
   actions_->bar()->hide();
 }
 
+int SceneView::bar_height() const {
+  return actions_->bar()->sizeHint().height();
+}
+
+void SceneView::set_bar_height(int height) {
+  actions_->bar()->setFixedHeight(height);
+}
+
+void SceneView::take_keys_of(const SceneView& other) {
+  for (QAction* command : actions_->commands()) {
+    command->setShortcut({});
+  }
+  addActions(other.actions_->commands());
+}
+
 void SceneView::add_to_bar(QWidget& widget) {
   actions_->bar()->insertWidget(actions_->bar()->actions().value(0), &widget);
 }

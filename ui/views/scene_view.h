@@ -53,6 +53,11 @@ class SceneView : public QWidget {
   void fill_menu(QMenu& menu) const;
   /// The commands stay, without a bar.
   void hide_bar();
+  int bar_height() const;
+  void set_bar_height(int height);
+  /// Beside another view, which this one is linked to: two commands with one key would be ambiguous and none
+  /// of them called, so the keys are those of the other view, here too.
+  void take_keys_of(const SceneView& other);
   /// Puts a widget before the commands of the bar.
   void add_to_bar(QWidget& widget);
   /// Whether there is another run to compare with, and the menu that says which.

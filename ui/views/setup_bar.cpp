@@ -2,9 +2,9 @@
 
 #include <QAbstractItemView>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QSignalBlocker>
+#include "ui/fields/number_box.h"
 #include "ui/language/core_texts.h"
 #include "ui/models/tolerance_text.h"
 
@@ -36,7 +36,7 @@ SetupBar::SetupBar(Workbench& model, QWidget* parent)
       model_(model),
       machine_(new QComboBox(this)),
       control_model_(new QComboBox(this)),
-      tolerance_(new QDoubleSpinBox(this)) {
+      tolerance_(new NumberBox(this)) {
   setObjectName(QStringLiteral("setup_bar"));
   setMovable(false);
   for (const MachineChoice& choice : model_.machine_choices()) {
@@ -68,7 +68,7 @@ SetupBar::SetupBar(Workbench& model, QWidget* parent)
           [this] { model_.choose_machine(machine_->currentData().toString()); });
   connect(control_model_, &QComboBox::activated, this,
           [this] { model_.choose_model(control_model_->currentData().toString()); });
-  connect(tolerance_, &QDoubleSpinBox::valueChanged, this, &SetupBar::set_tolerance);
+  connect(tolerance_, &NumberBox::valueChanged, this, &SetupBar::set_tolerance);
   connect(&model_.setup(), &SetupEdit::keys_changed, this, &SetupBar::show_setup);
   connect(&model_.setup(), &SetupEdit::values_changed, this, &SetupBar::show_tolerance);
   connect(&model_.runs(), &RunList::item_changed, this, &SetupBar::show_tolerance);

@@ -5,9 +5,10 @@
 #include "ui/models/workbench.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 
 namespace feedscope::ui {
+
+class NumberBox;
 
 /// Machine, control model and contour tolerance of the run.
 class SetupBar : public QToolBar {
@@ -25,7 +26,7 @@ class SetupBar : public QToolBar {
   Workbench& model_;
   QComboBox* machine_;
   QComboBox* control_model_;
-  QDoubleSpinBox* tolerance_;
+  NumberBox* tolerance_;
 };
 
 }  // namespace feedscope::ui

@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTimer>
+#include <cmath>
 #include <utility>
 
 #include "core/analysis/programmed_place.h"
@@ -18,7 +19,25 @@
 namespace feedscope::ui {
 namespace {
 
-bool same_but_fitted(SceneState a, const SceneState& b) {
+/// What `state` of one view is in another, so that both show a millimetre as large.
+SceneState between_views(SceneState state, SceneView& from, SceneView& to) {
+  const int height = from.canvas().height();
+  if (height > 0 && to.canvas().height() > 0) {
+    state.camera.height *= static_cast<double>(to.canvas().height()) / height;
+  }
+  return state;
+}
+
+/// But for whether the camera is fitted, and for rounding.
+bool same_look(SceneState a, const SceneState& b) {
+  constexpr double rounding = 1e-9;
+  const double tiny = rounding * b.camera.height;
+  if (std::abs(a.camera.height - b.camera.height) <= tiny) {
+    a.camera.height = b.camera.height;
+  }
+  if ((a.camera.focal - b.camera.focal).norm() <= tiny) {
+    a.camera.focal = b.camera.focal;
+  }
   a.camera.fitted = b.camera.fitted;
   return a == b;
 }
@@ -43,7 +62,7 @@ SideBySide::SideBySide(Workbench& model, SceneView& first, RenderBackend backend
   make_comparison_menu();
   connect(&first_, &SceneView::changed, this, [this] {
     if (second_ != nullptr) {
-      link(first_, *second_);
+      link(first_);
     }
   });
   connect(&first_run_, &SceneRun::changed, this, &SideBySide::colour_alike);
@@ -162,14 +181,18 @@ void SideBySide::open() {
   if (mode_ == ScenesMode::side_by_side) {
     second_->add_to_bar(*choice_);
     splitter_->addWidget(second_);
+    const int bar = std::max(first_.bar_height(), second_->bar_height());
+    first_.set_bar_height(bar);
+    second_->set_bar_height(bar);
     const int half = splitter_->width() / 2;
     splitter_->setSizes({half, half});
   } else {
     split_ = std::make_unique<SplitOverlay>(first_, second_, choice_, share_);
     connect(split_.get(), &SplitOverlay::share_changed, this, [this](double share) { share_ = share; });
-    // The canvas and what is fitted to it follow first.
-    connect(split_.get(), &SplitOverlay::resized, this, &SideBySide::follow_size, Qt::QueuedConnection);
-    connect(split_.get(), &SplitOverlay::painted, this, &SideBySide::follow_frame, Qt::QueuedConnection);
+  }
+  second_->take_keys_of(first_);
+  for (SceneView* view : {&first_, second_}) {
+    view->canvas().installEventFilter(this);
   }
   second_->add_comparison_menu(*references_);
   second_run_ = std::make_unique<SceneRun>(*second_, model_.runs(), comparison_);
@@ -178,7 +201,7 @@ void SideBySide::open() {
   annotations.set_annotations(&model_.annotations());
   connect(&annotations, &AnnotationOverlay::edit_wanted, &first_.annotations(),
           &AnnotationOverlay::edit_wanted);
-  connect(second_, &SceneView::changed, this, [this] { link(*second_, first_); });
+  connect(second_, &SceneView::changed, this, [this] { link(*second_); });
   connect(second_, &SceneView::picked, this, [this](double time) {
     const auto& shown = second_run_->shown();
     if (shown != nullptr && model_.cursor().valid()) {
@@ -187,7 +210,7 @@ void SideBySide::open() {
     }
   });
   list_runs();
-  link(first_, *second_);
+  link(first_);
 }
 
 void SideBySide::make_choice(QWidget* parent) {
@@ -204,6 +227,7 @@ void SideBySide::make_choice(QWidget* parent) {
 
 void SideBySide::close() {
   second_run_.reset();
+  first_.canvas().removeEventFilter(this);
   choice_ = nullptr;
   SceneView* view = std::exchange(second_, nullptr);
   if (split_ != nullptr) {
@@ -260,7 +284,7 @@ void SideBySide::show_run() {
   second_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr, choice_->currentText());
   linking_ = false;
   colour_alike();
-  link(first_, *second_);
+  link(first_);
   show_cursor();
 }
 
@@ -309,49 +333,39 @@ void SideBySide::show_cursor() {
   second_->scene().set_cursor(trajectory.state(time_of(trajectory, place)));
 }
 
-void SideBySide::link(SceneView& from, SceneView& to) {
+/// Both show the same, pixel by pixel: it is the first one that fits, and only what it shows is handed on.
+void SideBySide::link(SceneView& from) {
   if (linking_) {
     return;
   }
   linking_ = true;
-  if (split_ != nullptr) {
-    link_halves(&from == &first_);
-  } else if (from.state() != to.state()) {
-    to.set_state(from.state());
+  if (&from != &first_) {
+    const SceneState wanted = between_views(from.state(), from, first_);
+    if (wanted.camera.fitted || !same_look(first_.state(), wanted)) {
+      first_.set_state(wanted);
+    }
+  }
+  SceneState wanted = between_views(first_.state(), first_, *second_);
+  wanted.camera.fitted = false;
+  if (second_->state().camera.fitted || !same_look(second_->state(), wanted)) {
+    second_->set_state(wanted);
   }
   linking_ = false;
 }
 
-/// In a split view both see the same, pixel by pixel: it is the first one that fits, and only what it shows
-/// is handed on.
-void SideBySide::link_halves(bool from_first) {
-  SceneState wanted = from_first ? first_.state() : second_->state();
-  if (wanted.camera.fitted) {
-    if (!from_first) {
-      first_.set_state(wanted);
-    }
-    first_.scene().fit();
-    wanted = first_.state();
-  } else if (!from_first && !same_but_fitted(first_.state(), wanted)) {
-    first_.set_state(wanted);
-  }
-  wanted.camera.fitted = false;
-  if (second_->state() != wanted) {
-    second_->set_state(wanted);
+/// Its size may be another one, or it has been fitted again while it was drawn.
+void SideBySide::follow_first() {
+  if (second_ != nullptr && !same_look(second_->state(), between_views(first_.state(), first_, *second_))) {
+    link(first_);
   }
 }
 
-/// The first view may have been fitted anew while it was drawn.
-void SideBySide::follow_frame() {
-  if (split_ != nullptr && !same_but_fitted(first_.state(), second_->state())) {
-    link(first_, *second_);
+bool SideBySide::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Paint || event->type() == QEvent::Resize) {
+    // The canvas and what is fitted to it follow first.
+    QMetaObject::invokeMethod(this, &SideBySide::follow_first, Qt::QueuedConnection);
   }
-}
-
-void SideBySide::follow_size() {
-  if (split_ != nullptr) {
-    link(first_, *second_);
-  }
+  return QWidget::eventFilter(watched, event);
 }
 
 }  // namespace feedscope::ui

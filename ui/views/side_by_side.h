@@ -45,6 +45,9 @@ class SideBySide : public QWidget {
  signals:
   void mode_changed();
 
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void make_actions();
   QAction* add_mode(ScenesMode mode, const QString& text, const QString& tip, const QKeySequence& key);
@@ -58,10 +61,8 @@ class SideBySide : public QWidget {
   void show_cursor();
   void show_names();
   void colour_alike();
-  void link(SceneView& from, SceneView& to);
-  void link_halves(bool from_first);
-  void follow_size();
-  void follow_frame();
+  void link(SceneView& from);
+  void follow_first();
 
   Workbench& model_;
   SceneView& first_;

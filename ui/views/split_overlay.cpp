@@ -148,9 +148,6 @@ bool SplitOverlay::eventFilter(QObject* watched, QEvent* event) {
   const bool moved = event->type() == QEvent::Resize || event->type() == QEvent::Move;
   if (watched == &left_.canvas() && moved) {
     place();
-    emit resized();
-  } else if (watched == &left_.canvas() && event->type() == QEvent::Paint) {
-    emit painted();
   }
   return QObject::eventFilter(watched, event);
 }

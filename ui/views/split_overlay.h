@@ -54,10 +54,6 @@ class SplitOverlay : public QObject {
 
  signals:
   void share_changed(double share);
-  /// The left view has another size.
-  void resized();
-  /// The left view is being drawn.
-  void painted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -5,7 +5,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QHeaderView>
 #include <QLabel>
@@ -23,6 +22,8 @@
 #include "core/base/error.h"
 #include "core/export/export.h"
 #include "core/machine/contour_tolerance.h"
+#include "ui/fields/number_box.h"
+#include "ui/fields/whole_number_box.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
 
@@ -59,12 +60,12 @@ StudyView::StudyView(Workbench& model, QWidget* parent)
       studied_(model.setup().state()),
       results_(new StudyTable(this)),
       key_(new QComboBox(this)),
-      from_(new QDoubleSpinBox(this)),
-      to_(new QDoubleSpinBox(this)),
-      count_(new QSpinBox(this)),
+      from_(new NumberBox(this)),
+      to_(new NumberBox(this)),
+      count_(new WholeNumberBox(this)),
       logarithmic_(new QCheckBox(tr("&Logarithmic"), this)),
       bounded_(new QCheckBox(tr("Error at &most"), this)),
-      bound_(new QDoubleSpinBox(this)),
+      bound_(new NumberBox(this)),
       run_(new QPushButton(tr("&Study"), this)),
       adopt_(new QPushButton(tr("&Make it a run"), this)),
       progress_(new QProgressBar(this)),
@@ -93,13 +94,14 @@ StudyView::StudyView(Workbench& model, QWidget* parent)
     verdict_->setText(message);
   });
   connect(&model_.setup(), &SetupEdit::keys_changed, this, &StudyView::list_keys);
+  connect(&model_, &Workbench::program_changed, this, &StudyView::forget);
   list_keys();
   show_idle();
 }
 
 void StudyView::make_fields() {
   constexpr double largest_value = 1e9;
-  for (QDoubleSpinBox* end : {from_, to_}) {
+  for (NumberBox* end : {from_, to_}) {
     end->setDecimals(5);
     end->setRange(0, largest_value);
     end->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
@@ -243,8 +245,12 @@ void StudyView::run() {
                             make_sweep(key, from_->value(), to_->value(),
                                        static_cast<std::size_t>(count_->value()), logarithmic_->isChecked()),
                             bounded_->isChecked() ? std::optional(bound_->value() / 1000) : std::nullopt};
-    studied_ = model_.setup().state();
     job_.start(request);
+    studied_ = model_.setup().state();
+    studied_name_ = tr("%1 on %2")
+                        .arg(model_.runs().title(model_.runs().current_item()),
+                             QString::fromStdString(studied_.file().machine.name));
+    forget_results();
   } catch (const InputError& error) {
     verdict_->setText(QString::fromUtf8(error.what()));
     return;
@@ -255,11 +261,28 @@ void StudyView::run() {
   verdict_->setText(tr("Simulating %1 runs …").arg(count_->value()));
 }
 
+/// Of another program than the one that is shown.
+void StudyView::forget() {
+  job_.cancel();
+  forget_results();
+  if (!busy()) {
+    show_idle();
+  }
+}
+
+void StudyView::forget_results() {
+  study_.reset();
+  results_->set_study(nullptr);
+  chart_->set_study({}, {}, {});
+  adopt_->setEnabled(false);
+}
+
 void StudyView::take(std::shared_ptr<const Study> study) {
   study_ = std::move(study);
   results_->set_study(study_);
   StudyCurves curves = study_curves(*study_);
-  chart_->set_study(QString::fromStdU16String(model_.file().filename().u16string()), {}, std::move(curves));
+  chart_->set_study(QString::fromStdU16String(model_.file().filename().u16string()), studied_name_,
+                    std::move(curves));
   const StudyRun* best = fastest(study_->runs, study_->within);
   if (best != nullptr) {
     table_->selectRow(static_cast<int>(best - study_->runs.data()));

@@ -11,14 +11,16 @@
 class QAction;
 class QCheckBox;
 class QComboBox;
-class QDoubleSpinBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
-class QSpinBox;
 class QTableView;
 
 namespace feedscope::ui {
+
+class WholeNumberBox;
+
+class NumberBox;
 
 /// A setting of the current run over a range: cycle time and contour error against it as curves and table,
 /// the fastest value within a bound, what limits at both ends; any of the values becomes a run.
@@ -36,9 +38,9 @@ class StudyView : public QWidget {
   bool busy() const { return job_.busy(); }
 
   QComboBox* key() { return key_; }
-  QDoubleSpinBox* from() { return from_; }
-  QDoubleSpinBox* to() { return to_; }
-  QSpinBox* count() { return count_; }
+  NumberBox* from() { return from_; }
+  NumberBox* to() { return to_; }
+  WholeNumberBox* count() { return count_; }
   StudyChart* chart() { return chart_; }
   QTableView* table() { return table_; }
   QString verdict() const;
@@ -54,21 +56,24 @@ class StudyView : public QWidget {
   void list_keys();
   void propose_range();
   void take(std::shared_ptr<const Study> study);
+  void forget();
+  void forget_results();
   void show_idle();
   QString ends_text() const;
 
   Workbench& model_;
   StudyJob job_;
   std::shared_ptr<const Study> study_;
-  SetupState studied_;  ///< setup of the run that study_ is of
+  SetupState studied_;    ///< setup of the run that study_ is of
+  QString studied_name_;  ///< of that run then, with its machine
   StudyTable* results_;
   QComboBox* key_;
-  QDoubleSpinBox* from_;
-  QDoubleSpinBox* to_;
-  QSpinBox* count_;
+  NumberBox* from_;
+  NumberBox* to_;
+  WholeNumberBox* count_;
   QCheckBox* logarithmic_;
   QCheckBox* bounded_;
-  QDoubleSpinBox* bound_;
+  NumberBox* bound_;
   QPushButton* run_;
   QPushButton* adopt_;
   QProgressBar* progress_;

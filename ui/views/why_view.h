@@ -34,6 +34,9 @@ class WhyView : public QWidget {
   /// The run that the cursor points into, and the setup that it was made with; null: none.
   void set_run(std::shared_ptr<const ShownRun> shown, const SetupState& setup);
 
+  /// Null for none.
+  const std::shared_ptr<const ShownRun>& shown() const { return shown_; }
+
   /// Whether the panel can be seen when it is shown: not while another one lies on top of it.
   void set_on_screen(bool on_screen);
   bool is_seen() const { return on_screen_ && isVisible(); }

@@ -51,6 +51,20 @@ TEST_F(ChartExport, OfARangeHoldsItsRowsOnly) {
   EXPECT_NEAR(lines[3].split(',')[0].toDouble(), 0.6, 1e-12);
 }
 
+TEST_F(ChartExport, OfBlocksHasARowWhereEachBegins) {
+  const double duration = trajectory->duration();
+  const std::vector<double> times = block_times(*trajectory, {0, duration});
+  ASSERT_EQ(times.size(), 5U);  // four blocks that move, and the end
+  EXPECT_EQ(times.back(), duration);
+  constexpr double just = 1e-6;  // [s]
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    EXPECT_EQ(trajectory->state(times[i] + just).line, i + 2) << "lines 2 to 5 move";
+    EXPECT_TRUE(i == 0 || trajectory->state(times[i] - just).line == i + 1);
+  }
+  const std::vector<double> part = block_times(*trajectory, {times[1] + 0.01, times[2] + 0.01});
+  EXPECT_EQ(part, (std::vector<double>{times[1] + 0.01, times[2], times[2] + 0.01}));
+}
+
 TEST_F(ChartExport, TooManyRowsAreRefused) {
   EXPECT_THROW(sample_times({0, 1e6}, 1e-6), InputError);
   EXPECT_THROW(sample_times({0, 1}, 0), InputError);

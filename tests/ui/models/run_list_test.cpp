@@ -52,11 +52,39 @@ TEST_F(RunListTest, ADuplicateStandsBelowIsCurrentAndHasAColourOfItsOwn) {
 TEST_F(RunListTest, ADuplicateHasTheResultAtOnceUntilItsSetupChanges) {
   simulate(0);
   runs.duplicate(0);
-  EXPECT_TRUE(runs.up_to_date(1));
+  EXPECT_EQ(runs.result(1), runs.result(0));
   runs.set_setup(1, changed("X.jerk", 3.0), "X.jerk");
-  EXPECT_FALSE(runs.up_to_date(1));
-  EXPECT_TRUE(runs.up_to_date(0));
-  EXPECT_NE(runs.result(1), nullptr);  // the old one is shown until the new one is there
+  EXPECT_EQ(runs.result(1), nullptr);
+  EXPECT_EQ(runs.status(1), RunStatus::waiting);
+  EXPECT_NE(runs.result(0), nullptr);
+  runs.history().undo();
+  EXPECT_EQ(runs.result(1), runs.result(0));
+}
+
+TEST_F(RunListTest, ADuplicateWithAnotherSetupHasNoResultOfTheFirst) {
+  simulate(0);
+  runs.duplicate_as(0, changed("X.jerk", 3.0));
+  EXPECT_EQ(runs.result(1), nullptr);
+  EXPECT_EQ(runs.status(1), RunStatus::waiting);
+}
+
+TEST_F(RunListTest, ARunIsGivenUpUntilItWaitsAgainOrItsSetupChanges) {
+  const int id = runs.items()[0].id;
+  const QSignalSpy statuses(&runs, &RunList::status_changed);
+  runs.give_up(id);
+  EXPECT_EQ(runs.status(0), RunStatus::cancelled);
+  runs.give_up(id, "no memory");
+  EXPECT_EQ(runs.status(0), RunStatus::failed);
+  EXPECT_EQ(runs.failure(0), "no memory");
+  runs.resume(0);
+  EXPECT_EQ(runs.status(0), RunStatus::waiting);
+  EXPECT_EQ(statuses.count(), 3);
+  runs.give_up(id);
+  runs.set_setup(0, changed("X.jerk", 3.0), "X.jerk");
+  EXPECT_EQ(runs.status(0), RunStatus::waiting);
+  simulate(0);
+  runs.give_up(id);
+  EXPECT_EQ(runs.status(0), RunStatus::simulated);
 }
 
 TEST_F(RunListTest, EveryChangeCanBeUndoneAndRedone) {

@@ -89,12 +89,12 @@ TEST_F(WorkbenchTest, AnEditSimulatesAnewAndUndoBringsTheTimeBack) {
 TEST_F(WorkbenchTest, TheLatestEditWins) {
   model.open(write("long.nc", long_program()));
   wait_until_idle(model);
-  QSignalSpy runs(&model, &Workbench::run_changed);
+  QSignalSpy results(&model.runs(), &RunList::result_changed);
   for (const double jerk : {11.0, 12.0, 13.0, 14.0}) {
     model.setup().set("X.jerk", jerk);
   }
   wait_until_idle(model);
-  EXPECT_EQ(runs.count(), 1);
+  EXPECT_EQ(results.count(), 1);
   EXPECT_DOUBLE_EQ(axis_limit(model.shown()->run.setup.machine, 'X', "jerk"), 14);
 }
 
@@ -107,14 +107,38 @@ TEST_F(WorkbenchTest, AnEditWhileReadingStillShowsTheProgram) {
   ASSERT_NE(model.program(), nullptr);
 }
 
-TEST_F(WorkbenchTest, CancelKeepsTheRunThatIsShown) {
+TEST_F(WorkbenchTest, ACancelledRunShowsNothingUntilItIsSimulatedAgain) {
   model.open(write("long.nc", long_program()));
   wait_until_idle(model);
-  const auto shown = model.shown();
+  model.cursor().set_line(500);
+  const double place = model.cursor().state().path_length;
   model.setup().set("X.jerk", 12.0);
+  EXPECT_EQ(model.shown(), nullptr);
+  EXPECT_FALSE(model.cursor().valid());
   model.cancel();
   wait_until_idle(model);
-  EXPECT_EQ(model.shown(), shown);
+  EXPECT_EQ(model.shown(), nullptr);
+  EXPECT_EQ(model.runs().status(0), RunStatus::cancelled);
+  model.simulate_again(0);
+  wait_until_idle(model);
+  ASSERT_NE(model.shown(), nullptr);
+  EXPECT_DOUBLE_EQ(axis_limit(model.shown()->run.setup.machine, 'X', "jerk"), 12);
+  EXPECT_NEAR(model.cursor().state().path_length, place, 1e-6) << "the cursor comes back to its place";
+}
+
+TEST_F(WorkbenchTest, AProgramWhoseReadingWasCancelledIsReadAgain) {
+  model.open(write("long.nc", long_program()));
+  model.cancel();
+  wait_until_idle(model);
+  EXPECT_EQ(model.runs().status(0), RunStatus::cancelled);
+  model.simulate_again(0);
+  wait_until_idle(model);
+  EXPECT_NE(model.shown(), nullptr);
+}
+
+TEST_F(WorkbenchTest, CancellingNothingGivesNothingUp) {
+  model.cancel();
+  EXPECT_EQ(model.runs().status(0), RunStatus::waiting);
 }
 
 TEST_F(WorkbenchTest, AMissingFileIsAMessage) {
@@ -155,7 +179,7 @@ TEST_F(WorkbenchTest, EveryRunIsSimulatedTheCurrentOneFirst) {
   ASSERT_EQ(results.count(), 3);
   EXPECT_EQ(results.first().first().value<std::size_t>(), model.runs().current());
   for (std::size_t row = 0; row < 3; ++row) {
-    EXPECT_TRUE(model.runs().up_to_date(row));
+    EXPECT_EQ(model.runs().status(row), RunStatus::simulated);
   }
 }
 
@@ -179,10 +203,10 @@ TEST_F(WorkbenchTest, ACancelledRunWaitsForTheNextChange) {
   model.setup().set("X.jerk", 12.0);
   model.cancel();
   wait_until_idle(model);
-  EXPECT_FALSE(model.runs().up_to_date(0));
+  EXPECT_EQ(model.runs().status(0), RunStatus::cancelled);
   model.setup().set("X.jerk", 13.0);
   wait_until_idle(model);
-  EXPECT_TRUE(model.runs().up_to_date(0));
+  EXPECT_EQ(model.runs().status(0), RunStatus::simulated);
 }
 
 TEST_F(WorkbenchTest, AFileThatChangesIsReadAgainAndTheCursorStaysAtItsLine) {

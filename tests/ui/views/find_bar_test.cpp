@@ -6,11 +6,11 @@
 #include <QAction>
 #include <QLineEdit>
 #include <QSignalSpy>
-#include <QSpinBox>
 #include <QTest>
 #include <QToolButton>
 
 #include "tests/ui/program_fixture.h"
+#include "ui/fields/whole_number_box.h"
 #include "ui/views/program/go_to_bar.h"
 #include "ui/views/program/program_panel.h"
 

@@ -9,6 +9,7 @@
 #include <QMouseEvent>
 #include <QTest>
 #include <QToolTip>
+#include <map>
 
 #include "tests/ui/run_fixture.h"
 #include "ui/main_window.h"
@@ -31,6 +32,8 @@ class SideBySideTest : public testing::Test {
     for (const RunItem& item : model.runs().items()) {
       model.runs().set_result(item.id, make_shown(simulate_run(input, item.setup.setup())));
     }
+    model.runs().select(0);
+    model.runs().select(1);
     views.panel_actions()[0]->trigger();
   }
 
@@ -65,7 +68,8 @@ TEST_F(SideBySideTest, BothTurnAndColourAlike) {
   EXPECT_EQ(views.second()->state().camera.elevation, window.scene().state().camera.elevation);
   views.second()->scene().orbit({40, -30});
   views.second()->scene().set_exaggeration(50);
-  EXPECT_EQ(window.scene().state(), views.second()->state());
+  EXPECT_EQ(window.scene().state().camera.elevation, views.second()->state().camera.elevation);
+  EXPECT_EQ(window.scene().state().exaggeration, 50);
 }
 
 TEST_F(SideBySideTest, APlacePickedOnTheRightIsThatOfTheProgram) {
@@ -170,18 +174,24 @@ TEST_F(SideBySideTest, TheSplitIsDraggedAndMovedByKeys) {
   EXPECT_EQ(views.state().split, 0);
 }
 
+class TwoViewsTest : public SideBySideTest, public testing::WithParamInterface<ScenesMode> {};
+
 /// The camera of both is the same, whatever legends and scales take of the room.
-TEST_F(SideBySideTest, BothHalvesOfTheSplitShowAPlaceAtTheSamePixel) {
-  views.set_mode(ScenesMode::split);
+TEST_P(TwoViewsTest, BothShowAPlaceAtTheSamePixel) {
+  views.set_mode(ScenesMode::one);
+  views.set_mode(GetParam());
   const auto expect_same = [&] {
     for (int i = 0; i < 5; ++i) {
       QApplication::processEvents();
     }
-    ASSERT_EQ(views.second()->canvas().size(), window.scene().canvas().size());
+    const QSize first = window.scene().canvas().size();
+    const QSize second = views.second()->canvas().size();
+    ASSERT_EQ(first.height(), second.height());
+    const double aside = (second.width() - first.width()) / 2.0;  // both have their place in the middle
     for (const Vec3& place : {Vec3(0, 0, 0), Vec3(40, 15, 0), Vec3(60, 60, 0)}) {
       const Pixel left = window.scene().scene().pixel_of(place);
       const Pixel right = views.second()->scene().pixel_of(place);
-      EXPECT_NEAR(left[0], right[0], 0.01);
+      EXPECT_NEAR(left[0] + aside, right[0], 0.01);
       EXPECT_NEAR(left[1], right[1], 0.01);
     }
   };
@@ -198,6 +208,54 @@ TEST_F(SideBySideTest, BothHalvesOfTheSplitShowAPlaceAtTheSamePixel) {
   window.scene().scene().set_colouring(Colouring::cause);
   wait_for_comparison();
   expect_same();
+}
+
+INSTANTIATE_TEST_SUITE_P(Modes, TwoViewsTest, testing::Values(ScenesMode::side_by_side, ScenesMode::split));
+
+/// A key that two commands have where it is pressed calls neither.
+TEST_P(TwoViewsTest, NoKeyIsAmbiguous) {
+  views.set_mode(ScenesMode::one);
+  views.set_mode(GetParam());
+  const auto reaches = [](const QAction& action, const QWidget& focus) {
+    if (action.shortcutContext() != Qt::WidgetWithChildrenShortcut) {
+      return true;
+    }
+    for (const QObject* object : action.associatedObjects()) {
+      const auto* widget = qobject_cast<const QWidget*>(object);
+      if (widget != nullptr && (widget == &focus || widget->isAncestorOf(&focus))) {
+        return true;
+      }
+    }
+    return false;
+  };
+  for (const QWidget* focus :
+       {&window.scene().canvas(), &views.second()->canvas(), static_cast<QWidget*>(&window.charts()),
+        static_cast<QWidget*>(&window.program())}) {
+    std::map<QKeySequence, QString> taken;
+    for (const QAction* action : window.findChildren<QAction*>()) {
+      for (const QKeySequence& key : action->shortcuts()) {
+        if (!key.isEmpty() && !action->associatedObjects().isEmpty() && reaches(*action, *focus)) {
+          const auto [at, fresh] = taken.emplace(key, action->text());
+          EXPECT_TRUE(fresh) << key.toString().toStdString() << ": " << at->second.toStdString() << " and "
+                             << action->text().toStdString();
+        }
+      }
+    }
+    EXPECT_GT(taken.size(), 30U);
+  }
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  for (QWidget* canvas : {&window.scene().canvas(), &views.second()->canvas()}) {
+    canvas->setFocus();
+    window.scene().scene().set_standard_view(StandardView::iso);
+    QTest::keyClick(canvas, Qt::Key_2, Qt::ControlModifier);
+    EXPECT_NEAR(window.scene().state().camera.elevation, 1.5708, 1e-3) << "seen from the top";
+    EXPECT_NEAR(views.second()->state().camera.elevation, 1.5708, 1e-3);
+    const bool grid = window.scene().state().grid;
+    QTest::keyClick(canvas, Qt::Key_G);
+    EXPECT_NE(window.scene().state().grid, grid);
+    EXPECT_NE(views.second()->state().grid, grid);
+  }
 }
 
 TEST_F(SideBySideTest, TheSessionKeepsWhatIsCompared) {

@@ -5,13 +5,13 @@
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QLocale>
-#include <QSpinBox>
 #include <QTableView>
 #include <QTest>
 
 #include "tests/ui/run_fixture.h"
+#include "ui/fields/number_box.h"
+#include "ui/fields/whole_number_box.h"
 
 namespace feedscope::ui {
 namespace {

@@ -192,7 +192,7 @@ class Layouter {
       if (apart || ticks.count < 2) {
         return ticks;
       }
-      most = ticks.count - 1;
+      most = std::min(most - 1, ticks.count);  // more would give the same step
     }
   }
 

@@ -3,16 +3,16 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
-#include <QSpinBox>
 #include <algorithm>
 #include <limits>
 
+#include "ui/fields/whole_number_box.h"
 #include "ui/views/program/program_view.h"
 
 namespace feedscope::ui {
 
 GoToBar::GoToBar(ProgramView& view, QWidget* parent)
-    : InputBar(view, parent), view_(view), input_(new QSpinBox(this)), count_(new QLabel(this)) {
+    : InputBar(view, parent), view_(view), input_(new WholeNumberBox(this)), count_(new QLabel(this)) {
   input_->setAccessibleName(tr("Line to go to"));
   input_->setToolTip(tr("Line to go to (Enter)"));
   take_keys_of(input_);

@@ -3,9 +3,10 @@
 #include "ui/views/program/input_bar.h"
 
 class QLabel;
-class QSpinBox;
 
 namespace feedscope::ui {
+
+class WholeNumberBox;
 
 class ProgramView;
 
@@ -19,14 +20,14 @@ class GoToBar : public InputBar {
 
   /// Shows itself with the number of the line at the caret.
   void open();
-  QSpinBox& input() { return *input_; }
+  WholeNumberBox& input() { return *input_; }
 
  protected:
   void enter(Qt::KeyboardModifiers modifiers) override;
 
  private:
   ProgramView& view_;
-  QSpinBox* input_;
+  WholeNumberBox* input_;
   QLabel* count_;
 };
 

@@ -1,0 +1,83 @@
+#include "ui/dock_sizes.h"
+
+#include <gtest/gtest.h>
+
+#include <QDockWidget>
+#include <QTest>
+#include <array>
+
+#include "ui/main_window.h"
+
+namespace feedscope::ui {
+namespace {
+
+class DockSizesTest : public testing::Test {
+ protected:
+  DockSizesTest() {
+    window.resize(1280, 800);
+    window.show();
+    settle();
+    before = panels();
+  }
+  static void settle() {
+    for (int i = 0; i < 10; ++i) {
+      QCoreApplication::processEvents();
+    }
+  }
+  void resize(int width, int height) {
+    window.resize(width, height);
+    settle();
+  }
+  /// Sizes of the panels on the left, on the right and below.
+  std::array<int, 3> panels() {
+    return {window.program_panel().width(), window.setup().width(), window.charts().height()};
+  }
+
+  Workbench model{shipped_machines(), make_setup({})};
+  MainWindow window{model, RenderBackend::software};
+  std::array<int, 3> before{};
+};
+
+TEST_F(DockSizesTest, ASmallWindowLeavesRoomForThe3dViewAndPanelsGetTheirsBack) {
+  resize(800, 600);
+  EXPECT_LE(window.width(), 800);
+  EXPECT_LE(window.height(), 600);
+  EXPECT_GE(window.scene().canvas().height(), 110);
+  EXPECT_GE(window.scene().canvas().width(), 250);
+  resize(1900, 1000);
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    EXPECT_NEAR(panels()[i], before[i], 3) << "panel " << i;
+  }
+  resize(1280, 800);
+  EXPECT_EQ(panels(), before);
+}
+
+TEST_F(DockSizesTest, TheDefaultLayoutOfASmallWindowIsThatOfALargeOne) {
+  resize(800, 600);
+  for (const ListedAction& listed : window.commands()) {
+    if (plain_text(listed.action->text()) == "Default layout") {
+      listed.action->trigger();
+    }
+  }
+  settle();
+  resize(1280, 800);
+  EXPECT_EQ(panels(), before);
+}
+
+TEST_F(DockSizesTest, ALayoutIsRestoredAsTheUserHadIt) {
+  window.resizeDocks({window.findChild<QDockWidget*>("charts")}, {500}, Qt::Vertical);
+  settle();
+  const auto large = panels();
+  EXPECT_GT(large[2], before[2] + 50);
+  const QByteArray layout = window.saveState();
+  resize(800, 600);
+  window.resize(1280, 800);
+  window.restore_layout(layout);
+  settle();
+  EXPECT_EQ(panels(), large);
+  resize(1281, 801);
+  EXPECT_NEAR(panels()[2], large[2], 2) << "more than usual, as the user wants it";
+}
+
+}  // namespace
+}  // namespace feedscope::ui

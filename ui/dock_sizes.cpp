@@ -1,0 +1,116 @@
+#include "ui/dock_sizes.h"
+
+#include <QGuiApplication>
+#include <QResizeEvent>
+#include <QTabBar>
+#include <algorithm>
+
+namespace feedscope::ui {
+
+DockSizes::DockSizes(QMainWindow& window, int left, int right, int bottom)
+    : QObject(&window),
+      window_(window),
+      sides_{Side{Qt::LeftDockWidgetArea, Qt::Horizontal, 0.22, left},
+             Side{Qt::RightDockWidgetArea, Qt::Horizontal, 0.3, right},
+             Side{Qt::BottomDockWidgetArea, Qt::Vertical, 0.49, bottom}} {
+  window_.installEventFilter(this);
+  for (QDockWidget* dock : window_.findChildren<QDockWidget*>()) {
+    dock->installEventFilter(this);
+  }
+  resized_.setSingleShot(true);
+  resized_.setInterval(0);
+  connect(&resized_, &QTimer::timeout, this, &DockSizes::apply);
+}
+
+bool DockSizes::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Resize) {
+    if (watched == &window_) {
+      following_ = true;
+      resized_.start();
+    } else if (!following_ && QGuiApplication::mouseButtons() != Qt::NoButton) {
+      note(*static_cast<QDockWidget*>(watched));
+    }
+  }
+  return QObject::eventFilter(watched, event);
+}
+
+void DockSizes::note(QDockWidget& dock) {
+  for (Side& side : sides_) {
+    if (!dock.isFloating() && dock.isVisible() && window_.dockWidgetArea(&dock) == side.area) {
+      adopt(side, dock);
+    }
+  }
+}
+
+/// Of the tabs below it, which are not part of a panel, but of what QMainWindow::resizeDocks() sizes.
+int DockSizes::tab_height(const QDockWidget& dock) const {
+  const auto bars = window_.findChildren<QTabBar*>(Qt::FindDirectChildrenOnly);
+  const auto below = std::ranges::find_if(bars, [&](const QTabBar* bar) {
+    return bar->isVisible() && bar->y() > dock.geometry().bottom() &&
+           bar->geometry().left() <= dock.geometry().right() &&
+           bar->geometry().right() >= dock.geometry().left();
+  });
+  return below == bars.end() ? 0 : (*below)->height();
+}
+
+void DockSizes::adopt(Side& side, const QDockWidget& dock) const {
+  side.wanted = side.extent(dock) + (side.orientation == Qt::Vertical ? tab_height(dock) : 0);
+  side.largest_share =
+      std::max(side.usual_share, static_cast<double>(side.wanted + 1) / side.extent(window_));
+}
+
+QDockWidget* DockSizes::shown_on(const Side& side) const {
+  const QList<QDockWidget*> docks = window_.findChildren<QDockWidget*>();
+  const auto found = std::ranges::find_if(docks, [&](QDockWidget* dock) {
+    return !dock->isFloating() && dock->isVisible() && !dock->visibleRegion().isEmpty() &&
+           window_.dockWidgetArea(dock) == side.area;
+  });
+  return found == docks.end() ? nullptr : *found;
+}
+
+void DockSizes::follow_layout() {
+  begun_ = false;
+  restored_ = true;
+  following_ = true;
+  resized_.start();
+}
+
+void DockSizes::follow_first_layout() {
+  for (Side& side : sides_) {
+    side.wanted = side.first;
+    side.largest_share = side.usual_share;
+  }
+  following_ = true;
+  resized_.start();
+}
+
+/// A layout may have been restored before the window was shown; what does not have its size only because the
+/// window is small is to have it later.
+void DockSizes::begin() {
+  begun_ = true;
+  for (Side& side : sides_) {
+    const QDockWidget* dock = shown_on(side);
+    if (dock != nullptr && (restored_ || side.wanted <= side.most(window_))) {
+      adopt(side, *dock);
+    }
+  }
+}
+
+void DockSizes::apply() {
+  if (!window_.isVisible()) {
+    following_ = false;
+    return;
+  }
+  if (!begun_) {
+    begin();
+  }
+  for (const Side& side : sides_) {
+    if (QDockWidget* dock = shown_on(side)) {
+      window_.resizeDocks({dock}, {std::min(side.wanted, side.most(window_))}, side.orientation);
+    }
+  }
+  // The panels get their sizes with the next turn of the event loop.
+  QTimer::singleShot(0, this, [this] { following_ = resized_.isActive(); });
+}
+
+}  // namespace feedscope::ui

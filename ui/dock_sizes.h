@@ -1,0 +1,61 @@
+#pragma once
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QTimer>
+#include <array>
+
+namespace feedscope::ui {
+
+/// Keeps the panels around the middle of a window as large as the user has made them wherever the window is
+/// large enough: a smaller one takes from them too, so that the middle stays usable, and gives it back when
+/// it grows. QMainWindow alone takes all from the middle, and what it had to take from panels never comes
+/// back.
+class DockSizes : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Watches all panels that the window has now. `left`, `right`, `bottom`: what they have at first in a
+  /// window that is large enough [logical pixels].
+  DockSizes(QMainWindow& window, int left, int right, int bottom);
+
+  /// Another layout has been restored: its sizes are those that the user has made.
+  void follow_layout();
+  /// The layout of the beginning is back: the sizes too.
+  void follow_first_layout();
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  struct Side {
+    Qt::DockWidgetArea area;
+    Qt::Orientation orientation;
+    double usual_share;  ///< of the window's width or height, at most, unless the user wants more
+    int first;           ///< what it has at first [logical pixels]
+    int wanted = first;  ///< as the user has it [logical pixels]
+    double largest_share = usual_share;
+
+    int extent(const QWidget& widget) const {
+      return orientation == Qt::Horizontal ? widget.width() : widget.height();
+    }
+    int most(const QWidget& window) const { return static_cast<int>(largest_share * extent(window)); }
+  };
+
+  void note(QDockWidget& dock);
+  void adopt(Side& side, const QDockWidget& dock) const;
+  int tab_height(const QDockWidget& dock) const;
+  void begin();
+  void apply();
+  /// The panel of a side that is in front; null without one.
+  QDockWidget* shown_on(const Side& side) const;
+
+  QMainWindow& window_;
+  std::array<Side, 3> sides_;
+  QTimer resized_;
+  bool begun_ = false;      ///< the window has been laid out
+  bool restored_ = false;   ///< as the user once had it
+  bool following_ = false;  ///< sizes are the window's doing, not the user's
+};
+
+}  // namespace feedscope::ui
