@@ -4,6 +4,8 @@
 
 #include <QLocale>
 
+#include "tests/ui/locale_in_force.h"
+
 namespace feedscope::ui {
 namespace {
 
@@ -51,7 +53,7 @@ TEST_F(AnnotationText, AValueIsNotReadAgain) {
 }
 
 TEST_F(AnnotationText, NumbersFollowTheLocale) {
-  QLocale::setDefault(QLocale(QLocale::German));
+  const test::LocaleInForce locale(QLocale(QLocale::German));
   EXPECT_EQ(with_values("{deviation}", some_values()), QStringLiteral("8,2 µm"));
 }
 

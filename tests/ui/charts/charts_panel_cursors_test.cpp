@@ -5,6 +5,7 @@
 
 #include "core/base/units.h"
 #include "tests/ui/charts/charts_panel_fixture.h"
+#include "tests/ui/own_tip.h"
 #include "ui/charts/measurement.h"
 
 namespace feedscope::ui {
@@ -140,7 +141,7 @@ TEST_F(ChartsCursors, EveryCommandHasATextAndATip) {
   EXPECT_GE(panel.panel_actions().size(), 15);
   for (const QAction* action : panel.panel_actions()) {
     EXPECT_FALSE(action->text().isEmpty());
-    EXPECT_FALSE(action->toolTip().isEmpty());
+    EXPECT_TRUE(test::has_own_tip(*action)) << action->text().toStdString();
   }
 }
 

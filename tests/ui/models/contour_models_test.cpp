@@ -6,6 +6,7 @@
 #include <QLocale>
 #include <QTest>
 
+#include "tests/ui/locale_in_force.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/models/contour_job.h"
 #include "ui/models/contour_places_model.h"
@@ -96,7 +97,7 @@ TEST_F(ContourModels, SayHowLargeWhereAndAgainstWhat) {
 }
 
 TEST_F(ContourModels, WriteNumbersByTheLocale) {
-  QLocale::setDefault(QLocale(QLocale::French));
+  const test::LocaleInForce locale(QLocale(QLocale::French));
   EXPECT_EQ(micrometres_text(0.0283), "28,3");
   EXPECT_EQ(micrometres_text(0.00283), "2,83");
   EXPECT_EQ(micrometres_text(0.0001), "0,100");

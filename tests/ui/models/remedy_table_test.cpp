@@ -8,6 +8,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "tests/ui/locale_in_force.h"
 #include "tests/ui/run_fixture.h"
 
 namespace feedscope::ui {
@@ -71,7 +72,7 @@ TEST_F(RemedyTableTest, TheLargestGainComesFirstAndFailuresLast) {
 }
 
 TEST_F(RemedyTableTest, NumbersFollowTheLocale) {
-  QLocale::setDefault(QLocale(QLocale::German));
+  const test::LocaleInForce locale(QLocale(QLocale::German));
   begin();
   table.set_trial(0, {9.5, 2, {}});
   EXPECT_EQ(text(0, RemedyTable::gain), "−0,500 s\n−5,0 %");

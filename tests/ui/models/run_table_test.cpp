@@ -6,6 +6,7 @@
 #include <QAbstractItemModelTester>
 #include <QLocale>
 
+#include "tests/ui/locale_in_force.h"
 #include "tests/ui/run_fixture.h"
 
 namespace feedscope::ui {
@@ -93,9 +94,8 @@ TEST_F(RunTableTest, TheToleranceIsTheOneInForce) {
 }
 
 TEST_F(RunTableTest, NumbersFollowTheLocale) {
-  QLocale::setDefault(QLocale(QLocale::German));
+  const test::LocaleInForce locale(QLocale(QLocale::German));
   EXPECT_EQ(text(1, RunTable::tolerance), "0,02");
-  QLocale::setDefault(QLocale::c());
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <QSignalSpy>
 
 #include "core/base/error.h"
+#include "tests/ui/locale_in_force.h"
 
 namespace feedscope::ui {
 namespace {
@@ -88,7 +89,7 @@ TEST_F(SetupTablesTest, UndoAndRedoWalkThroughTheEdits) {
 }
 
 TEST_F(SetupTablesTest, DecimalCommaIsReadAndShownInALocaleThatUsesIt) {
-  QLocale::setDefault(QLocale(QLocale::German));
+  const test::LocaleInForce locale(QLocale(QLocale::German));
   ASSERT_TRUE(axes.setData(jerk_of_x(), "12,5"));
   EXPECT_DOUBLE_EQ(axis_limit(edit.setup().machine, 'X', "jerk"), 12.5);
   EXPECT_EQ(axes.data(jerk_of_x()).toString(), "12,5");

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "tests/support/folders.h"
+#include "tests/ui/locale_in_force.h"
 #include "tests/ui/run_fixture.h"
 
 namespace feedscope::ui {
@@ -84,9 +85,8 @@ TEST_F(WhyTextTest, NumbersAreRoundedToWhatCounts) {
   EXPECT_EQ(WhyText::number(1e7, Dimension::jerk).toStdString(), "10000 m/s³");
   EXPECT_EQ(WhyText::number(0.80001, Dimension::number).toStdString(), "0.8");
   EXPECT_EQ(WhyText::speed(0).toStdString(), "0 mm/min");
-  QLocale::setDefault(QLocale(QLocale::French));
+  const test::LocaleInForce locale(QLocale(QLocale::French));
   EXPECT_EQ(WhyText::number(2.5, Dimension::length).toStdString(), "2,5 mm");
-  QLocale::setDefault(QLocale::c());
 }
 
 TEST(WhyText, NothingIsZeroAndHasNoSign) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <set>
 
+#include "tests/ui/own_tip.h"
 #include "tests/ui/run_fixture.h"
 
 namespace feedscope::ui {
@@ -128,7 +129,7 @@ TEST_F(SceneViewTest, EveryCommandHasATextAndATip) {
   QStringList keys;
   for (const QAction* command : view_.panel_actions()) {
     EXPECT_FALSE(command->text().isEmpty());
-    EXPECT_FALSE(command->toolTip().isEmpty()) << command->text().toStdString();
+    EXPECT_TRUE(test::has_own_tip(*command)) << command->text().toStdString();
     if (!command->shortcut().isEmpty()) {
       EXPECT_FALSE(keys.contains(command->shortcut().toString())) << command->text().toStdString();
       keys.append(command->shortcut().toString());

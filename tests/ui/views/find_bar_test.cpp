@@ -46,8 +46,13 @@ class ProgramPanelTest : public testing::Test {
     wait();
   }
   void wait() {
-    QTest::qWait(200);  // typing rests
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !bar.search().busy(); }, patience));
+    const auto looked_for = [this] {
+      const SearchQuery& query = bar.search().query();
+      return query.text == bar.input().text() && query.match_case == bar.match_case().isChecked() &&
+             query.whole_word == bar.whole_word().isChecked() &&
+             query.regular_expression == bar.regular_expression().isChecked();
+    };
+    ASSERT_TRUE(QTest::qWaitFor([&] { return looked_for() && !bar.search().busy(); }, patience));
   }
 
   ProgramPanel panel;
