@@ -203,6 +203,9 @@ void MainWindow::restore_layout(const QByteArray& layout) {
 
 void MainWindow::show_program() {
   const auto program = model_.program();
+  if (program == nullptr) {
+    statusBar()->clearMessage();  // it was about the program before
+  }
   program_->set_program(program);
   diagnostics_->set_program(program);
   annotations_->set_toolpath(model_.shown_program().input.toolpath);
@@ -320,6 +323,7 @@ void MainWindow::show_lesson(const LessonWindow& look) {
   } else {
     charts_->range().fit();
   }
+  session_->begin_lesson();
 }
 
 void MainWindow::show_times(double from, double to) {

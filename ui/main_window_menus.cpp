@@ -62,9 +62,11 @@ void MainWindow::make_menus() {
   QUndoStack& history = model_.setup().history();
   QAction* undo = history.createUndoAction(this, tr("Undo"));
   undo->setShortcut(QKeySequence::Undo);
+  undo->setToolTip(tr("Take back the last change of runs and settings"));
   undo->setIcon(style()->standardIcon(QStyle::SP_ArrowBack));
   QAction* redo = history.createRedoAction(this, tr("Redo"));
   redo->setShortcut(QKeySequence::Redo);
+  redo->setToolTip(tr("Make the change again that was taken back"));
   redo->setIcon(style()->standardIcon(QStyle::SP_ArrowForward));
   edit->addActions({undo, redo});
   edit->addSeparator();
@@ -175,7 +177,9 @@ void MainWindow::list_recent_files(QMenu* menu) {
     return;
   }
   menu->addSeparator();
-  connect(menu->addAction(tr("Forget these files")), &QAction::triggered, this, &RecentFiles::clear);
+  QAction* forget = menu->addAction(tr("Forget these files"));
+  forget->setToolTip(tr("Empty this list and leave the files as they are"));
+  connect(forget, &QAction::triggered, this, &RecentFiles::clear);
 }
 
 void MainWindow::make_view_menu() {
@@ -194,10 +198,12 @@ void MainWindow::make_view_menu() {
     docks->addAction(dock->toggleViewAction());
   }
   docks->addSeparator();
-  connect(docks->addAction(tr("&Default layout")), &QAction::triggered, this, [this] {
-    restoreState(first_layout_);
-    dock_sizes_->follow_first_layout();
-  });
+  connect(
+      add_action(docks, tr("&Default layout"), {}, tr("All panels where and as large as they were at first")),
+      &QAction::triggered, this, [this] {
+        restoreState(first_layout_);
+        dock_sizes_->follow_first_layout();
+      });
   QAction* dark =
       add_action(view, tr("&Dark"), QKeySequence(tr("Ctrl+Shift+D")), tr("Light or dark colours"));
   dark->setCheckable(true);

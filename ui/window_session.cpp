@@ -134,6 +134,7 @@ void WindowSession::forget_file() {
   pending_.reset();
   file_.clear();
   saved_.clear();
+  start_.clear();
   emit file_changed();
 }
 
@@ -181,6 +182,9 @@ QByteArray WindowSession::essence() const {
 }
 
 bool WindowSession::changed() const {
+  if (file_.empty() && !start_.isEmpty() && essence() == start_) {
+    return false;
+  }
   if (file_.empty()) {
     return !model_.annotations().items().empty() || model_.runs().items().size() > 1 ||
            !(model_.reading() == ReadOptions());

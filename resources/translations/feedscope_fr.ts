@@ -1044,16 +1044,16 @@
         <translation>Lecture de l&apos;article</translation>
     </message>
     <message>
-        <source>corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper&apos;s figures; strict: constant du/dt on a blend, every limit kept.</source>
-        <translation>corrected&#xa0;: l&apos;accélération se poursuit après un raccord&#xa0;; published&#xa0;: elle est abandonnée à sa fin, comme dans les figures de l&apos;article&#xa0;; strict&#xa0;: du/dt constant sur un raccord, toutes les limites respectées.</translation>
+        <source>corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper&apos;s figures; strict: constant du/dt on a blend, where blends meet ramps of it, every limit kept.</source>
+        <translation>corrected&#xa0;: l&apos;accélération se poursuit après un raccord&#xa0;; published&#xa0;: elle est abandonnée à sa fin, comme dans les figures de l&apos;article&#xa0;; strict&#xa0;: du/dt constant sur un raccord, en rampe là où des raccords se touchent, toutes les limites respectées.</translation>
     </message>
     <message>
         <source>Circle-arc blends at constant speed</source>
         <translation>Raccords en arc de cercle à vitesse constante</translation>
     </message>
     <message>
-        <source>Corners between lines are blended by circle arcs within the contour tolerance and passed at constant speed, limits taken along tangent and normal instead of per axis; jerk-limited ramps on the lines, look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007.</source>
-        <translation>Les angles entre droites sont raccordés par des arcs de cercle dans la tolérance de contour et passés à vitesse constante, limites prises selon la tangente et la normale au lieu de chaque axe&#xa0;; rampes à jerk limité sur les droites, anticipation. Les arcs et les jonctions tangentes gardent les limites statiques de Tapie 2007.</translation>
+        <source>Corners between lines are blended by circle arcs within the contour tolerance and passed at constant speed, those that meet within ramps; limits taken along tangent and normal instead of per axis; jerk-limited ramps on the lines, look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007.</source>
+        <translation>Les angles entre droites sont raccordés par des arcs de cercle dans la tolérance de contour et passés à vitesse constante, avec des rampes là où ils se touchent&#xa0;; limites prises selon la tangente et la normale au lieu de chaque axe&#xa0;; rampes à jerk limité sur les droites, anticipation. Les arcs et les jonctions tangentes gardent les limites statiques de Tapie 2007.</translation>
     </message>
     <message>
         <source>Circular interpolation (Sinumerik 840D)</source>
@@ -2455,6 +2455,22 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>&amp;Default layout</source>
         <translation>&amp;Disposition par défaut</translation>
+    </message>
+    <message>
+        <source>Empty this list and leave the files as they are</source>
+        <translation>Vider cette liste sans toucher aux fichiers</translation>
+    </message>
+    <message>
+        <source>Take back the last change of runs and settings</source>
+        <translation>Annuler la dernière modification des simulations et des réglages</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Refaire la modification annulée</translation>
+    </message>
+    <message>
+        <source>All panels where and as large as they were at first</source>
+        <translation>Tous les panneaux à leur place et à leur taille de départ</translation>
     </message>
     <message>
         <source>&amp;Dark</source>

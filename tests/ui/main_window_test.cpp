@@ -360,7 +360,11 @@ TEST_F(MainWindowTest, NoTwoCommandsShareKeys) {
 
 TEST_F(MainWindowTest, EveryCommandSaysWhatItDoes) {
   for (const ListedAction& listed : window.commands()) {
-    EXPECT_TRUE(test::has_own_tip(*listed.action)) << listed.action->text().toStdString();
+    // A thing in a list that is switched on, as a panel or a run, is its name; what is off now may say why
+    // not.
+    EXPECT_TRUE(test::has_own_tip(*listed.action) || listed.action->isCheckable() ||
+                !listed.action->isEnabled())
+        << listed.action->text().toStdString();
   }
 }
 
@@ -433,6 +437,10 @@ TEST_F(MainWindowTest, ALessonSetsUpTheWindowAndLeadsToItsControl) {
     EXPECT_TRUE(scene_canvas()->rect().contains(point_in_scene(end))) << "the path of the lesson is in view";
   }
   EXPECT_EQ(window.scene().state().colouring, Colouring::feed);
+  EXPECT_FALSE(window.session().changed()) << "nobody is asked to save what the lesson has made";
+  model.runs().duplicate(0);
+  EXPECT_TRUE(window.session().changed());
+  model.runs().history().undo();
 
   QTest::mouseClick(lesson.values()[1], Qt::LeftButton);
   wait_until_idle();

@@ -98,9 +98,9 @@ constexpr const char* texts[] = {
     QT_TRANSLATE_NOOP("core", "Used share of the tolerance beta"),
     QT_TRANSLATE_NOOP("core", "Share of the contour tolerance that the control uses; 0 for the identified rule: 0.6 where an axis reverses in the corner, else 0.8."),
     QT_TRANSLATE_NOOP("core", "Reading of the paper"),
-    QT_TRANSLATE_NOOP("core", "corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper's figures; strict: constant du/dt on a blend, every limit kept."),
+    QT_TRANSLATE_NOOP("core", "corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper's figures; strict: constant du/dt on a blend, where blends meet ramps of it, every limit kept."),
     QT_TRANSLATE_NOOP("core", "Circle-arc blends at constant speed"),
-    QT_TRANSLATE_NOOP("core", "Corners between lines are blended by circle arcs within the contour tolerance and passed at constant speed, limits taken along tangent and normal instead of per axis; jerk-limited ramps on the lines, look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007."),
+    QT_TRANSLATE_NOOP("core", "Corners between lines are blended by circle arcs within the contour tolerance and passed at constant speed, those that meet within ramps; limits taken along tangent and normal instead of per axis; jerk-limited ramps on the lines, look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007."),
     QT_TRANSLATE_NOOP("core", "Circular interpolation (Sinumerik 840D)"),
     QT_TRANSLATE_NOOP("core", "One feed for every arc, from the curvilinear jerk of the control and from what the axes allow where it is reached; speed lost at every change of curvature; jerk-limited ramps in between. Corners are exact stops: the paper says that the control rounds them, but not how."),
     QT_TRANSLATE_NOOP("core", "Connecting arcs, static and dynamic look-ahead (Sinumerik 840D, TNC 430)"),
@@ -130,6 +130,7 @@ constexpr const char* texts[] = {
     QT_TRANSLATE_NOOP("core", "DRIVE of the program is run as SOFT: the speed above which it lowers the acceleration is in the control's machine data."),
     QT_TRANSLATE_NOOP("core", "Feed-forward that the program switches off is not followed: the axes are taken to follow without lag."),
     QT_TRANSLATE_NOOP("core", "Look-ahead that the program switches off is not followed."),
+    QT_TRANSLATE_NOOP("core", "Curves of the program run as arcs that touch each other: where the curvature jumps, a control that limits the jerk slows down, and the time shown is up to 2.4 times that on the curve itself."),
 };
 // clang-format on
 

@@ -116,6 +116,12 @@ void LessonDesk::take_lesson() {
     return;
   }
   open_ = taken;
+  program_.clear();
+  try {
+    program_ = set_up(open_->lesson, {}).program;
+  } catch (const std::exception& error) {
+    report(error);
+  }
   question_ = 0;
   view_pending_ = false;
   emit opened();
@@ -154,6 +160,7 @@ void LessonDesk::set_up_window() {
     runs.history().clear();
     view_pending_ = true;
     model_.hold_machine();
+    program_ = start.program;
     model_.open(start.program);
   } catch (const std::exception& error) {
     report(error);
@@ -179,6 +186,7 @@ void LessonDesk::move_control(const std::string& value) {
     const LessonSetup moved = set_up(open_->lesson, changes);
     model_.runs().set_setup(model_.runs().current(), state_of(moved), QString::fromStdString(changes.back()));
     model_.hold_machine();
+    program_ = moved.program;
     if (moved.program != model_.file()) {
       model_.open(moved.program);
     }
@@ -197,7 +205,8 @@ void LessonDesk::follow_run() {
 
 void LessonDesk::measure() {
   const auto shown = model_.shown();
-  if (open_ == nullptr || shown == nullptr) {
+  // Another program than the lesson's may be open: its number would stand under the lesson's question.
+  if (open_ == nullptr || shown == nullptr || model_.file() != program_) {
     measuring_.setFuture({});
     if (!value_.isEmpty()) {
       value_.clear();

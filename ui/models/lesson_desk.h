@@ -84,6 +84,7 @@ class LessonDesk : public QObject {
   Workbench& model_;
   std::vector<LessonEntry> entries_;
   std::shared_ptr<const OpenLesson> open_;
+  std::filesystem::path program_;  ///< that the numbers of the open lesson are of
   std::size_t question_ = 0;
   QString value_;
   bool view_pending_ = false;

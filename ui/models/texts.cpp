@@ -11,10 +11,15 @@ QString clock_text(double seconds) {
   if (seconds < minute) {
     return QCoreApplication::translate("texts", "%1 s").arg(QLocale().toString(seconds, 'f', 3));
   }
+  constexpr int hour = 60;  // [minutes]
   const int minutes = static_cast<int>(seconds / minute);
   const double rest = std::floor((seconds - minute * minutes) * 10) / 10;
-  const QString padding = rest < 10 ? QStringLiteral("0") : QString();
-  return QStringLiteral("%1:%2%3").arg(minutes).arg(padding, QLocale().toString(rest, 'f', 1));
+  const auto padded = [](const QString& text, double value) { return (value < 10 ? "0" : "") + text; };
+  const QString rest_text = padded(QLocale().toString(rest, 'f', 1), rest);
+  return minutes < hour ? QStringLiteral("%1:%2").arg(minutes).arg(rest_text)
+                        : QStringLiteral("%1:%2:%3")
+                              .arg(minutes / hour)
+                              .arg(padded(QString::number(minutes % hour), minutes % hour), rest_text);
 }
 
 }  // namespace feedscope::ui

@@ -160,8 +160,26 @@ void KeyList::show_keys(QList<ListedAction> actions) {
   actions.removeIf([](const ListedAction& listed) { return listed.action->shortcuts().isEmpty(); });
   actions_->set_actions(std::move(actions));
   fit_places(*list_, width());
+  if (!isVisible()) {
+    move(parentWidget()->frameGeometry().center() - rect().center());
+  }
   show();
   raise();
+  activateWindow();
+}
+
+/// The window has Esc for a command of its own, which would be called from here.
+bool KeyList::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride &&
+      static_cast<QKeyEvent*>(event)->matches(QKeySequence::Cancel)) {
+    event->accept();
+    return true;
+  }
+  return QWidget::event(event);
+}
+
+void KeyList::keyPressEvent(QKeyEvent* event) {
+  event->matches(QKeySequence::Cancel) ? static_cast<void>(close()) : QWidget::keyPressEvent(event);
 }
 
 }  // namespace feedscope::ui

@@ -35,13 +35,18 @@ class CommandPalette : public QFrame {
   QTableView* list_;
 };
 
-/// The commands that have keys, and what the mouse does, in a window of its own.
+/// The commands that have keys, and what the mouse does, in a window of its own; Esc closes it.
 class KeyList : public QWidget {
   Q_OBJECT
 
  public:
   explicit KeyList(QWidget* window);
+  /// Opens over the middle of the window.
   void show_keys(QList<ListedAction> actions);
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
 
  private:
   ActionTable* actions_;

@@ -104,6 +104,27 @@ TEST_F(LessonDeskTest, AQuestionMayNeedAnotherProgram) {
       << desk.value().toStdString();
 }
 
+/// Whatever program another lesson or the user has left in the window, no number of it is the lesson's.
+TEST_F(LessonDeskTest, ANumberIsOfTheLessonsOwnProgramOrNone) {
+  open("6");
+  desk.set_up_window();
+  wait_for("3000 mm/min");
+  open("10");
+  EXPECT_EQ(desk.value(), "") << "of " << model.file();
+  emit model.run_changed();
+  QTest::qWait(50);
+  EXPECT_EQ(desk.value(), "") << "of " << model.file();
+  desk.set_up_window();
+  wait_for("1.241 s");
+  const QTemporaryDir folder;
+  const std::filesystem::path own = folder.filePath("own.nc").toStdString();
+  std::ofstream(own) << "G21 G90 G94 F1000\nG1 X10\nG1 X10 Y10\nM30\n";
+  model.open(own);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !model.busy() && model.shown() != nullptr; }, patience));
+  QTest::qWait(50);
+  EXPECT_EQ(desk.value(), "") << "of " << model.file();
+}
+
 TEST_F(LessonDeskTest, QuestionsStayWithinTheLesson) {
   open("6");
   desk.choose_question(3);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
+#include <QAction>
 #include <QLineEdit>
 #include <QTableView>
 #include <QTest>
@@ -73,6 +74,26 @@ TEST(ActionTable, IsASoundItemModel) {
 
 TEST(ActionTable, AMenuTextLosesItsMnemonicAndDots) {
   EXPECT_EQ(plain_text("Save && &close …"), "Save & close");
+}
+
+TEST(KeyListTest, OpensOverTheWindowAndEscClosesIt) {
+  QWidget window;
+  window.setGeometry(300, 200, 900, 700);
+  window.show();
+  QAction cancel("Cancel");
+  cancel.setShortcut(Qt::Key_Escape);
+  bool cancelled = false;
+  QObject::connect(&cancel, &QAction::triggered, [&] { cancelled = true; });
+  window.addAction(&cancel);
+  KeyList list(&window);
+  list.show_keys({{"Run", &cancel}});
+  EXPECT_TRUE(window.geometry().contains(list.geometry().center()));
+  EXPECT_TRUE(window.geometry().adjusted(-50, -50, 50, 50).contains(list.geometry()));
+  auto* table = list.findChild<QTableView*>();
+  table->setFocus();
+  QTest::keyClick(table, Qt::Key_Escape);
+  EXPECT_FALSE(list.isVisible());
+  EXPECT_FALSE(cancelled) << "Esc was for the list";
 }
 
 }  // namespace
