@@ -141,7 +141,7 @@ TEST_F(ChartsCursors, EveryCommandHasATextAndATip) {
   EXPECT_GE(panel.panel_actions().size(), 15);
   for (const QAction* action : panel.panel_actions()) {
     EXPECT_FALSE(action->text().isEmpty());
-    EXPECT_TRUE(test::has_own_tip(*action)) << action->text().toStdString();
+    EXPECT_TRUE(feedscope::test::has_own_tip(*action)) << action->text().toStdString();
   }
 }
 
