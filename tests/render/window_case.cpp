@@ -3,6 +3,7 @@
 // PANEL is the name of a dock, film for a strip of playback, split or beside for two runs in the 3D view;
 // THEME light or dark. Leaves with 77 where PROGRAM is absent.
 #include <QAction>
+#include <QApplication>
 #include <QDockWidget>
 #include <array>
 #include <cstdio>
@@ -74,6 +75,13 @@ void use(const std::string& panel, ui::MainWindow& window, ui::Workbench& bench)
   }
 }
 
+/// Runs show results only once they have their own.
+void wait_for_runs(const ui::MainWindow& window, const ui::Workbench& bench) {
+  while (bench.busy() || window.busy()) {
+    QApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  }
+}
+
 /// The window with the cursor at a share of the cycle time.
 ui::Picture draw_at(const Run& run, const std::string& panel, ui::ThemeKind theme, ui::PictureSize size,
                     double share) {
@@ -88,6 +96,7 @@ ui::Picture draw_at(const Run& run, const std::string& panel, ui::ThemeKind them
     } else {
       raise(window, panel);
     }
+    wait_for_runs(window, bench);
     bench.cursor().set_time(share * bench.shown()->run.trajectory->duration());
     use(panel, window, bench);
   };

@@ -270,12 +270,11 @@ double PathLayers::crowding(const SceneFrame& frame, const Projection& view, dou
   return drawn * view.scale / frame.unit / std::max(area, 1.0);
 }
 
-/// Share of the path on the screen that the edges of the blends cover: however short a blend is, its edge is
-/// as long as it is wide. `millimetre`: pixels a mm.
+/// Share of the path on the screen that the ends of the blends' edges cover: however short a blend is, its
+/// edge is as long as it is wide. `millimetre`: pixels a mm.
 double PathLayers::covered_by_edges(double millimetre, double scale) const {
-  const double edges =
-      static_cast<double>(blend_count_) * blend_edge_width * scale + blend_length_ * millimetre;
-  return edges / std::max((cut_length_ + blend_length_) * millimetre, 1e-9);
+  const double ends = static_cast<double>(blend_count_) * blend_edge_width * scale;
+  return ends / std::max((cut_length_ + blend_length_) * millimetre, 1e-9);
 }
 
 PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
