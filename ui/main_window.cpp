@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/analysis/control_dialect.h"
+#include "core/analysis/run_notes.h"
 #include "core/analysis/unfollowed.h"
 #include "ui/dock_sizes.h"
 #include "ui/language/core_texts.h"
@@ -238,6 +239,11 @@ void MainWindow::open(const std::filesystem::path& file) {
 void MainWindow::show_run() {
   const auto shown = model_.shown();
   const bool any = shown != nullptr;
+  if (any) {
+    scene_->scene().set_programmed(shown->programmed != nullptr ? shown->programmed
+                                                                : model_.shown_program().samples);
+    scene_->scene().set_warning(picture_warning(shown->run).toStdString());
+  }
   scenes_->show_current();
   show_run_name();
   charts_->set_limits(model_.setup().setup().machine.axes);
@@ -272,8 +278,17 @@ void MainWindow::show_unfollowed() {
           tr("The program is written for %1; this machine has a %2, whose path and times are shown.")
               .arg(dialect, QString::fromStdString(mismatch->control)));
     }
+    const std::string offsets = unused_work_offsets(*shown->run.input.program, shown->run.setup.machine);
+    if (!offsets.empty()) {
+      sentences.append(tr("The program was read with other work offsets than those of this machine (%1); "
+                          "reload it to use them.")
+                           .arg(QString::fromStdString(offsets)));
+    }
     for (const std::string& sentence : unfollowed(shown->run.input, shown->run.setup)) {
       sentences.append(core_text(sentence));
+    }
+    if (const QString events = not_counted_text(shown->run.summary.not_counted); !events.isEmpty()) {
+      sentences.append(events + '.');
     }
   }
   setup_->show_unfollowed(sentences);

@@ -138,7 +138,8 @@ int simulate(const SimulateOptions& options) {
   Run run;
   {
     Watch watch;
-    const LoadedProgram program = load_program(asked.source, watch.stage("reading"), asked.reading);
+    const LoadedProgram program =
+        load_program(asked.source, watch.stage("reading"), reading_on(asked.reading, setup.machine));
     run = simulate_run(program, setup, watch.stage("simulating"));
     results.write(run, step, watch);
   }

@@ -16,7 +16,7 @@ SetupState state_of(const LessonSetup& lesson) {
   for (const std::string& key : assignable_keys(*lesson.setup.model)) {
     const bool axis = key.size() > 2 && key[1] == '.';
     state.set(key, axis ? SettingValue(axis_limit(lesson.setup.machine, key[0], key.substr(2)))
-                        : lesson.setup.settings.values().at(key));
+                        : lesson.setup.settings.value(key));
   }
   return state;
 }

@@ -15,8 +15,8 @@ constexpr std::size_t slow_places_kept = 10'000;
 constexpr double share_of_motion = 0.5;  // of all that a run takes
 
 /// What is shown of `run`, each part beside the others, its summary too if that is still to come. `share`: of
-/// `progress`.
-std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double share, bool wants_summary) {
+/// `progress`; `input`: the toolpath that was simulated, null: that of the run.
+std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double share, const Toolpath* input) {
   auto shown = std::make_shared<ShownRun>();
   shown->run = std::move(run);
   const std::shared_ptr<const Trajectory> trajectory = shown->run.trajectory;
@@ -27,8 +27,12 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
   tbb::parallel_invoke(
       [&] { shown->samples = std::make_shared<const SampledPath>(sample_executed(*trajectory)); },
       [&] {
-        if (wants_summary) {
+        const Toolpath& toolpath = *shown->run.input.toolpath;
+        if (input != nullptr) {
           add_summary(shown->run);
+        }
+        if (input != nullptr && input != &toolpath) {
+          shown->programmed = std::make_shared<const SampledPath>(sample_programmed(toolpath));
         }
       },
       [&] { shown->envelope = std::make_shared<const Envelope>(trajectory, &envelope); },
@@ -44,14 +48,15 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
 
 std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress) {
   Progress unwatched;
-  return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, false);
+  return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, nullptr);
 }
 
 std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup, Progress* progress) {
   Progress unwatched;
   Progress& whole = progress != nullptr ? *progress : unwatched;
   Progress motion(whole, share_of_motion);
-  return shown_of(simulate_motion(input, std::move(setup), &motion), whole, 1 - share_of_motion, true);
+  return shown_of(simulate_motion(input, std::move(setup), &motion), whole, 1 - share_of_motion,
+                  input.toolpath.get());
 }
 
 ShownProgram make_shown(LoadedProgram input) {

@@ -158,7 +158,7 @@ ColourScale scale_of(const SampledPath& path, Colouring colouring) {
 }
 
 std::vector<CauseShare> shares_of(const SampledPath& path) {
-  constexpr std::size_t kinds = static_cast<std::size_t>(CauseKind::dwell) + 1;
+  constexpr std::size_t kinds = cause_kind_count;
   std::array<double, kinds> time{};
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (path.kinds[i] != SpanKind::rapid) {
