@@ -10,10 +10,18 @@ namespace feedscope {
 namespace {
 
 void refuse_options(const ProgramOptions& options, const std::vector<GivenOption>& more) {
-  std::vector<GivenOption> given{
-      {"--dialect", !options.dialect.empty()},  {"--unit", !options.unit.empty()},
-      {"--skip-deleted", options.skip_deleted}, {"--tool", !options.radii.empty()},
-      {"--tools", !options.tool_table.empty()}, {"--offset", !options.offsets.empty()}};
+  const ProgramOptions usual;
+  std::vector<GivenOption> given{{"--dialect", !options.dialect.empty()},
+                                 {"--unit", !options.unit.empty()},
+                                 {"--skip-deleted", options.skip_deleted},
+                                 {"--tool", !options.radii.empty()},
+                                 {"--tools", !options.tool_table.empty()},
+                                 {"--tools-unit", options.table_unit != usual.table_unit},
+                                 {"--offset", !options.offsets.empty()},
+                                 {"--repeat-limit", options.repeat_limit != usual.repeat_limit},
+                                 {"--call-depth", options.call_depth != usual.call_depth},
+                                 {"--wear-only", options.wear_only},
+                                 {"--simulate-cut-off", options.simulate_cut_off}};
   given.insert(given.begin(), more.begin(), more.end());
   for (const auto& [option, is_given] : given) {
     if (is_given) {

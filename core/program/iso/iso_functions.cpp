@@ -170,10 +170,12 @@ void IsoReader::select_work_offset(int code, std::uint32_t column) {
                      coordinates_.work_offset(coordinates_.key_in_force()) != nullptr;
   if (path().has_moved() && state_.work_offset != 0 && state_.work_offset != key && !known) {
     report(Severity::warning, "work-offset", key, column, [&] {
+      std::string option = offset_name(key);
+      std::erase(option, ' ');
       return Text{fmt::format("{} follows {} on the way", offset_name(key), offset_name(state_.work_offset)),
                   fmt::format("offsets that are not given are assumed as zero, so parts of the path lie over "
-                              "each other; give them as a reading option, --offset {}=X,Y,Z",
-                              offset_name(key))};
+                              "each other; give them as an import option, --offset {}=X,Y,Z",
+                              option)};
     });
   }
   state_.work_offset = key;

@@ -259,7 +259,7 @@ void SinumerikReader::change_work_offset(int number, std::uint32_t column) {
     report(Severity::warning, "work-offset", number, column, [&] {
       return Text{fmt::format("G{} follows G{} on the way", number, before),
                   fmt::format("offsets that are not given are assumed as zero, so parts of the path lie over "
-                              "each other; give them as a reading option, --offset G{}=X,Y,Z",
+                              "each other; give them as an import option, --offset G{}=X,Y,Z",
                               number)};
     });
   }

@@ -106,7 +106,7 @@ INSTANTIATE_TEST_SUITE_P(
         Case{"G54 G0 X1\nG55 X1",
              "f:2:1: warning: G55 follows G54 on the way [work-offset] ("
              "offsets that are not given are assumed as zero, so parts of the path lie over each other; give "
-             "them as a reading option, --offset G55=X,Y,Z)"}));
+             "them as an import option, --offset G55=X,Y,Z)"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Feeds, IsoDiagnostics,

@@ -80,6 +80,9 @@ double weight_of(const SampledPath& path, std::size_t i, Weight weight) {
   if (weight == Weight::points || i == 0) {
     return weight == Weight::points ? 1 : 0;
   }
+  if (path.kinds[i - 1] == SpanKind::gap) {
+    return 0;
+  }
   return weight == Weight::time ? path.times[i] - path.times[i - 1]
                                 : static_cast<double>((path.positions[i] - path.positions[i - 1]).norm());
 }

@@ -125,8 +125,8 @@ INSTANTIATE_TEST_SUITE_P(
             "effect on the path)"},
         FaultCase{"G54 G0 X1\nG54.1 P3 X1",
                   "f:2:1: warning: G54.1 P3 follows G54 on the way [work-offset] (offsets that are not given "
-                  "are assumed as zero, so parts of the path lie over each other; give them as a reading "
-                  "option, --offset G54.1 P3=X,Y,Z)"},
+                  "are assumed as zero, so parts of the path lie over each other; give them as an import "
+                  "option, --offset G54.1P3=X,Y,Z)"},
         FaultCase{
             "G0 X1\nG10 L50\nG11",
             "f:2:1: warning: G10 L50 (setting of data) is not read [unread-g] (the path is shown without "

@@ -81,7 +81,7 @@ INSTANTIATE_TEST_SUITE_P(
              "part_zero_z_mm, ...); the path continues where every axis is programmed again)"},
         Case{"G54 G0 X1\nG505 X1",
              "f:2:1: warning: G505 follows G54 on the way [work-offset] (offsets that are not given are "
-             "assumed as zero, so parts of the path lie over each other; give them as a reading option, "
+             "assumed as zero, so parts of the path lie over each other; give them as an import option, "
              "--offset G505=X,Y,Z)"},
         Case{"G1 X1",
              "f:1:4: error: a feed move without a feed [feed-missing] (it runs as fast as the axes "
