@@ -19,6 +19,7 @@ namespace {
 Program read(std::string text, Dialect dialect) {
   ReadOptions options;
   options.dialect = dialect;
+  options.unit = LengthUnit::mm;
   return read_program(std::make_shared<const SourceText>("test.nc", std::move(text)), nullptr, options);
 }
 
