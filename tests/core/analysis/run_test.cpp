@@ -89,7 +89,7 @@ TEST(Run, StopsWhenCancelled) {
 
 TEST(Run, AMachinesWorkOffsetsAreReadOrTheRunSaysSo) {
   const auto source = std::make_shared<const SourceText>("two.nc", "G54 G1 X20 Y0 Z0 F3000\nG55 X20 Y0 Z0\n");
-  Setup setup = make_setup({});
+  auto setup = make_setup({});
   EXPECT_EQ(unused_work_offsets(*load_program(source).program, setup.machine), "");
   setup.machine.work_offsets.set("G55", Vec3(100, 0, 0));
   setup.machine.work_offsets.set("G59", Vec3(1, 0, 0));
