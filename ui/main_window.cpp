@@ -239,11 +239,13 @@ void MainWindow::open(const std::filesystem::path& file) {
 void MainWindow::show_run() {
   const auto shown = model_.shown();
   const bool any = shown != nullptr;
-  if (any) {
-    scene_->scene().set_programmed(shown->programmed != nullptr ? shown->programmed
-                                                                : model_.shown_program().samples);
-    scene_->scene().set_warning(picture_warning(shown->run).toStdString());
-  }
+  const auto program_text = model_.program();
+  scene_->scene().set_programmed(any && shown->programmed != nullptr ? shown->programmed
+                                                                     : model_.shown_program().samples);
+  scene_->scene().set_warning((any                       ? picture_warning(shown->run)
+                               : program_text != nullptr ? reading_faults_text(*program_text)
+                                                         : QString())
+                                  .toStdString());
   scenes_->show_current();
   show_run_name();
   charts_->set_limits(model_.setup().setup().machine.axes);
