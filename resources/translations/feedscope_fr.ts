@@ -1697,7 +1697,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Avance, accélération et jerk</translation>
     </message>
     <message>
-        <source>There is no run to export yet.</source>
+        <source>No run to export yet.</source>
         <translation>Il n&apos;y a pas encore de simulation à exporter.</translation>
     </message>
     <message>

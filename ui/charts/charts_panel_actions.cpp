@@ -174,7 +174,7 @@ void ChartsPanel::show_menu(const QPoint& global) {
 
 void ChartsPanel::ask_for_csv() {
   if (trajectory_ == nullptr) {
-    emit failed(tr("There is no run to export yet."));
+    emit failed(tr("No run to export yet."));
     return;
   }
   refresh();
@@ -217,7 +217,7 @@ void ChartsPanel::save_picture(const QString& file) {
 
 void ChartsPanel::save_csv(const QString& file, CsvRows rows, double step) {
   if (trajectory_ == nullptr) {
-    emit failed(tr("There is no run to export yet."));
+    emit failed(tr("No run to export yet."));
     return;
   }
   if (export_.isRunning()) {

@@ -137,7 +137,7 @@ void Canvas::text(const std::string& text, const Vec2& place, const TextStyle& s
 }
 
 Vec2 Canvas::text_size(const std::string& text, const TextStyle& style) {
-  // Each frame asks for the same few hundred, and each measures a text anew.
+  // Each frame asks for the same few hundred, and measuring a text is slow.
   using Key = std::tuple<std::string, int, bool>;
   constexpr std::size_t most_kept = 4096;
   thread_local std::map<Key, Vec2> known;
