@@ -39,9 +39,9 @@ struct PathLook {
 /// The lines of a run: rapids dashed, programmed path thin, executed path coloured, blends wide with an edge,
 /// other runs thin unless the colours compare with one, a range of time underlaid.
 ///
-/// Where lines would cover the picture, they are drawn thinner; where the edges of blends would cover the path,
-/// the edges are omitted. Zooming in brings both back.
-/// Paths of many points are drawn without what is smaller than a pixel, and coarser while the view moves.
+/// Where lines would cover the picture, they are drawn thinner; where the edges of blends would cover the
+/// path, the edges are omitted. Zooming in brings both back. Paths of many points are drawn without what is
+/// smaller than a pixel, and coarser while the view moves.
 class PathLayers {
  public:
   explicit PathLayers(vtkRenderer& renderer) : renderer_(renderer) {}
