@@ -2,7 +2,6 @@
 
 #include <memory>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "app/run_options.h"
@@ -21,9 +20,6 @@ struct AskedProgram {
   /// As it is read.
   Dialect dialect() const { return reading.dialect.value_or(recognise(*source)); }
 };
-
-/// An option and whether it was given.
-using GivenOption = std::pair<const char*, bool>;
 
 /// Opens `options.file`; `more`: the options of the command that a session has of its own, besides those that
 /// say how a program is read. Says on standard error what of a session is not known, and whether its program

@@ -87,10 +87,14 @@ std::string explain(const CLI::App& app, const CLI::ParseError& error) {
     if (!file.empty() && !extra.empty()) {
       return fmt::format("unexpected argument '{}'", extra.front());
     }
-    return extra.empty() ? fmt::format("no command given; commands: {}", fmt::join(command_names(app), ", "))
-                         : unknown("command", extra.front(), command_names(app));
+    if (!extra.empty()) {
+      return unknown("command", extra.front(), command_names(app));
+    }
+    if (dynamic_cast<const CLI::RequiredError*>(&error) != nullptr) {
+      return fmt::format("no command given; commands: {}", fmt::join(command_names(app), ", "));
+    }
   }
-  const std::string lacking = option_without_value(*chosen.front(), error);
+  const std::string lacking = option_without_value(chosen.empty() ? app : *chosen.front(), error);
   return !lacking.empty() ? lacking
          : extra.empty()  ? error.what()
                           : fmt::format("unexpected argument '{}'", extra.front());
@@ -103,6 +107,17 @@ void refuse_empty_values(const CLI::App& command) {
         option->count() > 0 ? option->results() : std::vector<std::string>();
     if (std::ranges::find(values, "") != values.end()) {
       throw InputError(fmt::format("{} is empty; give a value or leave it out", option->get_name()));
+    }
+  }
+}
+
+/// Options of the window in front of a command would have no effect on it.
+void refuse_options_before_command(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    if (option->count() > 0 && !app.get_subcommands().empty()) {
+      throw InputError(
+          fmt::format("{0} is before '{1}', and belongs to the window there; write feedscope {1} ... {0}",
+                      option->get_name(), app.get_subcommands().front()->get_name()));
     }
   }
 }
@@ -151,6 +166,7 @@ int run_checked(int argc, char** argv) {
   if (app.get_subcommands().empty() && is_no_file(lone_file(app))) {
     throw InputError(unknown("command", lone_file(app), command_names(app)));
   }
+  refuse_options_before_command(app);
   refuse_empty_values(app);
   for (const CLI::App* command : app.get_subcommands()) {
     refuse_empty_values(*command);

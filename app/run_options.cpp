@@ -65,6 +65,27 @@ void move_tolerance(RunOptions& options) {
   options.tolerance = tolerances.empty() ? "" : tolerances.front();
 }
 
+std::vector<GivenOption> given_of(const ProgramOptions& options) {
+  const ProgramOptions usual;
+  return {{"--dialect", !options.dialect.empty()},
+          {"--unit", !options.unit.empty()},
+          {"--skip-deleted", options.skip_deleted},
+          {"--repeat-limit", options.repeat_limit != usual.repeat_limit},
+          {"--call-depth", options.call_depth != usual.call_depth},
+          {"--tool", !options.radii.empty()},
+          {"--tools", !options.tool_table.empty()},
+          {"--tools-unit", options.table_unit != usual.table_unit},
+          {"--wear-only", options.wear_only},
+          {"--simulate-cut-off", options.simulate_cut_off}};
+}
+
+std::vector<GivenOption> given_of_run(const RunOptions& options) {
+  return {{"--machine", !options.machine.empty()},
+          {"--model", !options.model.empty()},
+          {"--tolerance", !options.tolerance.empty()},
+          {"--set", !options.set.empty()}};
+}
+
 Dialect dialect_of(const ProgramOptions& options, const SourceText& source) {
   return options.dialect.empty() ? recognise(source) : dialect_of_id(options.dialect);
 }
@@ -114,13 +135,14 @@ std::string machine_help() {
                      default_machine_of(Dialect::heidenhain));
 }
 
-void add_program_options(CLI::App& command, ProgramOptions& values) {
+CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values) {
   std::vector<std::string_view> dialects;
   for (const DialectInfo& info : all_dialects()) {
     dialects.push_back(info.id);
   }
-  command.add_option("FILE", values.file, "NC program, or a session (.feedscope); - for standard input")
-      ->required();
+  CLI::Option* file =
+      command.add_option("FILE", values.file, "NC program, or a session (.feedscope); - for standard input")
+          ->required();
   command
       .add_option("--dialect", values.dialect,
                   fmt::format("Language of the program: {} [recognised]", fmt::join(dialects, ", ")))
@@ -166,10 +188,11 @@ void add_program_options(CLI::App& command, ProgramOptions& values) {
                    "The path is already compensated: cutters have radius 0 unless --tool gives one");
   command.add_flag("--simulate-cut-off", values.simulate_cut_off,
                    "Simulate a program even if its loops or cycles were cut off at --repeat-limit");
+  return file;
 }
 
-void add_run_options(CLI::App& command, RunOptions& values) {
-  add_program_options(command, values);
+CLI::Option* add_run_options(CLI::App& command, RunOptions& values) {
+  CLI::Option* file = add_program_options(command, values);
   command.add_option("--machine", values.machine, machine_help())->type_name("ID|FILE");
   command.add_option("--model", values.model, "Control model [the machine's own]")->type_name("ID");
   command
@@ -177,6 +200,7 @@ void add_run_options(CLI::App& command, RunOptions& values) {
                   "Contour tolerance in mm, instead of the program's own [or else the machine's]")
       ->type_name("MM");
   add_set_option(command, values.set);
+  return file;
 }
 
 void add_set_option(CLI::App& command, std::vector<std::string>& assignments) {

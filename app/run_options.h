@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "core/analysis/run.h"
@@ -39,6 +40,14 @@ struct RunOptions : ProgramOptions {
   SetupRequest request(Dialect program_dialect) const;
 };
 
+/// An option and whether it was given.
+using GivenOption = std::pair<const char*, bool>;
+
+/// The options of ProgramOptions beside FILE.
+std::vector<GivenOption> given_of(const ProgramOptions& options);
+/// Those that RunOptions add.
+std::vector<GivenOption> given_of_run(const RunOptions& options);
+
 /// The dialect that is asked for, or else recognised.
 Dialect dialect_of(const ProgramOptions& options, const SourceText& source);
 
@@ -56,10 +65,10 @@ void move_tolerance(RunOptions& options);
 
 /// What --machine says of itself.
 std::string machine_help();
-/// Adds them to a command; `values` must live as long as the command.
-void add_run_options(CLI::App& command, RunOptions& values);
+/// Adds them to a command, and returns FILE, which is required; `values` must live as long as the command.
+CLI::Option* add_run_options(CLI::App& command, RunOptions& values);
 /// Adds those of the program alone.
-void add_program_options(CLI::App& command, ProgramOptions& values);
+CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values);
 /// Adds --set alone.
 void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 

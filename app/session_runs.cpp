@@ -10,11 +10,7 @@ namespace feedscope {
 namespace {
 
 void refuse_options(const ProgramOptions& options, const std::vector<GivenOption>& more) {
-  std::vector<GivenOption> given{{"--dialect", !options.dialect.empty()},
-                                 {"--unit", !options.unit.empty()},
-                                 {"--skip-deleted", options.skip_deleted},
-                                 {"--tool", !options.radii.empty()},
-                                 {"--tools", !options.tool_table.empty()}};
+  std::vector<GivenOption> given = given_of(options);
   given.insert(given.begin(), more.begin(), more.end());
   for (const auto& [option, is_given] : given) {
     if (is_given) {

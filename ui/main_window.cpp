@@ -323,7 +323,7 @@ void MainWindow::show_lesson(const LessonWindow& look) {
   } else {
     charts_->range().fit();
   }
-  session_->begin_lesson();
+  session_->begin_here();
 }
 
 void MainWindow::show_times(double from, double to) {

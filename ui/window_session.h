@@ -36,8 +36,8 @@ class WindowSession : public QObject {
   bool save(bool as_new = false);
   /// True if runs or annotations differ from what was saved, or from the program as it was opened.
   bool changed() const;
-  /// What the window holds now is how a lesson begins: nothing of the user's.
-  void begin_lesson() { start_ = essence(); }
+  /// What the window holds now is how a lesson or a command line begins: nothing of the user's.
+  void begin_here() { start_ = essence(); }
   /// Asks whether to save what has changed. False: the user does not want to go on.
   bool may_go();
   const std::filesystem::path& file() const { return file_; }
@@ -66,7 +66,7 @@ class WindowSession : public QObject {
   std::filesystem::path file_;
   std::optional<Session> pending_;  ///< shown, but for what needs its simulated run
   QByteArray saved_;                ///< essence() then; empty: of the program as it was opened
-  QByteArray start_;                ///< of a lesson, as saved_
+  QByteArray start_;                ///< what begin_here() found, as saved_
   mutable std::shared_ptr<const Program> hashed_;
   mutable QByteArray hash_;
   std::optional<Autosave> autosave_;

@@ -124,10 +124,7 @@ Setup setup_of(const SimulateOptions& options, const AskedProgram& asked) {
 }
 
 int simulate(const SimulateOptions& options) {
-  const AskedProgram asked = asked_program(options.run, {{"--machine", !options.run.machine.empty()},
-                                                         {"--model", !options.run.model.empty()},
-                                                         {"--tolerance", !options.run.tolerance.empty()},
-                                                         {"--set", !options.run.set.empty()}});
+  const AskedProgram asked = asked_program(options.run, given_of_run(options.run));
   const Setup setup = setup_of(options, asked);
   note_unused_tolerance(options.run, setup);
   const double step = parse_step(options.step).value_or(default_step(setup));

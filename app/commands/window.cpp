@@ -9,8 +9,8 @@
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
+#include "app/window_start.h"
 #include "core/base/error.h"
-#include "core/lessons/lesson.h"
 #include "ui/language/language.h"
 #include "ui/main_window.h"
 #include "ui/models/recent_files.h"
@@ -46,8 +46,8 @@ QSize room_on(const QScreen& screen) {
   return screen.availableSize() - frame;
 }
 
-int show_window(const std::string& file, const std::string& lesson_id) {
-  const std::filesystem::path lesson = lesson_id.empty() ? "" : find_lesson(lesson_id);
+int show_window(const RunOptions& options, const std::string& lesson) {
+  const WindowStart start(options, lesson);
   check_display();
   qInstallMessageHandler(leave_on_fatal);
   int count = 1;
@@ -75,13 +75,7 @@ int show_window(const std::string& file, const std::string& lesson_id) {
   ui::restore_panel_states(window);
   window.show();
   window.session().begin_keeping();
-  if (!file.empty()) {
-    window.open(file);
-  } else if (!lesson.empty()) {
-    window.open_lesson(lesson);
-  } else {
-    window.session().offer_left_behind();
-  }
+  start.show(window, model);
   const int code = QApplication::exec();
   settings.setValue("geometry", window.saveGeometry());
   settings.setValue("layout", window.saveState());
@@ -92,15 +86,20 @@ int show_window(const std::string& file, const std::string& lesson_id) {
 }  // namespace
 
 Command add_window_command(CLI::App& app) {
-  const auto file = std::make_shared<std::string>();
+  const auto options = std::make_shared<RunOptions>();
   const auto lesson = std::make_shared<std::string>();
   CLI::Option* program =
-      app.add_option("FILE", *file, "Without a command: open the window, with this NC program or session")
+      add_run_options(app, *options)
+          ->required(false)
+          ->description("Without a command: open the window, with this NC program or session")
           ->type_name("");
   app.add_option("--lesson", *lesson, "Open the window with a lesson, as 'feedscope lessons' lists them")
       ->type_name("ID|FILE")
       ->excludes(program);
-  return {&app, [file, lesson] { return show_window(*file, *lesson); }};
+  return {&app, [options, lesson] {
+            move_tolerance(*options);
+            return show_window(*options, *lesson);
+          }};
 }
 
 }  // namespace feedscope

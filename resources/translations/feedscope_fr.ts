@@ -3105,6 +3105,14 @@ Ensemble : %3</translation>
         <source>The run “%1” has failed: %2</source>
         <translation>La simulation « %1 » a échoué : %2</translation>
     </message>
+    <message>
+        <source>No program is shown. %1</source>
+        <translation>Aucun programme n’est affiché. %1</translation>
+    </message>
+    <message>
+        <source>Nothing in %1 moves an axis. Check that it is an NC program; it was read as %2, and File › Reading options chooses another language. The panel Messages lists what was found in it.</source>
+        <translation>Rien dans %1 ne déplace un axe. Vérifiez qu’il s’agit d’un programme CN ; il a été lu comme %2, et Fichier › Options de lecture permet de choisir un autre langage. Le panneau Messages dit ce qu’on y a trouvé.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::RunTable</name>

@@ -278,7 +278,7 @@ TEST_F(CommandLine, FailsWhereItsTextCannotBeWritten) {
   std::vector<std::string> all{"--help", "--version"};
   std::string line;
   std::getline(lines, line);
-  while (std::getline(lines, line)) {
+  while (std::getline(lines, line) && !line.empty()) {
     const std::string command =
         line.substr(0, line.find(' ', 2)).substr(std::min<std::size_t>(2, line.size()));
     if (!command.empty()) {
@@ -370,6 +370,17 @@ TEST_F(CommandLine, WithoutADisplayTheWindowTellsHowToGetAPicture) {
     EXPECT_EQ(result.code, 2) << place;
     EXPECT_THAT(result.err, HasSubstr("feedscope render FILE --view window")) << place;
   }
+}
+
+TEST_F(CommandLine, TellsWhatIsWrongWithOptionsOfTheWindow) {
+  expect_wrong_use("--machine huron-kx10 simulate corner.nc", "--machine is before 'simulate'");
+  expect_wrong_use("corner.nc --machine huron", "did you mean 'huron-kx10'?");
+  expect_wrong_use("corner.nc --machine", "--machine has no value; write --machine ID|FILE");
+  expect_wrong_use("corner.nc --unit cm", "--unit");
+  expect_wrong_use("corner.nc --lesson 3", "FILE excludes --lesson");
+  expect_wrong_use("corner.nc --tolerance 0.1 --set tolerance=0.2", "leave one out");
+  expect_wrong_use("--unit inch", "give the NC program too");
+  EXPECT_THAT(run("corner.nc --machine huron-kx10 --unit inch", no_display).err, HasSubstr("display"));
 }
 
 TEST_F(CommandLine, NamesAWordThatIsNeitherCommandNorFile) {

@@ -12,13 +12,7 @@ namespace {
 
 /// The machine's file with what the lesson changes.
 SetupState state_of(const LessonSetup& lesson) {
-  SetupState state(lesson.file);
-  for (const std::string& key : assignable_keys(*lesson.setup.model)) {
-    const bool axis = key.size() > 2 && key[1] == '.';
-    state.set(key, axis ? SettingValue(axis_limit(lesson.setup.machine, key[0], key.substr(2)))
-                        : lesson.setup.settings.values().at(key));
-  }
-  return state;
+  return SetupState::between(lesson.file, lesson.setup);
 }
 
 QString measured_text(const Measure& measure, const Run& run) {
@@ -143,25 +137,13 @@ void LessonDesk::set_up_window() {
   }
   try {
     const LessonSetup start = set_up(open_->lesson, {});
-    RunList& runs = model_.runs();
-    RunItem first = runs.current_item();
-    first.name.clear();
-    first.visible = true;
-    first.setup = state_of(start);
-    std::vector<SetupState> others;
+    std::vector<RunItem> runs{{0, {}, model_.runs().current_item().colour, true, state_of(start)}};
     for (const Changes& changes : open_->lesson.window.runs) {
-      others.push_back(state_of(set_up(open_->lesson, changes)));
+      runs.push_back({0, {}, run_colour(runs.size()), true, state_of(set_up(open_->lesson, changes))});
     }
-    runs.replace({std::move(first)}, 0);
-    for (const SetupState& other : others) {
-      runs.duplicate_as(runs.current(), other);
-    }
-    runs.select(0);
-    runs.history().clear();
     view_pending_ = true;
-    model_.hold_machine();
     program_ = start.program;
-    model_.open(start.program);
+    model_.open(start.program, std::move(runs), 0);
   } catch (const std::exception& error) {
     report(error);
   }
@@ -184,11 +166,15 @@ void LessonDesk::move_control(const std::string& value) {
   changes.push_back(question.control.key + "=" + value);
   try {
     const LessonSetup moved = set_up(open_->lesson, changes);
-    model_.runs().set_setup(model_.runs().current(), state_of(moved), QString::fromStdString(changes.back()));
-    model_.hold_machine();
     program_ = moved.program;
-    if (moved.program != model_.file()) {
-      model_.open(moved.program);
+    RunList& runs = model_.runs();
+    if (moved.program == model_.file()) {
+      runs.set_setup(runs.current(), state_of(moved), QString::fromStdString(changes.back()));
+      model_.hold_machine();
+    } else {
+      std::vector<RunItem> all = runs.items();
+      all[runs.current()].setup = state_of(moved);
+      model_.open(moved.program, std::move(all), runs.current());
     }
   } catch (const std::exception& error) {
     report(error);

@@ -14,6 +14,15 @@ bool is_axis_key(const std::string& key) {
 
 }  // namespace
 
+SetupState SetupState::between(Setup file, const Setup& asked) {
+  SetupState state(std::move(file));
+  for (const std::string& key : assignable_keys(*asked.model)) {
+    state.set(key, is_axis_key(key) ? SettingValue(axis_limit(asked.machine, key[0], key.substr(2)))
+                                    : asked.settings.values().at(key));
+  }
+  return state;
+}
+
 Setup SetupState::setup() const {
   Setup setup = file_;
   for (const auto& [key, value] : edits_) {

@@ -13,6 +13,8 @@ namespace feedscope::ui {
 class SetupState {
  public:
   explicit SetupState(Setup file) : file_(std::move(file)) {}
+  /// `file` with what differs in `asked` as edits. Both have the same model.
+  static SetupState between(Setup file, const Setup& asked);
 
   const Setup& file() const { return file_; }
   /// With all edits.
@@ -33,6 +35,8 @@ class SetupState {
   /// Another model on the same machine: edits that it reads stay.
   void set_model(const ControlModel& model);
   void reset() { edits_.clear(); }
+  /// The file's own value again.
+  void reset(const std::string& key) { edits_.erase(key); }
   /// The machine with all edits, its control settings among them, and the model as its own.
   Machine machine() const;
 

@@ -73,6 +73,9 @@ void Workbench::show(const Run& run) {
 
 void Workbench::open(const std::filesystem::path& file) {
   if (file != file_) {
+    if (!file_.empty()) {
+      begin_runs_again();
+    }
     annotations_.replace({});
     reading_ = {};
   }
@@ -95,6 +98,16 @@ void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> run
   annotations_.replace({});
   runs_.replace(std::move(runs), current);
   open(file);
+}
+
+/// The runs were set up for the program before: one stays, on the machine that was in use, and follows the
+/// tolerances of the program that comes.
+void Workbench::begin_runs_again() {
+  SetupState setup = runs_.current_item().setup;
+  for (const char* key : {contour_tolerance_key, program_tolerance_key}) {
+    setup.reset(key);
+  }
+  runs_.replace({{0, {}, run_colour(0), true, std::move(setup)}}, 0);
 }
 
 void Workbench::read_file() {

@@ -34,8 +34,9 @@ class Workbench : public QObject {
 
   /// Shows a run that is done, with its program and setup, as the only one.
   void show(const Run& run);
-  /// Reads a program and simulates every run of it. Another one than before is read as usual. Until someone
-  /// has chosen a machine it runs on that of its dialect: default_machine_of().
+  /// Reads a program and simulates every run of it. Another one than before is read as usual and begins with
+  /// one run: machine, model and values of the current one, without a name and a tolerance set for the
+  /// program before. Until someone has chosen a machine it runs on that of its dialect: default_machine_of().
   void open(const std::filesystem::path& file);
   /// The same with other runs, at least one; their history goes.
   void open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
@@ -91,6 +92,7 @@ class Workbench : public QObject {
   void noticed(const QString& message);
 
  private:
+  void begin_runs_again();
   void read_file();
   Setup plain_setup(const std::string& id_or_file) const;
   void use_default_machine();

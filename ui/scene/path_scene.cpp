@@ -29,14 +29,14 @@ constexpr int layer_count = 3;
 
 }  // namespace
 
-/// Three layers of one window: behind, the frame's grid and labels; then the path; in front the tool, and on
-/// top legend, panel and pointers.
+/// Three layers of one window: behind, the frame's grid and labels and what underlays the path; then the
+/// path; in front the tool, and on top legend, panel and pointers.
 class PathScene::Impl {
  public:
   Impl()
       : under(*behind),
         over(*front),
-        layers(*middle),
+        layers(*middle, *behind),
         tool_drawn(*front),
         camera(*middle->GetActiveCamera()) {
     int layer = 0;
@@ -45,6 +45,7 @@ class PathScene::Impl {
       renderer->InteractiveOff();
     }
     front->SetActiveCamera(middle->GetActiveCamera());
+    behind->SetActiveCamera(middle->GetActiveCamera());
     call_before(*behind, this,
                 [](vtkObject*, unsigned long, void* self, void*) { static_cast<Impl*>(self)->prepare(); });
     call_before(*front, this, [](vtkObject*, unsigned long, void* self, void*) {

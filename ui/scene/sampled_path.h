@@ -93,8 +93,9 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points =
 /// The executed path: arcs every 3 degrees, blends in 24 spans, and wherever the feed changes by some 1/24 of
 /// its peak. Linear in the pieces. Safe to call off the GUI thread. `also_at`: times at which there are
 /// points too where the spacing allows, rising [s].
+/// Throws Cancelled when stopped.
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points,
-                            std::span<const double> also_at = {});
+                            std::span<const double> also_at = {}, Progress* progress = nullptr);
 
 /// The executed path of a run with what it does unlike a reference run of the same program. It has points
 /// where the reference changes its feed, too, unless both have so many that they are close enough. Linear;

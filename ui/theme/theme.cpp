@@ -85,6 +85,11 @@ class ThemeStyle : public QProxyStyle {
  public:
   ThemeStyle() : QProxyStyle(QStringLiteral("Fusion")) {}
 
+  /// Fusion draws a disabled text twice, once in white: on the dark theme it would be the brightest there is.
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* result) const override {
+    return hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, result);
+  }
   QIcon standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const override {
     switch (icon) {
       case SP_DockWidgetCloseButton:

@@ -23,6 +23,7 @@ RunNotice::RunNotice(Workbench& model, QWidget* parent)
   layout->addWidget(again_);
   connect(again_, &QToolButton::clicked, this, [this] { model_.simulate_again(model_.runs().current()); });
   RunList& runs = model_.runs();
+  connect(&model_, &Workbench::program_changed, this, &RunNotice::follow);
   connect(&runs, &RunList::current_changed, this, &RunNotice::follow);
   connect(&runs, &RunList::list_changed, this, &RunNotice::follow);
   for (const auto signal : {&RunList::status_changed, &RunList::result_changed, &RunList::item_changed}) {
@@ -32,20 +33,35 @@ RunNotice::RunNotice(Workbench& model, QWidget* parent)
 }
 
 void RunNotice::follow() {
+  const RunStatus status = model_.runs().status(model_.runs().current());
+  const QString why = reason();
+  text_->setText(why);
+  again_->setVisible(status == RunStatus::cancelled || status == RunStatus::failed);
+  setVisible(!why.isEmpty());
+}
+
+QString RunNotice::reason() const {
   const RunList& runs = model_.runs();
   const QString name = runs.title(runs.current_item());
+  const auto program = model_.program();
   switch (runs.status(runs.current())) {
     case RunStatus::cancelled:
-      text_->setText(tr("The run “%1” was cancelled: there is nothing to show of it.").arg(name));
-      show();
-      break;
+      return tr("The run “%1” was cancelled: there is nothing to show of it.").arg(name);
     case RunStatus::failed:
-      text_->setText(tr("The run “%1” has failed: %2").arg(name, runs.failure(runs.current())));
-      show();
-      break;
+      return program == nullptr ? tr("No program is shown. %1").arg(runs.failure(runs.current()))
+                                : tr("The run “%1” has failed: %2").arg(name, runs.failure(runs.current()));
     default:
-      hide();
+      break;
   }
+  if (program == nullptr || !model_.shown_program().input.toolpath->segments.empty()) {
+    return {};
+  }
+  const QString file = QString::fromStdU16String(model_.file().filename().u16string());
+  const QString dialect = QString::fromUtf8(info_of(program->dialect).title.data());
+  return tr("Nothing in %1 moves an axis. Check that it is an NC program; it was read as %2, and File › "
+            "Reading "
+            "options chooses another language. The panel Messages lists what was found in it.")
+      .arg(file, dialect);
 }
 
 QString RunNotice::text() const {

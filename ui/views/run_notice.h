@@ -9,8 +9,8 @@ class QToolButton;
 
 namespace feedscope::ui {
 
-/// Says that the current run was cancelled or has failed, so that nothing is shown of it, and offers to
-/// simulate it again. Hidden for every other run.
+/// Says why nothing is shown: the current run was cancelled or has failed, and can be simulated again; the
+/// program could not be read, or nothing in it moves. Hidden where there is something to see.
 class RunNotice : public QFrame {
   Q_OBJECT
 
@@ -23,6 +23,7 @@ class RunNotice : public QFrame {
 
  private:
   void follow();
+  QString reason() const;
 
   Workbench& model_;
   QLabel* text_;

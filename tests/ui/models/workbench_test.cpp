@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "tests/ui/run_fixture.h"
+#include "ui/models/simulate_shown.h"
 
 namespace feedscope::ui {
 namespace {
@@ -84,6 +85,20 @@ TEST_F(WorkbenchTest, AnEditSimulatesAnewAndUndoBringsTheTimeBack) {
   model.setup().history().undo();
   wait_until_idle(model);
   EXPECT_EQ(model.shown()->run.trajectory->duration(), before);
+}
+
+/// Each stage reports what it takes: one that says nothing would leave the bar near its end meanwhile.
+TEST_F(WorkbenchTest, EveryStageOfARunAdvancesItsProgress) {
+  const LoadedProgram input = load_program(std::make_shared<const SourceText>("part.nc", long_program()));
+  Progress sampling;
+  const feedscope::Run run = simulate_run(input, make_setup({}));
+  sample_executed(*run.trajectory, default_max_points, {}, &sampling);
+  EXPECT_NEAR(sampling.fraction(), 1, 1e-9);
+  Progress whole;
+  simulate_shown(input, make_setup({}), &whole);
+  EXPECT_NEAR(whole.fraction(), 1, 1e-9) << "shares of the stages do not add up";
+  sampling.cancel();
+  EXPECT_THROW(sample_executed(*run.trajectory, default_max_points, {}, &sampling), Cancelled);
 }
 
 TEST_F(WorkbenchTest, TheLatestEditWins) {
@@ -230,6 +245,38 @@ TEST_F(WorkbenchTest, AToleranceReplacesTheProgramsOwn) {
   EXPECT_FALSE(model.set_tolerance(-1));
   model.setup().history().undo();
   EXPECT_EQ(std::get<std::string>(model.setup().state().value("program_tolerance")), "on");
+}
+
+/// Runs were compared on the program before; what was set up on the machine is still its own.
+TEST_F(WorkbenchTest, AnotherProgramBeginsWithOneRunAndFollowsItsOwnTolerance) {
+  const auto first = write("part.nc", test::small_program);
+  model.open(first);
+  wait_until_idle(model);
+  model.setup().set("X.jerk", 12.0);
+  ASSERT_TRUE(model.set_tolerance(0.01));
+  model.runs().duplicate(0);
+  model.runs().rename(1, "fine");
+  ASSERT_TRUE(model.set_tolerance(0.005));
+  wait_until_idle(model);
+  model.reload();
+  wait_until_idle(model);
+  ASSERT_EQ(model.runs().items().size(), 2U) << "the same program again";
+  model.open(write("other.nc", "G64 P0.2\n" + test::small_program));
+  wait_until_idle(model);
+  ASSERT_EQ(model.runs().items().size(), 1U);
+  EXPECT_EQ(model.runs().current_item().name, QString());
+  EXPECT_EQ(model.setup().state().edits(), (std::map<std::string, SettingValue>{{"X.jerk", 12.0}}));
+  EXPECT_EQ(model.runs().tolerance(model.runs().current_item())->max, 0.2);
+  ASSERT_NE(model.shown(), nullptr);
+  EXPECT_FALSE(model.setup().history().canUndo()) << "undo would bring runs of another program back";
+}
+
+/// What was typed before any program was open is meant for the first.
+TEST_F(WorkbenchTest, TheFirstProgramRunsAsItWasSetUpBefore) {
+  ASSERT_TRUE(model.set_tolerance(0.02));
+  model.open(write("part.nc", "G64 P0.2\n" + test::small_program));
+  wait_until_idle(model);
+  EXPECT_EQ(model.runs().tolerance(model.runs().current_item())->max, 0.02);
 }
 
 /// As --tolerance, a sweep and a lesson set it.

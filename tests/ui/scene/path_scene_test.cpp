@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkNew.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <cmath>
 #include <set>
@@ -318,6 +320,50 @@ TEST_F(PathSceneTest, TellsOfEveryChange) {
   expect_change("highlight");
   scene_.set_executed(nullptr);
   expect_change("taken away");
+}
+
+/// Of the last frame.
+std::vector<unsigned char> pixels_of(vtkGenericOpenGLRenderWindow& window, int width, int height) {
+  window.Render();
+  const vtkNew<vtkUnsignedCharArray> pixels;
+  window.GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, pixels);
+  return {pixels->GetPointer(0), pixels->GetPointer(0) + pixels->GetNumberOfValues()};
+}
+
+/// It is wider than the path and follows it in depth: of passes one behind another it would cover now this
+/// one, now that.
+TEST_F(PathSceneTest, AMarkedRangeNeverCoversThePath) {
+  std::string passes = "G21 G90 G94 F3000\n";
+  for (int i = 0; i < 12; ++i) {  // seen from the corner they lie close above each other and far behind
+    passes += "G1 Y" + std::to_string(5 * i) + " Z" + std::to_string(-2 * i) + "\nX" +
+              std::to_string(i % 2 == 0 ? 60 : 0) + "\n";
+  }
+  const auto run = simulate_text(passes);
+  show(run, StandardView::iso);
+  scene_.set_colouring(Colouring::run);
+  scene_.set_run_colour({0, 0.8, 0});
+  const auto is_path = [](const unsigned char* pixel) {
+    return pixel[1] > 150 && pixel[0] < 100 && pixel[2] < 100;
+  };
+  std::size_t covered = 0;
+  std::size_t underlaid = 0;
+  std::size_t path = 0;
+  for (int view = 0; view < 12; ++view) {
+    scene_.orbit({3.0, 1.0});
+    scene_.set_highlight(std::nullopt);
+    const auto without = pixels_of(*window_, width, height);
+    scene_.set_highlight(std::array{0.0, run.trajectory->duration()});
+    const auto with = pixels_of(*window_, width, height);
+    for (std::size_t i = 0; i < without.size(); i += 4) {
+      const bool was = is_path(&without[i]);
+      path += was ? 1 : 0;
+      covered += was && !is_path(&with[i]) ? 1 : 0;
+      underlaid += !was && !std::equal(&without[i], &without[i] + 3, &with[i]) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(path, 10000U);
+  EXPECT_GT(underlaid, path / 4) << "it is to be seen";
+  EXPECT_LT(1000 * covered, path) << "but for the mixed colours of edges";
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void PathLayers::clear() {
   for (const Layer& layer : layers_) {
     for (const auto& actor : layer.actors) {
       if (actor) {
-        renderer_.RemoveActor(actor);
+        renderer_of(layer).RemoveActor(actor);
       }
     }
   }
@@ -188,7 +188,7 @@ void PathLayers::set_highlight(std::optional<std::array<double, 2>> range) {
     if (layer.role == Role::range) {
       for (auto& actor : layer.actors) {
         if (actor) {
-          renderer_.RemoveActor(actor);
+          below_.RemoveActor(actor);
         }
         actor = nullptr;
       }
@@ -255,7 +255,7 @@ vtkSmartPointer<vtkActor> PathLayers::make_actor(const Layer& layer, const PathL
   auto actor = line_actor(*layer.path->poly_data(*cells, layer.discs), coloured);
   const Rgb colour = colour_of(layer);
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
-  renderer_.AddActor(actor);
+  renderer_of(layer).AddActor(actor);
   return actor;
 }
 

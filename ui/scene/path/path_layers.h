@@ -44,7 +44,9 @@ struct PathLook {
 /// smaller than a pixel, and coarser while the view moves.
 class PathLayers {
  public:
-  explicit PathLayers(vtkRenderer& renderer) : renderer_(renderer) {}
+  /// `below`: of a layer of the window below that of `renderer`, with the same camera: there a range covers
+  /// no path, however near it comes to the eye.
+  PathLayers(vtkRenderer& renderer, vtkRenderer& below) : renderer_(renderer), below_(below) {}
 
   /// Replaces what is shown; each path may be null.
   void show(std::shared_ptr<const SampledPath> programmed, std::shared_ptr<const SampledPath> executed,
@@ -92,7 +94,12 @@ class PathLayers {
   Style style_of(Role role, double thinner) const;
   static double crowding(const SceneFrame& frame, const Projection& view, double drawn);
 
+  vtkRenderer& renderer_of(const Layer& layer) const {
+    return layer.role == Role::range ? below_ : renderer_;
+  }
+
   vtkRenderer& renderer_;
+  vtkRenderer& below_;
   PathLook look_;
   std::unique_ptr<DrawnPath> programmed_;
   std::unique_ptr<DrawnPath> executed_;

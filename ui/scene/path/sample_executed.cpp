@@ -1,6 +1,7 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -309,7 +310,7 @@ SampledPath joined(std::vector<SampledPath> parts) {
 }  // namespace
 
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points,
-                            std::span<const double> also_at) {
+                            std::span<const double> also_at, Progress* progress) {
   if (trajectory.pieces().empty()) {
     return {};
   }
@@ -321,8 +322,14 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
   }
   const double spacing = spacing_for(wanted, max_points, trajectory.path_length());
   std::vector<SampledPath> parts(chunks.size());
-  tbb::parallel_for(std::size_t{0}, chunks.size(),
-                    [&](std::size_t i) { parts[i] = ExecutedSampling(sampling).run(chunks[i], spacing); });
+  Progress unwatched;
+  Progress& watched = progress != nullptr ? *progress : unwatched;
+  std::atomic<std::size_t> done{0};
+  tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {
+    parts[i] = ExecutedSampling(sampling).run(chunks[i], spacing);
+    watched.report(static_cast<double>(++done) / static_cast<double>(chunks.size()));
+  });
+  watched.report(1);
   SampledPath path = joined(std::move(parts));
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);

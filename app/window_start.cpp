@@ -1,0 +1,80 @@
+#include "app/window_start.h"
+
+#include <fmt/format.h>
+
+#include "core/base/error.h"
+#include "core/lessons/lesson.h"
+
+namespace feedscope {
+namespace {
+
+bool is_given(const GivenOption& option) {
+  return option.second;
+}
+
+void refuse(const std::vector<GivenOption>& options, const std::string& reason) {
+  if (const auto given = std::ranges::find_if(options, is_given); given != options.end()) {
+    throw InputError(fmt::format("{} {}", given->first, reason));
+  }
+}
+
+void check(const RunOptions& options, const std::string& lesson) {
+  const std::vector<GivenOption> of_run = given_of_run(options);
+  const std::vector<GivenOption> of_program = given_of(options);
+  if (!lesson.empty()) {
+    const std::string reason =
+        fmt::format("does not go with lesson '{}', which has its own; give one of them", lesson);
+    refuse(of_run, reason);
+    refuse(of_program, reason);
+  }
+  if (ui::is_session_file(options.file)) {
+    const std::string reason = fmt::format(
+        "does not go with session '{}', which has its own; give the NC program instead, or open the "
+        "session and change it there",
+        options.file);
+    refuse(of_run, reason);
+    refuse(of_program, reason);
+  }
+  if (options.file.empty()) {
+    refuse(of_program, "says how a program is read, and there is none; give the NC program too");
+  }
+}
+
+ui::SetupState setup_of(const RunOptions& options, bool run_asked) {
+  if (!run_asked) {
+    return ui::SetupState(make_setup({}));
+  }
+  const Dialect dialect =
+      options.file.empty() ? Dialect::iso
+                           : dialect_of(options, SourceText::from_file(std::filesystem::path(options.file)));
+  const SetupRequest request = options.request(dialect);
+  return ui::SetupState::between(make_setup({request.machine, request.model, {}, {}, dialect}),
+                                 make_setup(request));
+}
+
+}  // namespace
+
+WindowStart::WindowStart(const RunOptions& options, const std::string& lesson)
+    : file_((check(options, lesson), options.file)),
+      lesson_(lesson.empty() ? std::filesystem::path() : find_lesson(lesson)),
+      reading_(options.reading()),
+      run_asked_(std::ranges::any_of(given_of_run(options), is_given)),
+      setup_(setup_of(options, run_asked_)) {}
+
+void WindowStart::show(ui::MainWindow& window, ui::Workbench& model) const {
+  if (run_asked_) {
+    model.runs().replace({{0, {}, ui::run_colour(0), true, setup_}}, 0);
+    model.hold_machine();
+  }
+  if (!file_.empty()) {
+    window.open(file_);
+    model.set_reading(reading_);
+    window.session().begin_here();
+  } else if (!lesson_.empty()) {
+    window.open_lesson(lesson_);
+  } else if (!run_asked_) {
+    window.session().offer_left_behind();
+  }
+}
+
+}  // namespace feedscope
