@@ -4,6 +4,7 @@
 #include <QFont>
 #include <QProxyStyle>
 
+#include "ui/theme/bundled_fonts.h"
 #include "ui/theme/icons.h"
 
 namespace feedscope::ui {
@@ -106,6 +107,7 @@ class ThemeStyle : public QProxyStyle {
 }  // namespace
 
 void apply_theme(ThemeKind kind) {
+  add_missing_fonts();
   QApplication::setStyle(new ThemeStyle);
   QApplication::setPalette(make_palette(kind == ThemeKind::dark ? dark_roles : light_roles));
   QFont font = QApplication::font();
