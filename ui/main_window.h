@@ -37,6 +37,7 @@ class MainWindow : public QMainWindow {
   /// `model` outlives this.
   MainWindow(Workbench& model, RenderBackend backend, QWidget* parent = nullptr);
 
+  Workbench& model() { return model_; }
   ProgramView& program() { return program_->view(); }
   ProgramPanel& program_panel() { return *program_; }
   SceneView& scene() { return *scene_; }
@@ -80,6 +81,8 @@ class MainWindow : public QMainWindow {
   void make_view_menu();
   void make_language_menu(QMenu* view);
   void make_help_menu();
+  /// The language of the window is chosen at its start.
+  void offer_restart();
   QAction* add_action(QMenu* menu, const QString& text, const QKeySequence& key, const QString& tip);
   void list_recent_files(QMenu* menu);
   void set_theme(ThemeKind kind);

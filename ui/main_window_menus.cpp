@@ -3,8 +3,11 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QFileDialog>
+#include <QInputDialog>
 #include <QLocale>
 #include <QMenuBar>
+#include <QMessageBox>
+#include <QProcess>
 #include <QSettings>
 #include <QStatusBar>
 #include <QStyle>
@@ -14,6 +17,7 @@
 #include "ui/main_window.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/recent_files.h"
+#include "ui/theme/icons.h"
 #include "ui/views/reading_dialog.h"
 #include "ui/views/setup_bar.h"
 #include "ui/window_pictures.h"
@@ -63,11 +67,11 @@ void MainWindow::make_menus() {
   QAction* undo = history.createUndoAction(this, tr("Undo"));
   undo->setShortcut(QKeySequence::Undo);
   undo->setToolTip(tr("Take back the last change of runs and settings"));
-  undo->setIcon(style()->standardIcon(QStyle::SP_ArrowBack));
+  undo->setIcon(edit_icon(EditIcon::undo));
   QAction* redo = history.createRedoAction(this, tr("Redo"));
   redo->setShortcut(QKeySequence::Redo);
   redo->setToolTip(tr("Make the change again that was taken back"));
-  redo->setIcon(style()->standardIcon(QStyle::SP_ArrowForward));
+  redo->setIcon(edit_icon(EditIcon::redo));
   edit->addActions({undo, redo});
   edit->addSeparator();
   edit->addActions(program_->panel_actions());
@@ -223,9 +227,28 @@ void MainWindow::make_language_menu(QMenu* view) {
     action->setChecked(code == chosen_language());
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, code] {
-      choose_language(code);
-      statusBar()->showMessage(tr("The language changes with the next start."));
+      if (code != chosen_language()) {
+        choose_language(code);
+        offer_restart();
+      }
     });
+  }
+}
+
+void MainWindow::offer_restart() {
+  const auto answer = QMessageBox::question(
+      this, tr("Language"),
+      tr("The language changes when Feedscope starts again. Restart it now? What is open is opened again."));
+  if (answer != QMessageBox::Yes || !session_->may_go()) {
+    return;
+  }
+  const std::filesystem::path& shown = session_->file().empty() ? model_.file() : session_->file();
+  const QStringList files =
+      shown.empty() ? QStringList() : QStringList(QString::fromStdU16String(shown.u16string()));
+  if (QProcess::startDetached(QApplication::applicationFilePath(), files)) {
+    QApplication::exit();
+  } else {
+    show_failure(tr("Feedscope cannot be started again; start it by hand."));
   }
 }
 
@@ -282,7 +305,13 @@ void MainWindow::save_machine() {
     if (QFileInfo(file).suffix().isEmpty()) {
       file += QStringLiteral(".toml");
     }
-    model_.save_machine(to_path(file));
+    bool accepted = false;
+    const QString name =
+        QInputDialog::getText(this, tr("Name of the machine"), tr("Name that lists and reports show:"),
+                              QLineEdit::Normal, model_.name_to_save(to_path(file)), &accepted);
+    if (accepted) {
+      model_.save_machine(to_path(file), name);
+    }
   }
 }
 

@@ -81,8 +81,25 @@ void WindowPictures::copy(Part part) const {
   QApplication::clipboard()->setImage(picture(part));
 }
 
+/// Beside the program, with its name; the next free one, so that no picture takes the place of another.
+QString WindowPictures::proposed_file(Part part) const {
+  const QString program = QString::fromStdU16String(window_.model().file().u16string());
+  const QFileInfo info(program);
+  const QString what = part == Part::scene    ? QStringLiteral("3d")
+                       : part == Part::charts ? QStringLiteral("charts")
+                                              : QStringLiteral("window");
+  const QString start =
+      program.isEmpty() ? QStringLiteral("feedscope-") + what
+                        : QStringLiteral("%1/%2-%3").arg(info.absolutePath(), info.completeBaseName(), what);
+  QString file = start + QStringLiteral(".png");
+  for (int number = 2; QFileInfo::exists(file); ++number) {
+    file = QStringLiteral("%1-%2.png").arg(start).arg(number);
+  }
+  return file;
+}
+
 void WindowPictures::ask_and_save(Part part) {
-  QString file = QFileDialog::getSaveFileName(&window_, tr("Save picture"), QStringLiteral("feedscope.png"),
+  QString file = QFileDialog::getSaveFileName(&window_, tr("Save picture"), proposed_file(part),
                                               tr("Picture (*.png);;Drawing (*.svg);;Document (*.pdf)"));
   if (file.isEmpty()) {
     return;

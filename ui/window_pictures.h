@@ -22,6 +22,8 @@ class WindowPictures : public QObject {
   QList<QAction*> copy_actions() const { return copy_; }
   /// As on the screen.
   QImage picture(Part part) const;
+  /// What a picture is called unless the user says: as the program, and no file yet.
+  QString proposed_file(Part part) const;
   /// PNG, SVG or PDF by the file's ending; charts as vectors where the format has them. Throws InputError
   /// where it cannot be written; nothing is left behind then.
   void save(Part part, const QString& file) const;

@@ -116,7 +116,7 @@ void set_axis_limit(Machine& machine, char axis, std::string_view limit, double 
   const double internal = limit_fields[place.limit].to_internal(value);
   if (target != internal) {
     target = internal;
-    machine.provenance.insert_or_assign(spec.key, Provenance{"set by hand", true});
+    machine.provenance.insert_or_assign(spec.key, Provenance{"set by hand", false});
   }
 }
 

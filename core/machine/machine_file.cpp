@@ -130,7 +130,7 @@ std::string entry(const Machine& machine, const std::string& key, const std::str
                   const SettingValue& value) {
   const auto found = machine.provenance.find(provenance_key);
   const Provenance provenance =
-      found != machine.provenance.end() ? found->second : Provenance{"set by hand", true};
+      found != machine.provenance.end() ? found->second : Provenance{"set by hand", false};
   const double* number = std::get_if<double>(&value);
   return fmt::format("{} = {{ value = {}, {} = {} }}\n", key,
                      number != nullptr ? fmt::format("{}", *number) : quoted(std::get<std::string>(value)),

@@ -2489,10 +2489,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Lang&amp;ue</translation>
     </message>
     <message>
-        <source>The language changes with the next start.</source>
-        <translation>La langue changera au prochain démarrage.</translation>
-    </message>
-    <message>
         <source>&amp;Help</source>
         <translation>&amp;Aide</translation>
     </message>
@@ -2619,6 +2615,26 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>The program is written for %1; this machine has a %2, whose path and times are shown.</source>
         <translation>Le programme est écrit pour %1 ; cette machine a une %2, dont la trajectoire et les temps sont affichés.</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Nom de la machine</translation>
+    </message>
+    <message>
+        <source>Name that lists and reports show:</source>
+        <translation>Nom affiché par les listes et les rapports :</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Langue</translation>
+    </message>
+    <message>
+        <source>The language changes when Feedscope starts again. Restart it now? What is open is opened again.</source>
+        <translation>La langue change au prochain démarrage de Feedscope. Le redémarrer maintenant ? Ce qui est ouvert sera rouvert.</translation>
+    </message>
+    <message>
+        <source>Feedscope cannot be started again; start it by hand.</source>
+        <translation>Feedscope ne peut pas être redémarré ; démarrez-le à la main.</translation>
     </message>
 </context>
 <context>
@@ -3086,6 +3102,14 @@ Ensemble : %3</translation>
         <source>hide run</source>
         <translation>masquage de simulation</translation>
     </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <comment>changed settings, behind two of them</comment>
+        <translation>
+            <numerusform>%n autre</numerusform>
+            <numerusform>%n autres</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::RunNotice</name>
@@ -3342,6 +3366,14 @@ Ensemble : %3</translation>
     <message>
         <source>“%1” is not a number. Put spaces or semicolons between the tolerances; a comma is a decimal sign.</source>
         <translation>« %1 » n’est pas un nombre. Séparez les tolérances par des espaces ou des points-virgules ; la virgule est un signe décimal.</translation>
+    </message>
+    <message>
+        <source>R&amp;ename</source>
+        <translation>R&amp;enommer</translation>
+    </message>
+    <message>
+        <source>Type a name for the current run; an empty one is what it runs on</source>
+        <translation>Saisir un nom pour la simulation courante ; sans nom, elle porte celui de ses réglages</translation>
     </message>
 </context>
 <context>
@@ -3981,6 +4013,10 @@ Ensemble : %3</translation>
         <source>Contour tolerance</source>
         <translation>Tolérance de contour</translation>
     </message>
+    <message>
+        <source>Cycle time and contour error over a setting: choose it and its range, then press Study.</source>
+        <translation>Temps de cycle et erreur de contour en fonction d’un réglage : choisissez-le avec sa plage, puis pressez Étudier.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::StudyJob</name>
@@ -4440,6 +4476,17 @@ Ensemble : %3</translation>
     <message>
         <source>%1 s</source>
         <translation>%1&#xa0;s</translation>
+    </message>
+</context>
+<context>
+    <name>RowCopy</name>
+    <message>
+        <source>&amp;Copy the table</source>
+        <translation>&amp;Copier le tableau</translation>
+    </message>
+    <message>
+        <source>All rows to the clipboard, as a spreadsheet takes them</source>
+        <translation>Toutes les lignes dans le presse-papiers, comme un tableur les prend</translation>
     </message>
 </context>
 </TS>

@@ -321,21 +321,6 @@ TEST_F(MainWindowTest, AnUnreadableFileIsToldAndTheWindowIsEmpty) {
   EXPECT_FALSE(window.charts().chart(0).cursor().has_value());
 }
 
-TEST_F(MainWindowTest, WhereNothingIsShownTheViewSaysWhy) {
-  EXPECT_EQ(window.notice().text(), "");
-  for (const char* nothing : {"", "Dear reader,\nnothing moves here.\n", "G21 G90\nM30\n", "%\n"}) {
-    open(nothing);
-    EXPECT_THAT(window.notice().text().toStdString(), testing::HasSubstr("Nothing in part.nc moves"))
-        << nothing;
-    EXPECT_TRUE(window.notice().again()->isHidden()) << "simulating it again would change nothing";
-  }
-  open(std::string(500, '\x01'));
-  EXPECT_THAT(window.notice().text().toStdString(), testing::HasSubstr("is not a text file"));
-  EXPECT_FALSE(window.notice().again()->isHidden());
-  open(test::small_program);
-  EXPECT_EQ(window.notice().text(), "");
-}
-
 TEST_F(MainWindowTest, ADroppedFileIsOpened) {
   const QString file = QString::fromStdString(FEEDSCOPE_SOURCE_DIR "/resources/programs/essid_table1.nc");
   QMimeData data;

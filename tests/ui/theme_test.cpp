@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
+#include <QSlider>
+#include <QTest>
 #include <QToolButton>
 #include <cmath>
 
@@ -51,6 +53,47 @@ TEST_P(ThemeTest, WhatIsDisabledStandsOutLess) {
     const double enabled = ink(*widget);
     widget->setEnabled(false);
     EXPECT_LT(ink(*widget), 0.8 * enabled) << widget->metaObject()->className();
+  }
+}
+
+/// In the corner below a text it reads as a comma.
+TEST_P(ThemeTest, TheArrowOfAMenuStandsBesideTheText) {
+  QMenu menu;
+  QToolButton plain;
+  QToolButton opens;
+  for (QToolButton* button : {&plain, &opens}) {
+    button->setText(QStringLiteral("View"));
+    button->setAutoRaise(true);
+  }
+  opens.setMenu(&menu);
+  opens.setPopupMode(QToolButton::InstantPopup);
+  plain.adjustSize();
+  opens.adjustSize();
+  ASSERT_GE(opens.width(), plain.width() + 8);
+  const QImage image = opens.grab().toImage();
+  int first = image.height();
+  int last = 0;
+  for (int y = 2; y < image.height() - 2; ++y) {
+    for (int x = image.width() - 13; x < image.width() - 3; ++x) {
+      if (std::abs(qGray(image.pixel(x, y)) - qGray(image.pixel(2, 2))) > 40) {
+        first = std::min(first, y);
+        last = std::max(last, y);
+      }
+    }
+  }
+  EXPECT_NEAR((first + last) / 2.0, image.height() / 2.0, 2.5);
+  EXPECT_LE(last - first, 8);
+}
+
+/// Time lines are as long as a cycle: a page is no place.
+TEST_P(ThemeTest, AClickOnTheGrooveOfASliderGoesThere) {
+  QSlider slider(Qt::Horizontal);
+  slider.setRange(0, 10000);
+  slider.resize(400, 24);
+  slider.show();
+  for (const int x : {300, 40, 200}) {
+    QTest::mouseClick(&slider, Qt::LeftButton, {}, QPoint(x, 12));
+    EXPECT_NEAR(slider.value(), 10000 * x / 400, 300);
   }
 }
 

@@ -54,6 +54,21 @@ TEST_F(WindowPicturesTest, EveryPartIsSavedInEveryFormat) {
   EXPECT_EQ(QImage::fromData(saved(Part::scene, "a.png")).size(), window_.scene().canvas().size());
 }
 
+TEST_F(WindowPicturesTest, TheProposedNameIsThatOfTheProgramAndFree) {
+  const QString program = folder_.filePath("part.v2.nc");
+  QFile file(program);
+  ASSERT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(test::small_program.c_str());
+  file.close();
+  model_.open(program.toStdString());
+  EXPECT_EQ(pictures_.proposed_file(Part::scene), folder_.filePath("part.v2-3d.png"));
+  EXPECT_EQ(pictures_.proposed_file(Part::charts), folder_.filePath("part.v2-charts.png"));
+  for (const char* next : {"part.v2-3d-2.png", "part.v2-3d-3.png"}) {
+    pictures_.save(Part::scene, pictures_.proposed_file(Part::scene));
+    EXPECT_EQ(pictures_.proposed_file(Part::scene), folder_.filePath(next));
+  }
+}
+
 TEST_F(WindowPicturesTest, APictureIsCopiedToTheClipboard) {
   pictures_.copy_actions().front()->trigger();
   EXPECT_EQ(QApplication::clipboard()->image().size(), window_.scene().canvas().size());

@@ -72,6 +72,17 @@ QString number(double value, int digits = 4) {
   return QLocale().toString(value, 'g', digits);
 }
 
+bool strikes(const QLineF& line, const QRectF& label) {
+  const std::array<QPointF, 4> corners{label.topLeft(), label.topRight(), label.bottomRight(),
+                                       label.bottomLeft()};
+  bool crosses = label.contains(line.p1()) || label.contains(line.p2());
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const QLineF side(corners[i], corners[(i + 1) % corners.size()]);
+    crosses = crosses || side.intersects(line) == QLineF::BoundedIntersection;
+  }
+  return crosses;
+}
+
 /// 1, 2 and 5 times powers of ten in [from, to].
 std::vector<double> log_ticks(double from, double to) {
   std::vector<double> ticks;
@@ -123,6 +134,7 @@ struct StudyChart::Layout {
   double from = 0;  ///< of the setting, its logarithm where that is the axis
   double to = 1;
   bool logarithmic = false;
+  double least_time = 0;
   double most_time = 1;
   double most_error = 1;  ///< [mm]
 
@@ -132,7 +144,8 @@ struct StudyChart::Layout {
   }
   QPointF place(const StudyPoint& point, bool is_error) const {
     const QRectF& plot = is_error ? error : time;
-    const double share = is_error ? point.error / most_error : point.time / most_time;
+    const double share =
+        is_error ? point.error / most_error : (point.time - least_time) / (most_time - least_time);
     return {x(point.value), plot.bottom() - share * plot.height()};
   }
 };
@@ -146,6 +159,20 @@ void StudyChart::set_study(const QString& title, const QString& details, StudyCu
   details_ = details;
   study_ = std::move(study);
   update();
+}
+
+double StudyChart::height_of_times() const {
+  const Layout layout = lay_out();
+  double low = layout.time.bottom();
+  double high = layout.time.top();
+  for (const StudyCurve& curve : study_.curves) {
+    for (const StudyPoint& point : curve.points) {
+      const double y = layout.place(point, false).y();
+      low = std::min(low, y);
+      high = std::max(high, y);
+    }
+  }
+  return std::max(0.0, high - low) / layout.time.height();
 }
 
 QSize StudyChart::minimumSizeHint() const {
@@ -183,6 +210,7 @@ StudyChart::Layout StudyChart::lay_out() const {
   double from = std::numeric_limits<double>::infinity();
   double to = -from;
   double time = 0;
+  double least = std::numeric_limits<double>::infinity();
   double error = study_.within.value_or(0);
   for (const StudyCurve& curve : study_.curves) {
     for (const StudyPoint& point : curve.points) {
@@ -190,6 +218,7 @@ StudyChart::Layout StudyChart::lay_out() const {
       from = std::min(from, at);
       to = std::max(to, at);
       time = std::max(time, point.time);
+      least = std::min(least, point.time);
       error = std::max(error, point.error);
     }
   }
@@ -200,6 +229,15 @@ StudyChart::Layout StudyChart::lay_out() const {
   }
   constexpr double head_room = 1.08;
   layout.most_time = time > 0 ? time * head_room : 1;
+  constexpr double worth_zero =
+      0.5;  // of the longest time: where all are above, an axis from 0 would be flat
+  if (time > 0 && least > worth_zero * time) {
+    constexpr double least_span = 1e-3;  // of the time: what differs less is shown as level
+    const double span = std::max(time - least, least_span * time);
+    const double middle = (time + least) / 2;
+    layout.least_time = middle - (head_room - 0.5 + 0.1) * span;
+    layout.most_time = middle + (head_room - 0.5 + 0.1) * span;
+  }
   layout.most_error = error > 0 ? error * head_room : 1e-3;
   return layout;
 }
@@ -209,6 +247,14 @@ void StudyChart::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(rect(), theme_colours(palette()).plot);
+  if (study_.curves.empty()) {  // axes without anything on them would promise something
+    painter.setFont(font());
+    painter.setPen(theme_colours(palette()).muted);
+    painter.drawText(
+        rect().adjusted(margin, margin, -margin, -margin), Qt::AlignCenter | Qt::TextWordWrap,
+        tr("Cycle time and contour error over a setting: choose it and its range, then press Study."));
+    return;
+  }
   draw_head(painter, layout);
   draw_settings_axis(painter, layout);
   draw_plot(painter, layout, false);
@@ -251,6 +297,7 @@ QRectF StudyChart::bound_label(const Layout& layout) const {
 void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_error) const {
   const QRectF& plot = is_error ? layout.error : layout.time;
   const double most = is_error ? layout.most_error * micrometres : layout.most_time;
+  const double least = is_error ? 0 : layout.least_time;
   const double line = QFontMetricsF(font()).height();
   painter.setFont(sized(font(), text_size, true));
   painter.setPen(theme_colours(palette()).text);
@@ -259,10 +306,12 @@ void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_erro
                    is_error ? tr("Largest contour error [µm]") : tr("Cycle time [s]"));
   painter.setFont(font());
   constexpr int most_ticks = 6;
-  const Ticks ticks = round_ticks(0, most, most_ticks);
+  const Ticks ticks = round_ticks(least, most, most_ticks);
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-    const double y = std::round(plot.bottom() - ticks.values[i] / most * plot.height()) + 0.5;
-    painter.setPen(QPen(i == 0 ? theme_colours(palette()).frame : theme_colours(palette()).grid, 1));
+    const double y =
+        std::round(plot.bottom() - (ticks.values[i] - least) / (most - least) * plot.height()) + 0.5;
+    painter.setPen(
+        QPen(ticks.values[i] == 0 ? theme_colours(palette()).frame : theme_colours(palette()).grid, 1));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
     painter.setPen(theme_colours(palette()).text);
     painter.drawText(QRectF(margin, y - line / 2, tick_room - 8, line), Qt::AlignRight | Qt::AlignVCenter,
@@ -303,9 +352,20 @@ void StudyChart::draw_curve(QPainter& painter, const Layout& layout, std::size_t
 QRectF StudyChart::free_label(const Layout& layout, const QPointF& at, const QSizeF& size, bool is_error,
                               const std::vector<QRectF>& taken) const {
   const QRectF& plot = is_error ? layout.error : layout.time;
+  std::vector<QLineF> lines;
+  for (const StudyCurve& curve : study_.curves) {
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+      lines.emplace_back(layout.place(curve.points[i - 1], is_error),
+                         layout.place(curve.points[i], is_error));
+    }
+  }
+  if (is_error && study_.within) {
+    const double y = bound_label(layout).bottom() + 2;
+    lines.emplace_back(plot.left(), y, plot.right(), y);
+  }
   QRectF best;
   int least = std::numeric_limits<int>::max();
-  for (const double rows : {-1.2, 0.2, -2.2, 1.2, -0.5}) {
+  for (const double rows : {-1.2, 0.2, -2.2, 1.2, -0.5, -3.2, 2.2}) {
     for (const double left : {at.x() + 3 * marker, at.x() - 3 * marker - size.width()}) {
       const double below = rows > 0 ? 2 * marker : 0;
       const QRectF label(QPointF(left, at.y() + rows * size.height() + below), size);
@@ -315,12 +375,8 @@ QRectF StudyChart::free_label(const Layout& layout, const QPointF& at, const QSi
       for (const QRectF& other : taken) {
         faults += other.intersects(label) ? on_a_label : 0;
       }
-      for (const StudyCurve& curve : study_.curves) {
-        for (std::size_t i = 0; i < curve.points.size(); ++i) {
-          const QPointF point = layout.place(curve.points[i], is_error);
-          const QPointF middle = i == 0 ? point : (point + layout.place(curve.points[i - 1], is_error)) / 2;
-          faults += label.contains(point) || label.contains(middle) ? 1 : 0;
-        }
+      for (const QLineF& line : lines) {
+        faults += strikes(line, label) ? 1 : 0;
       }
       if (faults < least) {
         least = faults;

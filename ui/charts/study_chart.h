@@ -47,6 +47,8 @@ class StudyChart : public QWidget {
     std::size_t point = 0;
   };
   std::optional<Hit> run_at(const QPointF& place) const;
+  /// Share of its plot that the cycle times spread over; 0 without curves.
+  double height_of_times() const;
   QSize minimumSizeHint() const override;
   QSize sizeHint() const override;
 

@@ -20,7 +20,7 @@ class Playback : public QObject {
   };
 
   static constexpr double slowest = 0.01;
-  static constexpr double fastest = 100;
+  static constexpr double fastest = 10'000;
 
   /// `cursor` outlives this.
   explicit Playback(Cursor& cursor, QObject* parent = nullptr);

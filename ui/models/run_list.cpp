@@ -38,10 +38,15 @@ QString run_title(const RunItem& item, std::span<const PathControl> feed_control
   if (const auto tolerance = tolerance_in_force(feed_controls, setup.setup())) {
     parts.append(tolerance_text(*tolerance));
   }
+  constexpr int most = 2;
+  int more = -most;
   for (const auto& [key, value] : setup.edits()) {
-    if (key != contour_tolerance_key && key != program_tolerance_key) {
+    if (key != contour_tolerance_key && key != program_tolerance_key && ++more <= 0) {
       parts.append(QStringLiteral("%1 %2").arg(QString::fromStdString(key), value_text(value)));
     }
+  }
+  if (more > 0) {
+    parts.append(RunList::tr("%n more", "changed settings, behind two of them", more));
   }
   return parts.join(QStringLiteral(", "));
 }

@@ -33,7 +33,8 @@ enum class RunStatus { waiting, simulated, cancelled, failed };
 /// Colours of runs that nobody has coloured, by their number: told apart with every kind of colour vision.
 QColor run_colour(std::size_t number);
 
-/// The name of a run, or else model, tolerance in force and what is changed: "essid, 0.05 mm, X.jerk 20".
+/// The name of a run, or else model, tolerance in force and what is changed: "essid, 0.05 mm, X.jerk 20"; of
+/// more than two changes their number.
 /// `feed_controls`: LoadedProgram::feed_controls.
 QString run_title(const RunItem& item, std::span<const PathControl> feed_controls);
 

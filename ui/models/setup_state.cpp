@@ -41,7 +41,7 @@ Machine SetupState::machine() const {
   for (const auto& [key, value] : edits_) {
     if (!is_axis_key(key)) {
       machine.settings.set(key, value);
-      machine.provenance.insert_or_assign(key, Provenance{"set by hand", true});
+      machine.provenance.insert_or_assign(key, Provenance{"set by hand", false});
     }
   }
   return machine;

@@ -177,12 +177,15 @@ void Workbench::choose_model(const QString& id) {
   setup_.set_model(find_model(id.toStdString()));
 }
 
-void Workbench::save_machine(const std::filesystem::path& file) {
+QString Workbench::name_to_save(const std::filesystem::path& file) const {
+  const QString name = QString::fromStdString(setup_.file().machine.name);
+  return setup_.state().edits().empty() ? name : name + tr(" (%1)").arg(to_qstring(file.stem()));
+}
+
+void Workbench::save_machine(const std::filesystem::path& file, const QString& name) {
   Machine machine = setup_.state().machine();
   machine.id = file.stem().string();
-  if (!setup_.state().edits().empty()) {
-    machine.name += tr(" (%1)").arg(to_qstring(file.stem())).toStdString();
-  }
+  machine.name = (name.trimmed().isEmpty() ? name_to_save(file) : name.trimmed()).toStdString();
   const std::string text = write_machine(machine);
   QSaveFile out(to_qstring(file));
   const bool written =

@@ -57,8 +57,11 @@ class Workbench : public QObject {
   void hold_machine() { machine_chosen_ = true; }
   void choose_model(const QString& id);
   /// Writes the machine of the current run with all edits to a machine file, whose name becomes its id, and
-  /// goes on with that file. What cannot be written is reported by failed(), and nothing is left behind.
-  void save_machine(const std::filesystem::path& file);
+  /// goes on with that file. `name`: for people; "" for name_to_save(). What cannot be written is reported by
+  /// failed(), and nothing is left behind.
+  void save_machine(const std::filesystem::path& file, const QString& name = {});
+  /// What the machine of the current run is called in a file of its own: with edits not like the one before.
+  QString name_to_save(const std::filesystem::path& file) const;
   /// Contour tolerance of the current run [mm], instead of the program's own too. False if its model reads
   /// none, or the value is out of bounds.
   bool set_tolerance(double tolerance);

@@ -4,6 +4,8 @@
 #include <QIconEngine>
 #include <QPainter>
 #include <QPainterPath>
+#include <QTransform>
+#include <utility>
 
 namespace feedscope::ui {
 
@@ -58,9 +60,22 @@ QPainterPath lines_of(DockIcon kind) {
   return path;
 }
 
-class DockIconEngine : public QIconEngine {
+QPainterPath lines_of(EditIcon kind) {
+  QPainterPath path;
+  path.moveTo(6, 2);
+  path.lineTo(2, 6);
+  path.lineTo(6, 10);
+  path.moveTo(2, 6);
+  path.lineTo(10, 6);
+  path.arcTo(QRectF(6, 6, 8, 8), 90, -180);
+  path.lineTo(6, 14);
+  return kind == EditIcon::undo ? path : QTransform(-1, 0, 0, 1, side, 0).map(path);
+}
+
+/// Lines in the colour of texts at the time of painting, at most `largest` pixels high.
+class LineIconEngine : public QIconEngine {
  public:
-  explicit DockIconEngine(DockIcon kind) : kind_(kind) {}
+  LineIconEngine(QPainterPath lines, int largest) : lines_(std::move(lines)), largest_(largest) {}
 
   void paint(QPainter* painter, const QRect& place, QIcon::Mode mode, QIcon::State) override {
     const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
@@ -70,7 +85,7 @@ class DockIconEngine : public QIconEngine {
     painter->scale(place.width() / double(side), place.height() / double(side));
     constexpr double line_width = 1.6;
     painter->setPen(QPen(QGuiApplication::palette().color(group, QPalette::WindowText), line_width));
-    painter->drawPath(lines_of(kind_));
+    painter->drawPath(lines_);
     painter->restore();
   }
   QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
@@ -81,19 +96,25 @@ class DockIconEngine : public QIconEngine {
     return pixmap;
   }
   QSize actualSize(const QSize& size, QIcon::Mode, QIcon::State) override {
-    constexpr int suits_a_title = 12;
-    return size.boundedTo({suits_a_title, suits_a_title});
+    return size.boundedTo({largest_, largest_});
   }
-  QIconEngine* clone() const override { return new DockIconEngine(kind_); }
+  QIconEngine* clone() const override { return new LineIconEngine(lines_, largest_); }
 
  private:
-  DockIcon kind_;
+  QPainterPath lines_;
+  int largest_;
 };
 
 }  // namespace
 
 QIcon dock_icon(DockIcon kind) {
-  return QIcon(new DockIconEngine(kind));
+  constexpr int suits_a_title = 12;
+  return QIcon(new LineIconEngine(lines_of(kind), suits_a_title));
+}
+
+QIcon edit_icon(EditIcon kind) {
+  constexpr int suits_a_bar = 20;
+  return QIcon(new LineIconEngine(lines_of(kind), suits_a_bar));
 }
 
 QIcon media_icon(MediaIcon kind, const QPalette& palette) {

@@ -16,4 +16,9 @@ enum class DockIcon { close, detach };
 /// Always in the colour that texts of the application have at the time.
 QIcon dock_icon(DockIcon kind);
 
+enum class EditIcon { undo, redo };
+
+/// An arrow that turns back, or on again; in the colour of texts as dock_icon().
+QIcon edit_icon(EditIcon kind);
+
 }  // namespace feedscope::ui

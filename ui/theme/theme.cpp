@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QFont>
 #include <QProxyStyle>
+#include <QStyleOptionToolButton>
 
 #include "ui/theme/bundled_fonts.h"
 #include "ui/theme/icons.h"
@@ -89,7 +90,44 @@ class ThemeStyle : public QProxyStyle {
   /// Fusion draws a disabled text twice, once in white: on the dark theme it would be the brightest there is.
   int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
                 QStyleHintReturn* result) const override {
-    return hint == SH_EtchDisabledText ? 0 : QProxyStyle::styleHint(hint, option, widget, result);
+    switch (hint) {
+      case SH_EtchDisabledText:
+        return 0;
+      case SH_Slider_AbsoluteSetButtons:  // a click on the groove goes there
+        return Qt::LeftButton;
+      default:
+        return QProxyStyle::styleHint(hint, option, widget, result);
+    }
+  }
+  /// Qt squeezes the arrow of a menu into the corner below the text, where it reads as a comma.
+  void drawComplexControl(ComplexControl control, const QStyleOptionComplex* option, QPainter* painter,
+                          const QWidget* widget) const override {
+    const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+    if (control != CC_ToolButton || button == nullptr || !has_menu_arrow(*button)) {
+      QProxyStyle::drawComplexControl(control, option, painter, widget);
+      return;
+    }
+    QStyleOptionToolButton frame = *button;
+    frame.features &= ~QStyleOptionToolButton::HasMenu;
+    frame.text.clear();
+    frame.icon = QIcon();
+    QProxyStyle::drawComplexControl(control, &frame, painter, widget);
+    QStyleOptionToolButton label = *button;
+    label.features &= ~QStyleOptionToolButton::HasMenu;
+    label.rect.adjust(0, 0, -arrow_room, 0);
+    proxy()->drawControl(CE_ToolButtonLabel, &label, painter, widget);
+    QStyleOption arrow = *button;
+    arrow.rect = QRect(button->rect.right() - arrow_room - 1, button->rect.center().y() - arrow_side / 2 + 1,
+                       arrow_side, arrow_side);
+    proxy()->drawPrimitive(PE_IndicatorArrowDown, &arrow, painter, widget);
+  }
+  QSize sizeFromContents(ContentsType type, const QStyleOption* option, const QSize& size,
+                         const QWidget* widget) const override {
+    const QSize whole = QProxyStyle::sizeFromContents(type, option, size, widget);
+    const auto* button = qstyleoption_cast<const QStyleOptionToolButton*>(option);
+    return type == CT_ToolButton && button != nullptr && has_menu_arrow(*button)
+               ? whole + QSize(arrow_room, 0)
+               : whole;
   }
   QIcon standardIcon(StandardPixmap icon, const QStyleOption* option, const QWidget* widget) const override {
     switch (icon) {
@@ -101,6 +139,16 @@ class ThemeStyle : public QProxyStyle {
       default:
         return QProxyStyle::standardIcon(icon, option, widget);
     }
+  }
+
+ private:
+  static constexpr int arrow_side = 9;
+  static constexpr int arrow_room = 11;
+
+  /// Of a button whose whole face opens a menu.
+  static bool has_menu_arrow(const QStyleOptionToolButton& button) {
+    return button.features.testFlag(QStyleOptionToolButton::HasMenu) &&
+           !button.features.testFlag(QStyleOptionToolButton::MenuButtonPopup) && !button.text.isEmpty();
   }
 };
 

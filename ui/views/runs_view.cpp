@@ -17,6 +17,7 @@
 #include "ui/fields/number_text.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
+#include "ui/views/row_copy.h"
 
 namespace feedscope::ui {
 
@@ -65,6 +66,7 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setSectionResizeMode(RunTable::name, QHeaderView::Stretch);
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  install_row_copy(*table_);
   bound_->setRange(0, largest_bound);
   bound_->setDecimals(1);
   bound_->setValue(usual_bound);
@@ -118,6 +120,9 @@ void RunsView::make_actions() {
              &RunsView::duplicate);
   add_action(tr("&Tolerances …"), tr("Copies of the current run with other contour tolerances"),
              QKeySequence(tr("Ctrl+T")), &RunsView::add_variants);
+  add_action(tr("R&ename"), tr("Type a name for the current run; an empty one is what it runs on"),
+             QKeySequence(Qt::Key_F2), &RunsView::rename);
+  actions_.last()->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   add_action(tr("&Remove"), tr("Take the current run away"), QKeySequence(tr("Ctrl+Delete")),
              &RunsView::remove);
   add_action(tr("&Up"), tr("Move the current run up"), QKeySequence(tr("Alt+Up")), &RunsView::move_up);
@@ -173,6 +178,11 @@ void RunsView::add_variants() {
 
 void RunsView::remove() {
   runs_.remove(runs_.current());
+}
+
+void RunsView::rename() {
+  table_->setFocus();
+  table_->edit(model_->index(static_cast<int>(runs_.current()), RunTable::name));
 }
 
 void RunsView::move_up() {

@@ -42,6 +42,7 @@ class RunsView : public QWidget {
   void add_action(const QString& text, const QString& tip, const QKeySequence& key, void (RunsView::*call)());
   void duplicate();
   void remove();
+  void rename();
   void move_up();
   void move_down();
   void choose_colour(std::size_t row);

@@ -358,8 +358,15 @@ void SceneView::leave() {
 void SceneView::show_menu(const QMouseEvent& mouse) {
   QMenu menu(this);
   if (const auto time = scene_.pick_time(pixel(mouse.position()))) {
-    emit picked(*time);
-    menu.addActions(place_actions_);
+    for (QAction* action : place_actions_) {  // they act where the cursor is, which goes there only with them
+      QAction* here = menu.addAction(action->icon(), action->text());
+      here->setEnabled(action->isEnabled());
+      here->setToolTip(action->toolTip());
+      connect(here, &QAction::triggered, this, [this, action, place = *time] {
+        emit picked(place);
+        action->trigger();
+      });
+    }
     menu.addSeparator();
   }
   actions_->fill(menu);

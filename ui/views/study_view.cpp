@@ -26,6 +26,7 @@
 #include "ui/fields/whole_number_box.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
+#include "ui/views/row_copy.h"
 
 namespace feedscope::ui {
 
@@ -50,6 +51,23 @@ SetupState with_value(SetupState setup, const std::string& key, double value) {
     setup.set(name, setting);
   }
   return setup;
+}
+
+/// To as few digits as keep the values apart, two at least: people can set 0.0066 mm. The ends stay.
+Sweep rounded(Sweep sweep) {
+  constexpr int most = 5;
+  for (int digits = 2; digits <= most; ++digits) {
+    Sweep tried = sweep;
+    for (std::size_t i = 1; i + 1 < tried.values.size(); ++i) {
+      tried.values[i] = QLocale::c().toDouble(QLocale::c().toString(tried.values[i], 'g', digits));
+    }
+    const bool rising = std::ranges::is_sorted(tried.values, std::less_equal<>());
+    const bool falling = std::ranges::is_sorted(tried.values, std::greater_equal<>());
+    if (rising || falling) {
+      return tried;
+    }
+  }
+  return sweep;
 }
 
 }  // namespace
@@ -126,6 +144,7 @@ void StudyView::make_fields() {
   verdict_->setWordWrap(true);
   table_->setModel(results_);
   table_->setAccessibleName(tr("Results of the study"));
+  install_row_copy(*table_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->verticalHeader()->hide();
@@ -241,10 +260,11 @@ void StudyView::run() {
   }
   const std::string key = key_->currentData().toString().toStdString();
   try {
-    StudyJobRequest request{model_.shown_program().input, model_.setup().setup(),
-                            make_sweep(key, from_->value(), to_->value(),
-                                       static_cast<std::size_t>(count_->value()), logarithmic_->isChecked()),
-                            bounded_->isChecked() ? std::optional(bound_->value() / 1000) : std::nullopt};
+    StudyJobRequest request{
+        model_.shown_program().input, model_.setup().setup(),
+        rounded(make_sweep(key, from_->value(), to_->value(), static_cast<std::size_t>(count_->value()),
+                           logarithmic_->isChecked())),
+        bounded_->isChecked() ? std::optional(bound_->value() / 1000) : std::nullopt};
     job_.start(request);
     studied_ = model_.setup().state();
     studied_name_ = tr("%1 on %2")

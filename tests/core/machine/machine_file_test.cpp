@@ -187,7 +187,7 @@ TEST_F(MachineFile, RoundTripsBitForBit) {
 TEST_F(MachineFile, GetsAReasonForNumbersWithoutProvenance) {
   Machine machine = read(write(good_file));
   machine.provenance.clear();
-  EXPECT_EQ(read(write(write_machine(machine))).provenance.at("X.jerk"), (Provenance{"set by hand", true}));
+  EXPECT_EQ(read(write(write_machine(machine))).provenance.at("X.jerk"), (Provenance{"set by hand", false}));
 }
 
 TEST_F(MachineFile, IsFoundByIdAndByName) {

@@ -43,7 +43,7 @@ TEST(AxisLimit, NotesThatAChangedValueIsSetByHand) {
   set_axis_limit(machine, 'X', "jerk", 15);
   EXPECT_EQ(machine.provenance["X.jerk"].source, "paper");
   set_axis_limit(machine, 'X', "jerk", 16);
-  EXPECT_EQ(machine.provenance["X.jerk"], (Provenance{"set by hand", true}));
+  EXPECT_EQ(machine.provenance["X.jerk"], (Provenance{"set by hand", false}));
 }
 
 TEST(AxisLimit, NamesUnknownAxisAndLimit) {

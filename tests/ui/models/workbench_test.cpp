@@ -319,7 +319,11 @@ TEST_F(WorkbenchTest, ASavedMachineReadsBackWithAllChangesAndIsTheNewBase) {
   EXPECT_EQ(std::get<double>(model.setup().state().value("alpha")), 3);
   const Machine machine = shipped_machines().load(file.string());
   EXPECT_EQ(axis_limit(machine, 'X', "jerk"), 21);
-  EXPECT_EQ(machine.provenance.at("alpha").source, "set by hand");
+  EXPECT_EQ(machine.provenance.at("alpha"), (Provenance{"set by hand", false}))
+      << "whoever set it assumed nothing";
+  EXPECT_EQ(machine.name, "Spinner MVC 850 (mine)");
+  model.save_machine(file, " Hall 3, left ");
+  EXPECT_EQ(shipped_machines().load(file.string()).name, "Hall 3, left");
 }
 
 TEST_F(WorkbenchTest, AMachineThatCannotBeSavedIsAMessage) {

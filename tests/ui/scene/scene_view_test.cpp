@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QMenu>
 #include <QSignalSpy>
 #include <QTest>
+#include <QTimer>
 #include <QToolTip>
 #include <QWheelEvent>
 #include <cmath>
@@ -50,6 +53,32 @@ TEST_F(SceneViewTest, ClickOnThePathPicksItsTime) {
     ASSERT_EQ(picked.count(), 1) << time;
     EXPECT_NEAR(picked.takeFirst().at(0).toDouble(), time, 0.01 * duration);
   }
+}
+
+TEST_F(SceneViewTest, ARightClickPicksOnlyForTheCommandThatIsChosen) {
+  QAction annotate("Annotate");
+  view_.set_place_actions({&annotate});
+  QSignalSpy picked(&view_, &SceneView::picked);
+  QSignalSpy annotated(&annotate, &QAction::triggered);
+  const auto right_click = [&](bool choose) {
+    QTimer::singleShot(50, &view_, [choose] {
+      auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+      ASSERT_NE(menu, nullptr);
+      QAction* first = menu->actions().first();
+      EXPECT_EQ(first->text(), "Annotate");
+      if (choose) {
+        first->trigger();
+      }
+      menu->close();
+    });
+    QTest::mouseClick(&view_.canvas(), Qt::RightButton, {}, place_of(0.5 * run_.trajectory->duration()));
+  };
+  right_click(false);
+  EXPECT_EQ(picked.count(), 0);
+  right_click(true);
+  ASSERT_EQ(picked.count(), 1);
+  EXPECT_NEAR(picked.front().front().toDouble(), 0.5 * run_.trajectory->duration(), 0.02);
+  EXPECT_EQ(annotated.count(), 1);
 }
 
 TEST_F(SceneViewTest, ClickBesideThePathPicksNothing) {

@@ -5,7 +5,9 @@
 
 #include <QAction>
 #include <QCheckBox>
+#include <QClipboard>
 #include <QDoubleSpinBox>
+#include <QGuiApplication>
 #include <QLineEdit>
 #include <QLocale>
 #include <QTableView>
@@ -48,16 +50,46 @@ TEST_F(RunsViewTest, AClickOnARowMakesItTheCurrentRun) {
   EXPECT_EQ(view.table()->currentIndex().row(), 1);
 }
 
+TEST_F(RunsViewTest, ARunIsRenamedByACommandAndTheKeyboard) {
+  runs.duplicate(0);
+  view.panel_actions()[2]->trigger();
+  auto* editor = view.table()->viewport()->findChild<QLineEdit*>();
+  ASSERT_NE(editor, nullptr);
+  QTest::keyClick(editor, Qt::Key_A, Qt::ControlModifier);
+  QTest::keyClicks(editor, "finishing");
+  QTest::keyClick(editor, Qt::Key_Return);
+  QCoreApplication::processEvents();
+  EXPECT_EQ(runs.items()[1].name, "finishing");
+  EXPECT_EQ(runs.items()[0].name, "");
+}
+
+TEST_F(RunsViewTest, CopyTakesTheWholeTable) {
+  runs.duplicate(0);
+  runs.rename(0, "one\ttwo");
+  simulate();
+  view.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&view));
+  view.table()->setFocus();
+  QTest::keyClick(view.table(), Qt::Key_C, Qt::ControlModifier);
+  const QStringList lines = QGuiApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);
+  ASSERT_EQ(lines.size(), 3);
+  for (const QString& line : lines) {
+    EXPECT_EQ(line.count('\t'), RunTable::columns - 1) << line.toStdString();
+  }
+  EXPECT_TRUE(lines[0].startsWith("Run\tMachine"));
+  EXPECT_TRUE(lines[1].startsWith("one two\tSpinner"));
+}
+
 TEST_F(RunsViewTest, CommandsActOnTheCurrentRun) {
   const QList<QAction*> actions = view.panel_actions();
   actions[0]->trigger();  // duplicate
   ASSERT_EQ(runs.items().size(), 2U);
   const int copy = runs.current_item().id;
-  actions[3]->trigger();  // up
+  actions[4]->trigger();  // up
   EXPECT_EQ(runs.row_of(copy), 0U);
-  actions[4]->trigger();  // down
+  actions[5]->trigger();  // down
   EXPECT_EQ(runs.row_of(copy), 1U);
-  actions[2]->trigger();  // remove
+  actions[3]->trigger();  // remove
   EXPECT_EQ(runs.items().size(), 1U);
 }
 

@@ -64,6 +64,30 @@ TEST_F(StudyViewTest, TheResultsAreThoseOfSimulatingEachValue) {
   EXPECT_THAT(view.verdict().toStdString(), HasSubstr("Fastest: tolerance"));
 }
 
+TEST_F(StudyViewTest, ValuesAreOnesThatPeopleCanSetAndStayApart) {
+  open();
+  for (const int count : {3, 12, 40}) {
+    study("tolerance", 0.005, 0.1, count);
+    const std::vector<StudyPoint>& points = view.chart()->study().curves.at(0).points;
+    ASSERT_EQ(points.size(), static_cast<std::size_t>(count));
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      const int digits = count > 12 ? 3 : 2;
+      EXPECT_EQ(points[i].value, QString::number(points[i].value, 'g', digits).toDouble());
+      EXPECT_TRUE(i == 0 || points[i].value > points[i - 1].value) << points[i].value;
+    }
+    EXPECT_EQ(points.front().value, 0.005);
+    EXPECT_EQ(points.back().value, 0.1);
+  }
+}
+
+/// An axis from 0 showed times that differ by percents as one level line.
+TEST_F(StudyViewTest, DifferencesOfTheCycleTimeAreSeen) {
+  EXPECT_EQ(view.chart()->height_of_times(), 0) << "nothing to be seen yet";
+  open();
+  study("tolerance", 0.005, 0.1, 6);
+  EXPECT_GT(view.chart()->height_of_times(), 0.5);
+}
+
 TEST_F(StudyViewTest, AnyValueBecomesARun) {
   open();
   study("X.jerk", 5, 20, 3);

@@ -1,0 +1,76 @@
+// What the window tells and asks.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+#include <fstream>
+
+#include "tests/ui/run_fixture.h"
+#include "ui/language/language.h"
+#include "ui/main_window.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr int patience = 60000;  // [ms]
+
+class WindowSaysTest : public testing::Test {
+ protected:
+  WindowSaysTest() { window.show(); }
+
+  void open(const std::string& text) {
+    const std::filesystem::path file = std::filesystem::path(folder.path().toStdString()) / "part.nc";
+    std::ofstream(file) << text;
+    model.open(file);
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !model.busy(); }, patience));
+    QCoreApplication::processEvents();
+  }
+
+  Workbench model{shipped_machines(), make_setup({})};
+  MainWindow window{model, RenderBackend::software};
+  const QTemporaryDir folder;
+};
+
+TEST_F(WindowSaysTest, WhereNothingIsShownTheViewSaysWhy) {
+  EXPECT_EQ(window.notice().text(), "");
+  for (const char* nothing : {"", "Dear reader,\nnothing moves here.\n", "G21 G90\nM30\n", "%\n"}) {
+    open(nothing);
+    EXPECT_THAT(window.notice().text().toStdString(), testing::HasSubstr("Nothing in part.nc moves"))
+        << nothing;
+    EXPECT_TRUE(window.notice().again()->isHidden()) << "simulating it again would change nothing";
+  }
+  open(std::string(500, '\x01'));
+  EXPECT_THAT(window.notice().text().toStdString(), testing::HasSubstr("is not a text file"));
+  EXPECT_FALSE(window.notice().again()->isHidden());
+  open(test::small_program);
+  EXPECT_EQ(window.notice().text(), "");
+}
+
+TEST_F(WindowSaysTest, AnotherLanguageIsAQuestion) {
+  const QString before = chosen_language();
+  QList<ListedAction> all = window.commands();
+  for (const ListedAction& listed : all) {
+    if (listed.action->text().startsWith(QStringLiteral("Fran"))) {
+      QString asked;
+      QTimer::singleShot(50, &window, [&asked] {
+        auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+        ASSERT_NE(box, nullptr);
+        asked = box->text();
+        box->button(QMessageBox::No)->click();
+      });
+      listed.action->trigger();
+      EXPECT_THAT(asked.toStdString(), testing::HasSubstr("Restart it now?"));
+    }
+  }
+  EXPECT_EQ(chosen_language(), "fr");
+  choose_language(before);
+}
+
+}  // namespace
+}  // namespace feedscope::ui
