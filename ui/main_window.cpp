@@ -5,6 +5,7 @@
 #include <QDragEnterEvent>
 #include <QMimeData>
 #include <QStatusBar>
+#include <QTabBar>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
@@ -213,6 +214,7 @@ void MainWindow::show_program() {
   scene_->scene().set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
   if (program != nullptr && std::exchange(fitted_to_, model_.file()) != model_.file()) {
     scene_->scene().fit();  // the place of the program before means nothing in this one
+    charts_->show_all_curves();
   }
   show_title();
 }
@@ -385,6 +387,14 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 void MainWindow::dropEvent(QDropEvent* event) {
   open(to_path(event->mimeData()->urls().first().toLocalFile()));
   event->acceptProposedAction();
+}
+
+void MainWindow::childEvent(QChildEvent* event) {
+  if (auto* tabs = qobject_cast<QTabBar*>(event->child()); tabs != nullptr && event->polished()) {
+    tabs->setElideMode(Qt::ElideNone);
+    tabs->setUsesScrollButtons(true);
+  }
+  QMainWindow::childEvent(event);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {

@@ -73,6 +73,8 @@ class MainWindow : public QMainWindow {
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  /// Tabs of panels keep their whole names: Qt would cut them to "Why h…".
+  void childEvent(QChildEvent* event) override;
 
  private:
   void make_docks();

@@ -957,7 +957,7 @@
     </message>
     <message>
         <source>on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance (ADIS), it counts; off: the contour tolerance counts everywhere. Exact stops are obeyed in any case.</source>
-        <translation>on&#xa0;: là où le programme demande une tolérance (CTOL, CYCLE832, G64 P, cycle 32) ou une distance de raccord (ADIS), c&apos;est elle qui vaut&#xa0;; off&#xa0;: la tolérance de contour vaut partout. Les arrêts précis sont toujours respectés.</translation>
+        <translation>oui&#xa0;: là où le programme demande une tolérance (CTOL, CYCLE832, G64 P, cycle 32) ou une distance de raccord (ADIS), c&apos;est elle qui vaut&#xa0;; non&#xa0;: la tolérance de contour vaut partout. Les arrêts précis sont toujours respectés.</translation>
     </message>
     <message>
         <source>Interpolation period</source>
@@ -1045,7 +1045,7 @@
     </message>
     <message>
         <source>corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper&apos;s figures; strict: constant du/dt on a blend, where blends meet ramps of it, every limit kept.</source>
-        <translation>corrected&#xa0;: l&apos;accélération se poursuit après un raccord&#xa0;; published&#xa0;: elle est abandonnée à sa fin, comme dans les figures de l&apos;article&#xa0;; strict&#xa0;: du/dt constant sur un raccord, en rampe là où des raccords se touchent, toutes les limites respectées.</translation>
+        <translation>corrigée&#xa0;: l&apos;accélération se poursuit après un raccord&#xa0;; publiée&#xa0;: elle est abandonnée à sa fin, comme dans les figures de l&apos;article&#xa0;; stricte&#xa0;: du/dt constant sur un raccord, en rampe là où des raccords se touchent, toutes les limites respectées.</translation>
     </message>
     <message>
         <source>Circle-arc blends at constant speed</source>
@@ -1081,7 +1081,7 @@
     </message>
     <message>
         <source>dynamic: ramps that know the blocks ahead; static: every block at its own feed, as if feed changes took no time.</source>
-        <translation>dynamic&#xa0;: rampes qui tiennent compte des blocs à venir&#xa0;; static&#xa0;: chaque bloc à sa propre avance, comme si les changements d&apos;avance ne prenaient pas de temps.</translation>
+        <translation>dynamique&#xa0;: rampes qui tiennent compte des blocs à venir&#xa0;; statique&#xa0;: chaque bloc à sa propre avance, comme si les changements d&apos;avance ne prenaient pas de temps.</translation>
     </message>
     <message>
         <source>Velocity pulses through FIR filters (Heidenhain TNC 640)</source>
@@ -1121,7 +1121,7 @@
     </message>
     <message>
         <source>on: corners are slowed until the true contour error keeps the tolerance; off: every corner as if it were alone, as in the paper.</source>
-        <translation>on&#xa0;: les angles sont ralentis jusqu&apos;à ce que l&apos;erreur de contour réelle tienne la tolérance&#xa0;; off&#xa0;: chaque angle comme s&apos;il était seul, comme dans l&apos;article.</translation>
+        <translation>oui&#xa0;: les angles sont ralentis jusqu&apos;à ce que l&apos;erreur de contour réelle tienne la tolérance&#xa0;; non&#xa0;: chaque angle comme s&apos;il était seul, comme dans l&apos;article.</translation>
     </message>
     <message>
         <source>Time-optimal bound</source>
@@ -1145,7 +1145,7 @@
     </message>
     <message>
         <source>off: the fastest under velocity and acceleration limits, which no law can beat; on: a law that keeps the jerk of every axis too, close to the fastest, and slow to compute.</source>
-        <translation>off&#xa0;: la loi la plus rapide sous les limites de vitesse et d&apos;accélération, qu&apos;aucune autre ne peut battre&#xa0;; on&#xa0;: une loi qui respecte aussi le jerk de chaque axe, proche de la plus rapide, et longue à calculer.</translation>
+        <translation>non&#xa0;: la loi la plus rapide sous les limites de vitesse et d&apos;accélération, qu&apos;aucune autre ne peut battre&#xa0;; oui&#xa0;: une loi qui respecte aussi le jerk de chaque axe, proche de la plus rapide, et longue à calculer.</translation>
     </message>
     <message>
         <source>Tolerances and blend distances of the program are not followed: the model has no blends.</source>
@@ -1174,6 +1174,34 @@
     <message>
         <source>Curves of the program run as arcs that touch each other: where the curvature jumps, a control that limits the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.</source>
         <translation>Les courbes du programme sont parcourues comme des arcs tangents : là où la courbure saute, une commande qui limite le jerk ralentit, et le temps indiqué atteint 2,4 fois celui de la courbe elle-même.</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>oui</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>non</translation>
+    </message>
+    <message>
+        <source>corrected</source>
+        <translation>corrigée</translation>
+    </message>
+    <message>
+        <source>published</source>
+        <translation>publiée</translation>
+    </message>
+    <message>
+        <source>strict</source>
+        <translation>stricte</translation>
+    </message>
+    <message>
+        <source>dynamic</source>
+        <translation>dynamique</translation>
+    </message>
+    <message>
+        <source>static</source>
+        <translation>statique</translation>
     </message>
 </context>
 <context>

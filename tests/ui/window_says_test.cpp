@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDockWidget>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -50,6 +52,38 @@ TEST_F(WindowSaysTest, WhereNothingIsShownTheViewSaysWhy) {
   EXPECT_FALSE(window.notice().again()->isHidden());
   open(test::small_program);
   EXPECT_EQ(window.notice().text(), "");
+}
+
+TEST_F(WindowSaysTest, NoTabOfAPanelIsCut) {
+  window.resize(1280, 800);
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    dock->show();
+  }
+  open(test::small_program);
+  QTest::qWait(50);
+  int seen = 0;
+  for (const QTabBar* tabs : window.findChildren<QTabBar*>()) {
+    for (int i = 0; i < tabs->count(); ++i, ++seen) {
+      EXPECT_GE(tabs->tabRect(i).width(), tabs->fontMetrics().horizontalAdvance(tabs->tabText(i)))
+          << tabs->tabText(i).toStdString();
+    }
+  }
+  EXPECT_GT(seen, 8);
+}
+
+TEST_F(WindowSaysTest, ACurveSwitchedOffIsOnAgainForAnotherProgram) {
+  open(test::small_program);
+  window.charts().show_curve(0, 2, false);
+  model.reload();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !model.busy(); }, patience));
+  EXPECT_FALSE(window.charts().chart(0).curve_shown(2)) << "the same program";
+  const std::filesystem::path other = std::filesystem::path(folder.path().toStdString()) / "other.nc";
+  std::ofstream(other) << test::small_program;
+  window.open(other);
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !model.busy(); }, patience));
+  EXPECT_TRUE(window.charts().chart(0).curve_shown(2));
+  window.charts().show_curve(0, 2, false);
+  EXPECT_TRUE(for_any_run(window.charts().state()).hidden.isEmpty()) << "kept for the next start";
 }
 
 TEST_F(WindowSaysTest, AnotherLanguageIsAQuestion) {

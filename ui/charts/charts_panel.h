@@ -66,6 +66,7 @@ class ChartsPanel : public QWidget {
   ChartHeader& header(std::size_t i) { return *headers_[i]; }
   CauseStrip& causes() { return *causes_; }
   void show_curve(std::size_t chart, std::size_t curve, bool shown);
+  void show_all_curves();
   /// Time of cursor B [s].
   const std::optional<double>& second_cursor() const { return second_; }
   void set_second_cursor(std::optional<double> time);

@@ -242,4 +242,12 @@ void ChartsPanel::save_csv(const QString& file, CsvRows rows, double step) {
       }));
 }
 
+void ChartsPanel::show_all_curves() {
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    for (std::size_t k = 0; k < charts_[i]->spec().curves.size(); ++k) {
+      show_curve(i, k, true);
+    }
+  }
+}
+
 }  // namespace feedscope::ui

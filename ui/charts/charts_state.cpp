@@ -34,6 +34,7 @@ void read_keys(const QJsonValue& json, QStringList& keys) {
 
 ChartsState for_any_run(ChartsState state) {
   state.time.reset();
+  state.hidden.clear();
   state.values = {};
   state.second_cursor.reset();
   return state;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/machine/contour_tolerance.h"
+#include "ui/language/core_texts.h"
 #include "ui/models/tolerance_text.h"
 
 namespace feedscope::ui {
@@ -19,8 +20,7 @@ constexpr std::array<QRgb, 8> run_colours{0xff7036c8, 0xff8f4a1e, 0xffe05ab0, 0x
 
 QString value_text(const SettingValue& value) {
   const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? QLocale().toString(*number, 'g', 6)
-                           : QString::fromStdString(std::get<std::string>(value));
+  return number != nullptr ? QLocale().toString(*number, 'g', 6) : core_text(std::get<std::string>(value));
 }
 
 }  // namespace

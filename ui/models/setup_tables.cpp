@@ -22,7 +22,7 @@ QString value_text(const SettingValue& value) {
   if (const auto* number = std::get_if<double>(&value)) {
     return number_text(*number);
   }
-  return QString::fromStdString(std::get<std::string>(value));
+  return core_text(std::get<std::string>(value));
 }
 
 /// Superscripts for the screen: "m/s2" -> "m/s²".
@@ -93,7 +93,7 @@ QVariant SetupTable::data(const QModelIndex& index, int role) const {
     case choices_role: {
       QStringList choices;
       for (const std::string& choice : edit_.state().spec(*key).choices) {
-        choices.append(QString::fromStdString(choice));
+        choices.append(core_text(choice));
       }
       return choices;
     }
@@ -113,8 +113,11 @@ bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int ro
   try {
     const SettingSpec spec = edit_.state().spec(key);
     const QString text = value.toString().trimmed();
+    const auto choice = std::ranges::find(spec.choices, text, core_text);
     const auto number = spec.choices.empty() ? number_of(text) : std::nullopt;
-    edit_.set(key, number ? SettingValue(*number) : parse_setting(spec, text.toStdString()));
+    edit_.set(key, number                         ? SettingValue(*number)
+                   : choice != spec.choices.end() ? SettingValue(*choice)
+                                                  : parse_setting(spec, text.toStdString()));
     return true;
   } catch (const InputError& error) {
     emit refused(index, QString::fromUtf8(error.what()));

@@ -26,7 +26,6 @@ constexpr double largest_exaggeration = 1000;
 constexpr double cube_half = 24;    // [pixels]
 constexpr double cube_height = 98;  // of its centre, above the lower edge
 constexpr int layer_count = 3;
-
 }  // namespace
 
 /// Three layers of one window: behind, the frame's grid and labels and what underlays the path; then the
@@ -78,8 +77,9 @@ class PathScene::Impl {
                            : PickablePath{};
   }
   AxesCube cube() const {
-    const double left = width() - layout().panel_width;
-    return {projection(), {(left + width()) / 2, cube_height * scale}, cube_half * scale};
+    const ScreenLayout screen = layout();
+    const Vec2 centre(screen.width - screen.panel_width / 2, cube_height * scale);
+    return {projection(), centre, screen.cube ? cube_half * scale : 0};
   }
 
   void changed() const {

@@ -75,10 +75,9 @@ TEST_F(ChartsStateTest, RangeBeyondTheRunIsCutToIt) {
 
 TEST_F(ChartsStateTest, AnyRunKeepsWhatBelongsToNone) {
   const ChartsState any = for_any_run(changed());
-  EXPECT_EQ(any, (ChartsState{.abscissa = Abscissa::path_length,
-                              .hidden = changed().hidden,
-                              .other_runs = changed().other_runs,
-                              .causes = false}));
+  EXPECT_EQ(
+      any,
+      (ChartsState{.abscissa = Abscissa::path_length, .other_runs = changed().other_runs, .causes = false}));
 }
 
 TEST_F(ChartsStateTest, JsonComesBackAsItWas) {

@@ -29,6 +29,10 @@ void add(std::vector<std::string>& texts, const std::vector<SettingSpec>& specs)
   for (const SettingSpec& spec : specs) {
     texts.push_back(spec.title);
     texts.push_back(spec.explanation);
+    std::ranges::copy_if(spec.choices, std::back_inserter(texts), [](const std::string& choice) {
+      return std::ranges::none_of(all_models(),
+                                  [&](const ControlModel* model) { return model->info().id == choice; });
+    });
   }
 }
 

@@ -366,5 +366,29 @@ TEST_F(PathSceneTest, AMarkedRangeNeverCoversThePath) {
   EXPECT_LT(1000 * covered, path) << "but for the mixed colours of edges";
 }
 
+/// In a low view they gave way to the cube, and nothing told what the colours mean.
+TEST_F(PathSceneTest, ColoursAreExplainedInEveryHeight) {
+  const auto run = simulate_text("G21 G90 G94 F3000\nG1 X40\nY40\nX80\n");
+  for (int low = 130; low <= 600; low += 47) {
+    window_->SetSize(width, low);
+    show(run, StandardView::iso);
+    const auto pixels = pixels_of(*window_, width, low);
+    const Rgb top = scale_colour(ColourScale{}, 0.99, Background::light);
+    std::size_t found = 0;
+    for (int y = 0; y < low; ++y) {
+      for (int x = width - 130; x < width; ++x) {
+        const unsigned char* pixel = &pixels[4 * static_cast<std::size_t>(y * width + x)];
+        bool same = true;
+        for (std::size_t c = 0; c < 3; ++c) {
+          same = same && std::abs(pixel[c] - 255 * top[c]) < 12;
+        }
+        found += same ? 1 : 0;
+      }
+    }
+    EXPECT_GE(found, 8U) << "height " << low;
+    EXPECT_EQ(scene_.cube_view({width - 60.0, low - 98.0}).has_value(), low > 270) << "height " << low;
+  }
+}
+
 }  // namespace
 }  // namespace feedscope::ui

@@ -30,6 +30,9 @@ AxesCube::AxesCube(const Projection& projection, const Vec2& centre, double half
       towards_(projection.towards),
       centre_(centre),
       half_(half) {
+  if (half <= 0) {
+    return;
+  }
   for (const Side& side : sides) {
     Vec3 out = Vec3::Zero();
     out[side.axis] = side.sign;

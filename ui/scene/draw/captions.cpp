@@ -14,6 +14,8 @@ namespace {
 
 constexpr double row_height = 22;
 constexpr double sample_width = 30;
+constexpr double above_cube = 160;
+constexpr double above_scale_bar = 48;
 
 TextStyle text_style(double scale, const SceneColours& colours) {
   return {.size = panel_text_pixels * scale, .colour = colours.text, .horizontal = -1};
@@ -155,6 +157,7 @@ ScreenLayout screen_layout(int width, int height, double scale, const Captions& 
   layout.panel_width = colour_panel_width(captions, width, scale);
   const int rows = for_each_cell(legend(captions), width - layout.panel_width, scale, *captions.colours,
                                  [](const Entry&, double, int) {});
+  layout.cube = height - above_cube * scale >= least_colour_panel_height(captions, scale);
   layout.legend_height = rows * row_height * scale + (rows > 0 ? 8 * scale : 0);
   return layout;
 }
@@ -171,7 +174,8 @@ void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& c
     draw_scale_bar(canvas, {left + panel_margin * k, 20 * k}, layout.panel_width - 2 * panel_margin * k,
                    millimetre, k, captions);
   }
-  draw_colour_panel(canvas, captions, {left, 160 * k}, {layout.width, layout.height}, k);
+  draw_colour_panel(canvas, captions, {left, (layout.cube ? above_cube : above_scale_bar) * k},
+                    {layout.width, layout.height}, k);
 }
 
 void draw_start_marker(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours) {

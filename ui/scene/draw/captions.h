@@ -40,6 +40,7 @@ struct ScreenLayout {
   double scale;          ///< of text and lines
   double panel_width;
   double legend_height;
+  bool cube = true;  ///< false where the colours would have no room above it
 
   Vec2 low() const { return Vec2::Constant(14 * scale); }  ///< of the part for the path
   Vec2 high() const { return {width - panel_width - 10 * scale, height - legend_height - 8 * scale}; }
