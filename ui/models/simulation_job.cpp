@@ -14,7 +14,7 @@ namespace feedscope::ui {
 
 namespace {
 
-/// What the program before has left, which its allocator would keep.
+/// What the program before, or a computation, has left, which its allocator would keep.
 void give_back_memory() {
 #ifdef __GLIBC__
   malloc_trim(0);
@@ -83,7 +83,9 @@ SimulationJob::Outcome SimulationJob::work(const JobRequest& request, const std:
       input = std::get<LoadedProgram>(request.input);
     }
     stages->simulating = true;
-    return simulate_shown(input, request.setup, &stages->simulation);
+    Outcome shown = simulate_shown(input, request.setup, &stages->simulation);
+    give_back_memory();
+    return shown;
   } catch (const Cancelled&) {
     return {};
   } catch (const std::bad_alloc&) {

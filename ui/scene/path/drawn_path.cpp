@@ -1,41 +1,31 @@
 #include "ui/scene/path/drawn_path.h"
 
-#include <vtkCellArray.h>
-#include <vtkFloatArray.h>
-#include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkUnsignedCharArray.h>
+#include <algorithm>
+#include <utility>
 
 namespace feedscope::ui {
 namespace {
 
-static_assert(sizeof(Eigen::Vector3f) == 3 * sizeof(float), "VTK reads the positions as packed triples");
-constexpr int do_not_free = 1;
+constexpr std::size_t few_points = 100'000;  // a level of fewer is drawn as a whole
+constexpr double line_margin = 20;           // [pixels] half a line reaches into the view
+constexpr double window_margin = 0.5;        // of the window, on each side: small moves need no other part
 
 }  // namespace
 
 DrawnPath::DrawnPath(std::shared_ptr<const SampledPath> samples) : samples_(std::move(samples)) {
-  colour_values_->SetNumberOfComponents(4);
-  show_positions();
-}
-
-DrawnPath::~DrawnPath() = default;
-
-void DrawnPath::show_positions() {
-  const vtkNew<vtkFloatArray> array;
-  array->SetNumberOfComponents(3);
-  if (!positions().empty()) {
-    array->SetArray(const_cast<float*>(positions().front().data()),
-                    static_cast<vtkIdType>(3 * positions().size()), do_not_free);
+  if (samples_->boxes.empty()) {
+    own_boxes_ = boxes_of(samples_->positions);
   }
-  points_->SetData(array);
-  points_->Modified();
+  parts_.resize(samples_->levels.size());
 }
 
 void DrawnPath::exaggerate(double factor) {
+  const bool was_moved = !moved_.empty();
   if (factor == 1 || samples_->deviations.empty()) {
     moved_ = {};
+    if (!was_moved) {
+      return;
+    }
   } else {
     moved_ = samples_->positions;
     const auto more = static_cast<float>(factor - 1);
@@ -44,29 +34,59 @@ void DrawnPath::exaggerate(double factor) {
       moved_[i] += more * Eigen::Vector3f(float(deviation[0]), float(deviation[1]), float(deviation[2]));
     }
   }
-  moved_boxes_ = boxes_of(moved_);
-  show_positions();
+  own_boxes_ = moved_.empty() && !samples_->boxes.empty() ? std::vector<SpanBox>() : boxes_of(positions());
+  for (auto& part : parts_) {
+    part.reset();
+  }
 }
 
 void DrawnPath::set_colours(std::vector<Rgba> colours) {
   colours_ = std::move(colours);
-  colour_values_->SetArray(colours_.empty() ? nullptr : colours_.front().data(),
-                           static_cast<vtkIdType>(4 * colours_.size()), do_not_free);
-  colour_values_->Modified();
+  for (const auto& part : parts_) {
+    if (part) {
+      part->set_colours(colours_);
+    }
+  }
 }
 
-vtkSmartPointer<vtkPolyData> DrawnPath::poly_data(vtkCellArray& cells, bool points) const {
-  auto data = vtkSmartPointer<vtkPolyData>::New();
-  data->SetPoints(points_);
-  if (!colours_.empty()) {
-    data->GetPointData()->SetScalars(colour_values_);
+/// Those that `view` may show, with `margin` [pixels] around it.
+std::vector<bool> DrawnPath::boxes_in(const SceneFrame& frame, const Projection& view, double margin) const {
+  const std::vector<SpanBox>& boxes = this->boxes();
+  std::vector<bool> wanted(boxes.size());
+  const Vec2 reach = (view.middle + Vec2::Constant(margin)) / view.scale;
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    const Vec3 low = frame.to_scene(samples_->origin + boxes[i].low.cast<double>());
+    const Vec3 high = frame.to_scene(samples_->origin + boxes[i].high.cast<double>());
+    const Vec3 from_focal = (low + high) / 2 - view.focal;
+    const Vec3 half = (high - low) / 2;
+    // Nothing in the box is smaller than what is farthest from the eye.
+    const double smallest = view.magnification(
+        view.focal + view.towards * (from_focal.dot(view.towards) - half.dot(view.towards.cwiseAbs())));
+    const Vec2 nearest(std::abs(from_focal.dot(view.right)) - half.dot(view.right.cwiseAbs()),
+                       std::abs(from_focal.dot(view.up)) - half.dot(view.up.cwiseAbs()));
+    wanted[i] = nearest.x() * smallest <= reach.x() && nearest.y() * smallest <= reach.y();
   }
-  if (points) {
-    data->SetVerts(&cells);
-  } else {
-    data->SetLines(&cells);
+  return wanted;
+}
+
+bool DrawnPath::show(std::size_t level, const SceneFrame& frame, const Projection& view) {
+  const bool whole = samples_->levels[level].size() <= few_points;
+  std::unique_ptr<PathPart>& part = parts_[level];
+  if (part && (whole || part->fits(boxes_in(frame, view, line_margin)))) {
+    return false;
   }
-  return data;
+  if (!whole) {  // one part of many points is enough
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      if (samples_->levels[i].size() > few_points) {
+        parts_[i].reset();
+      }
+    }
+  }
+  const double margin = 2 * window_margin * view.middle.maxCoeff();
+  part = std::make_unique<PathPart>(*samples_, samples_->levels[level], positions(),
+                                    whole ? std::vector<bool>() : boxes_in(frame, view, margin));
+  part->set_colours(colours_);
+  return true;
 }
 
 }  // namespace feedscope::ui

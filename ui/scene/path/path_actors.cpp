@@ -14,7 +14,7 @@
 
 namespace feedscope::ui {
 
-vtkSmartPointer<vtkCellArray> polylines(const SampledPath& path, const PathLevel& points,
+vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first, std::size_t end,
                                         const std::function<bool(SpanKind)>& wanted) {
   const vtkNew<vtkTypeInt32Array> offsets;
   const vtkNew<vtkTypeInt32Array> indices;
@@ -26,16 +26,16 @@ vtkSmartPointer<vtkCellArray> polylines(const SampledPath& path, const PathLevel
     }
     open = false;
   };
-  for (std::size_t k = 0; k + 1 < points.size(); ++k) {
-    if (!wanted(path.kinds[points[k]])) {
+  for (std::size_t k = first; k + 1 < end; ++k) {
+    if (!part.joined(k) || !wanted(part.kind(k))) {
       close();
       continue;
     }
     if (!open) {
-      indices->InsertNextValue(static_cast<int>(points[k]));
+      indices->InsertNextValue(static_cast<int>(k));
       open = true;
     }
-    indices->InsertNextValue(static_cast<int>(points[k + 1]));
+    indices->InsertNextValue(static_cast<int>(k + 1));
   }
   close();
   auto cells = vtkSmartPointer<vtkCellArray>::New();
@@ -43,22 +43,21 @@ vtkSmartPointer<vtkCellArray> polylines(const SampledPath& path, const PathLevel
   return cells;
 }
 
-vtkSmartPointer<vtkCellArray> blend_points(const SampledPath& path, const PathLevel& points) {
+vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part) {
   constexpr std::size_t most_points = 100'000;
   const auto in_blend = [&](std::size_t k) {
-    return path.kinds[points[k]] == SpanKind::blend ||
-           (k > 0 && path.kinds[points[k - 1]] == SpanKind::blend);
+    return part.kind(k) == SpanKind::blend || (k > 0 && part.kind(k - 1) == SpanKind::blend);
   };
   std::size_t count = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < part.size(); ++k) {
     count += in_blend(k) ? 1 : 0;
   }
   const std::size_t step = 1 + count / most_points;
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   std::size_t seen = 0;
-  for (std::size_t k = 0; k < points.size(); ++k) {
+  for (std::size_t k = 0; k < part.size(); ++k) {
     if (in_blend(k) && seen++ % step == 0) {
-      const auto id = static_cast<vtkIdType>(points[k]);
+      const auto id = static_cast<vtkIdType>(k);
       cells->InsertNextCell(1, &id);
     }
   }

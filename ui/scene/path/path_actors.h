@@ -4,6 +4,7 @@
 
 #include <functional>
 
+#include "ui/scene/path/path_part.h"
 #include "ui/scene/sampled_path.h"
 
 class vtkActor;
@@ -12,13 +13,14 @@ class vtkPolyData;
 
 namespace feedscope::ui {
 
-/// Spans between successive `points` of `path` that `wanted` accepts, as polylines.
-vtkSmartPointer<vtkCellArray> polylines(const SampledPath& path, const PathLevel& points,
+/// Those of the points of `part` from `first` to `end` - 1 that are joined by spans that `wanted` accepts, as
+/// polylines.
+vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first, std::size_t end,
                                         const std::function<bool(SpanKind)>& wanted);
 
-/// Those of `points` that are in blends, or every n-th of them where there are more than 100 000: drawn as
+/// Those of the points that are in blends, or every n-th of them where there are more than 100 000: drawn as
 /// discs, they round the joins of wide lines and show blends that are smaller than a pixel.
-vtkSmartPointer<vtkCellArray> blend_points(const SampledPath& path, const PathLevel& points);
+vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part);
 
 /// The rapids of `path` as dashes of `dash` mm with gaps as long, the pattern running on over consecutive
 /// spans; dashes grow where there would be more than 100 000.

@@ -216,43 +216,37 @@ Rgb PathLayers::colour_of(const Layer& layer) const {
   return colours.text;
 }
 
-/// The points of `level` in the highlighted range, with one on either side.
-PathLevel PathLayers::highlighted(const SampledPath& path, const PathLevel& level) const {
-  PathLevel part{level.spacing, 0, {}};
+/// What is in the highlighted range, with one point on either side.
+vtkSmartPointer<vtkCellArray> PathLayers::highlighted(const PathPart& part) const {
   if (!range_) {
-    return part;
+    return polylines(part, 0, 0, is_cut);
   }
   const auto first_from = [&](double time) {
-    const auto all = std::views::iota(std::size_t{0}, level.size());
+    const auto all = std::views::iota(std::size_t{0}, part.size());
     return static_cast<std::size_t>(
-        std::ranges::lower_bound(all, time, {}, [&](std::size_t k) { return path.times[level[k]]; }) -
+        std::ranges::lower_bound(all, time, {}, [&](std::size_t k) { return part.path().times[part[k]]; }) -
         all.begin());
   };
   const std::size_t first = first_from((*range_)[0]);
-  const std::size_t end = std::min(level.size(), first_from((*range_)[1]) + 1);
-  for (std::size_t k = first > 0 ? first - 1 : 0; k < end; ++k) {
-    part.points.push_back(static_cast<std::uint32_t>(level[k]));
-  }
-  part.count = part.points.size();
-  return part;
+  const std::size_t end = std::min(part.size(), first_from((*range_)[1]) + 1);
+  return polylines(part, first > 0 ? first - 1 : 0, end, is_cut);
 }
 
-vtkSmartPointer<vtkCellArray> PathLayers::cells_of(const Layer& layer, const PathLevel& level) const {
-  const SampledPath& path = layer.path->samples();
+vtkSmartPointer<vtkCellArray> PathLayers::cells_of(const Layer& layer, const PathPart& part) const {
   if (layer.role == Role::range) {
-    return polylines(path, highlighted(path, level), is_cut);
+    return highlighted(part);
   }
   if (layer.discs) {
-    return blend_points(path, level);
+    return blend_points(part);
   }
   const bool blends = layer.role == Role::blend || layer.role == Role::blend_edge;
-  return polylines(path, level, blends ? is_blend : is_cut);
+  return polylines(part, 0, part.size(), blends ? is_blend : is_cut);
 }
 
-vtkSmartPointer<vtkActor> PathLayers::make_actor(const Layer& layer, const PathLevel& level) const {
-  const auto cells = cells_of(layer, level);
+vtkSmartPointer<vtkActor> PathLayers::make_actor(const Layer& layer, const PathPart& part) const {
+  const auto cells = cells_of(layer, part);
   const bool coloured = layer.role == Role::cut || layer.role == Role::blend;
-  auto actor = line_actor(*layer.path->poly_data(*cells, layer.discs), coloured);
+  auto actor = line_actor(*part.poly_data(*cells, layer.discs), coloured);
   const Rgb colour = colour_of(layer);
   actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   renderer_of(layer).AddActor(actor);
@@ -297,6 +291,48 @@ PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
   return {thin_width, 0};
 }
 
+std::size_t PathLayers::level_of(const SampledPath& path, const SceneFrame& frame, const Projection& view,
+                                 bool moving) {
+  constexpr double invisible = 0.7;  // [pixels]
+  const auto& levels = path.levels;
+  std::size_t level = 0;
+  while (level + 1 < levels.size() && (levels[level + 1].spacing / frame.unit * view.scale < invisible ||
+                                       (moving && levels[level].size() > points_moving))) {
+    ++level;
+  }
+  return level;
+}
+
+/// Of the paths that are drawn; actors of parts that are no more go.
+void PathLayers::update_parts(const SceneFrame& frame, const Projection& view, bool moving) {
+  const CurrentContext context(renderer_);
+  const auto update = [&](DrawnPath& path) {
+    const std::size_t level = level_of(path.samples(), frame, view, moving);
+    if (!path.show(level, frame, view)) {
+      return;
+    }
+    for (Layer& layer : layers_) {
+      for (std::size_t i = 0; layer.path == &path && i < layer.actors.size(); ++i) {
+        if (layer.actors[i] && (i == level || path.part(i) == nullptr)) {
+          renderer_of(layer).RemoveActor(layer.actors[i]);
+          layer.actors[i] = nullptr;
+        }
+      }
+    }
+  };
+  if (programmed_) {
+    update(*programmed_);
+  }
+  for (const auto& path : overlays_) {
+    if (overlays_shown()) {
+      update(*path);
+    }
+  }
+  if (executed_) {
+    update(*executed_);
+  }
+}
+
 void PathLayers::place(const SceneFrame& frame, const Projection& view, double scale, bool moving) {
   constexpr double comfortable = 0.35;
   const double lines =
@@ -309,25 +345,16 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
   const double rapids = crowding(frame, view, scale * rapid_length_ * thin_width / 2);
   const double rapid_opacity = std::clamp(comfortable / std::max(rapids, 1e-9), 0.08, 1.0);
 
-  const auto level_of = [&](const SampledPath& path) {
-    constexpr double invisible = 0.7;  // [pixels]
-    const auto& levels = path.levels;
-    std::size_t level = 0;
-    while (level + 1 < levels.size() && (levels[level + 1].spacing / frame.unit * view.scale < invisible ||
-                                         (moving && levels[level].size() > points_moving))) {
-      ++level;
-    }
-    return level;
-  };
-
+  update_parts(frame, view, moving);
   for (Layer& layer : layers_) {
     const bool emphasis = layer.role == Role::blend_edge || layer.discs;
     const bool shown = (!emphasis || (edges && !moving)) && (layer.role != Role::range || range_) &&
-                       (layer.role != Role::overlay || !needs_reference(look_.colouring));
-    const std::size_t level = layer.path != nullptr ? level_of(layer.path->samples()) : 0;
+                       (layer.role != Role::overlay || overlays_shown());
+    const std::size_t level =
+        layer.path != nullptr ? level_of(layer.path->samples(), frame, view, moving) : 0;
     for (std::size_t i = 0; i < layer.actors.size(); ++i) {
       if (shown && i == level && !layer.actors[i]) {
-        layer.actors[i] = make_actor(layer, layer.path->samples().levels[i]);
+        layer.actors[i] = make_actor(layer, *layer.path->part(i));
       }
       if (layer.actors[i]) {
         layer.actors[i]->SetVisibility(shown && i == level ? 1 : 0);

@@ -85,13 +85,17 @@ class PathLayers {
   void clear();
   void add(Role role, const DrawnPath* path, bool discs = false, const Rgb& colour = {});
   void add_rapids(const SampledPath& path, const SceneFrame& frame);
-  vtkSmartPointer<vtkActor> make_actor(const Layer& layer, const PathLevel& level) const;
-  vtkSmartPointer<vtkCellArray> cells_of(const Layer& layer, const PathLevel& level) const;
-  PathLevel highlighted(const SampledPath& path, const PathLevel& level) const;
+  void update_parts(const SceneFrame& frame, const Projection& view, bool moving);
+  vtkSmartPointer<vtkActor> make_actor(const Layer& layer, const PathPart& part) const;
+  vtkSmartPointer<vtkCellArray> cells_of(const Layer& layer, const PathPart& part) const;
+  vtkSmartPointer<vtkCellArray> highlighted(const PathPart& part) const;
   void recolour();
   Rgb colour_of(const Layer& layer) const;
   double covered_by_edges(double millimetre, double scale) const;
   Style style_of(Role role, double thinner) const;
+  bool overlays_shown() const { return !needs_reference(look_.colouring); }
+  static std::size_t level_of(const SampledPath& path, const SceneFrame& frame, const Projection& view,
+                              bool moving);
   static double crowding(const SceneFrame& frame, const Projection& view, double drawn);
 
   vtkRenderer& renderer_of(const Layer& layer) const {

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "ui/scene/path/colouring.h"
+#include "ui/scene/sampled_path.h"
+
+class vtkCellArray;
+class vtkPoints;
+class vtkPolyData;
+class vtkUnsignedCharArray;
+
+namespace feedscope::ui {
+
+/// What VTK draws of a path: the points of one level of detail whose spans pass through some of its boxes,
+/// with positions and colours that all lines of the part share. What is outside has no buffer of the GPU.
+class PathPart {
+ public:
+  /// `positions` as drawn, offsets from the origin of `path`; `wanted`: by box, empty: all of them. `path`
+  /// must outlive this. Linear in the level.
+  PathPart(const SampledPath& path, const PathLevel& level, const std::vector<Eigen::Vector3f>& positions,
+           std::vector<bool> wanted);
+  ~PathPart();
+
+  /// Whether all spans in `boxes` are in this part, and not many more.
+  bool fits(const std::vector<bool>& boxes) const;
+
+  std::size_t size() const { return points_of_path_.size(); }
+  /// Index in the path of point `k`.
+  std::size_t operator[](std::size_t k) const { return points_of_path_[k]; }
+  /// What the span from point `k` to the next one is.
+  SpanKind kind(std::size_t k) const { return path_.kinds[points_of_path_[k]]; }
+  /// Whether there is a span from point `k` to the next one; the last point has none.
+  bool joined(std::size_t k) const { return joined_[k]; }
+  const SampledPath& path() const { return path_; }
+
+  /// Of all points of the path.
+  void set_colours(const std::vector<Rgba>& colours);
+  /// Lines or points between the points of this part; they follow its colours.
+  vtkSmartPointer<vtkPolyData> poly_data(vtkCellArray& cells, bool points) const;
+
+ private:
+  const SampledPath& path_;
+  std::vector<bool> wanted_;
+  std::vector<std::uint32_t> points_of_path_;
+  std::vector<bool> joined_;
+  vtkNew<vtkPoints> points_;
+  vtkNew<vtkUnsignedCharArray> colours_;
+};
+
+}  // namespace feedscope::ui
