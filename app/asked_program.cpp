@@ -10,7 +10,7 @@
 
 namespace feedscope {
 
-AskedProgram asked_program(const ProgramOptions& options, std::vector<GivenOption> more) {
+AskedProgram asked_program(const ProgramOptions& options, [[maybe_unused]] std::vector<GivenOption> more) {
   AskedProgram asked;
 #ifdef FEEDSCOPE_WITH_UI
   if (const std::optional<ui::Session> session = asked_session(options, std::move(more))) {

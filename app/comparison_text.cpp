@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "app/print.h"
+#include "core/analysis/not_counted.h"
 #include "core/analysis/slower_tolerance.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
@@ -103,6 +104,29 @@ void add_shares(Cells& cells, const ComparedRun& run, double AxisPeaks::*peak, d
   }
 }
 
+/// One line each of what the cycle times do not contain, with the machines of which this holds.
+std::string not_counted_text(std::span<const ComparedRun> runs) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> texts;
+  for (const ComparedRun& run : runs) {
+    const std::string text = describe(run.summary.not_counted);
+    auto known = std::ranges::find(texts, text, [](const auto& entry) { return entry.first; });
+    if (known == texts.end()) {
+      known = texts.insert(texts.end(), {text, {}});
+    }
+    if (std::ranges::find(known->second, run.setup.machine.id) == known->second.end()) {
+      known->second.push_back(run.setup.machine.id);
+    }
+  }
+  std::string out;
+  for (const auto& [text, machines] : texts) {
+    if (!text.empty()) {
+      out += texts.size() == 1 ? fmt::format("\nNot counted: {}\n", text)
+                               : fmt::format("\nNot counted on {}: {}\n", fmt::join(machines, ", "), text);
+    }
+  }
+  return out;
+}
+
 std::string peaks_table(std::span<const ComparedRun> runs) {
   RunTable table;
   table.add_head({"velocity X", "Y", "Z", "acceleration X", "Y", "Z", "jerk X", "Y", "Z"});
@@ -139,8 +163,8 @@ std::string comparison_text(const LoadedProgram& program, std::span<const Compar
     heading += fmt::format(", with {}", fmt::join(assignments, " "));
   }
   std::string text =
-      fmt::format("{}\n\n{}\nLargest values in percent of the limits\n{}\nTime by limiting cause\n{}",
-                  heading, times_table(runs), peaks_table(runs), causes_table(runs));
+      fmt::format("{}\n\n{}{}\nLargest values in percent of the limits\n{}\nTime by limiting cause\n{}",
+                  heading, times_table(runs), not_counted_text(runs), peaks_table(runs), causes_table(runs));
   const std::vector<ToleranceRun> all = tolerance_runs(runs);
   for (const SlowerTolerance& slower : slower_with_wider_tolerance(all)) {
     text += fmt::format("\n{}\n", wrapped(to_string(slower, all), 0));

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <sstream>
 
+#include "core/analysis/not_counted.h"
 #include "core/analysis/tolerance_in_force.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
@@ -165,6 +166,9 @@ std::string summary_text(const Run& run) {
                                 run.setup.machine.control, run.setup.model->info().id);
   TextTable figures;
   figures.add({"cycle time", time_text(s.cycle_time)});
+  if (const std::string missing = describe(s.not_counted); !missing.empty()) {
+    figures.add({"not counted", missing});
+  }
   figures.add({"programmed time", time_text(s.programmed_time)});
   const auto tolerance = tolerance_in_force(run.input.feed_controls, run.setup);
   figures.add({"tolerance", tolerance ? describe(tolerance) : "none: the model follows none"});

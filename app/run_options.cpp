@@ -8,6 +8,7 @@
 
 #include "app/number_option.h"
 #include "core/analysis/control_dialect.h"
+#include "core/analysis/run_notes.h"
 #include "core/analysis/unfollowed.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -29,6 +30,42 @@ void add_radius(CutterRadii& radii, const std::string& assignment) {
         assignment));
   }
   radii.set(assignment.substr(0, equals), parse_length(assignment.substr(equals + 1), "--tool"));
+}
+
+/// Three numbers behind the "=".
+void add_offset(WorkOffsets& offsets, const std::string& assignment) {
+  const std::size_t equals = assignment.find('=');
+  const std::string name = assignment.substr(0, std::min(equals, assignment.size()));
+  const auto refuse = [&] {
+    throw InputError(
+        fmt::format("--offset '{}' is not OFFSET=X,Y,Z; write the offset as the program names it, and its "
+                    "three coordinates in "
+                    "mm with decimal points, such as --offset G55=100,0,0",
+                    assignment));
+  };
+  if (equals == std::string::npos || WorkOffsets::key(name).empty()) {
+    refuse();
+  }
+  SettingSpec number;
+  number.key = "--offset";
+  number.unit = "mm";
+  number.minimum = -1e6;
+  number.maximum = 1e6;
+  Vec3 zero;
+  std::size_t from = equals + 1;
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::size_t comma = axis < 2 ? assignment.find(',', from) : assignment.size();
+    if (comma == std::string::npos) {
+      refuse();
+    }
+    const std::string part = assignment.substr(from, comma - from);
+    if (part.find(',') != std::string::npos) {
+      refuse();
+    }
+    zero[axis] = std::get<double>(parse_setting(number, part));
+    from = comma + 1;
+  }
+  offsets.set(name, zero);
 }
 
 }  // namespace
@@ -75,6 +112,7 @@ std::vector<GivenOption> given_of(const ProgramOptions& options) {
           {"--tool", !options.radii.empty()},
           {"--tools", !options.tool_table.empty()},
           {"--tools-unit", options.table_unit != usual.table_unit},
+          {"--offset", !options.offsets.empty()},
           {"--wear-only", options.wear_only},
           {"--simulate-cut-off", options.simulate_cut_off}};
 }
@@ -122,6 +160,9 @@ ReadOptions ProgramOptions::reading() const {
   options.call_depth = call_depth;
   for (const std::string& assignment : radii) {
     add_radius(options.radii, assignment);
+  }
+  for (const std::string& assignment : offsets) {
+    add_offset(options.offsets, assignment);
   }
   options.tool_table = tool_table;
   options.table_unit = table_unit == "inch" ? units::from_inch(1) : 1;
@@ -180,6 +221,13 @@ CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values) {
           "list with headings [tool.tbl, TOOL.T, to.ini or tools.csv beside the program]")
       ->type_name("FILE");
   command
+      .add_option(
+          "--offset", values.offsets,
+          "Zero point in mm of a work offset as the program names it (G55, G54.1P3, G505); repeat for "
+          "more [0,0,0]")
+      ->type_name("OFFSET=X,Y,Z")
+      ->allow_extra_args(false);
+  command
       .add_option("--tools-unit", values.table_unit,
                   "Unit of a tool table that does not name it: mm or inch [mm]")
       ->type_name("UNIT")
@@ -224,6 +272,14 @@ void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
   for (const Setup& setup : setups) {
     if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
       if (const std::string note = describe(*mismatch); said.insert(note).second) {
+        fmt::print(stderr, "feedscope: note: {}\n", note);
+      }
+    }
+    if (const std::string offsets = unused_work_offsets(*program.program, setup.machine); !offsets.empty()) {
+      const std::string note =
+          fmt::format("the program was read with other work offsets than those of machine '{}' ({})",
+                      setup.machine.id, offsets);
+      if (said.insert(note).second) {
         fmt::print(stderr, "feedscope: note: {}\n", note);
       }
     }

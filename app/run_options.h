@@ -11,7 +11,7 @@
 namespace feedscope {
 
 /// The program and how it is read: FILE --dialect --unit --skip-deleted --repeat-limit --call-depth --tool
-/// --tools --tools-unit --wear-only --simulate-cut-off.
+/// --tools --tools-unit --offset --wear-only --simulate-cut-off.
 struct ProgramOptions {
   std::string file;
   std::string dialect;  ///< id; "" to recognise it
@@ -24,8 +24,9 @@ struct ProgramOptions {
   std::string table_unit = "mm";
   bool wear_only = false;
   bool simulate_cut_off = false;
+  std::vector<std::string> offsets;  ///< OFFSET=X,Y,Z, as typed [mm]
 
-  /// Throws InputError for a dialect that is not known, or a radius that is none.
+  /// Throws InputError for a dialect that is not known, a radius or an offset that is none.
   ReadOptions reading() const;
 };
 

@@ -125,6 +125,7 @@ std::string program_text(const ProgramOptions& options) {
   if (options.table_unit != usual.table_unit) {
     text += " --tools-unit " + options.table_unit;
   }
+  add_asked(text, "--offset", options.offsets);
   if (options.wear_only) {
     text += " --wear-only";
   }
@@ -153,7 +154,8 @@ void note_shown_runs(const ui::ReportInput& input) {
 
 ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<AskedRun>& runs,
                               std::shared_ptr<const SourceText> source, Watch& watch) {
-  const LoadedProgram program = load_program(std::move(source), watch.stage("reading"), reading);
+  const LoadedProgram program = load_program(std::move(source), watch.stage("reading"),
+                                             reading_on(reading, runs.front().setup.machine));
   Progress& whole = *watch.stage("simulating");
   std::vector<std::shared_ptr<const ui::ShownRun>> shown(runs.size());
   std::vector<std::exception_ptr> errors(runs.size());

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/analysis/control_dialect.h"
+#include "core/analysis/run_notes.h"
 #include "core/analysis/unfollowed.h"
 #include "ui/dock_sizes.h"
 #include "ui/language/core_texts.h"
@@ -240,6 +241,13 @@ void MainWindow::open(const std::filesystem::path& file) {
 void MainWindow::show_run() {
   const auto shown = model_.shown();
   const bool any = shown != nullptr;
+  const auto program_text = model_.program();
+  scene_->scene().set_programmed(any && shown->programmed != nullptr ? shown->programmed
+                                                                     : model_.shown_program().samples);
+  scene_->scene().set_warning((any                       ? picture_warning(shown->run)
+                               : program_text != nullptr ? reading_faults_text(*program_text)
+                                                         : QString())
+                                  .toStdString());
   scenes_->show_current();
   show_run_name();
   charts_->set_limits(model_.setup().setup().machine.axes);
@@ -274,8 +282,17 @@ void MainWindow::show_unfollowed() {
           tr("The program is written for %1; this machine has a %2, whose path and times are shown.")
               .arg(dialect, QString::fromStdString(mismatch->control)));
     }
+    const std::string offsets = unused_work_offsets(*shown->run.input.program, shown->run.setup.machine);
+    if (!offsets.empty()) {
+      sentences.append(tr("The program was read with other work offsets than those of this machine (%1); "
+                          "reload it to use them.")
+                           .arg(QString::fromStdString(offsets)));
+    }
     for (const std::string& sentence : unfollowed(shown->run.input, shown->run.setup)) {
       sentences.append(core_text(sentence));
+    }
+    if (const QString events = not_counted_text(shown->run.summary.not_counted); !events.isEmpty()) {
+      sentences.append(events + '.');
     }
   }
   setup_->show_unfollowed(sentences);

@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QStringList>
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -61,7 +62,34 @@ Picture grab(QWidget& widget, PictureSize size) {
   return picture_of(widget.grab().toImage());
 }
 
-QString comparison_details(const LoadedProgram& program, const std::vector<std::string>& assignments) {
+/// What the cycle times leave out, with the machines where that is not the same on all.
+template <class Runs>
+QString not_counted_details(const Runs& runs) {
+  std::vector<std::pair<QString, QStringList>> all;
+  for (const auto& run : runs) {
+    const QString text = not_counted_text(run.summary.not_counted);
+    auto known = std::ranges::find(all, text, &std::pair<QString, QStringList>::first);
+    if (known == all.end()) {
+      known = all.insert(all.end(), {text, {}});
+    }
+    const QString machine = QString::fromStdString(run.setup.machine.name);
+    if (!known->second.contains(machine)) {
+      known->second.append(machine);
+    }
+  }
+  QStringList texts;
+  for (const auto& [text, machines] : all) {
+    if (!text.isEmpty()) {
+      texts.append(
+          all.size() == 1 ? text : QStringLiteral("%1 (%2)").arg(text, machines.join(QStringLiteral(", "))));
+    }
+  }
+  return texts.join(QStringLiteral(" · "));
+}
+
+template <class Runs>
+QString comparison_details(const LoadedProgram& program, const Runs& runs,
+                           const std::vector<std::string>& assignments) {
   const QString length = QLocale().toString(program.toolpath->length(), 'f', 3);
   const QString path = ComparisonChart::tr("path length %1 mm").arg(length);
   QStringList set;
@@ -70,8 +98,9 @@ QString comparison_details(const LoadedProgram& program, const std::vector<std::
   }
   const QString details =
       set.isEmpty() ? path : ComparisonChart::tr("%1, with %2").arg(path, set.join(QStringLiteral(", ")));
-  const QString faults = reading_faults_text(*program.program);
-  return faults.isEmpty() ? details : QStringLiteral("%1 · %2").arg(faults, details);
+  QStringList parts{reading_faults_text(*program.program), not_counted_details(runs), details};
+  parts.removeAll(QString());
+  return parts.join(QStringLiteral(" · "));
 }
 
 }  // namespace
@@ -128,7 +157,7 @@ Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRu
                         const std::vector<std::string>& assignments, std::optional<PictureSize> wanted) {
   const OffscreenApplication application;
   ComparisonChart chart;
-  chart.set_comparison(program_file_name(*program.program), comparison_details(program, assignments),
+  chart.set_comparison(program_file_name(*program.program), comparison_details(program, runs, assignments),
                        comparison_bars(runs));
   chart.ensurePolished();
   const int natural = natural_comparison_height(chart.bars(), comparison_width, chart.font());
@@ -142,7 +171,7 @@ Picture draw_study(const LoadedProgram& program, const Study& study,
                    const std::vector<std::string>& assignments, std::optional<PictureSize> wanted) {
   const OffscreenApplication application;
   StudyChart chart;
-  chart.set_study(program_file_name(*program.program), comparison_details(program, assignments),
+  chart.set_study(program_file_name(*program.program), comparison_details(program, study.runs, assignments),
                   study_curves(study));
   chart.ensurePolished();
   const PictureSize size = wanted.value_or(PictureSize{chart.sizeHint().width(), chart.sizeHint().height()});

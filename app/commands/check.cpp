@@ -10,6 +10,7 @@
 #include "app/print.h"
 #include "app/run_options.h"
 #include "app/watch.h"
+#include "core/analysis/not_counted.h"
 #include "core/analysis/program_facts.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
@@ -51,6 +52,15 @@ std::string cutters_text(const Program& program) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
+std::string offsets_text(const Program& program) {
+  std::vector<std::string> texts;
+  for (const OffsetUse& use : program.work_offsets) {
+    texts.push_back(fmt::format("{} (line {}): {} motions{}", use.name, use.line, use.blocks,
+                                use.given ? "" : ", assumed as zero"));
+  }
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
 std::string facts_text(const Program& program, const ProgramFacts& facts) {
   TextTable table;
   table.add({"dialect", std::string(info_of(program.dialect).title)});
@@ -74,6 +84,12 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
   table.add({"tools", tools_text(program)});
   if (!program.cutters.empty()) {
     table.add({"cutters", cutters_text(program)});
+  }
+  if (!program.work_offsets.empty()) {
+    table.add({"work offsets", offsets_text(program)});
+  }
+  if (const std::string events = describe(facts.not_counted); !events.empty()) {
+    table.add({"times not given", events});
   }
   table.add({"calls", fmt::format("{}", program.call_count)});
   std::string label = "path control";

@@ -223,7 +223,8 @@ int compare(const CompareOptions& options) {
   Study study;
   {
     Watch watch;
-    program = load_program(asked.source, watch.stage("reading"), asked.reading);
+    program =
+        load_program(asked.source, watch.stage("reading"), reading_on(asked.reading, setups.front().machine));
     study = run_study(program, request, watch.stage("simulating"));
   }
   files.write(program, study);

@@ -65,8 +65,9 @@ void print_guarantees(const ControlModel& model) {
 void print_settings(const ControlModel& model) {
   TextTable table;
   for (const SettingSpec& spec : settings_of(model)) {
-    const std::string fallback =
-        spec.choices.empty() ? fmt::format("{}", spec.fallback) : spec.choices.front();
+    const std::string fallback = spec.optional          ? "-"
+                                 : spec.choices.empty() ? fmt::format("{}", spec.fallback)
+                                                        : spec.choices.front();
     table.add({spec.key, fallback, spec.unit, range_text(spec)});
   }
   const std::string settings = table.text("lrll");

@@ -64,7 +64,8 @@ class Results {
     }
   }
 
-  void write(const Run& run, double step, Watch& watch) {
+  /// `program`: as it was read, which the machine of `run` may have filled in.
+  void write(const LoadedProgram& program, const Run& run, double step, Watch& watch) {
     if (csv_) {
       write_csv(csv_->stream(), *run.trajectory, step, watch.stage("writing"));
     }
@@ -74,7 +75,7 @@ class Results {
       contour_->stream() << contour_places_csv(*contour);
     }
     if (json_) {
-      json_->stream() << simulation_json(run.input, figures_of(run), contour ? &*contour : nullptr);
+      json_->stream() << simulation_json(program, figures_of(run), contour ? &*contour : nullptr);
     }
     if (blends_) {
       write_blends(blends_->stream(), *run.trajectory);
@@ -135,9 +136,10 @@ int simulate(const SimulateOptions& options) {
   Run run;
   {
     Watch watch;
-    const LoadedProgram program = load_program(asked.source, watch.stage("reading"), asked.reading);
+    const LoadedProgram program =
+        load_program(asked.source, watch.stage("reading"), reading_on(asked.reading, setup.machine));
     run = simulate_run(program, setup, watch.stage("simulating"));
-    results.write(run, step, watch);
+    results.write(program, run, step, watch);
   }
   if (!options.run.tolerance.empty()) {
     note_replaced_tolerance(*run.input.toolpath);

@@ -16,6 +16,22 @@ std::uint32_t last_line(const Trajectory& trajectory) {
   return last;
 }
 
+std::vector<std::pair<std::uint32_t, Pause>> lines_not_counted(const Toolpath& toolpath) {
+  std::vector<std::pair<std::uint32_t, Pause>> lines;
+  if (toolpath.pauses.empty()) {
+    return lines;
+  }
+  for (const Segment& segment : toolpath.segments) {
+    if (segment.kind == SegmentKind::dwell && !toolpath.pause_of(segment).timed) {
+      lines.emplace_back(segment.line, toolpath.pause_of(segment).kind);
+    }
+  }
+  std::ranges::sort(lines);
+  const auto repeated = std::ranges::unique(lines);
+  lines.erase(repeated.begin(), repeated.end());
+  return lines;
+}
+
 }  // namespace
 
 LineTimes::LineTimes(const Trajectory& trajectory, Progress* progress) {
@@ -36,6 +52,9 @@ LineTimes::LineTimes(const Trajectory& trajectory, Progress* progress) {
   }
   for (std::size_t line = elements_.size() - 1; line > 0; --line) {
     elements_[line - 1] = elements_[line - 1] == none ? elements_[line] : elements_[line - 1];
+  }
+  if (path.programmed() != nullptr) {
+    not_counted_ = lines_not_counted(*path.programmed());
   }
   ProgressSteps steps(progress, trajectory.pieces().size());
   for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
@@ -62,6 +81,15 @@ LineTime LineTimes::of(std::uint32_t first, std::uint32_t last) const {
   const LineTime& a = ends_[first - 1];
   const LineTime& b = ends_[to];
   return {b.time - a.time, b.length - a.length, b.dwell - a.dwell, b.runs - a.runs};
+}
+
+std::vector<Pause> LineTimes::not_counted(std::uint32_t line) const {
+  std::vector<Pause> kinds;
+  auto at = std::ranges::lower_bound(not_counted_, line, {}, &std::pair<std::uint32_t, Pause>::first);
+  for (; at != not_counted_.end() && at->first == line; ++at) {
+    kinds.push_back(at->second);
+  }
+  return kinds;
 }
 
 std::optional<std::uint32_t> LineTimes::first_element(std::uint32_t line) const {

@@ -2,9 +2,11 @@
 
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/program/machine_move.h"
 #include "core/trajectory/trajectory.h"
 
 namespace feedscope {
@@ -45,10 +47,15 @@ class LineTimes {
   /// First element of the path that comes from the line, or from the next one that runs; none behind the
   /// last.
   std::optional<std::uint32_t> first_element(std::uint32_t line) const;
+  /// What of the line takes time on the machine that is not known and not counted here, each kind once;
+  /// empty: nothing.
+  std::vector<Pause> not_counted(std::uint32_t line) const;
 
  private:
   std::vector<LineTime> ends_;           ///< [n]: of the lines 1 to n together
   std::vector<std::uint32_t> elements_;  ///< [n]: the first one of line n or the next that runs
+  /// By line and kind, each once.
+  std::vector<std::pair<std::uint32_t, Pause>> not_counted_;
   double largest_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <mutex>
 #include <numbers>
 #include <optional>
@@ -117,6 +118,9 @@ PathDeviation::Foot PathDeviation::foot_on(std::size_t index, const Vec3& positi
     const Arc& arc = toolpath_.arc_of(segment);
     foot.s = nearest_on_arc(arc, position);
     foot.offset = position - arc.at(foot.s).position;
+  } else if (toolpath_.is_gap(segment)) {  // no part of the path
+    foot.squared = std::numeric_limits<double>::infinity();
+    return foot;
   } else {
     const Vec3& start = toolpath_.start_of(index);
     foot.s = nearest_on_line(start, segment, position);

@@ -29,23 +29,28 @@ std::vector<PathControlRange> path_control_ranges(const Toolpath& toolpath) {
   return ranges;
 }
 
+bool is_dwell(const Toolpath& toolpath, const Segment& segment) {
+  return segment.kind == SegmentKind::dwell && toolpath.pause_of(segment).kind == Pause::dwell;
+}
+
 }  // namespace
 
 ProgramFacts facts_of(const Program& program, const Toolpath& toolpath) {
   ProgramFacts facts;
   facts.lines = program.source->line_count();
   facts.blocks = program.block_count;
-  facts.segments = toolpath.segments.size();
   facts.bounds = program.bounds;
   facts.cutting_bounds = program.cutting_bounds;
   facts.rapid_bounds = program.rapid_bounds;
   facts.path_control = path_control_ranges(toolpath);
+  facts.not_counted = not_counted(toolpath);
   for (const Segment& segment : toolpath.segments) {
+    facts.segments += segment.kind != SegmentKind::dwell || is_dwell(toolpath, segment) ? 1 : 0;
     facts.path_length += segment.length;
     facts.rapid_length += segment.rapid ? segment.length : 0;
     facts.dwell_time += segment.kind == SegmentKind::dwell ? toolpath.dwell_of(segment) : 0;
     facts.arcs += segment.kind == SegmentKind::arc ? 1 : 0;
-    facts.dwells += segment.kind == SegmentKind::dwell ? 1 : 0;
+    facts.dwells += is_dwell(toolpath, segment) ? 1 : 0;
     if (segment.feed > 0) {
       facts.least_feed = facts.least_feed > 0 ? std::min(facts.least_feed, segment.feed) : segment.feed;
       facts.largest_feed = std::max(facts.largest_feed, segment.feed);

@@ -90,6 +90,11 @@ LoadedProgram load_program(const std::filesystem::path& file, Progress* progress
   return loaded;
 }
 
+ReadOptions reading_on(ReadOptions options, const Machine& machine) {
+  options.offsets.add_missing(machine.work_offsets);
+  return options;
+}
+
 Setup make_setup(const SetupRequest& request) {
   Setup setup;
   setup.machine = shipped_machines().load(request.machine.empty() ? default_machine_of(request.dialect)
@@ -130,6 +135,7 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   run.setup = std::move(setup);
   run.trajectory = std::make_shared<const Trajectory>(
       run.setup.model->simulate(input.toolpath, run.setup.machine, run.setup.settings, progress));
+  run.input.toolpath = on_machine(input.toolpath, run.setup.settings);
   run.simulate_time = watch.seconds();
   return run;
 }

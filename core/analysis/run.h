@@ -44,7 +44,7 @@ inline constexpr const char* default_machine = "spinner-mvc850";
 /// One program on one machine with one model: everything that is shown or written of it.
 /// Cheap to copy; runs of the same program share program and toolpath.
 struct Run {
-  LoadedProgram input;
+  LoadedProgram input;  ///< its toolpath as on_machine() makes it
   Setup setup;
   std::shared_ptr<const Trajectory> trajectory;
   Summary summary;
@@ -61,6 +61,9 @@ LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* p
 /// Reads a file, or standard input for "-". Throws InputError as SourceText::from_file does.
 LoadedProgram load_program(const std::filesystem::path& file, Progress* progress = nullptr,
                            const ReadOptions& options = {});
+
+/// `options` with the work offsets of a machine for those that they do not give.
+ReadOptions reading_on(ReadOptions options, const Machine& machine);
 
 /// Throws InputError naming the value, its bounds and the nearest valid name: unknown machine, model or
 /// setting, value out of bounds. A tolerance has no effect on a model that does not read it.

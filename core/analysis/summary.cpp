@@ -151,6 +151,7 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
   Summary summary;
   summary.cycle_time = trajectory.duration();
   summary.programmed_time = programmed_time(toolpath, rapid_speed);
+  summary.not_counted = not_counted(toolpath);
 
   Peaks peaks(trajectory);
   std::vector<ExactSum> by_cause(all_causes().size());

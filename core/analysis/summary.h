@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/analysis/contour/contour_errors.h"
+#include "core/toolpath/machine_toolpath.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
 
@@ -30,9 +31,10 @@ struct Summary {
   std::vector<double> time_by_cause;  ///< by cause_index(); adds up to cycle_time [s]
   /// Of the time of ramp_down: by cause_index() of what sets the slower place ahead [s].
   std::vector<double> time_by_slower_place;
+  NotCounted not_counted;  ///< what takes time on the machine and none here
 };
 
-/// `rapid_speed` per axis [mm/s].
+/// `toolpath`: that the trajectory runs; `rapid_speed` per axis [mm/s].
 Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const Vec3& rapid_speed);
 
 }  // namespace feedscope

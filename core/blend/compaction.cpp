@@ -79,7 +79,7 @@ CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules&
   CompactedPath result;
   result.path.start = toolpath.start;
   result.path.arcs = toolpath.arcs;
-  result.path.dwells = toolpath.dwells;
+  result.path.pauses = toolpath.pauses;
   result.path.bounds = toolpath.bounds;
   result.path.path_controls = toolpath.path_controls;
   for (std::size_t i = 0; i < toolpath.segments.size();) {

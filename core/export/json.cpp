@@ -6,6 +6,7 @@
 
 #include "core/analysis/contour/contour_histogram.h"
 #include "core/analysis/contour/contour_report.h"
+#include "core/analysis/not_counted.h"
 #include "core/analysis/program_facts.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/slower_tolerance.h"
@@ -88,6 +89,14 @@ Json cutters(const Program& program) {
   return list;
 }
 
+Json work_offsets(const Program& program) {
+  Json list = Json::array();
+  for (const OffsetUse& use : program.work_offsets) {
+    list.push_back({{"name", use.name}, {"line", use.line}, {"motions", use.blocks}, {"given", use.given}});
+  }
+  return list;
+}
+
 Json path_control(const ProgramFacts& facts) {
   const auto optional = [](const std::optional<double>& value) { return value ? Json(*value) : Json(); };
   Json list = Json::array();
@@ -100,6 +109,14 @@ Json path_control(const ProgramFacts& facts) {
                     {"contour_tolerance_mm", optional(range.control.contour_tolerance)},
                     {"blend_distance_mm", optional(range.control.blend_distance)},
                     {"text", describe(range.control)}});
+  }
+  return list;
+}
+
+Json not_counted_json(const NotCounted& counts) {
+  Json list = Json::array();
+  for (const NotCountedItem& item : not_counted_items(counts)) {
+    list.push_back({{"what", item.key}, {"count", item.count}, {"settings", item.settings}});
   }
   return list;
 }
@@ -123,7 +140,9 @@ Json program_json(const Program& program, const Toolpath& toolpath) {
             {"max", finite(units::to_mm_min(facts.largest_feed))}}},
           {"tools", tools(program)},
           {"cutters", cutters(program)},
+          {"work_offsets", work_offsets(program)},
           {"calls", program.call_count},
+          {"not_counted", not_counted_json(facts.not_counted)},
           {"path_control", path_control(facts)},
           {"bounds", bounds(facts.bounds)},
           {"cutting_bounds", bounds(facts.cutting_bounds)},
@@ -214,7 +233,8 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run) {
           {"max_contour_error_at", contour_place(summary)},
           {"peaks", peaks(summary)},
           {"time_by_cause_s", by_cause(summary.time_by_cause)},
-          {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)}};
+          {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)},
+          {"not_counted", not_counted_json(summary.not_counted)}};
 }
 
 /// Text with bytes that are no UTF-8 is shown with replacement characters.

@@ -43,6 +43,8 @@ constexpr std::array kinds{
     KindText{CauseKind::ramp_down, false, "ramp_down", "slowing for what follows", ""},
     KindText{CauseKind::exact_stop, false, "exact_stop", "exact stop", ""},
     KindText{CauseKind::dwell, false, "dwell", "dwell", ""},
+    KindText{CauseKind::tool_change, false, "tool_change", "tool change", ""},
+    KindText{CauseKind::spindle_start, false, "spindle_start", "spindle start", ""},
 };
 
 constexpr bool in_order() {
@@ -51,7 +53,7 @@ constexpr bool in_order() {
       return false;
     }
   }
-  return kinds.size() == static_cast<std::size_t>(CauseKind::dwell) + 1;
+  return kinds.size() == cause_kind_count;
 }
 static_assert(in_order());
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -28,7 +29,14 @@ enum class CauseKind : std::uint8_t {
   ramp_down,  ///< slowing towards a slower place
   exact_stop,
   dwell,
+  tool_change,
+  spindle_start,
 };
+inline constexpr std::size_t cause_kind_count = static_cast<std::size_t>(CauseKind::spindle_start) + 1;
+/// The axes stand: there is no feed that something limits.
+constexpr bool is_pause(CauseKind kind) {
+  return kind >= CauseKind::dwell;
+}
 
 /// Limiting cause, with the axis that sets it where one does.
 struct Cause {

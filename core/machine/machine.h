@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/machine/settings.h"
+#include "core/machine/work_offsets.h"
 
 namespace feedscope {
 
@@ -35,8 +36,9 @@ struct Machine {
   std::string reference;  ///< paper
   std::string model;      ///< default model id
   std::array<AxisLimits, 3> axes;
-  Settings settings;  ///< control settings of the file, in the units of their keys
-  /// By key as in set_value: "X.jerk", "lookahead_blocks".
+  Settings settings;         ///< control settings of the file, in the units of their keys
+  WorkOffsets work_offsets;  ///< of the parts that are clamped; a program or --offset may give others
+  /// By key as in set_value: "X.jerk", "lookahead_blocks", "G55".
   std::map<std::string, Provenance, std::less<>> provenance;
   bool operator==(const Machine&) const = default;
 };
@@ -51,7 +53,8 @@ double axis_limit(const Machine& machine, char axis, std::string_view limit);
 void set_axis_limit(Machine& machine, char axis, std::string_view limit, double value);
 
 /// Reads a machine file (TOML). Every number is a table, { value = 20, source = "paper, table" } or
-/// { value = 20, assumed = "reason" }.
+/// { value = 20, assumed = "reason" }; a work offset is
+/// G55 = { x_mm = 100, y_mm = 0, z_mm = 0, source = "..." }.
 /// Throws InputError naming file, line, column, key, value, bound and the nearest valid name: unknown or
 /// missing key, wrong type, limit not above 0, number without source, syntax error, unreadable file.
 /// `model_settings`: specs beyond common_settings() for [settings]; one of key "model" has the known models.

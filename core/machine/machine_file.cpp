@@ -2,6 +2,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <sstream>
 
@@ -11,6 +12,9 @@
 
 namespace feedscope {
 namespace {
+
+constexpr std::array offset_keys{"x_mm", "y_mm", "z_mm"};
+constexpr double farthest_offset = 1e6;  // [mm]
 
 /// "velocity" in m/min is "velocity_m_min" in a file.
 std::string file_key(const SettingSpec& limit) {
@@ -32,7 +36,8 @@ class MachineReader {
   }
 
   Machine read(const ConfigNode& root) {
-    root.check_keys({"id", "name", "control", "reference", "model", "axes", "settings"}, "the file");
+    root.check_keys({"id", "name", "control", "reference", "model", "axes", "settings", "work_offsets"},
+                    "the file");
     machine_.id = root.need_text("id", "the file");
     machine_.name = root.need_text("name", "the file");
     machine_.control = root.need_text("control", "the file");
@@ -43,6 +48,7 @@ class MachineReader {
     }
     read_axes(root);
     read_settings(root);
+    read_work_offsets(root);
     return std::move(machine_);
   }
 
@@ -59,11 +65,7 @@ class MachineReader {
                       name));
     }
     entry.check_keys({"value", "source", "assumed"}, name);
-    const bool assumed = entry.find("assumed") != nullptr;
-    if (assumed == (entry.find("source") != nullptr)) {
-      entry.fail(fmt::format("{} must have one of source = \"paper, table\" and assumed = \"reason\"", name));
-    }
-    machine_.provenance[provenance_key] = {entry.need_text(assumed ? "assumed" : "source", name), assumed};
+    machine_.provenance[provenance_key] = provenance(entry, name);
 
     const ConfigNode& given = entry.need("value", name);
     SettingValue result;
@@ -76,6 +78,14 @@ class MachineReader {
     }
     check_setting(spec, result, given.place());
     return result;
+  }
+
+  static Provenance provenance(const ConfigNode& entry, const std::string& name) {
+    const bool assumed = entry.find("assumed") != nullptr;
+    if (assumed == (entry.find("source") != nullptr)) {
+      entry.fail(fmt::format("{} must have one of source = \"paper, table\" and assumed = \"reason\"", name));
+    }
+    return {entry.need_text(assumed ? "assumed" : "source", name), assumed};
   }
 
   void read_axes(const ConfigNode& root) {
@@ -115,6 +125,44 @@ class MachineReader {
     }
   }
 
+  /// G55 = { x_mm = 100, y_mm = 0, z_mm = 0, source = "..." }; the table may be missing.
+  void read_work_offsets(const ConfigNode& root) {
+    if (root.find("work_offsets") == nullptr) {
+      return;
+    }
+    const ConfigNode& table = root.need_table("work_offsets", "the file");
+    for (const std::string& key : table.keys()) {
+      const ConfigNode& entry = table.need_table(key, "[work_offsets]");
+      const std::string name = fmt::format("'{}' in [work_offsets]", key);
+      if (WorkOffsets::key(key).empty()) {
+        entry.fail(
+            fmt::format("{} is not a work offset; write it as programs name it, such as G55, "
+                        "\"G54.1 P3\" or G505",
+                        name));
+      }
+      if (machine_.work_offsets.all().contains(WorkOffsets::key(key))) {
+        entry.fail(fmt::format("{} is given twice; remove one", name));
+      }
+      entry.check_keys({"x_mm", "y_mm", "z_mm", "source", "assumed"}, name);
+      machine_.provenance[WorkOffsets::key(key)] = provenance(entry, name);
+      Vec3 zero;
+      for (int axis = 0; axis < 3; ++axis) {
+        SettingSpec spec;
+        spec.key = offset_keys[static_cast<std::size_t>(axis)];
+        spec.minimum = -farthest_offset;
+        spec.maximum = farthest_offset;
+        spec.minimum_allowed = true;
+        const ConfigNode& given = entry.need(spec.key, name);
+        if (!given.is_number()) {
+          given.fail(fmt::format("{} of {} must be a number", spec.key, name));
+        }
+        check_setting(spec, given.number(), given.place());
+        zero[axis] = given.number();
+      }
+      machine_.work_offsets.set(key, zero);
+    }
+  }
+
   std::vector<SettingSpec> settings_;
   std::optional<SettingSpec> model_;
   Machine machine_;
@@ -126,15 +174,20 @@ std::string quoted(const std::string& text) {
   return out.str();
 }
 
-std::string entry(const Machine& machine, const std::string& key, const std::string& provenance_key,
-                  const SettingValue& value) {
-  const auto found = machine.provenance.find(provenance_key);
+/// source = "paper, table"
+std::string provenance_text(const Machine& machine, const std::string& key) {
+  const auto found = machine.provenance.find(key);
   const Provenance provenance =
       found != machine.provenance.end() ? found->second : Provenance{"set by hand", false};
+  return fmt::format("{} = {}", provenance.assumed ? "assumed" : "source", quoted(provenance.source));
+}
+
+std::string entry(const Machine& machine, const std::string& key, const std::string& provenance_key,
+                  const SettingValue& value) {
   const double* number = std::get_if<double>(&value);
-  return fmt::format("{} = {{ value = {}, {} = {} }}\n", key,
+  return fmt::format("{} = {{ value = {}, {} }}\n", key,
                      number != nullptr ? fmt::format("{}", *number) : quoted(std::get<std::string>(value)),
-                     provenance.assumed ? "assumed" : "source", quoted(provenance.source));
+                     provenance_text(machine, provenance_key));
 }
 
 }  // namespace
@@ -163,6 +216,11 @@ std::string write_machine(const Machine& machine) {
   out += "\n[settings]\n";
   for (const auto& [key, value] : machine.settings.values()) {
     out += entry(machine, key, key, value);
+  }
+  out += machine.work_offsets.empty() ? "" : "\n[work_offsets]\n";
+  for (const auto& [name, zero] : machine.work_offsets.all()) {
+    out += fmt::format("{} = {{ x_mm = {}, y_mm = {}, z_mm = {}, {} }}\n", quoted(name), zero.x(), zero.y(),
+                       zero.z(), provenance_text(machine, name));
   }
   return out;
 }

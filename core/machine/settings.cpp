@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -74,7 +75,62 @@ std::vector<SettingSpec> make_common_settings() {
       "tangential_share", "Tangential share of curvilinear jerk", "", 0.6,
       "Share of the curvilinear jerk given to the tangential direction, the rest to the central one.");
   tangential.maximum = 1;
-  return {tolerance, own, period, lookahead, acceleration_share, jerk_share, curvilinear, tangential};
+  std::vector<SettingSpec> specs{tolerance,          own,        period,      lookahead,
+                                 acceleration_share, jerk_share, curvilinear, tangential};
+  specs.insert(specs.end(), machine_settings().begin(), machine_settings().end());
+  return specs;
+}
+
+SettingSpec optional_spec(std::string key, std::string title, std::string unit, std::string explanation) {
+  SettingSpec spec =
+      number_spec(std::move(key), std::move(title), std::move(unit), 0, std::move(explanation));
+  spec.minimum_allowed = true;
+  spec.optional = true;
+  return spec;
+}
+
+std::vector<SettingSpec> make_machine_settings() {
+  constexpr double longest_time = 3600;
+  constexpr double farthest = 1e5;
+  std::vector<SettingSpec> specs{
+      optional_spec("tool_change_time_s", "Tool change time", "s",
+                    "Time of a tool change, from the end of the last motion to the begin of the next one; "
+                    "without it tool changes are not counted in the cycle time."),
+      optional_spec("spindle_start_time_s", "Spindle start time", "s",
+                    "Time until the spindle has reached its speed, during which the axes wait; without it "
+                    "spindle starts are not counted in the cycle time."),
+  };
+  for (SettingSpec& spec : specs) {
+    spec.maximum = longest_time;
+  }
+  struct Position {
+    std::string_view key, title, explanation;
+  };
+  constexpr std::array positions{
+      Position{
+          "home", "Home position",
+          "Machine coordinate of the reference point that G28 and G74 move to; without it such a move is "
+          "neither drawn nor timed."},
+      Position{
+          "tool_change", "Tool change position",
+          "Machine coordinate of the position that G30 and G75 move to; without it such a move is neither "
+          "drawn nor timed."},
+      Position{
+          "part_zero", "Part zero",
+          "Machine coordinate of the zero point of the coordinates shown, 0 where work offsets are given "
+          "in machine coordinates; without it moves to machine positions are neither drawn nor timed."},
+  };
+  for (const Position& position : positions) {
+    for (const char axis : {'X', 'Y', 'Z'}) {
+      SettingSpec spec =
+          optional_spec(fmt::format("{}_{}_mm", position.key, static_cast<char>(axis - 'X' + 'x')),
+                        fmt::format("{} {}", position.title, axis), "mm", std::string(position.explanation));
+      spec.minimum = -farthest;
+      spec.maximum = farthest;
+      specs.push_back(std::move(spec));
+    }
+  }
+  return specs;
 }
 
 std::string with_unit(double value, const SettingSpec& spec) {
@@ -137,6 +193,11 @@ const std::vector<SettingSpec>& common_settings() {
   return specs;
 }
 
+const std::vector<SettingSpec>& machine_settings() {
+  static const std::vector<SettingSpec> specs = make_machine_settings();
+  return specs;
+}
+
 bool Settings::has(std::string_view key) const {
   return values_.find(key) != values_.end();
 }
@@ -168,12 +229,21 @@ const std::string& Settings::text(std::string_view key) const {
 }
 
 void Settings::set(std::string key, SettingValue value) {
-  values_.insert_or_assign(std::move(key), std::move(value));
+  if (value == SettingValue(std::string())) {
+    values_.erase(key);
+  } else {
+    values_.insert_or_assign(std::move(key), std::move(value));
+  }
+}
+
+SettingValue Settings::value(std::string_view key) const {
+  const auto found = values_.find(key);
+  return found == values_.end() ? SettingValue(std::string()) : found->second;
 }
 
 SettingValue parse_setting(const SettingSpec& spec, std::string_view text) {
   SettingValue value = std::string(text);
-  if (spec.choices.empty()) {
+  if (spec.choices.empty() && !(spec.optional && text.empty())) {
     const TypedNumber number = typed_number(text);
     if (!number.value) {
       throw InputError(number.problem.empty() ? fmt::format("{} = '{}' is not a number; it must be {}",
@@ -188,6 +258,9 @@ SettingValue parse_setting(const SettingSpec& spec, std::string_view text) {
 
 void check_setting(const SettingSpec& spec, const SettingValue& value, std::string_view place) {
   const double* number = std::get_if<double>(&value);
+  if (spec.optional && value == SettingValue(std::string())) {
+    return;
+  }
   if (!spec.choices.empty()) {
     const std::string text = number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
     if (number != nullptr ||

@@ -22,11 +22,16 @@ struct SettingSpec {
   bool whole = false;                ///< whole numbers only
   double fallback = 0;               ///< where neither machine nor call give a value
   std::vector<std::string> choices;  ///< not empty: a text setting, first choice is the fallback
+  bool optional = false;             ///< may have no value, an empty text: then it is not known
 };
 
 /// Settings that every model may read: contour_tolerance_mm, program_tolerance, interpolation_period_s,
-/// lookahead_blocks, radial_acceleration_share, radial_jerk_share, curvilinear_jerk_m_s3, tangential_share.
+/// lookahead_blocks, radial_acceleration_share, radial_jerk_share, curvilinear_jerk_m_s3, tangential_share;
+/// and those of machine_settings(), which hold for every model.
 const std::vector<SettingSpec>& common_settings();
+/// What of a machine no model of its control needs, each optional: tool_change_time_s, spindle_start_time_s,
+/// and of every axis home_x_mm, tool_change_x_mm, part_zero_x_mm.
+const std::vector<SettingSpec>& machine_settings();
 
 using SettingValue = std::variant<double, std::string>;
 
@@ -37,7 +42,10 @@ class Settings {
   /// Throws InputError naming the key if it is absent or not of this type.
   double number(std::string_view key) const;
   const std::string& text(std::string_view key) const;
+  /// An empty text takes the value back.
   void set(std::string key, SettingValue value);
+  /// An empty text if it has none.
+  SettingValue value(std::string_view key) const;
   const std::map<std::string, SettingValue, std::less<>>& values() const { return values_; }
   bool operator==(const Settings&) const = default;
 

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/base/error.h"
+#include "core/toolpath/machine_toolpath.h"
 
 namespace feedscope {
 namespace {
@@ -37,8 +38,9 @@ std::string limit_key(char axis, const SettingSpec& limit) {
 
 Trajectory ControlModel::simulate(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                                   const Settings& settings, Progress* progress) const {
-  check_axes(*toolpath, machine);
-  return do_simulate(toolpath, machine, settings, progress);
+  const std::shared_ptr<const Toolpath> run = on_machine(std::move(toolpath), settings);
+  check_axes(*run, machine);
+  return do_simulate(run, machine, settings, progress);
 }
 
 Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machine, const Settings& settings,
@@ -48,8 +50,9 @@ Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machi
 
 Trajectory ControlModel::lay_path(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                                   const Settings& settings, Progress* progress) const {
-  check_axes(*toolpath, machine);
-  return do_lay_path(toolpath, machine, settings, progress);
+  const std::shared_ptr<const Toolpath> run = on_machine(std::move(toolpath), settings);
+  check_axes(*run, machine);
+  return do_lay_path(run, machine, settings, progress);
 }
 
 const ControlModel& find_model(const std::string& id) {
@@ -88,6 +91,7 @@ std::vector<SettingSpec> settings_of(const ControlModel& model) {
                  return std::find(info.uses.begin(), info.uses.end(), spec.key) != info.uses.end();
                });
   specs.insert(specs.end(), info.settings.begin(), info.settings.end());
+  specs.insert(specs.end(), machine_settings().begin(), machine_settings().end());
   return specs;
 }
 
@@ -97,6 +101,8 @@ Settings complete_settings(const ControlModel& model, const Machine& machine) {
     const auto given = machine.settings.values().find(spec.key);
     if (given != machine.settings.values().end()) {
       settings.set(spec.key, given->second);
+    } else if (spec.optional) {
+      continue;
     } else if (spec.choices.empty()) {
       settings.set(spec.key, spec.fallback);
     } else {

@@ -30,7 +30,8 @@ class ControlModel {
   virtual const ModelInfo& info() const = 0;
   /// What holds of every motion that simulate() makes with `settings`, as complete_settings gives them.
   virtual Guarantees guarantees(const Settings& settings) const = 0;
-  /// Deterministic. `settings` as complete_settings gives them; the trajectory shares `toolpath`. Throws
+  /// Deterministic. `settings` as complete_settings gives them; the trajectory shares `toolpath`, or what
+  /// on_machine() makes of it. Throws
   /// InputError if an axis that moves lacks a limit, Cancelled when stopped.
   Trajectory simulate(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                       const Settings& settings, Progress* progress = nullptr) const;
@@ -57,10 +58,11 @@ const std::vector<const ControlModel*>& all_models();
 const ControlModel& find_model(const std::string& id);
 /// The specs of every model's own settings, for reading machine files.
 std::vector<SettingSpec> all_model_settings();
-/// Specs of what `model` reads: common ones it uses, then its own.
+/// Specs of what `model` reads: common ones it uses, its own, then machine_settings().
 std::vector<SettingSpec> settings_of(const ControlModel& model);
 
-/// The settings of a run: fallbacks, then the machine's values; every key of settings_of(model) is there.
+/// The settings of a run: fallbacks, then the machine's values; every key of settings_of(model) is there that
+/// is not optional.
 Settings complete_settings(const ControlModel& model, const Machine& machine);
 
 /// The keys that apply_setting takes: those of settings_of(model), then "X.velocity" and the other limits.

@@ -10,7 +10,9 @@
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
 #include "core/base/progress.h"
+#include "core/machine/work_offsets.h"
 #include "core/program/dialect.h"
+#include "core/program/machine_move.h"
 #include "core/program/path_control.h"
 #include "core/program/program_unit.h"
 #include "core/program/text/source_text.h"
@@ -18,6 +20,7 @@
 
 namespace feedscope {
 
+/// `dwell`: no path, see Pause.
 enum class Motion : std::uint8_t { rapid, line, arc, dwell };
 
 /// How an arc block turns; centre and axis are resolved from I J K, R, plane and modes.
@@ -29,13 +32,14 @@ struct ArcWords {
 
 /// A block that moves or waits, modal state resolved: absolute, metric, modal words filled in.
 struct MotionBlock {
-  Vec3 target;             ///< position at the block's end [mm]
-  double feed = 0;         ///< programmed feed [mm/s]; 0: as fast as the axes allow (rapids, missing feed)
-  double dwell = 0;        ///< [s], dwells only
+  Vec3 target;       ///< position at the block's end; of axes whose place is not known the last one [mm]
+  double feed = 0;   ///< programmed feed [mm/s]; 0: as fast as the axes allow (rapids, missing feed)
+  double dwell = 0;  ///< [s], dwells only
   std::uint32_t line = 0;  ///< 1-based line in the source
-  std::int32_t arc = -1;   ///< index into Program::arcs, arcs only
+  std::int32_t arc = -1;   ///< arcs: index into Program::arcs; machine moves: into Program::machine_moves
   std::uint16_t path_control = 0;  ///< index into Program::path_controls
   Motion motion = Motion::line;
+  Pause pause = Pause::dwell;  ///< of Motion::dwell
 };
 
 /// A tool that the program asks for.
@@ -62,6 +66,14 @@ struct CutterUse {
   CutterSource source = CutterSource::unknown;
 };
 
+/// A work offset that a program calls.
+struct OffsetUse {
+  std::string name;          ///< as a key of WorkOffsets
+  std::uint32_t line = 0;    ///< of its first use
+  std::uint64_t blocks = 0;  ///< motions while it is in force
+  bool given = false;        ///< the program or ReadOptions give its zero point; else it is assumed as zero
+};
+
 /// What a program says, free of its dialect.
 struct Program {
   std::shared_ptr<const SourceText> source;
@@ -71,9 +83,12 @@ struct Program {
   std::uint64_t block_count = 0;
   std::vector<MotionBlock> motions;
   std::vector<ArcWords> arcs;
+  std::vector<MachineMove> machine_moves;
   std::vector<PathControl> path_controls;  ///< the first is the machine's
   std::vector<ToolChange> tools;           ///< in the order of their first use
   std::vector<CutterUse> cutters;          ///< that compensation asks for, in the order of their first use
+  std::vector<OffsetUse> work_offsets;     ///< in the order of their first use
+  WorkOffsets given_offsets;               ///< ReadOptions::offsets that it was read with
   std::uint64_t call_count = 0;            ///< subprogram calls that were run
   std::vector<std::shared_ptr<const SourceText>> called_files;
   bool cut_off = false;                 ///< at the limit of ReadOptions: what would follow is missing
@@ -97,7 +112,8 @@ struct ReadOptions {
   std::size_t call_depth = 64;  ///< of calls inside each other
   /// Of lengths and feeds until the program says its own; none: mm, and a warning that it is assumed.
   std::optional<LengthUnit> unit = std::nullopt;
-  CutterRadii radii = {};  ///< of cutters, whatever program and tool table say
+  CutterRadii radii = {};    ///< of cutters, whatever program and tool table say
+  WorkOffsets offsets = {};  ///< until the program sets them itself; those not given are zero
   /// Tool table for radii that the program does not set; empty: one beside the program, if there is any.
   std::filesystem::path tool_table = {};
   double table_unit = 1;  ///< of lengths in a tool table that does not name it [mm]

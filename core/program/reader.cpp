@@ -27,6 +27,7 @@ Reader::Reader(std::shared_ptr<const SourceText> source, const ReadOptions& opti
       cutters_(options, files_),
       text_(source) {
   program_.source = std::move(source);
+  program_.given_offsets = options.offsets;
 }
 
 Program Reader::read() {
@@ -168,6 +169,30 @@ void Reader::select_tool(std::string_view name) {
   }
 }
 
+void Reader::change_tool(std::string_view name) {
+  if (tool_in_spindle_ != name) {
+    tool_in_spindle_ = name;
+    spindle_turns_ = false;
+    path_.pause(Pause::tool_change);
+  }
+}
+
+void Reader::start_spindle() {
+  if (!spindle_turns_) {
+    spindle_turns_ = true;
+    path_.pause(Pause::spindle_start);
+  }
+}
+
+void Reader::report_machine_move(std::string_view what, std::string_view code, std::uint32_t column) {
+  report(Severity::warning, code, 0, column, [&] {
+    return Text{
+        fmt::format("{} moves to a machine position, which the program does not contain", what),
+        "neither drawn nor timed unless the machine gives positions (home_z_mm, part_zero_z_mm, ...); the "
+        "path continues where every axis is programmed again"};
+  });
+}
+
 std::optional<double> Reader::cutter_radius(std::string_view tool, std::optional<double> programmed) {
   const Cutters::Found found = cutters_.find(tool, programmed);
   return found.source == CutterSource::unknown ? std::nullopt : std::optional(found.radius);
@@ -280,7 +305,10 @@ void Reader::report_nothing_read() {
     log_.add(Severity::error, "empty-program", 0, {}, [] {
       return Text{"the program holds no blocks", "give a file with NC blocks such as \"G1 X10 F500\""};
     });
-  } else if (program_.motions.empty()) {
+  } else if (std::all_of(program_.motions.begin(), program_.motions.end(), [](const MotionBlock& block) {
+               return block.motion == Motion::dwell && block.pause != Pause::dwell &&
+                      block.pause != Pause::machine_move;
+             })) {
     log_.add(Severity::warning, "no-motion", 0, {}, [] {
       return Text{"no block of the program moves",
                   "if the program is another dialect's, name it with --dialect"};

@@ -88,6 +88,16 @@ class Reader {
   /// It goes to `target`, which is said once of each axis and kind of motion; a name with a blank in it,
   /// "tool orientation", stands for several axes.
   void note_other_axis(std::string_view axis, double target, AxisMotion motion, std::uint32_t column);
+  /// The tool named last comes into the spindle; nothing if it is there.
+  void change_tool(std::string_view name);
+  /// M3, M4: nothing where the spindle turns. M5 and its like.
+  void start_spindle();
+  bool spindle_turns() const { return spindle_turns_; }
+  void stop_spindle() { spindle_turns_ = false; }
+  /// M0, M1.
+  void stop_program() { path_.pause(Pause::stop); }
+  /// `what` sends axes to a position that only the machine knows: a warning.
+  void report_machine_move(std::string_view what, std::string_view code, std::uint32_t column);
   /// Counts a block: a line that holds words.
   void count_block() { ++program_.block_count; }
 
@@ -141,6 +151,8 @@ class Reader {
   std::uint32_t end_line_ = 0;  ///< shown; 0: not met
   std::uint32_t last_run_ = 0;  ///< the farthest shown line that ran
   std::uint64_t lines_run_ = 0;
+  std::optional<std::string> tool_in_spindle_;
+  bool spindle_turns_ = false;
 };
 
 }  // namespace feedscope

@@ -102,9 +102,16 @@ Toolpath build_toolpath(const Program& program) {
     switch (block.motion) {
       case Motion::dwell:
         segment.kind = SegmentKind::dwell;
+        segment.feed = 0;
         segment.end = position;
-        segment.index = static_cast<std::int32_t>(toolpath.dwells.size());
-        toolpath.dwells.push_back(block.dwell);
+        segment.index = static_cast<std::int32_t>(toolpath.pauses.size());
+        toolpath.pauses.push_back({block.dwell, block.pause, block.pause == Pause::dwell,
+                                   static_cast<std::uint32_t>(toolpath.machine_moves.size())});
+        if (block.pause == Pause::machine_move) {
+          segment.end = block.target;
+          skipped.target = block.target;
+          toolpath.machine_moves.push_back(program.machine_moves[static_cast<std::size_t>(block.arc)]);
+        }
         break;
       case Motion::arc: {
         const Arc arc =
@@ -137,6 +144,7 @@ Toolpath take_toolpath(Program& program) {
   Toolpath toolpath = build_toolpath(program);
   program.motions = std::vector<MotionBlock>();
   program.arcs = std::vector<ArcWords>();
+  program.machine_moves = std::vector<MachineMove>();
   return toolpath;
 }
 

@@ -12,13 +12,22 @@ namespace feedscope {
 
 enum class SegmentKind : std::uint8_t { line, arc, dwell };
 
-/// One geometric element of the programmed path; it starts where the one before ends.
+/// What a SegmentKind::dwell stands for.
+struct ToolpathPause {
+  double time = 0;  ///< that the axes stand [s]; 0 where it is not known
+  Pause kind = Pause::dwell;
+  bool timed = true;       ///< the time is known
+  std::uint32_t move = 0;  ///< machine moves: index into Toolpath::machine_moves
+};
+
+/// One geometric element of the programmed path; it starts where the one before ends. A dwell ends where it
+/// starts, unless it is a machine move: the path goes on elsewhere, and how the tool gets there is not known.
 struct Segment {
   Vec3 end;                        ///< [mm]
   double length = 0;               ///< > 0; 0 for a dwell [mm]
   double feed = 0;                 ///< programmed [mm/s]; 0 for rapids and dwells
   std::uint32_t line = 0;          ///< 1-based line of the block
-  std::int32_t index = -1;         ///< arcs: into Toolpath::arcs; dwells: into Toolpath::dwells
+  std::int32_t index = -1;         ///< arcs: into Toolpath::arcs; dwells: into Toolpath::pauses
   std::uint16_t path_control = 0;  ///< index into Toolpath::path_controls
   SegmentKind kind = SegmentKind::line;
   bool rapid = false;
@@ -30,7 +39,8 @@ struct Toolpath {
   Vec3 start = Vec3::Zero();  ///< [mm]
   std::vector<Segment> segments;
   std::vector<Arc> arcs;
-  std::vector<double> dwells;                             ///< times [s]
+  std::vector<ToolpathPause> pauses;
+  std::vector<MachineMove> machine_moves;
   std::vector<PathControl> path_controls{PathControl()};  ///< the first is the machine's
   Bounds bounds;                                          ///< as Program::bounds [mm]
   std::vector<std::string> other_axes;                    ///< as Program::other_axes
@@ -39,8 +49,16 @@ struct Toolpath {
   const PathControl& path_control_of(std::size_t i) const { return path_controls[segments[i].path_control]; }
   /// Of an arc segment of this path.
   const Arc& arc_of(const Segment& segment) const { return arcs[static_cast<std::size_t>(segment.index)]; }
+  /// Of a dwell of this path.
+  const ToolpathPause& pause_of(const Segment& segment) const {
+    return pauses[static_cast<std::size_t>(segment.index)];
+  }
   /// Time of a dwell of this path [s].
-  double dwell_of(const Segment& segment) const { return dwells[static_cast<std::size_t>(segment.index)]; }
+  double dwell_of(const Segment& segment) const { return pause_of(segment).time; }
+  /// The path goes on elsewhere behind this segment's start: nothing is to be drawn.
+  bool is_gap(const Segment& segment) const {
+    return segment.kind == SegmentKind::dwell && pause_of(segment).kind == Pause::machine_move;
+  }
   Vec3 tangent_at_start(std::size_t i) const;  ///< unit; zero for a dwell
   Vec3 tangent_at_end(std::size_t i) const;    ///< unit; zero for a dwell
   double length() const;                       ///< sum of the segments [mm]

@@ -63,9 +63,7 @@ void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progres
     const StretchRange range = next_stretch(toolpath, rules, first, stop_at_arc_corners);
     steps.at(first);
     if (toolpath.segments[first].kind == SegmentKind::dwell) {
-      const std::uint32_t element = builder.add_segment(static_cast<std::uint32_t>(first));
-      builder.add_piece({0, 0, 0, 0, 0, element, {CauseKind::dwell}},
-                        toolpath.dwell_of(toolpath.segments[first]));
+      builder.add_pause(static_cast<std::uint32_t>(first));
     } else {
       run(range, steps);
     }

@@ -17,6 +17,20 @@ ElementKind element_kind(SegmentKind kind) {
   return ElementKind::line;
 }
 
+CauseKind cause_of(Pause pause) {
+  switch (pause) {
+    case Pause::tool_change:
+      return CauseKind::tool_change;
+    case Pause::spindle_start:
+      return CauseKind::spindle_start;
+    case Pause::dwell:
+    case Pause::stop:
+    case Pause::machine_move:
+      break;
+  }
+  return CauseKind::dwell;
+}
+
 }  // namespace
 
 TrajectoryBuilder::TrajectoryBuilder(std::shared_ptr<const Toolpath> programmed, const Vec3& axis_velocity,
@@ -68,6 +82,16 @@ std::uint32_t TrajectoryBuilder::add_filtered(std::uint32_t block, double length
 std::uint32_t TrajectoryBuilder::add_motion(FilteredMotion motion) {
   content_.motions.push_back(std::move(motion));
   return static_cast<std::uint32_t>(content_.motions.size() - 1);
+}
+
+void TrajectoryBuilder::add_pause(std::uint32_t block) {
+  pass_pause(add_segment(block));
+}
+
+void TrajectoryBuilder::pass_pause(std::uint32_t element) {
+  const Segment& segment = programmed().segments[path().segment(element)];
+  add_piece({0, 0, 0, 0, 0, element, {cause_of(programmed().pause_of(segment).kind)}},
+            programmed().dwell_of(segment));
 }
 
 void TrajectoryBuilder::add_piece(Piece piece, double duration) {

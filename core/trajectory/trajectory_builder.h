@@ -30,6 +30,10 @@ class TrajectoryBuilder {
   std::uint32_t add_segment(std::uint32_t block, double length);
   /// The whole segment.
   std::uint32_t add_segment(std::uint32_t block);
+  /// Appends dwell `block` with its time.
+  void add_pause(std::uint32_t block);
+  /// The same for one whose element is part of the path already.
+  void pass_pause(std::uint32_t element);
   /// Appends the curve, a blend or a connecting arc, from `transition` before the end of `block` to as much
   /// behind it [mm].
   std::uint32_t add_corner(ElementKind kind, std::uint32_t block, double transition, double length);

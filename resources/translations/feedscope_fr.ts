@@ -232,6 +232,46 @@
         <source>Program read with %1</source>
         <translation>Programme lu avec %1</translation>
     </message>
+    <message>
+        <source>1 tool change</source>
+        <translation>1 changement d&apos;outil</translation>
+    </message>
+    <message>
+        <source>%1 tool changes</source>
+        <translation>%1 changements d&apos;outil</translation>
+    </message>
+    <message>
+        <source>1 spindle start</source>
+        <translation>1 démarrage de la broche</translation>
+    </message>
+    <message>
+        <source>%1 spindle starts</source>
+        <translation>%1 démarrages de la broche</translation>
+    </message>
+    <message>
+        <source>1 program stop</source>
+        <translation>1 arrêt programmé</translation>
+    </message>
+    <message>
+        <source>%1 program stops</source>
+        <translation>%1 arrêts programmés</translation>
+    </message>
+    <message>
+        <source>1 move to or from a machine position</source>
+        <translation>1 déplacement vers ou depuis une position machine</translation>
+    </message>
+    <message>
+        <source>%1 moves to or from machine positions</source>
+        <translation>%1 déplacements vers ou depuis des positions machine</translation>
+    </message>
+    <message>
+        <source>motion of %1</source>
+        <translation>mouvement de %1</translation>
+    </message>
+    <message>
+        <source>Not in the cycle time: %1</source>
+        <translation>Hors temps de cycle&#xa0;: %1</translation>
+    </message>
 </context>
 <context>
     <name>LineFinder</name>
@@ -545,6 +585,14 @@
         <translation>Temporisation</translation>
     </message>
     <message>
+        <source>Tool change</source>
+        <translation>Changement d&apos;outil</translation>
+    </message>
+    <message>
+        <source>Spindle start</source>
+        <translation>Démarrage de la broche</translation>
+    </message>
+    <message>
         <source>On the corner blend axis %1 runs at its largest velocity, %2.</source>
         <translation>Sur le raccord d&apos;angle, l&apos;axe %1 est à sa vitesse maximale, %2.</translation>
     </message>
@@ -635,6 +683,14 @@
     <message>
         <source>The program waits.</source>
         <translation>Le programme attend.</translation>
+    </message>
+    <message>
+        <source>A tool is changed; its time is the machine&apos;s tool change time.</source>
+        <translation>Un outil est changé ; le temps est le temps de changement d&apos;outil de la machine.</translation>
+    </message>
+    <message>
+        <source>The axes wait until the spindle has reached its speed; the time is the machine&apos;s spindle start time.</source>
+        <translation>Les axes attendent que la broche ait atteint sa vitesse ; le temps est le temps de démarrage de la broche de la machine.</translation>
     </message>
     <message>
         <source>The tool brakes: in %1 (%2) it must stop, line %3.</source>
@@ -910,6 +966,78 @@
     <message>
         <source>dwell</source>
         <translation>temporisation</translation>
+    </message>
+    <message>
+        <source>tool change</source>
+        <translation>changement d&apos;outil</translation>
+    </message>
+    <message>
+        <source>spindle start</source>
+        <translation>démarrage de la broche</translation>
+    </message>
+    <message>
+        <source>Tool change time</source>
+        <translation>Temps de changement d&apos;outil</translation>
+    </message>
+    <message>
+        <source>Time of a tool change, from the end of the last motion to the begin of the next one; without it tool changes are not counted in the cycle time.</source>
+        <translation>Temps d&apos;un changement d&apos;outil, de la fin du dernier mouvement au début du suivant ; sans lui, les changements d&apos;outil ne sont pas comptés dans le temps de cycle.</translation>
+    </message>
+    <message>
+        <source>Spindle start time</source>
+        <translation>Temps de démarrage de la broche</translation>
+    </message>
+    <message>
+        <source>Time until the spindle has reached its speed, during which the axes wait; without it spindle starts are not counted in the cycle time.</source>
+        <translation>Temps jusqu&apos;à ce que la broche ait atteint sa vitesse, pendant lequel les axes attendent ; sans lui, les démarrages de broche ne sont pas comptés dans le temps de cycle.</translation>
+    </message>
+    <message>
+        <source>Home position X</source>
+        <translation>Position d&apos;origine X</translation>
+    </message>
+    <message>
+        <source>Home position Y</source>
+        <translation>Position d&apos;origine Y</translation>
+    </message>
+    <message>
+        <source>Home position Z</source>
+        <translation>Position d&apos;origine Z</translation>
+    </message>
+    <message>
+        <source>Machine coordinate of the reference point that G28 and G74 move to; without it such a move is neither drawn nor timed.</source>
+        <translation>Coordonnée machine du point de référence que rejoignent G28 et G74 ; sans elle, un tel déplacement n&apos;est ni dessiné ni chronométré.</translation>
+    </message>
+    <message>
+        <source>Tool change position X</source>
+        <translation>Position de changement d&apos;outil X</translation>
+    </message>
+    <message>
+        <source>Tool change position Y</source>
+        <translation>Position de changement d&apos;outil Y</translation>
+    </message>
+    <message>
+        <source>Tool change position Z</source>
+        <translation>Position de changement d&apos;outil Z</translation>
+    </message>
+    <message>
+        <source>Machine coordinate of the position that G30 and G75 move to; without it such a move is neither drawn nor timed.</source>
+        <translation>Coordonnée machine de la position que rejoignent G30 et G75 ; sans elle, un tel déplacement n&apos;est ni dessiné ni chronométré.</translation>
+    </message>
+    <message>
+        <source>Part zero X</source>
+        <translation>Origine pièce X</translation>
+    </message>
+    <message>
+        <source>Part zero Y</source>
+        <translation>Origine pièce Y</translation>
+    </message>
+    <message>
+        <source>Part zero Z</source>
+        <translation>Origine pièce Z</translation>
+    </message>
+    <message>
+        <source>Machine coordinate of the zero point of the coordinates shown, 0 where work offsets are given in machine coordinates; without it moves to machine positions are neither drawn nor timed.</source>
+        <translation>Coordonnée machine de l&apos;origine des coordonnées affichées, 0 si les décalages d&apos;origine sont donnés en coordonnées machine ; sans elle, les déplacements vers des positions machine ne sont ni dessinés ni chronométrés.</translation>
     </message>
     <message>
         <source>Velocity</source>
@@ -2309,6 +2437,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
 <context>
     <name>feedscope::ui::MainWindow</name>
     <message>
+        <source>The program was read with other work offsets than those of this machine (%1); reload it to use them.</source>
+        <translation>Le programme a été lu avec d&apos;autres décalages d&apos;origine que ceux de cette machine (%1)&#xa0;; rechargez-le pour les utiliser.</translation>
+    </message>
+    <message>
         <source>Feedscope</source>
         <translation>Feedscope</translation>
     </message>
@@ -2767,6 +2899,22 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
 <context>
     <name>feedscope::ui::ProgramMargin</name>
     <message>
+        <source>Not counted: tool change; the machine&apos;s tool change time gives it</source>
+        <translation>Non compté&#xa0;: changement d&apos;outil&#xa0;; le temps de changement d&apos;outil de la machine le donne</translation>
+    </message>
+    <message>
+        <source>Not counted: spindle start; the machine&apos;s spindle start time gives it</source>
+        <translation>Non compté&#xa0;: démarrage de la broche&#xa0;; le temps de démarrage de la broche de la machine le donne</translation>
+    </message>
+    <message>
+        <source>Not counted: program stop</source>
+        <translation>Non compté&#xa0;: arrêt programmé</translation>
+    </message>
+    <message>
+        <source>Neither drawn nor counted: move to or from a machine position; the machine&apos;s positions give it</source>
+        <translation>Ni tracé ni compté&#xa0;: déplacement vers ou depuis une position machine&#xa0;; les positions de la machine le donnent</translation>
+    </message>
+    <message>
         <source>Line %1 takes no time</source>
         <translation>La ligne %1 ne prend pas de temps</translation>
     </message>
@@ -2904,6 +3052,10 @@ Ensemble : %3</translation>
     <message>
         <source>For programs whose CAM system has put the tool&apos;s radius into the path; a radius that is set here still applies</source>
         <translation>Pour les programmes dont la FAO a déjà intégré le rayon de l’outil à la trajectoire ; un rayon saisi ici reste appliqué</translation>
+    </message>
+    <message>
+        <source>Work offsets</source>
+        <translation>Décalages d&apos;origine</translation>
     </message>
     <message>
         <source>set here</source>
@@ -4515,6 +4667,53 @@ Ensemble : %3</translation>
     <message>
         <source>All rows to the clipboard, as a spreadsheet takes them</source>
         <translation>Toutes les lignes dans le presse-papiers, comme un tableur les prend</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::WorkOffsetsTable</name>
+    <message>
+        <source>Work offsets</source>
+        <translation>Décalages d&apos;origine</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>X [mm]</source>
+        <translation>X [mm]</translation>
+    </message>
+    <message>
+        <source>Y [mm]</source>
+        <translation>Y [mm]</translation>
+    </message>
+    <message>
+        <source>Z [mm]</source>
+        <translation>Z [mm]</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utilisation</translation>
+    </message>
+    <message>
+        <source>from line %1, motions: %2</source>
+        <translation>à partir de la ligne %1, déplacements : %2</translation>
+    </message>
+    <message>
+        <source>%1; assumed as zero</source>
+        <translation>%1 ; supposé nul</translation>
+    </message>
+    <message>
+        <source>set here, not used by the program</source>
+        <translation>défini ici, non utilisé par le programme</translation>
+    </message>
+    <message>
+        <source>Zero point of the offset in the coordinates shown; empty: as the program says, else 0</source>
+        <translation>Origine du décalage dans les coordonnées affichées ; vide : selon le programme, sinon 0</translation>
+    </message>
+    <message>
+        <source>The %1 coordinate of work offset %2, &quot;%3&quot;, is not a number from -1000000 to 1000000.</source>
+        <translation>La coordonnée %1 du décalage d&apos;origine %2, « %3 », n&apos;est pas un nombre de -1000000 à 1000000.</translation>
     </message>
 </context>
 </TS>

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "tests/app/command_line.h"
@@ -154,6 +155,41 @@ TEST_F(CheckCommand, ToleranceReplacesTheProgramsOwnAndSaysSo) {
   const Result replaced = run("simulate control.ngc --tolerance 0.05 --json -");
   EXPECT_THAT(replaced.err, HasSubstr("note: --tolerance replaces the program's own path control"));
   EXPECT_NEAR(json::parse(replaced.out)["max_corner_distance_mm"].get<double>(), 0.04, 1e-9);
+}
+
+TEST_F(CheckCommand, WorkOffsetsComeFromAnOption) {
+  write("two.nc", "G21 G90 G54\nG1 X10 Y0 Z0 F600\nG55\nG1 X10 Y0 Z0\n");
+  const auto report = [this](const std::string& options) {
+    return json::parse(run("check two.nc --dialect fanuc --json - " + options).out);
+  };
+  const json zero = report("");
+  EXPECT_EQ(zero["program"]["bounds"]["max"][0], 10);
+  EXPECT_EQ(zero["program"]["work_offsets"].size(), 2U);
+  EXPECT_EQ(zero["program"]["work_offsets"][1]["name"], "G55");
+  EXPECT_EQ(zero["program"]["work_offsets"][1]["given"], false);
+  const json given = report("--offset G54=0,0,0 --offset G55=100,-5.5,0");
+  EXPECT_EQ(given["program"]["bounds"]["max"][0], 110);
+  EXPECT_EQ(given["program"]["bounds"]["min"][1], -5.5);
+  EXPECT_EQ(given["program"]["work_offsets"][1]["given"], true);
+  EXPECT_THAT(run("check two.nc --dialect fanuc").out,
+              AllOf(HasSubstr("work offsets"), HasSubstr("G55 (line 3): 1 motions, assumed as zero")));
+  for (const char* wrong : {"G55", "G55=", "G55=1,2", "G55=1,2,3,4", "55=1,2,3", "G55=1,a,3", "G55=1;2;3"}) {
+    expect_wrong_use("check two.nc --offset '" + std::string(wrong) + "'", "--offset");
+  }
+}
+
+TEST_F(CheckCommand, TellsWhatHasNoTime) {
+  write("part.nc", "G21 G90 G54\nT1 M6\nM3 S100\nG1 X10 F600\nM0\nG28 G91 Z0\nG90 G0 X0 Y0 Z5\nA30\n");
+  const json report = json::parse(run("check part.nc --dialect fanuc --json -").out);
+  std::map<std::string, int> counts;
+  for (const json& item : report["program"]["not_counted"]) {
+    counts[item["what"]] = item["count"];
+  }
+  const std::map<std::string, int> expected{
+      {"tool_change", 1}, {"spindle_start", 1}, {"stop", 1}, {"machine_move", 2}, {"other_axis", 1}};
+  EXPECT_EQ(counts, expected);
+  EXPECT_THAT(run("check part.nc --dialect fanuc").out,
+              HasSubstr("1 tool change, 1 spindle start, 1 program stop (M0, M1)"));
 }
 
 }  // namespace

@@ -69,6 +69,35 @@ TEST_F(ReportCommand, CommandsOfAReportRun) {
   EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("feedscope simulate 'it'\\''s a part.nc' --machine"));
 }
 
+TEST_F(ReportCommand, ItsCommandReadsTheProgramInTheSameWay) {
+  const std::vector<std::string> reading{"--dialect fanuc",         "--unit inch",    "--skip-deleted",
+                                         "--repeat-limit 700",      "--call-depth 3", "--tool 1=5",
+                                         "--offset G55=100,-2.5,0", "--wear-only",    "--tools-unit inch",
+                                         "--simulate-cut-off"};
+  std::string options;
+  for (const std::string& option : reading) {
+    options += " " + option;
+  }
+  const Result result = report("corner.nc" + options + " --out r.html");
+  ASSERT_EQ(result.code, 0) << result.err;
+  const std::string html = contents(folder_ / "r.html");
+  for (const std::string& option : reading) {
+    EXPECT_THAT(html, HasSubstr(option));
+  }
+}
+
+TEST_F(ReportCommand, SaysWhatTheCycleTimeDoesNotContain) {
+  write("tools.nc", "G21 G90 G17\nT1 M6\nG1 X20 Y0 Z0 F3000\nT2 M6\nM3 S100\nG28 G91 Z0\nG90 G0 X0 Y0\nZ5\n");
+  const std::string call = "tools.nc --dialect fanuc --machine spinner-mvc850 --out r.html ";
+  ASSERT_EQ(report(call).code, 0);
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("2 tool changes, 1 spindle start, 3 moves to or from"));
+  const std::string zero = "--set part_zero_x_mm=0 --set part_zero_y_mm=0 --set part_zero_z_mm=0 ";
+  ASSERT_EQ(report(call + zero + "--set tool_change_time_s=4 --set home_z_mm=300").code, 0);
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("1 spindle start"));
+  EXPECT_THAT(contents(folder_ / "r.html"), Not(HasSubstr("moves to or from")));
+  EXPECT_THAT(contents(folder_ / "r.html"), HasSubstr("tool change"));
+}
+
 TEST_F(ReportCommand, FillsATemplateOfOnesOwn) {
   write("own.html", "<h1>{{title}}</h1>{{comparison_table}}");
   ASSERT_EQ(report("corner.nc --template own.html --out r.html").code, 0);

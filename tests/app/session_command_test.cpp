@@ -119,8 +119,10 @@ TEST_F(SessionCommand, EveryCommandTakesOneAndDoesWhatItsOptionsWouldDo) {
 
 TEST_F(SessionCommand, OptionsThatItHasOfItsOwnAreRefusedByEveryCommand) {
   for (const char* command : {"simulate", "compare"}) {
-    for (const char* option : {"--machine huron-kx10", "--model cam", "--tolerance 0.1", "--set X.jerk=3",
-                               "--unit inch", "--dialect iso"}) {
+    for (const char* option :
+         {"--machine huron-kx10", "--model cam", "--tolerance 0.1", "--set X.jerk=3", "--unit inch",
+          "--dialect iso", "--offset G55=1,2,3", "--wear-only", "--tools-unit inch", "--repeat-limit 7",
+          "--call-depth 3", "--simulate-cut-off", "--skip-deleted", "--tool 1=5"}) {
       expect_wrong_use(fmt::format("{} part.feedscope {}", command, option), "does not go with session");
     }
   }

@@ -66,6 +66,9 @@ double random_number(Random& random, const SettingSpec& spec, double usual) {
 void choose_settings(Random& random, Machine& machine, const ControlModel& model) {
   const Settings usual = complete_settings(model, machine);
   for (const SettingSpec& spec : settings_of(model)) {
+    if (spec.optional) {
+      continue;
+    }
     SettingValue value = usual.values().find(spec.key)->second;
     if (!spec.choices.empty()) {
       value = spec.choices[random.below(spec.choices.size())];

@@ -47,8 +47,8 @@ void append_arc(Toolpath& path, const Vec3& center, double sweep, double feed) {
 void append_dwell(Toolpath& path, double time) {
   Segment dwell = make_segment(path, last_point(path), 0);
   dwell.kind = SegmentKind::dwell;
-  dwell.index = static_cast<std::int32_t>(path.dwells.size());
-  path.dwells.push_back(time);
+  dwell.index = static_cast<std::int32_t>(path.pauses.size());
+  path.pauses.push_back({time, Pause::dwell, true, 0});
   path.segments.push_back(dwell);
 }
 

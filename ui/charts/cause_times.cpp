@@ -9,7 +9,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr std::size_t pieces_a_mark = 64;
-constexpr std::size_t kind_count = static_cast<std::size_t>(CauseKind::dwell) + 1;
+constexpr std::size_t kind_count = cause_kind_count;
 
 /// Whether the middle of a piece has a cause of its own.
 bool holds_acceleration(const Piece& piece) {

@@ -8,7 +8,7 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr std::size_t kind_count = static_cast<std::size_t>(CauseKind::dwell) + 1;
+constexpr std::size_t kind_count = cause_kind_count;
 constexpr double least_share = 0.01;
 
 using KindFlags = std::array<bool, kind_count>;

@@ -31,4 +31,33 @@ QString reading_faults_text(const Program& program) {
   return {};
 }
 
+QString not_counted_text(const NotCounted& counts) {
+  QStringList texts;
+  const auto add = [&](std::size_t count, const QString& one, const QString& several) {
+    if (count > 0) {
+      texts.append(count == 1 ? one : several.arg(count));
+    }
+  };
+  add(counts.tool_changes, Faults::tr("1 tool change"), Faults::tr("%1 tool changes"));
+  add(counts.spindle_starts, Faults::tr("1 spindle start"), Faults::tr("%1 spindle starts"));
+  add(counts.stops, Faults::tr("1 program stop"), Faults::tr("%1 program stops"));
+  add(counts.machine_moves, Faults::tr("1 move to or from a machine position"),
+      Faults::tr("%1 moves to or from machine positions"));
+  if (!counts.other_axes.empty()) {
+    QStringList axes;
+    for (const std::string& axis : counts.other_axes) {
+      axes.append(QString::fromStdString(axis));
+    }
+    texts.append(Faults::tr("motion of %1").arg(axes.join(QStringLiteral(", "))));
+  }
+  return texts.isEmpty() ? QString()
+                         : Faults::tr("Not in the cycle time: %1").arg(texts.join(QStringLiteral(", ")));
+}
+
+QString picture_warning(const Run& run) {
+  QStringList lines{reading_faults_text(*run.input.program), not_counted_text(run.summary.not_counted)};
+  lines.removeAll(QString());
+  return lines.join('\n');
+}
+
 }  // namespace feedscope::ui

@@ -18,7 +18,7 @@ SetupState SetupState::between(Setup file, const Setup& asked) {
   SetupState state(std::move(file));
   for (const std::string& key : assignable_keys(*asked.model)) {
     state.set(key, is_axis_key(key) ? SettingValue(axis_limit(asked.machine, key[0], key.substr(2)))
-                                    : asked.settings.values().at(key));
+                                    : asked.settings.value(key));
   }
   return state;
 }
@@ -69,7 +69,7 @@ SettingValue SetupState::file_value(const std::string& key) const {
   if (is_axis_key(key)) {
     return axis_limit(file_.machine, key[0], key.substr(2));
   }
-  return file_.settings.values().at(key);
+  return file_.settings.value(key);
 }
 
 Provenance SetupState::provenance(const std::string& key) const {
@@ -89,8 +89,9 @@ void SetupState::set(const std::string& key, const SettingValue& value) {
 void SetupState::set_model(const ControlModel& model) {
   file_.model = &model;
   file_.settings = complete_settings(model, file_.machine);
-  std::erase_if(edits_, [this](const auto& edit) {
-    return !is_axis_key(edit.first) && !file_.settings.has(edit.first);
+  const std::vector<SettingSpec> specs = settings_of(model);
+  std::erase_if(edits_, [&](const auto& edit) {
+    return !is_axis_key(edit.first) && std::ranges::find(specs, edit.first, &SettingSpec::key) == specs.end();
   });
 }
 

@@ -20,8 +20,8 @@ struct Shares {
 };
 
 /// What is shown of `run`, each part beside the others, its summary too if that is still to come. `share`: of
-/// `progress`.
-std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double share, bool wants_summary) {
+/// `progress`; `input`: the toolpath that was simulated, null: that of the run.
+std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double share, const Toolpath* input) {
   auto shown = std::make_shared<ShownRun>();
   shown->run = std::move(run);
   const std::shared_ptr<const Trajectory> trajectory = shown->run.trajectory;
@@ -38,8 +38,12 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
             sample_executed(*trajectory, default_max_points, {}, &samples));
       },
       [&] {
-        if (wants_summary) {
+        const Toolpath& toolpath = *shown->run.input.toolpath;
+        if (input != nullptr) {
           add_summary(shown->run);
+        }
+        if (input != nullptr && input != &toolpath) {
+          shown->programmed = std::make_shared<const SampledPath>(sample_programmed(toolpath));
         }
         summary.report(1);
       },
@@ -61,7 +65,7 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
 
 std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress) {
   Progress unwatched;
-  return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, false);
+  return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, nullptr);
 }
 
 std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup, Progress* progress) {
@@ -70,7 +74,7 @@ std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup
   Progress motion(whole, share_of_motion);
   Run run = simulate_motion(input, std::move(setup), &motion);
   motion.report(1);
-  return shown_of(std::move(run), whole, 1 - share_of_motion, true);
+  return shown_of(std::move(run), whole, 1 - share_of_motion, input.toolpath.get());
 }
 
 ShownProgram make_shown(LoadedProgram input) {

@@ -14,8 +14,11 @@ namespace feedscope::ui {
 /// A run with what its pictures need, made off the GUI thread.
 struct ShownRun {
   Run run;
-  std::shared_ptr<const Envelope> envelope;     ///< for the charts
-  std::shared_ptr<const SampledPath> samples;   ///< for the 3D view
+  std::shared_ptr<const Envelope> envelope;    ///< for the charts
+  std::shared_ptr<const SampledPath> samples;  ///< for the 3D view
+  /// Of the programmed path with the moves that this machine fills in, see on_machine(); null: it fills in
+  /// none.
+  std::shared_ptr<const SampledPath> programmed = nullptr;
   std::shared_ptr<const LineTimes> line_times;  ///< for the program's text
   std::shared_ptr<const SlowPlaces> slow_places;
 };

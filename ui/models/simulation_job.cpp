@@ -73,7 +73,7 @@ SimulationJob::Outcome SimulationJob::work(const JobRequest& request, const std:
     LoadedProgram input;
     if (const auto* file = std::get_if<std::filesystem::path>(&request.input)) {
       give_back_memory();
-      input = load_program(*file, &stages->reading, request.reading);
+      input = load_program(*file, &stages->reading, reading_on(request.reading, request.setup.machine));
       QMetaObject::invokeMethod(this, [this, program = make_shown(input), stages] {
         if (!stages->reading.cancelled()) {
           emit program_read(program);

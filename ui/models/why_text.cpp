@@ -161,6 +161,10 @@ QString WhyText::cause(Cause cause) {
       return tr("Exact stop");
     case CauseKind::dwell:
       return tr("Dwell");
+    case CauseKind::tool_change:
+      return tr("Tool change");
+    case CauseKind::spindle_start:
+      return tr("Spindle start");
   }
   return {};
 }
@@ -277,6 +281,12 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
       return tr("The tool must stop.");
     case CauseKind::dwell:
       return tr("The program waits.");
+    case CauseKind::tool_change:
+      return tr("A tool is changed; its time is the machine's tool change time.");
+    case CauseKind::spindle_start:
+      return tr(
+          "The axes wait until the spindle has reached its speed; the time is the machine's spindle "
+          "start time.");
     default:
       return blend_sentence(reason);
   }
@@ -299,8 +309,7 @@ QString WhyText::sentence(const Explanation& why) {
 QString WhyText::sentence(const SlowerPlace& ahead, const State& now) {
   State there = now;
   there.tangential_acceleration = there.tangential_jerk = 1;
-  const bool stands =
-      ahead.reason.cause.kind == CauseKind::exact_stop || ahead.reason.cause.kind == CauseKind::dwell;
+  const bool stands = ahead.reason.cause.kind == CauseKind::exact_stop || is_pause(ahead.reason.cause.kind);
   if (ahead.reason.formula.empty() && !stands) {
     return tr("It is this slow for the sake of a place further on.");
   }

@@ -18,12 +18,17 @@ QString title_of(const Run& run) {
   const QString file = program_file_name(*run.input.program);
   const QString time = QLocale().toString(run.trajectory->duration(), 'f', 3);
   const QString faults = reading_faults_text(*run.input.program);
-  return QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4 s%5")
-      .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
-           core_text(run.setup.model->info().title).toHtmlEscaped(), time,
-           faults.isEmpty()
-               ? QString()
-               : QStringLiteral(" &nbsp; <span style=\"color:#c62818\"><b>%1</b></span>").arg(faults));
+  const QString not_counted = not_counted_text(run.summary.not_counted);
+  const QString title =
+      QStringLiteral("<b>%1</b> &nbsp; %2 · %3 · %4 s%5")
+          .arg(file.toHtmlEscaped(), QString::fromStdString(run.setup.machine.name).toHtmlEscaped(),
+               core_text(run.setup.model->info().title).toHtmlEscaped(), time,
+               faults.isEmpty()
+                   ? QString()
+                   : QStringLiteral(" &nbsp; <span style=\"color:#c62818\"><b>%1</b></span>").arg(faults));
+  return not_counted.isEmpty()
+             ? title
+             : QStringLiteral("%1<br/><span style=\"color:#c62818\">%2</span>").arg(title, not_counted);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/analysis/not_counted.h"
 #include "core/analysis/run_notes.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
@@ -62,6 +63,30 @@ QString one_run_sentence(const ReportRun& run) {
       .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name), clock_text(summary.cycle_time),
            significant(against_programmed(summary), 3), clock_text(summary.programmed_time),
            fixed(units::to_mm_min(summary.mean_feed), 0), micrometres(summary.max_contour_error));
+}
+
+/// A sentence for each different set of events that cycle times do not contain.
+QString not_counted_sentences(const ReportInput& input) {
+  std::vector<std::pair<std::string, QStringList>> sets;
+  for (const ReportRun& run : input.runs) {
+    const std::string events = describe(summary_of(run).not_counted);
+    auto known = std::ranges::find(sets, events, [](const auto& set) { return set.first; });
+    if (known == sets.end()) {
+      known = sets.insert(sets.end(), {events, {}});
+    }
+    known->second.append(html_text(run.name));
+  }
+  QString html;
+  for (const auto& [events, runs] : sets) {
+    if (events.empty()) {
+      continue;
+    }
+    html += sets.size() == 1
+                ? QStringLiteral("<p>Not counted in the cycle time: %1.</p>\n").arg(html_text(events))
+                : QStringLiteral("<p>Not counted in the cycle time of %1: %2.</p>\n")
+                      .arg(runs.join(QStringLiteral(", ")), html_text(events));
+  }
+  return html;
 }
 
 QString fastest_sentence(const ReportInput& input) {
@@ -201,7 +226,7 @@ QString summary_block(const ReportInput& input) {
     html += QStringLiteral("<p>Most of the time of %1 is limited by: %2.</p>\n")
                 .arg(html_text(input.run().name), html_text(causes));
   }
-  return html + run_notes_text(input);
+  return html + not_counted_sentences(input) + run_notes_text(input);
 }
 
 QString comparison_block(const ReportInput& input) {

@@ -3,6 +3,7 @@
 #include <QCryptographicHash>
 #include <cmath>
 
+#include "core/analysis/not_counted.h"
 #include "core/analysis/program_facts.h"
 #include "core/base/units.h"
 #include "ui/models/texts.h"
@@ -92,6 +93,9 @@ QString program_facts_block(const ReportInput& input) {
                                          significant(units::to_mm_min(facts.largest_feed), 6))
                               : QStringLiteral("none"));
   add("Tools", tools_text(program));
+  if (const std::string events = describe(facts.not_counted); !events.empty()) {
+    add("Times not given", html_text(events));
+  }
   if (program.call_count > 0) {
     add("Subprogram calls", QString::number(program.call_count));
   }

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "core/analysis/control_dialect.h"
+#include "core/analysis/not_counted.h"
 #include "core/analysis/program_facts.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -231,6 +232,9 @@ class SheetPainter {
     const Run& run = input_.run().shown->run;
     const ModelInfo& model = run.setup.model->info();
     table.add({QStringLiteral("Control model"), html_text(model.title)});
+    if (const std::string events = describe(run.summary.not_counted); !events.empty()) {
+      table.add({QStringLiteral("Not counted"), html_text(events)});
+    }
     if (const auto mismatch = control_mismatch(run.setup.machine, program.dialect)) {
       table.add({QStringLiteral("Control"), html_text(describe(*mismatch))});
     }

@@ -58,6 +58,10 @@ Pair colours_of(CauseKind kind) {
       return {0x22262a, 0xa99e9d};
     case CauseKind::dwell:
       return {0x644a65, 0x8a6d8b};
+    case CauseKind::tool_change:
+      return {0x7000e0, 0x9800f8};
+    case CauseKind::spindle_start:
+      return {0xf0f800, 0xe8e000};
   }
   return {};
 }

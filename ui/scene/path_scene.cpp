@@ -231,6 +231,9 @@ void PathScene::set_programmed(std::shared_ptr<const Toolpath> toolpath) {
 }
 
 void PathScene::set_programmed(std::shared_ptr<const SampledPath> samples) {
+  if (samples == impl_->programmed) {
+    return;
+  }
   impl_->programmed = std::move(samples);
   impl_->rebuild();
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "ui/scene/path/sampler.h"
 
@@ -26,11 +27,19 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) 
   path.positions.reserve(std::min(wanted, max_points) + 1);
   path.kinds.reserve(std::min(wanted, max_points) + 1);
   Sampler sampler(path, spacing);
+  std::optional<Vec3> end;  // of the last segment with a path
+  bool gap = false;         // behind it
   for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
     const Segment& segment = toolpath.segments[i];
     if (segment.kind == SegmentKind::dwell) {
+      gap = gap || toolpath.is_gap(segment);
       continue;
     }
+    if (gap && end) {
+      Sampler(path, 0).add(*end, SpanKind::gap, 0);
+    }
+    gap = false;
+    end = segment.end;
     const SpanKind kind = segment.rapid ? SpanKind::rapid : SpanKind::cut;
     const std::size_t count = spans_of(segment, spacing);
     const double span = segment.length / static_cast<double>(count);
@@ -40,7 +49,9 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) 
       sampler.add(arc.at(span * static_cast<double>(k)).position, kind, span);
     }
   }
-  Sampler(path, 0).add(toolpath.segments.back().end, SpanKind::cut, 0);
+  if (end) {
+    Sampler(path, 0).add(*end, SpanKind::cut, 0);
+  }
   path.levels = levels_of(path);
   return path;
 }
@@ -60,7 +71,9 @@ PathLevel thinned(const SampledPath& path, const PathLevel& level, double spacin
   for (std::size_t k = 0; k < level.size(); ++k) {
     const Eigen::Vector3f& here = path.positions[level[k]];
     const bool last = k + 1 == level.size();
-    if (!last && k > 0 && (here - path.positions[kept.points.back()]).squaredNorm() < limit &&
+    const bool at_gap =
+        path.kinds[level[k]] == SpanKind::gap || (k > 0 && path.kinds[level[k - 1]] == SpanKind::gap);
+    if (!last && !at_gap && k > 0 && (here - path.positions[kept.points.back()]).squaredNorm() < limit &&
         (path.positions[level[k + 1]] - here).squaredNorm() < limit) {
       continue;
     }

@@ -13,7 +13,12 @@
 namespace feedscope::ui {
 
 /// What the path does between one point and the next.
-enum class SpanKind : std::uint8_t { cut, rapid, blend };
+enum class SpanKind : std::uint8_t {
+  cut,
+  rapid,
+  blend,
+  gap,  ///< it goes on elsewhere, and how the tool gets there is not known: nothing is drawn
+};
 
 /// What is kept of the motion at every point of an executed path.
 enum class Quantity : std::uint8_t {

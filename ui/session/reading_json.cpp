@@ -1,5 +1,6 @@
 #include "ui/session/reading_json.h"
 
+#include <QJsonArray>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -18,6 +19,7 @@ constexpr const char* table_key = "tool_table";
 constexpr const char* table_unit_key = "tool_table_unit_mm";
 constexpr const char* wear_key = "wear_only";
 constexpr const char* cut_off_key = "simulate_cut_off";
+constexpr const char* offsets_key = "work_offsets_mm";
 constexpr double largest_count = 1e15;
 
 /// The number of `key`, at least `least` and, if `whole`, without a part behind the point.
@@ -45,11 +47,24 @@ LengthUnit unit_of(const QJsonValue& json) {
                        .toStdString());
 }
 
+Vec3 zero_of(const QString& name, const QJsonArray& coordinates) {
+  const bool numbers = coordinates.size() == 3 && coordinates[0].isDouble() && coordinates[1].isDouble() &&
+                       coordinates[2].isDouble();
+  if (!numbers || WorkOffsets::key(name.toStdString()).empty()) {
+    throw InputError(
+        QStringLiteral("\"reading\": \"%1\": \"%2\" must be a work offset such as G55 with three "
+                       "numbers, its zero point in mm")
+            .arg(offsets_key, name)
+            .toStdString());
+  }
+  return {coordinates[0].toDouble(), coordinates[1].toDouble(), coordinates[2].toDouble()};
+}
+
 }  // namespace
 
 std::vector<std::string> reading_keys() {
-  return {dialect_key, unit_key,  skip_key,       repeat_key, depth_key,
-          radii_key,   table_key, table_unit_key, wear_key,   cut_off_key};
+  return {dialect_key, unit_key,       skip_key, repeat_key,  depth_key,  radii_key,
+          table_key,   table_unit_key, wear_key, cut_off_key, offsets_key};
 }
 
 QJsonObject to_json(const ReadOptions& options, const std::filesystem::path& folder) {
@@ -91,6 +106,13 @@ QJsonObject to_json(const ReadOptions& options, const std::filesystem::path& fol
   if (options.simulate_cut_off) {
     json[cut_off_key] = true;
   }
+  if (!options.offsets.empty()) {
+    QJsonObject offsets;
+    for (const auto& [name, zero] : options.offsets.all()) {
+      offsets[QString::fromStdString(name)] = QJsonArray{zero.x(), zero.y(), zero.z()};
+    }
+    json[offsets_key] = offsets;
+  }
   return json;
 }
 
@@ -121,6 +143,10 @@ ReadOptions read_reading(const QJsonObject& json, const std::filesystem::path& f
   }
   options.wear_only = json[wear_key].toBool();
   options.simulate_cut_off = json[cut_off_key].toBool();
+  const QJsonObject offsets = json[offsets_key].toObject();
+  for (const QString& name : offsets.keys()) {
+    options.offsets.set(name.toStdString(), zero_of(name, offsets[name].toArray()));
+  }
   return options;
 }
 

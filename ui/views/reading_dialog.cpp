@@ -67,6 +67,7 @@ ReadingDialog::ReadingDialog(const ReadOptions& options, const Program* program,
       simulate_cut_off_(new QCheckBox(tr("Simulate a program that was cut off at this limit"), this)),
       wear_only_(new QCheckBox(tr("The path is already compensated (wear only): radius 0"), this)),
       cutters_(new QTableWidget(this)),
+      offsets_(new WorkOffsetsTable(options.offsets, program, this)),
       tool_table_(new QLineEdit(this)),
       table_unit_(new QComboBox(this)),
       fault_(new QLabel(this)),
@@ -84,8 +85,10 @@ ReadingDialog::ReadingDialog(const ReadOptions& options, const Program* program,
     for (int row = 0; row < cutters_->rowCount(); ++row) {
       cutters_->item(row, radius_column)->setText({});
     }
+    offsets_->clear_offsets();
     show_options({});
   });
+  connect(offsets_, &QTableWidget::itemChanged, this, &ReadingDialog::check);
   connect(cutters_, &QTableWidget::itemChanged, this, &ReadingDialog::check);
   check();
 }
@@ -186,6 +189,11 @@ void ReadingDialog::make_layout() {
          "still "
          "applies"));
   form->addRow(QString(), wear_only_);
+  if (offsets_->rowCount() > 0) {
+    form->addRow(tr("Work offsets"), offsets_);
+  } else {
+    offsets_->hide();
+  }
   fault_->setWordWrap(true);
   form->addRow(fault_);
   form->addRow(buttons_);
@@ -227,6 +235,7 @@ ReadOptions ReadingDialog::options() const {
       options.radii.set(cutters_->item(row, tool_column)->text().toStdString(), *radius);
     }
   }
+  options.offsets = offsets_->offsets();
   return options;
 }
 
@@ -238,7 +247,7 @@ QString ReadingDialog::fault() const {
           .arg(cutters_->item(row, tool_column)->text(), text);
     }
   }
-  return {};
+  return offsets_->fault();
 }
 
 void ReadingDialog::check() {

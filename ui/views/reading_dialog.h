@@ -3,6 +3,7 @@
 #include <QDialog>
 
 #include "core/program/program.h"
+#include "ui/views/work_offsets_table.h"
 
 class QCheckBox;
 class QComboBox;
@@ -26,7 +27,7 @@ class ReadingDialog : public QDialog {
 
   /// What is chosen; of use while valid().
   ReadOptions options() const;
-  /// No radius is anything but a length of 0 or more.
+  /// No radius is anything but a length of 0 or more, no offset anything but numbers.
   bool valid() const { return fault().isEmpty(); }
 
  private:
@@ -48,6 +49,7 @@ class ReadingDialog : public QDialog {
   QCheckBox* simulate_cut_off_;
   QCheckBox* wear_only_;
   QTableWidget* cutters_;
+  WorkOffsetsTable* offsets_;
   QLineEdit* tool_table_;
   QComboBox* table_unit_;
   QLabel* fault_;

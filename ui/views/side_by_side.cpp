@@ -281,6 +281,10 @@ void SideBySide::show_run() {
   }
   second_run_->show(id);
   const auto& shown = second_run_->shown();
+  if (shown != nullptr) {
+    scene.set_programmed(shown->programmed != nullptr ? shown->programmed : model_.shown_program().samples);
+    scene.set_warning(picture_warning(shown->run).toStdString());
+  }
   second_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr, choice_->currentText());
   linking_ = false;
   colour_alike();

@@ -54,7 +54,7 @@ Reason ReasonFinder::made(Cause cause, Formula formula, double reached, std::uin
 
 Reason ReasonFinder::find(const State& state, Cause cause) const {
   const bool on_ramp_up = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk;
-  if (cause.kind == CauseKind::exact_stop || cause.kind == CauseKind::dwell) {
+  if (cause.kind == CauseKind::exact_stop || is_pause(cause.kind)) {
     return made(cause, {}, 0, state.element);
   }
   if (run_.path().kind(state.element) == ElementKind::filtered) {
@@ -83,7 +83,7 @@ bool ReasonFinder::is_sampled(const State& state) const {
 Reason ReasonFinder::find_at_start(const State& state, Cause cause) const {
   const bool junction =
       cause.kind == CauseKind::curvature_crossing || cause.kind == CauseKind::lookahead_horizon;
-  const bool stop = cause.kind == CauseKind::exact_stop || cause.kind == CauseKind::dwell;
+  const bool stop = cause.kind == CauseKind::exact_stop || is_pause(cause.kind);
   const bool axis = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk;
   const bool filtered = run_.path().kind(state.element) == ElementKind::filtered;
   return junction || stop || axis || filtered ? find(state, cause) : of_speed(state, cause);

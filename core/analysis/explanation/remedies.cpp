@@ -52,7 +52,7 @@ class Candidates {
       const double step = spec->whole ? std::round(*number) : *number;
       *number = std::clamp(step, spec->minimum, spec->maximum);
     }
-    if (value == setup_.settings.values().at(key)) {
+    if (value == setup_.settings.value(key)) {
       return;
     }
     Remedy remedy{{{key, std::move(value)}}};

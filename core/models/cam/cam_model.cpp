@@ -34,11 +34,11 @@ Trajectory CamModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, 
   ProgressSteps steps(progress, toolpath.segments.size());
   for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
     const Segment& segment = toolpath.segments[i];
-    const SpeedBound programmed = programmed_speed(toolpath, i, velocity);
-    const std::uint32_t index = builder.add_segment(static_cast<std::uint32_t>(i));
     if (segment.kind == SegmentKind::dwell) {
-      builder.add_piece({0, 0, 0, 0, 0, index, {CauseKind::dwell}}, toolpath.dwell_of(segment));
+      builder.add_pause(static_cast<std::uint32_t>(i));
     } else {
+      const SpeedBound programmed = programmed_speed(toolpath, i, velocity);
+      const std::uint32_t index = builder.add_segment(static_cast<std::uint32_t>(i));
       builder.add_piece({0, 0, programmed.value, 0, 0, index, programmed.cause},
                         segment.length / programmed.value);
     }

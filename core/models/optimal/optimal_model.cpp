@@ -160,8 +160,7 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
       ++last;
     }
     if (path.kind(first) == ElementKind::dwell) {
-      const double time = toolpath.dwell_of(toolpath.segments[path.segment(first)]);
-      builder.add_piece({0, 0, 0, 0, 0, first, {CauseKind::dwell}}, time);
+      builder.pass_pause(first);
     } else if (with_jerk) {
       const TrajectoryBuilder::Mark start = builder.mark();
       jerk_law.run(first, last, steps);

@@ -77,7 +77,7 @@ void ContourWriter::write(const ContourElement& element) {
   path_.begin_line(element.place.line, element.place.place);
   for (int axis = 0; axis < 3; ++axis) {
     if ((element.place.axes >> axis & 1U) != 0) {
-      path_.program_axis(axis);
+      path_.program_axis(axis, (element.place.incremental >> axis & 1U) != 0);
     }
   }
   path_.set_feed_mode(element.feed.mode);

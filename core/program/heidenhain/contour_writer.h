@@ -15,7 +15,8 @@ namespace feedscope {
 struct BlockPlace {
   std::uint32_t line = 0;  ///< shown
   DiagnosticLog::Place place;
-  std::uint8_t axes = 0;  ///< bit per axis programmed
+  std::uint8_t axes = 0;         ///< bit per axis programmed
+  std::uint8_t incremental = 0;  ///< of those, by a distance
 };
 
 struct ContourFeed {

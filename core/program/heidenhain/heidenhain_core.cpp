@@ -94,7 +94,7 @@ DiagnosticLog::Place HeidenhainCore::spot(std::uint32_t column) const {
 }
 
 BlockPlace HeidenhainCore::contour_place(std::uint32_t column, std::uint8_t axes) const {
-  return {shown_line(), parts_.empty() ? place(column) : spot(column), axes};
+  return {shown_line(), parts_.empty() ? place(column) : spot(column), axes, 0};
 }
 
 double HeidenhainCore::to_feed(double value) const {

@@ -220,7 +220,8 @@ class HeidenhainCore : public Reader {
   void start_functions(const MotionWords& words);
   void finish_functions(const MotionWords& words, bool moved);
   void retract(const MotionWords& words);
-  bool leaves_out_machine_position(const MotionWords& words);
+  void run_spindle(int number, std::uint32_t column);
+  bool goes_to_machine_position(const MotionWords& words);
   ApproachShape approach_shape(ApproachKind kind, const MotionWords& words, std::uint32_t column);
   void check_side(std::uint32_t column);
   void report_feed_value(const MotionWords& words);

@@ -50,7 +50,7 @@ void HeidenhainCore::run_path(PathKind kind, const MotionWords& words) {
   apply_side(words);
   const bool moves =
       words.has_axes() || words.has_polar() || (kind == PathKind::center_arc || kind == PathKind::polar_arc);
-  if (moves && !leaves_out_machine_position(words)) {
+  if (moves && !goes_to_machine_position(words)) {
     add_path(kind, words);
     note_programmed_axes(words);
     last_rapid_ = words.feed_word == FeedWord::rapid;
@@ -81,6 +81,7 @@ ContourElement HeidenhainCore::element_of(const MotionWords& words, const Vec3& 
   element.side = side_;
   element.tool_radius = tool_radius_;
   element.place = contour_place(words.first_column, words.axis_bits());
+  element.place.incremental = words.incremental_bits();
   return element;
 }
 
@@ -413,15 +414,28 @@ void HeidenhainCore::end_contour(std::uint32_t column) {
   path().begin_line(shown_line(), spot(column));
 }
 
-bool HeidenhainCore::leaves_out_machine_position(const MotionWords& words) {
+/// M91: coordinates of the machine; M92: from another datum that its builder has set.
+bool HeidenhainCore::goes_to_machine_position(const MotionWords& words) {
   if (!words.has_m(91) && !words.has_m(92)) {
     return false;
   }
   end_contour(words.first_column);
-  report(Severity::warning, "machine-position", 0, words.first_column, [&] {
-    return Text{fmt::format("M{} moves to a position of the machine", words.has_m(91) ? 91 : 92),
-                "where that is only the machine knows; the motion is left out"};
-  });
+  std::array<bool, 3> named{};
+  AxisPlaces places;
+  for (std::size_t axis = 0; axis < places.size(); ++axis) {
+    const OptionalWord& word = words.axes[axis];
+    named[axis] = word.given;
+    places[axis].kind = AxisPlace::Kind::unknown;
+    if (words.has_m(91) && !word.incremental) {
+      places[axis] = {AxisPlace::Kind::machine, word.value};
+    }
+  }
+  if (words.has_polar()) {
+    named[static_cast<std::size_t>(first_axis(pole_plane_))] = true;
+    named[static_cast<std::size_t>(second_axis(pole_plane_))] = true;
+  }
+  path().go_to_machine_place(named, places, words.feed_word == FeedWord::rapid ? 0 : path().feed_rate());
+  report_machine_move(words.has_m(91) ? "M91" : "M92", "machine-position", words.first_column);
   return true;
 }
 

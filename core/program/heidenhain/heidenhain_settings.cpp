@@ -157,6 +157,7 @@ void HeidenhainCore::apply_side(const MotionWords& words) {
 void HeidenhainCore::start_functions(const MotionWords& words) {
   for (int i = 0; i < words.m_count; ++i) {
     const int number = words.m[static_cast<std::size_t>(i)];
+    run_spindle(number, words.m_column);
     if (number == 136 || number == 137) {
       revolution_feed_ = number == 136;
       feed_ = {number == 136 ? FeedMode::per_revolution : FeedMode::per_minute, 0};
@@ -177,13 +178,34 @@ void HeidenhainCore::start_functions(const MotionWords& words) {
   }
 }
 
+void HeidenhainCore::run_spindle(int number, std::uint32_t column) {
+  switch (number) {
+    case 3:
+    case 4:
+    case 13:
+    case 14:
+      if (!spindle_turns()) {
+        end_contour(column);
+        start_spindle();
+      }
+      break;
+    case 5:
+    case 19:
+      stop_spindle();
+      break;
+    default:
+      break;
+  }
+}
+
 void HeidenhainCore::retract(const MotionWords& words) {
   end_contour(words.m_column);
   if (!std::isfinite(*words.retract)) {
-    report(Severity::warning, "machine-position", 1, words.m_column, [] {
-      return Text{"M140 MB MAX retracts to the end of the tool axis",
-                  "where that is only the machine knows; the motion is left out"};
-    });
+    std::array<bool, 3> named{};
+    named[static_cast<std::size_t>(normal_axis(contour_.plane()))] = true;
+    const AxisPlace end{AxisPlace::Kind::unknown, 0};
+    path().go_to_machine_place(named, {end, end, end});
+    report_machine_move("M140 MB MAX", "machine-position", words.m_column);
     return;
   }
   ContourElement element = element_of(words, contour_.position());
@@ -197,6 +219,11 @@ void HeidenhainCore::finish_functions(const MotionWords& words, bool moved) {
   bool ends = false;
   for (int i = 0; i < words.m_count; ++i) {
     switch (words.m[static_cast<std::size_t>(i)]) {
+      case 0:
+      case 1:
+        end_contour(words.m_column);
+        stop_program();
+        break;
       case 2:
       case 30:
         ends = true;
@@ -229,6 +256,8 @@ void HeidenhainCore::call_tool(const ToolCall& call) {
   if (call.tool) {
     tool_ = *call.tool;
     select_tool(tool_);
+    path().begin_line(shown_line(), spot(0));
+    change_tool(tool_);
     tool_radius_ = cutter_radius(tool_, defined_radii_.find(tool_));
     if (tool_radius_) {
       *tool_radius_ += call.radius_excess;

@@ -166,8 +166,10 @@ void HeidenhainReader::function_statement(Scanner& scanner, std::uint32_t column
   report_unread("FUNCTION", scanner.text(), column);
 }
 
-void HeidenhainReader::stop(Scanner& scanner, std::uint32_t) {
+void HeidenhainReader::stop(Scanner& scanner, std::uint32_t column) {
   run_functions(words(scanner));
+  end_contour(column);
+  stop_program();
 }
 
 void HeidenhainReader::declaration(Scanner& scanner, std::uint32_t) {

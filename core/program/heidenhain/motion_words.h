@@ -62,6 +62,7 @@ struct MotionWords {
     }
     return bits;
   }
+  std::uint8_t incremental_bits() const { return static_cast<std::uint8_t>(axis_bits() & ~absolute_bits()); }
   bool has_m(int number) const {
     for (int i = 0; i < m_count; ++i) {
       if (m[static_cast<std::size_t>(i)] == number) {

@@ -83,7 +83,7 @@ constexpr auto g_codes = std::to_array<GCode>({
     {510, GGroup::none, axis_function, info, {}, {}},
     {511, GGroup::none, axis_function, info, {}, {}},
     {520, GGroup::none, axis_function, info, {}, {}},
-    {530, GGroup::none, own_words, warning, "motion in machine coordinates", stays_put},
+    {530, GGroup::none, axis_function, info, {}, {}},
     {531, GGroup::none, report, info, "turning of the tool axis", "X, Y and Z are shown as programmed"},
     {540, GGroup::offset, function, info, {}, {}},
     {541, GGroup::offset, function, info, {}, {}},

@@ -86,6 +86,9 @@ void IsoReader::gather_cycle() {
     cycle.retract = state_.to_mm(words_['R'].value) + (state_.incremental ? cycle.initial : 0);
     cycle.has_retract = true;
   }
+  if (!path().knows(axis)) {
+    return_to_retract_plane();
+  }
   if (words_.has(depth)) {
     cycle.bottom = state_.to_mm(words_[depth].value);
     cycle.bottom_from_retract = state_.incremental;
@@ -97,6 +100,17 @@ void IsoReader::gather_cycle() {
     cycle.dwell =
         std::max(0.0, follows_linuxcnc(dialect_) || word.has_point ? word.value : word.value / 1000);
   }
+}
+
+/// The level before the cycle is not known, so G98 has none to return to.
+void IsoReader::return_to_retract_plane() {
+  CycleState& cycle = state_.cycle;
+  cycle.initial = cycle.retract;
+  report(Severity::warning, "unknown-position", 1, words_.first_column("XYZR"), [&] {
+    return Text{fmt::format("{} begins while the position of {} is not known", g_name(cycle.code),
+                            axis_names[static_cast<std::size_t>(normal_axis(state_.plane))]),
+                "the tool returns to R after each hole; program the height before the cycle"};
+  });
 }
 
 void IsoReader::gather_pecks() {

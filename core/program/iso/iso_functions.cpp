@@ -15,16 +15,16 @@ namespace {
 
 constexpr std::string_view axis_letters = "XYZ";
 
-std::string offset_name(int key) {
-  constexpr int further = IsoCoordinates::further_work_offset(0);
-  return key > further ? fmt::format("G54.1 P{}", key - further) : g_name(key);
-}
-
 bool is_compensation(int code) {
   return code >= 400 && code <= 421;
 }
 
 }  // namespace
+
+std::string IsoReader::offset_name(int key) {
+  constexpr int further = IsoCoordinates::further_work_offset(0);
+  return key > further ? fmt::format("G54.1 P{}", key - further) : g_name(key);
+}
 
 void IsoReader::add_function(int code, std::uint32_t column) {
   if (words_.function_count < words_.functions.size()) {
@@ -91,6 +91,9 @@ void IsoReader::run_function(int code, std::uint32_t column) {
     case 720:
       drill_pattern(code, column);
       break;
+    case 530:
+      go_to_machine_coordinates(column);
+      break;
     case 690:
       coordinates_.end_rotation();
       break;
@@ -128,6 +131,30 @@ bool IsoReader::lacks(std::string_view code, char letter, int g, std::uint32_t c
   return true;
 }
 
+/// Of ReadOptions.
+void IsoReader::take_given_offsets() {
+  constexpr int numbered = 541;
+  const WorkOffsets& offsets = options().offsets;
+  for (const auto& [name, zero] : offsets.all()) {
+    for (const int key : {540, 550, 560, 570, 580, 590, 591, 592, 593}) {
+      if (WorkOffsets::key(g_name(key)) == name) {
+        coordinates_.set_work_offset(key, {zero, 0});
+      }
+    }
+    const std::string_view further = " P";
+    const std::size_t at = name.find(further);
+    const bool is_further =
+        at != std::string::npos && (name.substr(0, at) == g_name(numbered) || name.substr(0, at) == "G154");
+    if (is_further) {
+      const int number = std::stoi(name.substr(at + further.size()));
+      coordinates_.set_work_offset(IsoCoordinates::further_work_offset(number), {zero, 0});
+    }
+  }
+  if (!offsets.empty()) {
+    set_frame();
+  }
+}
+
 void IsoReader::select_work_offset(int code, std::uint32_t column) {
   constexpr int numbered = 541;
   constexpr int numbered_of_haas = 1540;
@@ -143,12 +170,17 @@ void IsoReader::select_work_offset(int code, std::uint32_t column) {
                      coordinates_.work_offset(coordinates_.key_in_force()) != nullptr;
   if (path().has_moved() && state_.work_offset != 0 && state_.work_offset != key && !known) {
     report(Severity::warning, "work-offset", key, column, [&] {
+      std::string option = offset_name(key);
+      std::erase(option, ' ');
       return Text{fmt::format("{} follows {} on the way", offset_name(key), offset_name(state_.work_offset)),
-                  "work offsets are taken as zero, so the parts of the path lie over each other"};
+                  fmt::format("offsets that are not given are assumed as zero, so parts of the path lie over "
+                              "each other; give them as an import option, --offset {}=X,Y,Z",
+                              option)};
     });
   }
   state_.work_offset = key;
   coordinates_.select_work_offset(key);
+  path().use_work_offset(offset_name(key), coordinates_.work_offset(key) != nullptr);
   set_frame();
 }
 
@@ -389,10 +421,37 @@ void IsoReader::go_to_reference(int code, std::uint32_t column) {
       path().rapid(state_.intermediate_point);
     }
   }
-  report(Severity::info, "reference-point", 0, column, [&] {
-    return Text{fmt::format("{} goes on to a reference point of the machine that is not known", g_name(code)),
-                "the path shown stays at the intermediate point"};
-  });
+  constexpr int second_reference = 2;
+  AxisPlace place{AxisPlace::Kind::home, 0};
+  if (code == 300) {
+    const bool second = !words_.has('P') || words_['P'].value == second_reference;
+    place.kind = second ? AxisPlace::Kind::tool_change : AxisPlace::Kind::unknown;
+  }
+  path().go_to_machine_place(axes_of_block(), {place, place, place});
+  report_machine_move(g_name(code), "reference-point", column);
+}
+
+/// X, Y and Z that the block names; all of them if it names none.
+std::array<bool, 3> IsoReader::axes_of_block() const {
+  std::array<bool, 3> named{};
+  for (std::size_t axis = 0; axis < named.size(); ++axis) {
+    named[axis] = words_.has(axis_letters[axis]) || !words_.has_any("XYZ");
+  }
+  return named;
+}
+
+void IsoReader::go_to_machine_coordinates(std::uint32_t column) {
+  if (!words_.has_any("XYZ")) {
+    return;
+  }
+  const Vec3 target = programmed_axes(Vec3::Zero());
+  AxisPlaces places;
+  for (std::size_t axis = 0; axis < places.size(); ++axis) {
+    places[axis] = {AxisPlace::Kind::machine, target[static_cast<Eigen::Index>(axis)]};
+  }
+  const bool at_feed = state_.motion == MotionMode::line && path().feed_mode() != FeedMode::inverse_time;
+  path().go_to_machine_place(axes_of_block(), places, at_feed ? path().feed_rate() : 0);
+  report_machine_move("G53", "machine-position", column);
 }
 
 void IsoReader::return_from_reference() {

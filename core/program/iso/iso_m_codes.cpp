@@ -15,12 +15,28 @@ void IsoReader::apply_m(const Word& word) {
   }
   const bool linuxcnc = follows_linuxcnc(dialect_);
   switch (static_cast<int>(word.value)) {
+    case 0:
+    case 1:
+    case 60:
+      words_.stop = true;
+      break;
     case 2:
     case 30:
       end_program();
       break;
+    case 3:
+    case 4:
+    case 13:
+    case 14:
+      start_spindle();
+      break;
+    case 5:
+    case 19:
+      stop_spindle();
+      break;
     case 6:
       state_.tool = words_.has('T') ? words_['T'].value : state_.selected_tool;
+      change_tool(fmt::format("{}", state_.tool));
       break;
     case 70:
     case 71:
@@ -83,6 +99,8 @@ void IsoReader::restore(const KeptState& kept) {
   if (kept.state.work_offset != 0 && kept.state.work_offset != state_.work_offset) {
     state_.work_offset = kept.state.work_offset;
     coordinates_.select_work_offset(state_.work_offset);
+    path().use_work_offset(offset_name(state_.work_offset),
+                           coordinates_.work_offset(state_.work_offset) != nullptr);
     set_frame();
   }
   path().set_feed_mode(kept.feed_mode);

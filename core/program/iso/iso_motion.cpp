@@ -84,7 +84,7 @@ void IsoReader::program_axes_of_block() {
   for (int axis = 0; axis < 3; ++axis) {
     const char letter = axis_letters[static_cast<std::size_t>(axis)];
     if (words_.has(letter) || (words_.has_polar() && axis < 2)) {
-      path().program_axis(axis);
+      path().program_axis(axis, state_.incremental && words_.has(letter));
       check_point(letter);
     }
   }

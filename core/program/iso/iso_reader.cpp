@@ -31,6 +31,7 @@ IsoReader::IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions
   state_.absolute_centers = absolute_centers;
   state_.inch = first_unit() == LengthUnit::inch;
   argument_lexer_.take_e_as_word();
+  take_given_offsets();
 }
 
 /// The arguments of a macro call may hold E behind a number, "K1.E5.".
@@ -54,6 +55,7 @@ void IsoReader::Words::clear() {
   other_codes = false;
   own_words = false;
   exact_stop = false;
+  stop = false;
   dwell = 0;
   macro_call = false;
   distance = nullptr;
@@ -112,6 +114,9 @@ void IsoReader::run_block(const Block& block, bool readable) {
     check_rotary();
     check_unused();
     words_.exact_stop ? move_to_exact_stop() : move();
+  }
+  if (words_.stop) {
+    stop_program();
   }
   run_calls(sound);
 }

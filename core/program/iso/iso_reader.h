@@ -58,6 +58,7 @@ class IsoReader : public Reader, private VariableSource {
     bool own_words = false;                            ///< an unread code owns the coordinates
     std::uint32_t dwell = 0;                           ///< column of G4; 0: none
     bool exact_stop = false;                           ///< G9
+    bool stop = false;                                 ///< M0, M1, M60
     bool macro_call = false;                           ///< G65, G66: the words are arguments
     const Word* distance = nullptr;                    ///< "@" of LinuxCNC
     const Word* angle = nullptr;                       ///< "^" of LinuxCNC [deg]
@@ -252,6 +253,8 @@ class IsoReader : public Reader, private VariableSource {
   /// X Y Z of the block as they stand [mm]; `otherwise` for missing ones.
   Vec3 programmed_axes(const Vec3& otherwise) const;
   bool lacks(std::string_view code, char letter, int g, std::uint32_t column, std::string_view effect);
+  static std::string offset_name(int key);
+  void take_given_offsets();
   void select_work_offset(int code, std::uint32_t column);
   void set_data(std::uint32_t column);
   std::optional<int> offset_key(std::uint32_t column, bool further);
@@ -269,6 +272,8 @@ class IsoReader : public Reader, private VariableSource {
   void mirror(bool on);
   void go_to_reference(int code, std::uint32_t column);
   void return_from_reference();
+  void go_to_machine_coordinates(std::uint32_t column);
+  std::array<bool, 3> axes_of_block() const;
 
   // G40 to G42.1: iso_compensation.cpp.
   void compensate(int code, std::uint32_t column);
@@ -318,6 +323,7 @@ class IsoReader : public Reader, private VariableSource {
   void gather_cycle();
   /// None, and reported, if it has no bottom or no levels that fit.
   std::optional<DrillingCycle> drilling_cycle(std::uint32_t column, double repeats);
+  void return_to_retract_plane();
   void gather_pecks();
   void drill_pattern(int code, std::uint32_t column);
   bool check_cycle(std::uint32_t column);

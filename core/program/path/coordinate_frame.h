@@ -24,6 +24,10 @@ class CoordinateFrame {
   /// Of a direction or distance.
   Vec3 turned(const Vec3& v) const { return linear_ * v; }
 
+  /// The shown coordinate depends on the programmed one, axes 0 to 2, and the other way round.
+  bool is_shown_by(int shown, int programmed) const { return linear_(shown, programmed) != 0; }
+  bool is_programmed_by(int programmed, int shown) const { return inverse_(programmed, shown) != 0; }
+
   bool is_identity() const { return identity_; }
   bool is_shift() const { return shift_only_; }
   bool mirrors() const { return mirrors_; }

@@ -104,6 +104,11 @@ void CutterCompensation::finish() {
   release_square();
 }
 
+void CutterCompensation::break_off() {
+  release_square();
+  stage_ = Stage::off;
+}
+
 void CutterCompensation::take(const PathMotion& motion) {
   const bool is_arc = motion.block.motion == Motion::arc;
   const Vec2 way = in_plane(motion.block.target) - in_plane(contour_);

@@ -53,6 +53,8 @@ class CutterCompensation {
   /// makes an entry of the next motion.
   void switch_on(const Compensation& compensation, const Vec3& tool, const DiagnosticLog::Place& place);
   void switch_off();
+  /// At once: the way out is not part of the path.
+  void break_off();
 
   void take(const PathMotion& motion);
   /// No motion follows.

@@ -105,4 +105,11 @@ void PathExtents::add(const MotionBlock& block, const ArcWords& arc, const std::
   position_ = block.target;
 }
 
+void PathExtents::go_on_at(const Vec3& to, const std::array<bool, 3>& axes) {
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+    known_[axis] = known_[axis] || axes[axis];
+  }
+  position_ = to;
+}
+
 }  // namespace feedscope

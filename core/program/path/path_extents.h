@@ -17,6 +17,8 @@ class PathExtents {
 
   /// The next motion. `axes`: those that its block programs; `arc`: of arcs only.
   void add(const MotionBlock& block, const ArcWords& arc, const std::array<bool, 3>& axes);
+  /// The path goes on at `to`; `axes`: those that the program has said by now.
+  void go_on_at(const Vec3& to, const std::array<bool, 3>& axes);
 
  private:
   Program& program_;

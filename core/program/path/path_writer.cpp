@@ -47,7 +47,7 @@ PathWriter::PathWriter(Program& program, DiagnosticLog& log)
 void PathWriter::begin_line(std::uint32_t shown, const DiagnosticLog::Place& place) {
   line_ = shown;
   place_ = place;
-  axis_programmed_.fill(false);
+  axes_ = {};
 }
 
 void PathWriter::finish() {
@@ -70,12 +70,17 @@ void PathWriter::set_compensation(ToolSide side, double radius, OutsideCorner co
                                   std::uint32_t column) {
   end_corners();
   compensation_words_ = {side, radius, corner, {normal_of(plane), Vec3::Unit(first_axis(plane))}};
+  if (!places_.all_shown()) {
+    compensation_waits_ = true;
+    return;
+  }
   compensation_.switch_on(compensation_in_frame(), shown_, {place_.line, column, place_.file});
   write_ready();
 }
 
 void PathWriter::end_compensation() {
   end_corners();
+  compensation_waits_ = false;
   compensation_.switch_off();
   write_ready();
 }
@@ -203,13 +208,95 @@ void PathWriter::straight_arc(const ArcRequest& request, const ArcSolution::Piec
 }
 
 void PathWriter::dwell(double seconds) {
+  wait(Pause::dwell, seconds);
+}
+
+void PathWriter::pause(Pause kind) {
+  wait(kind, 0);
+}
+
+void PathWriter::wait(Pause kind, double seconds) {
   MotionBlock block;
   block.target = shown_;
   block.dwell = seconds;
   block.line = line_;
   block.motion = Motion::dwell;
+  block.pause = kind;
   block.path_control = path_control_index();
   pass_on({block, {}, place_, {}}, shown_);
+}
+
+void PathWriter::go_to_machine_place(const std::array<bool, 3>& moved, const AxisPlaces& to, double feed) {
+  suspend_compensation();
+  places_.go_to(moved, to, shown_);
+  write_machine_move(shown_, feed);
+}
+
+/// Of a motion that begins while not every axis is known and has brought the path to position(). False if it
+/// is written, as a machine move.
+bool PathWriter::starts_at_known_place(Motion motion, double feed, const Vec3& programmed,
+                                       const Vec3& shown) {
+  const AxisPlaces before = places_.places();
+  places_.move(frame_, axes_, programmed, programmed_);
+  const bool assumes = motion != Motion::rapid && !places_.all_shown();
+  if (!assumes) {
+    write_machine_move(shown_, feed);
+    resume_compensation();
+    return false;
+  }
+  log_.add(Severity::warning, "unknown-position", 0, place_, [&] {
+    std::string axes;
+    for (int axis = 0; axis < 3; ++axis) {
+      axes += places_.is_shown(axis)
+                  ? ""
+                  : fmt::format("{}{}", axes.empty() ? "" : ", ", axis_names[static_cast<std::size_t>(axis)]);
+    }
+    return Text{fmt::format("a feed move while the position of {} is not known", axes),
+                "the axis is assumed where it was before the move to the machine position; program it first"};
+  });
+  bool only_unknown_axes_stay = true;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const bool came_to_be_known = !before[axis].is_shown() && places_.places()[axis].is_shown();
+    only_unknown_axes_stay = only_unknown_axes_stay && !came_to_be_known;
+  }
+  places_.assume(shown_);
+  write_machine_move(only_unknown_axes_stay ? shown : shown_, feed);
+  resume_compensation();
+  return only_unknown_axes_stay;
+}
+
+void PathWriter::write_machine_move(const Vec3& target, double feed) {
+  MotionBlock block;
+  block.target = target;
+  block.feed = feed;
+  block.line = line_;
+  block.arc = static_cast<std::int32_t>(program_.machine_moves.size());
+  block.motion = Motion::dwell;
+  block.pause = Pause::machine_move;
+  block.path_control = path_control_index();
+  program_.machine_moves.push_back({places_.places(), feed});
+  program_.motions.push_back(block);
+  std::array<bool, 3> said{};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto i = static_cast<std::size_t>(axis);
+    said[i] = axes_.named[i] && places_.is_shown(axis);
+  }
+  extents_.go_on_at(target, said);
+}
+
+void PathWriter::suspend_compensation() {
+  end_corners();
+  compensation_waits_ = compensation_waits_ || compensation_.is_on();
+  compensation_.break_off();
+  write_ready();
+}
+
+void PathWriter::resume_compensation() {
+  if (compensation_waits_ && places_.all_shown()) {
+    compensation_waits_ = false;
+    compensation_.switch_on(compensation_in_frame(), shown_, place_);
+    write_ready();
+  }
 }
 
 void PathWriter::set_feed_mode(FeedMode mode) {
@@ -253,10 +340,30 @@ void PathWriter::report_missing_feed() {
   });
 }
 
+void PathWriter::use_work_offset(std::string_view name, bool given) {
+  std::vector<OffsetUse>& all = program_.work_offsets;
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const OffsetUse& use) { return use.name == name; });
+  offset_ = static_cast<std::size_t>(found - all.begin());
+  if (found == all.end()) {
+    all.push_back({std::string(name), line_, 0, given});
+  } else {
+    found->given = found->given || given;
+  }
+}
+
 void PathWriter::append(Motion motion, const Vec3& target, double feed, const ArcWords& arc) {
   const Vec3 from = shown_;
+  const Vec3 programmed_from = programmed_;
   programmed_ = target;
   shown_ = frame_.is_identity() ? target : frame_.to_shown(target);
+  has_moved_ = true;
+  if (offset_) {
+    ++program_.work_offsets[*offset_].blocks;
+  }
+  if (!places_.all_shown() && !starts_at_known_place(motion, feed, programmed_from, from)) {
+    return;
+  }
   MotionBlock block;
   block.target = shown_;
   block.feed = feed;
@@ -264,9 +371,9 @@ void PathWriter::append(Motion motion, const Vec3& target, double feed, const Ar
   block.motion = motion;
   block.path_control = path_control_index();
   if (compensation_.is_off() && corners_.is_idle()) {
-    write(block, arc, axis_programmed_);
+    write(block, arc, axes_.named);
   } else {
-    pass_on({block, arc, place_, axis_programmed_}, from);
+    pass_on({block, arc, place_, axes_.named}, from);
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/geometry.h"
 #include "core/program/path/arc_solver.h"
+#include "core/program/path/axis_places.h"
 #include "core/program/path/contour_corners.h"
 #include "core/program/path/coordinate_frame.h"
 #include "core/program/path/cutter_compensation.h"
@@ -53,17 +54,28 @@ class PathWriter {
   void begin_line(std::uint32_t shown, const DiagnosticLog::Place& place);
   /// Column of the motion's words, for messages.
   void set_column(std::uint32_t column) { place_.column = column; }
-  /// The line programs this axis, 0 to 2: the extent counts it from now on.
-  void program_axis(int axis) { axis_programmed_[static_cast<std::size_t>(axis)] = true; }
-  /// All three.
-  void program_axes() { axis_programmed_.fill(true); }
+  /// The line programs this axis, 0 to 2: the extent counts it from now on, and unless it is an `incremental`
+  /// coordinate the axis is where the line says.
+  void program_axis(int axis, bool incremental = false) {
+    const auto i = static_cast<std::size_t>(axis);
+    axes_.named[i] = true;
+    axes_.absolute[i] = !incremental;
+    axes_.incremental[i] = incremental;
+  }
+  /// All three for the extent.
+  void program_axes() { axes_.named.fill(true); }
   /// After the last line.
   void finish();
 
   /// Where the programmed path has come to [mm], in programmed and in shown coordinates.
   const Vec3& position() const { return programmed_; }
   const Vec3& shown_position() const { return shown_; }
-  bool has_moved() const { return !program_.motions.empty(); }
+  bool has_moved() const { return has_moved_; }
+  /// False while the axis, 0 to 2, is at a place that only the machine knows: position() has its last one.
+  bool knows(int axis) const { return places_.is_shown(axis); }
+
+  /// What follows is programmed in this work offset, for Program::work_offsets.
+  void use_work_offset(std::string_view name, bool given);
 
   const CoordinateFrame& frame() const { return frame_; }
   /// The tool stays where it is; its programmed coordinates change.
@@ -75,6 +87,12 @@ class PathWriter {
   void arc_by_center(const ArcRequest& arc);
   void arc_by_radius(const ArcRequest& arc);
   void dwell(double seconds);
+  /// Of a tool change, a spindle start or a stop, at the end of what came before.
+  void pause(Pause kind);
+  /// The axes `moved` go to places that only the machine knows, at `feed` [mm/s] or as a rapid (0). What
+  /// follows is a machine move until the program says where every axis is; a feed motion before that is taken
+  /// as starting where the path has come to, with a warning.
+  void go_to_machine_place(const std::array<bool, 3>& moved, const AxisPlaces& to, double feed = 0);
   /// Along a curve in programmed coordinates that starts where the path has come to, from parameter `from` to
   /// `to`: as arcs (arcs_of_curve), under cutter compensation or at a corner that is cut off as lines
   /// (lines_of_curve). `column` for messages. Returns the unit direction at its end, zero if it has no
@@ -105,7 +123,7 @@ class PathWriter {
   void set_compensation(ToolSide side, double radius, OutsideCorner corner, Plane plane,
                         std::uint32_t column);
   void end_compensation();
-  bool is_compensated() const { return compensation_.is_on(); }
+  bool is_compensated() const { return compensation_.is_on() || compensation_waits_; }
 
   /// The motion that follows, a line or an arc, ends in a corner that is cut off, see ContourCorners;
   /// `cut.size` in programmed coordinates. Positions stay those of the contour.
@@ -124,6 +142,11 @@ class PathWriter {
   double feed_over(double length);
   void report_missing_feed();
   void append(Motion motion, const Vec3& target, double feed, const ArcWords& arc = {});
+  void wait(Pause kind, double seconds);
+  bool starts_at_known_place(Motion motion, double feed, const Vec3& programmed, const Vec3& shown);
+  void write_machine_move(const Vec3& target, double feed);
+  void suspend_compensation();
+  void resume_compensation();
   void pass_on(const PathMotion& motion, const Vec3& from);
   void compensate(const PathMotion& motion);
   void end_motion();
@@ -144,7 +167,11 @@ class PathWriter {
   Vec3 shown_ = Vec3::Zero();
   PathExtents extents_;
   CenterCount centers_;
-  std::array<bool, 3> axis_programmed_{};
+  bool has_moved_ = false;
+  std::optional<std::size_t> offset_;  ///< in force, of Program::work_offsets
+  ProgrammedAxes axes_;                ///< of the line
+  PlaceTracker places_;
+  bool compensation_waits_ = false;  ///< until every axis is known again
   FeedMode feed_mode_ = FeedMode::per_minute;
   double feed_ = 0;
   double spindle_speed_ = 0;

@@ -232,6 +232,21 @@ void SinumerikReader::define_frames(Scanner& scanner) {
   } while (scanner.take(','));
 }
 
+/// Of ReadOptions.
+void SinumerikReader::take_given_offsets() {
+  for (const auto& [name, zero] : options().offsets.all()) {
+    const int g =
+        name.find_first_not_of("0123456789", 1) == std::string::npos ? std::stoi(name.substr(1)) : 0;
+    const int number = frame_number(g);
+    if (g >= 54 && number > 0) {
+      FrameValue& frame = settable_frames_[number];
+      for (int axis = 0; axis < 3; ++axis) {
+        frame.set(FrameValue::Part::shift, axis, zero[axis]);
+      }
+    }
+  }
+}
+
 /// G54 to G599: the frame that the program has given this number, else none.
 void SinumerikReader::change_work_offset(int number, std::uint32_t column) {
   const int before = modal_.work_offset;
@@ -243,9 +258,13 @@ void SinumerikReader::change_work_offset(int number, std::uint32_t column) {
   if (path().has_moved() && before != 0 && before != number && !said) {
     report(Severity::warning, "work-offset", number, column, [&] {
       return Text{fmt::format("G{} follows G{} on the way", number, before),
-                  "work offsets are taken as zero, so the parts of the path lie over each other"};
+                  fmt::format("offsets that are not given are assumed as zero, so parts of the path lie over "
+                              "each other; give them as an import option, --offset G{}=X,Y,Z",
+                              number)};
     });
   }
+  constexpr int suppressed = 500;
+  path().use_work_offset(fmt::format("G{}", number), number == suppressed || found != settable_frames_.end());
   if (settable_frames_.empty()) {
     return;
   }

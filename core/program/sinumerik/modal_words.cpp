@@ -105,6 +105,7 @@ void SinumerikReader::apply_action(const Function& function) {
       break;
     case Action::machine_axes:
       machine_axes_ = true;
+      machine_word_ = function.name;
       break;
     case Action::exact_stop_once:
       exact_stop_ = true;
@@ -243,7 +244,7 @@ void SinumerikReader::apply_frame() {
       dwell();
       return;
     case Action::machine_axes:
-      report_machine_axes();
+      move_machine_axes();
       return;
     case Action::pole_from_position:
     case Action::pole_from_zero:

@@ -50,7 +50,7 @@ void SinumerikReader::move() {
   }
   if (machine_axes_) {
     finish_spline();
-    report_machine_axes();
+    move_machine_axes();
     return;
   }
   if (modal_.motion == nullptr) {
@@ -136,12 +136,30 @@ void SinumerikReader::check_unused(bool arc) {
   }
 }
 
-void SinumerikReader::report_machine_axes() {
-  const std::uint32_t column = own_block_ != nullptr ? own_column_ : words_.first_column("XYZ");
-  report(Severity::warning, "machine-position", 0, column, [] {
-    return Text{"the block moves to a machine position, which only the machine knows",
-                "the motion is left out; what follows begins where the tool was before"};
-  });
+/// G53, G153, SUPA: coordinates of the machine; G74: the reference point; G75: the first fixed point, where
+/// tools are changed, or another one.
+void SinumerikReader::move_machine_axes() {
+  const bool by_coordinate = own_block_ == nullptr;
+  std::array<bool, 3> named{};
+  AxisPlaces places;
+  for (std::size_t axis = 0; axis < named.size(); ++axis) {
+    const char letter = axis_names[axis];
+    named[axis] = words_.has(letter) || !words_.has_any("XYZ");
+    places[axis].kind = AxisPlace::Kind::unknown;
+    if (by_coordinate && words_.has(letter) && !is_incremental(words_[letter])) {
+      places[axis] = {AxisPlace::Kind::machine, to_mm(words_[letter].value)};
+    } else if (!by_coordinate && own_block_->name == "G74") {
+      places[axis].kind = AxisPlace::Kind::home;
+    } else if (!by_coordinate && own_block_->name == "G75" && fixed_point_ == 1) {
+      places[axis].kind = AxisPlace::Kind::tool_change;
+    }
+  }
+  const bool at_feed = by_coordinate && modal_.motion != nullptr && modal_.motion->action != Action::rapid &&
+                       path().feed_mode() != FeedMode::inverse_time;
+  use_path_control(!at_feed);
+  path().go_to_machine_place(named, places, at_feed ? path().feed_rate() : 0);
+  report_machine_move(by_coordinate ? machine_word_ : own_block_->name, "machine-position",
+                      by_coordinate ? words_.first_column("XYZ") : own_column_);
 }
 
 void SinumerikReader::dwell() {

@@ -22,6 +22,7 @@ SinumerikReader::SinumerikReader(std::shared_ptr<const SourceText> source, const
         report(Severity::warning, code, detail, own ? column : 0, [&] { return said; });
       }) {
   modal_.inch = modal_.inch_feed = first_unit() == LengthUnit::inch;
+  take_given_offsets();
 }
 
 void SinumerikReader::run_line(std::string_view line) {
@@ -109,6 +110,11 @@ void SinumerikReader::run_block(const Block& block) {
   groups_.fill(nullptr);
   own_block_ = nullptr;
   machine_axes_ = false;
+  fixed_point_ = 1;
+  tool_change_ = false;
+  spindle_start_ = false;
+  spindle_stop_ = false;
+  stop_ = false;
   exact_stop_ = false;
   ends_ = false;
   moved_ = false;
@@ -196,6 +202,27 @@ void SinumerikReader::set_letter(char letter, const BlockWords::Value& value, st
 
 void SinumerikReader::apply_m(double number) {
   ends_ = ends_ || number == 2 || number == 17 || number == 30;
+  tool_change_ = tool_change_ || number == 6;
+  stop_ = stop_ || number == 0 || number == 1;
+  spindle_start_ = spindle_start_ || number == 3 || number == 4;
+  spindle_stop_ = spindle_stop_ || number == 5 || number == 19;
+}
+
+/// Those that act before the block moves.
+void SinumerikReader::run_m_functions() {
+  if (!tool_change_ && !spindle_start_ && !spindle_stop_) {
+    return;
+  }
+  finish_spline();
+  if (tool_change_) {
+    change_tool(modal_.tool);
+  }
+  if (spindle_stop_) {
+    stop_spindle();
+  }
+  if (spindle_start_) {
+    start_spindle();
+  }
 }
 
 void SinumerikReader::apply_g(double number, std::uint32_t column, std::string_view written) {
@@ -220,6 +247,7 @@ void SinumerikReader::execute_block(bool sound) {
   if (own_block_ == nullptr) {
     apply_compensation();
   }
+  run_m_functions();
   if (sound) {
     if (own_block_ != nullptr) {
       finish_spline();
@@ -240,6 +268,10 @@ void SinumerikReader::execute_block(bool sound) {
 }
 
 void SinumerikReader::finish_block() {
+  if (stop_) {
+    finish_spline();
+    stop_program();
+  }
   if (call_) {
     const auto times = static_cast<std::uint32_t>(
         words_.has(Address::p) ? std::clamp(words_[Address::p].value, 1.0, 9999.0) : 1.0);

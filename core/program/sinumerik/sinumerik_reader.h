@@ -114,6 +114,7 @@ class SinumerikReader : public Reader {
   void apply_g(double number, std::uint32_t column, std::string_view written);
   void execute_block(bool sound);
   void finish_block();
+  void run_m_functions();
   void end_or_return();
 
   // What functions and F do: modal_words.cpp
@@ -170,6 +171,7 @@ class SinumerikReader : public Reader {
   void run_polynomial(Scanner& scanner);
   void skip_value(Scanner& scanner);
   sinumerik::BlockWords::Value coordinate(Scanner& scanner, std::uint32_t column);
+  void take_given_offsets();
   void report_axis(std::string_view name, std::uint32_t column, double value);
 
   // Axes that move on their own: positioning_axes.cpp
@@ -243,7 +245,7 @@ class SinumerikReader : public Reader {
   void move();
   void program_axes();
   bool has_motion_words() const;
-  void report_machine_axes();
+  void move_machine_axes();
   void dwell();
   void straight(const Vec3& target, bool rapid);
   void thread(const Vec3& target);
@@ -274,11 +276,17 @@ class SinumerikReader : public Reader {
   const sinumerik::Function* own_block_ = nullptr;  ///< takes the block's coordinates
   std::uint32_t own_column_ = 0;
   std::uint32_t compensation_column_ = 0;
-  CutterRadii tool_radii_;     ///< that the program sets
-  bool machine_axes_ = false;  ///< G53, G153, SUPA
-  bool exact_stop_ = false;    ///< G9
-  bool ends_ = false;          ///< M2, M17, M30, RET
-  bool moved_ = false;         ///< the block did
+  CutterRadii tool_radii_;         ///< that the program sets
+  bool machine_axes_ = false;      ///< G53, G153, SUPA
+  std::string_view machine_word_;  ///< which of them
+  int fixed_point_ = 1;            ///< FP of G75
+  bool tool_change_ = false;       ///< M6
+  bool spindle_start_ = false;     ///< M3, M4
+  bool spindle_stop_ = false;      ///< M5, M19
+  bool stop_ = false;              ///< M0, M1
+  bool exact_stop_ = false;        ///< G9
+  bool ends_ = false;              ///< M2, M17, M30, RET
+  bool moved_ = false;             ///< the block did
   std::optional<SubprogramCall> call_;
   sinumerik::Values values_;
   sinumerik::Frames frames_;

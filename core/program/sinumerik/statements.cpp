@@ -140,7 +140,14 @@ void SinumerikReader::run_extended(Scanner& scanner, std::string_view name, std:
     skip_brackets(scanner);
   }
   require(scanner, '=');
-  report_axis(name, column, coordinate(scanner, column).value);
+  const BlockWords::Value value = coordinate(scanner, column);
+  // The machine's names of the axes, as G74 and G75 have them: "Z1=0".
+  const bool names_axis = machine_axes_ && letter >= 'X' && letter <= 'Z' && name.substr(1) == "1";
+  if (names_axis) {
+    words_.set(letter, value);
+  } else {
+    report_axis(name, column, value.value);
+  }
 }
 
 /// A letter with a number behind it, "=" and a value, or an index.
@@ -251,6 +258,12 @@ void SinumerikReader::run_name(Scanner& scanner) {
   }
   if (const Function* const function = find_function(name)) {
     run_function(scanner, *function, column);
+    return;
+  }
+  if (after == '=' && machine_axes_ && letters::same(name, "FP")) {
+    constexpr double most_points = 1000;
+    scanner.take('=');
+    fixed_point_ = static_cast<int>(std::clamp(coordinate(scanner, column).value, 0.0, most_points));
     return;
   }
   if (after == '=' && is_orientation(name)) {

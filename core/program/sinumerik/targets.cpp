@@ -67,7 +67,8 @@ double SinumerikReader::increment_base(int axis, const Vec3& start) {
 
 /// The block has said where these axes are in the frame in force.
 void SinumerikReader::program_axis(int axis) {
-  path().program_axis(axis);
+  const char letter = axis_names[static_cast<std::size_t>(axis)];
+  path().program_axis(axis, words_.has(letter) && is_incremental(words_[letter]));
   kept_coordinates_[static_cast<std::size_t>(axis)].reset();
 }
 

@@ -111,5 +111,27 @@ TEST(LineTimes, AgreeWithTheMotionOfEveryModel) {
   }
 }
 
+TEST(LineTimes, KnowsWhatOfALineIsNotCounted) {
+  Toolpath toolpath;
+  toolpath.segments = {line_to(Vec3(10, 0, 0), 10, 10, 2)};
+  const auto add_pause = [&](Pause kind, bool timed, std::uint32_t line) {
+    testing::append_dwell(toolpath, 0);
+    toolpath.pauses.back().kind = kind;
+    toolpath.pauses.back().timed = timed;
+    toolpath.segments.back().line = line;
+  };
+  add_pause(Pause::machine_move, false, 9);
+  add_pause(Pause::tool_change, false, 4);
+  add_pause(Pause::spindle_start, false, 4);
+  add_pause(Pause::tool_change, false, 4);
+  add_pause(Pause::tool_change, true, 5);
+  const LineTimes times(testing::trajectory_of(toolpath, {{{0, 0, 10, 0, 0, 0, {}}, 1}}, axis_speed));
+  EXPECT_EQ(times.not_counted(4), (std::vector{Pause::tool_change, Pause::spindle_start}));
+  EXPECT_EQ(times.not_counted(9), std::vector{Pause::machine_move});
+  for (const std::uint32_t line : {0U, 2U, 5U, 10U}) {
+    EXPECT_TRUE(times.not_counted(line).empty()) << line;
+  }
+}
+
 }  // namespace
 }  // namespace feedscope

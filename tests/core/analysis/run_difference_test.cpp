@@ -112,7 +112,7 @@ TEST(RunDifference, WaitsAreComparedWithWaits) {
   Segment wait = line_to(Vec3(10, 0, 0), 0, 100, 2);
   wait.kind = SegmentKind::dwell;
   wait.index = 0;
-  path.dwells = {1};
+  path.pauses = {{1, Pause::dwell, true, 0}};
   path.segments.push_back(wait);
   path.segments.push_back(line_to(Vec3(20, 0, 0), 10, 100, 3));
   const auto with_dwell = [&](double feed, double dwell) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "core/analysis/run_notes.h"
 #include "core/base/error.h"
 
 namespace feedscope {
@@ -84,6 +85,23 @@ TEST(Run, StopsWhenCancelled) {
   progress.cancel();
   EXPECT_THROW(load_program(source, &progress), Cancelled);
   EXPECT_THROW(simulate_run(load_program(source), make_setup({}), &progress), Cancelled);
+}
+
+TEST(Run, AMachinesWorkOffsetsAreReadOrTheRunSaysSo) {
+  const auto source = std::make_shared<const SourceText>("two.nc", "G54 G1 X20 Y0 Z0 F3000\nG55 X20 Y0 Z0\n");
+  auto setup = make_setup({});
+  EXPECT_EQ(unused_work_offsets(*load_program(source).program, setup.machine), "");
+  setup.machine.work_offsets.set("G55", Vec3(100, 0, 0));
+  setup.machine.work_offsets.set("G59", Vec3(1, 0, 0));
+  EXPECT_EQ(unused_work_offsets(*load_program(source).program, setup.machine), "G55");
+  const LoadedProgram read = load_program(source, nullptr, reading_on({}, setup.machine));
+  EXPECT_EQ(unused_work_offsets(*read.program, setup.machine), "");
+  EXPECT_EQ(read.toolpath->bounds.max.x(), 120);
+  ReadOptions asked;
+  asked.offsets.set("G55", Vec3(7, 0, 0));
+  const LoadedProgram own = load_program(source, nullptr, reading_on(asked, setup.machine));
+  EXPECT_EQ(own.toolpath->bounds.max.x(), 27) << "what is asked for comes first";
+  EXPECT_EQ(unused_work_offsets(*own.program, setup.machine), "G55");
 }
 
 }  // namespace

@@ -169,8 +169,8 @@ TEST(Operations, OfToolsBeginWhereTheToolComesIn) {
       program_of("G0 X1\nT1 M6\nT2\nG1 X10 F500\nX20\nM6 (T7)\nG1 Y10\nT1\nY20\nM6\nG1 X0\n");
   const auto operations = split_operations(program, OperationSplit::tool);
   EXPECT_THAT(titles(operations), ElementsAre("start", "tool 1", "tool 2", "tool 1"));
-  EXPECT_EQ(operations[1].line, 4u);
-  EXPECT_EQ(operations[2].line, 7u);
+  EXPECT_EQ(operations[1].line, 2u) << "the time of the change is that of the tool that comes in";
+  EXPECT_EQ(operations[2].line, 6u);
   EXPECT_EQ(operations.back().last, program.toolpath->segments.size());
 }
 

@@ -71,7 +71,7 @@ class Files {
   Files() {
     auto program = load_program(std::make_shared<const SourceText>(
         "all.mpf",
-        "N1 G17 G90 CYCLE832(0.02,1,1)\nT=\"MILL\"\nM6\nG0 X0 Y0 Z5\nG41 G1 X10 Y0 F3000\nG1 Z0\n"
+        "N1 G17 G90 G54 CYCLE832(0.02,1,1)\nT=\"MILL\"\nM6\nG0 X0 Y0 Z5\nG41 G1 X10 Y0 F3000\nG1 Z0\n"
         "N7 X40\nN8 G2 X50 Y10 I0 J10\nG1 Y40\nG4 F0.5\nG40 X0 Y60\nfoo\n"));
     auto corners = load_program(std::make_shared<const SourceText>(
         "corners.nc", "G21\nT1 M6\nN1 G1 X20 F3000\nN2 Y20\nN3 X40\nN4 G2 X60 Y40 I20 J0\nM30\n"));
@@ -115,11 +115,26 @@ class Files {
     Json json = all_.back();
     if (kind == 's') {  // the keys of a run are at the top
       Json run = Json::object();
-      for (const char* key :
-           {"machine", "model", "settings", "limits", "tolerance_in_force_mm", "tolerance_set_by", "notes",
-            "cycle_time_s", "programmed_time_s", "against_cam", "mean_feed_mm_min", "path_mm", "blends",
-            "max_contour_error_mm", "max_corner_distance_mm", "max_contour_error_at", "peaks",
-            "time_by_cause_s", "ramp_down_by_slower_place_s"}) {
+      for (const char* key : {"machine",
+                              "model",
+                              "settings",
+                              "limits",
+                              "tolerance_in_force_mm",
+                              "tolerance_set_by",
+                              "notes",
+                              "cycle_time_s",
+                              "programmed_time_s",
+                              "against_cam",
+                              "mean_feed_mm_min",
+                              "path_mm",
+                              "blends",
+                              "max_contour_error_mm",
+                              "max_corner_distance_mm",
+                              "max_contour_error_at",
+                              "peaks",
+                              "time_by_cause_s",
+                              "ramp_down_by_slower_place_s",
+                              "not_counted"}) {
         run[key] = json[key];
         json.erase(key);
       }

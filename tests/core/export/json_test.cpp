@@ -72,7 +72,8 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
     "program": {"file": "part \"1\".nc", "lines": 2, "dialect": "iso",
                 "unit": {"name": "mm", "said_by": "nobody"}, "blocks": 2, "segments": 1, "arcs": 0,
                 "dwells": 0, "path_mm": 3.0, "rapid_mm": 0.0, "dwell_s": 0.0,
-                "feed_mm_min": {"min": 60.0, "max": 60.0}, "tools": [], "cutters": [], "calls": 0,
+                "feed_mm_min": {"min": 60.0, "max": 60.0}, "tools": [], "cutters": [],
+                "work_offsets": [], "calls": 0, "not_counted": [],
                 "path_control": "?",
                 "bounds": {"min": [0.0, 0.0, 0.0], "max": [3.0, 0.0, 0.0]},
                 "cutting_bounds": {"min": [1.0, 0.0, 0.0], "max": [1.0, 0.0, 0.0]},
@@ -99,6 +100,7 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
                        "Z": {"velocity_mm_min": 0.0, "acceleration_m_s2": 0.0, "jerk_m_s3": 0.0}}},
     "time_by_cause_s": {"axis_jerk_y": 2.5, "ramp_down": 1.25},
     "ramp_down_by_slower_place_s": {"exact_stop": 1.25},
+    "not_counted": [],
     "diagnostics": [{"severity": "error", "line": 2, "column": 1, "code": "unread",
                      "message": "\"foo\" is not a word", "hint": "hint"}],
     "elapsed": {"read_s": 0.5, "simulate_s": 0.25}})");

@@ -40,7 +40,7 @@ TEST(Cause, EveryCauseIsListedOnceUnderItsOwnKeyAndTitle) {
     EXPECT_TRUE(keys.insert(cause_key(cause)).second) << cause_key(cause);
     EXPECT_TRUE(titles.insert(cause_title(cause)).second) << cause_title(cause);
   }
-  EXPECT_EQ(cause_index({CauseKind::dwell, -1}), all_causes().size() - 1);
+  EXPECT_EQ(cause_index({CauseKind::spindle_start, -1}), all_causes().size() - 1);
 }
 
 }  // namespace

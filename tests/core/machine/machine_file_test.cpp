@@ -206,5 +206,38 @@ TEST_F(MachineFile, IsFoundByIdAndByName) {
               ThrowsMessage<InputError>(HasSubstr("cannot read machine folder")));
 }
 
+TEST_F(MachineFile, GivesWorkOffsetsPositionsAndTimes) {
+  const std::string text = std::string(good_file) +
+                           "tool_change_time_s = { value = 4.5, source = \"measured\" }\n"
+                           "home_z_mm = { value = 0, source = \"measured\" }\n"
+                           "part_zero_z_mm = { value = -350.25, source = \"measured\" }\n"
+                           "[work_offsets]\n"
+                           "G55 = { x_mm = -300, y_mm = 20.5, z_mm = 0, source = \"set-up sheet\" }\n"
+                           "\"g54.1p3\" = { x_mm = 1, y_mm = 2, z_mm = 3, assumed = \"as G55\" }\n";
+  const Machine machine = read(write(text));
+  EXPECT_EQ(machine.settings.number("tool_change_time_s"), 4.5);
+  EXPECT_EQ(machine.settings.number("home_z_mm"), 0);
+  EXPECT_EQ(machine.settings.number("part_zero_z_mm"), -350.25);
+  EXPECT_FALSE(machine.settings.has("home_x_mm"));
+  ASSERT_EQ(machine.work_offsets.all().size(), 2U);
+  EXPECT_EQ(machine.work_offsets.all().at("G55"), Vec3(-300, 20.5, 0));
+  EXPECT_EQ(machine.work_offsets.all().at("G54.1 P3"), Vec3(1, 2, 3));
+  EXPECT_EQ(machine.provenance.at("G55"), (Provenance{"set-up sheet", false}));
+  EXPECT_EQ(read(write(write_machine(machine), "again.toml")), machine);
+}
+
+TEST_F(MachineFile, RefusesWorkOffsetsThatAreNone) {
+  const auto refuse = [this](const std::string& line, const std::string& message) {
+    expect_error(write(std::string(good_file) + "[work_offsets]\n" + line + "\n"), ":27:", message);
+  };
+  refuse("X55 = { x_mm = 1, y_mm = 2, z_mm = 3, source = \"a\" }", "is not a work offset");
+  refuse("G55 = { x_mm = 1, y_mm = 2, source = \"a\" }", "z_mm");
+  refuse("G55 = { x_mm = 1, y_mm = 2, z_mm = \"3\", source = \"a\" }", "must be a number");
+  refuse("G55 = { x_mm = 1, y_mm = 2e9, z_mm = 3, source = \"a\" }", "1000000");
+  refuse("G55 = { x_mm = 1, y_mm = 2, z_mm = 3 }", "source");
+  refuse("G55 = { x_mm = 1, y_mm = 2, z_mm = 3, x = 4, source = \"a\" }", "did you mean");
+  refuse("G55 = 100", "table");
+}
+
 }  // namespace
 }  // namespace feedscope

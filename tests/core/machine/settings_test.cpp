@@ -35,7 +35,7 @@ auto fails_with(const std::string& message) {
 }
 
 TEST(CommonSettings, HaveTitleExplanationAndAFallbackInBounds) {
-  EXPECT_EQ(common_settings().size(), 8U);
+  EXPECT_EQ(common_settings().size(), 8U + machine_settings().size());
   for (const SettingSpec& spec : common_settings()) {
     EXPECT_FALSE(spec.title.empty()) << spec.key;
     EXPECT_FALSE(spec.explanation.empty()) << spec.key;
@@ -43,6 +43,25 @@ TEST(CommonSettings, HaveTitleExplanationAndAFallbackInBounds) {
         spec.choices.empty() ? SettingValue(spec.fallback) : SettingValue(spec.choices.front());
     EXPECT_NO_THROW(check_setting(spec, fallback, "")) << spec.key;
   }
+}
+
+TEST(MachineSettings, MayBeMissingAndNoOthersMay) {
+  EXPECT_EQ(machine_settings().size(), 11U);
+  for (const SettingSpec& spec : common_settings()) {
+    if (spec.optional) {
+      EXPECT_EQ(parse_setting(spec, ""), SettingValue(std::string())) << spec.key;
+    } else if (spec.choices.empty()) {
+      EXPECT_THROW(parse_setting(spec, ""), InputError) << spec.key;
+    }
+  }
+  for (const SettingSpec& spec : machine_settings()) {
+    EXPECT_TRUE(spec.optional) << spec.key;
+  }
+  Settings settings;
+  settings.set("home_z_mm", 0.0);
+  EXPECT_TRUE(settings.has("home_z_mm"));
+  settings.set("home_z_mm", std::string());
+  EXPECT_FALSE(settings.has("home_z_mm"));
 }
 
 TEST(ParseSetting, TakesPointAndComma) {

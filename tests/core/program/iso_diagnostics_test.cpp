@@ -91,20 +91,22 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Codes, IsoDiagnostics,
-    testing::Values(Case{"G0 X1\nG43 H1 Z2",
-                         "f:2:1: info: G43 (tool length compensation) is not read [unread-g] (the path "
-                         "shown is that of the tool tip)"},
-                    Case{"G0 X1\nG33 X2 Z-5 K1",
-                         "f:2:1: error: G33 (thread cutting) is not read [unread-g] (positions are left out "
-                         "up to the next G0 "
-                         "to G3)"},
-                    Case{"G0 X1\nG53 Z0",
-                         "f:2:1: warning: G53 (motion in machine coordinates) is not read [unread-g] (the "
-                         "path stays where it "
-                         "is)"},
-                    Case{"G54 G0 X1\nG55 X1",
-                         "f:2:1: warning: G55 follows G54 on the way [work-offset] (work offsets are "
-                         "taken as zero, so the parts of the path lie over each other)"}));
+    testing::Values(
+        Case{"G0 X1\nG43 H1 Z2",
+             "f:2:1: info: G43 (tool length compensation) is not read [unread-g] (the path "
+             "shown is that of the tool tip)"},
+        Case{"G0 X1\nG33 X2 Z-5 K1",
+             "f:2:1: error: G33 (thread cutting) is not read [unread-g] (positions are left out "
+             "up to the next G0 "
+             "to G3)"},
+        Case{"G0 X1\nG53 Z0",
+             "f:2:1: warning: G53 moves to a machine position, which the program does not contain "
+             "[machine-position] (neither drawn nor timed unless the machine gives positions (home_z_mm, "
+             "part_zero_z_mm, ...); the path continues where every axis is programmed again)"},
+        Case{"G54 G0 X1\nG55 X1",
+             "f:2:1: warning: G55 follows G54 on the way [work-offset] ("
+             "offsets that are not given are assumed as zero, so parts of the path lie over each other; give "
+             "them as an import option, --offset G55=X,Y,Z)"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Feeds, IsoDiagnostics,

@@ -189,10 +189,14 @@ TEST(IsoReader, UnreadMotionLeavesPositionsOutUpToTheNextMotionWord) {
   EXPECT_EQ(program.motions[1].target, Vec3(4, 0, 0));
 }
 
-TEST(IsoReader, MachineMotionsLeaveThePositionAlone) {
-  const Program program = read_text("G0 X1 Z5\nG53 Z0\nG91 G28 Z0\nG90 X2\n");
-  ASSERT_EQ(program.motions.size(), 2U);
-  EXPECT_EQ(end_of(program), Vec3(2, 0, 5));
+TEST(IsoReader, BehindMachineMotionsNothingMovesUntilTheAxisIsProgrammed) {
+  const Program program = read_text("G0 X1 Z5\nG53 Z0\nG91 G28 Z0\nG90 X2\nZ7\nX3\n");
+  ASSERT_EQ(program.motions.size(), 6U);
+  for (std::size_t i = 1; i < 5; ++i) {
+    EXPECT_EQ(program.motions[i].pause, Pause::machine_move) << i;
+  }
+  EXPECT_EQ(program.motions[4].target, Vec3(2, 0, 7));
+  EXPECT_EQ(end_of(program), Vec3(3, 0, 7));
 }
 
 TEST(IsoReader, WithoutAFeedMovesRunAtFeedZeroUntilOneComes) {

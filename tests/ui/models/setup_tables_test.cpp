@@ -70,6 +70,20 @@ TEST_F(SetupTablesTest, AnEditChangesTheSetupAndIsMarked) {
   EXPECT_THAT(axes.data(jerk_of_x(), Qt::ToolTipRole).toString().toStdString(), HasSubstr("file says 15"));
 }
 
+TEST_F(SetupTablesTest, APositionThatTheFileDoesNotGiveIsEmptyAndMayBeSetAndEmptied) {
+  const QModelIndex home = settings.index(settings.row_of("home_z_mm"), SettingsTable::value);
+  ASSERT_TRUE(home.isValid());
+  EXPECT_EQ(settings.data(home).toString(), "");
+  EXPECT_FALSE(settings.data(home, Qt::ToolTipRole).toString().isEmpty());
+  ASSERT_TRUE(settings.setData(home, "-120,5"));
+  EXPECT_EQ(edit.setup().settings.number("home_z_mm"), -120.5);
+  EXPECT_FALSE(settings.setData(home, "above"));
+  EXPECT_EQ(edit.setup().settings.number("home_z_mm"), -120.5);
+  ASSERT_TRUE(settings.setData(home, ""));
+  EXPECT_FALSE(edit.setup().settings.has("home_z_mm"));
+  EXPECT_FALSE(settings.setData(tolerance(), "")) << "a model needs a tolerance";
+}
+
 TEST_F(SetupTablesTest, BackToTheFilesValueIsNoLongerMarked) {
   ASSERT_TRUE(axes.setData(jerk_of_x(), "20"));
   ASSERT_TRUE(axes.setData(jerk_of_x(), "15"));

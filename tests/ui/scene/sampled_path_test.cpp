@@ -50,6 +50,43 @@ TEST(SampledProgrammed, TellsRapidsFromCuts) {
   EXPECT_DOUBLE_EQ(length_of(path, SpanKind::cut), 10);
 }
 
+/// Turns home, changes the tool or goes to a coordinate of the machine on the way.
+std::string program_with_machine_moves(unsigned seed) {
+  std::mt19937 random(seed);
+  const auto place = [&] { return std::to_string(static_cast<int>(random() % 100)); };
+  const char* const machine[] = {"G28 G91 Z0\nG90\n", "G30 G91 X0 Z0\nG90\n", "G53 G0 Y-10 Z0\n"};
+  std::string text = "G21 G90 G94 F2400\nG0 X0 Y0 Z5\n";
+  for (int i = 0; i < 12; ++i) {
+    text += "G1 X" + place() + " Y" + place() + " Z-" + place() + "\nX" + place() + "\n";
+    text += machine[random() % 3];
+    text += "G0 X" + place() + " Y" + place() + "\nZ5\n";
+  }
+  return text;
+}
+
+/// What is drawn is what the tool runs along, point by point: nothing between two places whose connection the
+/// program does not say.
+TEST(SampledPath, LeavesGapsAtMovesToMachinePositions) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    for (const char* model : {"cam", "essid", "ward"}) {
+      const auto run = simulate_text(program_with_machine_moves(seed), model);
+      const Toolpath& toolpath = *run.input.toolpath;
+      ASSERT_GT(not_counted(toolpath).machine_moves, 0U);
+      const SampledPath programmed = sample_programmed(toolpath);
+      EXPECT_NEAR(length_of(programmed, SpanKind::cut) + length_of(programmed, SpanKind::rapid),
+                  toolpath.length(), 1e-3)
+          << "seed " << seed;
+      const SampledPath executed = sample_executed(*run.trajectory);
+      const double drawn = length_of(executed, SpanKind::cut) + length_of(executed, SpanKind::rapid) +
+                           length_of(executed, SpanKind::blend);
+      EXPECT_NEAR(drawn, run.trajectory->path_length(), 2e-3 * drawn) << model << ", seed " << seed;
+      const auto gaps = [](const SampledPath& path) { return std::ranges::count(path.kinds, SpanKind::gap); };
+      EXPECT_EQ(gaps(executed), gaps(programmed)) << model << ", seed " << seed;
+      EXPECT_GE(gaps(programmed), 11) << "seed " << seed;
+    }
+  }
+}
+
 TEST(SampledPath, OfNothingIsEmpty) {
   EXPECT_EQ(sample_programmed(Toolpath{}).size(), 0);
   EXPECT_EQ(sample_executed(Trajectory{}).size(), 0);

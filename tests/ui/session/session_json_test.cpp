@@ -71,6 +71,11 @@ TEST(SessionJson, RefusesReadingOptionsThatAreNone) {
   EXPECT_THAT(message({{"call_depth", 1.5}}), HasSubstr("\"call_depth\" is 1.5"));
   EXPECT_THAT(message({{"repeat_limit", -1}}), HasSubstr("repeat_limit"));
   EXPECT_THAT(message({{"cutter_radii_mm", QJsonObject{{"7", "wide"}}}}), HasSubstr("\"7\" is wide"));
+  for (const QJsonValue& zero :
+       {QJsonValue("far"), QJsonValue(QJsonArray{1, 2}), QJsonValue(QJsonArray{1, 2, "3"})}) {
+    EXPECT_THAT(message({{"work_offsets_mm", QJsonObject{{"G55", zero}}}}), HasSubstr("\"G55\""));
+  }
+  EXPECT_THAT(message({{"work_offsets_mm", QJsonObject{{"X", QJsonArray{1, 2, 3}}}}}), HasSubstr("\"X\""));
 }
 
 TEST(SessionJson, ShippedMachinesGoByTheirId) {

@@ -15,6 +15,8 @@ inline Session some_session(const std::filesystem::path& program) {
   session.reading.call_depth = 5;
   session.reading.radii.set("7", 4.995);
   session.reading.radii.set("MILL 10,2", 5);
+  session.reading.offsets.set("G55", Vec3(100, -0.125, 7));
+  session.reading.offsets.set("G54.1 P3", Vec3(1, 2, 3));
   session.reading.tool_table = program.parent_path() / "tables" / "tool.t";
   session.reading.table_unit = 25.4;
   session.reading.wear_only = true;

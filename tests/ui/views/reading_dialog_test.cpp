@@ -40,6 +40,7 @@ TEST(ReadingDialog, GivesBackWhatItWasGiven) {
   options.radii.set("MILL 10", 4.995);
   options.tool_table = "/tables/tool.t";
   options.table_unit = 25.4;
+  options.offsets.set("G55", Vec3(100, -2.5, 0));
   options.wear_only = true;
   EXPECT_EQ(ReadingDialog(options, nullptr).options(), options);
   options.simulate_cut_off = true;
@@ -84,6 +85,31 @@ TEST(ReadingDialog, RefusesWhatIsNoRadius) {
   }
   cutters(dialog).item(1, 1)->setText("");
   EXPECT_TRUE(may_accept(dialog));
+}
+
+/// Uses G54 and G55; the cells of the second are typed in.
+TEST(ReadingDialog, TakesWorkOffsetsThatTheProgramUses) {
+  ReadOptions fanuc;
+  fanuc.dialect = Dialect::fanuc;
+  const Program program = read_program(
+      std::make_shared<const SourceText>("two.nc", "G54 G0 X1 Y1 Z1\nG55 X1 Y1 Z1\n"), nullptr, fanuc);
+  ReadingDialog dialog(fanuc, &program);
+  auto& table = *dialog.findChild<WorkOffsetsTable*>();
+  ASSERT_EQ(table.rowCount(), 2);
+  EXPECT_EQ(table.item(1, 0)->text(), "G55");
+  EXPECT_TRUE(table.item(1, 4)->text().contains("assumed as zero")) << table.item(1, 4)->text().toStdString();
+  table.item(1, 1)->setText("100.5");
+  table.item(1, 2)->setText(" -2,25 ");
+  EXPECT_TRUE(may_accept(dialog));
+  ReadOptions expected = fanuc;
+  expected.offsets.set("G55", Vec3(100.5, -2.25, 0));
+  EXPECT_EQ(dialog.options(), expected);
+  for (const char* text : {"far", "1e99", "1,000", "nan"}) {
+    table.item(1, 3)->setText(text);
+    EXPECT_FALSE(may_accept(dialog)) << text;
+  }
+  dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::RestoreDefaults)->click();
+  EXPECT_EQ(dialog.options(), ReadOptions());
 }
 
 TEST(ReadingDialog, KnowsTheLanguageThatWasRecognised) {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <sstream>
 
 #include "ui/scene/cause_colour.h"
 #include "ui/scene/draw/colour_panel.h"
@@ -92,7 +93,10 @@ std::vector<Entry> legend(const Captions& captions) {
   }
   if (!texts.warning.empty()) {
     constexpr Rgb alarm{0.86, 0.15, 0.10};
-    list.push_back({texts.warning, solid(8, alarm)});
+    std::istringstream lines(texts.warning);
+    for (std::string line; std::getline(lines, line);) {
+      list.push_back({line, solid(8, alarm)});
+    }
   }
   return list;
 }

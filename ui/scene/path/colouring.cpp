@@ -80,6 +80,9 @@ double weight_of(const SampledPath& path, std::size_t i, Weight weight) {
   if (weight == Weight::points || i == 0) {
     return weight == Weight::points ? 1 : 0;
   }
+  if (path.kinds[i - 1] == SpanKind::gap) {
+    return 0;
+  }
   return weight == Weight::time ? path.times[i] - path.times[i - 1]
                                 : static_cast<double>((path.positions[i] - path.positions[i - 1]).norm());
 }
@@ -158,7 +161,7 @@ ColourScale scale_of(const SampledPath& path, Colouring colouring) {
 }
 
 std::vector<CauseShare> shares_of(const SampledPath& path) {
-  constexpr std::size_t kinds = static_cast<std::size_t>(CauseKind::dwell) + 1;
+  constexpr std::size_t kinds = cause_kind_count;
   std::array<double, kinds> time{};
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (path.kinds[i] != SpanKind::rapid) {

@@ -31,7 +31,7 @@ constexpr double dashes_across = 90;           // along the largest extent
 constexpr std::size_t points_moving = 30'000;  // drawn of a path while the view moves
 
 bool is_cut(SpanKind kind) {
-  return kind != SpanKind::rapid;
+  return kind != SpanKind::rapid && kind != SpanKind::gap;
 }
 
 bool is_blend(SpanKind kind) {

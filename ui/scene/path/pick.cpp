@@ -32,8 +32,9 @@ class SeenPath {
     return project_(path_.samples->origin + (*path_.positions)[i].cast<double>());
   }
   Vec3 end(std::size_t span) const { return point(std::min(span + 1, path_.samples->size() - 1)); }
+  bool is_gap(std::size_t span) const { return path_.samples->kinds[span] == SpanKind::gap; }
   Passage passage_of(std::size_t span, const Vec2& place) const {
-    return passage(place, point(span), end(span));
+    return is_gap(span) ? Passage() : passage(place, point(span), end(span));
   }
   ScreenMap::Rectangle rectangle(std::size_t box) const {
     const SpanBox& b = (*path_.boxes)[box];
@@ -212,6 +213,9 @@ std::optional<std::array<double, 2>> times_within(const PickablePath& path, cons
       continue;
     }
     seen.for_spans(box, [&](std::size_t span) {
+      if (seen.is_gap(span)) {
+        return;
+      }
       // The part of the span inside, by its share from one end to the other (Liang and Barsky).
       const Vec2 from = seen.point(span).head<2>();
       const Vec2 along = seen.end(span).head<2>() - from;

@@ -92,7 +92,9 @@ class ExecutedSampling {
     }
     for (; !walk.done() && walk.part().piece < chunk.end; walk.next()) {
       // Of what is shorter than the spacing no end would be kept.
-      if (last && advance_of(*last) >= spacing && jumps(*last, walk.part())) {
+      if (last && has_gap(last->element, walk.part().element)) {
+        add_before_gap(path, *last);
+      } else if (last && advance_of(*last) >= spacing && jumps(*last, walk.part())) {
         add_end(path, sampler, *last, walk);
       }
       last = walk.part();
@@ -210,6 +212,25 @@ class ExecutedSampling {
     return 1;
   }
 
+  /// Between two elements that follow each other in time the path goes on elsewhere.
+  bool has_gap(std::uint32_t before, std::uint32_t next) const {
+    const Toolpath& programmed = programmed_of(trajectory_);
+    for (std::uint32_t element = before + 1; element < next; ++element) {
+      if (programmed.is_gap(programmed.segments[trajectory_.path().segment(element)])) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// Where the path ends before a gap; kept however short the parts are.
+  void add_before_gap(SampledPath& path, const Part& last) {
+    Sampler all(path, 0);
+    add(path, all, PartMotion(trajectory_, last), last, last.duration, 0);
+    path.kinds.back() = SpanKind::gap;
+    gap_ = true;
+  }
+
   /// The end of `last`, in the place where `walk` is. Filtered motion is smooth there, and dear to set up.
   void add_end(SampledPath& path, Sampler& sampler, const Part& last, PartWalk& walk) {
     if (last.law == Law::filtered && walk.part().law == Law::filtered) {
@@ -229,7 +250,9 @@ class ExecutedSampling {
     if (kind != SpanKind::rapid) {
       path.peak_feed = std::max(path.peak_feed, speed);
     }
-    const bool kept = sampler.add(at.position, kind, span);
+    const bool kept =
+        gap_ ? Sampler(path, 0).add(at.position, kind, span) : sampler.add(at.position, kind, span);
+    gap_ = false;
     if (kept) {
       const double time = part.time + tau;
       path.times.push_back(path.times.empty() ? time : std::max(path.times.back(), time));
@@ -274,6 +297,7 @@ class ExecutedSampling {
   double top_speed_ = 0;             ///< [mm/s]
   double top_jerk_ = 0;              ///< along the path [mm/s3]
   PathDeviation deviation_;
+  bool gap_ = false;  ///< the next point is behind a gap
 };
 
 /// Appends what `part` holds and gives its memory back.

@@ -7,7 +7,7 @@ namespace {
 /// Where the path is not rapid.
 void add_cutting(const SampledPath& path, Bounds& bounds) {
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    if (path.kinds[i] != SpanKind::rapid) {
+    if (path.kinds[i] != SpanKind::rapid && path.kinds[i] != SpanKind::gap) {
       bounds.add(path.position(i));
       bounds.add(path.position(i + 1));
     }

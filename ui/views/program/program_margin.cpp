@@ -39,6 +39,23 @@ void draw_mark(QPainter& painter, QPointF centre, Severity severity, const QColo
   painter.restore();
 }
 
+QString not_counted_tip(Pause pause) {
+  switch (pause) {
+    case Pause::tool_change:
+      return ProgramMargin::tr("Not counted: tool change; the machine's tool change time gives it");
+    case Pause::spindle_start:
+      return ProgramMargin::tr("Not counted: spindle start; the machine's spindle start time gives it");
+    case Pause::stop:
+      return ProgramMargin::tr("Not counted: program stop");
+    case Pause::machine_move:
+      return ProgramMargin::tr(
+          "Neither drawn nor counted: move to or from a machine position; the machine's positions give it");
+    case Pause::dwell:
+      break;
+  }
+  return {};
+}
+
 }  // namespace
 
 ProgramMargin::ProgramMargin(ProgramView* view) : QWidget(view), view_(*view) {
@@ -80,8 +97,11 @@ void ProgramMargin::paint_line(QPainter& painter, std::uint32_t line) const {
                    QString::number(line));
   if (view_.times() != nullptr) {
     const double heat = heat_of(view_.times()->of(line).time, view_.times()->largest());
-    painter.fillRect(QRect(width() - heat_width, row.top(), heat_width, row.height()),
-                     heat_colour(heat, colours.gutter, view_.palette()));
+    const QRect strip(width() - heat_width, row.top(), heat_width, row.height());
+    painter.fillRect(strip, heat_colour(heat, colours.gutter, view_.palette()));
+    if (!view_.times()->not_counted(line).empty()) {
+      painter.fillRect(strip, QBrush(colour_of(Severity::warning, view_.palette()), Qt::BDiagPattern));
+    }
   }
 }
 
@@ -90,6 +110,11 @@ QString ProgramMargin::tip_of(std::uint32_t line) const {
   if (view_.times() != nullptr) {
     const QString cost = line_time_text(*view_.times(), line, line);
     tip.append(cost.isEmpty() ? tr("Line %1 takes no time").arg(QLocale().toString(line)) : cost);
+  }
+  if (view_.times() != nullptr) {
+    for (const Pause pause : view_.times()->not_counted(line)) {
+      tip.append(not_counted_tip(pause));
+    }
   }
   for (const Diagnostic* diagnostic : view_.marks().of(line)) {
     tip.append(QString::fromStdString(diagnostic->message));

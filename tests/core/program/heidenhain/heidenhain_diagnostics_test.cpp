@@ -64,9 +64,11 @@ INSTANTIATE_TEST_SUITE_P(
         DiagnosticCase{"L X+1 RL F9\n",
                        "1:7: error: RL beside a tool whose radius is not known [tool-radius]"},
         DiagnosticCase{"L Z-10 FMAX M91\n",
-                       "1:3: warning: M91 moves to a position of the machine [machine-position]"},
+                       "1:3: warning: M91 moves to a machine position, which the program does not contain "
+                       "[machine-position]"},
         DiagnosticCase{"L M140 MB MAX\n",
-                       "1:3: warning: M140 MB MAX retracts to the end of the tool axis [machine-position]"},
+                       "1:3: warning: M140 MB MAX moves to a machine position, which the program does not "
+                       "contain [machine-position]"},
         DiagnosticCase{"L A+10 F9\n",
                        "1:3: warning: axis A moves to 10, which is not simulated [unread-axis]"},
         DiagnosticCase{"LN X+1 NZ+1 F9\n",

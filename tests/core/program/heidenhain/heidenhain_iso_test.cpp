@@ -143,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(
                       "2:1: warning: a line of the datum table changes the datum on the way [work-offset]"}));
 
 TEST(HeidenhainIso, SoftApproachAndDepartureHaveTheirOwnFeeds) {
-  const Program program = read_text(
+  const Program program = read_din(
       "%A G71 *\nN10 G99 T1 L+0 R+10 *\nN20 T1 G17 S9 *\nN30 G00 G40 G90 X-10 Y-10 *\nN40 G01 Z-5 F1000 *\n"
       "N50 G01 G41 X+5 Y+5 F300 *\nN60 G26 R5 F150 *\nN70 Y+95 *\nN80 G27 R5 F500 *\nN90 G40 X-20 Y+120 "
       "F1200 *\n"
@@ -157,10 +157,10 @@ TEST(HeidenhainIso, SoftApproachAndDepartureHaveTheirOwnFeeds) {
 }
 
 TEST(HeidenhainIso, ACallWithCoordinatesMovesAsTheModeSays) {
-  EXPECT_EQ(path_of(read_text(
-                "%A G71 *\nN10 T1 G17 S9 *\nN20 G83 P01 -2 P02 -5 P03 -5 P04 0 P05 150 *\nN30 G00 G90 "
-                "Z+2 *\nN40 X+10 G79 *\nN99 %A G71 *\n")),
-            "r0,0,2 r10,0,2 10,0,-5 r10,0,2");
+  EXPECT_EQ(
+      path_of(read_din("%A G71 *\nN10 T1 G17 S9 *\nN20 G83 P01 -2 P02 -5 P03 -5 P04 0 P05 150 *\nN30 G00 G90 "
+                       "Z+2 *\nN40 X+10 G79 *\nN99 %A G71 *\n")),
+      "r0,0,2 r10,0,2 10,0,-5 r10,0,2");
 }
 
 }  // namespace

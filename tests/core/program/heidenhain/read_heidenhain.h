@@ -8,10 +8,10 @@
 
 namespace feedscope {
 
-/// Reads a conversational program, whatever it looks like.
+/// Reads a conversational program, whatever it looks like. Its motions: see without_events().
 inline Program read_heidenhain(std::string text, ReadOptions options = {}) {
   options.dialect = options.dialect.value_or(Dialect::heidenhain);
-  return read_text(std::move(text), options);
+  return without_events(read_text(std::move(text), options));
 }
 
 /// The same for one that must be free of diagnostics.

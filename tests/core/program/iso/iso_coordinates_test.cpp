@@ -92,13 +92,15 @@ TEST(IsoTransforms, ArcsTurnAlongAndMirrorTheirDirection) {
 
 TEST(IsoTransforms, ReferencePointsAreReachedAsFarAsTheyAreKnown) {
   const Program program = read_as(fanuc, "G0 X1 Z5\nG28 X10 Y10\nG91 G28 Z0\nG90 G0 X0\nG29 X3\nG30 P2 Y7");
-  EXPECT_EQ(text_of(program), (Lines{"rapid 1 0 5 @1", "rapid 10 10 5 @2", "rapid 0 10 5 @4",
-                                     "rapid 10 10 5 @5", "rapid 3 10 5 @5", "rapid 3 7 5 @6"}));
-  ASSERT_EQ(program.diagnostics.size(), 2U);
-  EXPECT_EQ(
-      format(program.diagnostics[0], "f"),
-      "f:2:1: info: G28 goes on to a reference point of the machine that is not known [reference-point] (the "
-      "path shown stays at the intermediate point)");
+  EXPECT_EQ(text_of(program),
+            (Lines{"rapid 1 0 5 @1", "rapid 10 10 5 @2", "machine move 10 10 5 @2", "machine move 10 10 5 @3",
+                   "machine move 0 10 5 @4", "machine move 10 10 5 @5", "machine move 3 10 5 @5",
+                   "machine move 3 7 5 @6", "machine move 3 7 5 @6"}));
+  ASSERT_EQ(program.diagnostics.size(), 3U);
+  EXPECT_EQ(format(program.diagnostics[0], "f"),
+            "f:2:1: warning: G28 moves to a machine position, which the program does not contain "
+            "[reference-point] (neither drawn nor timed unless the machine gives positions (home_z_mm, "
+            "part_zero_z_mm, ...); the path continues where every axis is programmed again)");
 }
 
 struct FaultCase {
@@ -121,10 +123,10 @@ INSTANTIATE_TEST_SUITE_P(
             "G0 X1\nG10 L2 P12 X5",
             "f:2:8: error: P12 is no number of a work offset from 0 to 9 [offset-number] (the block has no "
             "effect on the path)"},
-        FaultCase{
-            "G54 G0 X1\nG54.1 P3 X1",
-            "f:2:1: warning: G54.1 P3 follows G54 on the way [work-offset] (work offsets are taken as zero, "
-            "so the parts of the path lie over each other)"},
+        FaultCase{"G54 G0 X1\nG54.1 P3 X1",
+                  "f:2:1: warning: G54.1 P3 follows G54 on the way [work-offset] (offsets that are not given "
+                  "are assumed as zero, so parts of the path lie over each other; give them as an import "
+                  "option, --offset G54.1P3=X,Y,Z)"},
         FaultCase{
             "G0 X1\nG10 L50\nG11",
             "f:2:1: warning: G10 L50 (setting of data) is not read [unread-g] (the path is shown without "
@@ -149,10 +151,11 @@ INSTANTIATE_TEST_SUITE_P(
             "G0 X1\nG51 X0 Y0 P0",
             "f:2:11: error: scale factor P0 is zero [scale-factor] (1 is taken; write a factor that is not "
             "zero)"},
-        FaultCase{"G0 X1\nG53 Z0",
-                  "f:2:1: warning: G53 (motion in machine coordinates) is not read [unread-g] (the path "
-                  "stays where "
-                  "it is)"},
+        FaultCase{
+            "G0 X1\nG53 Z0",
+            "f:2:1: warning: G53 moves to a machine position, which the program does not contain "
+            "[machine-position] (neither drawn nor timed unless the machine gives positions (home_z_mm, "
+            "part_zero_z_mm, ...); the path continues where every axis is programmed again)"},
         FaultCase{
             "G93 G1 X1 F2\nX2",
             "f:2:1: error: a feed move without F under G93 [feed-missing] (the last F is taken; write F in "

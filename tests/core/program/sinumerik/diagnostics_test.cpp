@@ -76,11 +76,13 @@ INSTANTIATE_TEST_SUITE_P(
              "f:2:9: error: ISOCALL (call of a program in ISO dialect) is not read [unread-function] (its "
              "motion is left out)"},
         Case{"G0 X1\nSUPA Z0",
-             "f:2:6: warning: the block moves to a machine position, which only the machine knows "
-             "[machine-position] (the motion is left out; what follows begins where the tool was before)"},
+             "f:2:6: warning: SUPA moves to a machine position, which the program does not contain "
+             "[machine-position] (neither drawn nor timed unless the machine gives positions (home_z_mm, "
+             "part_zero_z_mm, ...); the path continues where every axis is programmed again)"},
         Case{"G54 G0 X1\nG505 X1",
-             "f:2:1: warning: G505 follows G54 on the way [work-offset] (work offsets are taken as zero, so "
-             "the parts of the path lie over each other)"},
+             "f:2:1: warning: G505 follows G54 on the way [work-offset] (offsets that are not given are "
+             "assumed as zero, so parts of the path lie over each other; give them as an import option, "
+             "--offset G505=X,Y,Z)"},
         Case{"G1 X1",
              "f:1:4: error: a feed move without a feed [feed-missing] (it runs as fast as the axes "
              "allow; write F before it)"},

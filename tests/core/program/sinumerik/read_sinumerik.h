@@ -9,8 +9,9 @@
 
 namespace feedscope {
 
+/// Its motions: see without_events().
 inline Program read_sinumerik(const std::string& text) {
-  return read_text(text, ReadOptions{.dialect = Dialect::sinumerik});
+  return without_events(read_text(text, ReadOptions{.dialect = Dialect::sinumerik}));
 }
 
 /// Reads a program that has nothing to be said about it.

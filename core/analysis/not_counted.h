@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/toolpath/machine_toolpath.h"
+
+namespace feedscope {
+
+/// One kind of event or motion whose time the cycle time does not contain.
+struct NotCountedItem {
+  std::string_view key;   ///< for files: "tool_change", "spindle_start", "stop", "machine_move", "other_axis"
+  std::size_t count = 0;  ///< of events; of other_axis: of axes
+  std::string_view settings;  ///< that would give the time; "" for none
+};
+
+/// Those that occur, in a fixed order.
+std::vector<NotCountedItem> not_counted_items(const NotCounted& counts);
+/// "2 tool changes, 1 program stop (M0, M1), motion of B, C"; empty if all time is counted.
+std::string describe(const NotCounted& counts);
+
+}  // namespace feedscope

@@ -1,0 +1,180 @@
+#include "core/toolpath/machine_toolpath.h"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+#include <string_view>
+#include <utility>
+
+namespace feedscope {
+
+namespace {
+
+std::optional<double> given(const Settings& settings, std::string_view key) {
+  return settings.has(key) ? std::optional(settings.number(key)) : std::nullopt;
+}
+
+/// The machine's positions in the coordinates that are shown, and its times.
+class MachineData {
+ public:
+  explicit MachineData(const Settings& settings)
+      : tool_change_time_(given(settings, "tool_change_time_s")),
+        spindle_start_time_(given(settings, "spindle_start_time_s")) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto position = [&](std::string_view name) {
+        return given(settings, fmt::format("{}_{}_mm", name, "xyz"[axis]));
+      };
+      zero_[axis] = position("part_zero");
+      home_[axis] = position("home");
+      tool_change_[axis] = position("tool_change");
+    }
+  }
+
+  std::optional<double> time(Pause kind) const {
+    return kind == Pause::tool_change     ? tool_change_time_
+           : kind == Pause::spindle_start ? spindle_start_time_
+                                          : std::nullopt;
+  }
+
+  /// None if one of the axes is not known.
+  std::optional<Vec3> shown(const AxisPlaces& places) const {
+    Vec3 point;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const std::optional<double> coordinate = shown(places[axis], axis);
+      if (!coordinate) {
+        return std::nullopt;
+      }
+      point[static_cast<Eigen::Index>(axis)] = *coordinate;
+    }
+    return point;
+  }
+
+ private:
+  std::optional<double> shown(const AxisPlace& place, std::size_t axis) const {
+    const auto from = [&](const std::optional<double>& origin) {
+      return origin && zero_[axis] ? std::optional(*origin - *zero_[axis] + place.value) : std::nullopt;
+    };
+    switch (place.kind) {
+      case AxisPlace::Kind::part:
+        return place.value;
+      case AxisPlace::Kind::home:
+        return from(home_[axis]);
+      case AxisPlace::Kind::tool_change:
+        return from(tool_change_[axis]);
+      case AxisPlace::Kind::machine:
+        return from(0.0);
+      case AxisPlace::Kind::unknown:
+      case AxisPlace::Kind::assumed:  // how the axis would come there is not known
+        break;
+    }
+    return std::nullopt;
+  }
+
+  std::array<std::optional<double>, 3> zero_;
+  std::array<std::optional<double>, 3> home_;
+  std::array<std::optional<double>, 3> tool_change_;
+  std::optional<double> tool_change_time_;
+  std::optional<double> spindle_start_time_;
+};
+
+/// Copies a path as soon as something in it changes.
+class Resolver {
+ public:
+  Resolver(std::shared_ptr<const Toolpath> path, const Settings& settings)
+      : path_(std::move(path)), machine_(settings) {}
+
+  std::shared_ptr<const Toolpath> run() {
+    bool start_known = true;
+    for (std::size_t i = 0; i < path_->segments.size(); ++i) {
+      const Segment& segment = path_->segments[i];
+      if (segment.kind != SegmentKind::dwell) {
+        start_known = true;
+        continue;
+      }
+      const ToolpathPause& pause = path_->pause_of(segment);
+      if (pause.kind == Pause::machine_move) {
+        const MachineMove& move = path_->machine_moves[pause.move];
+        const std::optional<Vec3> end = machine_.shown(move.end);
+        if (start_known && end) {
+          move_to(i, *end, move.feed);
+        }
+        start_known = end.has_value();
+      } else if (const std::optional<double> time = machine_.time(pause.kind);
+                 time && (!pause.timed || *time != pause.time)) {
+        ToolpathPause& timed = changed().pauses[static_cast<std::size_t>(segment.index)];
+        timed.time = *time;
+        timed.timed = true;
+      }
+      if (copy_ && pause.kind != Pause::machine_move) {
+        copy_->segments[i].end = Vec3(copy_->start_of(i));
+      }
+    }
+    return copy_ ? std::move(copy_) : std::move(path_);
+  }
+
+ private:
+  Toolpath& changed() {
+    if (!copy_) {
+      copy_ = std::make_shared<Toolpath>(*path_);
+    }
+    return *copy_;
+  }
+
+  void move_to(std::size_t i, const Vec3& end, double feed) {
+    Toolpath& path = changed();
+    const Vec3 start = path.start_of(i);
+    Segment& segment = path.segments[i];
+    segment.end = end;
+    path.bounds.add(end);
+    const double length = (end - start).norm();
+    if (length <= same_point) {
+      path.pauses[static_cast<std::size_t>(segment.index)] = {0, Pause::dwell, true, 0};
+      return;
+    }
+    segment.kind = SegmentKind::line;
+    segment.index = -1;
+    segment.length = length;
+    segment.feed = feed;
+    segment.rapid = feed == 0;
+  }
+
+  std::shared_ptr<const Toolpath> path_;
+  std::shared_ptr<Toolpath> copy_;
+  MachineData machine_;
+};
+
+}  // namespace
+
+std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Settings& settings) {
+  return path->pauses.empty() ? path : Resolver(path, settings).run();
+}
+
+NotCounted not_counted(const Toolpath& path) {
+  NotCounted count;
+  count.other_axes = path.other_axes;
+  for (const Segment& segment : path.segments) {
+    if (segment.kind != SegmentKind::dwell || path.pause_of(segment).timed) {
+      continue;
+    }
+    switch (path.pause_of(segment).kind) {
+      case Pause::dwell:
+        break;
+      case Pause::tool_change:
+        ++count.tool_changes;
+        break;
+      case Pause::spindle_start:
+        ++count.spindle_starts;
+        break;
+      case Pause::stop:
+        ++count.stops;
+        break;
+      case Pause::machine_move:
+        ++count.machine_moves;
+        break;
+    }
+  }
+  return count;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/machine/settings.h"
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// The same path as a machine with these machine_settings() runs it: tool changes and spindle starts take the
+/// times that are given, and moves whose two ends are known become lines, rapids where the program gives no
+/// feed. What the settings do not say stays as it is. Every segment keeps its index. Returns `path` itself
+/// where nothing changes.
+std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Settings& settings);
+
+/// What of a path has no time, since neither program nor machine say it.
+struct NotCounted {
+  std::size_t tool_changes = 0;
+  std::size_t spindle_starts = 0;
+  std::size_t stops = 0;                     ///< M0, M1
+  std::size_t machine_moves = 0;             ///< blocks to, at or from machine positions
+  std::vector<std::string> other_axes = {};  ///< rotary and secondary ones that move
+  bool operator==(const NotCounted&) const = default;
+};
+NotCounted not_counted(const Toolpath& path);
+
+}  // namespace feedscope

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QTableWidget>
+
+#include "core/program/program.h"
+
+namespace feedscope::ui {
+
+/// Zero points of the work offsets that a program uses, for the program's import options: a row for each,
+/// with empty cells where none is given.
+class WorkOffsetsTable : public QTableWidget {
+  Q_OBJECT
+
+ public:
+  /// `program`: as it was read; null: it has not been read yet.
+  WorkOffsetsTable(const WorkOffsets& given, const Program* program, QWidget* parent = nullptr);
+
+  /// Those with a coordinate; of use while fault() is empty.
+  WorkOffsets offsets() const;
+  /// The first cell that is not a number, in a sentence; empty if there is none.
+  QString fault() const;
+  void clear_offsets();
+
+ private:
+  void add(const std::string& name, const Vec3* zero, const QString& use);
+};
+
+}  // namespace feedscope::ui
