@@ -32,15 +32,15 @@ void add_radius(CutterRadii& radii, const std::string& assignment) {
   radii.set(assignment.substr(0, equals), parse_length(assignment.substr(equals + 1), "--tool"));
 }
 
-/// Three numbers behind the "=".
+/// Three numbers behind the "=", separated by commas, or by semicolons, which leave the comma to the numbers.
 void add_offset(WorkOffsets& offsets, const std::string& assignment) {
   const std::size_t equals = assignment.find('=');
   const std::string name = assignment.substr(0, std::min(equals, assignment.size()));
   const auto refuse = [&] {
     throw InputError(
         fmt::format("--offset '{}' is not OFFSET=X,Y,Z; write the offset as the program names it, and its "
-                    "three coordinates in "
-                    "mm with decimal points, such as --offset G55=100,0,0",
+                    "three coordinates in mm, such as --offset G55=100.5,0,0, or with decimal commas "
+                    "--offset 'G55=100,5;0;0'",
                     assignment));
   };
   if (equals == std::string::npos || WorkOffsets::key(name).empty()) {
@@ -52,18 +52,19 @@ void add_offset(WorkOffsets& offsets, const std::string& assignment) {
   number.minimum = -1e6;
   number.maximum = 1e6;
   Vec3 zero;
+  const char separator = assignment.find(';') != std::string::npos ? ';' : ',';
   std::size_t from = equals + 1;
   for (int axis = 0; axis < 3; ++axis) {
-    const std::size_t comma = axis < 2 ? assignment.find(',', from) : assignment.size();
-    if (comma == std::string::npos) {
+    const std::size_t end = axis < 2 ? assignment.find(separator, from) : assignment.size();
+    if (end == std::string::npos) {
       refuse();
     }
-    const std::string part = assignment.substr(from, comma - from);
-    if (part.find(',') != std::string::npos) {
+    const std::string part = assignment.substr(from, end - from);
+    if (part.find(separator) != std::string::npos) {
       refuse();
     }
     zero[axis] = std::get<double>(parse_setting(number, part));
-    from = comma + 1;
+    from = end + 1;
   }
   offsets.set(name, zero);
 }

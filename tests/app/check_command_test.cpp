@@ -173,7 +173,8 @@ TEST_F(CheckCommand, WorkOffsetsComeFromAnOption) {
   EXPECT_EQ(given["program"]["work_offsets"][1]["given"], true);
   EXPECT_THAT(run("check two.nc --dialect fanuc").out,
               AllOf(HasSubstr("work offsets"), HasSubstr("G55 (line 3): 1 motions, assumed as zero")));
-  for (const char* wrong : {"G55", "G55=", "G55=1,2", "G55=1,2,3,4", "55=1,2,3", "G55=1,a,3", "G55=1;2;3"}) {
+  for (const char* wrong :
+       {"G55", "G55=", "G55=1,2", "G55=1,2,3,4", "55=1,2,3", "G55=1,a,3", "G55=1;2", "G55=1;2;3;4"}) {
     expect_wrong_use("check two.nc --offset '" + std::string(wrong) + "'", "--offset");
   }
 }

@@ -35,6 +35,7 @@ const std::map<std::string, Numeric> numeric_types{
     {"TOOL=MM", {"1=1,000", "1=0,5", "1=0.5"}},
     {"KEY=VALUE", {"X.jerk=1,000", "X.jerk=20,5", "X.jerk=20.5"}},
     {"KEY=RANGE", {"X.jerk=1,000", "", ""}},
+    {"OFFSET=X,Y,Z", {"G55=1,000;0;0", "G55=0,5;0;0", "G55=0.5;0;0"}},
     {"WxH", {"1,000x900", "", ""}},
     {"WxH|PAPER", {"1,000x900", "", ""}}};
 /// "Excludes" and "Needs" are what --help says behind a flag.

@@ -37,6 +37,9 @@ QString range_text(const SettingSpec& spec) {
   if (std::isinf(spec.maximum)) {
     return QStringLiteral("%1 %2").arg(spec.minimum_allowed ? "≥" : ">", number_text(spec.minimum));
   }
+  if (spec.minimum == -spec.maximum && spec.minimum_allowed) {
+    return QStringLiteral("± %1").arg(number_text(spec.maximum));
+  }
   return QStringLiteral("%1%2 … %3")
       .arg(spec.minimum_allowed ? "" : "> ", number_text(spec.minimum), number_text(spec.maximum));
 }

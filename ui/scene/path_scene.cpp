@@ -231,11 +231,10 @@ void PathScene::set_programmed(std::shared_ptr<const Toolpath> toolpath) {
 }
 
 void PathScene::set_programmed(std::shared_ptr<const SampledPath> samples) {
-  if (samples == impl_->programmed) {
-    return;
+  if (samples != impl_->programmed) {
+    impl_->programmed = std::move(samples);
+    impl_->rebuild();
   }
-  impl_->programmed = std::move(samples);
-  impl_->rebuild();
 }
 
 void PathScene::set_executed(std::shared_ptr<const Trajectory> trajectory) {
@@ -251,11 +250,10 @@ void PathScene::set_executed(std::shared_ptr<const Trajectory> trajectory,
 }
 
 void PathScene::set_overlays(std::vector<OverlayRun> overlays) {
-  if (overlays.empty() && impl_->overlays.empty()) {
-    return;
+  if (!overlays.empty() || !impl_->overlays.empty()) {
+    impl_->overlays = std::move(overlays);
+    impl_->rebuild();
   }
-  impl_->overlays = std::move(overlays);
-  impl_->rebuild();
 }
 
 void PathScene::set_cursor(const std::optional<Vec3>& tip) {

@@ -212,7 +212,7 @@ void StudyView::make_layout() {
   layout->addWidget(results, 1);
 }
 
-/// Numbers alone: a choice has no range.
+/// Numbers alone: a choice has no range, and what is not known none to propose.
 void StudyView::list_keys() {
   const SetupState& setup = model_.setup().state();
   const QString chosen = key_->currentData().toString();
@@ -224,7 +224,8 @@ void StudyView::list_keys() {
       continue;
     }
     const SettingSpec spec = setup.spec(setting_of(key));
-    if (spec.choices.empty()) {
+    const bool has_value = !spec.optional || setup.value(setting_of(key)) != SettingValue(std::string());
+    if (spec.choices.empty() && has_value) {
       const QString unit = QString::fromStdString(sweep_unit(key));
       const QString name = QString::fromStdString(key);
       key_->addItem(unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit), name);

@@ -116,6 +116,13 @@ TEST_F(StudyViewTest, KeysFollowTheModelAndHaveRangesOfTheirOwn) {
   EXPECT_LT(view.from()->value(), view.to()->value());
 }
 
+TEST_F(StudyViewTest, ASettingWithoutAValueIsOfferedOnceItHasOne) {
+  EXPECT_LT(view.key()->findData("tool_change_time_s"), 0);
+  model.setup().set("tool_change_time_s", 4.0);
+  model.choose_model("cam");
+  EXPECT_GE(view.key()->findData("tool_change_time_s"), 0);
+}
+
 TEST_F(StudyViewTest, EndingWhileItRunsIsClean) {
   open();
   view.count()->setValue(500);

@@ -26,7 +26,8 @@ inline Program read_clean_as(Dialect dialect, const std::string& text) {
 /// The X positions that a program goes to, one a motion; it must be free of diagnostics.
 inline std::vector<double> way(Dialect dialect, const std::string& text) {
   std::vector<double> positions;
-  for (const MotionBlock& block : read_clean_as(dialect, text).motions) {
+  const Program program = without_events(read_clean_as(dialect, text));
+  for (const MotionBlock& block : program.motions) {
     positions.push_back(block.target.x());
   }
   return positions;
