@@ -231,8 +231,7 @@ void PathScene::set_programmed(std::shared_ptr<const Toolpath> toolpath) {
 }
 
 void PathScene::set_programmed(std::shared_ptr<const SampledPath> samples) {
-  if (samples != impl_->programmed) {
-    impl_->programmed = std::move(samples);
+  if (std::exchange(impl_->programmed, samples) != samples) {
     impl_->rebuild();
   }
 }

@@ -56,7 +56,23 @@ std::string exaggeration_text(const Captions& captions) {
   return text;
 }
 
-std::vector<Entry> legend(const Captions& captions) {
+/// The words of `line` in rows no wider than `width`, a longer word in a row of its own.
+std::vector<std::string> rows_of(const std::string& line, double width, const TextStyle& style) {
+  std::vector<std::string> rows;
+  std::istringstream words(line);
+  for (std::string word; words >> word;) {
+    const std::string longer = rows.empty() ? word : rows.back() + " " + word;
+    if (rows.empty() || Canvas::text_size(longer, style).x() > width) {
+      rows.push_back(word);
+    } else {
+      rows.back() = longer;
+    }
+  }
+  return rows;
+}
+
+/// `room`: width of the legend, `k`: scale of all sizes [pixels].
+std::vector<Entry> legend(const Captions& captions, double room, double k) {
   const LegendEntries& entries = captions.entries;
   const SceneColours& colours = *captions.colours;
   const SceneTexts& texts = *captions.texts;
@@ -93,9 +109,13 @@ std::vector<Entry> legend(const Captions& captions) {
   }
   if (!texts.warning.empty()) {
     constexpr Rgb alarm{0.86, 0.15, 0.10};
+    const double longest = room - (panel_margin + sample_width + 30) * k;
     std::istringstream lines(texts.warning);
     for (std::string line; std::getline(lines, line);) {
-      list.push_back({line, solid(8, alarm)});
+      const std::size_t first = list.size();
+      for (const std::string& row : rows_of(line, longest, text_style(k, colours))) {
+        list.push_back({row, list.size() == first ? solid(8, alarm) : solid(0, alarm)});
+      }
     }
   }
   return list;
@@ -127,7 +147,7 @@ void draw_legend(Canvas& canvas, const ScreenLayout& layout, const Captions& cap
   if (!captions.transparent) {
     canvas.rectangle({0, layout.height - layout.legend_height}, {width, layout.height}, colours.background);
   }
-  for_each_cell(legend(captions), width, k, colours, [&](const Entry& entry, double x, int row) {
+  for_each_cell(legend(captions, width, k), width, k, colours, [&](const Entry& entry, double x, int row) {
     const double y = layout.height - (row - 0.5) * row_height * k - 4 * k;
     entry.sample(canvas, {x, y}, {x + sample_width * k, y}, k);
     canvas.text(entry.text, {x + (sample_width + 7) * k, y}, text_style(k, colours));
@@ -159,7 +179,8 @@ void draw_scale_bar(Canvas& canvas, const Vec2& low, double width, double millim
 ScreenLayout screen_layout(int width, int height, double scale, const Captions& captions) {
   ScreenLayout layout{double(width), double(height), scale, 0, 0};
   layout.panel_width = colour_panel_width(captions, width, scale);
-  const int rows = for_each_cell(legend(captions), width - layout.panel_width, scale, *captions.colours,
+  const double room = width - layout.panel_width;
+  const int rows = for_each_cell(legend(captions, room, scale), room, scale, *captions.colours,
                                  [](const Entry&, double, int) {});
   layout.cube = height - above_cube * scale >= least_colour_panel_height(captions, scale);
   layout.legend_height = rows * row_height * scale + (rows > 0 ? 8 * scale : 0);

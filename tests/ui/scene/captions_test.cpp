@@ -1,0 +1,48 @@
+#include "ui/scene/draw/captions.h"
+
+#include <gtest/gtest.h>
+
+#include "ui/scene/draw/colour_panel.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr double row = 22;  // [pixels]
+
+/// Rows of a legend that holds nothing but a warning, in a window of this width.
+double warning_rows(const std::string& warning, int width) {
+  SceneTexts texts;
+  texts.warning = warning;
+  const SceneColours colours = scene_colours(Background::light);
+  Captions captions;
+  captions.colours = &colours;
+  captions.texts = &texts;
+  return (screen_layout(width, 600, 1, captions).legend_height - 8) / row;
+}
+
+TEST(Captions, AWarningThatIsWiderThanItsRoomIsBrokenIntoRowsThatFit) {
+  const std::string words = "Not in the cycle time: 2 tool changes, 1 spindle start, 6 moves to positions";
+  const TextStyle style{.size = panel_text_pixels};
+  const double whole = Canvas::text_size(words, style).x();
+  EXPECT_EQ(warning_rows(words, 2000), 1);
+  double before = 1;
+  for (int width = 1200; width >= 350; width -= 50) {
+    const double rows = warning_rows(words, width);
+    EXPECT_GE(rows, before) << width;
+    EXPECT_GE(rows * width, whole) << "some row is wider than the window of " << width;
+    before = rows;
+  }
+  EXPECT_GE(before, 3);
+}
+
+TEST(Captions, EveryWarningBeginsARowWhereTwoDoNotFit) {
+  EXPECT_EQ(warning_rows("short\nshort", 1000), 1);
+  EXPECT_EQ(warning_rows("Program read with 5 warnings\nProgram cut off at line 77", 520), 2);
+}
+
+TEST(Captions, AWordWithoutRoomStandsInARowOfItsOwn) {
+  EXPECT_EQ(warning_rows(std::string(200, 'x') + " y", 400), 2);
+}
+
+}  // namespace
+}  // namespace feedscope::ui
