@@ -98,9 +98,7 @@ class WindowFuzz : public testing::Test {
     write("zigzag.nc", zigzag);
     window.resize(800, 600);
     window.show();
-    closer.setInterval(0);
-    QObject::connect(&closer, &QTimer::timeout, [this] { close_dialogs(); });
-    closer.start();
+    answer_dialogs();
   }
   ~WindowFuzz() override {
     QDir::setCurrent(QDir::tempPath());
@@ -110,6 +108,14 @@ class WindowFuzz : public testing::Test {
   void write(const char* name, const std::string& text) {
     std::ofstream(folder.filePath(name).toStdString()) << text;
     programs.push_back(folder.filePath(name).toStdString());
+  }
+
+  /// Begins anew before it answers, since an answer may open a further dialog.
+  void answer_dialogs() {
+    QTimer::singleShot(0, &window, [this] {
+      answer_dialogs();
+      close_dialogs();
+    });
   }
 
   /// A menu or a dialog waits for an answer: any.
@@ -310,7 +316,6 @@ class WindowFuzz : public testing::Test {
   std::minstd_rand random;
   const QTemporaryDir folder;
   std::vector<std::filesystem::path> programs;
-  QTimer closer;
   Workbench model{shipped_machines(), make_setup({})};
   MainWindow window{model, RenderBackend::software};
 };

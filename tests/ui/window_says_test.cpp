@@ -4,6 +4,7 @@
 
 #include <QApplication>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTabBar>
@@ -69,6 +70,26 @@ TEST_F(WindowSaysTest, NoTabOfAPanelIsCut) {
     }
   }
   EXPECT_GT(seen, 8);
+}
+
+TEST_F(WindowSaysTest, NoSentenceOfAPanelIsCut) {
+  open("0 BEGIN PGM A MM\n1 TOOL CALL 5 Z S9000 F480\n2 L Z-10 FMAX M91\n3 L X+0 Y+0 Z+0 F900 M3\n"
+       "4 L X+10 R0\n5 END PGM A MM\n");
+  for (const int width : {1280, 1600, 2400}) {
+    window.resize(width, 1000);
+    int seen = 0;
+    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+      dock->raise();
+      QCoreApplication::processEvents();
+      for (const QLabel* label : dock->findChildren<QLabel*>()) {
+        if (label->isVisible() && label->wordWrap() && !label->text().isEmpty()) {
+          EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+          ++seen;
+        }
+      }
+    }
+    EXPECT_GE(seen, 3);
+  }
 }
 
 TEST_F(WindowSaysTest, ACurveSwitchedOffIsOnAgainForAnotherProgram) {

@@ -35,7 +35,7 @@ class LessonDesk : public QObject {
   /// Reads a lesson and measures its numbers; opened() or failed() follows. `then_set_up`: the window, as
   /// set_up_window() does.
   void open(const std::filesystem::path& file, bool then_set_up = false);
-  bool busy() const { return opening_.isRunning(); }
+  bool busy() const { return opening_.isRunning() || listing_.isRunning(); }
 
   /// Null until one is open.
   const Lesson* lesson() const { return open_ == nullptr ? nullptr : &open_->lesson; }

@@ -66,10 +66,12 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   axes_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   axes_->setFixedHeight(full_height(axes_));
   settings_->verticalHeader()->hide();
-  machine_->setWordWrap(true);
-  machine_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-  unfollowed_->setWordWrap(true);
-  unfollowed_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  QSizePolicy as_high_as_its_text(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  as_high_as_its_text.setHeightForWidth(true);
+  for (QLabel* label : {machine_, unfollowed_}) {
+    label->setWordWrap(true);
+    label->setSizePolicy(as_high_as_its_text);
+  }
   unfollowed_->hide();
   help_->setWordWrap(true);
   help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
