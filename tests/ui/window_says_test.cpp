@@ -73,8 +73,9 @@ TEST_F(WindowSaysTest, NoTabOfAPanelIsCut) {
 }
 
 TEST_F(WindowSaysTest, NoSentenceOfAPanelIsCut) {
-  open("0 BEGIN PGM A MM\n1 TOOL CALL 5 Z S9000 F480\n2 L Z-10 FMAX M91\n3 L X+0 Y+0 Z+0 F900 M3\n"
-       "4 L X+10 R0\n5 END PGM A MM\n");
+  open(
+      "0 BEGIN PGM A MM\n1 TOOL CALL 5 Z S9000 F480\n2 L Z-10 FMAX M91\n3 L X+0 Y+0 Z+0 F900 M3\n"
+      "4 L X+10 R0\n5 END PGM A MM\n");
   for (const int width : {1280, 1600, 2400}) {
     window.resize(width, 1000);
     int seen = 0;
