@@ -27,8 +27,7 @@ std::vector<std::pair<std::uint32_t, Pause>> lines_not_counted(const Toolpath& t
     }
   }
   std::ranges::sort(lines);
-  const auto repeated = std::ranges::unique(lines);
-  lines.erase(repeated.begin(), repeated.end());
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   return lines;
 }
 
