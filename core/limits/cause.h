@@ -33,7 +33,7 @@ enum class CauseKind : std::uint8_t {
   spindle_start,
 };
 inline constexpr std::size_t cause_kind_count = static_cast<std::size_t>(CauseKind::spindle_start) + 1;
-/// The axes stand: there is no feed that something limits.
+/// No axis moves, so nothing limits a feed.
 constexpr bool is_pause(CauseKind kind) {
   return kind >= CauseKind::dwell;
 }
