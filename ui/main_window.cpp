@@ -64,9 +64,10 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
   first_layout_ = saveState();
   dock_sizes_ = new DockSizes(*this, program_width, setup_width, charts_height);
 
-  auto* status = new StatusPanel(model_, this);
+  auto* status = new StatusPanel(model_, scenes_->comparison(), this);
   statusBar()->addPermanentWidget(status);
   connect(status, &StatusPanel::diagnostics_clicked, diagnostics_dock_, &QDockWidget::raise);
+  connect(this, &MainWindow::cancel_wanted, status, &StatusPanel::cancel);
 
   connect(&model_, &Workbench::program_changed, this, &MainWindow::show_program);
   connect(&model_, &Workbench::run_changed, this, &MainWindow::show_run);

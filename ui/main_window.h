@@ -69,6 +69,10 @@ class MainWindow : public QMainWindow {
   /// Every command of the menus, in their order.
   QList<ListedAction> commands() const;
 
+ signals:
+  /// Of what is under way.
+  void cancel_wanted();
+
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;

@@ -84,8 +84,9 @@ void MainWindow::make_menus() {
   runs->addActions(study_->panel_actions());
   runs->addActions(contour_->panel_actions());
   runs->addSeparator();
-  connect(add_action(runs, tr("&Cancel simulation"), Qt::Key_Escape, tr("Stop reading or simulating")),
-          &QAction::triggered, &model_, &Workbench::cancel);
+  connect(add_action(runs, tr("&Cancel simulation"), Qt::Key_Escape,
+                     tr("Stop reading, simulating or comparing runs")),
+          &QAction::triggered, this, &MainWindow::cancel_wanted);
 
   menuBar()->addMenu(tr("&Charts"))->addActions(charts_->panel_actions());
   menuBar()->addMenu(tr("&Why here?"))->addActions(why_->panel_actions());

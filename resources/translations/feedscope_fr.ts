@@ -2497,8 +2497,8 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>&amp;Arrêter la simulation</translation>
     </message>
     <message>
-        <source>Stop reading or simulating</source>
-        <translation>Arrêter la lecture ou la simulation</translation>
+        <source>Stop reading, simulating or comparing runs</source>
+        <translation>Arrêter la lecture, la simulation ou la comparaison</translation>
     </message>
     <message>
         <source>&amp;Charts</source>
@@ -4111,8 +4111,12 @@ Ensemble : %3</translation>
         <translation>Arrêter</translation>
     </message>
     <message>
-        <source>Stop the simulation (Esc)</source>
-        <translation>Arrêter la simulation (Esc)</translation>
+        <source>Stop what is under way (Esc)</source>
+        <translation>Arrêter ce qui est en cours (Esc)</translation>
+    </message>
+    <message>
+        <source>Comparing runs %1 %</source>
+        <translation>Comparaison %1 %</translation>
     </message>
     <message>
         <source>Show what the reader found in the program</source>

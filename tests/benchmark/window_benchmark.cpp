@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QLocale>
 #include <QTemporaryDir>
+#include <QWheelEvent>
 #include <filesystem>
 #include <fstream>
 
@@ -15,13 +16,14 @@ namespace {
 
 using State = ::benchmark::State;
 
-/// The window at its default size on a program of so many short lines.
+/// A window of 1920x1080 on a program of so many short lines.
 class Window {
  public:
   explicit Window(std::size_t blocks)
       : file_(std::filesystem::path(folder_.path().toStdString()) / "surface.nc") {
     std::ofstream(file_) << surface_program(blocks);
     window_.setAttribute(Qt::WA_DontShowOnScreen);
+    window_.resize(1920, 1080);
     window_.show();
     QApplication::processEvents();
   }
@@ -29,6 +31,8 @@ class Window {
   void open() { model_.open(file_); }
   bool has_program() const { return model_.program() != nullptr; }
   ui::Workbench& model() { return model_; }
+  ui::MainWindow& window() { return window_; }
+  bool idle() const { return !model_.busy() && !window_.busy(); }
 
   template <typename Condition>
   void wait_until(Condition condition) {
@@ -75,6 +79,81 @@ void edit(State& state) {
   }
 }
 
+/// A window with runs of two tolerances, both simulated and drawn.
+struct WindowWithRuns : Window {
+  explicit WindowWithRuns(const State& state) : Window(static_cast<std::size_t>(state.range(0))) {
+    open();
+    wait_until([&] { return model().shown() != nullptr && idle(); });
+    model().runs().duplicate(0);
+    model().set_tolerance(0.05);
+    wait_until([&] { return idle(); });
+  }
+};
+
+/// From the choice of another run to its pictures.
+void switch_run(State& state) {
+  WindowWithRuns shown(state);
+  std::size_t row = shown.model().runs().current();
+  for (auto _ : state) {
+    row = 1 - row;
+    shown.model().runs().select(row);
+    shown.wait_until([&] { return shown.idle(); });
+  }
+}
+
+/// From the wish to see time lost against the other run to its colours, and back to the feed.
+void time_lost(State& state) {
+  WindowWithRuns shown(state);
+  bool lost = false;
+  for (auto _ : state) {
+    lost = !lost;
+    ui::SceneState look = shown.window().scene().state();
+    look.colouring = lost ? ui::Colouring::time_lost : ui::Colouring::feed;
+    shown.window().scene().set_state(look);
+    shown.wait_until([&] { return shown.idle(); });
+  }
+}
+
+/// From one view to two, and back.
+void side_by_side(State& state) {
+  WindowWithRuns shown(state);
+  bool both = false;
+  for (auto _ : state) {
+    both = !both;
+    shown.window().scenes().set_mode(both ? ui::ScenesMode::side_by_side : ui::ScenesMode::one);
+    shown.wait_until([&] { return shown.idle(); });
+  }
+}
+
+/// One click of the wheel over the middle of `widget`, nearer and farther in turn, drawn at once.
+void turn_wheel(State& state, WindowWithRuns& shown, QWidget& widget, QWidget& drawn) {
+  int way = 1;
+  int left = 20;
+  for (auto _ : state) {
+    const QPointF place = widget.rect().center();
+    QWheelEvent event(place, widget.mapToGlobal(place), {}, {0, 120 * way}, Qt::NoButton, Qt::NoModifier,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&widget, &event);
+    QApplication::processEvents();
+    shown.window().charts().refresh();
+    drawn.grab();
+    if (--left == 0) {
+      left = 20;
+      way = -way;
+    }
+  }
+}
+
+void wheel_over_chart(State& state) {
+  WindowWithRuns shown(state);
+  turn_wheel(state, shown, shown.window().charts().chart(0), shown.window().charts());
+}
+
+void wheel_over_scene(State& state) {
+  WindowWithRuns shown(state);
+  turn_wheel(state, shown, shown.window().scene().canvas(), shown.window().scene());
+}
+
 BENCHMARK_CAPTURE(open_program, to_first_picture, false)
     ->ArgName("blocks")
     ->Arg(1000)
@@ -91,6 +170,16 @@ BENCHMARK_CAPTURE(open_program, to_simulated, true)
     ->Unit(::benchmark::kMillisecond);
 BENCHMARK(edit)->ArgName("blocks")->Arg(1000)->Arg(10000)->MeasureProcessCPUTime()->UseRealTime()->Unit(
     ::benchmark::kMillisecond);
+
+void on_two_programs(::benchmark::internal::Benchmark* benchmark) {
+  benchmark->ArgName("blocks")->Arg(1000)->Arg(67000)->MeasureProcessCPUTime()->UseRealTime()->Unit(
+      ::benchmark::kMillisecond);
+}
+BENCHMARK(switch_run)->Apply(on_two_programs);
+BENCHMARK(time_lost)->Apply(on_two_programs);
+BENCHMARK(side_by_side)->Apply(on_two_programs);
+BENCHMARK(wheel_over_chart)->Apply(on_two_programs);
+BENCHMARK(wheel_over_scene)->Apply(on_two_programs);
 
 }  // namespace
 }  // namespace feedscope::benchmark

@@ -83,8 +83,9 @@ Draw compared_by(ui::Colouring colouring, ui::Background background) {
     Setup loose = run.setup;
     loose.settings.set("contour_tolerance_mm", 0.5);
     const Run other = simulate_run(run.input, loose);
-    scene.set_executed(run.trajectory, std::make_shared<const ui::SampledPath>(
-                                           ui::sample_compared(*run.trajectory, *other.trajectory)));
+    scene.set_executed(run.trajectory, std::make_shared<const ui::SampledPath>(ui::sample_compared(
+                                           *run.trajectory, *other.trajectory,
+                                           ui::sample_executed(*other.trajectory).times)));
     scene.set_comparison("essid, 0.5 mm", nullptr);
     scene.set_colouring(colouring);
     scene.set_background(background);

@@ -27,6 +27,8 @@ RunComparison::RunComparison(const RunList& runs, QObject* parent) : QObject(par
     connect(&runs_, signal, this, &RunComparison::forget_gone_results);
   }
   connect(&runs_, &RunList::result_changed, this, &RunComparison::forget_gone_results);
+  poll_.setInterval(std::chrono::milliseconds(50));
+  connect(&poll_, &QTimer::timeout, this, &RunComparison::watch);
 }
 
 RunComparison::~RunComparison() {
@@ -95,11 +97,13 @@ void RunComparison::start(Pair& pair) {
     pair.done = true;
     emit ready();
   });
+  poll_.start();
   pair.watcher->setFuture(
       QtConcurrent::run([run = pair.run->run.trajectory, reference = pair.reference->run.trajectory,
-                         progress = pair.progress]() -> Samples {
+                         drawn = pair.reference->samples, progress = pair.progress]() -> Samples {
         try {
-          return std::make_shared<const SampledPath>(sample_compared(*run, *reference, progress.get()));
+          return std::make_shared<const SampledPath>(
+              sample_compared(*run, *reference, drawn->times, progress.get()));
         } catch (const Cancelled&) {
           return nullptr;
         } catch (const std::bad_alloc&) {
@@ -112,6 +116,37 @@ void RunComparison::start(Pair& pair) {
 
 bool RunComparison::busy() const {
   return std::ranges::any_of(pairs_, [](const auto& pair) { return !pair->done; });
+}
+
+double RunComparison::progress() const {
+  double sum = 0;
+  std::size_t count = 0;
+  for (const auto& pair : pairs_) {
+    sum += pair->done ? 0 : pair->progress->fraction();
+    count += pair->done ? 0 : 1;
+  }
+  return count == 0 ? 1 : sum / static_cast<double>(count);
+}
+
+void RunComparison::cancel() {
+  if (!busy()) {
+    return;
+  }
+  std::erase_if(pairs_, [&](const auto& pair) {
+    if (!pair->done) {
+      stop(*pair);
+    }
+    return !pair->done;
+  });
+  watch();
+  emit cancelled();
+}
+
+void RunComparison::watch() {
+  if (!busy()) {
+    poll_.stop();
+  }
+  emit progressed();
 }
 
 void RunComparison::forget_gone_results() {

@@ -2,6 +2,7 @@
 
 #include <QFutureWatcher>
 #include <QObject>
+#include <QTimer>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -39,8 +40,16 @@ class RunComparison : public QObject {
   /// The path of `row` compared; null until it is there, which ready() says, or if it cannot be made.
   std::shared_ptr<const SampledPath> samples(std::size_t row);
   bool busy() const;
+  /// Of what is being made, in [0, 1].
+  double progress() const;
+  /// Gives up what is being made; asking for it starts it again.
+  void cancel();
 
  signals:
+  /// While busy, some times a second; and once when it is not any more.
+  void progressed();
+  /// What was being made was given up.
+  void cancelled();
   /// Another run is compared with.
   void reference_changed();
   /// A path that was asked for is there.
@@ -58,11 +67,13 @@ class RunComparison : public QObject {
   void start(Pair& pair);
   void forget_gone_results();
   void stop(Pair& pair);
+  void watch();
 
   const RunList& runs_;
   int chosen_ = 0;
   int beside_ = 0;
   std::vector<std::unique_ptr<Pair>> pairs_;
+  QTimer poll_;
 };
 
 }  // namespace feedscope::ui

@@ -103,10 +103,11 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
                             std::span<const double> also_at = {}, Progress* progress = nullptr);
 
 /// The executed path of a run with what it does unlike a reference run of the same program. It has points
-/// where the reference changes its feed, too, unless both have so many that they are close enough. Linear;
-/// safe to call off the GUI thread. Throws what compare_places() throws.
+/// where the reference changes its feed, too, unless both have so many that they are close enough.
+/// `reference_times`: those of sample_executed(reference) [s]. Linear; safe to call off the GUI thread.
+/// Throws what compare_places() throws.
 SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference,
-                            Progress* progress = nullptr);
+                            std::span<const double> reference_times, Progress* progress = nullptr);
 
 /// Levels of detail of `path`: all points; then, if it has many, what is left in views in which some spacing
 /// is less than a pixel, each level at most half of the one before; the last one small enough to be drawn

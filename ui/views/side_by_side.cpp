@@ -66,6 +66,11 @@ SideBySide::SideBySide(Workbench& model, SceneView& first, RenderBackend backend
     }
   });
   connect(&first_run_, &SceneRun::changed, this, &SideBySide::colour_alike);
+  connect(&comparison_, &RunComparison::cancelled, this, [this] {
+    SceneState look = first_.state();  // which a second view follows
+    look.colouring = Colouring::feed;
+    first_.set_state(look);
+  });
   for (const auto signal : {&RunList::list_changed, &RunList::current_changed}) {
     connect(&model_.runs(), signal, this, &SideBySide::list_runs);
   }

@@ -21,9 +21,10 @@ constexpr int progress_width = 140;
 
 }  // namespace
 
-StatusPanel::StatusPanel(Workbench& model, QWidget* parent)
+StatusPanel::StatusPanel(Workbench& model, RunComparison& comparison, QWidget* parent)
     : QWidget(parent),
       model_(model),
+      comparison_(comparison),
       activity_(new QLabel(this)),
       progress_(new QProgressBar(this)),
       cancel_(new QToolButton(this)),
@@ -35,7 +36,7 @@ StatusPanel::StatusPanel(Workbench& model, QWidget* parent)
   progress_->setFixedHeight(fontMetrics().height());  // the bar below the window keeps its height
   cancel_->setFixedHeight(progress_->height());
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop the simulation (Esc)"));
+  cancel_->setToolTip(tr("Stop what is under way (Esc)"));
   diagnostics_->setAutoRaise(true);
   diagnostics_->setFixedHeight(progress_->height());
   diagnostics_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -49,21 +50,46 @@ StatusPanel::StatusPanel(Workbench& model, QWidget* parent)
   layout->addWidget(diagnostics_);
   layout->addWidget(cursor_);
 
-  connect(cancel_, &QToolButton::clicked, &model_, &Workbench::cancel);
+  connect(cancel_, &QToolButton::clicked, this, &StatusPanel::cancel);
   connect(diagnostics_, &QToolButton::clicked, this, &StatusPanel::diagnostics_clicked);
   connect(&model_, &Workbench::busy_changed, this, &StatusPanel::show_busy);
-  connect(&model_, &Workbench::progressed, this, [this](const QString& activity, double fraction) {
-    activity_->setText(activity);
-    progress_->setValue(static_cast<int>(fraction * progress_steps));
-  });
+  connect(&model_, &Workbench::progressed, this, &StatusPanel::show_activity);
+  connect(&comparison_, &RunComparison::progressed, this, &StatusPanel::show_comparison);
   connect(&model_, &Workbench::program_changed, this, &StatusPanel::count_diagnostics);
   connect(&model_.cursor(), &Cursor::changed, this, &StatusPanel::show_cursor);
-  show_busy(model_.busy());
+  show_busy();
   count_diagnostics();
   show_cursor();
 }
 
-void StatusPanel::show_busy(bool busy) {
+void StatusPanel::cancel() {
+  if (model_.busy()) {
+    model_.cancel();
+  } else {
+    comparison_.cancel();
+  }
+}
+
+void StatusPanel::show_activity(const QString& activity, double fraction) {
+  activity_->setText(activity);
+  progress_->setValue(static_cast<int>(fraction * progress_steps));
+}
+
+void StatusPanel::show_comparison() {
+  if (model_.busy()) {
+    return;  // that comes first
+  }
+  if (!comparison_.busy() || !progress_->isVisibleTo(this)) {
+    show_busy();
+  }
+  if (comparison_.busy()) {
+    const double fraction = comparison_.progress();
+    show_activity(tr("Comparing runs %1 %").arg(QLocale().toString(100 * fraction, 'f', 0)), fraction);
+  }
+}
+
+void StatusPanel::show_busy() {
+  const bool busy = model_.busy() || comparison_.busy();
   progress_->setValue(0);
   activity_->clear();
   activity_->setVisible(busy);

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 
+#include "ui/models/run_comparison.h"
 #include "ui/models/workbench.h"
 
 class QLabel;
@@ -15,19 +16,25 @@ class StatusPanel : public QWidget {
   Q_OBJECT
 
  public:
-  /// `model` outlives this.
-  explicit StatusPanel(Workbench& model, QWidget* parent = nullptr);
+  /// Both outlive this.
+  StatusPanel(Workbench& model, RunComparison& comparison, QWidget* parent = nullptr);
+
+  /// Stops reading or simulating; if nothing of that is under way, the comparison of runs.
+  void cancel();
 
  signals:
   void diagnostics_clicked();
 
  private:
-  void show_busy(bool busy);
+  void show_busy();
+  void show_activity(const QString& activity, double fraction);
+  void show_comparison();
   void show_cursor();
   void count_diagnostics();
   static QString cause_text(const State& state);
 
   Workbench& model_;
+  RunComparison& comparison_;
   QLabel* activity_;
   QProgressBar* progress_;
   QToolButton* cancel_;

@@ -58,6 +58,27 @@ TEST_F(RunComparisonTest, MakesThePathOnceAndSaysWhenItIsThere) {
   EXPECT_EQ(comparison.samples(1), samples);
 }
 
+TEST_F(RunComparisonTest, IsGivenUpAndStartsAgainWhenAskedFor) {
+  int ready = 0;
+  int cancelled = 0;
+  QObject::connect(&comparison, &RunComparison::ready, [&] { ++ready; });
+  QObject::connect(&comparison, &RunComparison::cancelled, [&] { ++cancelled; });
+  comparison.cancel();
+  EXPECT_EQ(cancelled, 0) << "nothing was under way";
+  comparison.samples(1);
+  EXPECT_LT(comparison.progress(), 1);
+  comparison.cancel();
+  EXPECT_EQ(cancelled, 1);
+  EXPECT_FALSE(comparison.busy());
+  QCoreApplication::processEvents();
+  EXPECT_EQ(ready, 0);
+  EXPECT_EQ(comparison.samples(1), nullptr);
+  wait();
+  EXPECT_EQ(ready, 1);
+  EXPECT_NE(comparison.samples(1), nullptr);
+  EXPECT_EQ(comparison.progress(), 1);
+}
+
 TEST_F(RunComparisonTest, FollowsTheChoiceAndForgetsRunsThatAreGone) {
   comparison.choose(runs.items()[1].id);
   EXPECT_EQ(comparison.reference_of(0), 1U);

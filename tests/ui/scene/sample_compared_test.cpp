@@ -22,13 +22,17 @@ std::shared_ptr<const Trajectory> run_with(const LoadedProgram& program, const s
       .trajectory;
 }
 
+SampledPath compared(const Trajectory& run, const Trajectory& reference) {
+  return sample_compared(run, reference, sample_executed(reference).times);
+}
+
 constexpr const char* corners = "G1 F6000 X50\nY50\nX100 Y0\nG4 P0.5\nG1 X150\nG0 X0\n";
 
 TEST(SampleCompared, HoldsTheDifferencesAtItsPoints) {
   const LoadedProgram program = read(corners);
   const auto fine = run_with(program, "essid", 0.005);
   const auto coarse = run_with(program, "essid", 0.1);
-  const SampledPath path = sample_compared(*fine, *coarse);
+  const SampledPath path = compared(*fine, *coarse);
   ASSERT_TRUE(path.compared());
   ASSERT_EQ(path.lost.size(), path.size());
   const RunDifference difference = compare_places(*fine, *coarse, path.times);
@@ -47,7 +51,7 @@ TEST(SampleCompared, HasPointsWhereTheOtherRunChangesItsFeed) {
   const auto level = run_with(program, "cam", 0.01);
   const auto real = run_with(program, "essid", 0.01);
   const std::size_t alone = sample_executed(*level).size();
-  const SampledPath path = sample_compared(*level, *real);
+  const SampledPath path = compared(*level, *real);
   EXPECT_GT(path.size(), alone + 50);
   EXPECT_TRUE(std::ranges::is_sorted(path.times));
   EXPECT_EQ(path.deviations.size(), path.size());
@@ -57,7 +61,7 @@ TEST(SampleCompared, HasPointsWhereTheOtherRunChangesItsFeed) {
 TEST(SampleCompared, OfRunsOfOtherProgramsIsRefused) {
   const auto run = run_with(read(corners), "cam", 0.01);
   const auto other = run_with(read("G1 X10 F100\n"), "cam", 0.01);
-  EXPECT_THROW(sample_compared(*run, *other), std::invalid_argument);
+  EXPECT_THROW(compared(*run, *other), std::invalid_argument);
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QLabel>
 #include <QMenu>
 #include <QMouseEvent>
 #include <QTest>
@@ -14,6 +15,7 @@
 #include "tests/ui/run_fixture.h"
 #include "ui/main_window.h"
 #include "ui/views/split_overlay.h"
+#include "ui/views/status_panel.h"
 
 namespace feedscope::ui {
 namespace {
@@ -286,6 +288,30 @@ TEST_F(SideBySideTest, TheFirstViewStaysAsItIsWhenASecondOneComes) {
     EXPECT_EQ(window.scene().state(), before);
     EXPECT_EQ(views.second()->state().colouring, Colouring::time_lost);
   }
+}
+
+TEST_F(SideBySideTest, EscGivesUpTheComparisonAndTheColoursShowTheFeedAgain) {
+  const auto status = [&] {
+    const auto* panel = window.findChild<StatusPanel*>();
+    const auto* activity = panel->findChild<QLabel*>();
+    return activity->isVisible() ? activity->text() : QString();
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !model.busy() && !window.busy(); }));
+  SceneState look = window.scene().state();
+  look.colouring = Colouring::time_lost;
+  window.scene().set_state(look);
+  ASSERT_TRUE(views.comparison().busy());
+  emit views.comparison().progressed();  // as its timer does some times a second
+  EXPECT_TRUE(status().startsWith("Comparing runs")) << status().toStdString();
+  QTest::keyClick(&window, Qt::Key_Escape);
+  EXPECT_FALSE(views.comparison().busy());
+  EXPECT_EQ(window.scene().scene().colouring(), Colouring::feed);
+  EXPECT_EQ(views.second()->scene().colouring(), Colouring::feed);
+  EXPECT_EQ(status(), "");
+  window.scene().set_state(look);
+  wait_for_comparison();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return status().isEmpty(); }));
+  EXPECT_EQ(window.scene().scene().colouring(), Colouring::time_lost);
 }
 
 TEST_F(SideBySideTest, OffLeavesOneView) {

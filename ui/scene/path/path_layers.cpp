@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ranges>
+#include <utility>
 
 #include "ui/scene/current_context.h"
 #include "ui/scene/path/path_actors.h"
@@ -56,23 +57,18 @@ Rgb mixed(const Rgb& a, const Rgb& b, double share_of_b) {
 
 }  // namespace
 
-void PathLayers::clear() {
+template <class Wanted>
+void PathLayers::remove(Wanted wanted) {
   const CurrentContext context(renderer_);
-  for (const Layer& layer : layers_) {
+  std::erase_if(layers_, [&](const Layer& layer) {
+    const bool is_wanted = wanted(layer);
     for (const auto& actor : layer.actors) {
-      if (actor) {
+      if (is_wanted && actor) {
         renderer_of(layer).RemoveActor(actor);
       }
     }
-  }
-  layers_.clear();
-  overlays_.clear();
-  executed_.reset();
-  programmed_.reset();
-  entries_ = {};
-  key_ = {};
-  rapid_length_ = cut_length_ = blend_length_ = 0;
-  blend_count_ = 0;
+    return is_wanted;
+  });
 }
 
 void PathLayers::add(Role role, const DrawnPath* path, bool discs, const Rgb& colour) {
@@ -83,28 +79,90 @@ void PathLayers::add(Role role, const DrawnPath* path, bool discs, const Rgb& co
 void PathLayers::show(std::shared_ptr<const SampledPath> programmed,
                       std::shared_ptr<const SampledPath> executed, std::vector<OverlayRun> overlays,
                       const SceneFrame& frame) {
-  clear();
-  if (programmed || executed) {
-    add_rapids(programmed ? *programmed : *executed, frame);
+  const auto drawable = [](const std::shared_ptr<const SampledPath>& path) {
+    return path && !path->levels.empty() ? path : nullptr;
+  };
+  const auto shown = [](const std::unique_ptr<DrawnPath>& path) {
+    return path ? path->shared_samples() : nullptr;
+  };
+  show_rapids(programmed ? programmed : executed, frame);
+  if (shown(programmed_) != drawable(programmed)) {
+    show_programmed(drawable(programmed));
   }
-  if (programmed && !programmed->levels.empty()) {
-    entries_.programmed = length_of(*programmed, SpanKind::cut) > 0;
+  show_overlays(std::move(overlays));
+  if (shown(executed_) != drawable(executed)) {
+    show_executed(drawable(executed));
+  }
+  colour_layers();
+}
+
+void PathLayers::show_rapids(const std::shared_ptr<const SampledPath>& path, const SceneFrame& frame) {
+  if (path == rapids_of_ && frame.unit == dashes_for_) {
+    return;
+  }
+  rapids_of_ = path;
+  dashes_for_ = frame.unit;
+  remove([](const Layer& layer) { return layer.role == Role::rapid; });
+  rapid_length_ = 0;
+  entries_.rapid = false;
+  if (path) {
+    // The frame is around what is cut: rapids may reach far beyond it.
+    const double extent = path->bounds.empty() ? 0 : (path->bounds.max - path->bounds.min).maxCoeff();
+    const auto dashes = rapid_dashes(*path, std::max(frame.unit, extent) / dashes_across);
+    rapid_length_ = length_of(*path, SpanKind::rapid);
+    entries_.rapid = dashes->GetNumberOfCells() > 0;
+    auto actor = line_actor(*dashes, false);
+    renderer_.AddActor(actor);
+    rapids_at_ = path->origin;
+    layers_.push_back({Role::rapid, nullptr, false, {}, {std::move(actor)}});
+  }
+}
+
+void PathLayers::show_programmed(std::shared_ptr<const SampledPath> programmed) {
+  remove([](const Layer& layer) { return layer.role == Role::programmed; });
+  programmed_.reset();
+  entries_.programmed = programmed && length_of(*programmed, SpanKind::cut) > 0;
+  if (programmed) {
     programmed_ = std::make_unique<DrawnPath>(std::move(programmed));
     add(Role::programmed, programmed_.get());
   }
+}
+
+void PathLayers::show_overlays(std::vector<OverlayRun> overlays) {
+  std::vector<std::unique_ptr<DrawnPath>> before = std::exchange(overlays_, {});
+  entries_.overlays.clear();
   for (OverlayRun& overlay : overlays) {
-    if (overlay.samples && !overlay.samples->levels.empty()) {
+    if (!overlay.samples || overlay.samples->levels.empty()) {
+      continue;
+    }
+    entries_.overlays.push_back({overlay.name, overlay.colour});
+    const auto found = std::ranges::find_if(
+        before, [&](const auto& path) { return path && path->shared_samples() == overlay.samples; });
+    if (found != before.end()) {
+      std::ranges::find(layers_, found->get(), &Layer::path)->colour = overlay.colour;
+      overlays_.push_back(std::move(*found));
+    } else {
       overlays_.push_back(std::make_unique<DrawnPath>(std::move(overlay.samples)));
+      overlays_.back()->exaggerate(look_.exaggeration);
       add(Role::overlay, overlays_.back().get(), false, overlay.colour);
-      entries_.overlays.push_back({overlay.name, overlay.colour});
     }
   }
-  if (executed && !executed->levels.empty()) {
-    cut_length_ = length_of(*executed, SpanKind::cut);
-    blend_length_ = length_of(*executed, SpanKind::blend);
-    blend_count_ = count_of_blends(*executed);
-    entries_.executed = cut_length_ + blend_length_ > 0;
+  remove([&](const Layer& layer) {
+    return layer.role == Role::overlay &&
+           std::ranges::any_of(before, [&](const auto& path) { return path.get() == layer.path; });
+  });
+}
+
+void PathLayers::show_executed(std::shared_ptr<const SampledPath> executed) {
+  remove([this](const Layer& layer) { return executed_ && layer.path == executed_.get(); });
+  executed_.reset();
+  cut_length_ = executed ? length_of(*executed, SpanKind::cut) : 0;
+  blend_length_ = executed ? length_of(*executed, SpanKind::blend) : 0;
+  blend_count_ = executed ? count_of_blends(*executed) : 0;
+  entries_.executed = cut_length_ + blend_length_ > 0;
+  if (executed) {
     executed_ = std::make_unique<DrawnPath>(std::move(executed));
+    executed_->exaggerate(look_.exaggeration);
     add(Role::range, executed_.get());
     add(Role::cut, executed_.get());
     if (blend_length_ > 0) {
@@ -114,42 +172,29 @@ void PathLayers::show(std::shared_ptr<const SampledPath> programmed,
       }
     }
   }
-  for (const auto& path : overlays_) {
-    path->exaggerate(look_.exaggeration);
-  }
-  if (executed_) {
-    executed_->exaggerate(look_.exaggeration);
-  }
-  recolour();
-}
-
-void PathLayers::add_rapids(const SampledPath& path, const SceneFrame& frame) {
-  // The frame is around what is cut: rapids may reach far beyond it.
-  const double extent = path.bounds.empty() ? 0 : (path.bounds.max - path.bounds.min).maxCoeff();
-  const auto dashes = rapid_dashes(path, std::max(frame.unit, extent) / dashes_across);
-  rapid_length_ = length_of(path, SpanKind::rapid);
-  entries_.rapid = dashes->GetNumberOfCells() > 0;
-  auto actor = line_actor(*dashes, false);
-  renderer_.AddActor(actor);
-  rapids_at_ = path.origin;
-  layers_.push_back({Role::rapid, nullptr, false, {}, {std::move(actor)}});
+  colour_executed();
 }
 
 void PathLayers::set_look(const PathLook& look) {
-  const bool moved = look.exaggeration != look_.exaggeration;
-  look_ = look;
-  if (moved && executed_) {
-    executed_->exaggerate(look.exaggeration);
-  }
-  for (const auto& path : overlays_) {
-    if (moved) {
+  const PathLook before = std::exchange(look_, look);
+  if (look.exaggeration != before.exaggeration) {
+    if (executed_) {
+      executed_->exaggerate(look.exaggeration);
+    }
+    for (const auto& path : overlays_) {
       path->exaggerate(look.exaggeration);
     }
   }
-  recolour();
+  const bool other_colours = look.colouring != before.colouring || look.colours != before.colours ||
+                             look.reference != before.reference || look.alike != before.alike ||
+                             (look.colouring == Colouring::run && look.run != before.run);
+  if (other_colours) {
+    colour_executed();
+  }
+  colour_layers();
 }
 
-void PathLayers::recolour() {
+void PathLayers::colour_executed() {
   key_ = {look_.colouring, {}, {}, {}};
   if (executed_) {
     const SampledPath& path = executed_->samples();
@@ -157,9 +202,12 @@ void PathLayers::recolour() {
     key_.reference = needs_reference(look_.colouring) ? look_.reference : std::string();
     // While the other run is still compared with, the colours must not say "won".
     const bool missing = needs_reference(look_.colouring) && !key_.has_scale();
-    executed_->set_colours(point_colours(executed_->samples(), key_, look_.colours->kind,
-                                         missing ? look_.colours->programmed : look_.run));
+    executed_->set_colours(
+        point_colours(path, key_, look_.colours->kind, missing ? look_.colours->programmed : look_.run));
   }
+}
+
+void PathLayers::colour_layers() {
   for (const Layer& layer : layers_) {
     const Rgb colour = colour_of(layer);
     for (const auto& actor : layer.actors) {

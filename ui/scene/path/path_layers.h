@@ -48,7 +48,7 @@ class PathLayers {
   /// no path, however near it comes to the eye.
   PathLayers(vtkRenderer& renderer, vtkRenderer& below) : renderer_(renderer), below_(below) {}
 
-  /// Replaces what is shown; each path may be null.
+  /// Replaces what is shown; each path may be null. A path that is shown already stays as it is drawn.
   void show(std::shared_ptr<const SampledPath> programmed, std::shared_ptr<const SampledPath> executed,
             std::vector<OverlayRun> overlays, const SceneFrame& frame);
   void set_look(const PathLook& look);
@@ -82,14 +82,19 @@ class PathLayers {
     double height = 0;
   };
 
-  void clear();
+  template <class Wanted>
+  void remove(Wanted wanted);
   void add(Role role, const DrawnPath* path, bool discs = false, const Rgb& colour = {});
-  void add_rapids(const SampledPath& path, const SceneFrame& frame);
+  void show_rapids(const std::shared_ptr<const SampledPath>& path, const SceneFrame& frame);
+  void show_programmed(std::shared_ptr<const SampledPath> programmed);
+  void show_overlays(std::vector<OverlayRun> overlays);
+  void show_executed(std::shared_ptr<const SampledPath> executed);
   void update_parts(const SceneFrame& frame, const Projection& view, bool moving);
   vtkSmartPointer<vtkActor> make_actor(const Layer& layer, const PathPart& part) const;
   vtkSmartPointer<vtkCellArray> cells_of(const Layer& layer, const PathPart& part) const;
   vtkSmartPointer<vtkCellArray> highlighted(const PathPart& part) const;
-  void recolour();
+  void colour_executed();
+  void colour_layers();
   Rgb colour_of(const Layer& layer) const;
   double covered_by_edges(double millimetre, double scale) const;
   Style style_of(Role role, double thinner) const;
@@ -112,6 +117,8 @@ class PathLayers {
   std::optional<std::array<double, 2>> range_;
   LegendEntries entries_;
   ColourKey key_;
+  std::shared_ptr<const SampledPath> rapids_of_;
+  double dashes_for_ = 0;          ///< unit of the frame that the dashes of rapids were made for [mm]
   Vec3 rapids_at_ = Vec3::Zero();  ///< origin of their dashes [mm]
   double rapid_length_ = 0;        ///< [mm]
   double cut_length_ = 0;          ///< [mm]

@@ -8,17 +8,19 @@ namespace {
 
 constexpr std::size_t close_enough = 300'000;  // points of one path
 
-/// Where the reference changes its feed, as times of the run.
-std::vector<double> places_of(const Trajectory& reference, const Trajectory& run) {
-  const std::vector<double> times = sample_executed(reference).times;
-  return times.size() > close_enough ? std::vector<double>() : times_at_places(reference, run, times);
-}
-
 }  // namespace
 
-SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference, Progress* progress) {
-  SampledPath path = sample_executed(trajectory, default_max_points, places_of(reference, trajectory));
-  const RunDifference difference = compare_places(trajectory, reference, path.times, progress);
+SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference,
+                            std::span<const double> reference_times, Progress* progress) {
+  Progress unwatched;
+  Progress& whole = progress != nullptr ? *progress : unwatched;
+  Progress sampling(whole, 0.5);
+  Progress comparing(whole, 0.5);
+  const std::vector<double> places = reference_times.size() > close_enough
+                                         ? std::vector<double>()
+                                         : times_at_places(reference, trajectory, reference_times);
+  SampledPath path = sample_executed(trajectory, default_max_points, places, &sampling);
+  const RunDifference difference = compare_places(trajectory, reference, path.times, &comparing);
   const auto store = [](std::vector<Stored>& to, const std::vector<float>& from) {
     to.reserve(from.size());
     std::ranges::transform(from, std::back_inserter(to), [](float value) { return Stored(value); });
