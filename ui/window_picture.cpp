@@ -123,6 +123,7 @@ Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
   }
   settle(window);
   window.charts().refresh();
+  window.scenes().rest();
   return grab(window, size);
 }
 

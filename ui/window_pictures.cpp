@@ -55,6 +55,7 @@ QImage WindowPictures::picture(Part part) const {
   QWidget& shown = part == Part::scene    ? window_.scene().canvas()
                    : part == Part::charts ? static_cast<QWidget&>(window_.charts())
                                           : static_cast<QWidget&>(window_);
+  window_.scenes().rest();
   return shown.grab().toImage();
 }
 

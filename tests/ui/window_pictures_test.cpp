@@ -54,6 +54,14 @@ TEST_F(WindowPicturesTest, EveryPartIsSavedInEveryFormat) {
   EXPECT_EQ(QImage::fromData(saved(Part::scene, "a.png")).size(), window_.scene().canvas().size());
 }
 
+TEST_F(WindowPicturesTest, EveryDetailIsInAPictureOfAViewThatMoves) {
+  pictures_.copy_actions().front()->trigger();
+  const QImage rested = QApplication::clipboard()->image();
+  window_.scene().scene().set_moving(true);
+  pictures_.copy_actions().front()->trigger();
+  EXPECT_EQ(QApplication::clipboard()->image(), rested);
+}
+
 TEST_F(WindowPicturesTest, TheProposedNameIsThatOfTheProgramAndFree) {
   const QString program = folder_.filePath("part.v2.nc");
   QFile file(program);

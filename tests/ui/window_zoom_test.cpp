@@ -53,10 +53,7 @@ class WindowZoomTest : public testing::Test {
         QCoreApplication::processEvents();
       }
       if (i % clicks_to_rest == clicks_to_rest - 1) {  // a view that rests shows every detail
-        window.scene().scene().set_moving(false);
-        if (SceneView* second = window.scenes().second()) {
-          second->scene().set_moving(false);
-        }
+        window.scenes().rest();
       }
       window.scene().grab();
       if (SceneView* second = window.scenes().second()) {

@@ -5,6 +5,8 @@
 #include <vtkVersionMacros.h>
 #include <vtk_glew.h>
 
+#include <string_view>
+
 namespace feedscope::ui {
 
 vtkStandardNewMacro(GlRenderWindow);
@@ -38,6 +40,9 @@ void GlRenderWindow::Start() {
   // The context comes with OpenGL's and Qt's GL_LESS; VTK draws flat shapes on top of each other at one
   // depth.
   this->GetState()->vtkglDepthFunc(GL_LEQUAL);
+  const auto* name = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  const std::string_view renderer = name != nullptr ? name : "";
+  software_ = renderer.starts_with("llvmpipe") || renderer.starts_with("softpipe");
 }
 
 }  // namespace feedscope::ui

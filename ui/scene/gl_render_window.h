@@ -12,9 +12,14 @@ class GlRenderWindow : public vtkGenericOpenGLRenderWindow {
 
   void OpenGLInitContext() override;
   void Start() override;
+  /// Whether the context is one of Mesa's without a GPU; false before the first frame.
+  bool draws_in_software() const { return software_; }
 
  protected:
   GlRenderWindow() = default;
+
+ private:
+  bool software_ = false;
 };
 
 }  // namespace feedscope::ui

@@ -17,15 +17,16 @@
 #include "ui/scene/path/pick.h"
 #include "ui/scene/path/shown_extent.h"
 #include "ui/scene/render_callback.h"
+#include "ui/scene/render_window.h"
 
 namespace feedscope::ui {
-
 namespace {
 
 constexpr double largest_exaggeration = 1000;
 constexpr double cube_half = 24;    // [pixels]
 constexpr double cube_height = 98;  // of its centre, above the lower edge
 constexpr int layer_count = 3;
+
 }  // namespace
 
 /// Three layers of one window: behind, the frame's grid and labels and what underlays the path; then the
@@ -58,7 +59,6 @@ class PathScene::Impl {
 
   std::array<vtkRenderer*, layer_count> renderers() { return {behind, middle, front}; }
   const SceneColours& colours() const { return *look.colours; }
-  const std::shared_ptr<const SampledPath>& executed() const { return executed_samples; }
   int width() const { return window != nullptr ? std::max(1, window->GetSize()[0]) : 1; }
   int height() const { return window != nullptr ? std::max(1, window->GetSize()[1]) : 1; }
   Vec2 display(const Pixel& pixel) const { return {pixel[0], height() - pixel[1]}; }
@@ -403,8 +403,8 @@ void PathScene::zoom_to_box(const Pixel& corner, const Pixel& opposite) {
 }
 
 void PathScene::set_moving(bool moving) {
-  if (moving != impl_->moving) {
-    impl_->moving = moving;
+  if (std::exchange(impl_->moving, moving) != moving) {
+    set_rough_edges(impl_->window, moving);
     impl_->changed();
   }
 }

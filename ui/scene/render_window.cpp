@@ -7,6 +7,13 @@
 #include "ui/scene/osmesa_render_window.h"
 
 namespace feedscope::ui {
+namespace {
+
+// Of a pixel. In software each costs as much again, and four are the most that Mesa has.
+constexpr int samples_in_software = 4;
+constexpr int samples_of_gpu = 8;
+
+}  // namespace
 
 vtkSmartPointer<vtkGenericOpenGLRenderWindow> make_render_window(RenderBackend backend) {
   static std::optional<RenderBackend> used;
@@ -22,8 +29,15 @@ vtkSmartPointer<vtkGenericOpenGLRenderWindow> make_render_window(RenderBackend b
   }
   used = backend;
   window->SetForceMaximumHardwareLineWidth(1);  // a core profile has no wide lines: VTK's shader draws them
-  window->SetMultiSamples(backend == RenderBackend::software ? 4 : 8);
+  window->SetMultiSamples(backend == RenderBackend::software ? samples_in_software : samples_of_gpu);
   return window;
+}
+
+void set_rough_edges(vtkRenderWindow* window, bool rough) {
+  const auto* gpu = dynamic_cast<const GlRenderWindow*>(window);
+  if (window != nullptr && (gpu == nullptr || gpu->draws_in_software())) {
+    window->SetMultiSamples(rough ? 0 : samples_in_software);
+  }
 }
 
 }  // namespace feedscope::ui

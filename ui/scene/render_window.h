@@ -5,6 +5,7 @@
 #include <cstdint>
 
 class vtkGenericOpenGLRenderWindow;
+class vtkRenderWindow;
 
 namespace feedscope::ui {
 
@@ -18,5 +19,9 @@ enum class RenderBackend : std::uint8_t {
 /// that its widget makes current. Throws std::logic_error when the process has already made a window of the
 /// other kind, std::runtime_error when OSMesa offers no OpenGL 3.2 context.
 vtkSmartPointer<vtkGenericOpenGLRenderWindow> make_render_window(RenderBackend backend);
+
+/// Whether `window` (of make_render_window; or none) may be drawn with jagged edges, several times as fast
+/// where no GPU draws; a GPU smooths them always. Holds from the next frame on.
+void set_rough_edges(vtkRenderWindow* window, bool rough);
 
 }  // namespace feedscope::ui

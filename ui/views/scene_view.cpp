@@ -51,7 +51,7 @@ SceneView::SceneView(RenderBackend backend, QWidget* parent) : QWidget(parent) {
   connect(&hover_timer_, &QTimer::timeout, this, &SceneView::hover);
   rest_timer_.setSingleShot(true);
   rest_timer_.setInterval(before_rest);
-  connect(&rest_timer_, &QTimer::timeout, this, [this] { scene_.set_moving(false); });
+  connect(&rest_timer_, &QTimer::timeout, this, &SceneView::rest);
   follow_palette();
 }
 
@@ -327,11 +327,20 @@ void SceneView::choose_visible_times() {
 void SceneView::show_times(double from, double to) {
   const auto duration = scene_.duration();
   const bool all = from <= 1e-9 * duration && to >= (1 - 1e-9) * duration;
+  if (!all && drag_ == Drag::none) {  // charts that are zoomed or dragged do not wait for every detail here
+    scene_.set_moving(true);
+    rest_timer_.start();
+  }
   scene_.set_highlight(all ? std::nullopt : std::optional(std::array{from, to}));
 }
 
 void SceneView::zoom_to_times(double from, double to) {
   scene_.fit_times(from, to);
+}
+
+void SceneView::rest() {
+  rest_timer_.stop();
+  scene_.set_moving(false);
 }
 
 void SceneView::hover() {

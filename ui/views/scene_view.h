@@ -73,6 +73,8 @@ class SceneView : public QWidget {
   void show_times(double from, double to);
   /// The path between two times fills the view [s].
   void zoom_to_times(double from, double to);
+  /// Every detail from the next frame on, as some time after the last move.
+  void rest();
   /// Two clicks on the path measure from one place to the other; false ends and clears.
   void set_measuring(bool measuring);
   /// The next drag draws a box to zoom to.

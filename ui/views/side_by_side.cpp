@@ -179,6 +179,14 @@ void SideBySide::set_state(const ScenesState& state) {
   list_runs();
 }
 
+void SideBySide::rest() {
+  for (SceneView* view : {&first_, second_}) {
+    if (view != nullptr) {
+      view->rest();
+    }
+  }
+}
+
 void SideBySide::open() {
   second_ = new SceneView(backend_, this);
   second_->set_state(first_.state());  // before anything of it is handed on to the first one

@@ -33,6 +33,8 @@ class SideBySide : public QWidget {
   ScenesMode mode() const { return mode_; }
   ScenesState state() const;
   void set_state(const ScenesState& state);
+  /// SceneView::rest() of all views.
+  void rest();
   /// Null while there is one view alone.
   SceneView* second() { return second_; }
   /// Null unless the view is split.

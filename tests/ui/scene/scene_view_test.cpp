@@ -290,6 +290,18 @@ TEST_F(SceneViewTest, MarksTheRangeOfTheChartsUnlessItIsAll) {
   settle();
   EXPECT_NE(view_.canvas().grab().toImage(), before);
   view_.show_times(0, duration);
+  view_.rest();
+  settle();
+  EXPECT_EQ(view_.canvas().grab().toImage(), before);
+}
+
+TEST_F(SceneViewTest, HasSmoothEdgesAgainWhenItRests) {
+  const QImage before = view_.canvas().grab().toImage();
+  view_.scene().set_moving(true);
+  settle();
+  EXPECT_NE(view_.canvas().grab().toImage(), before) << "software draws what moves without smoothing edges";
+  settle();
+  view_.rest();
   settle();
   EXPECT_EQ(view_.canvas().grab().toImage(), before);
 }
