@@ -98,6 +98,21 @@ TEST(ColourKey, OfTimeLostIsThatOfThePathOnWhichAnyIsLost) {
   EXPECT_EQ(key.scale.low, -key.scale.high);
 }
 
+/// At a stop a loss for each mm has no bound; it must not take the colours from the path.
+TEST(ColourKey, OfTimeLostIsNotThatOfAPlaceWithoutLength) {
+  std::vector<double> lost(10'000, 1e-9);
+  std::fill(lost.begin() + 4000, lost.begin() + 4200, 0.005);
+  lost[4100] = 1e6;
+  SampledPath path = with_values(Quantity::time_lost, lost);
+  path.positions[4100] = path.positions[4099];
+  EXPECT_NEAR(colour_key(path, Colouring::time_lost).scale.high, 5, 0.5) << "ms/mm";
+  // Where no more than rounding is lost, rounding has the scale.
+  for (Stored& value : path.values[static_cast<std::size_t>(Quantity::time_lost)]) {
+    value = Stored(1e-5F);
+  }
+  EXPECT_NEAR(colour_key(path, Colouring::time_lost).scale.high, 0.01, 0.001) << "ms/mm";
+}
+
 /// However the values are spread: of what counts at most the rare share lies beyond, and a scale says so.
 TEST(ColourKey, HoldsAllButWhatIsRareAndSaysWhatItLeavesOut) {
   std::mt19937 random(5);

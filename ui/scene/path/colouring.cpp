@@ -17,8 +17,7 @@ enum class Weight { points, time, length };
 struct Rare {
   Weight weight = Weight::points;
   double share = 0.005;
-  double nothing = 0;  ///< share of the largest value; what is less does not count at all
-  double far = 1.6;    ///< times what is usual, from which on a scale leaves the rest out
+  double far = 1.6;  ///< times what is usual, from which on a scale leaves the rest out
 };
 
 /// What a colouring that has a scale reads and how it is written.
@@ -87,7 +86,22 @@ double weight_of(const SampledPath& path, std::size_t i, Weight weight) {
                                 : static_cast<double>((path.positions[i] - path.positions[i - 1]).norm());
 }
 
-Peaks peaks_of(const SampledPath& path, Colouring colouring, const Rare& rare) {
+/// What the path itself takes for its length without rapids [s/mm]; 0 for nothing.
+double mean_pace(const SampledPath& path) {
+  double time = 0;
+  double length = 0;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (path.kinds[i - 1] != SpanKind::rapid) {
+      const double span = weight_of(path, i, Weight::length);
+      time += span > 0 ? path.times[i] - path.times[i - 1] : 0;
+      length += span;
+    }
+  }
+  return length > 0 ? time / length : 0;
+}
+
+/// Values below `nothing` do not count, unless there is no other.
+Peaks peaks_of(const SampledPath& path, Colouring colouring, const Rare& rare, double nothing) {
   // The bits of a positive value rise with it: 32768 of them are a histogram.
   std::vector<double> histogram(1U << 15U);
   Peaks peaks;
@@ -98,8 +112,10 @@ Peaks peaks_of(const SampledPath& path, Colouring colouring, const Rare& rare) {
       histogram[Stored(static_cast<float>(size)).value] += weight_of(path, i, rare.weight);
     }
   });
-  const std::size_t least = Stored(static_cast<float>(rare.nothing * peaks.all)).value;
-  std::fill(histogram.begin(), histogram.begin() + static_cast<std::ptrdiff_t>(least), 0.0);
+  const auto least = histogram.begin() + Stored(static_cast<float>(nothing)).value;
+  if (std::any_of(least, histogram.end(), [](double weight) { return weight > 0; })) {
+    std::fill(histogram.begin(), least, 0.0);
+  }
   const double wanted = (1 - rare.share) * std::accumulate(histogram.begin(), histogram.end(), 0.0);
   double seen = 0;
   for (std::size_t bits = 0; bits < histogram.size() && seen < wanted; ++bits) {
@@ -120,9 +136,9 @@ double round_end(double peak) {
 Rare rare_of(Colouring colouring) {
   switch (colouring) {
     case Colouring::feed:
-      return {Weight::time, 0.05, 0, 2.5};
+      return {Weight::time, 0.05, 2.5};
     case Colouring::time_lost:
-      return {Weight::length, 0.05, 0.01};
+      return {Weight::length, 0.05};
     default:
       return {};
   }
@@ -139,7 +155,10 @@ ColourScale scale_of(const SampledPath& path, Colouring colouring) {
     return scale;  // no other run to compare with
   }
   const Rare rare = rare_of(colouring);
-  Peaks peaks = peaks_of(path, colouring, rare);
+  // Not a share of the largest loss: at a stop, where hardly any path is, a loss has no bound.
+  constexpr double nothing_lost = 1e-3;  // of what the path takes anyway
+  const double nothing = colouring == Colouring::time_lost ? nothing_lost * mean_pace(path) : 0;
+  Peaks peaks = peaks_of(path, colouring, rare, nothing);
   if (colouring == Colouring::feed) {
     peaks.all = path.peak_feed;  // as it is, not as it is stored
   }
