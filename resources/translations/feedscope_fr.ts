@@ -4194,10 +4194,6 @@ Ensemble : %3</translation>
         <translation>%1&#xa0;s à %2</translation>
     </message>
     <message>
-        <source>Contour tolerance</source>
-        <translation>Tolérance de contour</translation>
-    </message>
-    <message>
         <source>Cycle time and contour error over a setting: choose it and its range, then press Study.</source>
         <translation>Temps de cycle et erreur de contour en fonction d’un réglage : choisissez-le avec sa plage, puis pressez Étudier.</translation>
     </message>

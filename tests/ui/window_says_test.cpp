@@ -2,7 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QAbstractItemView>
 #include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
 #include <QMessageBox>
@@ -53,6 +56,34 @@ TEST_F(WindowSaysTest, WhereNothingIsShownTheViewSaysWhy) {
   EXPECT_FALSE(window.notice().again()->isHidden());
   open(test::small_program);
   EXPECT_EQ(window.notice().text(), "");
+}
+
+TEST_F(WindowSaysTest, CtrlCCopiesEveryTableOfResultsWhole) {
+  open(test::small_program);
+  window.study().run();
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window.study().busy(); }, patience));
+  for (QWidget* panel :
+       std::initializer_list<QWidget*>{&window.runs(), &window.study(), &window.contour(),
+                                       &window.slow_places(), &window.diagnostics(), &window.why()}) {
+    const auto* view = panel->findChild<QAbstractItemView*>();
+    ASSERT_NE(view, nullptr);
+    const QList<QAction*> actions = view->actions();
+    const auto copy = std::ranges::find(actions, QKeySequence(QKeySequence::Copy), &QAction::shortcut);
+    ASSERT_NE(copy, actions.end()) << view->accessibleName().toStdString();
+    (*copy)->trigger();
+    EXPECT_EQ(QApplication::clipboard()->text().count('\n'), view->model()->rowCount() + 1)
+        << view->accessibleName().toStdString();
+  }
+}
+
+TEST_F(WindowSaysTest, TheStudyListsSettingsByTheirTitles) {
+  const QComboBox& settings = *window.study().key();
+  ASSERT_GT(settings.count(), 5);
+  for (int i = 0; i < settings.count(); ++i) {
+    EXPECT_FALSE(settings.itemText(i).contains('_')) << settings.itemText(i).toStdString();
+    EXPECT_EQ(settings.itemData(i, Qt::ToolTipRole), settings.itemData(i)) << "the key of command lines";
+  }
+  EXPECT_GE(settings.findText("X Jerk [m/s³]"), 0);
 }
 
 TEST_F(WindowSaysTest, NoTabOfAPanelIsCut) {

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/language/core_texts.h"
 #include "ui/scene/ticks.h"
 #include "ui/theme/theme.h"
 
@@ -95,6 +96,12 @@ std::vector<double> log_ticks(double from, double to) {
 
 }  // namespace
 
+QString sweep_title(const std::string& key) {
+  const QString title = core_text(sweep_spec(key).title);
+  const bool of_axis = key.size() > 1 && key[1] == '.';
+  return of_axis ? QStringLiteral("%1 %2").arg(QChar(key[0])).arg(title) : title;
+}
+
 StudyCurves study_curves(const Study& study) {
   StudyCurves shown;
   shown.within = study.within;
@@ -102,16 +109,16 @@ StudyCurves study_curves(const Study& study) {
     return shown;
   }
   const Sweep& first = study.sweeps.front();
-  shown.key = QString::fromStdString(first.key);
-  shown.unit = QString::fromStdString(sweep_unit(first.key));
+  shown.title = sweep_title(first.key);
+  shown.unit = unit_text(sweep_unit(first.key));
   shown.logarithmic = first.logarithmic;
   for (const auto& runs : study.curves()) {
     StudyCurve curve;
     const Setup& setup = runs.front().setup;
     curve.name = QString::fromStdString(setup.model->info().id + ", " + setup.machine.id);
     for (std::size_t i = 1; i < study.sweeps.size(); ++i) {
-      curve.name += QStringLiteral(", %1 %2").arg(QString::fromStdString(study.sweeps[i].key),
-                                                  number(runs.front().swept[i]));
+      curve.name +=
+          QStringLiteral(", %1 %2").arg(sweep_title(study.sweeps[i].key), number(runs.front().swept[i]));
     }
     const StudyRun* best = fastest(runs, study.within);
     for (const StudyRun& run : runs) {
@@ -436,9 +443,9 @@ void StudyChart::draw_settings_axis(QPainter& painter, const Layout& layout) con
     }
   }
   painter.setPen(theme_colours(palette()).text);
-  const QString name = study_.key == QStringLiteral("tolerance") ? tr("Contour tolerance") : study_.key;
-  painter.drawText(QRectF(plot.left(), plot.bottom() + 8 + line, plot.width(), line), Qt::AlignCenter,
-                   study_.unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, study_.unit));
+  painter.drawText(
+      QRectF(plot.left(), plot.bottom() + 8 + line, plot.width(), line), Qt::AlignCenter,
+      study_.unit.isEmpty() ? study_.title : QStringLiteral("%1 [%2]").arg(study_.title, study_.unit));
 }
 
 std::optional<StudyChart::Hit> StudyChart::run_at(const QPointF& place) const {

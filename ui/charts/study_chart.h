@@ -23,14 +23,17 @@ struct StudyCurve {
 
 /// What a StudyChart shows.
 struct StudyCurves {
-  QString key;   ///< of the setting
-  QString unit;  ///< "" for a plain number
+  QString title;  ///< of the setting, in the window's language
+  QString unit;   ///< "" for a plain number
   bool logarithmic = false;
   std::optional<double> within;  ///< bound of the contour error [mm]
   std::vector<StudyCurve> curves;
 };
 
 StudyCurves study_curves(const Study& study);
+
+/// Name of the setting that a key of sweep_keys() changes, in the window's language: "X Jerk".
+QString sweep_title(const std::string& key);
 
 /// Cycle time and, below it over the same axis, contour error against a setting; the bound as a dashed line,
 /// the fastest run of each curve within it ringed and labelled. Curves differ in colour and in marker.

@@ -165,6 +165,12 @@ QString core_text(const std::string& text) {
   return QCoreApplication::translate("core", text.c_str());
 }
 
+QString unit_text(const std::string& unit) {
+  return QString::fromStdString(unit)
+      .replace(QStringLiteral("s2"), QStringLiteral("s²"))
+      .replace(QStringLiteral("s3"), QStringLiteral("s³"));
+}
+
 std::span<const char* const> known_core_texts() {
   return texts;
 }

@@ -26,10 +26,6 @@ QString value_text(const SettingValue& value) {
 }
 
 /// Superscripts for the screen: "m/s2" -> "m/s²".
-QString unit_text(const std::string& unit) {
-  return QString::fromStdString(unit).replace("s2", "s²").replace("s3", "s³");
-}
-
 QString range_text(const SettingSpec& spec) {
   if (!spec.choices.empty()) {
     return SetupTable::tr("choice");

@@ -91,8 +91,7 @@ QVariant StudyTable::headerData(int section, Qt::Orientation orientation, int ro
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return {};
   }
-  const QString unit =
-      study_ == nullptr ? QString() : QString::fromStdString(sweep_unit(study_->sweeps.front().key));
+  const QString unit = study_ == nullptr ? QString() : unit_text(sweep_unit(study_->sweeps.front().key));
   switch (section) {
     case value:
       return unit.isEmpty() ? tr("Value") : tr("Value [%1]").arg(unit);

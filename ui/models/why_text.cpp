@@ -48,12 +48,6 @@ double without_noise(double value, Dimension dimension) {
 }
 
 /// As people write it: "m/s3" becomes "m/s³".
-QString unit_text(const std::string& unit) {
-  QString text = QString::fromStdString(unit);
-  return text.replace(QStringLiteral("s2"), QStringLiteral("s²"))
-      .replace(QStringLiteral("s3"), QStringLiteral("s³"));
-}
-
 QString axis_name(Cause cause) {
   return cause.axis < 0 ? QString() : QString(QLatin1Char(axis_names[static_cast<std::size_t>(cause.axis)]));
 }

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "core/base/geometry.h"
+#include "ui/language/core_texts.h"
 #include "ui/models/setup_state.h"
 #include "ui/models/tolerance_text.h"
 #include "ui/report/html_table.h"

@@ -41,10 +41,4 @@ QString signed_percent(double share) {
   return (share < 0 ? QStringLiteral("−") : QStringLiteral("+")) + size;
 }
 
-QString unit_text(const std::string& unit) {
-  return QString::fromStdString(unit)
-      .replace(QStringLiteral("s2"), QStringLiteral("s²"))
-      .replace(QStringLiteral("s3"), QStringLiteral("s³"));
-}
-
 }  // namespace feedscope::ui

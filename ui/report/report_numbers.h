@@ -10,7 +10,5 @@ QString fixed(double value, int decimals);
 QString significant(double value, int digits);
 /// A change in percent with one decimal and its sign, "−1.2" or "+3.4"; what rounds to nothing is "0.0".
 QString signed_percent(double share);
-/// "m/s³" for "m/s3".
-QString unit_text(const std::string& unit);
 
 }  // namespace feedscope::ui

@@ -17,6 +17,7 @@
 #include "core/export/contour.h"
 #include "ui/models/contour_texts.h"
 #include "ui/models/panel_action.h"
+#include "ui/views/row_copy.h"
 
 namespace feedscope::ui {
 
@@ -42,6 +43,7 @@ ContourView::ContourView(Workbench& model, QWidget* parent)
   list_->setFrameShape(QFrame::NoFrame);
   list_->setAccessibleName(tr("Places farthest from the programmed path"));
   list_->header()->setStretchLastSection(true);
+  install_row_copy(*list_);
   make_actions();
   make_layout();
   connect(sides_, &QCheckBox::toggled, this, &ContourView::show_reports);

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 
 #include "ui/models/panel_action.h"
+#include "ui/views/row_copy.h"
 
 namespace feedscope::ui {
 
@@ -69,6 +70,7 @@ DiagnosticsView::DiagnosticsView(QWidget* parent)
   list_->header()->setSectionResizeMode(DiagnosticsModel::message, QHeaderView::Stretch);
   list_->header()->setSectionResizeMode(DiagnosticsModel::hint, QHeaderView::Stretch);
   list_->header()->setStretchLastSection(false);
+  install_row_copy(*list_);
   connect(list_, &QTreeView::clicked, this, &DiagnosticsView::choose);
   connect(list_, &QTreeView::activated, this, &DiagnosticsView::choose);
 

@@ -1,10 +1,10 @@
 #include "ui/views/row_copy.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QGuiApplication>
-#include <QTableView>
 
 namespace feedscope::ui {
 
@@ -31,7 +31,7 @@ QString rows_text(const QAbstractItemModel& table) {
   return text;
 }
 
-void install_row_copy(QTableView& table) {
+void install_row_copy(QAbstractItemView& table) {
   auto* copy = new QAction(RowCopy::tr("&Copy the table"), &table);
   copy->setToolTip(RowCopy::tr("All rows to the clipboard, as a spreadsheet takes them"));
   copy->setShortcut(QKeySequence::Copy);

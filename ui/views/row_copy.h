@@ -3,7 +3,7 @@
 #include <QString>
 
 class QAbstractItemModel;
-class QTableView;
+class QAbstractItemView;
 
 namespace feedscope::ui {
 
@@ -11,6 +11,6 @@ namespace feedscope::ui {
 QString rows_text(const QAbstractItemModel& table);
 
 /// Ctrl+C in `table` copies all of it as rows_text(), not the one cell that has the focus.
-void install_row_copy(QTableView& table);
+void install_row_copy(QAbstractItemView& table);
 
 }  // namespace feedscope::ui

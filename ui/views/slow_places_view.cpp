@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "ui/models/panel_action.h"
+#include "ui/views/row_copy.h"
 
 namespace feedscope::ui {
 
@@ -39,6 +40,7 @@ SlowPlacesView::SlowPlacesView(QWidget* parent)
   list_->setFrameShape(QFrame::NoFrame);
   list_->setAccessibleName(tr("Slow places"));
   list_->header()->setStretchLastSection(true);
+  install_row_copy(*list_);
   connect(list_, &QTreeView::clicked, this, &SlowPlacesView::choose);
   connect(list_, &QTreeView::activated, this, &SlowPlacesView::choose);
 

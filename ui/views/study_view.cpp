@@ -24,6 +24,7 @@
 #include "core/machine/contour_tolerance.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
+#include "ui/language/core_texts.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
 #include "ui/views/row_copy.h"
@@ -226,9 +227,11 @@ void StudyView::list_keys() {
     const SettingSpec spec = setup.spec(setting_of(key));
     const bool has_value = !spec.optional || setup.value(setting_of(key)) != SettingValue(std::string());
     if (spec.choices.empty() && has_value) {
-      const QString unit = QString::fromStdString(sweep_unit(key));
-      const QString name = QString::fromStdString(key);
-      key_->addItem(unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit), name);
+      const QString unit = unit_text(sweep_unit(key));
+      const QString name = sweep_title(key);
+      key_->addItem(unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit),
+                    QString::fromStdString(key));
+      key_->setItemData(key_->count() - 1, QString::fromStdString(key), Qt::ToolTipRole);
     }
   }
   key_->setCurrentIndex(std::max(0, key_->findData(chosen)));
@@ -321,8 +324,8 @@ QString StudyView::verdict() const {
   if (best == nullptr) {
     return tr("No value keeps the bound of %1 µm.").arg(locale.toString(1000 * *study_->within, 'f', 1));
   }
-  const QString key = QString::fromStdString(study_->sweeps.front().key);
-  const QString unit = QString::fromStdString(sweep_unit(study_->sweeps.front().key));
+  const QString key = sweep_title(study_->sweeps.front().key);
+  const QString unit = unit_text(sweep_unit(study_->sweeps.front().key));
   return tr("Fastest: %1 %2 with %3, contour error %4 µm. %5")
       .arg(key, (locale.toString(best->swept.front(), 'g', 5) + ' ' + unit).trimmed(),
            clock_text(best->summary.cycle_time),

@@ -21,6 +21,7 @@
 #include "ui/models/why_text.h"
 #include "ui/scene/cause_colour.h"
 #include "ui/theme/theme.h"
+#include "ui/views/row_copy.h"
 
 namespace feedscope::ui {
 
@@ -134,6 +135,7 @@ void WhyView::make_table() {
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setAlternatingRowColors(true);
   table_->setTabKeyNavigation(false);
+  install_row_copy(*table_);
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   table_->verticalHeader()->hide();

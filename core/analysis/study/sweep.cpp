@@ -138,10 +138,7 @@ std::vector<std::string> sweep_keys(const ControlModel& model) {
   return keys;
 }
 
-std::string sweep_unit(const std::string& key) {
-  if (key == tolerance_key) {
-    return "mm";
-  }
+SettingSpec sweep_spec(const std::string& key) {
   std::vector<SettingSpec> specs = common_settings();
   std::ranges::copy(all_model_settings(), std::back_inserter(specs));
   for (const char axis : axis_names) {
@@ -150,8 +147,18 @@ std::string sweep_unit(const std::string& key) {
       specs.push_back(std::move(limit));
     }
   }
-  const auto spec = std::ranges::find(specs, key, &SettingSpec::key);
-  return spec == specs.end() ? "" : spec->unit;
+  const auto spec =
+      std::ranges::find(specs, key == tolerance_key ? contour_tolerance_key : key, &SettingSpec::key);
+  if (spec != specs.end()) {
+    return *spec;
+  }
+  SettingSpec unknown;
+  unknown.key = unknown.title = key;
+  return unknown;
+}
+
+std::string sweep_unit(const std::string& key) {
+  return sweep_spec(key).unit;
 }
 
 void apply_swept(const std::string& key, double value, Setup& setup) {

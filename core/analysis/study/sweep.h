@@ -27,6 +27,9 @@ Sweep make_sweep(const std::string& key, double from, double to, std::size_t cou
 
 /// What models know: "tolerance", then assignable_keys().
 std::vector<std::string> sweep_keys(const ControlModel& model);
+/// The setting that a key sets, of an axis limit without the axis; what is not known has its key as title and
+/// no unit.
+SettingSpec sweep_spec(const std::string& key);
 /// Unit of a key's values, "" for a plain number or an unknown key.
 std::string sweep_unit(const std::string& key);
 

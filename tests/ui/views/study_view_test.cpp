@@ -61,7 +61,7 @@ TEST_F(StudyViewTest, TheResultsAreThoseOfSimulatingEachValue) {
     EXPECT_EQ(point.error, alone.max_contour_error) << point.value;
   }
   EXPECT_EQ(view.table()->model()->rowCount(), 3);
-  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("Fastest: tolerance"));
+  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("Fastest: Contour tolerance"));
 }
 
 TEST_F(StudyViewTest, ValuesAreOnesThatPeopleCanSetAndStayApart) {
