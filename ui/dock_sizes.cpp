@@ -10,7 +10,7 @@ namespace feedscope::ui {
 DockSizes::DockSizes(QMainWindow& window, int left, int right, int bottom)
     : QObject(&window),
       window_(window),
-      sides_{Side{Qt::LeftDockWidgetArea, Qt::Horizontal, 0.22, left},
+      sides_{Side{Qt::LeftDockWidgetArea, Qt::Horizontal, 0.25, left},
              Side{Qt::RightDockWidgetArea, Qt::Horizontal, 0.3, right},
              Side{Qt::BottomDockWidgetArea, Qt::Vertical, 0.49, bottom}} {
   window_.installEventFilter(this);

@@ -17,6 +17,7 @@
 #include "ui/language/core_texts.h"
 #include "ui/models/reading_faults.h"
 #include "ui/views/annotation_overlay.h"
+#include "ui/views/start_hint.h"
 #include "ui/views/status_panel.h"
 
 namespace feedscope::ui {
@@ -24,7 +25,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr QSize default_size(1280, 800);
-constexpr int program_width = 270;
+constexpr int program_width = 320;
 constexpr int setup_width = 371;  // shows every command of the annotations
 constexpr int charts_height = 390;
 
@@ -47,6 +48,7 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
       slow_places_(new SlowPlacesView(this)),
       runs_(new RunsView(model.runs(), this)),
       notice_(new RunNotice(model, this)),
+      start_hint_(new StartHint(model, this)),
       why_(new WhyView(model.cursor(), this)),
       annotations_(new AnnotationsView(model.annotations(), model.cursor(), this)),
       study_(new StudyView(model, this)),
@@ -76,6 +78,9 @@ MainWindow::MainWindow(Workbench& model, RenderBackend backend, QWidget* parent)
     constexpr int shown_for = 8000;  // [ms]
     statusBar()->showMessage(message, shown_for);
   });
+  connect(start_hint_, &StartHint::program_wanted, this, [this] { ask_for_program({}); });
+  connect(start_hint_, &StartHint::sample_wanted, this, &MainWindow::ask_for_sample);
+  connect(start_hint_, &StartHint::lesson_wanted, this, &MainWindow::raise_lessons);
   connect(session_, &WindowSession::file_changed, this, &MainWindow::show_title);
   connect(session_, &WindowSession::failed, this, &MainWindow::show_failure);
   connect(session_, &WindowSession::noticed, this,
@@ -134,7 +139,10 @@ void MainWindow::make_docks() {
   layout->setSpacing(0);
   layout->addWidget(notice_);
   layout->addWidget(scenes_, 1);
+  layout->addWidget(start_hint_);
   layout->addWidget(playback_);
+  playback_->setVisible(start_hint_->isHidden());
+  connect(start_hint_, &StartHint::shown, playback_, &QWidget::setHidden);
   setCentralWidget(centre);
 
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);

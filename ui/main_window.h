@@ -27,6 +27,7 @@
 namespace feedscope::ui {
 
 class DockSizes;
+class StartHint;
 
 /// Program text, 3D view and charts of one run, locked together by one cursor, with the machine editor.
 /// Wires models and views; holds no logic of its own.
@@ -49,6 +50,7 @@ class MainWindow : public QMainWindow {
   SlowPlacesView& slow_places() { return *slow_places_; }
   RunsView& runs() { return *runs_; }
   RunNotice& notice() { return *notice_; }
+  StartHint& start_hint() { return *start_hint_; }
   WhyView& why() { return *why_; }
   AnnotationsView& annotations() { return *annotations_; }
   StudyView& study() { return *study_; }
@@ -92,7 +94,9 @@ class MainWindow : public QMainWindow {
   QAction* add_action(QMenu* menu, const QString& text, const QKeySequence& key, const QString& tip);
   void list_recent_files(QMenu* menu);
   void set_theme(ThemeKind kind);
-  void ask_for_program();
+  /// `folder`: where the search begins.
+  void ask_for_program(const QString& folder);
+  void ask_for_sample();
   void ask_for_machine();
   void ask_how_to_read();
   void save_machine();
@@ -126,6 +130,7 @@ class MainWindow : public QMainWindow {
   SlowPlacesView* slow_places_;
   RunsView* runs_;
   RunNotice* notice_;
+  StartHint* start_hint_;
   WhyView* why_;
   AnnotationsView* annotations_;
   StudyView* study_;

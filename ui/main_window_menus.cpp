@@ -12,6 +12,7 @@
 #include <QStatusBar>
 #include <QStyle>
 
+#include "core/base/data_folder.h"
 #include "ui/dock_sizes.h"
 #include "ui/language/language.h"
 #include "ui/main_window.h"
@@ -113,8 +114,12 @@ void MainWindow::make_menus() {
   make_help_menu();
 
   QAction* first = bar->actions().isEmpty() ? nullptr : bar->actions().first();
-  const QList<QAction*> file = menuBar()->actions().first()->menu()->actions();
-  bar->insertActions(first, {file[0], file[2], undo, redo});
+  for (QAction* action : menuBar()->actions().first()->menu()->actions()) {
+    if (!action->icon().isNull()) {
+      bar->insertAction(first, action);
+    }
+  }
+  bar->insertActions(first, {undo, redo});
   bar->insertSeparator(first);
 }
 
@@ -123,7 +128,10 @@ void MainWindow::make_file_menu() {
   QAction* open =
       add_action(file, tr("&Open program …"), QKeySequence::Open, tr("Open an NC program or a session"));
   open->setIcon(style()->standardIcon(QStyle::SP_DialogOpenButton));
-  connect(open, &QAction::triggered, this, &MainWindow::ask_for_program);
+  connect(open, &QAction::triggered, this,
+          [this] { ask_for_program(QString::fromStdU16String(model_.file().parent_path().u16string())); });
+  connect(add_action(file, tr("Open &sample …"), {}, tr("Open one of the programs that come with Feedscope")),
+          &QAction::triggered, this, &MainWindow::ask_for_sample);
   QMenu* recent = file->addMenu(tr("Open &recent"));
   connect(recent, &QMenu::aboutToShow, this, [this, recent] { list_recent_files(recent); });
   list_recent_files(recent);
@@ -273,9 +281,13 @@ void MainWindow::set_theme(ThemeKind kind) {
   QSettings().setValue("dark", kind == ThemeKind::dark);
 }
 
-void MainWindow::ask_for_program() {
+void MainWindow::ask_for_sample() {
+  ask_for_program(QString::fromStdU16String((data_folder() / "resources" / "programs").u16string()));
+}
+
+void MainWindow::ask_for_program(const QString& folder) {
   const QString file = QFileDialog::getOpenFileName(
-      this, tr("Open program or session"), QString::fromStdU16String(model_.file().parent_path().u16string()),
+      this, tr("Open program or session"), folder,
       tr("NC programs and sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso "
          "*.txt);;All files (*)"));
   if (!file.isEmpty()) {

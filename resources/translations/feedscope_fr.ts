@@ -2437,6 +2437,14 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
 <context>
     <name>feedscope::ui::MainWindow</name>
     <message>
+        <source>Open &amp;sample …</source>
+        <translation>Ouvrir un &amp;exemple …</translation>
+    </message>
+    <message>
+        <source>Open one of the programs that come with Feedscope</source>
+        <translation>Ouvrir un des programmes fournis avec Feedscope</translation>
+    </message>
+    <message>
         <source>The program was read with other work offsets than those of this machine (%1); reload it to use them.</source>
         <translation>Le programme a été lu avec d&apos;autres décalages d&apos;origine que ceux de cette machine (%1)&#xa0;; rechargez-le pour les utiliser.</translation>
     </message>
@@ -3895,6 +3903,17 @@ Ensemble : %3</translation>
 </context>
 <context>
     <name>feedscope::ui::SetupView</name>
+    <message numerus="yes">
+        <source>Positions, tool change (%n unset)</source>
+        <translation>
+            <numerusform>Positions, changement d&apos;outil (%n sans valeur)</numerusform>
+            <numerusform>Positions, changement d&apos;outil (%n sans valeur)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Settings that this machine has no value for; without one, what they give a place or a time is neither drawn nor timed</source>
+        <translation>Réglages sans valeur pour cette machine&#xa0;; sans elle, ce dont ils donnent le lieu ou la durée n&apos;est ni tracé ni compté</translation>
+    </message>
     <message>
         <source>Axis limits</source>
         <translation>Limites des axes</translation>
@@ -4714,6 +4733,13 @@ Ensemble : %3</translation>
     <message>
         <source>The %1 coordinate of work offset %2, &quot;%3&quot;, is not a number from -1000000 to 1000000.</source>
         <translation>La coordonnée %1 du décalage d&apos;origine %2, « %3 », n&apos;est pas un nombre de -1000000 à 1000000.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::StartHint</name>
+    <message>
+        <source>&lt;a href=&quot;program&quot;&gt;Open an NC program&lt;/a&gt; or drop one here, or begin with a &lt;a href=&quot;sample&quot;&gt;sample program&lt;/a&gt; or a &lt;a href=&quot;lesson&quot;&gt;lesson&lt;/a&gt;.</source>
+        <translation>&lt;a href=&quot;program&quot;&gt;Ouvrir un programme CN&lt;/a&gt; ou en déposer un ici, ou commencer par un &lt;a href=&quot;sample&quot;&gt;programme d&apos;exemple&lt;/a&gt; ou une &lt;a href=&quot;lesson&quot;&gt;leçon&lt;/a&gt;.</translation>
     </message>
 </context>
 </TS>

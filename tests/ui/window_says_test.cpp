@@ -7,10 +7,12 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTabBar>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -20,6 +22,7 @@
 #include "tests/ui/run_fixture.h"
 #include "ui/language/language.h"
 #include "ui/main_window.h"
+#include "ui/views/start_hint.h"
 
 namespace feedscope::ui {
 namespace {
@@ -84,6 +87,58 @@ TEST_F(WindowSaysTest, TheStudyListsSettingsByTheirTitles) {
     EXPECT_EQ(settings.itemData(i, Qt::ToolTipRole), settings.itemData(i)) << "the key of command lines";
   }
   EXPECT_GE(settings.findText("X Jerk [m/s³]"), 0);
+}
+
+TEST_F(WindowSaysTest, AnEmptyStartSaysWhatToDoFirst) {
+  EXPECT_TRUE(window.start_hint().isVisible());
+  emit window.start_hint().text()->linkActivated("lesson");
+  EXPECT_TRUE(window.lessons().isVisible());
+  QString folder_shown;
+  QTimer::singleShot(0, [&] {
+    auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    folder_shown = dialog->directory().path();
+    dialog->reject();
+  });
+  emit window.start_hint().text()->linkActivated("sample");
+  EXPECT_TRUE(folder_shown.endsWith("resources/programs")) << folder_shown.toStdString();
+  open(test::small_program);
+  EXPECT_FALSE(window.start_hint().isVisible());
+}
+
+TEST_F(WindowSaysTest, SettingsWithoutAValueAreShownWhenWanted) {
+  QTableView& settings = *window.setup().settings();
+  const auto rows_shown = [&] {
+    int count = 0;
+    for (int row = 0; row < settings.model()->rowCount(); ++row) {
+      count += settings.isRowHidden(row) ? 0 : 1;
+    }
+    return count;
+  };
+  const int all = settings.model()->rowCount();
+  const int without = all - rows_shown();
+  ASSERT_GT(without, 5);
+  window.setup().unset()->click();
+  EXPECT_EQ(rows_shown(), all);
+  model.setup().set("tool_change_time_s", 4.0);
+  window.setup().unset()->click();
+  EXPECT_EQ(rows_shown(), all - without + 1) << "one has a value now";
+  window.setup().show_key("home_x_mm");
+  EXPECT_EQ(rows_shown(), all) << "what is asked for is not hidden";
+}
+
+TEST_F(WindowSaysTest, SentencesOfTheMachinePanelAreWholeAtAnyWidth) {
+  open(test::small_program);
+  window.setup().show_unfollowed({QString("The program asks for words ").repeated(9), "And for more."});
+  for (const int width : {240, 300, 371, 500}) {
+    window.resizeDocks({window.findChild<QDockWidget*>("machine")}, {width}, Qt::Horizontal);
+    QTest::qWait(20);
+    for (const QLabel* label : window.setup().findChildren<QLabel*>()) {
+      if (label->isVisible() && label->wordWrap()) {
+        EXPECT_GE(label->height(), label->heightForWidth(label->width())) << label->text().toStdString();
+      }
+    }
+  }
 }
 
 TEST_F(WindowSaysTest, NoTabOfAPanelIsCut) {

@@ -223,6 +223,11 @@ int SettingsTable::row_of(const std::string& key) const {
   return found == specs_.end() ? -1 : static_cast<int>(found - specs_.begin());
 }
 
+bool SettingsTable::is_unset(int row) const {
+  const SettingSpec& spec = specs_[static_cast<std::size_t>(row)];
+  return spec.optional && edit().state().value(spec.key) == SettingValue(std::string());
+}
+
 std::optional<std::string> SettingsTable::key_at(const QModelIndex& index) const {
   return index.column() == value ? std::optional(topic_of(index)) : std::nullopt;
 }

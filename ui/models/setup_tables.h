@@ -79,6 +79,8 @@ class SettingsTable : public SetupTable {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   /// Row of a setting, -1 if the model does not read it.
   int row_of(const std::string& key) const;
+  /// Whether a setting of a row may be without a value, and is.
+  bool is_unset(int row) const;
 
  private:
   std::optional<std::string> key_at(const QModelIndex& index) const override;

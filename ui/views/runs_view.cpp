@@ -64,7 +64,9 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   table_->verticalHeader()->setDefaultSectionSize(row_height);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-  table_->horizontalHeader()->setSectionResizeMode(RunTable::name, QHeaderView::Stretch);
+  for (const int column : {RunTable::name, RunTable::machine}) {  // what is cut last is the name
+    table_->horizontalHeader()->setSectionResizeMode(column, QHeaderView::Stretch);
+  }
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   install_row_copy(*table_);
   bound_->setRange(0, largest_bound);
@@ -75,6 +77,7 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   bounded_->setToolTip(tr("Only runs whose contour error keeps this bound [µm] compete for the fastest"));
   bound_->setToolTip(bounded_->toolTip());
   verdict_->setWordWrap(true);
+  verdict_->setContentsMargins(6, 0, 6, 4);
 
   make_actions();
   auto* bar = new QToolBar(this);  // what has no room in it goes into a menu: the panel may be narrow
@@ -86,11 +89,11 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   bar->addSeparator();
   bar->addWidget(bounded_);
   bar->addWidget(bound_);
-  bar->addWidget(verdict_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(bar);
+  layout->addWidget(verdict_);
   layout->addWidget(table_);
 
   const auto set_bound = [this] {

@@ -4,6 +4,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QTableView>
+#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -59,6 +60,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
       unfollowed_(new QLabel(this)),
       axes_(make_table(axis_model_, tr("Axis limits"), this)),
       settings_(make_table(settings_model_, tr("Control settings"), this)),
+      unset_(new QToolButton(this)),
       help_(new QLabel(this)),
       changes_(new QLabel(this)) {
   axes_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
@@ -66,13 +68,22 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   axes_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   axes_->setFixedHeight(full_height(axes_));
   settings_->verticalHeader()->hide();
-  QSizePolicy as_high_as_its_text(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  // With Fixed, text that its width breaks into more lines than it hints at is cut.
+  QSizePolicy as_high_as_its_text(QSizePolicy::Preferred, QSizePolicy::Minimum);
   as_high_as_its_text.setHeightForWidth(true);
   for (QLabel* label : {machine_, unfollowed_}) {
     label->setWordWrap(true);
     label->setSizePolicy(as_high_as_its_text);
   }
   unfollowed_->hide();
+  unset_->setCheckable(true);
+  unset_->setAutoRaise(true);
+  unset_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a panel may be narrow
+  unset_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  unset_->setToolTip(
+      tr("Settings that this machine has no value for; without one, what they give a place or "
+         "a time is neither drawn nor timed"));
+  connect(unset_, &QToolButton::toggled, this, &SetupView::hide_unset);
   help_->setWordWrap(true);
   help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   help_->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -92,6 +103,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->addWidget(axes_);
   layout->addWidget(make_heading(tr("Control settings"), this));
   layout->addWidget(settings_, 1);
+  layout->addWidget(unset_);
   layout->addWidget(changes_);
   layout->addWidget(help_);
   layout->addStretch();
@@ -107,6 +119,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
           [this] { settings_->setMaximumHeight(full_height(settings_)); });
   connect(&edit_, &SetupEdit::keys_changed, this, &SetupView::fit_tables);
   connect(&edit_, &SetupEdit::values_changed, this, &SetupView::show_changes);
+  connect(&edit_, &SetupEdit::values_changed, this, &SetupView::hide_unset);
   connect(axis_model_, &QAbstractItemModel::dataChanged, this, [this] { explain(explained_); });
   fit_tables();
 }
@@ -151,6 +164,9 @@ void SetupView::show_key(const std::string& key) {
   }
   const QModelIndex index = table->model()->index(row, column);
   if (index.isValid()) {
+    if (table == settings_ && settings_->isRowHidden(index.row())) {
+      unset_->setChecked(true);
+    }
     table->setCurrentIndex(index);
     table->scrollTo(index);
     table->setFocus();
@@ -174,10 +190,25 @@ void SetupView::fit_tables() {
   header->setSectionResizeMode(SettingsTable::title, QHeaderView::Stretch);
   help_->setStyleSheet({});
   const bool any_settings = settings_model_->rowCount() > 0;
-  settings_->setVisible(any_settings);
+  hide_unset();
   const QString how =
       tr("Choose a value to see what it means. Bold: changed. Italic: assumed, no source gives it.");
   help_->setText(any_settings ? how : tr("This model reads no control settings.") + "<br>" + how);
+}
+
+/// A row that was shown stays while the button is down.
+void SetupView::hide_unset() {
+  int count = 0;
+  for (int row = 0; row < settings_model_->rowCount(); ++row) {
+    const bool is_unset = settings_model_->is_unset(row);
+    count += is_unset ? 1 : 0;
+    settings_->setRowHidden(row, is_unset && !unset_->isChecked());
+  }
+  settings_->setVisible(unset_->isChecked() || count < settings_model_->rowCount());
+  unset_->setVisible(count > 0);
+  unset_->setText(tr("Positions, tool change (%n unset)", nullptr, count));
+  unset_->setArrowType(unset_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
+  settings_->setMaximumHeight(full_height(settings_));
 }
 
 void SetupView::explain(const QModelIndex& index) {

@@ -6,6 +6,7 @@
 
 class QLabel;
 class QTableView;
+class QToolButton;
 
 namespace feedscope::ui {
 
@@ -20,6 +21,7 @@ class SetupView : public QWidget {
 
   QTableView* axes() { return axes_; }
   QTableView* settings() { return settings_; }
+  QToolButton* unset() { return unset_; }
   /// What the chosen value means, or why an entry was refused.
   QString message() const;
   /// Goes to the cell of a key, as of --set; a key that is not there is left alone.
@@ -34,6 +36,7 @@ class SetupView : public QWidget {
   void refuse(QTableView* table, const QModelIndex& index, const QString& message);
   void fit_tables();
   void show_changes();
+  void hide_unset();
 
   SetupEdit& edit_;
   AxisTable* axis_model_;
@@ -42,6 +45,7 @@ class SetupView : public QWidget {
   QLabel* unfollowed_;
   QTableView* axes_;
   QTableView* settings_;
+  QToolButton* unset_;  ///< shows settings without a value
   QLabel* help_;
   QLabel* changes_;
   QPersistentModelIndex explained_;

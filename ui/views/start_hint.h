@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QFrame>
+
+#include "ui/models/workbench.h"
+
+class QLabel;
+
+namespace feedscope::ui {
+
+/// What to do first, while no program is open: open one, drop one, a sample, a lesson.
+class StartHint : public QFrame {
+  Q_OBJECT
+
+ public:
+  /// `model` outlives this.
+  explicit StartHint(const Workbench& model, QWidget* parent = nullptr);
+
+  QLabel* text() { return text_; }
+
+ signals:
+  void shown(bool on);
+  void program_wanted();
+  void sample_wanted();
+  void lesson_wanted();
+
+ private:
+  void follow();
+  void choose(const QString& link);
+
+  const Workbench& model_;
+  QLabel* text_;
+};
+
+}  // namespace feedscope::ui
