@@ -18,10 +18,12 @@
 #include <QTimer>
 #include <QToolButton>
 #include <fstream>
+#include <set>
 
 #include "tests/ui/run_fixture.h"
 #include "ui/language/language.h"
 #include "ui/main_window.h"
+#include "ui/views/setup_bar.h"
 #include "ui/views/start_hint.h"
 
 namespace feedscope::ui {
@@ -139,6 +141,40 @@ TEST_F(WindowSaysTest, SentencesOfTheMachinePanelAreWholeAtAnyWidth) {
       }
     }
   }
+}
+
+/// Where Tab stops, one sees it: the widget, or what holds it, looks different with the focus.
+TEST_F(WindowSaysTest, TabStopsOnlyWhereTheFocusIsSeenAndGoesThroughEveryPanel) {
+  window.resize(1600, 1000);
+  open(test::small_program);
+  window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
+  std::set<QWidget*> checked;
+  for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+    dock->show();
+    dock->raise();
+    QTest::qWait(20);
+    window.findChild<SetupBar*>()->findChild<QComboBox*>()->setFocus(Qt::TabFocusReason);
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
+    std::set<QWidget*> seen;
+    bool reached = dock->findChild<QAbstractItemView*>() == nullptr;
+    for (QWidget* at = QApplication::focusWidget(); at != nullptr && seen.insert(at).second;
+         at = QApplication::focusWidget()) {
+      reached = reached || dock->isAncestorOf(at);
+      if (checked.insert(at).second) {
+        QWidget* holder = at->parentWidget() != nullptr ? at->parentWidget() : at;
+        const QImage with = holder->grab().toImage();
+        at->clearFocus();
+        const bool same = holder->grab().toImage() == with;
+        at->setFocus(Qt::TabFocusReason);
+        EXPECT_FALSE(same) << at->metaObject()->className() << " \"" << at->accessibleName().toStdString()
+                           << "\" in " << holder->metaObject()->className();
+      }
+      QTest::keyClick(at, Qt::Key_Tab);
+    }
+    EXPECT_TRUE(reached) << dock->windowTitle().toStdString();
+  }
+  EXPECT_GT(checked.size(), 40U);
 }
 
 TEST_F(WindowSaysTest, NoTabOfAPanelIsCut) {

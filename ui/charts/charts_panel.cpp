@@ -15,6 +15,7 @@
 
 #include "core/base/units.h"
 #include "ui/charts/measurement.h"
+#include "ui/fields/focus_outline.h"
 
 namespace feedscope::ui {
 
@@ -94,6 +95,7 @@ QLayout* ChartsPanel::add_header(std::size_t i, const ChartSpec& spec) {
 }
 
 void ChartsPanel::connect_chart(KinematicChart& chart) {
+  new FocusOutline(chart);
   connect(&chart, &KinematicChart::position_clicked, this,
           [this](double position) { cursor_.set_time(range_.time_at(position)); });
   connect(&chart, &KinematicChart::second_position_clicked, this,

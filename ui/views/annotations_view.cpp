@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 
 #include "ui/annotations/annotation_text.h"
+#include "ui/fields/focus_outline.h"
 #include "ui/fields/whole_number_box.h"
 
 namespace feedscope::ui {
@@ -50,6 +51,8 @@ AnnotationsView::AnnotationsView(AnnotationList& annotations, Cursor& cursor, QW
       hint_(new QLabel(this)) {
   table_->setModel(model_);
   table_->setAccessibleName(tr("Annotations"));
+  table_->setTabKeyNavigation(false);
+  new FocusOutline(*table_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->verticalHeader()->hide();

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "core/export/contour.h"
+#include "ui/fields/focus_outline.h"
 #include "ui/models/contour_texts.h"
 #include "ui/models/panel_action.h"
 #include "ui/views/row_copy.h"
@@ -44,6 +45,7 @@ ContourView::ContourView(Workbench& model, QWidget* parent)
   list_->setAccessibleName(tr("Places farthest from the programmed path"));
   list_->header()->setStretchLastSection(true);
   install_row_copy(*list_);
+  new FocusOutline(*list_);
   make_actions();
   make_layout();
   connect(sides_, &QCheckBox::toggled, this, &ContourView::show_reports);

@@ -8,6 +8,7 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include "ui/fields/focus_outline.h"
 #include "ui/models/panel_action.h"
 #include "ui/views/row_copy.h"
 
@@ -71,6 +72,7 @@ DiagnosticsView::DiagnosticsView(QWidget* parent)
   list_->header()->setSectionResizeMode(DiagnosticsModel::hint, QHeaderView::Stretch);
   list_->header()->setStretchLastSection(false);
   install_row_copy(*list_);
+  new FocusOutline(*list_);
   connect(list_, &QTreeView::clicked, this, &DiagnosticsView::choose);
   connect(list_, &QTreeView::activated, this, &DiagnosticsView::choose);
 

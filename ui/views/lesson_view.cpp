@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "core/lessons/handout.h"
+#include "ui/fields/focus_outline.h"
 #include "ui/models/panel_action.h"
 
 namespace feedscope::ui {
@@ -21,6 +22,7 @@ namespace {
 
 QTextBrowser* make_browser(const QString& name, QWidget* parent) {
   auto* browser = new QTextBrowser(parent);
+  new FocusOutline(*browser);
   browser->setAccessibleName(name);
   browser->setFrameShape(QFrame::NoFrame);
   browser->setOpenLinks(false);

@@ -69,6 +69,7 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   }
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   install_row_copy(*table_);
+  table_->setTabKeyNavigation(false);
   bound_->setRange(0, largest_bound);
   bound_->setDecimals(1);
   bound_->setValue(usual_bound);

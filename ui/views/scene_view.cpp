@@ -12,6 +12,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "ui/fields/focus_outline.h"
 #include "ui/theme/theme.h"
 #include "ui/views/annotation_overlay.h"
 #include "ui/views/scene_actions.h"
@@ -82,6 +83,7 @@ void SceneView::make_canvas(RenderBackend backend) {
   overlay_ = new AnnotationOverlay(*canvas_, scene_);
   canvas_->installEventFilter(this);
   setFocusProxy(canvas_);
+  new FocusOutline(*canvas_, this);
 }
 
 void SceneView::follow_scene() {

@@ -24,6 +24,7 @@ QTableView* make_table(QAbstractItemModel* model, const QString& name, QWidget* 
   table->setItemDelegate(new SettingDelegate(table));
   table->setAccessibleName(name);
   table->setSelectionMode(QAbstractItemView::SingleSelection);
+  table->setTabKeyNavigation(false);
   table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                          QAbstractItemView::AnyKeyPressed);
   table->setAlternatingRowColors(true);

@@ -10,6 +10,7 @@
 #include <limits>
 #include <utility>
 
+#include "ui/fields/focus_outline.h"
 #include "ui/models/panel_action.h"
 #include "ui/views/row_copy.h"
 
@@ -41,6 +42,7 @@ SlowPlacesView::SlowPlacesView(QWidget* parent)
   list_->setAccessibleName(tr("Slow places"));
   list_->header()->setStretchLastSection(true);
   install_row_copy(*list_);
+  new FocusOutline(*list_);
   connect(list_, &QTreeView::clicked, this, &SlowPlacesView::choose);
   connect(list_, &QTreeView::activated, this, &SlowPlacesView::choose);
 

@@ -22,6 +22,7 @@
 #include "core/base/error.h"
 #include "core/export/export.h"
 #include "core/machine/contour_tolerance.h"
+#include "ui/fields/focus_outline.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/language/core_texts.h"
@@ -146,6 +147,8 @@ void StudyView::make_fields() {
   table_->setModel(results_);
   table_->setAccessibleName(tr("Results of the study"));
   install_row_copy(*table_);
+  table_->setTabKeyNavigation(false);
+  new FocusOutline(*table_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->verticalHeader()->hide();

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "ui/fields/focus_outline.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
 #include "ui/models/why_text.h"
@@ -198,6 +199,7 @@ void WhyView::lay_out() {
 
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
+  new FocusOutline(*scroll);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(content);

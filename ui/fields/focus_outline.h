@@ -1,0 +1,26 @@
+#pragma once
+
+#include <QWidget>
+
+namespace feedscope::ui {
+
+/// A line around a widget that draws itself, while it has the focus: the keyboard's place is seen.
+class FocusOutline : public QWidget {
+  Q_OBJECT
+
+ public:
+  /// Lies over `target`, which owns it; with `beside`, the parent of both, it is no part of what
+  /// target.grab() gives.
+  explicit FocusOutline(QWidget& target, QWidget* beside = nullptr);
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void follow();
+
+  QWidget& target_;
+};
+
+}  // namespace feedscope::ui
