@@ -4673,6 +4673,18 @@ Ensemble : %3</translation>
 <context>
     <name>texts</name>
     <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
+    </message>
+    <message>
+        <source>Control model</source>
+        <translation>Modèle de commande</translation>
+    </message>
+    <message>
         <source>%1 s</source>
         <translation>%1&#xa0;s</translation>
     </message>

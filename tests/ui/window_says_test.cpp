@@ -67,9 +67,9 @@ TEST_F(WindowSaysTest, CtrlCCopiesEveryTableOfResultsWhole) {
   open(test::small_program);
   window.study().run();
   ASSERT_TRUE(QTest::qWaitFor([this] { return !window.study().busy(); }, patience));
-  for (QWidget* panel :
-       std::initializer_list<QWidget*>{&window.runs(), &window.study(), &window.contour(),
-                                       &window.slow_places(), &window.diagnostics(), &window.why()}) {
+  for (QWidget* panel : std::initializer_list<QWidget*>{&window.runs(), &window.study(), &window.contour(),
+                                                        &window.slow_places(), &window.diagnostics(),
+                                                        &window.annotations(), &window.why()}) {
     const auto* view = panel->findChild<QAbstractItemView*>();
     ASSERT_NE(view, nullptr);
     const QList<QAction*> actions = view->actions();

@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "ui/language/core_texts.h"
+#include "ui/models/texts.h"
 #include "ui/scene/ticks.h"
 #include "ui/theme/theme.h"
 
@@ -96,12 +97,6 @@ std::vector<double> log_ticks(double from, double to) {
 
 }  // namespace
 
-QString sweep_title(const std::string& key) {
-  const QString title = core_text(sweep_spec(key).title);
-  const bool of_axis = key.size() > 1 && key[1] == '.';
-  return of_axis ? QStringLiteral("%1 %2").arg(QChar(key[0])).arg(title) : title;
-}
-
 StudyCurves study_curves(const Study& study) {
   StudyCurves shown;
   shown.within = study.within;
@@ -109,7 +104,7 @@ StudyCurves study_curves(const Study& study) {
     return shown;
   }
   const Sweep& first = study.sweeps.front();
-  shown.title = sweep_title(first.key);
+  shown.title = setting_title(first.key);
   shown.unit = unit_text(sweep_unit(first.key));
   shown.logarithmic = first.logarithmic;
   for (const auto& runs : study.curves()) {
@@ -118,7 +113,7 @@ StudyCurves study_curves(const Study& study) {
     curve.name = QString::fromStdString(setup.model->info().id + ", " + setup.machine.id);
     for (std::size_t i = 1; i < study.sweeps.size(); ++i) {
       curve.name +=
-          QStringLiteral(", %1 %2").arg(sweep_title(study.sweeps[i].key), number(runs.front().swept[i]));
+          QStringLiteral(", %1 %2").arg(setting_title(study.sweeps[i].key), number(runs.front().swept[i]));
     }
     const StudyRun* best = fastest(runs, study.within);
     for (const StudyRun& run : runs) {

@@ -32,9 +32,6 @@ struct StudyCurves {
 
 StudyCurves study_curves(const Study& study);
 
-/// Name of the setting that a key of sweep_keys() changes, in the window's language: "X Jerk".
-QString sweep_title(const std::string& key);
-
 /// Cycle time and, below it over the same axis, contour error against a setting; the bound as a dashed line,
 /// the fastest run of each curve within it ringed and labelled. Curves differ in colour and in marker.
 class StudyChart : public QWidget {

@@ -6,6 +6,7 @@
 
 #include "core/machine/contour_tolerance.h"
 #include "ui/language/core_texts.h"
+#include "ui/models/texts.h"
 #include "ui/models/tolerance_text.h"
 
 namespace feedscope::ui {
@@ -42,7 +43,9 @@ QString run_title(const RunItem& item, std::span<const PathControl> feed_control
   int more = -most;
   for (const auto& [key, value] : setup.edits()) {
     if (key != contour_tolerance_key && key != program_tolerance_key && ++more <= 0) {
-      parts.append(QStringLiteral("%1 %2").arg(QString::fromStdString(key), value_text(value)));
+      parts.append(QStringLiteral("%1 %2 %3")
+                       .arg(setting_title(key), value_text(value), unit_text(setup.spec(key).unit))
+                       .trimmed());
     }
   }
   if (more > 0) {

@@ -7,6 +7,7 @@
 #include "core/base/error.h"
 #include "ui/fields/number_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/models/texts.h"
 
 namespace feedscope::ui {
 
@@ -25,7 +26,6 @@ QString value_text(const SettingValue& value) {
   return core_text(std::get<std::string>(value));
 }
 
-/// Superscripts for the screen: "m/s2" -> "m/s²".
 QString range_text(const SettingSpec& spec) {
   if (!spec.choices.empty()) {
     return SetupTable::tr("choice");
@@ -46,11 +46,9 @@ QStringList changes_of(const SetupState& state) {
   QStringList lines;
   for (const auto& [key, value] : state.edits()) {
     const SettingSpec spec = state.spec(key);
-    const QString title = key[1] == '.'
-                              ? QStringLiteral("%1 %2").arg(QChar(key[0])).arg(core_text(spec.title))
-                              : core_text(spec.title);
     lines.append(QStringLiteral("%1: %2 → %3 %4")
-                     .arg(title, value_text(state.file_value(key)), value_text(value), unit_text(spec.unit))
+                     .arg(setting_title(key), value_text(state.file_value(key)), value_text(value),
+                          unit_text(spec.unit))
                      .trimmed());
   }
   return lines;

@@ -16,6 +16,7 @@
 #include "ui/annotations/annotation_text.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/fields/whole_number_box.h"
+#include "ui/views/row_copy.h"
 
 namespace feedscope::ui {
 
@@ -53,6 +54,7 @@ AnnotationsView::AnnotationsView(AnnotationList& annotations, Cursor& cursor, QW
   table_->setAccessibleName(tr("Annotations"));
   table_->setTabKeyNavigation(false);
   new FocusOutline(*table_);
+  install_row_copy(*table_);
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->verticalHeader()->hide();

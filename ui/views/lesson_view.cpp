@@ -14,7 +14,10 @@
 
 #include "core/lessons/handout.h"
 #include "ui/fields/focus_outline.h"
+#include "ui/fields/number_text.h"
+#include "ui/language/core_texts.h"
 #include "ui/models/panel_action.h"
+#include "ui/models/texts.h"
 
 namespace feedscope::ui {
 
@@ -57,6 +60,12 @@ QString as_html(const QString& markdown) {
 
 bool is_setting(const std::string& key) {
   return key != "program" && key != "machine" && key != "model";
+}
+
+/// A number with the decimal sign of the window, a choice in its language.
+QString value_text(const std::string& value) {
+  const auto number = number_of(QString::fromStdString(value));
+  return number ? QLocale().toString(*number, 'g', QLocale::FloatingPointShortest) : core_text(value);
 }
 
 }  // namespace
@@ -257,12 +266,13 @@ void LessonView::show_control() {
     return;
   }
   const Control& control = lesson->questions[desk_.question()].control;
-  const QString key = QString::fromStdString(control.key);
+  const QString key = setting_title(control.key);
+  key_->setToolTip(QString::fromStdString(control.key));
   key_->setText(control.range ? tr("Move <b>%1</b> between").arg(key) : tr("Move <b>%1</b> to").arg(key));
   show_setting_->setVisible(is_setting(control.key));
   for (const std::string& value : control.values) {
     auto* button = new QToolButton(values_);
-    button->setText(QString::fromStdString(value));
+    button->setText(value_text(value));
     button->setMinimumWidth(3 * button->sizeHint().height());
     button->setToolTip(tr("Give %1 this value in the current run").arg(key));
     connect(button, &QToolButton::clicked, this, [this, value] { desk_.move_control(value); });

@@ -231,7 +231,7 @@ void StudyView::list_keys() {
     const bool has_value = !spec.optional || setup.value(setting_of(key)) != SettingValue(std::string());
     if (spec.choices.empty() && has_value) {
       const QString unit = unit_text(sweep_unit(key));
-      const QString name = sweep_title(key);
+      const QString name = setting_title(key);
       key_->addItem(unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit),
                     QString::fromStdString(key));
       key_->setItemData(key_->count() - 1, QString::fromStdString(key), Qt::ToolTipRole);
@@ -327,7 +327,7 @@ QString StudyView::verdict() const {
   if (best == nullptr) {
     return tr("No value keeps the bound of %1 µm.").arg(locale.toString(1000 * *study_->within, 'f', 1));
   }
-  const QString key = sweep_title(study_->sweeps.front().key);
+  const QString key = setting_title(study_->sweeps.front().key);
   const QString unit = unit_text(sweep_unit(study_->sweeps.front().key));
   return tr("Fastest: %1 %2 with %3, contour error %4 µm. %5")
       .arg(key, (locale.toString(best->swept.front(), 'g', 5) + ' ' + unit).trimmed(),

@@ -159,12 +159,13 @@ TEST_F(RunListTest, ATitleSaysModelToleranceAndWhatIsChanged) {
   SetupState setup = changed("X.jerk", 3.0);
   setup.set("contour_tolerance_mm", 0.05);
   runs.set_setup(0, setup, "two");
-  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.05 mm, X.jerk 3");
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.05 mm, X Jerk 3 m/s³");
   for (const char* key : {"X.velocity", "Y.velocity", "Z.velocity"}) {
     setup.set(key, 7.0);
   }
   runs.set_setup(0, setup, "more");
-  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.05 mm, X.jerk 3, X.velocity 7, 2 more");
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(),
+            "essid, 0.05 mm, X Jerk 3 m/s³, X Velocity 7 m/min, 2 more");
   runs.rename(0, "mine");
   EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "mine");
 }
