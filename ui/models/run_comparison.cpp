@@ -95,6 +95,7 @@ void RunComparison::start(Pair& pair) {
   connect(pair.watcher.get(), &QFutureWatcher<Samples>::finished, this, [this, &pair] {
     pair.samples = pair.watcher->result();
     pair.done = true;
+    watch();
     emit ready();
   });
   poll_.start();
@@ -165,6 +166,7 @@ void RunComparison::forget_gone_results() {
     }
     return remove;
   });
+  watch();
 }
 
 }  // namespace feedscope::ui
