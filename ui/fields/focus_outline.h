@@ -9,8 +9,8 @@ class FocusOutline : public QWidget {
   Q_OBJECT
 
  public:
-  /// Lies over `target`, which owns it; with `beside`, the parent of both, it is no part of what
-  /// target.grab() gives.
+  /// Drawn over `target`, which owns it. If `beside`, the parent of `target`, is given, that owns it, and
+  /// target.grab() does not include it.
   explicit FocusOutline(QWidget& target, QWidget* beside = nullptr);
 
  protected:

@@ -2,34 +2,12 @@
 
 #include <QCoreApplication>
 #include <QLocale>
-#include <algorithm>
 #include <cmath>
-#include <map>
 
-#include "core/machine/contour_tolerance.h"
-#include "core/machine/machine.h"
-#include "core/models/control_model.h"
+#include "core/analysis/study/sweep.h"
 #include "ui/language/core_texts.h"
 
 namespace feedscope::ui {
-
-namespace {
-
-/// English titles of the settings of all models, by key.
-const std::map<std::string, std::string>& titles() {
-  static const std::map<std::string, std::string> all = [] {
-    std::map<std::string, std::string> collected;
-    for (const ControlModel* model : all_models()) {
-      for (const SettingSpec& spec : settings_of(*model)) {
-        collected.emplace(spec.key, spec.title);
-      }
-    }
-    return collected;
-  }();
-  return all;
-}
-
-}  // namespace
 
 QString setting_title(const std::string& key) {
   if (key == "program") {
@@ -41,14 +19,9 @@ QString setting_title(const std::string& key) {
   if (key == "model") {
     return QCoreApplication::translate("texts", "Control model");
   }
-  if (key.size() > 2 && key[1] == '.') {
-    const auto limit = std::ranges::find(axis_limit_specs(), key.substr(2), &SettingSpec::key);
-    if (limit != axis_limit_specs().end()) {
-      return QStringLiteral("%1 %2").arg(QChar(key[0])).arg(core_text(limit->title));
-    }
-  }
-  const auto found = titles().find(key == "tolerance" ? std::string(contour_tolerance_key) : key);
-  return found == titles().end() ? QString::fromStdString(key) : core_text(found->second);
+  const QString title = core_text(sweep_spec(key).title);
+  const bool of_axis = key.size() > 2 && key[1] == '.';
+  return of_axis ? QStringLiteral("%1 %2").arg(QChar(key[0])).arg(title) : title;
 }
 
 QString clock_text(double seconds) {

@@ -47,7 +47,6 @@ double without_noise(double value, Dimension dimension) {
   }
 }
 
-/// As people write it: "m/s3" becomes "m/s³".
 QString axis_name(Cause cause) {
   return cause.axis < 0 ? QString() : QString(QLatin1Char(axis_names[static_cast<std::size_t>(cause.axis)]));
 }

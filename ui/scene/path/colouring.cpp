@@ -100,7 +100,7 @@ double mean_pace(const SampledPath& path) {
   return length > 0 ? time / length : 0;
 }
 
-/// Values below `nothing` do not count, unless there is no other.
+/// Values below `nothing` are ignored, unless all are.
 Peaks peaks_of(const SampledPath& path, Colouring colouring, const Rare& rare, double nothing) {
   // The bits of a positive value rise with it: 32768 of them are a histogram.
   std::vector<double> histogram(1U << 15U);
