@@ -239,9 +239,7 @@ QString charts_block(const ReportInput& input, ReportPictures& pictures) {
 QString bars_block(const ReportInput& input, ReportPictures& pictures) {
   std::vector<ComparedRun> runs;
   for (const ReportRun& run : input.runs) {
-    const Run& done = run.shown->run;
-    runs.push_back(
-        {done.setup, done.summary, done.trajectory->path_length(), done.trajectory->blend_count(), 0});
+    runs.push_back(figures_of(run.shown->run));
   }
   auto chart = std::make_shared<ComparisonChart>();
   constexpr double shrunk = 0.72;
