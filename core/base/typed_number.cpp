@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <system_error>
 
 namespace feedscope {
@@ -14,7 +15,8 @@ std::optional<double> plain_number(std::string_view text) {
   const char* end = text.data() + text.size();
   double number = 0;
   const auto result = fast_float::from_chars(begin, end, number);
-  return result.ec == std::errc() && result.ptr == end ? std::optional(number) : std::nullopt;
+  const bool whole = result.ec == std::errc() && result.ptr == end;
+  return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 std::string replaced(std::string_view text, std::string_view with) {

@@ -281,6 +281,32 @@
     </message>
 </context>
 <context>
+    <name>NumberText</name>
+    <message>
+        <source>“%1” is not a number.</source>
+        <translation>« %1 » n’est pas un nombre.</translation>
+    </message>
+    <message>
+        <source>“%1” has more than one decimal sign or groups thousands; type %2.</source>
+        <translation>« %1 » a plus d’un signe décimal ou sépare les milliers ; saisissez %2.</translation>
+    </message>
+    <message>
+        <source>“%1” could be %2 or %3; type one of these.</source>
+        <translation>« %1 » pourrait être %2 ou %3 ; saisissez l’un des deux.</translation>
+    </message>
+</context>
+<context>
+    <name>RowCopy</name>
+    <message>
+        <source>&amp;Copy the table</source>
+        <translation>&amp;Copier le tableau</translation>
+    </message>
+    <message>
+        <source>All rows to the clipboard, as a spreadsheet takes them</source>
+        <translation>Toutes les lignes dans le presse-papiers, comme un tableur les prend</translation>
+    </message>
+</context>
+<context>
     <name>Scene</name>
     <message>
         <source>programmed</source>
@@ -2806,6 +2832,17 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
 </context>
 <context>
+    <name>feedscope::ui::NumberBox</name>
+    <message>
+        <source>“%1” is not within %2 and %3.</source>
+        <translation>« %1 » n’est pas entre %2 et %3.</translation>
+    </message>
+    <message>
+        <source>“%1” is finer than %2.</source>
+        <translation>« %1 » est plus fin que %2.</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::PlaybackBar</name>
     <message>
         <source>Time within the cycle</source>
@@ -3552,16 +3589,16 @@ Ensemble : %3</translation>
         <translation>%1 simulations sur %2 sont terminées ; %3 annulées ou en échec.</translation>
     </message>
     <message>
-        <source>“%1” is not a number. Put spaces or semicolons between the tolerances; a comma is a decimal sign.</source>
-        <translation>« %1 » n’est pas un nombre. Séparez les tolérances par des espaces ou des points-virgules ; la virgule est un signe décimal.</translation>
-    </message>
-    <message>
         <source>R&amp;ename</source>
         <translation>R&amp;enommer</translation>
     </message>
     <message>
         <source>Type a name for the current run; an empty one is what it runs on</source>
         <translation>Saisir un nom pour la simulation courante ; sans nom, elle porte celui de ses réglages</translation>
+    </message>
+    <message>
+        <source>Put spaces or semicolons between the tolerances.</source>
+        <translation>Séparez les tolérances par des espaces ou des points-virgules.</translation>
     </message>
 </context>
 <context>
@@ -4124,6 +4161,13 @@ Ensemble : %3</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::StartHint</name>
+    <message>
+        <source>&lt;a href=&quot;program&quot;&gt;Open an NC program&lt;/a&gt; or drop one here, or begin with a &lt;a href=&quot;sample&quot;&gt;sample program&lt;/a&gt; or a &lt;a href=&quot;lesson&quot;&gt;lesson&lt;/a&gt;.</source>
+        <translation>&lt;a href=&quot;program&quot;&gt;Ouvrir un programme CN&lt;/a&gt; ou en déposer un ici, ou commencer par un &lt;a href=&quot;sample&quot;&gt;programme d&apos;exemple&lt;/a&gt; ou une &lt;a href=&quot;lesson&quot;&gt;leçon&lt;/a&gt;.</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::StatusPanel</name>
     <message>
         <source>Cancel</source>
@@ -4411,6 +4455,17 @@ Ensemble : %3</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::WholeNumberBox</name>
+    <message>
+        <source>“%1” is not a whole number.</source>
+        <translation>« %1 » n’est pas un nombre entier.</translation>
+    </message>
+    <message>
+        <source>“%1” is not within %2 and %3.</source>
+        <translation>« %1 » n’est pas entre %2 et %3.</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::WhyView</name>
     <message>
         <source>&amp;Previous cause</source>
@@ -4632,6 +4687,53 @@ Ensemble : %3</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::WorkOffsetsTable</name>
+    <message>
+        <source>Work offsets</source>
+        <translation>Décalages d&apos;origine</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Décalage</translation>
+    </message>
+    <message>
+        <source>X [mm]</source>
+        <translation>X [mm]</translation>
+    </message>
+    <message>
+        <source>Y [mm]</source>
+        <translation>Y [mm]</translation>
+    </message>
+    <message>
+        <source>Z [mm]</source>
+        <translation>Z [mm]</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Utilisation</translation>
+    </message>
+    <message>
+        <source>from line %1, motions: %2</source>
+        <translation>à partir de la ligne %1, déplacements : %2</translation>
+    </message>
+    <message>
+        <source>%1; assumed as zero</source>
+        <translation>%1 ; supposé nul</translation>
+    </message>
+    <message>
+        <source>set here, not used by the program</source>
+        <translation>défini ici, non utilisé par le programme</translation>
+    </message>
+    <message>
+        <source>Zero point of the offset in the coordinates shown; empty: as the program says, else 0</source>
+        <translation>Origine du décalage dans les coordonnées affichées ; vide : selon le programme, sinon 0</translation>
+    </message>
+    <message>
+        <source>The %1 coordinate of work offset %2, &quot;%3&quot;, is not a number from -1000000 to 1000000.</source>
+        <translation>La coordonnée %1 du décalage d&apos;origine %2, « %3 », n&apos;est pas un nombre de -1000000 à 1000000.</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::Workbench</name>
     <message>
         <source>%1 has changed and is read again.</source>
@@ -4687,71 +4789,6 @@ Ensemble : %3</translation>
     <message>
         <source>%1 s</source>
         <translation>%1&#xa0;s</translation>
-    </message>
-</context>
-<context>
-    <name>RowCopy</name>
-    <message>
-        <source>&amp;Copy the table</source>
-        <translation>&amp;Copier le tableau</translation>
-    </message>
-    <message>
-        <source>All rows to the clipboard, as a spreadsheet takes them</source>
-        <translation>Toutes les lignes dans le presse-papiers, comme un tableur les prend</translation>
-    </message>
-</context>
-<context>
-    <name>feedscope::ui::WorkOffsetsTable</name>
-    <message>
-        <source>Work offsets</source>
-        <translation>Décalages d&apos;origine</translation>
-    </message>
-    <message>
-        <source>Offset</source>
-        <translation>Décalage</translation>
-    </message>
-    <message>
-        <source>X [mm]</source>
-        <translation>X [mm]</translation>
-    </message>
-    <message>
-        <source>Y [mm]</source>
-        <translation>Y [mm]</translation>
-    </message>
-    <message>
-        <source>Z [mm]</source>
-        <translation>Z [mm]</translation>
-    </message>
-    <message>
-        <source>Use</source>
-        <translation>Utilisation</translation>
-    </message>
-    <message>
-        <source>from line %1, motions: %2</source>
-        <translation>à partir de la ligne %1, déplacements : %2</translation>
-    </message>
-    <message>
-        <source>%1; assumed as zero</source>
-        <translation>%1 ; supposé nul</translation>
-    </message>
-    <message>
-        <source>set here, not used by the program</source>
-        <translation>défini ici, non utilisé par le programme</translation>
-    </message>
-    <message>
-        <source>Zero point of the offset in the coordinates shown; empty: as the program says, else 0</source>
-        <translation>Origine du décalage dans les coordonnées affichées ; vide : selon le programme, sinon 0</translation>
-    </message>
-    <message>
-        <source>The %1 coordinate of work offset %2, &quot;%3&quot;, is not a number from -1000000 to 1000000.</source>
-        <translation>La coordonnée %1 du décalage d&apos;origine %2, « %3 », n&apos;est pas un nombre de -1000000 à 1000000.</translation>
-    </message>
-</context>
-<context>
-    <name>feedscope::ui::StartHint</name>
-    <message>
-        <source>&lt;a href=&quot;program&quot;&gt;Open an NC program&lt;/a&gt; or drop one here, or begin with a &lt;a href=&quot;sample&quot;&gt;sample program&lt;/a&gt; or a &lt;a href=&quot;lesson&quot;&gt;lesson&lt;/a&gt;.</source>
-        <translation>&lt;a href=&quot;program&quot;&gt;Ouvrir un programme CN&lt;/a&gt; ou en déposer un ici, ou commencer par un &lt;a href=&quot;sample&quot;&gt;programme d&apos;exemple&lt;/a&gt; ou une &lt;a href=&quot;lesson&quot;&gt;leçon&lt;/a&gt;.</translation>
     </message>
 </context>
 </TS>

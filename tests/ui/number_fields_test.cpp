@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <QAbstractSpinBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QTableView>
@@ -173,12 +174,19 @@ TEST_P(NumberFieldsTest, TolerancesForNewRunsTakeBothSigns) {
   }
 }
 
-TEST_P(NumberFieldsTest, AToleranceThatIsNoNumberAddsNoRun) {
+TEST_P(NumberFieldsTest, AToleranceThatIsNoNumberIsAskedForAgain) {
   QTimer::singleShot(0, [] {
     type(*QApplication::activeModalWidget()->findChild<QLineEdit*>(), QStringLiteral("0.01, 0.02"));
+    QTimer::singleShot(0, [] {  // the box comes again, with what was typed and what is wrong with it
+      QWidget* box = QApplication::activeModalWidget();
+      EXPECT_EQ(box->findChild<QLineEdit*>()->text(), "0.01, 0.02");
+      EXPECT_TRUE(box->findChild<QLabel*>()->text().startsWith("“0.01,” "))
+          << box->findChild<QLabel*>()->text().toStdString();
+      type(*box->findChild<QLineEdit*>(), QStringLiteral("0.01 0.02"));
+    });
   });
   window->runs().panel_actions()[1]->trigger();
-  EXPECT_EQ(model.runs().items().size(), 1U);
+  EXPECT_EQ(model.runs().items().size(), 3U);
 }
 
 INSTANTIATE_TEST_SUITE_P(Languages, NumberFieldsTest, testing::Values("en", "fr"));

@@ -4,10 +4,10 @@
 
 namespace feedscope::ui {
 
-/// The field for every number of the window that may have decimals. Decimal point and decimal comma mean the
-/// same in every language and there are no group separators: QDoubleSpinBox alone takes the other language's
-/// decimal sign for one, drops it and reads 0,02 as 2. What is typed stays as it is; where it is not a number
-/// within range and decimals, the last value comes back.
+/// The field for every number of the window that may have decimals, typed as number_of() reads it: every key
+/// is entered, for one that were left out would change the number by a factor (QDoubleSpinBox alone reads
+/// 0,02 as 2 where the decimal sign is a point). What is typed stays as it is; where it is not a number
+/// within range and decimals, the last value comes back and a tool tip says why.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
@@ -17,12 +17,13 @@ class NumberBox : public QDoubleSpinBox {
 
   QValidator::State validate(QString& text, int& place) const override;
   double valueFromText(const QString& text) const override;
-  /// Changes nothing.
+  /// Changes nothing, but says why the text is not taken.
   void fixup(QString& text) const override;
 
  private:
-  QString bare(const QString& text) const;
   bool is_special(const QString& text) const;
+  /// Why a text is not taken; empty: it is.
+  QString problem(const QString& text) const;
 };
 
 }  // namespace feedscope::ui

@@ -1,6 +1,10 @@
 #include "ui/fields/whole_number_box.h"
 
+#include <QLocale>
 #include <QRegularExpression>
+#include <optional>
+
+#include "ui/fields/spin_box_text.h"
 
 namespace feedscope::ui {
 
@@ -9,42 +13,39 @@ namespace {
 constexpr QChar thin_blank(0x202F);
 constexpr int group = 3;
 
+/// Blanks may group the digits.
+std::optional<qlonglong> whole_number_of(QString text) {
+  static const QRegularExpression blanks(QStringLiteral("\\s"),
+                                         QRegularExpression::UseUnicodePropertiesOption);
+  bool is_number = false;
+  const qlonglong number = text.remove(blanks).toLongLong(&is_number);
+  return is_number ? std::optional(number) : std::nullopt;
+}
+
 }  // namespace
 
 WholeNumberBox::WholeNumberBox(QWidget* parent) : QSpinBox(parent) {
   setKeyboardTracking(false);
 }
 
-/// Without prefix, suffix and blanks.
-QString WholeNumberBox::bare(const QString& text) const {
-  QString number = text;
-  if (!prefix().isEmpty() && number.startsWith(prefix())) {
-    number.remove(0, prefix().size());
+QString WholeNumberBox::problem(const QString& text) const {
+  const QString typed = typed_in(*this, text);
+  const auto value = whole_number_of(typed);
+  if (!value) {
+    return tr("“%1” is not a whole number.").arg(typed);
   }
-  if (!suffix().isEmpty() && number.endsWith(suffix())) {
-    number.chop(suffix().size());
-  }
-  static const QRegularExpression blanks(QStringLiteral("\\s"),
-                                         QRegularExpression::UseUnicodePropertiesOption);
-  return number.remove(blanks);
+  return *value < minimum() || *value > maximum()
+             ? tr("“%1” is not within %2 and %3.")
+                   .arg(typed, textFromValue(minimum()), textFromValue(maximum()))
+             : QString();
 }
 
 QValidator::State WholeNumberBox::validate(QString& text, int&) const {
-  static const QRegularExpression typed(QRegularExpression::anchoredPattern(QStringLiteral("[+-]?[\\d.,]*")));
-  const QString number = bare(text);
-  if (!typed.match(number).hasMatch()) {
-    return QValidator::Invalid;
-  }
-  bool is_number = false;
-  const qlonglong value = number.toLongLong(&is_number);
-  const bool is_accepted = is_number && value >= minimum() && value <= maximum();
-  return is_accepted ? QValidator::Acceptable : QValidator::Intermediate;
+  return problem(text).isEmpty() ? QValidator::Acceptable : QValidator::Intermediate;
 }
 
 int WholeNumberBox::valueFromText(const QString& text) const {
-  bool is_number = false;
-  const int number = bare(text).toInt(&is_number);
-  return is_number ? number : value();
+  return static_cast<int>(whole_number_of(typed_in(*this, text)).value_or(value()));
 }
 
 QString WholeNumberBox::textFromValue(int value) const {
@@ -56,6 +57,8 @@ QString WholeNumberBox::textFromValue(int value) const {
   return text;
 }
 
-void WholeNumberBox::fixup(QString&) const {}
+void WholeNumberBox::fixup(QString& text) const {
+  say_refused(*this, problem(text));
+}
 
 }  // namespace feedscope::ui

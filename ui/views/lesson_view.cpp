@@ -12,9 +12,9 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "core/base/typed_number.h"
 #include "core/lessons/handout.h"
 #include "ui/fields/focus_outline.h"
-#include "ui/fields/number_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/models/panel_action.h"
 #include "ui/models/texts.h"
@@ -64,7 +64,7 @@ bool is_setting(const std::string& key) {
 
 /// A number with the decimal sign of the window, a choice in its language.
 QString value_text(const std::string& value) {
-  const auto number = number_of(QString::fromStdString(value));
+  const auto number = typed_number(value).value;
   return number ? QLocale().toString(*number, 'g', QLocale::FloatingPointShortest) : core_text(value);
 }
 

@@ -27,17 +27,15 @@ constexpr int row_height = 22;
 constexpr double usual_bound = 10;      // [um]
 constexpr double largest_bound = 1000;  // [um]
 
-/// "0.01 0.02; 0,05" by point or comma. Throws InputError that names a word which is not a number.
+/// "0.01 0.02; 0,05" by point or comma. Throws InputError that says which word is not a number, and why.
 QList<double> numbers_of(const QString& text) {
   QList<double> numbers;
   static const QRegularExpression separators(QStringLiteral("[\\s;]+"));
   for (const QString& word : text.split(separators, Qt::SkipEmptyParts)) {
     const auto number = number_of(word);
     if (!number) {
-      throw InputError(RunsView::tr("“%1” is not a number. Put spaces or semicolons between the tolerances; "
-                                    "a comma is a decimal sign.")
-                           .arg(word)
-                           .toStdString());
+      const QString hint = RunsView::tr("Put spaces or semicolons between the tolerances.");
+      throw InputError((number_problem(word) + ' ' + hint).toStdString());
     }
     numbers.append(*number);
   }
@@ -154,30 +152,39 @@ void RunsView::add_variants() {
     verdict_->setText(tr("The model of this run reads no contour tolerance."));
     return;
   }
-  bool accepted = false;
-  const QString text = QInputDialog::getText(
-      this, tr("Runs with other tolerances"), tr("Contour tolerances [mm], with spaces between them:"),
-      QLineEdit::Normal, editable_text(0.01) + ' ' + editable_text(0.02) + ' ' + editable_text(0.05),
-      &accepted);
-  if (!accepted) {
-    return;
-  }
+  const QString asked = tr("Contour tolerances [mm], with spaces between them:");
+  QString text = editable_text(0.01) + ' ' + editable_text(0.02) + ' ' + editable_text(0.05);
+  QString problem;
+  do {  // what is wrong is said above what was typed, so that it can be mended there
+    bool accepted = false;
+    text = QInputDialog::getText(this, tr("Runs with other tolerances"),
+                                 problem.isEmpty() ? asked : problem + QStringLiteral("\n\n") + asked,
+                                 QLineEdit::Normal, text, &accepted);
+    if (!accepted) {
+      return;
+    }
+    problem = add_tolerances(text);
+  } while (!problem.isEmpty());
+}
+
+QString RunsView::add_tolerances(const QString& text) {
+  std::vector<SetupState> setups;
   try {
-    std::vector<SetupState> setups;
     for (const double tolerance : numbers_of(text)) {
       setups.push_back(runs_.current_item().setup);
       for (const auto& [key, value] : settings_for_tolerance(tolerance)) {
         setups.back().set(key, value);
       }
     }
-    runs_.history().beginMacro(tr("runs with other tolerances"));
-    for (const SetupState& setup : setups) {
-      runs_.duplicate_as(runs_.current(), setup);
-    }
-    runs_.history().endMacro();
   } catch (const InputError& error) {
-    verdict_->setText(QString::fromUtf8(error.what()));
+    return QString::fromUtf8(error.what());
   }
+  runs_.history().beginMacro(tr("runs with other tolerances"));
+  for (const SetupState& setup : setups) {
+    runs_.duplicate_as(runs_.current(), setup);
+  }
+  runs_.history().endMacro();
+  return {};
 }
 
 void RunsView::remove() {

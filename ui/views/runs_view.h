@@ -39,6 +39,8 @@ class RunsView : public QWidget {
  private:
   void make_actions();
   void add_variants();
+  /// Copies of the current run with the tolerances typed; what is wrong with the text, if nothing is added.
+  QString add_tolerances(const QString& text);
   void add_action(const QString& text, const QString& tip, const QKeySequence& key, void (RunsView::*call)());
   void duplicate();
   void remove();

@@ -1,11 +1,10 @@
 #include "ui/views/work_offsets_table.h"
 
 #include <QHeaderView>
-#include <QLocale>
 #include <cmath>
 #include <optional>
 
-#include "core/base/typed_number.h"
+#include "ui/fields/number_text.h"
 
 namespace feedscope::ui {
 
@@ -15,9 +14,9 @@ constexpr double farthest = 1e6;  // [mm]
 
 enum Column { name_column, first_axis_column, use_column = first_axis_column + 3, column_count };
 
-/// As typed_number() reads it; none for anything else.
+/// None for anything else.
 std::optional<double> coordinate_of(const QString& text) {
-  const std::optional<double> value = typed_number(text.trimmed().toStdString()).value;
+  const std::optional<double> value = number_of(text);
   return value && std::abs(*value) <= farthest ? value : std::nullopt;
 }
 
@@ -55,8 +54,7 @@ void WorkOffsetsTable::add(const std::string& name, const Vec3* zero, const QStr
   insertRow(row);
   setItem(row, name_column, fixed_item(QString::fromStdString(name)));
   for (int axis = 0; axis < 3; ++axis) {
-    auto* cell = new QTableWidgetItem(
-        zero == nullptr ? QString() : QString::number((*zero)[axis], 'g', QLocale::FloatingPointShortest));
+    auto* cell = new QTableWidgetItem(zero == nullptr ? QString() : editable_text((*zero)[axis]));
     cell->setToolTip(
         tr("Zero point of the offset in the coordinates shown; empty: as the program says, else 0"));
     setItem(row, first_axis_column + axis, cell);

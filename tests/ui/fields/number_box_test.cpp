@@ -4,6 +4,12 @@
 
 #include <QLineEdit>
 #include <QTest>
+#include <QToolTip>
+#include <cmath>
+#include <random>
+#include <utility>
+
+#include "ui/fields/number_text.h"
 
 namespace feedscope::ui {
 namespace {
@@ -33,8 +39,44 @@ TEST_P(NumberBoxTest, TakesBothDecimalSigns) {
   EXPECT_EQ(typed("0.02"), 0.02);
   EXPECT_EQ(typed("0,05"), 0.05);
   EXPECT_EQ(typed(",5"), 0.5);
-  EXPECT_EQ(typed("1,000"), 1);
   EXPECT_EQ(typed("12"), 12);
+  EXPECT_EQ(typed("5e-1"), 0.5);
+}
+
+TEST_P(NumberBoxTest, ACommaThatCouldGroupThousandsIsRefusedUnlessItIsTheDecimalSign) {
+  typed("3");
+  EXPECT_EQ(typed("1,000"), QLocale(GetParam()).decimalPoint() == "," ? 1 : 3);
+  EXPECT_EQ(typed("2.000"), 2);
+}
+
+/// What a key enters is never left out: "1/4" without its middle is 14.
+TEST_P(NumberBoxTest, KeysThatMakeNoNumberChangeNothing) {
+  std::minstd_rand random(9);
+  const QString keys = QStringLiteral("0123456789.,eE+-/*' m");
+  for (int i = 0; i < 300; ++i) {
+    QString text;
+    for (auto left = 1 + random() % 7; left > 0; --left) {
+      text += keys[static_cast<qsizetype>(random() % static_cast<unsigned>(keys.size()))];
+    }
+    box.setValue(7);
+    const double value = typed(text);
+    const auto number = number_of(text, box.locale());
+    EXPECT_TRUE(value == 7 || (number && std::abs(*number - value) < 1e-9)) << text.toStdString();
+  }
+}
+
+TEST_P(NumberBoxTest, SaysWhyATextIsNotTaken) {
+  box.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&box));
+  box.setValue(7);
+  for (const auto& [text, reason] : {std::pair{"1,2,3", "“1,2,3” has more than one decimal sign"},
+                                     {"200", "“200” is not within 0 and 100."},
+                                     {"0.00001", "“0.00001” is finer than "},
+                                     {"x", "“x” is not a number."}}) {
+    EXPECT_EQ(typed(text), 7);
+    EXPECT_TRUE(QToolTip::text().startsWith(reason)) << QToolTip::text().toStdString();
+    QToolTip::hideText();
+  }
 }
 
 TEST_P(NumberBoxTest, ShowsTheDecimalSignOfTheLanguage) {

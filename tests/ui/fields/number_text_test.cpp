@@ -13,9 +13,28 @@ TEST(NumberText, BothDecimalSignsMeanTheSame) {
     ASSERT_TRUE(number_of(text).has_value()) << text;
     EXPECT_EQ(*number_of(text), 0.02) << text;
   }
-  EXPECT_EQ(number_of("1,000"), 1);
   EXPECT_EQ(number_of("5."), 5);
   EXPECT_EQ(number_of(QString(QChar(0x2212)) + "3,5"), -3.5);
+}
+
+TEST(NumberText, ACommaThatCouldGroupThousandsIsTakenOnlyWhereItIsTheDecimalSign) {
+  for (const char* text : {"1,000", "-25,400", "999,999"}) {
+    EXPECT_FALSE(number_of(text, QLocale("en")).has_value()) << text;
+    EXPECT_FALSE(number_of(text, QLocale("de_CH")).has_value()) << text;
+    EXPECT_EQ(number_of(text, QLocale("fr")), QString(text).replace(',', '.').toDouble());
+    EXPECT_EQ(number_of(text, QLocale("de")), QString(text).replace(',', '.').toDouble());
+  }
+  for (const char* text : {"0,125", "1,0000", "1234,567", "12,5"}) {
+    EXPECT_EQ(number_of(text, QLocale("en")), QString(text).replace(',', '.').toDouble());
+  }
+}
+
+TEST(NumberText, ATextThatIsNoNumberIsToldWhy) {
+  const QLocale english("en");
+  EXPECT_EQ(number_problem("1,000", english), "“1,000” could be 1.000 or 1000; type one of these.");
+  EXPECT_EQ(number_problem("12,345.6", english),
+            "“12,345.6” has more than one decimal sign or groups thousands; type 12345.6.");
+  EXPECT_EQ(number_problem("1/4", english), "“1/4” is not a number.");
 }
 
 TEST(NumberText, WhatIsNoNumberIsNone) {
