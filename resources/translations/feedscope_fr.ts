@@ -205,6 +205,10 @@
         <source>tolerance %1 µm</source>
         <translation>tolérance %1&#xa0;µm</translation>
     </message>
+    <message>
+        <source>: %1 µm, in XY %2 µm</source>
+        <translation>&#xa0;: %1 µm, en XY %2 µm</translation>
+    </message>
 </context>
 <context>
     <name>Faults</name>

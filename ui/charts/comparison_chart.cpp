@@ -100,8 +100,7 @@ void draw_programmed_time(QPainter& painter, double position, double top, double
 
 void draw_cell(QPainter& painter, const TextColumn& column, double top, double height, const QString& text) {
   const QRectF cell(column.left, top, column.right - column.left, height);
-  painter.drawText(cell, column.side | Qt::AlignVCenter | Qt::TextDontClip,
-                   QFontMetricsF(painter.font()).elidedText(text, Qt::ElideMiddle, cell.width() + 1));
+  painter.drawText(cell, column.side | Qt::AlignVCenter | Qt::TextDontClip, text);
 }
 
 }  // namespace

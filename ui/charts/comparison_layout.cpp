@@ -164,11 +164,19 @@ double width_of(const TextColumn& column, const QFontMetricsF& metrics) {
   return std::ceil(width);
 }
 
+/// Cuts the texts of a column that has not the width for them.
+void fit_texts(TextColumn& column, const QFontMetricsF& metrics) {
+  for (QString& text : column.texts) {
+    text = metrics.elidedText(text, Qt::ElideMiddle, column.right - column.left);
+  }
+}
+
 /// Stands columns from the left and gives the end of the last.
 double lay_columns(std::vector<TextColumn>& columns, double left, const QFontMetricsF& metrics) {
   for (TextColumn& column : columns) {
     column.left = left;
     column.right = left + std::min(most_name_width, width_of(column, metrics));
+    fit_texts(column, metrics);
     left = column.right + column_gap;
   }
   return left;

@@ -39,6 +39,16 @@ double text_width(const QFont& font, const QString& text) {
 
 }  // namespace
 
+double ContourCurve::largest_beside() const {
+  double beside = 0;
+  for (const std::vector<double>* side : {&spread.left, &spread.right}) {
+    const auto last =
+        std::ranges::find_if(side->rbegin(), side->rend(), [](double length) { return length > 0; });
+    beside = std::max(beside, static_cast<double>(side->rend() - last) * spread.step);
+  }
+  return std::min(beside, largest);
+}
+
 double ContourCurves::largest() const {
   double largest = 0;
   for (const ContourCurve& run : runs) {
@@ -54,12 +64,7 @@ double ContourCurves::extent() const {
   double extent = 0;
   for (const ContourCurve& run : runs) {
     constexpr double fewest_steps = 200;  // so that bins are whole steps wide
-    extent = std::max(extent, fewest_steps * run.spread.step);
-    for (const std::vector<double>* side : {&run.spread.left, &run.spread.right}) {
-      const auto last =
-          std::ranges::find_if(side->rbegin(), side->rend(), [](double length) { return length > 0; });
-      extent = std::max(extent, static_cast<double>(side->rend() - last) * run.spread.step);
-    }
+    extent = std::max({extent, fewest_steps * run.spread.step, run.largest_beside()});
   }
   return std::min(extent, largest());
 }
@@ -90,7 +95,12 @@ ContourPlot::ContourPlot(const ContourCurves& curves, const QRectF& area, const 
 
 QString ContourPlot::entry_text(std::size_t run, double room) const {
   const ContourCurve& curve = curves_.runs[run];
-  const QString error = Plot::tr(": %1 µm").arg(number(micrometres * curve.largest));
+  const QString largest = number(micrometres * curve.largest);
+  const double beside = curve.largest_beside();
+  constexpr double most_of_it = 0.9;
+  const QString error = curves_.sides && beside < most_of_it * curve.largest
+                            ? Plot::tr(": %1 µm, in XY %2 µm").arg(largest, number(micrometres * beside))
+                            : Plot::tr(": %1 µm").arg(largest);
   return QFontMetricsF(font_).elidedText(curve.name, Qt::ElideRight,
                                          std::max(room - swatch - text_width(font_, error), 20.0)) +
          error;
@@ -246,6 +256,15 @@ void ContourPlot::draw_sides(QPainter& painter) const {
   painter.drawText(below(1), Qt::AlignRight | Qt::AlignVCenter, right);
 }
 
+QRectF ContourPlot::bar(std::size_t run, std::size_t bin) const {
+  const ContourHistogram& histogram = histograms_[run];
+  const ContourCurve& curve = curves_.runs[run];
+  const double largest = curves_.sides ? curve.largest_beside() : curve.largest;
+  const auto edge = [&](std::size_t i) { return x(std::clamp(histogram.edges[i], -largest, largest)); };
+  const double top = std::min(y(histogram.length[bin]), plot_.bottom() - 1);
+  return QRectF(QPointF(edge(bin), top), QPointF(edge(bin + 1), plot_.bottom())).normalized();
+}
+
 void ContourPlot::draw_bars(QPainter& painter) const {
   if (histograms_.empty()) {
     return;
@@ -258,10 +277,7 @@ void ContourPlot::draw_bars(QPainter& painter) const {
     if (histogram.length[i] <= 0) {
       continue;
     }
-    const double top = std::min(y(histogram.length[i]), plot_.bottom() - 1);
-    const QRectF bar =
-        QRectF(QPointF(x(histogram.edges[i]), top), QPointF(x(histogram.edges[i + 1]), plot_.bottom()))
-            .normalized();
+    const QRectF bar = this->bar(0, i);
     painter.fillRect(bar, fill);
     const double beyond = std::min(std::abs(histogram.edges[i]), std::abs(histogram.edges[i + 1]));
     if (curves_.tolerance && beyond >= (*curves_.tolerance)[1] * (1 - 1e-9)) {
@@ -276,11 +292,15 @@ void ContourPlot::draw_outline(QPainter& painter, std::size_t run) const {
   const ContourHistogram& histogram = histograms_[run];
   QPolygonF line;
   for (std::size_t i = 0; i < histogram.length.size(); ++i) {
-    if (std::abs(histogram.edges[i] + histogram.edges[i + 1]) > 2 * most_error_) {
-      continue;
+    const QRectF step = bar(run, i);
+    if (step.width() > 0) {
+      line << (curves_.sides ? step.topRight() : step.topLeft())
+           << (curves_.sides ? step.topLeft() : step.topRight());
     }
-    line << QPointF(x(histogram.edges[i]), y(histogram.length[i]))
-         << QPointF(x(histogram.edges[i + 1]), y(histogram.length[i]));
+  }
+  if (!line.empty()) {  // down where the run's errors end
+    line.prepend(QPointF(line.first().x(), plot_.bottom()));
+    line.append(QPointF(line.last().x(), plot_.bottom()));
   }
   painter.setPen(QPen(curves_.runs[run].colour, 1.8, styles[(run - 1) % styles.size()], Qt::FlatCap));
   painter.drawPolyline(line);

@@ -22,6 +22,9 @@ struct ContourCurve {
   QColor colour;
   double largest = 0;  ///< contour error [mm]
   ContourSpread spread;
+
+  /// The largest left or right of the path in XY, which leaves out what lies across Z [mm].
+  double largest_beside() const;
 };
 
 /// What a ContourPlot shows. The first run is filled, the others are outlines.
@@ -65,6 +68,8 @@ class ContourPlot {
   void draw_outline(QPainter& painter, std::size_t run) const;
   void draw_tolerance(QPainter& painter) const;
   QString entry_text(std::size_t run, double room) const;
+  /// The bar of a bin: as wide as the bin, but not beyond the largest error of the run.
+  QRectF bar(std::size_t run, std::size_t bin) const;
   /// The line under the plot's `row` beneath its lower edge.
   QRectF below(double rows) const;
 

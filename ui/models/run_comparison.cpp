@@ -62,7 +62,9 @@ void RunComparison::set_beside(int id) {
 }
 
 std::optional<std::size_t> RunComparison::reference_of(std::size_t row) const {
-  return reference_row(runs_.items().size(), row, runs_.row_of(chosen_), runs_.row_of(beside_));
+  const std::size_t beside = runs_.row_of(beside_);
+  return reference_row(runs_.items().size(), row, runs_.row_of(chosen_),
+                       row == beside ? runs_.current() : beside);
 }
 
 Samples RunComparison::samples(std::size_t row) {

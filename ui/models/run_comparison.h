@@ -35,7 +35,8 @@ class RunComparison : public QObject {
   /// The run that stands beside the current one, by its id; 0: none.
   void set_beside(int id);
 
-  /// Row that `row` is compared with.
+  /// Row that `row` is compared with; the run beside the current one and the current one with each other,
+  /// unless a third was chosen.
   std::optional<std::size_t> reference_of(std::size_t row) const;
   /// The path of `row` compared; null until it is there, which ready() says, or if it cannot be made.
   std::shared_ptr<const SampledPath> samples(std::size_t row);

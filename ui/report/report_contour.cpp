@@ -114,11 +114,12 @@ QString contour_histogram_block(const ReportInput& input, ReportPictures& pictur
     return {};
   }
   auto curves = std::make_shared<ContourCurves>();
-  curves->sides = current.is_flat();
   curves->tolerance = current.tolerance;
   const auto add = [&](const ReportRun& run) {
     curves->runs.push_back({run.name, run.colour, run.contour->largest, run.contour->spread});
+    curves->sides = curves->sides && run.contour->is_flat();
   };
+  curves->sides = true;
   add(input.run());
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
     if (i != input.current && curves->runs.size() < most_runs) {

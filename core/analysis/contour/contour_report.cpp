@@ -137,6 +137,13 @@ ContourReport contour_report(const Run& run, std::size_t places, Progress* progr
   return report;
 }
 
+bool ContourReport::is_flat() const {
+  constexpr double nearly_all = 0.99;
+  constexpr double most_of_it = 0.9;
+  return spread.in_plane >= nearly_all &&
+         (worst.empty() || std::abs(worst.front().place.side) >= most_of_it * worst.front().place.error);
+}
+
 bool keeps_tolerance(double error, double tolerance) {
   constexpr double fitted = 1e-4;  // models that search for it stop there
   return error <= tolerance * (1 + fitted) + ContourSearch::precision;

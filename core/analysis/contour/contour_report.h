@@ -40,8 +40,8 @@ struct ContourReport {
   double largest = 0;                 ///< [mm]
   std::vector<ContourFinding> worst;  ///< the largest first; within 10 nm in the order of the program
   ContourSpread spread;
-  /// The deviation lies in XY, so that left and right of the path say most of it.
-  bool is_flat() const { return spread.in_plane >= 0.99; }
+  /// The deviation lies in XY, that of the worst place too, so that left and right of the path say it.
+  bool is_flat() const;
   /// Least and largest contour tolerance of the feed motions; none where the model reads none or follows
   /// the path exactly [mm].
   std::optional<std::array<double, 2>> tolerance;

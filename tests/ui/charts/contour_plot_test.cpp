@@ -59,6 +59,38 @@ TEST_F(ContourPlotTest, SidesAreAsFineAsTheirOwnExtentAsks) {
   EXPECT_DOUBLE_EQ(sided.extent(), 0.06);
 }
 
+/// Bins may be wider than what is left of them: what keeps its tolerance is drawn within its lines.
+TEST_F(ContourPlotTest, NothingIsDrawnBeyondTheLargestErrorOfARun) {
+  for (const bool sides : {false, true}) {
+    ContourCurves kept{{curve_of("essid", 0.05)}, sides, std::nullopt};
+    const double largest = kept.runs[0].largest;
+    kept.tolerance = std::array{largest, largest};
+    kept.runs[0].colour = Qt::red;
+    kept.runs.push_back(kept.runs[0]);
+    kept.runs[1].colour = Qt::blue;
+    const ContourPlot plot(kept, QRectF(0, 0, 900, 300), font, colours);
+    QImage image(900, 300, QImage::Format_RGB32);
+    image.fill(Qt::white);
+    QPainter painter(&image);
+    plot.draw(painter);
+    painter.end();
+    const QRectF area = plot.plot();
+    const double edge = plot.histogram(0).edges.back();
+    const double zero = sides ? area.center().x() : area.left();
+    int inside = 0;
+    for (int x = static_cast<int>(area.left()) + 1; x < area.right(); ++x) {
+      for (int y = static_cast<int>(area.top()) + 1; y < area.bottom() - 2; ++y) {
+        const QColor colour = image.pixelColor(x, y);
+        const bool is_run = colour.red() > colour.green() + 60 || colour.blue() > colour.green() + 60;
+        const double error = std::abs(x - zero) / (area.right() - zero) * edge;
+        EXPECT_TRUE(!is_run || error <= largest + 3 * edge / (area.right() - zero)) << x << ", " << y;
+        inside += is_run ? 1 : 0;
+      }
+    }
+    EXPECT_GT(inside, 1000);
+  }
+}
+
 TEST_F(ContourPlotTest, StaysInsideItsAreaDownToANarrowDock) {
   for (const QSizeF size : {QSizeF(300, 180), QSizeF(600, 260), QSizeF(3840, 1200)}) {
     const QRectF area(QPointF(), size);

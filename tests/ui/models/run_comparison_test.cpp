@@ -44,6 +44,30 @@ class RunComparisonTest : public testing::Test {
   RunComparison comparison{runs};
 };
 
+/// Whichever runs stand beside each other, of any number, in any order.
+TEST_F(RunComparisonTest, RunsBesideEachOtherAreComparedWithEachOther) {
+  for (int more = 0; more < 3; ++more) {
+    runs.duplicate(0);
+  }
+  for (std::size_t current = 0; current < runs.items().size(); ++current) {
+    runs.select(current);
+    for (std::size_t beside = 0; beside < runs.items().size(); ++beside) {
+      if (beside == current) {
+        continue;
+      }
+      comparison.set_beside(runs.items()[beside].id);
+      comparison.choose(0);
+      EXPECT_EQ(comparison.reference_of(current), beside);
+      EXPECT_EQ(comparison.reference_of(beside), current);
+      for (std::size_t chosen = 0; chosen < runs.items().size(); ++chosen) {
+        comparison.choose(runs.items()[chosen].id);
+        EXPECT_EQ(comparison.reference_of(current), chosen == current ? beside : chosen);
+        EXPECT_EQ(comparison.reference_of(beside), chosen == beside ? current : chosen);
+      }
+    }
+  }
+}
+
 TEST_F(RunComparisonTest, MakesThePathOnceAndSaysWhenItIsThere) {
   int ready = 0;
   QObject::connect(&comparison, &RunComparison::ready, [&] { ++ready; });

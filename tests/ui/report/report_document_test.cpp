@@ -1,9 +1,11 @@
 #include <gmock/gmock.h>
 
+#include <QPainter>
 #include <QRegularExpression>
 #include <QSvgRenderer>
 
 #include "tests/ui/report/pdf_reading.h"
+#include "tests/ui/report/recorded_text.h"
 #include "tests/ui/report/report_fixture.h"
 #include "ui/report/report.h"
 #include "ui/report/report_numbers.h"
@@ -95,6 +97,21 @@ TEST(Report, SaysWhatDiffersAndWhatTheFiguresAre) {
   ReportInput single = input;
   single.runs.resize(1);
   EXPECT_EQ(filled(single, "{{differing_settings}}{{comparison_bars}}{{notes}}{{messages}}"), "");
+}
+
+TEST(Report, BarsNameTheToleranceInForceOfEveryRunAndNoHeadingIsCut) {
+  const ReportInput input = test::two_runs();
+  const ReportTemplate page("{{comparison_bars}}", "page.html", report_placeholders());
+  const ReportPage report = report_page(input, page, ReportFormat::html);
+  ASSERT_EQ(report.pictures.all().size(), 1U);
+  test::RecordedText paper;
+  QPainter painter(&paper);
+  report.pictures.paint("bars", painter, 1);
+  painter.end();
+  for (const char* text : {"tolerance", "contour error", "0.01", "0.05"}) {
+    EXPECT_TRUE(paper.texts().contains(text)) << text << " in " << paper.texts().join("|").toStdString();
+  }
+  EXPECT_TRUE(paper.texts().filter("…").isEmpty());
 }
 
 TEST(Report, EveryNumberOfTheMachineHasItsSource) {
