@@ -3577,10 +3577,6 @@ Ensemble : %3</translation>
         <translation>Aucune simulation ne respecte cette borne.</translation>
     </message>
     <message>
-        <source>Fastest: %1 with %2.</source>
-        <translation>La plus rapide&#xa0;: %1 en %2.</translation>
-    </message>
-    <message>
         <source>&amp;Simulate again</source>
         <translation>&amp;Simuler de nouveau</translation>
     </message>
@@ -3603,6 +3599,18 @@ Ensemble : %3</translation>
     <message>
         <source>Put spaces or semicolons between the tolerances.</source>
         <translation>Séparez les tolérances par des espaces ou des points-virgules.</translation>
+    </message>
+    <message>
+        <source>Fastest within %1 µm</source>
+        <translation>La plus rapide à %1&#xa0;µm près</translation>
+    </message>
+    <message>
+        <source>Fastest</source>
+        <translation>La plus rapide</translation>
+    </message>
+    <message>
+        <source>%1: %2 with %3.</source>
+        <translation>%1&#xa0;: %2 en %3.</translation>
     </message>
 </context>
 <context>
@@ -4446,16 +4454,24 @@ Ensemble : %3</translation>
         <translation>Aucune valeur ne respecte la limite de %1 µm.</translation>
     </message>
     <message>
-        <source>Fastest: %1 %2 with %3, contour error %4 µm. %5</source>
-        <translation>La plus rapide : %1 %2 avec %3, erreur de contour %4 µm. %5</translation>
-    </message>
-    <message>
         <source>At the first value %1, at the last %2.</source>
         <translation>À la première valeur %1, à la dernière %2.</translation>
     </message>
     <message>
         <source>%1 on %2</source>
         <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Fastest within %1 µm</source>
+        <translation>La plus rapide à %1&#xa0;µm près</translation>
+    </message>
+    <message>
+        <source>Fastest</source>
+        <translation>La plus rapide</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3 with %4, contour error %5 µm. %6</source>
+        <translation>%1&#xa0;: %2 %3 avec %4, erreur de contour %5&#xa0;µm. %6</translation>
     </message>
 </context>
 <context>
@@ -4793,6 +4809,11 @@ Ensemble : %3</translation>
     <message>
         <source>%1 s</source>
         <translation>%1&#xa0;s</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <comment>an axis and its limit: X Jerk</comment>
+        <translation>%2 %1</translation>
     </message>
 </context>
 </TS>

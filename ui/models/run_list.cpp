@@ -30,19 +30,22 @@ QColor run_colour(std::size_t number) {
   return QColor(run_colours[number % run_colours.size()]);
 }
 
-QString run_title(const RunItem& item, std::span<const PathControl> feed_controls) {
+QString run_title(const RunItem& item, std::span<const PathControl> feed_controls,
+                  std::string_view left_out) {
   if (!item.name.isEmpty()) {
     return item.name;
   }
   const SetupState& setup = item.setup;
   QStringList parts{QString::fromStdString(setup.file().model->info().id)};
-  if (const auto tolerance = tolerance_in_force(feed_controls, setup.setup())) {
+  const auto tolerance = tolerance_in_force(feed_controls, setup.setup());
+  if (tolerance && left_out != contour_tolerance_key) {
     parts.append(tolerance_text(*tolerance));
   }
   constexpr int most = 2;
   int more = -most;
   for (const auto& [key, value] : setup.edits()) {
-    if (key != contour_tolerance_key && key != program_tolerance_key && ++more <= 0) {
+    const bool is_said = key == contour_tolerance_key || key == program_tolerance_key;
+    if (!is_said && key != left_out && ++more <= 0) {
       parts.append(QStringLiteral("%1 %2 %3")
                        .arg(setting_title(key), value_text(value), unit_text(setup.spec(key).unit))
                        .trimmed());
@@ -52,6 +55,30 @@ QString run_title(const RunItem& item, std::span<const PathControl> feed_control
     parts.append(RunList::tr("%n more", "changed settings, behind two of them", more));
   }
   return parts.join(QStringLiteral(", "));
+}
+
+QStringList numbered(QStringList names) {
+  std::map<QString, int> count;
+  for (QString& name : names) {
+    if (const int number = ++count[name]; number > 1) {
+      name += QStringLiteral(" (%1)").arg(number);
+    }
+  }
+  return names;
+}
+
+QStringList run_titles(std::span<const RunItem> items, std::span<const PathControl> feed_controls) {
+  const auto machine = [](const RunItem& item) -> const std::string& { return item.setup.file().machine.id; };
+  const bool machines_differ =
+      std::ranges::adjacent_find(items, std::ranges::not_equal_to(), machine) != items.end();
+  QStringList titles;
+  for (const RunItem& item : items) {
+    const QString title = run_title(item, feed_controls);
+    titles.append(machines_differ && item.name.isEmpty()
+                      ? QString::fromStdString(machine(item)) + QStringLiteral(", ") + title
+                      : title);
+  }
+  return numbered(titles);
 }
 
 class RunList::Change : public QUndoCommand {
@@ -69,6 +96,7 @@ class RunList::Change : public QUndoCommand {
 
 RunList::RunList(Setup first, QObject* parent) : QObject(parent) {
   items_.push_back({next_id_++, {}, free_colour(), true, SetupState(std::move(first))});
+  titles_ = run_titles(items_, feed_controls_);
 }
 
 std::size_t RunList::row_of(int id) const {
@@ -160,6 +188,7 @@ void RunList::replace(std::vector<RunItem> items, std::size_t current) {
   }
   items_ = std::move(items);
   current_ = std::min(current, items_.size() - 1);
+  titles_ = run_titles(items_, feed_controls_);
   emit list_changed();
   emit current_changed();
 }
@@ -173,7 +202,12 @@ void RunList::push(Snapshot after, const QString& text) {
 void RunList::apply(const Snapshot& snapshot) {
   const Snapshot before{items_, current_};
   const int selected = current_item().id;
+  std::map<int, QString> titles;
+  for (std::size_t row = 0; row < items_.size(); ++row) {
+    titles[items_[row].id] = titles_[static_cast<qsizetype>(row)];
+  }
   items_ = snapshot.items;
+  titles_ = run_titles(items_, feed_controls_);
   current_ = snapshot.current;
   const auto is_gone = [this](const auto& entry) { return row_of(entry.first) == items_.size(); };
   std::erase_if(results_, is_gone);
@@ -198,7 +232,10 @@ void RunList::apply(const Snapshot& snapshot) {
   for (std::size_t row = 0; row < before.items.size(); ++row) {
     const RunItem& was = before.items[row];
     const std::size_t now = row_of(was.id);
-    if (now < items_.size() && !(items_[now] == was)) {
+    if (now == items_.size()) {
+      continue;
+    }
+    if (!(items_[now] == was) || title(items_[now]) != titles[was.id]) {
       emit item_changed(now);
       if (!(items_[now].setup == was.setup)) {
         emit setup_changed(now, was.setup);
@@ -209,9 +246,14 @@ void RunList::apply(const Snapshot& snapshot) {
 
 void RunList::set_feed_controls(std::vector<PathControl> controls) {
   feed_controls_ = std::move(controls);
+  titles_ = run_titles(items_, feed_controls_);
   for (std::size_t row = 0; row < items_.size(); ++row) {
     emit item_changed(row);
   }
+}
+
+QString RunList::title(const RunItem& item) const {
+  return titles_.value(static_cast<qsizetype>(row_of(item.id)));
 }
 
 std::optional<ToleranceInForce> RunList::tolerance(const RunItem& item) const {

@@ -3,6 +3,7 @@
 #include <QColor>
 #include <QObject>
 #include <QString>
+#include <QStringList>
 #include <QUndoStack>
 #include <map>
 #include <memory>
@@ -33,10 +34,18 @@ enum class RunStatus { waiting, simulated, cancelled, failed };
 /// Colours of runs that nobody has coloured, by their number: told apart with every kind of colour vision.
 QColor run_colour(std::size_t number);
 
-/// The name of a run, or else model, tolerance in force and what is changed: "essid, 0.05 mm, X.jerk 20"; of
-/// more than two changes their number.
-/// `feed_controls`: LoadedProgram::feed_controls.
-QString run_title(const RunItem& item, std::span<const PathControl> feed_controls);
+/// The name of a run, or else model, tolerance in force and what is changed: "essid, 0.05 mm, X Jerk 20
+/// m/s³"; of more than two changes their number. `feed_controls`: LoadedProgram::feed_controls. `left_out`: a
+/// setting that is not named, the tolerance in force too where it is the contour tolerance.
+QString run_title(const RunItem& item, std::span<const PathControl> feed_controls,
+                  std::string_view left_out = {});
+
+/// The titles of runs that are shown together: the machine before those without a name where the machines
+/// differ, "(2)" behind the second run of one title.
+QStringList run_titles(std::span<const RunItem> items, std::span<const PathControl> feed_controls);
+
+/// `names`, with "(2)" behind the second of one name, "(3)" behind the third.
+QStringList numbered(QStringList names);
 
 /// The runs of one program and which of them is the current one: the one that is edited, played and shown in
 /// full. There is always at least one. What changes a run can be undone; results are not part of that and are
@@ -72,8 +81,9 @@ class RunList : public QObject {
 
   /// Those of the program, which may set tolerances of its own: LoadedProgram::feed_controls.
   void set_feed_controls(std::vector<PathControl> controls);
-  /// As run_title().
-  QString title(const RunItem& item) const { return run_title(item, feed_controls_); }
+  /// As run_titles().
+  QString title(const RunItem& item) const;
+  const std::vector<PathControl>& feed_controls() const { return feed_controls_; }
   /// None where the model follows none.
   std::optional<ToleranceInForce> tolerance(const RunItem& item) const;
 
@@ -94,7 +104,7 @@ class RunList : public QObject {
  signals:
   /// Runs have come, gone or moved.
   void list_changed();
-  /// Name, colour or visibility of a run.
+  /// Title, colour, visibility or setup of a run.
   void item_changed(std::size_t row);
   void setup_changed(std::size_t row, const feedscope::ui::SetupState& before);
   void current_changed();
@@ -123,6 +133,7 @@ class RunList : public QObject {
   std::map<int, Result> results_;    ///< the last of each run
   std::map<int, QString> given_up_;  ///< why, by the id of the run; empty: cancelled
   std::vector<PathControl> feed_controls_;
+  QStringList titles_;  ///< of the items
   QUndoStack history_;
 };
 

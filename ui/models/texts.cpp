@@ -21,7 +21,10 @@ QString setting_title(const std::string& key) {
   }
   const QString title = core_text(sweep_spec(key).title);
   const bool of_axis = key.size() > 2 && key[1] == '.';
-  return of_axis ? QStringLiteral("%1 %2").arg(QChar(key[0])).arg(title) : title;
+  return of_axis ? QCoreApplication::translate("texts", "%1 %2", "an axis and its limit: X Jerk")
+                       .arg(QChar(key[0]))
+                       .arg(title)
+                 : title;
 }
 
 QString clock_text(double seconds) {

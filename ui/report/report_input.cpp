@@ -2,9 +2,12 @@
 
 #include <QLocale>
 #include <algorithm>
+#include <map>
 #include <set>
+#include <utility>
 
 #include "core/machine/contour_tolerance.h"
+#include "core/machine/machine.h"
 #include "ui/models/run_list.h"
 #include "ui/models/tolerance_text.h"
 
@@ -34,6 +37,36 @@ std::set<std::string> differing_settings(const std::vector<std::shared_ptr<const
     }
   }
   return keys;
+}
+
+using AxisLimit = std::pair<std::string, char>;
+
+/// Limits of axes that do not have the same value in all runs on their machine.
+std::set<AxisLimit> differing_limits(const std::vector<std::shared_ptr<const ShownRun>>& runs) {
+  std::set<AxisLimit> limits;
+  std::map<std::string, const Machine*> first;
+  for (const auto& run : runs) {
+    const Machine& machine = run->run.setup.machine;
+    const Machine& other = *first.try_emplace(machine.id, &machine).first->second;
+    for (const SettingSpec& spec : axis_limit_specs()) {
+      for (const char axis : axis_names) {
+        if (axis_limit(machine, axis, spec.key) != axis_limit(other, axis, spec.key)) {
+          limits.emplace(spec.key, axis);
+        }
+      }
+    }
+  }
+  return limits;
+}
+
+QStringList limit_texts(const Machine& machine, const std::set<AxisLimit>& limits) {
+  QStringList texts;
+  for (const auto& [limit, axis] : limits) {
+    texts.append(QStringLiteral("%1.%2 %3")
+                     .arg(QString(QChar(axis)), QString::fromStdString(limit),
+                          value_text(axis_limit(machine, axis, limit))));
+  }
+  return texts;
 }
 
 QString name_of(const Run& run, bool with_machine, const std::set<std::string>& keys) {
@@ -82,14 +115,17 @@ std::vector<ReportRun> report_runs(const std::vector<std::shared_ptr<const Shown
     machines.insert(shown->run.setup.machine.id);
   }
   const std::set<std::string> keys = differing_settings(runs);
+  const std::set<AxisLimit> limits = differing_limits(runs);
+  QStringList names;
+  for (const auto& shown : runs) {
+    QStringList parts{name_of(shown->run, machines.size() > 1, keys)};
+    parts.append(limit_texts(shown->run.setup.machine, limits));
+    names.append(parts.join(QStringLiteral(", ")));
+  }
+  names = numbered(names);
   std::vector<ReportRun> named;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    QString name = name_of(runs[i]->run, machines.size() > 1, keys);
-    const auto same = std::ranges::count(named, name, &ReportRun::name);
-    if (same > 0) {
-      name += QStringLiteral(" (%1)").arg(i + 1);
-    }
-    named.push_back({runs[i], name, run_colour(i)});
+    named.push_back({runs[i], names[static_cast<qsizetype>(i)], run_colour(i)});
   }
   return named;
 }

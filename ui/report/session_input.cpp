@@ -5,9 +5,10 @@ namespace feedscope::ui {
 ReportInput report_input(const Session& session,
                          const std::vector<std::shared_ptr<const ShownRun>>& results) {
   ReportInput input;
+  const QStringList titles =
+      results.empty() ? QStringList() : run_titles(session.runs, results.front()->run.input.feed_controls);
   for (std::size_t i = 0; i < session.runs.size(); ++i) {
-    input.runs.push_back({results[i], run_title(session.runs[i], results[i]->run.input.feed_controls),
-                          session.runs[i].colour});
+    input.runs.push_back({results[i], titles[static_cast<qsizetype>(i)], session.runs[i].colour});
   }
   input.current = session.current_run;
   input.scene = session.scene;

@@ -250,8 +250,11 @@ QString RunsView::verdict() const {
     return done < count ? tr("%1 of %2 runs are simulated.").arg(done).arg(count)
                         : tr("No run keeps this bound.");
   }
-  return tr("Fastest: %1 with %2.")
-      .arg(runs_.title(runs_.items()[*best]), clock_text(runs_.result(*best)->run.summary.cycle_time));
+  const QString lead = bounded_->isChecked()
+                           ? tr("Fastest within %1 µm").arg(QLocale().toString(bound_->value(), 'f', 1))
+                           : tr("Fastest");
+  return tr("%1: %2 with %3.")
+      .arg(lead, runs_.title(runs_.items()[*best]), clock_text(runs_.result(*best)->run.summary.cycle_time));
 }
 
 void RunsView::show_verdict() {

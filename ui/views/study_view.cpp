@@ -275,7 +275,8 @@ void StudyView::run() {
     job_.start(request);
     studied_ = model_.setup().state();
     studied_name_ = tr("%1 on %2")
-                        .arg(model_.runs().title(model_.runs().current_item()),
+                        .arg(run_title(model_.runs().current_item(), model_.runs().feed_controls(),
+                                       key == tolerance ? contour_tolerance_key : key),
                              QString::fromStdString(studied_.file().machine.name));
     forget_results();
   } catch (const InputError& error) {
@@ -329,8 +330,11 @@ QString StudyView::verdict() const {
   }
   const QString key = setting_title(study_->sweeps.front().key);
   const QString unit = unit_text(sweep_unit(study_->sweeps.front().key));
-  return tr("Fastest: %1 %2 with %3, contour error %4 µm. %5")
-      .arg(key, (locale.toString(best->swept.front(), 'g', 5) + ' ' + unit).trimmed(),
+  const QString lead = study_->within
+                           ? tr("Fastest within %1 µm").arg(locale.toString(1000 * *study_->within, 'f', 1))
+                           : tr("Fastest");
+  return tr("%1: %2 %3 with %4, contour error %5 µm. %6")
+      .arg(lead, key, (locale.toString(best->swept.front(), 'g', 5) + ' ' + unit).trimmed(),
            clock_text(best->summary.cycle_time),
            locale.toString(1000 * best->summary.max_contour_error, 'f', 1), ends_text());
 }

@@ -134,6 +134,7 @@ TEST_F(RunListTest, AChangeThatChangesNothingIsNoStepOfTheHistory) {
 
 TEST_F(RunListTest, SaysWhatChangedAndNothingElse) {
   runs.duplicate(0);
+  runs.rename(1, "fine");  // so that no title depends on another run
   const QSignalSpy list(&runs, &RunList::list_changed);
   const QSignalSpy items(&runs, &RunList::item_changed);
   const QSignalSpy setups(&runs, &RunList::setup_changed);
@@ -181,6 +182,37 @@ TEST_F(RunListTest, ATitleSaysTheToleranceOfTheProgramWhereThatIsInForce) {
   EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.02 … 0.1 mm");
   runs.set_setup(0, changed("program_tolerance", std::string("off")), "off");
   EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.1 mm");
+}
+
+TEST_F(RunListTest, TitlesTellRunsApart) {
+  runs.duplicate(0);
+  runs.duplicate(0);
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "essid, 0.1 mm");
+  EXPECT_EQ(runs.title(runs.items()[1]).toStdString(), "essid, 0.1 mm (2)");
+  EXPECT_EQ(runs.title(runs.items()[2]).toStdString(), "essid, 0.1 mm (3)");
+  QSignalSpy renamed(&runs, &RunList::item_changed);
+  runs.rename(0, "mine");
+  EXPECT_EQ(renamed.count(), 3) << "those behind are told that their titles changed";
+  EXPECT_EQ(runs.title(runs.items()[1]).toStdString(), "essid, 0.1 mm");
+  EXPECT_EQ(runs.title(runs.items()[2]).toStdString(), "essid, 0.1 mm (2)");
+  runs.set_setup(1, SetupState(make_setup({"huron-kx10", "essid", 0.1, {}})), "machine");
+  EXPECT_EQ(runs.title(runs.items()[0]).toStdString(), "mine");
+  EXPECT_EQ(runs.title(runs.items()[1]).toStdString(), "huron-kx10, essid, 0.1 mm");
+  EXPECT_EQ(runs.title(runs.items()[2]).toStdString(), "spinner-mvc850, essid, 0.1 mm");
+  runs.history().undo();
+  EXPECT_EQ(runs.title(runs.items()[2]).toStdString(), "essid, 0.1 mm (2)");
+}
+
+TEST_F(RunListTest, ATitleMayLeaveOutWhatIsStudied) {
+  SetupState setup = changed("X.jerk", 3.0);
+  setup.set("lookahead_blocks", 3.0);
+  runs.set_setup(0, setup, "two");
+  const auto title = [&](const char* left_out) {
+    return run_title(runs.items()[0], {}, left_out).toStdString();
+  };
+  EXPECT_EQ(title(""), "essid, 0.1 mm, X Jerk 3 m/s³, Look-ahead 3");
+  EXPECT_EQ(title("contour_tolerance_mm"), "essid, X Jerk 3 m/s³, Look-ahead 3");
+  EXPECT_EQ(title("X.jerk"), "essid, 0.1 mm, Look-ahead 3");
 }
 
 /// In the charts curves of other runs lie among those of the axes.

@@ -163,6 +163,15 @@ TEST(ReportRuns, AreNamedByWhatTellsThemApart) {
   EXPECT_NE(input.runs[0].colour, input.runs[1].colour);
   const auto same = report_runs({input.runs[0].shown, input.runs[0].shown});
   EXPECT_NE(same[0].name, same[1].name);
+  const LoadedProgram program =
+      load_program(std::make_shared<const SourceText>("test.nc", test::small_program));
+  std::vector<std::shared_ptr<const ShownRun>> shown;
+  for (const char* jerk : {"X.jerk=10", "X.jerk=20"}) {
+    shown.push_back(make_shown(simulate_run(program, make_setup({"", "essid", 0.05, {jerk}}))));
+  }
+  const auto limits = report_runs(shown);
+  EXPECT_EQ(limits[0].name, "essid, 0.05 mm, X.jerk 10");
+  EXPECT_EQ(limits[1].name, "essid, 0.05 mm, X.jerk 20");
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST_F(StudyViewTest, TheResultsAreThoseOfSimulatingEachValue) {
     EXPECT_EQ(point.error, alone.max_contour_error) << point.value;
   }
   EXPECT_EQ(view.table()->model()->rowCount(), 3);
-  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("Fastest: Contour tolerance"));
+  EXPECT_THAT(view.verdict().toStdString(), HasSubstr("Fastest within 10.0 µm: Contour tolerance"));
 }
 
 TEST_F(StudyViewTest, ValuesAreOnesThatPeopleCanSetAndStayApart) {
