@@ -268,6 +268,32 @@ void note_replaced_tolerance(const Toolpath& toolpath) {
   }
 }
 
+void note_unused_reading(const Program& program, const ReadOptions& asked) {
+  const auto note = [](const std::string& given, const std::vector<std::string>& used, const char* none) {
+    fmt::print(stderr, "feedscope: note: {} is not used; {}\n", given,
+               used.empty() ? none : fmt::format("the program uses: {}", fmt::join(used, ", ")));
+  };
+  std::vector<std::string> offsets;
+  for (const OffsetUse& use : program.work_offsets) {
+    offsets.push_back(use.name);
+  }
+  for (const auto& [name, zero] : asked.offsets.all()) {
+    if (std::ranges::find(offsets, name) == offsets.end()) {
+      note(fmt::format("work offset '{}'", name), offsets, "the program uses no work offset");
+    }
+  }
+  std::vector<std::string> tools;
+  for (const CutterUse& use : program.cutters) {
+    tools.push_back(CutterRadii::key(use.tool));
+  }
+  for (const auto& [tool, radius] : asked.radii.all()) {
+    if (std::ranges::find(tools, tool) == tools.end()) {
+      note(fmt::format("the cutter radius of tool '{}'", tool), tools,
+           "the program asks for no cutter radius compensation");
+    }
+  }
+}
+
 void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
   std::set<std::string> said;
   for (const Setup& setup : setups) {

@@ -73,6 +73,8 @@ CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values);
 /// Adds --set alone.
 void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 
+/// Tells on standard error which work offsets and cutter radii that were asked for the program does not use.
+void note_unused_reading(const Program& program, const ReadOptions& asked);
 /// Tells on standard error when a tolerance was asked for that replaces the program's own.
 void note_replaced_tolerance(const Toolpath& toolpath);
 /// Tells what run_notes() say of the setups on standard error, each once.

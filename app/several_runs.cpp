@@ -156,6 +156,7 @@ ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<Aske
                               std::shared_ptr<const SourceText> source, Watch& watch) {
   const LoadedProgram program = load_program(std::move(source), watch.stage("reading"),
                                              reading_on(reading, runs.front().setup.machine));
+  note_unused_reading(*program.program, reading);
   Progress& whole = *watch.stage("simulating");
   std::vector<std::shared_ptr<const ui::ShownRun>> shown(runs.size());
   std::vector<std::exception_ptr> errors(runs.size());

@@ -74,6 +74,9 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
   }
   table.add({"path length",
              fmt::format("{:.3f} mm, {:.3f} mm of it rapid", facts.path_length, facts.rapid_length)});
+  if (facts.segments > 0) {
+    table.add({"start", "X0 Y0 Z0, assumed; the ranges begin where a rapid ends"});
+  }
   if (facts.dwells > 0) {
     table.add({"dwell time", time_text(facts.dwell_time)});
   }
@@ -113,6 +116,7 @@ int check(const CheckOptions& options) {
     loaded = load_program(asked.source, watch.stage("reading"), asked.reading);
   }
   const ProgramFacts facts = facts_of(*loaded.program, *loaded.toolpath);
+  note_unused_reading(*loaded.program, asked.reading);
   print_diagnostics(*loaded.program, DiagnosticStyle::with_source);
   if (!options.json.empty()) {
     OutputFile json(options.json);

@@ -233,6 +233,7 @@ int compare(const CompareOptions& options) {
   if (!request.tolerances.empty() || replaces_tolerance) {
     note_replaced_tolerance(*program.toolpath);
   }
+  note_unused_reading(*program.program, asked.reading);
   note_runs(program, setups);
   print_diagnostics(*program.program);
   if (!files.to_standard_output()) {

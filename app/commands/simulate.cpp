@@ -144,6 +144,7 @@ int simulate(const SimulateOptions& options) {
   if (!options.run.tolerance.empty()) {
     note_replaced_tolerance(*run.input.toolpath);
   }
+  note_unused_reading(*run.input.program, asked.reading);
   note_runs(run.input, {run.setup});
   print_diagnostics(*run.input.program);
   if (!results.to_standard_output()) {

@@ -168,12 +168,16 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
     }
     peaks.add_part(part, walk.motion());
   }
-  for (const ExactSum& sum : by_slower_place) {
-    summary.time_by_slower_place.push_back(sum.value());
-  }
-  for (const ExactSum& sum : by_cause) {
-    summary.time_by_cause.push_back(sum.value());
-  }
+  const auto times = [](const std::vector<ExactSum>& sums) {
+    constexpr double rounding = 1e-9;  // s; what pieces leave that end where others begin
+    std::vector<double> seconds;
+    for (const ExactSum& sum : sums) {
+      seconds.push_back(sum.value() < rounding ? 0 : sum.value());
+    }
+    return seconds;
+  };
+  summary.time_by_slower_place = times(by_slower_place);
+  summary.time_by_cause = times(by_cause);
   ContourRequest worst;
   worst.places = 1;
   const ContourErrors errors = contour_errors(trajectory, worst);

@@ -74,9 +74,10 @@ fs::path find_lesson(const std::string& id_or_file) {
     return id_or_file;
   }
   const std::string nearest = nearest_id(id_or_file, ids);
-  throw InputError(fmt::format("unknown lesson '{}': no id and no file; {}", id_or_file,
-                               nearest.empty() ? fmt::format("ids: {}", fmt::join(ids, ", "))
-                                               : fmt::format("did you mean '{}'?", nearest)));
+  throw InputError(fmt::format(
+      "unknown lesson '{}': no id and no file; {}", id_or_file,
+      nearest.empty() ? fmt::format("numbers 1 to {}, or ids: {}", ids.size(), fmt::join(ids, ", "))
+                      : fmt::format("did you mean '{}'?", nearest)));
 }
 
 }  // namespace feedscope

@@ -2360,6 +2360,10 @@ Right drag or Ctrl+drag: zoom to a box. Ctrl+wheel: zoom the values. Double clic
         <translation>Clic&#xa0;: curseur. Shift+clic&#xa0;: second curseur, différences. Molette&#xa0;: zoom. Glisser&#xa0;: déplacer.
 Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#xa0;: zoom des valeurs. Double-clic&#xa0;: tout afficher.</translation>
     </message>
+    <message>
+        <source>▴ rapids up to %1</source>
+        <translation>▴ rapides jusqu’à %1</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::LessonView</name>
@@ -3402,10 +3406,6 @@ Ensemble : %3</translation>
         <translation>Plus lent [%]</translation>
     </message>
     <message>
-        <source>Feed [mm/min]</source>
-        <translation>Avance [mm/min]</translation>
-    </message>
-    <message>
         <source>Error [µm]</source>
         <translation>Erreur [µm]</translation>
     </message>
@@ -3456,6 +3456,10 @@ Ensemble : %3</translation>
     <message>
         <source>It failed: %1</source>
         <translation>Elle a échoué : %1</translation>
+    </message>
+    <message>
+        <source>Mean feed [mm/min]</source>
+        <translation>Avance moyenne [mm/min]</translation>
     </message>
 </context>
 <context>
@@ -4307,16 +4311,16 @@ Ensemble : %3</translation>
         <translation>Temps de cycle</translation>
     </message>
     <message>
-        <source>Feed [mm/min]</source>
-        <translation>Avance [mm/min]</translation>
-    </message>
-    <message>
         <source>Error [µm]</source>
         <translation>Erreur [µm]</translation>
     </message>
     <message>
         <source>Limited most by</source>
         <translation>Limitée surtout par</translation>
+    </message>
+    <message>
+        <source>Mean feed [mm/min]</source>
+        <translation>Avance moyenne [mm/min]</translation>
     </message>
 </context>
 <context>

@@ -179,6 +179,19 @@ TEST_F(CheckCommand, WorkOffsetsComeFromAnOption) {
   }
 }
 
+TEST_F(CheckCommand, SaysWhichOffsetsAndRadiiAreNotUsed) {
+  write("two.nc", "G21 G90 G54\nG0 X0 Y0\nG55\nG1 X10 F100\n");
+  EXPECT_THAT(run("check two.nc --offset G56=1,2,3").err,
+              HasSubstr("note: work offset 'G56' is not used; the program uses: G54, G55"));
+  EXPECT_THAT(run("simulate two.nc --offset g55=1,2,3").err, Not(HasSubstr("is not used")));
+  EXPECT_THAT(
+      run("compare two.nc --tool 7=3").err,
+      HasSubstr("note: the cutter radius of tool '7' is not used; the program asks for no cutter radius "
+                "compensation"));
+  write("one.nc", "G21 G90\nG1 X10 F100\n");
+  EXPECT_THAT(run("simulate one.nc --offset G55=1,2,3").err, HasSubstr("the program uses no work offset"));
+}
+
 TEST_F(CheckCommand, TellsWhatHasNoTime) {
   write("part.nc", "G21 G90 G54\nT1 M6\nM3 S100\nG1 X10 F600\nM0\nG28 G91 Z0\nG90 G0 X0 Y0 Z5\nA30\n");
   const json report = json::parse(run("check part.nc --dialect fanuc --json -").out);

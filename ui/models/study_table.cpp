@@ -98,7 +98,7 @@ QVariant StudyTable::headerData(int section, Qt::Orientation orientation, int ro
     case cycle_time:
       return tr("Cycle time");
     case mean_feed:
-      return tr("Feed [mm/min]");
+      return tr("Mean feed [mm/min]");
     case contour_error:
       return tr("Error [µm]");
     default:

@@ -1,5 +1,6 @@
 #include "ui/views/command_palette.h"
 
+#include <QDockWidget>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -113,9 +114,17 @@ void CommandPalette::filter(const QString& words) {
 void CommandPalette::run() {
   QAction* action = actions_->action(found_->mapToSource(list_->currentIndex()));
   hide();
-  if (action != nullptr) {
-    action->trigger();
+  if (action == nullptr) {
+    return;
   }
+  // Who looks for a panel wants to see it: it comes to the front, where its menu entry would close it.
+  if (auto* panel = qobject_cast<QDockWidget*>(action->parent());
+      panel != nullptr && panel->toggleViewAction() == action) {
+    panel->show();
+    panel->raise();
+    return;
+  }
+  action->trigger();
 }
 
 bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {

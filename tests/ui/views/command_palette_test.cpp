@@ -4,9 +4,12 @@
 
 #include <QAbstractItemModelTester>
 #include <QAction>
+#include <QDockWidget>
 #include <QLineEdit>
+#include <QMainWindow>
 #include <QTableView>
 #include <QTest>
+#include <array>
 
 namespace feedscope::ui {
 namespace {
@@ -62,6 +65,31 @@ TEST_F(CommandPaletteTest, WordsThatFindNothingRunNothing) {
   EXPECT_EQ(palette.list()->model()->rowCount(), 0);
   QTest::keyClick(palette.input(), Qt::Key_Return);
   EXPECT_EQ(triggered, nullptr);
+}
+
+/// Its entry in a menu closes a panel that is open; who looks for it by name wants to see it.
+TEST(CommandPalette, APanelThatIsFoundIsShown) {
+  QMainWindow window;
+  std::array<QDockWidget*, 2> panels{new QDockWidget("One", &window), new QDockWidget("Two", &window)};
+  for (QDockWidget* panel : panels) {
+    window.addDockWidget(Qt::BottomDockWidgetArea, panel);
+  }
+  window.tabifyDockWidget(panels[0], panels[1]);
+  window.resize(800, 600);
+  window.show();
+  CommandPalette palette(&window);
+  for (const int turn : {0, 1, 0, 0}) {
+    QDockWidget* panel = panels[static_cast<std::size_t>(turn)];
+    palette.ask({{"View", panel->toggleViewAction()}});
+    QTest::keyClick(palette.input(), Qt::Key_Return);
+    QCoreApplication::processEvents();
+    EXPECT_TRUE(panel->isVisible());
+    EXPECT_FALSE(panel->visibleRegion().isEmpty()) << "in front of the others";
+  }
+  panels[1]->close();
+  palette.ask({{"View", panels[1]->toggleViewAction()}});
+  QTest::keyClick(palette.input(), Qt::Key_Return);
+  EXPECT_TRUE(panels[1]->isVisible());
 }
 
 TEST(ActionTable, IsASoundItemModel) {
