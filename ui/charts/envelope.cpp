@@ -71,7 +71,12 @@ Envelope::Envelope(std::shared_ptr<const Trajectory> trajectory, Progress* progr
   std::size_t reported = 0;
   for (PartWalk walk(*trajectory_); !walk.done(); walk.next()) {
     const Part& part = walk.part();
-    add_part(groups[part.piece / pieces_a_group], part, walk.motion(), part.duration);
+    Band band;
+    add_part(band, part, walk.motion(), part.duration);
+    groups[part.piece / pieces_a_group].add(band);
+    if (!trajectory_->is_rapid(part.element)) {
+      cutting_.add(band);
+    }
     if (progress != nullptr && part.piece >= reported) {
       progress->report(static_cast<double>(part.piece) / static_cast<double>(pieces));
       reported = part.piece + std::size_t{4096};

@@ -78,6 +78,8 @@ class Envelope {
   std::vector<Band> columns(std::span<const double> times) const;
   /// The band of the whole trajectory; empty for an empty trajectory.
   Band overall() const;
+  /// The band of all that is no rapid.
+  const Band& cutting() const { return cutting_; }
   const CauseTimes& causes() const { return causes_; }
 
  private:
@@ -91,6 +93,7 @@ class Envelope {
 
   std::shared_ptr<const Trajectory> trajectory_;
   CauseTimes causes_;
+  Band cutting_;
   std::vector<std::vector<Band>> levels_;  ///< [0]: one band a group of pieces; each next level merges a few
 };
 

@@ -1,6 +1,7 @@
 #include "ui/charts/kinematic_chart.h"
 
 #include <QGraphicsLayout>
+#include <QLocale>
 #include <QPainter>
 #include <QValueAxis>
 #include <algorithm>
@@ -212,6 +213,12 @@ CurveReach KinematicChart::reach_of(const std::vector<Extent>& columns, bool may
   return {whole, may_be_cut};
 }
 
+void KinematicChart::set_cutting_feed(const std::optional<CuttingFeed>& feed) {
+  cutting_feed_ =
+      feed ? std::optional(CuttingFeed{spec_.convert(feed->achieved), spec_.convert(feed->programmed)})
+           : std::nullopt;
+}
+
 /// Brings the axes in line with what is shown.
 void KinematicChart::fit() {
   std::vector<CurveReach> curves;
@@ -229,6 +236,17 @@ void KinematicChart::fit() {
   }
   values_ = fit_values(curves, limits);
   values_.upper += room_for_names(limits_, values_, font(), chart()->plotArea().height());
+  double fastest = 0;
+  for (const CurveReach& curve : curves) {
+    fastest =
+        curve.may_be_cut || curve.values.empty() ? fastest : std::max(fastest, double{curve.values.max});
+  }
+  fastest_rapid_.reset();
+  const auto slower = cutting_feed_ ? without_rapids(values_, fastest, *cutting_feed_) : std::nullopt;
+  if (slower && !chosen_values_) {
+    fastest_rapid_ = fastest;
+    values_ = *slower;
+  }
   values_ = chosen_values_.value_or(values_);
   const QRectF plot = chart()->plotArea();
   set_range(ordinate_, values_, std::max(2, static_cast<int>(plot.height() / tick_distance)));
@@ -296,6 +314,7 @@ void KinematicChart::draw_picture(QPainter& painter) {
   painter.setClipRect(chart()->plotArea());
   draw_curves(painter);
   draw_limits(painter);
+  draw_rapid_note(painter);
   painter.restore();
   painter.setFont(abscissa_->labelsFont());
   painter.setPen(theme_colours(palette()).text);
@@ -363,6 +382,23 @@ void KinematicChart::draw_limits(QPainter& painter) const {
       label_right -= width + 12;
     }
   }
+}
+
+void KinematicChart::draw_rapid_note(QPainter& painter) const {
+  if (!fastest_rapid_) {
+    return;
+  }
+  const ThemeColours& colours = theme_colours(palette());
+  painter.setFont(limit_font(font()));
+  const QFontMetricsF metrics(painter.font());
+  const QString text = tr("▴ rapids up to %1").arg(QLocale().toString(*fastest_rapid_, 'f', spec_.decimals));
+  const QRectF plot = chart()->plotArea();
+  const QRectF label(plot.left() + 4, plot.top() + 1, metrics.horizontalAdvance(text), metrics.height());
+  QColor behind = colours.plot;
+  behind.setAlpha(230);
+  painter.fillRect(label.adjusted(-2, 0, 2, 0), behind);
+  painter.setPen(colours.text);
+  painter.drawText(label, Qt::AlignCenter, text);
 }
 
 void KinematicChart::draw_cursors(QPainter& painter) const {

@@ -47,6 +47,9 @@ class KinematicChart : public QChartView {
   /// For pictures: so many columns to a pixel of the screen.
   void set_resolution(double columns) { resolution_ = columns; }
   void set_limits(std::vector<LimitLine> limits);
+  /// What is cut at in the shown range, in core units: a feed chart leaves rapids that are far beyond out of
+  /// sight, and says so. None where nothing is cut.
+  void set_cutting_feed(const std::optional<CuttingFeed>& feed);
   void show_curve(std::size_t curve, bool shown);
   bool curve_shown(std::size_t curve) const { return shown_[curve]; }
   /// Draws equally wide columns from the lower to the upper end of the range, and other runs behind.
@@ -109,6 +112,7 @@ class KinematicChart : public QChartView {
   void draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color, double width,
                     bool dashed) const;
   void draw_limits(QPainter& painter) const;
+  void draw_rapid_note(QPainter& painter) const;
   void draw_cursors(QPainter& painter) const;
 
   ChartSpec spec_;
@@ -121,7 +125,9 @@ class KinematicChart : public QChartView {
   std::vector<bool> shown_;                   ///< a curve each
   std::vector<OverlayCurve> overlays_;
   std::vector<LimitLine> limits_;
+  std::optional<CuttingFeed> cutting_feed_;
   Interval values_{0, 1};
+  std::optional<double> fastest_rapid_;  ///< of those out of sight, in the chart's unit
   std::optional<Interval> chosen_values_;
   std::optional<double> cursor_;
   std::optional<double> second_cursor_;

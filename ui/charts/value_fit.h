@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 
 #include "ui/charts/envelope.h"
@@ -24,5 +25,15 @@ struct CurveReach {
 /// The ordinate that shows all curves, and zero. Curves that may be cut, and `limits` (magnitudes), widen it
 /// up to 1.75 times the largest value of the others only.
 Interval fit_values(std::span<const CurveReach> curves, std::span<const double> limits);
+
+/// What is cut at, in the chart's unit.
+struct CuttingFeed {
+  double achieved = 0;    ///< the largest
+  double programmed = 0;  ///< the largest
+};
+
+/// `values` made narrower where rapids would leave a feed chart no room for the cutting: where `fastest`, the
+/// largest feed of all, is three times that of the cutting. None where it is not.
+std::optional<Interval> without_rapids(const Interval& values, double fastest, const CuttingFeed& cutting);
 
 }  // namespace feedscope::ui

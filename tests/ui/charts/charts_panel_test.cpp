@@ -44,6 +44,33 @@ TEST_F(ChartsPanelTest, TheOrdinateFitsWhatIsShown) {
   EXPECT_GT(panel.chart(feed_chart).values().upper, 2900);
 }
 
+TEST_F(ChartsPanelTest, RapidsLeaveTheFeedOfCuttingItsRoom) {
+  const feedscope::Run slow = test::simulate_text("G0 X200 Y0 Z0\nG1 X210 F300\nY20\nG0 X0\nY0\nM30\n");
+  const auto bands = std::make_shared<const Envelope>(slow.trajectory);
+  EXPECT_NEAR(bands->cutting()[Channel::feed].max, 5, 0.1) << "mm/s";
+  EXPECT_GT(bands->overall()[Channel::feed].max, 100);
+  cursor.set_trajectory(slow.trajectory);
+  panel.set_run(slow.trajectory, bands, false);
+  panel.refresh();
+  EXPECT_GT(panel.chart(0).values().upper, 300);
+  EXPECT_LT(panel.chart(0).values().upper, 600);
+  // A rapid alone is shown in full, and so is what the user asks for.
+  const double first = slow.trajectory->state_at_path(199).time;
+  ChartsState state;
+  state.time = Interval{0, first};
+  panel.set_state(state);
+  panel.refresh();
+  EXPECT_GT(panel.chart(0).values().upper, 10000);
+  state.time.reset();
+  panel.set_state(state);
+  panel.refresh();
+  panel.chart(0).choose_values(Interval{0, 25000});
+  panel.refresh();
+  EXPECT_EQ(panel.chart(0).values(), (Interval{0, 25000}));
+  panel.chart(0).choose_values(std::nullopt);
+  EXPECT_LT(panel.chart(0).values().upper, 600);
+}
+
 TEST_F(ChartsPanelTest, CtrlAndWheelZoomTheValuesAtThePointer) {
   KinematicChart& chart = panel.chart(1);
   const Interval before = chart.values();

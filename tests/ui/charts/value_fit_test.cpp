@@ -34,6 +34,21 @@ TEST(ValueFit, ShowsALimitThatIsNear) {
   EXPECT_EQ(fit.lower, 0);
 }
 
+TEST(ValueFit, RapidsFarBeyondTheCuttingLeaveItItsRoom) {
+  const Interval whole{-9000, 21000};
+  const auto slower = without_rapids(whole, 20000, {300, 300});
+  ASSERT_TRUE(slower);
+  EXPECT_GT(slower->upper, 300 * 1.2);
+  EXPECT_LT(slower->upper, 300 * 1.5);
+  EXPECT_EQ(slower->lower, -slower->upper);
+  EXPECT_GE(without_rapids(whole, 20000, {300, 450})->upper, 450)
+      << "a programmed feed that is not reached is in sight";
+  EXPECT_LT(without_rapids(whole, 20000, {300, 6000})->upper, 600) << "unless it is far away";
+  EXPECT_FALSE(without_rapids(whole, 20000, {8000, 8000})) << "near enough";
+  EXPECT_FALSE(without_rapids(whole, 20000, {0, 0}));
+  EXPECT_EQ(without_rapids({0, 21000}, 20000, {300, 300})->lower, 0);
+}
+
 TEST(ValueFit, OfNothingHasAWidth) {
   EXPECT_GT(fit_values({}, {}).width(), 0);
   EXPECT_GT(fit_values(std::array{CurveReach{{0, 0}}}, {}).width(), 0);
