@@ -237,7 +237,7 @@ QString ChartsPanel::measurement_text() const {
 void ChartsPanel::refresh() {
   refresh_.stop();
   refresh_columns();
-  charts_.front()->set_cutting_feed(cutting_feed());
+  charts_.front()->set_cutting_feed(cutting_feed(envelope_.get(), columns_.bands(), overlays_));
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     charts_[i]->show_bands(columns_.bands(), overlay_curves(i));
   }
@@ -249,25 +249,6 @@ void ChartsPanel::refresh() {
     causes_->set_causes({}, {});
   }
   show_cursor();
-}
-
-std::optional<CuttingFeed> ChartsPanel::cutting_feed() const {
-  if (envelope_ == nullptr || envelope_->cutting()[Channel::feed].empty()) {
-    return std::nullopt;
-  }
-  Extent programmed;
-  for (const Band& band : columns_.bands()) {
-    programmed.add(band[Channel::programmed_feed]);
-  }
-  const Band& cutting = envelope_->cutting();
-  if (programmed.min > cutting[Channel::programmed_feed].max) {
-    return std::nullopt;  // rapids alone
-  }
-  double achieved = cutting[Channel::feed].max;
-  for (const RunOverlay& overlay : overlays_) {
-    achieved = std::max(achieved, double{overlay.envelope->cutting()[Channel::feed].max});
-  }
-  return CuttingFeed{achieved, double{cutting[Channel::programmed_feed].max}};
 }
 
 void ChartsPanel::refresh_columns() {

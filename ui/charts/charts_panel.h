@@ -110,8 +110,6 @@ class ChartsPanel : public QWidget {
   void show_menu(const QPoint& global);
 
   void show_alone(std::size_t chart, std::size_t curve);
-  /// What the runs cut at; none where the shown range holds rapids alone.
-  std::optional<CuttingFeed> cutting_feed() const;
   void refresh_columns();
   std::vector<OverlayCurve> overlay_curves(std::size_t chart) const;
   double overlay_time(const RunOverlay& overlay, double position) const;

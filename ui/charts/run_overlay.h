@@ -3,8 +3,11 @@
 #include <QColor>
 #include <QString>
 #include <memory>
+#include <optional>
+#include <span>
 
 #include "ui/charts/envelope.h"
+#include "ui/charts/value_fit.h"
 
 namespace feedscope::ui {
 
@@ -16,6 +19,11 @@ struct RunOverlay {
   QString name;
   bool dashed = false;
 };
+
+/// The largest feeds that a run and those beside it cut at [mm/s]; none without a run (null), and where what
+/// is `shown` of it are rapids alone.
+std::optional<CuttingFeed> cutting_feed(const Envelope* run, std::span<const Band> shown,
+                                        std::span<const RunOverlay> beside);
 
 /// Path length on `to` of the place that lies at path length `s` on `from`: in the same programmed segment,
 /// at the same share of what each run executes of it [mm]. Corner blends shorten every run's path by
