@@ -79,6 +79,9 @@ Toolpath build_toolpath(const Program& program) {
   Toolpath toolpath;
   toolpath.bounds = program.bounds;
   toolpath.other_axes = program.other_axes;
+  for (const OffsetUse& use : program.work_offsets) {
+    toolpath.zero_points.push_back({use.name, use.zero, !use.given});
+  }
   if (!program.path_controls.empty()) {
     toolpath.path_controls = program.path_controls;
   }

@@ -34,6 +34,13 @@ struct Segment {
 };
 static_assert(sizeof(Segment) == 56);
 
+/// The zero point of a work offset that the program uses.
+struct ZeroPoint {
+  std::string name;  ///< as OffsetUse::name
+  Vec3 place;        ///< [mm]
+  bool assumed = false;
+};
+
 /// The programmed path: contiguous, in programmed order.
 struct Toolpath {
   Vec3 start = Vec3::Zero();  ///< [mm]
@@ -44,6 +51,7 @@ struct Toolpath {
   std::vector<PathControl> path_controls{PathControl()};  ///< the first is the machine's
   Bounds bounds;                                          ///< as Program::bounds [mm]
   std::vector<std::string> other_axes;                    ///< as Program::other_axes
+  std::vector<ZeroPoint> zero_points;                     ///< of Program::work_offsets
 
   const Vec3& start_of(std::size_t i) const { return i == 0 ? start : segments[i - 1].end; }
   const PathControl& path_control_of(std::size_t i) const { return path_controls[segments[i].path_control]; }

@@ -480,6 +480,11 @@
         <source>paths %1 µm apart</source>
         <translation>trajectoires écartées de %1&#xa0;µm</translation>
     </message>
+    <message>
+        <source>assumed</source>
+        <comment>zero point of a work offset</comment>
+        <translation>supposé</translation>
+    </message>
 </context>
 <context>
     <name>Tolerance</name>

@@ -13,6 +13,7 @@
 #include "ui/scene/draw/axes_box.h"
 #include "ui/scene/draw/axes_cube.h"
 #include "ui/scene/draw/captions.h"
+#include "ui/scene/draw/path_marks.h"
 #include "ui/scene/draw/pointers.h"
 #include "ui/scene/path/pick.h"
 #include "ui/scene/path/shown_extent.h"
@@ -146,18 +147,15 @@ class PathScene::Impl {
     draw(lay_out_axes(frame, view, scale), scale, grid, colours(), texts, under);
     under.end();
     over.begin();
-    const auto& path = executed_samples ? executed_samples : programmed;
-    if (path && path->size() > 0) {
-      draw_start_marker(over, view.to_display(frame.to_scene(path->origin)), scale, colours());
-    }
-    draw_pointers(view);
+    const auto place_of = [&](const Vec3& point) { return view.to_display(frame.to_scene(point)); };
+    draw_path_marks(over, programmed.get(), executed_samples.get(), place_of, {scale, colours(), texts});
+    draw_pointers(place_of);
     draw_captions(over, layout(), captions(), view, view.scale / frame.unit);
     cube().draw(over, scale, colours(), texts);
     over.end();
   }
 
-  void draw_pointers(const Projection& view) {
-    const auto place_of = [&](const Vec3& point) { return view.to_display(frame.to_scene(point)); };
+  void draw_pointers(const PlaceInWindow& place_of) {
     if (dimension) {
       draw_dimension(over, place_of(dimension->from),
                      dimension->to ? std::optional(place_of(*dimension->to)) : std::nullopt, dimension->lines,

@@ -24,6 +24,7 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points) 
   const double spacing = spacing_for(wanted, max_points, toolpath.length());
 
   path.origin = toolpath.start;
+  path.zero_points = toolpath.zero_points;
   path.positions.reserve(std::min(wanted, max_points) + 1);
   path.kinds.reserve(std::min(wanted, max_points) + 1);
   Sampler sampler(path, spacing);

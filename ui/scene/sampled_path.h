@@ -64,6 +64,7 @@ struct SampledPath {
   std::vector<SpanKind> kinds;             ///< of the span that begins at the point
   double peak_feed = 0;                    ///< largest feed on spans that are not rapid [mm/s]
   Bounds bounds;                           ///< [mm]
+  std::vector<ZeroPoint> zero_points;      ///< of a programmed path
   std::vector<PathLevel> levels;           ///< of detail, all points first
   std::vector<SpanBox> boxes;              ///< of an executed path
 

@@ -33,6 +33,7 @@ struct SceneTexts {
   std::string rapid = "rapid";
   std::string executed = "executed";
   std::string blend = "corner blend";
+  std::string assumed = "assumed";                   ///< of a zero point
   std::string exaggerated = "deviation drawn × %1";  ///< %1: the factor
   std::string warning;                               ///< PathScene::set_warning()
   std::string feed = "Feed";

@@ -32,6 +32,7 @@ SceneTexts scene_texts() {
   texts.rapid = Scene::tr("rapid").toStdString();
   texts.executed = Scene::tr("executed").toStdString();
   texts.blend = Scene::tr("corner blend").toStdString();
+  texts.assumed = Scene::tr("assumed", "zero point of a work offset").toStdString();
   texts.exaggerated = Scene::tr("deviation drawn × %1").toStdString();
   texts.feed = Scene::tr("Feed").toStdString();
   texts.feed_ratio = Scene::tr("Feed / programmed").toStdString();

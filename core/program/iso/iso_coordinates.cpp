@@ -37,6 +37,11 @@ const IsoCoordinates::WorkOffset* IsoCoordinates::work_offset(int key) const {
   return found == work_offsets_.end() ? nullptr : &found->second;
 }
 
+std::optional<Vec3> IsoCoordinates::zero_of(int key) const {
+  const WorkOffset* offset = work_offset(key);
+  return offset == nullptr ? std::nullopt : std::optional(offset->shift);
+}
+
 void IsoCoordinates::set_work_offset(int key, const WorkOffset& offset) {
   work_offsets_[key] = offset;
   if (key == key_) {

@@ -35,6 +35,8 @@ class IsoCoordinates {
 
   /// Of all coordinates [mm]; nullptr if the program has not set it.
   const WorkOffset* work_offset(int key) const;
+  /// Zero point of a work offset [mm]; none if the program has not set it.
+  std::optional<Vec3> zero_of(int key) const;
   const WorkOffset& work_offset_in_force() const { return in_force_; }
   int key_in_force() const { return key_; }
   void set_work_offset(int key, const WorkOffset& offset);

@@ -180,7 +180,7 @@ void IsoReader::select_work_offset(int code, std::uint32_t column) {
   }
   state_.work_offset = key;
   coordinates_.select_work_offset(key);
-  path().use_work_offset(offset_name(key), coordinates_.work_offset(key) != nullptr);
+  path().use_work_offset(offset_name(key), coordinates_.zero_of(key));
   set_frame();
 }
 

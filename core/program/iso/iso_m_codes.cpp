@@ -99,8 +99,7 @@ void IsoReader::restore(const KeptState& kept) {
   if (kept.state.work_offset != 0 && kept.state.work_offset != state_.work_offset) {
     state_.work_offset = kept.state.work_offset;
     coordinates_.select_work_offset(state_.work_offset);
-    path().use_work_offset(offset_name(state_.work_offset),
-                           coordinates_.work_offset(state_.work_offset) != nullptr);
+    path().use_work_offset(offset_name(state_.work_offset), coordinates_.zero_of(state_.work_offset));
     set_frame();
   }
   path().set_feed_mode(kept.feed_mode);

@@ -340,16 +340,17 @@ void PathWriter::report_missing_feed() {
   });
 }
 
-void PathWriter::use_work_offset(std::string_view name, bool given) {
+void PathWriter::use_work_offset(std::string_view name, const std::optional<Vec3>& zero) {
   std::vector<OffsetUse>& all = program_.work_offsets;
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const OffsetUse& use) { return use.name == name; });
   offset_ = static_cast<std::size_t>(found - all.begin());
   if (found == all.end()) {
-    all.push_back({std::string(name), line_, 0, given});
-  } else {
-    found->given = found->given || given;
+    all.push_back({std::string(name), line_});
   }
+  OffsetUse& use = all[*offset_];
+  use.given = use.given || zero;
+  use.zero = zero.value_or(Vec3::Zero());
 }
 
 void PathWriter::append(Motion motion, const Vec3& target, double feed, const ArcWords& arc) {

@@ -74,8 +74,9 @@ class PathWriter {
   /// False while the axis, 0 to 2, is at a place that only the machine knows: position() has its last one.
   bool knows(int axis) const { return places_.is_shown(axis); }
 
-  /// What follows is programmed in this work offset, for Program::work_offsets.
-  void use_work_offset(std::string_view name, bool given);
+  /// What follows is programmed in this work offset with this zero point [mm], for Program::work_offsets;
+  /// none: it is assumed as zero.
+  void use_work_offset(std::string_view name, const std::optional<Vec3>& zero);
 
   const CoordinateFrame& frame() const { return frame_; }
   /// The tool stays where it is; its programmed coordinates change.

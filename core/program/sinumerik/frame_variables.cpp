@@ -264,7 +264,11 @@ void SinumerikReader::change_work_offset(int number, std::uint32_t column) {
     });
   }
   constexpr int suppressed = 500;
-  path().use_work_offset(fmt::format("G{}", number), number == suppressed || found != settable_frames_.end());
+  std::optional<Vec3> zero = number == suppressed ? std::optional<Vec3>(Vec3::Zero()) : std::nullopt;
+  if (found != settable_frames_.end()) {
+    zero = found->second.frame().to_shown(Vec3::Zero());
+  }
+  path().use_work_offset(fmt::format("G{}", number), zero);
   if (settable_frames_.empty()) {
     return;
   }

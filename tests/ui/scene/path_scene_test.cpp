@@ -38,11 +38,55 @@ class PathSceneTest : public testing::Test {
     window_->Render();
   }
 
+  vtkSmartPointer<vtkUnsignedCharArray> pixels() {
+    vtkNew<vtkUnsignedCharArray> rgba;
+    window_->GetRGBACharPixelData(0, 0, width - 1, height - 1, 0, rgba);
+    return rgba.Get();
+  }
+
   static constexpr int width = 800;
   static constexpr int height = 600;
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window_ = make_render_window(RenderBackend::software);
   PathScene scene_;
 };
+
+/// Around the zero points, and nowhere else, the picture of a program with several offsets is another one
+/// than that of the same path without.
+TEST_F(PathSceneTest, ZeroPointsOfSeveralOffsetsAreMarked) {
+  const auto run = simulate_text("G21 G90 F3000\nG10 L2 P2 X60 Y30\nG54 G1 X20 Y3\nG55 X20 Y30 Z10\nM30\n");
+  const std::vector<ZeroPoint>& points = run.input.toolpath->zero_points;
+  ASSERT_EQ(points.size(), 2U);
+  EXPECT_EQ(points[1].name, "G55");
+  EXPECT_EQ(points[1].place, Vec3(60, 30, 0));
+  EXPECT_TRUE(points[0].assumed);
+  EXPECT_FALSE(points[1].assumed);
+  show(run, StandardView::top);
+  const vtkSmartPointer<vtkUnsignedCharArray> with = pixels();
+  auto plain = std::make_shared<Toolpath>(*run.input.toolpath);
+  plain->zero_points.resize(1);
+  scene_.set_programmed(plain);
+  window_->Render();
+  const vtkSmartPointer<vtkUnsignedCharArray> without = pixels();
+  int changed = 0;
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const vtkIdType at = vtkIdType{4} * (y * width + x);
+      if (with->GetValue(at) == without->GetValue(at) &&
+          with->GetValue(at + 1) == without->GetValue(at + 1)) {
+        continue;
+      }
+      ++changed;
+      const auto near = [&](const ZeroPoint& point) {
+        const Pixel mark = scene_.pixel_of(point.place);
+        const double right = x - mark[0];
+        const double down = height - y - mark[1];
+        return right > -12 && right < 120 && down > -12 && down < 30;
+      };
+      EXPECT_TRUE(near(points[0]) || near(points[1])) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(changed, 200);
+}
 
 TEST_F(PathSceneTest, PicksTheTimeOfThePointUnderThePixel) {
   const auto run =

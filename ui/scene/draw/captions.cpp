@@ -203,10 +203,4 @@ void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& c
                     {layout.width, layout.height}, k);
 }
 
-void draw_start_marker(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours) {
-  canvas.disc(place, 6 * scale, colours.background);
-  canvas.disc(place, 5 * scale, colours.text);
-  canvas.disc(place, 2.6 * scale, colours.background);
-}
-
 }  // namespace feedscope::ui

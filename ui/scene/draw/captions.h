@@ -53,7 +53,4 @@ ScreenLayout screen_layout(int width, int height, double scale, const Captions& 
 void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& captions,
                    const Projection& projection, double millimetre);
 
-/// Where the path starts.
-void draw_start_marker(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours);
-
 }  // namespace feedscope::ui
