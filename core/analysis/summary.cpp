@@ -168,8 +168,8 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
     }
     peaks.add_part(part, walk.motion());
   }
-  const auto times = [](const std::vector<ExactSum>& sums) {
-    constexpr double rounding = 1e-9;  // s; what pieces leave that end where others begin
+  const double rounding = 1e-14 * summary.cycle_time;  // what pieces leave that end where others begin
+  const auto times = [rounding](const std::vector<ExactSum>& sums) {
     std::vector<double> seconds;
     for (const ExactSum& sum : sums) {
       seconds.push_back(sum.value() < rounding ? 0 : sum.value());

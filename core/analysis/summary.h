@@ -28,7 +28,7 @@ struct Summary {
   ContourPlace worst_place;  ///< where max_contour_error is; of a run that leaves the path nowhere all 0
   double peak_feed = 0;      ///< [mm/s]
   std::array<AxisPeaks, 3> axes;
-  /// By cause_index(); adds up to cycle_time but for rounding: less than 1 ns is none [s].
+  /// By cause_index(); adds up to cycle_time but for rounding: less than 1e-14 of it is none [s].
   std::vector<double> time_by_cause;
   /// Of the time of ramp_down: by cause_index() of what sets the slower place ahead [s].
   std::vector<double> time_by_slower_place;

@@ -24,10 +24,9 @@ constexpr std::string_view separators = " \t;";
 
 double number_in(const std::string& text, std::string_view word) {
   const TypedNumber number = typed_list_number(word);
-  if (!number.value || !std::isfinite(*number.value)) {
+  if (!number.value) {
     refuse(text, fmt::format("'{}' {}", word,
                              !number.problem.empty() ? "has a comma: " + number.problem
-                             : number.value          ? "is not finite"
                                                      : "is not a number, and only numbers can be swept"));
   }
   return *number.value;

@@ -59,7 +59,7 @@ TEST(Sweep, SaysWhatIsWrong) {
   expect_refused("a=1;x", {"'x' is not a number"});
   expect_refused("a=", {"the value is missing"});
   expect_refused("reading=strict", {"'strict' is not a number, and only numbers can be swept"});
-  expect_refused("a=1:inf:lin3", {"a=1:inf:lin3", "'inf' is not finite"});
+  expect_refused("a=1:inf:lin3", {"a=1:inf:lin3", "'inf' is not a number"});
   expect_refused("tolerance=0,05", {"'0,05' has a comma", "0.05 for one value", "\"0;05\" in quotes"});
   expect_refused("tolerance=0,005:0,1:log12", {"'0,005' has a comma", "write 0.005"});
   expect_refused("filters=2, 3", {"'2,' has a comma"});
