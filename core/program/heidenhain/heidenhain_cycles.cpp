@@ -8,7 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/program/heidenhain/heidenhain_core.h"
-#include "core/program/heidenhain/hole_patterns.h"
+#include "core/program/cycles/hole_patterns.h"
 #include "core/program/path/plane_points.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"

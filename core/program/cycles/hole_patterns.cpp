@@ -1,4 +1,4 @@
-#include "core/program/heidenhain/hole_patterns.h"
+#include "core/program/cycles/hole_patterns.h"
 
 #include "core/base/units.h"
 #include "core/program/path/plane_points.h"
