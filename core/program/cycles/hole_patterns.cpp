@@ -1,21 +1,35 @@
 #include "core/program/cycles/hole_patterns.h"
 
+#include <cmath>
+
 #include "core/base/units.h"
 #include "core/program/path/plane_points.h"
 
 namespace feedscope {
 
-std::vector<Vec2> places_of(const CirclePattern& pattern) {
+double step_between(double start, double stop, int count) {
   constexpr double same_angle = 1e-9;
-  double step = pattern.step;
-  if (step == 0 && pattern.count > 1) {
-    const double whole = pattern.stop - pattern.start;
-    const bool full_turn = std::abs(std::abs(whole) - 2 * units::pi) < same_angle;
-    step = whole / (full_turn ? pattern.count : pattern.count - 1);
+  if (count < 2) {
+    return 0;
   }
+  const bool full_turn = std::abs(std::abs(stop - start) - 2 * units::pi) < same_angle;
+  return (stop - start) / (full_turn ? count : count - 1);
+}
+
+std::vector<Vec2> places_of(const CirclePattern& pattern) {
   std::vector<Vec2> places;
   for (int i = 0; i < pattern.count; ++i) {
-    places.push_back(pattern.center + turned(Vec2(pattern.diameter / 2, 0), pattern.start + i * step));
+    const double angle = pattern.start + i * pattern.step;
+    places.push_back(pattern.center + turned(Vec2(pattern.diameter / 2, 0), angle));
+  }
+  return places;
+}
+
+std::vector<Vec2> places_of(const RowPattern& pattern) {
+  const Vec2 apart = turned(Vec2(pattern.spacing, 0), pattern.angle);
+  std::vector<Vec2> places;
+  for (int i = 0; i < pattern.count; ++i) {
+    places.push_back(pattern.start + i * apart);
   }
   return places;
 }

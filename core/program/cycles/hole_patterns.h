@@ -6,20 +6,33 @@
 
 namespace feedscope {
 
-/// Cycle 220: places on a circle. Angles in rad; a `step` of 0 divides the angle from start to stop, a whole
-/// turn by one place more.
+/// Places of holes in the plane, in the order in which they are drilled. Lengths have the unit of the caller,
+/// angles are in rad.
+
+/// On a circle, `step` apart. Sinumerik HOLES2, Haas G70 and G71.
 struct CirclePattern {
   Vec2 center = Vec2::Zero();
   double diameter = 0;
   double start = 0;
-  double stop = 0;
   double step = 0;
   int count = 0;
 };
+/// The angle between `count` places from start to stop, both included; around a whole turn the last place is
+/// not the first one again. Heidenhain cycle 220.
+double step_between(double start, double stop, int count);
 std::vector<Vec2> places_of(const CirclePattern& pattern);
 
-/// Cycle 221, ROW, PAT and FRAME: places in rows, there and back, or on the edge only, once round; turned
-/// about the first one.
+/// On a line from the start. Sinumerik HOLES1, Haas G72, Heidenhain ROW.
+struct RowPattern {
+  Vec2 start = Vec2::Zero();
+  double spacing = 0;
+  double angle = 0;
+  int count = 0;
+};
+std::vector<Vec2> places_of(const RowPattern& pattern);
+
+/// In rows, there and back, or on the edge only, once round; turned about the first place. Heidenhain cycle
+/// 221, PAT and FRAME.
 struct GridPattern {
   Vec2 start = Vec2::Zero();
   double column_spacing = 0;

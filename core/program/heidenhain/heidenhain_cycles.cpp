@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/base/units.h"
-#include "core/program/heidenhain/heidenhain_core.h"
 #include "core/program/cycles/hole_patterns.h"
+#include "core/program/heidenhain/heidenhain_core.h"
 #include "core/program/path/plane_points.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
@@ -306,12 +306,15 @@ std::vector<Vec2> HeidenhainCore::pattern_places(int number, std::uint32_t colum
     return static_cast<int>(value(q));
   };
   if (number == circle_pattern) {
-    return places_of(CirclePattern{.center = {to_mm(value(216)), to_mm(value(217))},
-                                   .diameter = to_mm(value(244)),
-                                   .start = units::from_deg(value(245)),
-                                   .stop = units::from_deg(value(246)),
-                                   .step = units::from_deg(value(247)),
-                                   .count = count(241)});
+    const double start = units::from_deg(value(245));
+    const double step = units::from_deg(value(247));
+    const int holes = count(241);
+    return places_of(
+        CirclePattern{.center = {to_mm(value(216)), to_mm(value(217))},
+                      .diameter = to_mm(value(244)),
+                      .start = start,
+                      .step = step != 0 ? step : step_between(start, units::from_deg(value(246)), holes),
+                      .count = holes});
   }
   return places_of(GridPattern{.start = {to_mm(value(225)), to_mm(value(226))},
                                .column_spacing = to_mm(value(237)),

@@ -4,8 +4,8 @@
 #include <array>
 
 #include "core/base/units.h"
-#include "core/program/heidenhain/heidenhain_reader.h"
 #include "core/program/cycles/hole_patterns.h"
+#include "core/program/heidenhain/heidenhain_reader.h"
 #include "core/program/path/plane_points.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
@@ -54,23 +54,23 @@ std::vector<Vec2> places_in_plane(std::string_view kind, const PatternWords& wor
     return {at};
   }
   if (letters::same(kind, "CIRC") || letters::same(kind, "PITCHCIRC")) {
-    const double start = units::from_deg(words.start);
+    const int count = checked_count(words.count, column);
+    const bool by_step = letters::same(kind, "PITCHCIRC") && words.step != 0;
     return places_of(CirclePattern{.center = at,
                                    .diameter = words.spacing,
-                                   .start = start,
-                                   .stop = start + 2 * units::pi,
-                                   .step = letters::same(kind, "CIRC") ? 0 : units::from_deg(words.step),
-                                   .count = checked_count(words.count, column)});
+                                   .start = units::from_deg(words.start),
+                                   .step = by_step ? units::from_deg(words.step) : 2 * units::pi / count,
+                                   .count = count});
+  }
+  if (letters::same(kind, "ROW")) {
+    return places_of(RowPattern{.start = at,
+                                .spacing = words.spacing,
+                                .angle = units::from_deg(words.turn),
+                                .count = checked_count(words.count, column)});
   }
   GridPattern grid;
   grid.start = at;
   grid.angle = units::from_deg(words.turn);
-  if (letters::same(kind, "ROW")) {
-    grid.column_spacing = words.spacing;
-    grid.columns = checked_count(words.count, column);
-    grid.rows = 1;
-    return places_of(grid);
-  }
   grid.column_spacing = words.column_spacing;
   grid.row_spacing = words.row_spacing;
   grid.columns = checked_count(words.columns, column);

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "core/base/units.h"
+#include "core/program/cycles/hole_patterns.h"
 #include "core/program/iso/iso_reader.h"
 #include "core/program/path/drilling_cycle.h"
 #include "core/program/path/plane_points.h"
@@ -256,15 +256,19 @@ void IsoReader::drill_pattern(int code, std::uint32_t column) {
   const double size = state_.to_mm(words_['I'].value);
   const double first = words_.has('J') ? units::from_deg(words_['J'].value) : 0;
   const double apart = words_.has('K') ? units::from_deg(words_['K'].value) : 0;
-  const double step = code == circle ? 2 * std::numbers::pi / count : apart;
   const Vec3 from = path().position();
+  const Vec2 middle = in_plane(from, state_.plane);
+  const int holes = static_cast<int>(count);
+  const std::vector<Vec2> places =
+      code == line ? places_of(RowPattern{.start = middle, .spacing = size, .angle = first, .count = holes})
+                   : places_of(CirclePattern{.center = middle,
+                                             .diameter = 2 * size,
+                                             .start = first,
+                                             .step = code == circle ? 2 * units::pi / count : apart,
+                                             .count = holes});
   path().program_axes();
-  for (double i = 0; i < count; ++i) {
-    const double angle = code == line ? first : first + i * step;
-    Vec3 hole = from_plane(
-        (code == line ? i : 1) * size * Vec2(std::cos(angle), std::sin(angle)) + in_plane(from, state_.plane),
-        state_.plane, from);
-    drill(path(), *cycle, hole);
+  for (const Vec2& place : places) {
+    drill(path(), *cycle, from_plane(place, state_.plane, from));
   }
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "core/base/units.h"
+#include "core/program/cycles/hole_patterns.h"
+#include "core/program/path/plane_points.h"
 #include "core/program/sinumerik/names.h"
 #include "core/program/sinumerik/sinumerik_reader.h"
 #include "core/program/text/message.h"
@@ -25,6 +27,26 @@ int cycle_number(std::string_view name) {
     number = status == std::errc() && stop == digits.data() + digits.size() ? number : -1;
   }
   return number;
+}
+
+/// HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM): a row, the first hole FDIS from its reference point; HOLES2(CPA,
+/// CPO, RAD, STA1, INDA, NUM): a circle, without INDA over a whole turn.
+std::vector<Vec2> places_of_holes(const Arguments& arguments, bool circle, int count) {
+  const auto number = [&](std::size_t place) { return number_at(arguments, place); };
+  const Vec2 reference(number(0), number(1));
+  if (circle) {
+    const double step = number(4) != 0 ? units::from_deg(number(4)) : 2 * units::pi / count;
+    return places_of(CirclePattern{.center = reference,
+                                   .diameter = 2 * number(2),
+                                   .start = units::from_deg(number(3)),
+                                   .step = step,
+                                   .count = count});
+  }
+  const double angle = units::from_deg(number(2));
+  return places_of(RowPattern{.start = reference + turned(Vec2(number(3), 0), angle),
+                              .spacing = number(4),
+                              .angle = angle,
+                              .count = count});
 }
 
 }  // namespace
@@ -109,8 +131,7 @@ void SinumerikReader::drill(const DrillingCycle& cycle) {
   }
 }
 
-/// HOLES1(SPCA, SPCO, STA1, FDIS, DBH, NUM) and HOLES2(CPA, CPO, RAD, STA1, INDA, NUM): the modal cycle on a
-/// row or on a circle.
+/// The modal cycle at every hole.
 void SinumerikReader::hole_pattern(const Arguments& arguments, bool circle, std::uint32_t column) {
   constexpr double most_holes = 1000;
   const double count = number_at(arguments, 5);
@@ -122,15 +143,8 @@ void SinumerikReader::hole_pattern(const Arguments& arguments, bool circle, std:
     return;
   }
   finish_spline();
-  const Vec3 start = path().position();
-  for (int i = 0; i < static_cast<int>(count); ++i) {
-    Vec3 at = start;
-    const double step = circle && number_at(arguments, 4) == 0 ? 360 / count : number_at(arguments, 4);
-    const double angle = units::from_deg(number_at(arguments, circle ? 3 : 2) + (circle ? i * step : 0));
-    const double radius = circle ? number_at(arguments, 2) : number_at(arguments, 3) + i * step;
-    at[first_axis(modal_.plane)] = to_mm(number_at(arguments, 0) + radius * std::cos(angle));
-    at[second_axis(modal_.plane)] = to_mm(number_at(arguments, 1) + radius * std::sin(angle));
-    at[normal_axis(modal_.plane)] = path().position()[normal_axis(modal_.plane)];
+  for (const Vec2& place : places_of_holes(arguments, circle, static_cast<int>(count))) {
+    const Vec3 at = from_plane(to_mm(1) * place, modal_.plane, path().position());
     program_axis(first_axis(modal_.plane));
     program_axis(second_axis(modal_.plane));
     use_path_control(true);
