@@ -16,7 +16,7 @@
 #include "core/program/iso/iso_expression.h"
 #include "core/program/iso/iso_variables.h"
 #include "core/program/iso/modal_state.h"
-#include "core/program/path/drilling_cycle.h"
+#include "core/program/iso/drilling_cycle.h"
 #include "core/program/reader.h"
 #include "core/program/text/lexer.h"
 #include "core/program/text/read_fault.h"

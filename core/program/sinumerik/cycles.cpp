@@ -59,10 +59,10 @@ bool SinumerikReader::run_cycle(const SubprogramCall& call) {
     swivel(call);
   } else if (letters::same(call.name, "HOLES1") || letters::same(call.name, "HOLES2")) {
     hole_pattern(call.arguments, call.name.back() == '2', call.column);
-  } else if (const auto cycle = DrillingCycle::make(number, call.arguments, to_mm(1))) {
+  } else if (const auto plan = drill_plan(number, call.arguments, drilling_place())) {
     finish_spline();
     check_depth(number, call);
-    drill(*cycle);
+    drill(*plan);
   } else {
     return false;
   }
@@ -82,53 +82,23 @@ void SinumerikReader::check_depth(int number, const SubprogramCall& call) {
   });
 }
 
-void SinumerikReader::drill(const DrillingCycle& cycle) {
-  const int first = first_axis(modal_.plane);
-  const int second = second_axis(modal_.plane);
-  const int axis = cycle.axis() == 0 ? first : cycle.axis() == 1 ? second : normal_axis(modal_.plane);
-  const Vec3 hole = path().position();
-  const double feed = path().feed();
-  const FeedMode mode = path().feed_mode();
-  const double speed = path().spindle_speed();
+DrillingPlace SinumerikReader::drilling_place() {
+  return {modal_.plane,
+          path().position(),
+          to_mm(1),
+          path().feed(),
+          path().feed_mode(),
+          path().spindle_speed(),
+          [this](double value) { return feed_of(value); }};
+}
+
+void SinumerikReader::drill(const DrillPlan& plan) {
   last_arc_.reset();
-  for (const DrillingStep& step : cycle.steps()) {
-    if (step.kind == DrillingStep::Kind::dwell) {
-      const double seconds = step.value > 0 ? step.value : speed > 0 ? -step.value / speed : 0;
-      if (seconds > 0) {
-        path().dwell(seconds);
-      }
-      continue;
-    }
-    Vec3 target = hole;
-    target[first] += to_mm(step.aside[0]);
-    target[second] += to_mm(step.aside[1]);
-    target[axis] = to_mm(step.height);
-    program_axis(axis);
+  feedscope::run(plan, path(), path().position(), [&](bool rapid) {
+    program_axis(plan.axis());
     start_ = path().position();
-    use_path_control(step.kind == DrillingStep::Kind::rapid);
-    switch (step.kind) {
-      case DrillingStep::Kind::rapid:
-        path().rapid(target);
-        continue;
-      case DrillingStep::Kind::feed:
-        path().set_feed(feed * step.value);
-        break;
-      case DrillingStep::Kind::own_feed:
-        path().set_feed(feed_of(step.value));
-        break;
-      case DrillingStep::Kind::thread:
-        path().set_feed_mode(FeedMode::per_revolution);
-        path().set_feed(step.value);
-        path().set_spindle_speed(step.speed > 0 ? step.speed : speed);
-        break;
-      case DrillingStep::Kind::dwell:
-        break;
-    }
-    path().line(target);
-    path().set_spindle_speed(speed);
-    path().set_feed_mode(mode);
-    path().set_feed(feed);
-  }
+    use_path_control(rapid);
+  });
 }
 
 /// The modal cycle at every hole.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "core/base/units.h"
 
@@ -70,89 +71,127 @@ std::vector<double> stroke_depths(double total, double first, double degression,
   return depths;
 }
 
-}  // namespace
+class DrillingCycle {
+ public:
+  DrillingCycle(const Arguments& arguments, const DrillingPlace& place, int axis);
 
-std::optional<DrillingCycle> DrillingCycle::make(int number, const Arguments& arguments, double mm) {
-  DrillingCycle cycle(arguments);
-  const auto number_of = [&](std::size_t place) { return number_at(arguments, place); };
-  const auto set_axis = [&](std::size_t place) {
-    const double axis = number_of(place);
-    cycle.axis_ = axis == 1 ? 0 : axis == 2 ? 1 : 2;
+  /// False for a number that is no drilling cycle.
+  bool add(int number);
+  void end();
+  const DrillPlan& plan() const { return plan_; }
+
+ private:
+  struct Tapping {
+    double lead = 0;   ///< [mm]
+    double speed = 0;  ///< [1/s]
+    double speed_back = 0;
+    double dwell = 0;
+    double stroke = 0;  ///< between lifts; 0: in one go
+    double lift = 0;    ///< 0: up to the safe height
   };
+  double number_of(std::size_t argument) const { return number_at(arguments_, argument); }
+  void drill(double bottom_dwell);
+  void deep_hole();
+  void tap(const Tapping& tapping);
+  void lift_off(double first, double second, double up);
+  void rapid(double height) { plan_.rapid(place_.mm * height); }
+  /// At the programmed feed times `share`.
+  void feed(double height, double share = 1);
+  void own_feed(double height, double feed);
+  /// Seconds; negative: revolutions.
+  void dwell(double time);
+
+  const Arguments& arguments_;
+  const DrillingPlace& place_;
+  double retract_ = 0;  ///< RTP
+  double top_ = 0;      ///< RFP
+  double safe_ = 0;     ///< RFP and SDIS
+  double bottom_ = 0;   ///< DP, or from DPR
+  double up_ = 1;       ///< direction out of the hole: 1 or -1
+  Vec3 aside_ = Vec3::Zero();
+  DrillPlan plan_;
+};
+
+DrillingCycle::DrillingCycle(const Arguments& arguments, const DrillingPlace& place, int axis)
+    : arguments_(arguments), place_(place), plan_(axis, place.position[axis]) {
+  retract_ = number_of(0);
+  top_ = number_of(1);
+  const std::optional<double> absolute = given_at(arguments, 3);
+  const double depth = std::abs(number_of(4));
+  const bool down = depth > 0 ? retract_ >= top_ : absolute.value_or(top_) <= top_;
+  up_ = down ? 1 : -1;
+  safe_ = top_ + up_ * std::abs(number_of(2));
+  bottom_ = depth > 0 ? top_ - up_ * depth : absolute.value_or(top_);
+}
+
+bool DrillingCycle::add(int number) {
   switch (number) {
     case 87:
-      cycle.drill(0);
-      break;
+      drill(0);
+      return true;
     case 81:
     case 82:
     case 88:
-      cycle.drill(number_of(5));
-      break;
+      drill(number_of(5));
+      return true;
     case 86:
-      cycle.drill(number_of(5));
-      cycle.lift_off(number_of(7), number_of(8), number_of(9));
-      break;
+      drill(number_of(5));
+      lift_off(number_of(7), number_of(8), number_of(9));
+      return true;
     case 83:
-      set_axis(12);
-      cycle.deep_hole(arguments);
-      break;
+      deep_hole();
+      return true;
     case 84: {
-      set_axis(12);
       const bool strokes = number_of(15) > 0;  // 1 breaks chips, 2 clears them
-      cycle.tap({.lead = lead_of(number_of(7), number_of(8), number_of(13), mm),
-                 .speed = number_of(10) / 60,
-                 .speed_back = number_of(11) / 60,
-                 .dwell = number_of(5),
-                 .stroke = strokes ? std::abs(number_of(16)) : 0,
-                 .lift = number_of(15) == 1 ? std::abs(number_of(17)) : 0});
-      break;
+      tap({.lead = lead_of(number_of(7), number_of(8), number_of(13), place_.mm),
+           .speed = number_of(10) / 60,
+           .speed_back = number_of(11) / 60,
+           .dwell = number_of(5),
+           .stroke = strokes ? std::abs(number_of(16)) : 0,
+           .lift = number_of(15) == 1 ? std::abs(number_of(17)) : 0});
+      return true;
     }
     case 840:
-      set_axis(11);
-      cycle.tap({.lead = lead_of(number_of(9), number_of(10), number_of(12), mm), .dwell = number_of(5)});
-      break;
+      tap({.lead = lead_of(number_of(9), number_of(10), number_of(12), place_.mm), .dwell = number_of(5)});
+      return true;
     case 85:
-      cycle.rapid(cycle.safe_);
-      cycle.own_feed(cycle.bottom_, number_of(6));
-      cycle.dwell(number_of(5));
-      cycle.own_feed(cycle.safe_, number_of(7));
-      break;
+      rapid(safe_);
+      own_feed(bottom_, number_of(6));
+      dwell(number_of(5));
+      own_feed(safe_, number_of(7));
+      return true;
     case 89:
-      cycle.rapid(cycle.safe_);
-      cycle.feed(cycle.bottom_);
-      cycle.dwell(number_of(5));
-      cycle.feed(cycle.safe_);
-      break;
+      drill(number_of(5));
+      feed(safe_);
+      return true;
     default:
-      return std::nullopt;
+      return false;
   }
-  cycle.rapid(cycle.retract_);
-  return cycle;
 }
 
-DrillingCycle::DrillingCycle(const Arguments& arguments) {
-  retract_ = number_at(arguments, 0);
-  top_ = number_at(arguments, 1);
-  const std::optional<double> absolute = given_at(arguments, 3);
-  const double depth = std::abs(number_at(arguments, 4));
-  const bool down = depth > 0 ? retract_ >= top_ : absolute.value_or(top_) <= top_;
-  up_ = down ? 1 : -1;
-  safe_ = top_ + up_ * std::abs(number_at(arguments, 2));
-  bottom_ = depth > 0 ? top_ - up_ * depth : absolute.value_or(top_);
+/// At the retract height, above the hole.
+void DrillingCycle::end() {
+  Vec3 back = -aside_;
+  back[plan_.axis()] = place_.mm * retract_ - plan_.level();
+  plan_.shift(back);
+}
+
+void DrillingCycle::feed(double height, double share) {
+  plan_.feed(place_.mm * height,
+             share == 1 ? std::nullopt : std::optional(DrillFeed{share * place_.feed, place_.mode}));
 }
 
 void DrillingCycle::own_feed(double height, double feed_value) {
   if (feed_value > 0) {
-    add(DrillingStep::Kind::own_feed, height, feed_value);
+    plan_.feed(place_.mm * height, DrillFeed{place_.feed_of(feed_value), place_.mode});
   } else {
     feed(height);
   }
 }
 
 void DrillingCycle::dwell(double time) {
-  if (time != 0) {
-    add(DrillingStep::Kind::dwell, 0, time);
-  }
+  const double speed = place_.spindle_speed;
+  plan_.dwell(time > 0 ? time : speed > 0 ? -time / speed : 0);
 }
 
 void DrillingCycle::drill(double bottom_dwell) {
@@ -161,31 +200,29 @@ void DrillingCycle::drill(double bottom_dwell) {
   dwell(bottom_dwell);
 }
 
-void DrillingCycle::deep_hole(const Arguments& arguments) {
+void DrillingCycle::deep_hole() {
   const double total = std::abs(top_ - bottom_);
-  const std::optional<double> first_height = given_at(arguments, 5);
-  const double first_depth = std::abs(number_at(arguments, 6));
+  const std::optional<double> first_height = given_at(arguments_, 5);
+  const double first_depth = std::abs(number_of(6));
   const double first = first_depth > 0 ? first_depth : first_height ? std::abs(top_ - *first_height) : total;
-  const double share = number_at(arguments, 10) > 0 ? number_at(arguments, 10) : 1;
-  const bool clears = number_at(arguments, 11) != 0;
-  const double back = number_at(arguments, 14) > 0 ? number_at(arguments, 14) : 1;
-  const std::vector<double> depths =
-      stroke_depths(total, first, number_at(arguments, 7), number_at(arguments, 13));
+  const double share = number_of(10) > 0 ? number_of(10) : 1;
+  const bool clears = number_of(11) != 0;
+  const double back = number_of(14) > 0 ? number_of(14) : 1;
+  const std::vector<double> depths = stroke_depths(total, first, number_of(7), number_of(13));
   rapid(safe_);
   for (std::size_t i = 0; i < depths.size(); ++i) {
     feed(top_ - up_ * depths[i], i == 0 ? share : 1);
-    dwell(i + 1 == depths.size() && number_at(arguments, 15) != 0 ? number_at(arguments, 15)
-                                                                  : number_at(arguments, 8));
+    dwell(i + 1 == depths.size() && number_of(15) != 0 ? number_of(15) : number_of(8));
     if (i + 1 == depths.size()) {
       break;
     }
     if (clears) {
       // How far above the last depth the feed begins again: given, 0.6 mm, or a fiftieth of deep holes.
       constexpr double shallow = 30;
-      const double given = number_at(arguments, 16);
+      const double given = number_of(16);
       const double gap = given > 0 ? given : depths[i] <= shallow ? 0.6 : std::min(depths[i] / 50, 7.0);
       rapid(safe_);
-      dwell(number_at(arguments, 9));
+      dwell(number_of(9));
       rapid(top_ - up_ * std::max(0.0, depths[i] - gap));
     } else {
       feed(top_ - up_ * std::max(0.0, depths[i] - back));
@@ -197,7 +234,7 @@ void DrillingCycle::tap(const Tapping& tapping) {
   const double speed_back = tapping.speed_back > 0 ? tapping.speed_back : tapping.speed;
   const auto cut = [&](double height, double speed) {
     if (tapping.lead > 0) {
-      add(DrillingStep::Kind::thread, height, tapping.lead, speed);
+      plan_.feed(place_.mm * height, DrillFeed{tapping.lead, FeedMode::per_revolution, speed});
     } else {
       feed(height);
     }
@@ -220,10 +257,30 @@ void DrillingCycle::lift_off(double first, double second, double up) {
   if (first == 0 && second == 0 && up == 0) {
     return;
   }
-  rapid(bottom_ + up);
-  steps_.back().aside = {first, second};
+  aside_[first_axis(place_.plane)] = place_.mm * first;
+  aside_[second_axis(place_.plane)] = place_.mm * second;
+  Vec3 off = aside_;
+  off[plan_.axis()] += place_.mm * up;
+  plan_.shift(off);
   rapid(safe_);
-  steps_.back().aside = {first, second};
+}
+
+/// Deep holes and threads may name another axis than that across the plane: 1 its first one, 2 its second.
+int axis_of(int number, const Arguments& arguments, Plane plane) {
+  const bool names_axis = number == 83 || number == 84 || number == 840;
+  const double axis = names_axis ? number_at(arguments, number == 840 ? 11 : 12) : 0;
+  return axis == 1 ? first_axis(plane) : axis == 2 ? second_axis(plane) : normal_axis(plane);
+}
+
+}  // namespace
+
+std::optional<DrillPlan> drill_plan(int number, const Arguments& arguments, const DrillingPlace& place) {
+  DrillingCycle cycle(arguments, place, axis_of(number, arguments, place.plane));
+  if (!cycle.add(number)) {
+    return std::nullopt;
+  }
+  cycle.end();
+  return cycle.plan();
 }
 
 }  // namespace feedscope::sinumerik

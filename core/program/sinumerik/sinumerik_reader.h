@@ -264,7 +264,8 @@ class SinumerikReader : public Reader {
 
   // Cycles: cycles.cpp
   void check_depth(int number, const SubprogramCall& call);
-  void drill(const sinumerik::DrillingCycle& cycle);
+  sinumerik::DrillingPlace drilling_place();
+  void drill(const DrillPlan& plan);
   void hole_pattern(const sinumerik::Arguments& arguments, bool circle, std::uint32_t column);
   void high_speed_settings(const SubprogramCall& call);
   void swivel(const SubprogramCall& call);

@@ -192,8 +192,10 @@ const std::vector<CorpusCase>& corpus_cases() {
        "G41 and G42 with a tool whose radius the program does not give",
        true},
       {"sinumerik/MaestroFusion360__macro_drilling.mpf",
-       {38, 10},
-       "ten holes in a loop, each two rapids to its place, drilled by CYCLE81 without a feed",
+       {29, 10},
+       "ten holes in a loop, each two rapids to its place, drilled by CYCLE81 without a feed and with one "
+       "height of "
+       "retracting and of safety, to which a rapid is none",
        true,
        {{'X', -95.1057, 95.1057}, {'Y', -100, 100}, {'Z', -20, 20}}},
       {"sinumerik/deathaxe__example.mpf", {}, "parameters of PROC are zero"},

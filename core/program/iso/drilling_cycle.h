@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "core/base/geometry.h"
-#include "core/program/path/path_writer.h"
+#include "core/program/cycles/drill_plan.h"
 
 namespace feedscope {
 
