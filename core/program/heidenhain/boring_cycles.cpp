@@ -46,6 +46,7 @@ void mill_circles(const Drilling& words, const Hole& hole, double radius, const 
   const int axis = normal_axis(place.plane);
   const Vec3 side = Vec3::Unit(first_axis(place.plane));
   Vec3 center = path.position();
+  path.set_feed_mode(FeedMode::per_minute);
   path.set_feed(std::isinf(words.feed) ? 0 : words.feed);
   ArcRequest arc;
   arc.axis = words.climb < 0 ? Vec3(-normal_of(place.plane)) : normal_of(place.plane);
@@ -69,14 +70,16 @@ void mill_circles(const Drilling& words, const Hole& hole, double radius, const 
 
 }  // namespace
 
-void mill_bore(const Drilling& words, const Hole& hole, const DrillingPlace& place, Spindle& spindle) {
+void mill_bore(const Drilling& words, const Hole& hole, const DrillingPlace& place) {
   const double radius = words.diameter / 2 - *place.tool_radius;
   if (radius > same_point) {
     mill_circles(words, hole, radius, place);
-  } else {
-    spindle.cut(hole.bottom, words.feed);
   }
+  Spindle spindle(place);
+  spindle.cut(hole.bottom, words.feed);  // nothing where circles have ended there
   spindle.rapid(hole.top);
+  spindle.rapid(hole.out);
+  run(spindle.plan(), place.path, place.path.position());
 }
 
 }  // namespace feedscope

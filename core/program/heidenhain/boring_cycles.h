@@ -12,7 +12,7 @@ void bore(const Drilling& words, const Hole& hole, Spindle& spindle);
 /// underside. The programmed position of the tool is that of its lower end; the cutting edge lies Q252 above.
 void bore_backwards(const Drilling& words, const Hole& hole, Spindle& spindle);
 
-/// Cycle 208. `place.tool_radius` is known.
-void mill_bore(const Drilling& words, const Hole& hole, const DrillingPlace& place, Spindle& spindle);
+/// Cycle 208, from the clearance; its circles are arcs and no steps of a plan. `place.tool_radius` is known.
+void mill_bore(const Drilling& words, const Hole& hole, const DrillingPlace& place);
 
 }  // namespace feedscope

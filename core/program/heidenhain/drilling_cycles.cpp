@@ -213,8 +213,9 @@ DrillingFault drill(int number, const Drilling& words, const DrillingPlace& plac
       tap(words, hole, tapping_speed, spindle);
       break;
     case 208:
-      mill_bore(words, hole, place, spindle);
-      break;
+      run(spindle.plan(), place.path, place.path.position());
+      mill_bore(words, hole, place);
+      return DrillingFault::none;
     case 209:
       tap_with_breaks(words, hole, tapping_speed, spindle);
       break;
@@ -228,6 +229,7 @@ DrillingFault drill(int number, const Drilling& words, const DrillingPlace& plac
       break;
   }
   spindle.rapid(hole.out);
+  run(spindle.plan(), place.path, place.path.position());
   return DrillingFault::none;
 }
 
@@ -267,6 +269,7 @@ DrillingFault drill_old(int number, const OldDrilling& words, const DrillingPlac
   } else {
     spindle.cut(start, speed);
   }
+  run(spindle.plan(), place.path, place.path.position());
   return DrillingFault::none;
 }
 

@@ -3,22 +3,23 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/program/cycles/drill_plan.h"
 #include "core/program/heidenhain/drilling_cycles.h"
 
 namespace feedscope {
 
-/// Moves along the tool axis, at one place of the plane.
+/// Moves of the tool at one place of the plane, as steps of a plan.
 class Spindle {
  public:
   explicit Spindle(const DrillingPlace& place)
-      : path_(place.path), axis_(normal_axis(place.plane)), plane_(place.plane) {
-    path_.set_feed_mode(FeedMode::per_minute);
-  }
+      : plane_(place.plane),
+        plan_(normal_axis(place.plane), place.path.position()[normal_axis(place.plane)]) {}
 
-  double height() const { return path_.position()[axis_]; }
+  double height() const { return plan_.level(); }
+  const DrillPlan& plan() const { return plan_; }
   void rapid(double to) {
     if (to != height()) {
-      path_.rapid(at(to));
+      plan_.rapid(to);
     }
   }
   /// An infinite speed is rapid traverse.
@@ -26,33 +27,19 @@ class Spindle {
     if (std::isinf(speed)) {
       rapid(to);
     } else if (to != height()) {
-      path_.set_feed(speed);
-      path_.line(at(to));
+      plan_.feed(to, DrillFeed{speed});
     }
   }
-  void dwell(double seconds) {
-    if (seconds > 0) {
-      path_.dwell(seconds);
-    }
-  }
+  void dwell(double seconds) { plan_.dwell(seconds); }
   /// In the plane, by an offset.
   void shift(int direction, double by) {
-    Vec3 target = path_.position();
     const int axis = direction % 2 == 1 ? first_axis(plane_) : second_axis(plane_);
-    target[axis] += direction <= 2 ? -by : by;
-    path_.rapid(target);
+    plan_.shift((direction <= 2 ? -by : by) * Vec3::Unit(axis));
   }
 
  private:
-  Vec3 at(double height) const {
-    Vec3 target = path_.position();
-    target[axis_] = height;
-    return target;
-  }
-
-  PathWriter& path_;
-  int axis_;
   Plane plane_;
+  DrillPlan plan_;
 };
 
 /// Heights of a hole.
