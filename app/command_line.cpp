@@ -18,8 +18,8 @@
 #include "app/exit_codes.h"
 #include "app/watch.h"
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "core/base/progress.h"
-#include "core/machine/settings.h"
 
 namespace feedscope {
 namespace {

@@ -8,6 +8,7 @@
 #include <exception>
 
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 
 namespace feedscope {
 namespace {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "core/lessons/lesson.h"
 #include "core/lessons/lesson_text.h"
 #include "core/machine/config_file.h"

@@ -6,6 +6,7 @@
 
 #include "core/base/data_folder.h"
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "core/lessons/lesson.h"
 
 namespace feedscope {

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 
 namespace feedscope {
 namespace {

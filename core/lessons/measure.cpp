@@ -8,6 +8,7 @@
 
 #include "core/analysis/line_times.h"
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "core/base/units.h"
 #include "core/trajectory/part_walk.h"
 

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "core/machine/settings.h"
 
 namespace feedscope {

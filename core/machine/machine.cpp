@@ -9,6 +9,7 @@
 
 #include "core/base/error.h"
 #include "core/base/geometry.h"
+#include "core/base/nearest_name.h"
 #include "core/base/units.h"
 
 namespace feedscope {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "core/machine/machine.h"
 
 namespace feedscope {

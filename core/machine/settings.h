@@ -58,7 +58,4 @@ SettingValue parse_setting(const SettingSpec& spec, std::string_view text);
 /// Throws InputError naming key, value and bound if `value` breaks `spec`; `place` is put in front.
 void check_setting(const SettingSpec& spec, const SettingValue& value, std::string_view place);
 
-/// The candidate nearest to `word` by edit distance, or ""; a mere beginning needs the same first letter.
-std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
-
 }  // namespace feedscope

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "core/toolpath/machine_toolpath.h"
 
 namespace feedscope {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/machine/settings.h"
+#include "core/base/nearest_name.h"
 #include "core/program/text/scanner.h"
 
 namespace feedscope {

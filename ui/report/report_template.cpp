@@ -8,7 +8,7 @@
 
 #include "core/base/data_folder.h"
 #include "core/base/error.h"
-#include "core/machine/settings.h"
+#include "core/base/nearest_name.h"
 
 namespace feedscope::ui {
 

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "ui/models/scene_json.h"
 #include "ui/session/reading_json.h"
 

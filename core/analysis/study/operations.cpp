@@ -9,6 +9,7 @@
 #include "core/analysis/contour/contour_errors.h"
 #include "core/analysis/study/heading.h"
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "core/trajectory/part_walk.h"
 
 namespace feedscope {

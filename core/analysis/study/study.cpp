@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 
 namespace feedscope {
 namespace {

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace feedscope {
+
+/// The candidate nearest to `word` by edit distance, or ""; a mere beginning needs the same first letter.
+std::string nearest_name(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace feedscope
