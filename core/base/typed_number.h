@@ -12,9 +12,9 @@ struct TypedNumber {
   std::string problem;          ///< why there is none and what to write instead; "" if it is not a number
 };
 
-/// Reads one finite number, with an exponent too ("1e-3"). A point is always the decimal sign. A single comma is the decimal sign where it can be
-/// nothing else ("0,05", "12,5"); "1,000" could be one or one thousand and is refused, as is every number
-/// with several commas, or a comma and a point.
+/// Reads one finite number, with an exponent too ("1e-3"). A point is always the decimal sign. A single comma
+/// is the decimal sign where it can be nothing else ("0,05", "12,5"); "1,000" could be one or one thousand
+/// and is refused, as is every number with several commas, or a comma and a point.
 TypedNumber typed_number(std::string_view text);
 
 /// Reads one number of a list. Lists are separated by blanks or semicolons; a comma could be the decimal sign

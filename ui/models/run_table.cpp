@@ -227,10 +227,14 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
   if (orientation != Qt::Horizontal || section < 0 || section >= columns) {
     return {};
   }
-  static const std::array titles{QT_TR_NOOP("Run"),           QT_TR_NOOP("Machine"),
-                                 QT_TR_NOOP("Model"),         QT_TR_NOOP("Tolerance [mm]"),
-                                 QT_TR_NOOP("Cycle time"),    QT_TR_NOOP("Slower [%]"),
-                                 QT_TR_NOOP("Mean feed [mm/min]"), QT_TR_NOOP("Error [µm]")};
+  static const std::array titles{QT_TR_NOOP("Run"),
+                                 QT_TR_NOOP("Machine"),
+                                 QT_TR_NOOP("Model"),
+                                 QT_TR_NOOP("Tolerance [mm]"),
+                                 QT_TR_NOOP("Cycle time"),
+                                 QT_TR_NOOP("Slower [%]"),
+                                 QT_TR_NOOP("Mean feed [mm/min]"),
+                                 QT_TR_NOOP("Error [µm]")};
   static const std::array tips{
       QT_TR_NOOP("Name of the run; the box shows its path and feed beside those of the current run"),
       QT_TR_NOOP("Machine whose axis limits hold"),

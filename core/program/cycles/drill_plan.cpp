@@ -44,8 +44,7 @@ void DrillPlan::dwell(double seconds) {
   }
 }
 
-void run(const DrillPlan& plan, PathWriter& path, Vec3 hole,
-         const std::function<void(bool rapid)>& before) {
+void run(const DrillPlan& plan, PathWriter& path, Vec3 hole, const std::function<void(bool rapid)>& before) {
   for (const DrillStep& step : plan.steps()) {
     if (step.kind == DrillStep::Kind::dwell) {
       path.dwell(step.time);

@@ -6,8 +6,8 @@
 
 #include "core/base/units.h"
 #include "core/program/cycles/hole_patterns.h"
-#include "core/program/iso/iso_reader.h"
 #include "core/program/iso/drilling_cycle.h"
+#include "core/program/iso/iso_reader.h"
 #include "core/program/path/plane_points.h"
 #include "core/program/text/message.h"
 

@@ -10,13 +10,13 @@
 #include <string_view>
 #include <vector>
 
+#include "core/program/iso/drilling_cycle.h"
 #include "core/program/iso/flow_index.h"
 #include "core/program/iso/g_codes.h"
 #include "core/program/iso/iso_coordinates.h"
 #include "core/program/iso/iso_expression.h"
 #include "core/program/iso/iso_variables.h"
 #include "core/program/iso/modal_state.h"
-#include "core/program/iso/drilling_cycle.h"
 #include "core/program/reader.h"
 #include "core/program/text/lexer.h"
 #include "core/program/text/read_fault.h"
