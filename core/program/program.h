@@ -72,7 +72,7 @@ struct OffsetUse {
   std::uint32_t line = 0;    ///< of its first use
   std::uint64_t blocks = 0;  ///< motions while it is in force
   bool given = false;        ///< the program or ReadOptions give its zero point; else it is assumed as zero
-  Vec3 zero = Vec3::Zero();  ///< its zero point where it was chosen last [mm]
+  Vec3 zero = Vec3::Zero();  ///< its zero point when it was used last [mm]
 };
 
 /// What a program says, free of its dialect.

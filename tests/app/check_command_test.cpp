@@ -179,6 +179,15 @@ TEST_F(CheckCommand, WorkOffsetsComeFromAnOption) {
   }
 }
 
+TEST_F(CheckCommand, AnOffsetThatTheProgramSetsWhileItIsInUseIsGiven) {
+  write("set.nc", "G21 G90 G54\nG0 X0 Y0 Z5\nG10 L2 P1 X10 Y5 Z0\nG1 Z0 F500\nX20\nG55\nG1 X30\n");
+  const json offsets =
+      json::parse(run("check set.nc --dialect fanuc --json -").out)["program"]["work_offsets"];
+  ASSERT_EQ(offsets.size(), 2U);
+  EXPECT_EQ(offsets[0]["given"], true);
+  EXPECT_EQ(offsets[1]["given"], false);
+}
+
 TEST_F(CheckCommand, SaysWhichOffsetsAndRadiiAreNotUsed) {
   write("two.nc", "G21 G90 G54\nG0 X0 Y0\nG55\nG1 X10 F100\n");
   EXPECT_THAT(run("check two.nc --offset G56=1,2,3").err,

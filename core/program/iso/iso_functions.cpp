@@ -242,7 +242,14 @@ void IsoReader::set_work_offset(bool further, std::uint32_t column) {
   if (words_.has('R')) {
     offset.angle = units::from_deg(words_['R'].value);
   }
-  coordinates_.set_work_offset(*key, offset);
+  store_work_offset(*key, offset);
+}
+
+void IsoReader::store_work_offset(int key, const IsoCoordinates::WorkOffset& offset) {
+  coordinates_.set_work_offset(key, offset);
+  if (key == coordinates_.key_in_force()) {
+    path().set_zero_in_use(offset.shift);
+  }
 }
 
 void IsoReader::preset_work_offset(std::uint32_t column) {
@@ -256,7 +263,7 @@ void IsoReader::preset_work_offset(std::uint32_t column) {
   const Vec3 shown = path().shown_position();
   const Vec3 preset = programmed_axes(there.frame().to_programmed(shown));
   offset.shift += shown - there.frame().to_shown(preset);
-  coordinates_.set_work_offset(*key, offset);
+  store_work_offset(*key, offset);
 }
 
 void IsoReader::set_tool_radius(int kind, std::uint32_t column) {

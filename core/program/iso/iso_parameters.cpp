@@ -94,7 +94,7 @@ void IsoReader::set_offset_variable(const OffsetVariable& variable, double value
   const IsoCoordinates::WorkOffset* const known = coordinates_.work_offset(variable.key);
   IsoCoordinates::WorkOffset offset = known == nullptr ? IsoCoordinates::WorkOffset{} : *known;
   offset.shift[variable.axis] = state_.to_mm(is_null(value) ? 0 : value);
-  coordinates_.set_work_offset(variable.key, offset);
+  store_work_offset(variable.key, offset);
   set_frame();
 }
 

@@ -260,6 +260,7 @@ class IsoReader : public Reader, private VariableSource {
   std::optional<int> offset_key(std::uint32_t column, bool further);
   void set_work_offset(bool further, std::uint32_t column);
   void preset_work_offset(std::uint32_t column);
+  void store_work_offset(int key, const IsoCoordinates::WorkOffset& offset);
   void set_tool_radius(int kind, std::uint32_t column);
   void rotate(std::uint32_t column);
   void rotate_in_space(std::uint32_t column);

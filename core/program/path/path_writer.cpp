@@ -353,6 +353,14 @@ void PathWriter::use_work_offset(std::string_view name, const std::optional<Vec3
   use.zero = zero.value_or(Vec3::Zero());
 }
 
+void PathWriter::set_zero_in_use(const Vec3& zero) {
+  if (offset_) {
+    OffsetUse& use = program_.work_offsets[*offset_];
+    use.given = true;
+    use.zero = zero;
+  }
+}
+
 void PathWriter::append(Motion motion, const Vec3& target, double feed, const ArcWords& arc) {
   const Vec3 from = shown_;
   const Vec3 programmed_from = programmed_;

@@ -77,6 +77,8 @@ class PathWriter {
   /// What follows is programmed in this work offset with this zero point [mm], for Program::work_offsets;
   /// none: it is assumed as zero.
   void use_work_offset(std::string_view name, const std::optional<Vec3>& zero);
+  /// The program gives the work offset in use another zero point [mm]; nothing while none is in use.
+  void set_zero_in_use(const Vec3& zero);
 
   const CoordinateFrame& frame() const { return frame_; }
   /// The tool stays where it is; its programmed coordinates change.
