@@ -53,9 +53,11 @@ void run(const DrillPlan& plan, PathWriter& path, Vec3 hole, const std::function
     Vec3 target = hole + step.aside;
     target[plan.axis()] = step.level;
     const bool is_rapid = step.kind == DrillStep::Kind::rapid;
-    if (is_rapid && (target - path.position()).norm() <= same_point) {
+    const bool stands = path.knows(plan.axis()) && (target - path.position()).norm() <= same_point;
+    if (is_rapid && stands) {
       continue;
     }
+    path.program_axis(plan.axis());
     if (before) {
       before(is_rapid);
     }

@@ -52,9 +52,9 @@ class DrillPlan {
   std::vector<DrillStep> steps_;
 };
 
-/// Runs a plan at the hole whose axis goes through `hole`. Steps that move nothing are left out; feed, feed
-/// mode and spindle speed are afterwards as before. `before` is called before each motion, and told whether
-/// it is a rapid.
+/// Runs a plan at the hole whose axis goes through `hole`. Rapids to where the tool is are skipped; feed,
+/// feed mode and spindle speed are afterwards as before. `before` is called before each motion, and told
+/// whether it is a rapid.
 void run(const DrillPlan& plan, PathWriter& path, Vec3 hole,
          const std::function<void(bool rapid)>& before = {});
 

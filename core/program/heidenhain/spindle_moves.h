@@ -17,11 +17,7 @@ class Spindle {
 
   double height() const { return plan_.level(); }
   const DrillPlan& plan() const { return plan_; }
-  void rapid(double to) {
-    if (to != height()) {
-      plan_.rapid(to);
-    }
-  }
+  void rapid(double to) { plan_.rapid(to); }
   /// An infinite speed is rapid traverse.
   void cut(double to, double speed) {
     if (std::isinf(speed)) {

@@ -95,7 +95,6 @@ DrillingPlace SinumerikReader::drilling_place() {
 void SinumerikReader::drill(const DrillPlan& plan) {
   last_arc_.reset();
   feedscope::run(plan, path(), path().position(), [&](bool rapid) {
-    program_axis(plan.axis());
     start_ = path().position();
     use_path_control(rapid);
   });

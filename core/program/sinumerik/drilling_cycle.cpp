@@ -75,7 +75,7 @@ class DrillingCycle {
  public:
   DrillingCycle(const Arguments& arguments, const DrillingPlace& place, int axis);
 
-  /// False for a number that is no drilling cycle.
+  /// False if `number` is not that of a drilling cycle.
   bool add(int number);
   void end();
   const DrillPlan& plan() const { return plan_; }
