@@ -75,7 +75,7 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
   table.add({"path length",
              fmt::format("{:.3f} mm, {:.3f} mm of it rapid", facts.path_length, facts.rapid_length)});
   if (facts.segments > 0) {
-    table.add({"start", "X0 Y0 Z0, assumed; the ranges begin where a rapid ends"});
+    table.add({"start", "X0 Y0 Z0, assumed; not in the ranges where a rapid leaves it"});
   }
   if (facts.dwells > 0) {
     table.add({"dwell time", time_text(facts.dwell_time)});

@@ -78,7 +78,7 @@ class Envelope {
   std::vector<Band> columns(std::span<const double> times) const;
   /// The band of the whole trajectory; empty for an empty trajectory.
   Band overall() const;
-  /// The band of all that is no rapid.
+  /// The band of everything except rapids.
   const Band& cutting() const { return cutting_; }
   const CauseTimes& causes() const { return causes_; }
 

@@ -4,10 +4,10 @@
 
 namespace feedscope::ui {
 
-/// The field for every number of the window that may have decimals, typed as number_of() reads it: every key
-/// is entered, for one that were left out would change the number by a factor (QDoubleSpinBox alone reads
-/// 0,02 as 2 where the decimal sign is a point). What is typed stays as it is; where it is not a number
-/// within range and decimals, the last value comes back and a tool tip says why.
+/// The field for every number of the window that may have decimals, typed as number_of() reads it. Every key
+/// is accepted: without one of them the number could change by a factor (QDoubleSpinBox alone reads 0,02 as 2
+/// where the decimal sign is a point). The text stays as typed; if it is not a number within range and
+/// decimals, the last value is restored and a tool tip says why.
 class NumberBox : public QDoubleSpinBox {
   Q_OBJECT
 
