@@ -21,15 +21,14 @@ fs::path data_folder() {
   if (const char* given = std::getenv("FEEDSCOPE_DATA"); given != nullptr && *given != '\0') {
     if (!holds_data(given)) {
       throw InputError(fmt::format(
-          "FEEDSCOPE_DATA is '{}', which holds no folder machines/; set it to Feedscope's data folder",
-          given));
+          "FEEDSCOPE_DATA is '{}', which has no folder machines/; set it to Feedscope's data folder", given));
     }
     return given;
   }
   std::error_code error;
   const fs::path executable = fs::read_symlink("/proc/self/exe", error);
   if (!error) {
-    const fs::path installed = executable.parent_path().parent_path() / "share" / "feedscope";
+    fs::path installed = executable.parent_path().parent_path() / "share" / "feedscope";
     if (holds_data(installed)) {
       return installed;
     }
@@ -37,10 +36,10 @@ fs::path data_folder() {
   if (holds_data(FEEDSCOPE_SOURCE_DIR)) {
     return FEEDSCOPE_SOURCE_DIR;
   }
-  throw InputError(fmt::format(
-      "no data folder: neither ../share/feedscope beside the executable nor '{}' holds machines/; set "
-      "FEEDSCOPE_DATA to the folder that does",
-      FEEDSCOPE_SOURCE_DIR));
+  throw InputError(
+      fmt::format("data folder not found: neither ../share/feedscope next to the executable nor '{}' "
+                  "contains machines/; set FEEDSCOPE_DATA to the folder that does",
+                  FEEDSCOPE_SOURCE_DIR));
 }
 
 }  // namespace feedscope

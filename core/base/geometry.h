@@ -12,7 +12,7 @@ using Vec3 = Eigen::Vector3d;
 /// Points closer than this are one point: far below any control's resolution, far above rounding [mm].
 inline constexpr double same_point = 1e-6;
 
-inline constexpr std::array<char, 3> axis_names{'X', 'Y', 'Z'};
+inline constexpr std::array<char, 3> coordinate_names{'X', 'Y', 'Z'};
 
 /// Axis-parallel box [mm]; empty until a point or coordinate is added.
 struct Bounds {

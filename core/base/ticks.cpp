@@ -1,15 +1,15 @@
-#include "ui/scene/ticks.h"
+#include "core/base/ticks.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 
-namespace feedscope::ui {
+namespace feedscope {
 
 namespace {
 
-constexpr double most_values = 1000;
+constexpr double max_values = 1000;
 
 }  // namespace
 
@@ -38,7 +38,7 @@ std::vector<double> multiples(double step, double low, double high) {
   if (!std::isfinite(high - low)) {
     return values;
   }
-  while (std::floor(high / step) - std::ceil(low / step) >= most_values) {
+  while (std::floor(high / step) - std::ceil(low / step) >= max_values) {
     step = round_up_125(step * 1.5);
   }
   const double last = std::floor(high / step);
@@ -59,7 +59,7 @@ Ticks round_ticks_between(double minimum, double maximum, double most, double lo
   const double to = std::min(maximum, high) + slack;
   for (double step = round_up_125(range / most);; step = round_up_125(step * 1.5)) {
     const double count = std::floor((maximum + slack) / step) - std::ceil((minimum - slack) / step) + 1;
-    if (count > most || std::floor(to / step) - std::ceil(from / step) >= most_values) {
+    if (count > most || std::floor(to / step) - std::ceil(from / step) >= max_values) {
       continue;
     }
     ticks.step = step;
@@ -72,4 +72,4 @@ Ticks round_ticks_between(double minimum, double maximum, double most, double lo
   }
 }
 
-}  // namespace feedscope::ui
+}  // namespace feedscope

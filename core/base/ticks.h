@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-namespace feedscope::ui {
+namespace feedscope {
 
 /// Round values of a scale.
 struct Ticks {
@@ -30,4 +30,4 @@ std::vector<double> multiples(double step, double low, double high);
 /// A multiple of `step`, as labels have it.
 std::string tick_label(double value, double step);
 
-}  // namespace feedscope::ui
+}  // namespace feedscope

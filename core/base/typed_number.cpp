@@ -51,13 +51,13 @@ TypedNumber typed_number(std::string_view text) {
   if (commas > 1 || text.find('.') != std::string_view::npos) {
     const std::optional<double> grouped = plain_number(replaced(text, ""));
     return {std::nullopt,
-            grouped ? fmt::format("a number has one decimal sign and no thousands separators; write {}",
+            grouped ? fmt::format("a number has one decimal separator and no thousands separators; write {}",
                                   replaced(text, ""))
                     : ""};
   }
   const std::optional<double> value = plain_number(with_point);
   if (value && may_group_thousands(text)) {
-    return {std::nullopt, fmt::format("the comma could be a decimal sign or group thousands; write {} or {}",
+    return {std::nullopt, fmt::format("the comma could be a decimal or a thousands separator; write {} or {}",
                                       with_point, replaced(text, ""))};
   }
   return {value, ""};
@@ -67,10 +67,9 @@ TypedNumber typed_list_number(std::string_view text) {
   if (text.find(',') == std::string_view::npos) {
     return typed_number(text);
   }
-  return {std::nullopt,
-          fmt::format("the comma could be a decimal sign or separate values; write {} for one value, \"{}\" "
-                      "in quotes for several",
-                      replaced(text, "."), replaced(text, ";"))};
+  return {std::nullopt, fmt::format("the comma could be a decimal separator or separate values; write {} for "
+                                    "one value, \"{}\" in quotes for several",
+                                    replaced(text, "."), replaced(text, ";"))};
 }
 
 }  // namespace feedscope

@@ -115,7 +115,7 @@ Corner BlendedPath::corner(std::size_t corner) const {
 double BlendedPath::min_radius(std::size_t corner) const {
   const CornerPlan plan = plan_of(corner);
   return kind(corners_[corner]) == ElementKind::blend
-             ? least_radius(BlendShape(plan.in, plan.out, transitions_[corner], alpha_))
+             ? feedscope::min_radius(BlendShape(plan.in, plan.out, transitions_[corner], alpha_))
              : transitions_[corner] / std::tan(turn_angle(plan.in, plan.out) / 2);
 }
 

@@ -33,7 +33,7 @@ class Compactor {
   /// be replaced by it.
   std::optional<double> deviation(std::size_t first, std::size_t count) const {
     constexpr double rounding = 1 + 1e-9;
-    constexpr double least_cosine = 0.5;
+    constexpr double min_cosine = 0.5;
     if (count > toolpath_.segments.size() - first) {
       return std::nullopt;
     }
@@ -52,7 +52,7 @@ class Compactor {
       const Vec3 way = segment.end - start;
       const double along = way.dot(direction);
       const double away = (way - along * direction).norm();
-      if (away > rules_.tolerance(first) || along - before < least_cosine * segment.length) {
+      if (away > rules_.tolerance(first) || along - before < min_cosine * segment.length) {
         return std::nullopt;
       }
       largest = std::max(largest, away);

@@ -106,7 +106,7 @@ Vec3 BlendShape::largest_tangent() const {
   return largest;
 }
 
-double least_radius(const BlendShape& shape) {
+double min_radius(const BlendShape& shape) {
   constexpr int intervals = 32;
   double largest = 0;
   for (int i = 0; i <= intervals; ++i) {

@@ -6,7 +6,8 @@
 
 namespace feedscope {
 
-/// How a cubic Hermite blend is laid into a corner of two lines (Essid 2019, eq 4-13; MODELS section 2).
+/// How a cubic Hermite blend is laid into a corner of two lines (Essid 2019, eq 4-13;
+/// models/essid/README.md).
 struct CornerRule {
   double tolerance = 0.1;  ///< rho, programmed contour tolerance [mm]
   double alpha = 2.5;      ///< weight of the end derivatives, in (0, 4)
@@ -75,6 +76,6 @@ class BlendShape {
 };
 
 /// Of the blend, from 33 places [mm].
-double least_radius(const BlendShape& shape);
+double min_radius(const BlendShape& shape);
 
 }  // namespace feedscope

@@ -14,7 +14,7 @@ constexpr std::array<std::array<double, 2>, 5> gauss_rule{{{0.046910077030668004
                                                            {0.76923465505284155, 0.23931433524968324},
                                                            {0.953089922969332, 0.11846344252809454}}};
 
-constexpr int most_steps = 30;
+constexpr int max_steps = 30;
 constexpr double rounding = 1e-15;
 
 }  // namespace
@@ -56,7 +56,7 @@ CurvePoint CourseSpan::at(double s) const {
   const double share = std::clamp(s / length_, 0.0, 1.0);
   const double target = share * whole_;
   double x = share;
-  for (int i = 0; i < most_steps && x > 0 && x < 1; ++i) {
+  for (int i = 0; i < max_steps && x > 0 && x < 1; ++i) {
     const double step = (target - covered(x)) / by_share(x).d1.norm();
     x = std::clamp(x + step, 0.0, 1.0);
     if (std::abs(step) <= rounding) {
@@ -78,7 +78,7 @@ double CourseSpan::distance(const Vec3& point, double& s) const {
 
 double course_length(const CourseKnot& from, const CourseKnot& to) {
   double length = (to.position - from.position).norm();
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const double before = length;
     length = CourseSpan(from, to, length).whole_;
     if (std::abs(length - before) <= rounding * length) {

@@ -59,7 +59,7 @@ std::vector<PlanNode> plan_nodes_again(std::span<const PlanElement> elements,
                                        std::span<const std::uint32_t> changed);
 
 /// Lowers `junction_ceiling` so that from every junction standstill is reached within `horizon` programmed
-/// blocks: the look-ahead of MODELS section 1. `block_of`: the programmed block of each element.
+/// blocks: the look-ahead of core/models/README.md. `block_of`: the programmed block of each element.
 void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<const std::uint32_t> block_of,
                              std::uint32_t horizon, std::span<SpeedBound> junction_ceiling);
 

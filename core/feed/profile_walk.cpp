@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/roots.h"
+
 namespace feedscope {
 
 ProfileWalk::ProfileWalk(const SpeedProfile& profile)
@@ -38,19 +40,11 @@ double ProfileWalk::time_to(double s) const {
   if (advance(at_, j, left).s <= s) {
     return left;
   }
-  double low = 0;
-  double high = left;
-  double time = at_.v > 0 ? std::min((s - at_.s) / at_.v, left / 2) : left / 2;
-  for (int i = 0; i < 100 && high - low > 1e-15 * (1 + left); ++i) {
+  const double guess = at_.v > 0 ? std::min((s - at_.s) / at_.v, left / 2) : left / 2;
+  return rising_root({0, left}, guess, {.value = 1e-13, .width = 1e-15 * (1 + left)}, [&](double time) {
     const Motion1d there = advance(at_, j, time);
-    if (std::abs(there.s - s) <= 1e-13) {
-      return time;
-    }
-    (there.s < s ? low : high) = time;
-    const double newton = time - (there.s - s) / there.v;
-    time = newton > low && newton < high ? newton : (low + high) / 2;
-  }
-  return time;
+    return ValueAndSlope{there.s - s, there.v};
+  });
 }
 
 const Motion1d& ProfileWalk::move_to(double s) {

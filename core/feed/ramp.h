@@ -27,7 +27,7 @@ struct Motion1d {
 /// State after `time` [s] of constant `jerk`.
 Motion1d advance(const Motion1d& from, double jerk, double time);
 
-/// The fastest jerk-limited change of speed between standstills of acceleration (MODELS section 1):
+/// The fastest jerk-limited change of speed between standstills of acceleration (core/models/README.md):
 /// time 2 sqrt(|v1-v0|/J), or |v1-v0|/A + A/J once the acceleration limit is reached;
 /// length (v0+v1)/2 times that time.
 double ramp_time(double v0, double v1, const RampLimits& limits);

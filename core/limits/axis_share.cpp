@@ -16,7 +16,12 @@ AxisBound axis_share(const Vec3& limit, const Vec3& direction) {
 }
 
 Vec3 axis_limit_vector(const Machine& machine, double AxisLimits::*limit) {
-  return {machine.axes[0].*limit, machine.axes[1].*limit, machine.axes[2].*limit};
+  Vec3 limits = Vec3::Zero();
+  for (std::size_t i = 0; i < coordinate_names.size(); ++i) {
+    const AxisLimits* axis = machine.axes.find(coordinate_names[i]);
+    limits[static_cast<Eigen::Index>(i)] = axis == nullptr ? 0 : axis->*limit;
+  }
+  return limits;
 }
 
 }  // namespace feedscope

@@ -10,14 +10,15 @@ namespace feedscope {
 /// A limit along the path and the axis that sets it.
 struct AxisBound {
   double value = 0;
-  std::int8_t axis = -1;  ///< 0 X, 1 Y, 2 Z
+  std::int8_t axis = -1;  ///< place in known_axes
 };
 
-/// Least of limit_j / |d_j| over the axes: what a motion along `direction` may reach (MODELS section 1).
+/// Least of limit_j / |d_j| over the axes: what a motion along `direction` may reach (core/models/README.md).
 /// Axes that `direction` does not move set no bound; if none moves, the value is infinite.
 AxisBound axis_share(const Vec3& limit, const Vec3& direction);
 
-/// One limit of all axes: axis_limit_vector(machine, &AxisLimits::jerk) [inside units].
+/// One limit of the axes that move X, Y and Z; 0 of one that the machine does not have:
+/// axis_limit_vector(machine, &AxisLimits::jerk) [inside units].
 Vec3 axis_limit_vector(const Machine& machine, double AxisLimits::*limit);
 
 }  // namespace feedscope

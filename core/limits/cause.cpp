@@ -3,48 +3,68 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <string_view>
 
 #include "core/base/geometry.h"
+#include "core/base/translatable.h"
+#include "core/machine/axis_vector.h"
 
 namespace feedscope {
 namespace {
 
-struct KindText {
-  CauseKind kind;
-  bool by_axis;  ///< one axis may set it
-  std::string_view key;
-  std::string_view title;
-  std::string_view title_end;  ///< behind the axis
-};
-
-/// In the order of CauseKind.
+/// In the order of CauseKind. Any two colours are 15 or more apart in CIELAB
+/// (tests/ui/scene/cause_colour_test).
 constexpr std::array kinds{
-    KindText{CauseKind::programmed_feed, false, "programmed_feed", "programmed feed", ""},
-    KindText{CauseKind::rapid, false, "rapid", "rapid traverse", ""},
-    KindText{CauseKind::axis_velocity, true, "axis_velocity", "velocity", ""},
-    KindText{CauseKind::axis_acceleration, true, "axis_acceleration", "acceleration", ""},
-    KindText{CauseKind::axis_jerk, true, "axis_jerk", "jerk", ""},
-    KindText{CauseKind::radial_acceleration, true, "radial_acceleration", "radial acceleration", ""},
-    KindText{CauseKind::radial_jerk, true, "radial_jerk", "radial jerk", ""},
-    KindText{CauseKind::blend_velocity, true, "blend_velocity", "velocity", " on a blend"},
-    KindText{CauseKind::blend_radial_acceleration, true, "blend_radial_acceleration", "radial acceleration",
-             " on a blend"},
-    KindText{CauseKind::blend_radial_jerk, true, "blend_radial_jerk", "radial jerk", " on a blend"},
-    KindText{CauseKind::blend_tangential_acceleration, true, "blend_tangential_acceleration",
-             "tangential acceleration", " on a blend"},
-    KindText{CauseKind::blend_tangential_jerk, true, "blend_tangential_jerk", "tangential jerk",
-             " on a blend"},
-    KindText{CauseKind::curvilinear_jerk, false, "curvilinear_jerk", "curvilinear jerk", ""},
-    KindText{CauseKind::curvature_crossing, true, "curvature_crossing", "jerk", " at a change of curvature"},
-    KindText{CauseKind::interpolation_period, false, "interpolation_period", "interpolation period", ""},
-    KindText{CauseKind::contour_tolerance, false, "contour_tolerance", "contour tolerance", ""},
-    KindText{CauseKind::lookahead_horizon, false, "lookahead_horizon", "look-ahead horizon", ""},
-    KindText{CauseKind::ramp_down, false, "ramp_down", "slowing for what follows", ""},
-    KindText{CauseKind::exact_stop, false, "exact_stop", "exact stop", ""},
-    KindText{CauseKind::dwell, false, "dwell", "dwell", ""},
-    KindText{CauseKind::tool_change, false, "tool_change", "tool change", ""},
-    KindText{CauseKind::spindle_start, false, "spindle_start", "spindle start", ""},
+    CauseInfo{CauseKind::programmed_feed, "programmed_feed", QT_TRANSLATE_NOOP("core", "programmed feed"), "",
+              0xc3cad2, 0xcbd0d7},
+    CauseInfo{CauseKind::rapid, "rapid", QT_TRANSLATE_NOOP("core", "rapid traverse"), "", 0xb875a3, 0xd190c1},
+    CauseInfo{CauseKind::axis_velocity, "axis_velocity", QT_TRANSLATE_NOOP("core", "axis velocity"),
+              QT_TRANSLATE_NOOP("core", "velocity of axis %1"), 0x56b4e9, 0x6ec9ff},
+    CauseInfo{CauseKind::axis_acceleration, "axis_acceleration",
+              QT_TRANSLATE_NOOP("core", "axis acceleration"),
+              QT_TRANSLATE_NOOP("core", "acceleration of axis %1"), 0x0072b2, 0x519de1},
+    CauseInfo{CauseKind::axis_jerk, "axis_jerk", QT_TRANSLATE_NOOP("core", "axis jerk"),
+              QT_TRANSLATE_NOOP("core", "jerk of axis %1"), 0xd55e00, 0xff8022},
+    CauseInfo{CauseKind::radial_acceleration, "radial_acceleration",
+              QT_TRANSLATE_NOOP("core", "radial acceleration"),
+              QT_TRANSLATE_NOOP("core", "radial acceleration of axis %1"), 0x283aa6, 0x6b61c7},
+    CauseInfo{CauseKind::radial_jerk, "radial_jerk", QT_TRANSLATE_NOOP("core", "radial jerk"),
+              QT_TRANSLATE_NOOP("core", "radial jerk of axis %1"), 0x902b02, 0xf6946f},
+    CauseInfo{CauseKind::blend_velocity, "blend_velocity", QT_TRANSLATE_NOOP("core", "velocity on a blend"),
+              QT_TRANSLATE_NOOP("core", "velocity of axis %1 on a blend"), 0x9285fe, 0x8f87ff},
+    CauseInfo{CauseKind::blend_radial_acceleration, "blend_radial_acceleration",
+              QT_TRANSLATE_NOOP("core", "radial acceleration on a blend"),
+              QT_TRANSLATE_NOOP("core", "radial acceleration of axis %1 on a blend"), 0x400072, 0x6d37c6},
+    CauseInfo{CauseKind::blend_radial_jerk, "blend_radial_jerk",
+              QT_TRANSLATE_NOOP("core", "radial jerk on a blend"),
+              QT_TRANSLATE_NOOP("core", "radial jerk of axis %1 on a blend"), 0xff8297, 0xe64f70},
+    CauseInfo{CauseKind::blend_tangential_acceleration, "blend_tangential_acceleration",
+              QT_TRANSLATE_NOOP("core", "tangential acceleration on a blend"),
+              QT_TRANSLATE_NOOP("core", "tangential acceleration of axis %1 on a blend"), 0x93df74, 0xa9f583},
+    CauseInfo{CauseKind::blend_tangential_jerk, "blend_tangential_jerk",
+              QT_TRANSLATE_NOOP("core", "tangential jerk on a blend"),
+              QT_TRANSLATE_NOOP("core", "tangential jerk of axis %1 on a blend"), 0x570f00, 0x904331},
+    CauseInfo{CauseKind::curvilinear_jerk, "curvilinear_jerk", QT_TRANSLATE_NOOP("core", "curvilinear jerk"),
+              "", 0x7ba655, 0xdaffb4},
+    CauseInfo{CauseKind::curvature_crossing, "curvature_crossing",
+              QT_TRANSLATE_NOOP("core", "jerk at a change of curvature"),
+              QT_TRANSLATE_NOOP("core", "jerk of axis %1 at a change of curvature"), 0x4a0352, 0x8d4993},
+    CauseInfo{CauseKind::interpolation_period, "interpolation_period",
+              QT_TRANSLATE_NOOP("core", "interpolation period"), "", 0x5b7339, 0x798d43},
+    CauseInfo{CauseKind::contour_tolerance, "contour_tolerance",
+              QT_TRANSLATE_NOOP("core", "contour tolerance"), "", 0x009e73, 0x008c65},
+    CauseInfo{CauseKind::lookahead_horizon, "lookahead_horizon",
+              QT_TRANSLATE_NOOP("core", "look-ahead horizon"), "", 0x145536, 0x98ffd1},
+    CauseInfo{CauseKind::velocity_filter, "velocity_filter", QT_TRANSLATE_NOOP("core", "velocity filters"),
+              "", 0x6cfca8, 0x6cd848},
+    CauseInfo{CauseKind::ramp_down, "ramp_down",
+              QT_TRANSLATE_NOOP("core", "braking for a slower place ahead"), "", 0xf0b429, 0xa86e01},
+    CauseInfo{CauseKind::exact_stop, "exact_stop", QT_TRANSLATE_NOOP("core", "exact stop"), "", 0x22262a,
+              0xa99e9d},
+    CauseInfo{CauseKind::dwell, "dwell", QT_TRANSLATE_NOOP("core", "dwell"), "", 0x644a65, 0x8a6d8b},
+    CauseInfo{CauseKind::tool_change, "tool_change", QT_TRANSLATE_NOOP("core", "tool change"), "", 0x7000e0,
+              0x9800f8},
+    CauseInfo{CauseKind::spindle_start, "spindle_start", QT_TRANSLATE_NOOP("core", "spindle start"), "",
+              0xf0f800, 0xe8e000},
 };
 
 constexpr bool in_order() {
@@ -63,29 +83,21 @@ constexpr std::array<std::size_t, kinds.size()> first_indices() {
   std::size_t next = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     first[i] = next;
-    next += kinds[i].by_axis ? 1 + axis_names.size() : 1;
+    next += kinds[i].by_axis() ? 1 + known_axes.size() : 1;
   }
   return first;
 }
 
-const KindText& text_of(Cause cause) {
-  return kinds[static_cast<std::size_t>(cause.kind)];
-}
-
 bool has_axis(Cause cause) {
-  return text_of(cause).by_axis && cause.axis >= 0;
-}
-
-char axis_name(Cause cause) {
-  return axis_names[static_cast<std::size_t>(cause.axis)];
+  return info_of(cause.kind).by_axis() && cause.axis >= 0;
 }
 
 std::vector<Cause> list_causes() {
   std::vector<Cause> causes;
-  for (const KindText& text : kinds) {
-    causes.push_back({text.kind, -1});
-    for (std::int8_t axis = 0; text.by_axis && axis < 3; ++axis) {
-      causes.push_back({text.kind, axis});
+  for (const CauseInfo& info : kinds) {
+    causes.push_back({info.kind, -1});
+    for (std::size_t axis = 0; info.by_axis() && axis < known_axes.size(); ++axis) {
+      causes.push_back({info.kind, static_cast<std::int8_t>(axis)});
     }
   }
   return causes;
@@ -93,16 +105,26 @@ std::vector<Cause> list_causes() {
 
 }  // namespace
 
+char axis_name(Cause cause) {
+  return cause.axis < 0 ? ' ' : known_axes[static_cast<std::size_t>(cause.axis)].name;
+}
+
+const CauseInfo& info_of(CauseKind kind) {
+  return kinds[static_cast<std::size_t>(kind)];
+}
+
 std::string cause_key(Cause cause) {
-  return has_axis(cause)
-             ? fmt::format("{}_{}", text_of(cause).key, static_cast<char>(axis_name(cause) - 'X' + 'x'))
-             : std::string(text_of(cause).key);
+  const std::string_view key = info_of(cause.kind).key;
+  return has_axis(cause) ? fmt::format("{}_{}", key, static_cast<char>(axis_name(cause) - 'X' + 'x'))
+                         : std::string(key);
 }
 
 std::string cause_title(Cause cause) {
-  const KindText& text = text_of(cause);
-  const std::string axis = has_axis(cause) ? fmt::format(" of axis {}", axis_name(cause)) : "";
-  return fmt::format("{}{}{}", text.title, axis, text.title_end);
+  if (!has_axis(cause)) {
+    return std::string(info_of(cause.kind).title);
+  }
+  std::string title(info_of(cause.kind).axis_title);
+  return title.replace(title.find("%1"), 2, 1, axis_name(cause));
 }
 
 const std::vector<Cause>& all_causes() {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace feedscope {
@@ -26,7 +27,8 @@ enum class CauseKind : std::uint8_t {
   interpolation_period,
   contour_tolerance,
   lookahead_horizon,
-  ramp_down,  ///< slowing towards a slower place
+  velocity_filter,  ///< filters of the control that spread every change of feed
+  ramp_down,        ///< slowing towards a slower place
   exact_stop,
   dwell,
   tool_change,
@@ -41,13 +43,29 @@ constexpr bool is_pause(CauseKind kind) {
 /// Limiting cause, with the axis that sets it where one does.
 struct Cause {
   CauseKind kind = CauseKind::programmed_feed;
-  std::int8_t axis = -1;  ///< 0 X, 1 Y, 2 Z; -1 none
+  std::int8_t axis = -1;  ///< place in known_axes; -1 none
   bool operator==(const Cause&) const = default;
 };
 
+/// What is known of a kind of cause: one row for keys, titles, legends and colours.
+struct CauseInfo {
+  CauseKind kind = CauseKind::programmed_feed;
+  std::string_view key;
+  std::string_view title;       ///< whatever the axis
+  std::string_view axis_title;  ///< %1: the axis that sets it; empty: no axis does
+  std::uint32_t light = 0;      ///< colour on a light background, 0xRRGGBB
+  std::uint32_t dark = 0;       ///< the same on a dark one
+
+  constexpr bool by_axis() const { return !axis_title.empty(); }
+};
+
+const CauseInfo& info_of(CauseKind kind);
+
+/// Name of the axis that sets it; blank for none.
+char axis_name(Cause cause);
 /// Stable key for files: "programmed_feed", "axis_jerk_x".
 std::string cause_key(Cause cause);
-/// For people: "programmed feed", "jerk of axis X".
+/// For people: "programmed feed", "jerk of axis X", "axis jerk".
 std::string cause_title(Cause cause);
 /// Every cause there can be, in a fixed order for tables and legends.
 const std::vector<Cause>& all_causes();

@@ -1,4 +1,4 @@
-#include "core/analysis/explanation/formula.h"
+#include "core/limits/formula.h"
 
 #include <fmt/format.h>
 
@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/geometry.h"
+#include "core/machine/axis_vector.h"
 
 namespace feedscope {
 namespace {
@@ -19,8 +20,8 @@ struct SymbolText {
 
 /// In the order of Symbol.
 constexpr std::array symbols{
-    SymbolText{Symbol::feed, Dimension::speed, "F"},
-    SymbolText{Symbol::axis_velocity, Dimension::speed, "V_{}"},
+    SymbolText{Symbol::feed, Dimension::feed, "F"},
+    SymbolText{Symbol::axis_velocity, Dimension::feed, "V_{}"},
     SymbolText{Symbol::axis_acceleration, Dimension::acceleration, "A_{}"},
     SymbolText{Symbol::axis_jerk, Dimension::jerk, "J_{}"},
     SymbolText{Symbol::blend_jerk, Dimension::jerk, "Jtb_{}"},
@@ -41,8 +42,8 @@ constexpr std::array symbols{
     SymbolText{Symbol::path_jerk, Dimension::jerk, "J"},
     SymbolText{Symbol::length_ahead, Dimension::length, "L_N"},
     SymbolText{Symbol::blocks_ahead, Dimension::number, "N"},
-    SymbolText{Symbol::speed_before, Dimension::speed, "V_0"},
-    SymbolText{Symbol::speed_after, Dimension::speed, "V_1"},
+    SymbolText{Symbol::speed_before, Dimension::feed, "V_0"},
+    SymbolText{Symbol::speed_after, Dimension::feed, "V_1"},
     SymbolText{Symbol::filters, Dimension::number, "n"},
     SymbolText{Symbol::filter_time, Dimension::time, "T_1"},
     SymbolText{Symbol::leg_before, Dimension::length, "l_1"},
@@ -72,9 +73,9 @@ double square(double x) {
 /// In the order of FormulaId.
 constexpr std::array formulas{
     FormulaText{FormulaId::none, Dimension::number, "", "", [](const Values&) { return 0.0; }},
-    FormulaText{FormulaId::programmed_feed, Dimension::speed, "V", "{0}",
+    FormulaText{FormulaId::programmed_feed, Dimension::feed, "V", "{0}",
                 [](const Values& x) { return x[0]; }},
-    FormulaText{FormulaId::axis_velocity, Dimension::speed, "V", "{0} / {1}",
+    FormulaText{FormulaId::axis_velocity, Dimension::feed, "V", "{0} / {1}",
                 [](const Values& x) { return x[0] / x[1]; }},
     FormulaText{FormulaId::path_acceleration, Dimension::acceleration, "a", "{0} / {1}",
                 [](const Values& x) { return x[0] / x[1]; }},
@@ -86,31 +87,31 @@ constexpr std::array formulas{
                 [](const Values& x) { return (1 - x[0]) * x[1] / x[2]; }},
     FormulaText{FormulaId::shared_jerk, Dimension::jerk, "j", "(1 - {0}) {1} / {2}",
                 [](const Values& x) { return (1 - x[0]) * x[1] / x[2]; }},
-    FormulaText{FormulaId::radial_acceleration, Dimension::speed, "V", "({0} {1} / {2})^(1/2)",
+    FormulaText{FormulaId::radial_acceleration, Dimension::feed, "V", "({0} {1} / {2})^(1/2)",
                 [](const Values& x) { return std::sqrt(x[0] * x[1] / x[2]); }},
-    FormulaText{FormulaId::radial_jerk, Dimension::speed, "V", "({0} {1}^2 / {2})^(1/3)",
+    FormulaText{FormulaId::radial_jerk, Dimension::feed, "V", "({0} {1}^2 / {2})^(1/3)",
                 [](const Values& x) { return std::cbrt(x[0] * square(x[1]) / x[2]); }},
-    FormulaText{FormulaId::shared_radial_acceleration, Dimension::speed, "V", "({0} {1} {2} / {3})^(1/2)",
+    FormulaText{FormulaId::shared_radial_acceleration, Dimension::feed, "V", "({0} {1} {2} / {3})^(1/2)",
                 [](const Values& x) { return std::sqrt(x[0] * x[1] * x[2] / x[3]); }},
-    FormulaText{FormulaId::shared_radial_jerk, Dimension::speed, "V", "({0} {1} / ({2} {3}))^(1/3)",
+    FormulaText{FormulaId::shared_radial_jerk, Dimension::feed, "V", "({0} {1} / ({2} {3}))^(1/3)",
                 [](const Values& x) { return std::cbrt(x[0] * x[1] / (x[2] * x[3])); }},
-    FormulaText{FormulaId::arc_blend_radial_jerk, Dimension::speed, "V", "({0} {1} {2}^2)^(1/3)",
+    FormulaText{FormulaId::arc_blend_radial_jerk, Dimension::feed, "V", "({0} {1} {2}^2)^(1/3)",
                 [](const Values& x) { return std::cbrt(x[0] * x[1] * square(x[2])); }},
     FormulaText{FormulaId::jerk_across, Dimension::jerk, "|3 v a k + v^3 k'|", "{0} {1} / {2}",
                 [](const Values& x) { return x[0] * x[1] / x[2]; }},
-    FormulaText{FormulaId::steady_acceleration, Dimension::speed, "V", "((1 - {0}) {1} / ({2} {3}))^(1/2)",
+    FormulaText{FormulaId::steady_acceleration, Dimension::feed, "V", "((1 - {0}) {1} / ({2} {3}))^(1/2)",
                 [](const Values& x) { return std::sqrt((1 - x[0]) * x[1] / (x[2] * x[3])); }},
-    FormulaText{FormulaId::steady_jerk, Dimension::speed, "V", "((1 - {0}) {1} / ({2} {3}))^(1/3)",
+    FormulaText{FormulaId::steady_jerk, Dimension::feed, "V", "((1 - {0}) {1} / ({2} {3}))^(1/3)",
                 [](const Values& x) { return std::cbrt((1 - x[0]) * x[1] / (x[2] * x[3])); }},
-    FormulaText{FormulaId::curvilinear_jerk, Dimension::speed, "V", "({0} {1} {2}^2)^(1/3)",
+    FormulaText{FormulaId::curvilinear_jerk, Dimension::feed, "V", "({0} {1} {2}^2)^(1/3)",
                 [](const Values& x) { return std::cbrt(x[0] * x[1] * square(x[2])); }},
-    FormulaText{FormulaId::curvature_crossing, Dimension::speed, "V", "({0} {1} / {2})^(1/2)",
+    FormulaText{FormulaId::curvature_crossing, Dimension::feed, "V", "({0} {1} / {2})^(1/2)",
                 [](const Values& x) { return std::sqrt(x[0] * x[1] / x[2]); }},
-    FormulaText{FormulaId::interpolation_period, Dimension::speed, "V", "{0} / {1}",
+    FormulaText{FormulaId::interpolation_period, Dimension::feed, "V", "{0} / {1}",
                 [](const Values& x) { return x[0] / x[1]; }},
-    FormulaText{FormulaId::horizon_jerk, Dimension::speed, "V", "({0} {1}^2)^(1/3)",
+    FormulaText{FormulaId::horizon_jerk, Dimension::feed, "V", "({0} {1}^2)^(1/3)",
                 [](const Values& x) { return std::cbrt(x[0] * square(x[1])); }},
-    FormulaText{FormulaId::horizon_acceleration, Dimension::speed, "V",
+    FormulaText{FormulaId::horizon_acceleration, Dimension::feed, "V",
                 "(({0}^2 / (2 {1}))^2 + 2 {0} {2})^(1/2) - {0}^2 / (2 {1})",
                 [](const Values& x) {
                   const double half = square(x[0]) / (2 * x[1]);
@@ -196,7 +197,7 @@ std::string symbol_text(const Quantity& quantity) {
     return std::string(pattern);
   }
   const std::string axis(quantity.axis < 0 ? 0 : 1,
-                         quantity.axis < 0 ? ' ' : axis_names[static_cast<std::size_t>(quantity.axis)]);
+                         quantity.axis < 0 ? ' ' : known_axes[static_cast<std::size_t>(quantity.axis)].name);
   return fmt::format("{}{}{}", pattern.substr(0, place), axis, pattern.substr(place + 2));
 }
 

@@ -6,20 +6,9 @@
 #include <string_view>
 #include <vector>
 
-namespace feedscope {
+#include "core/base/dimension.h"
 
-/// What a number measures; inside units: mm, s, rad.
-enum class Dimension : std::uint8_t {
-  number,
-  length,
-  inverse_length,
-  inverse_area,
-  time,
-  speed,
-  acceleration,
-  jerk,
-  angle,
-};
+namespace feedscope {
 
 /// The quantities that stand in formulas; of one axis where `Quantity::axis` says which.
 enum class Symbol : std::uint8_t {

@@ -52,9 +52,9 @@ SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3&
 
 /// Static limits of segment `i` (a line or an arc), least along the segment.
 ///
-/// Line: programmed feed and limit_j / |d_j|. Arc or helix of curvature k (Tapie 2007, section 4 and MODELS
-/// section 3): besides, the radial acceleration v^2 k |n_j| <= A_j and the jerk v^3 k^2 |t_j| <= J_j of
-/// running round at constant speed.
+/// Line: programmed feed and limit_j / |d_j|. Arc or helix of curvature k (Tapie 2007, section 4;
+/// models/tapie/README.md): besides, the radial acceleration v^2 k |n_j| <= A_j and the jerk v^3 k^2 |t_j| <=
+/// J_j of running round at constant speed.
 MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes);
 
 /// The same for an arc that need not stand in the program, run at `programmed` at most.
@@ -67,7 +67,7 @@ MotionLimits with_acceleration_jumps(MotionLimits limits, double interpolation_p
 
 /// Ceiling [mm/s] where the curvature vector jumps by `step` [1/mm] in a tangent junction: the axes must take
 /// up v^2 step_j within one interpolation period, v^2 |step_j| <= J_j t_cy. For equal axis jerks this is
-/// sqrt(J t_cy / |k1 - k2|) of Tapie 2007 (MODELS section 3), signed curvatures included.
+/// sqrt(J t_cy / |k1 - k2|) of Tapie 2007 (models/tapie/README.md), signed curvatures included.
 SpeedBound crossing_speed(const Vec3& step, const Vec3& jerk, double interpolation_period);
 
 }  // namespace feedscope

@@ -31,7 +31,7 @@ std::string read_text(const fs::path& file, const std::string& what) {
   std::string text(static_cast<std::size_t>(largest_file) + 1, '\0');
   in.read(text.data(), largest_file + 1);
   if (in.gcount() > largest_file) {
-    throw InputError(fmt::format("'{}' is larger than 1 MiB; that is no {}", file.string(), what));
+    throw InputError(fmt::format("'{}' is larger than 1 MiB and cannot be a {}", file.string(), what));
   }
   text.resize(static_cast<std::size_t>(in.gcount()));
   return text;
@@ -143,7 +143,7 @@ ConfigNode parse_config(const std::string& text, const std::string& name) {
   } catch (const toml::parse_error& error) {
     const auto& begin = error.source().begin;
     throw InputError(
-        fmt::format("{}:{}:{}: no TOML: {}", name, begin.line, begin.column, error.description()));
+        fmt::format("{}:{}:{}: not valid TOML: {}", name, begin.line, begin.column, error.description()));
   }
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/error.h"
 #include "core/base/geometry.h"
 #include "core/base/nearest_name.h"
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 
 namespace feedscope {
@@ -44,10 +45,20 @@ struct LimitPlace {
   std::size_t limit;
 };
 
-LimitPlace place_of(char axis, std::string_view limit) {
-  const auto found_axis = std::find(axis_names.begin(), axis_names.end(), axis);
-  if (found_axis == axis_names.end()) {
-    throw InputError(fmt::format("unknown axis '{}'; the axes are X, Y and Z", axis));
+/// "X, Y and Z".
+std::string list_of(const AxisList& axes) {
+  std::string list;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    list += i == 0 ? "" : i + 1 == axes.size() ? " and " : ", ";
+    list += axes[i].name;
+  }
+  return list;
+}
+
+LimitPlace place_of(const AxisList& axes, char axis, std::string_view limit) {
+  const auto found_axis = axes.find(axis);
+  if (!found_axis) {
+    throw InputError(fmt::format("unknown axis '{}'; the axes are {}", axis, list_of(axes)));
   }
   std::vector<std::string> keys;
   for (const SettingSpec& spec : axis_limit_specs()) {
@@ -60,8 +71,7 @@ LimitPlace place_of(char axis, std::string_view limit) {
                                  nearest.empty() ? fmt::format("the limits are {}", fmt::join(keys, ", "))
                                                  : fmt::format("did you mean '{}'?", nearest)));
   }
-  return {static_cast<std::size_t>(found_axis - axis_names.begin()),
-          static_cast<std::size_t>(found - keys.begin())};
+  return {*found_axis, static_cast<std::size_t>(found - keys.begin())};
 }
 
 /// The shortest decimal number that converts to exactly `internal`: 20, not 20.000000000000004.
@@ -88,28 +98,36 @@ double shortest_in_unit(double internal, const LimitField& field) {
 
 const std::vector<SettingSpec>& axis_limit_specs() {
   static const std::vector<SettingSpec> specs{
-      limit_spec("velocity", "Velocity", "m/min",
-                 "Fastest this axis may go; rapids run at the speed at which the first axis reaches it."),
-      limit_spec("acceleration", "Acceleration", "m/s2",
-                 "Largest acceleration of this axis, along the path and across it together."),
       limit_spec(
-          "jerk", "Jerk", "m/s3",
-          "Fastest change of acceleration on programmed lines and arcs; small values spare the machine and "
-          "cost most of the time on short blocks."),
-      limit_spec("blend_jerk", "Jerk on blends", "m/s3",
-                 "Fastest change of acceleration on the corner blends that the control inserts."),
+          "velocity", QT_TRANSLATE_NOOP("core", "Velocity"), "m/min",
+          QT_TRANSLATE_NOOP(
+              "core",
+              "Maximum velocity of this axis; rapids run at the speed at which the first axis reaches it.")),
+      limit_spec("acceleration", QT_TRANSLATE_NOOP("core", "Acceleration"), "m/s2",
+                 QT_TRANSLATE_NOOP("core",
+                                   "Maximum acceleration of this axis, along and across the path combined.")),
+      limit_spec(
+          "jerk", QT_TRANSLATE_NOOP("core", "Jerk"), "m/s3",
+          QT_TRANSLATE_NOOP("core",
+                            "Maximum rate of change of acceleration on programmed lines and arcs; small "
+                            "values are gentle on the machine and cost most time on short blocks.")),
+      limit_spec(
+          "blend_jerk", QT_TRANSLATE_NOOP("core", "Jerk on blends"), "m/s3",
+          QT_TRANSLATE_NOOP(
+              "core",
+              "Maximum rate of change of acceleration on the corner blends that the control inserts.")),
   };
   return specs;
 }
 
 double axis_limit(const Machine& machine, char axis, std::string_view limit) {
-  const LimitPlace place = place_of(axis, limit);
+  const LimitPlace place = place_of(machine.axes.axes(), axis, limit);
   const LimitField& field = limit_fields[place.limit];
   return shortest_in_unit(machine.axes[place.axis].*field.member, field);
 }
 
 void set_axis_limit(Machine& machine, char axis, std::string_view limit, double value) {
-  const LimitPlace place = place_of(axis, limit);
+  const LimitPlace place = place_of(machine.axes.axes(), axis, limit);
   SettingSpec spec = axis_limit_specs()[place.limit];
   spec.key = fmt::format("{}.{}", axis, limit);
   check_setting(spec, value, "");

@@ -1,18 +1,18 @@
 #pragma once
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/machine/axis_vector.h"
 #include "core/machine/settings.h"
 #include "core/machine/work_offsets.h"
 
 namespace feedscope {
 
-/// Limits of one linear axis.
+/// Limits of one axis; of a linear one in these units.
 struct AxisLimits {
   double velocity = 0;      ///< [mm/s]
   double acceleration = 0;  ///< [mm/s2]
@@ -35,7 +35,7 @@ struct Machine {
   std::string control;
   std::string reference;  ///< paper
   std::string model;      ///< default model id
-  std::array<AxisLimits, 3> axes;
+  AxisVector<AxisLimits> axes;
   Settings settings;         ///< control settings of the file, in the units of their keys
   WorkOffsets work_offsets;  ///< of the parts that are clamped; a program or --offset may give others
   /// By key as in set_value: "X.jerk", "lookahead_blocks", "G55".
@@ -46,7 +46,8 @@ struct Machine {
 /// Axis keys of --set and the editor: title, unit and explanation of velocity (m/min), acceleration (m/s2),
 /// jerk (m/s3) and blend_jerk (m/s3). Machine files put the unit behind: "velocity_m_min".
 const std::vector<SettingSpec>& axis_limit_specs();
-/// Value in the unit of axis_limit_specs(). Throws InputError for an unknown axis ('X', 'Y', 'Z') or limit.
+/// Value in the unit of axis_limit_specs(). Throws InputError for an axis that the machine does not have, or
+/// an unknown limit.
 double axis_limit(const Machine& machine, char axis, std::string_view limit);
 /// Sets it; a changed value has the provenance "set by hand". Throws as axis_limit, and if `value` is not
 /// above 0 or not finite.

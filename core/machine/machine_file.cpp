@@ -60,8 +60,8 @@ class MachineReader {
     const ConfigNode& entry = table.need(spec.key, where);
     if (entry.kind() != ConfigNode::Kind::table) {
       entry.fail(
-          fmt::format("{} must say where it comes from: write {{ value = ..., source = \"paper, "
-                      "table\" }} or {{ value = ..., assumed = \"reason\" }}",
+          fmt::format("{} needs a source: write {{ value = ..., source = \"paper, table\" }} or {{ value = "
+                      "..., assumed = \"reason\" }}",
                       name));
     }
     entry.check_keys({"value", "source", "assumed"}, name);
@@ -90,8 +90,12 @@ class MachineReader {
 
   void read_axes(const ConfigNode& root) {
     const ConfigNode& axes = root.need_table("axes", "the file");
-    axes.check_keys({"X", "Y", "Z"}, "[axes]");
-    for (const char axis : axis_names) {
+    std::vector<std::string> names;
+    for (const AxisInfo& axis : known_axes) {
+      names.emplace_back(1, axis.name);
+    }
+    axes.check_keys(names, "[axes]");
+    for (const auto& [axis, kind] : machine_.axes.axes()) {
       const ConfigNode& table = axes.need_table(std::string(1, axis), "[axes]");
       const std::string where = fmt::format("[axes.{}]", axis);
       std::vector<std::string> keys;
@@ -206,7 +210,7 @@ std::string write_machine(const Machine& machine) {
   out += fmt::format("id = {}\nname = {}\ncontrol = {}\nreference = {}\nmodel = {}\n", quoted(machine.id),
                      quoted(machine.name), quoted(machine.control), quoted(machine.reference),
                      quoted(machine.model));
-  for (const char axis : axis_names) {
+  for (const auto& [axis, kind] : machine.axes.axes()) {
     out += fmt::format("\n[axes.{}]\n", axis);
     for (const SettingSpec& limit : axis_limit_specs()) {
       out += entry(machine, file_key(limit), fmt::format("{}.{}", axis, limit.key),

@@ -33,7 +33,7 @@ Machine MachineLibrary::load(const std::string& id_or_file) const {
     return read_machine(id_or_file, model_settings_);
   }
   const std::string nearest = nearest_name(id_or_file, ids_);
-  throw InputError(fmt::format("unknown machine '{}': no id and no file; {}", id_or_file,
+  throw InputError(fmt::format("unknown machine '{}': neither a machine id nor a file; {}", id_or_file,
                                nearest.empty() ? fmt::format("ids: {}", fmt::join(ids_, ", "))
                                                : fmt::format("did you mean '{}'?", nearest)));
 }

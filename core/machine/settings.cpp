@@ -9,10 +9,16 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/translatable.h"
 #include "core/base/typed_number.h"
 
 namespace feedscope {
 namespace {
+
+std::string with_axis(std::string_view title, char axis) {
+  std::string filled(title);
+  return filled.replace(filled.find("%1"), 2, 1, axis);
+}
 
 SettingSpec number_spec(std::string key, std::string title, std::string unit, double fallback,
                         std::string explanation) {
@@ -28,52 +34,60 @@ SettingSpec number_spec(std::string key, std::string title, std::string unit, do
 
 std::vector<SettingSpec> make_common_settings() {
   SettingSpec tolerance = number_spec(
-      "contour_tolerance_mm", "Contour tolerance", "mm", 0.01,
-      "How far the control may leave the programmed corners; the larger, the less it slows down there. 0: "
-      "it stops in every corner.");
+      "contour_tolerance_mm", QT_TRANSLATE_NOOP("core", "Contour tolerance"), "mm", 0.01,
+      QT_TRANSLATE_NOOP("core",
+                        "Maximum distance of the path from the programmed corners; with larger values the "
+                        "control slows down less there. 0: it stops in every corner."));
   tolerance.minimum_allowed = true;
   tolerance.maximum = 10;
   SettingSpec own;
   own.key = "program_tolerance";
-  own.title = "Tolerance of the program";
-  own.explanation =
+  own.title = QT_TRANSLATE_NOOP("core", "Tolerance of the program");
+  own.explanation = QT_TRANSLATE_NOOP(
+      "core",
       "on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance "
-      "(ADIS), "
-      "it counts; off: the contour tolerance counts everywhere. Exact stops are obeyed in any case.";
-  own.choices = {"on", "off"};
+      "(ADIS), it is used; off: the contour tolerance is used everywhere. Exact stops are always used.");
+  own.choices = {QT_TRANSLATE_NOOP("core", "on"), QT_TRANSLATE_NOOP("core", "off")};
   SettingSpec period =
-      number_spec("interpolation_period_s", "Interpolation period", "s", 0.002,
-                  "Time between two set points of the control; a block shorter than the feed covers in one "
-                  "period is run slower.");
+      number_spec("interpolation_period_s", QT_TRANSLATE_NOOP("core", "Interpolation period"), "s", 0.002,
+                  QT_TRANSLATE_NOOP("core",
+                                    "Time between two set points of the control; a block shorter than the "
+                                    "distance that the feed covers in one period is run more slowly."));
   period.maximum = 1;
   SettingSpec lookahead =
-      number_spec("lookahead_blocks", "Look-ahead", "", 100,
-                  "How many blocks ahead the control plans; it must be able to stop within them, so on short "
-                  "blocks a small number keeps the feed low.");
+      number_spec("lookahead_blocks", QT_TRANSLATE_NOOP("core", "Look-ahead (blocks)"), "", 100,
+                  QT_TRANSLATE_NOOP("core",
+                                    "Number of blocks the control plans ahead; it must be able to stop "
+                                    "within them, so a small number keeps the feed low on short blocks."));
   lookahead.minimum = 1;
   lookahead.minimum_allowed = true;
   lookahead.maximum = 1e6;
   lookahead.whole = true;
-  SettingSpec acceleration_share =
-      number_spec("radial_acceleration_share", "Radial share of acceleration", "", 0.2,
-                  "Share of every axis acceleration that turning on a corner blend may use; the rest is left "
-                  "for speeding up and slowing down.");
+  SettingSpec acceleration_share = number_spec(
+      "radial_acceleration_share", QT_TRANSLATE_NOOP("core", "Radial share of acceleration"), "", 0.2,
+      QT_TRANSLATE_NOOP("core",
+                        "Share of the acceleration of every axis that is available for radial acceleration "
+                        "on a corner blend; the rest is left for accelerating and braking along the path."));
   acceleration_share.minimum = 0.01;
   acceleration_share.maximum = 0.99;
   acceleration_share.minimum_allowed = true;
   SettingSpec jerk_share = acceleration_share;
   jerk_share.key = "radial_jerk_share";
-  jerk_share.title = "Radial share of jerk";
+  jerk_share.title = QT_TRANSLATE_NOOP("core", "Radial share of jerk");
   jerk_share.explanation =
-      "Share of every axis jerk that turning on a corner blend may use; the rest is left for speeding up and "
-      "slowing down.";
+      QT_TRANSLATE_NOOP("core",
+                        "Share of the jerk of every axis that is available for radial jerk on a corner "
+                        "blend; the rest is left for accelerating and braking along the path.");
   SettingSpec curvilinear =
-      number_spec("curvilinear_jerk_m_s3", "Curvilinear jerk", "m/s3", 10,
-                  "Jerk allowed along the path; it bounds the feed on arcs by the cube root of jerk times "
-                  "radius squared.");
+      number_spec("curvilinear_jerk_m_s3", QT_TRANSLATE_NOOP("core", "Curvilinear jerk"), "m/s3", 10,
+                  QT_TRANSLATE_NOOP("core",
+                                    "Maximum jerk along the path; it limits the feed on arcs to the cube "
+                                    "root of jerk times radius squared."));
   SettingSpec tangential = number_spec(
-      "tangential_share", "Tangential share of curvilinear jerk", "", 0.6,
-      "Share of the curvilinear jerk given to the tangential direction, the rest to the central one.");
+      "tangential_share", QT_TRANSLATE_NOOP("core", "Tangential share of curvilinear jerk"), "", 0.6,
+      QT_TRANSLATE_NOOP("core",
+                        "Share of the curvilinear jerk used in the tangential direction; the rest is used in "
+                        "the normal direction."));
   tangential.maximum = 1;
   std::vector<SettingSpec> specs{tolerance,          own,        period,      lookahead,
                                  acceleration_share, jerk_share, curvilinear, tangential};
@@ -93,12 +107,15 @@ std::vector<SettingSpec> make_machine_settings() {
   constexpr double longest_time = 3600;
   constexpr double farthest = 1e5;
   std::vector<SettingSpec> specs{
-      optional_spec("tool_change_time_s", "Tool change time", "s",
-                    "Time of a tool change, from the end of the last motion to the begin of the next one; "
-                    "without it tool changes are not counted in the cycle time."),
-      optional_spec("spindle_start_time_s", "Spindle start time", "s",
-                    "Time until the spindle has reached its speed, during which the axes wait; without it "
-                    "spindle starts are not counted in the cycle time."),
+      optional_spec(
+          "tool_change_time_s", QT_TRANSLATE_NOOP("core", "Tool change time"), "s",
+          QT_TRANSLATE_NOOP("core",
+                            "Time of a tool change, from the end of the last motion to the start of the next "
+                            "one; without it tool changes are not included in the cycle time.")),
+      optional_spec("spindle_start_time_s", QT_TRANSLATE_NOOP("core", "Spindle start time"), "s",
+                    QT_TRANSLATE_NOOP("core",
+                                      "Time until the spindle has reached its speed, during which the axes "
+                                      "wait; without it spindle starts are not included in the cycle time.")),
   };
   for (SettingSpec& spec : specs) {
     spec.maximum = longest_time;
@@ -108,23 +125,28 @@ std::vector<SettingSpec> make_machine_settings() {
   };
   constexpr std::array positions{
       Position{
-          "home", "Home position",
-          "Machine coordinate of the reference point that G28 and G74 move to; without it such a move is "
-          "neither drawn nor timed."},
+          "home", QT_TRANSLATE_NOOP("core", "Home position %1"),
+          QT_TRANSLATE_NOOP(
+              "core",
+              "Machine coordinate of the reference point that G28 and G74 move to; without it such a move is "
+              "neither drawn nor timed.")},
+      Position{"tool_change", QT_TRANSLATE_NOOP("core", "Tool change position %1"),
+               QT_TRANSLATE_NOOP("core",
+                                 "Machine coordinate of the position that G30 and G75 move to; without it "
+                                 "such a move is neither "
+                                 "drawn nor timed.")},
       Position{
-          "tool_change", "Tool change position",
-          "Machine coordinate of the position that G30 and G75 move to; without it such a move is neither "
-          "drawn nor timed."},
-      Position{
-          "part_zero", "Part zero",
-          "Machine coordinate of the zero point of the coordinates shown, 0 where work offsets are given "
-          "in machine coordinates; without it moves to machine positions are neither drawn nor timed."},
+          "part_zero", QT_TRANSLATE_NOOP("core", "Part zero %1"),
+          QT_TRANSLATE_NOOP(
+              "core",
+              "Machine coordinate of the zero point of the coordinates shown, 0 where work offsets are given "
+              "in machine coordinates; without it moves to machine positions are neither drawn nor timed.")},
   };
   for (const Position& position : positions) {
     for (const char axis : {'X', 'Y', 'Z'}) {
       SettingSpec spec =
           optional_spec(fmt::format("{}_{}_mm", position.key, static_cast<char>(axis - 'X' + 'x')),
-                        fmt::format("{} {}", position.title, axis), "mm", std::string(position.explanation));
+                        with_axis(position.title, axis), "mm", std::string(position.explanation));
       spec.minimum = -farthest;
       spec.maximum = farthest;
       specs.push_back(std::move(spec));
@@ -233,13 +255,13 @@ void check_setting(const SettingSpec& spec, const SettingValue& value, std::stri
     const std::string text = number != nullptr ? fmt::format("{}", *number) : std::get<std::string>(value);
     if (number != nullptr ||
         std::find(spec.choices.begin(), spec.choices.end(), text) == spec.choices.end()) {
-      throw InputError(fmt::format("{}{} = '{}' is no choice; it must be one of: {}", in_front(place),
-                                   spec.key, text, fmt::join(spec.choices, ", ")));
+      throw InputError(fmt::format("{}{} = '{}' is not a valid choice; it must be one of: {}",
+                                   in_front(place), spec.key, text, fmt::join(spec.choices, ", ")));
     }
     return;
   }
   if (number == nullptr) {
-    throw InputError(fmt::format("{}{} = '{}' is a text; it must be a number {}", in_front(place), spec.key,
+    throw InputError(fmt::format("{}{} = '{}' is text; it must be a number {}", in_front(place), spec.key,
                                  std::get<std::string>(value), bounds_text(spec)));
   }
   const bool above = spec.minimum_allowed ? *number >= spec.minimum : *number > spec.minimum;

@@ -11,12 +11,12 @@ namespace {
 
 /// Takes a number without a sign, with one decimal at most, off the front of `text`.
 std::optional<std::string> take_number(std::string_view& text) {
-  constexpr std::size_t most_digits = 4;
+  constexpr std::size_t max_digits = 4;
   std::size_t end = 0;
   while (end < text.size() && std::isdigit(static_cast<unsigned char>(text[end])) != 0) {
     ++end;
   }
-  if (end == 0 || end > most_digits) {
+  if (end == 0 || end > max_digits) {
     return std::nullopt;
   }
   std::string number = fmt::format("{}", std::stoi(std::string(text.substr(0, end))));

@@ -48,7 +48,7 @@ BlendLength::BlendLength(const CubicBlend& blend) {
              2 * h[1].dot(h[2]), h[2].squaredNorm()};
   find_zeros(blend, h);
   set_cut(0, 0, 0);
-  cut(0, 1, most_halvings);
+  cut(0, 1, max_halvings);
 }
 
 /// In the plane of the blend, S' as a complex number is a polynomial of second degree.

@@ -34,8 +34,8 @@ class BlendLength {
   struct Squared {
     double value, first, second;
   };
-  static constexpr int most_halvings = 16;
-  static constexpr std::size_t most_pieces = 4 * most_halvings;  // on either side of two zeros
+  static constexpr int max_halvings = 16;
+  static constexpr std::size_t max_pieces = 4 * max_halvings;  // on either side of two zeros
 
   void find_zeros(const CubicBlend& blend, const std::array<Vec3, 3>& by_power);
   bool is_smooth(double from, double to) const;
@@ -48,7 +48,7 @@ class BlendLength {
   std::array<double, 5> powers_;               ///< |S'|^2 by powers of u - 1/2 [mm2]
   std::array<std::complex<double>, 2> zeros_;  ///< of |S'|^2, one of each conjugate pair, as u - 1/2
   std::size_t count_ = 0;                      ///< pieces
-  std::array<Cut, most_pieces + 1> cuts_;
+  std::array<Cut, max_pieces + 1> cuts_;
 };
 
 }  // namespace feedscope

@@ -7,8 +7,8 @@
 namespace feedscope {
 namespace {
 
-/// A line shorter than this [mm] between two blends is left out.
-constexpr double least_line = 1e-12;
+/// A line shorter than this [mm] between two blends is omitted.
+constexpr double min_line = 1e-12;
 
 /// Blends that would leave less than this of the line between them [mm] meet: a hundredth of a nanometre is
 /// rounding of the coordinates, and a line, however short, is a place where the law of a model may change.
@@ -52,7 +52,7 @@ void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec
       piece = blend(place);
     }
     const double length = segment.length - cut_before - piece.transition;
-    if (length > least_line) {
+    if (length > min_line) {
       laid_segment(builder.add_segment(block, length), block, length);
     }
     if (corner) {

@@ -278,7 +278,7 @@ void FilterWalk::append(const CommandPart& part) {
   Knot knot;
   knot.part = part;
   knot.start = part.time - anchor_time_;
-  knot.integrals = integrals_at<most_filters, 0>(before, knot.start - before.start);
+  knot.integrals = integrals_at<max_filters, 0>(before, knot.start - before.start);
   knot.integrals[0] = part.position - anchor_;
   knots_.push_back(knot);
 }

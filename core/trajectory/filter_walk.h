@@ -14,7 +14,7 @@ namespace feedscope {
 ///   p'(t) = T1^-n sum_i (-1)^i C(n,i) P_n(t - i T1),   velocity from P_(n-1), acceleration P_(n-2), jerk
 ///   P_(n-3)
 ///
-/// which is the sum of MODELS section 5 over the steps of the pulses, and holds for turning pulses, too:
+/// which is the sum of models/ward/README.md over the steps of the pulses, and holds for turning pulses, too:
 /// their integrals are those of exp(i w t), by a series where w t is small. The integrals are taken from an
 /// anchor a little more than one delay back and kept at the start of every pulse after it: at instants in
 /// order the amortised cost is constant whatever the number of pulses within the delay. A new anchor every
@@ -41,12 +41,12 @@ class FilterWalk {
   void forget() { train_ = nullptr; }
 
  private:
-  static constexpr int most_filters = 3;
+  static constexpr int max_filters = 3;
   /// A part and the integrals P_0 (as distance from the anchor) ... P_n at its start.
   struct Knot {
     CommandPart part;
     double start = 0;  ///< after the anchor, free of the rounding of late times [s]
-    std::array<Vec3, most_filters + 1> integrals;
+    std::array<Vec3, max_filters + 1> integrals;
   };
   template <int filters, int highest, int lowest>
   std::array<Vec3, highest - lowest + 1> differences(double t) const;
@@ -65,9 +65,9 @@ class FilterWalk {
   double anchor_time_ = 0;  ///< [s]
   Vec3 anchor_;             ///< commanded there [mm]
   std::vector<Knot> knots_;
-  double known_until_ = 0;                              ///< start of the first pulse that has no knot [s]
-  std::size_t next_block_ = 0;                          ///< the one it belongs to
-  std::array<std::size_t, most_filters + 1> cursor_{};  ///< knot at t - i T1
+  double known_until_ = 0;                             ///< start of the first pulse that has no knot [s]
+  std::size_t next_block_ = 0;                         ///< the one it belongs to
+  std::array<std::size_t, max_filters + 1> cursor_{};  ///< knot at t - i T1
 };
 
 }  // namespace feedscope

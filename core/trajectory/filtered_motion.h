@@ -5,9 +5,9 @@
 namespace feedscope {
 
 /// Velocity pulses smoothed by equal moving averages, from standstill to standstill (Ward 2021, eq 1-7;
-/// MODELS section 5). Kept as pulses: between their starts t_j and t_j + i T1 every axis is a polynomial of
-/// degree n + 1 of its own, on arcs a harmonic besides. An evaluation here costs the pulses within one delay;
-/// for many instants in order use a FilterWalk on train().
+/// models/ward/README.md). Kept as pulses: between their starts t_j and t_j + i T1 every axis is a polynomial
+/// of degree n + 1 of its own, on arcs a harmonic besides. An evaluation here costs the pulses within one
+/// delay; for many instants in order use a FilterWalk on train().
 class FilteredMotion {
  public:
   /// `start` on the clock of the trajectory [s]; `contour_error`: largest distance of a programmed point from

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/roots.h"
+
 namespace feedscope {
 namespace {
 
@@ -52,22 +54,11 @@ double LengthStep::covered(double t) const {
 }
 
 double LengthStep::time_at(double target) const {
-  constexpr int most_steps = 100;
   const auto& w = coefficients_;
-  double low = 0;
-  double high = 1;
-  double x = length_ > 0 ? target / length_ : 0;
-  for (int i = 0; i < most_steps; ++i) {
-    const double excess = covered(start_ + x * duration_) - target;
-    (excess < 0 ? low : high) = x;
-    const double speed = w[0] + x * (w[1] + x * (w[2] + x * (w[3] + x * w[4])));
-    const double newton = x - excess / (duration_ * speed);
-    const double next = newton > low && newton < high ? newton : (low + high) / 2;
-    if (next == x) {
-      break;
-    }
-    x = next;
-  }
+  const double x = rising_root({0, 1}, length_ > 0 ? target / length_ : 0, {}, [&](double at) {
+    const double speed = w[0] + at * (w[1] + at * (w[2] + at * (w[3] + at * w[4])));
+    return ValueAndSlope{covered(start_ + at * duration_) - target, duration_ * speed};
+  });
   return start_ + x * duration_;
 }
 
@@ -86,7 +77,7 @@ SpeedSample LengthWalk::sample_at(double t) {
 
 template <typename Visit>
 void LengthWalk::advance_to(double t, const Visit& visit) {
-  constexpr double least_share = 1.0 / 16;  // many short polynomials are taken together
+  constexpr double min_share = 1.0 / 16;  // many short polynomials are taken together
   constexpr double largest_share = 1.0 / 2;
   constexpr int deepest = 10;
   // A second [mm/s]; the jerk of two filters jumps where pulses begin.
@@ -94,7 +85,7 @@ void LengthWalk::advance_to(double t, const Visit& visit) {
   while (last_.time < t) {
     const double knot = walk_.next_knot(train_, last_.time);
     const bool settled = walk_.is_settled();
-    const double least = last_.time + least_share * train_.filter_time;
+    const double least = last_.time + min_share * train_.filter_time;
     const double most = last_.time + largest_share * train_.filter_time;
     const double until = std::min(t, settled ? knot : std::clamp(knot, least, most));
     const double duration = until - last_.time;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/roots.h"
+
 namespace feedscope {
 
 PiecePhases::PiecePhases(const Piece& piece, double duration) {
@@ -43,21 +45,13 @@ double time_to_reach(const LawPoint& from, double target, double duration) {
   if (advance(from, duration).q < target) {
     return duration;
   }
-  double low = 0;
-  double high = duration;
   const double straight = (target - from.q) / from.v;  // exact at constant speed
-  double tau = straight < duration ? straight : duration / 2;
-  for (int i = 0; i < 100 && high - low > 1e-15 * (1 + duration); ++i) {
-    const LawPoint at = advance(from, tau);
-    const double off = at.q - target;
-    (off < 0 ? low : high) = tau;
-    const double newton = tau - off / at.v;
-    if (std::abs(newton - tau) <= 1e-16 * (1 + duration)) {
-      return tau;
-    }
-    tau = newton > low && newton < high ? newton : (low + high) / 2;
-  }
-  return high;
+  const RootTolerance tolerance{.step = 1e-16 * (1 + duration), .width = 1e-15 * (1 + duration)};
+  return rising_root({0, duration}, straight < duration ? straight : duration / 2, tolerance,
+                     [&](double tau) {
+                       const LawPoint at = advance(from, tau);
+                       return ValueAndSlope{at.q - target, at.v};
+                     });
 }
 
 }  // namespace feedscope

@@ -40,8 +40,8 @@ struct PulseWidths {
 };
 
 /// Velocity pulses of a path from standstill to standstill, and the equal moving averages that smooth them
-/// (Ward 2021; MODELS section 5). Lines and arcs are commanded as what they are: direction and place come
-/// from the programmed path, so that a block keeps 24 bytes.
+/// (Ward 2021; models/ward/README.md). Lines and arcs are commanded as what they are: direction and place
+/// come from the programmed path, so that a block keeps 24 bytes.
 struct PulseTrain {
   std::shared_ptr<const Toolpath> path;
   std::size_t first = 0;            ///< segment of block 0; lines and arcs only from there on

@@ -5,6 +5,7 @@
 #include <limits>
 #include <span>
 
+#include "core/base/roots.h"
 #include "core/blend/junction.h"
 
 namespace feedscope {
@@ -133,13 +134,10 @@ SpeedProfile profile_to(double target, const SpanLimits& span, double speed, dou
       return reached;
     }
   }
-  double low = std::max(settled, 0.0);
-  double high = target;
-  for (int i = 0; i < 50; ++i) {
-    const double middle = (low + high) / 2;
-    (plan(middle).feasible ? low : high) = middle;
-  }
-  return plan(low);
+  constexpr int halvings = 50;
+  return plan(halve({std::max(settled, 0.0), target}, halvings, [&](double speed_wanted) {
+                return plan(speed_wanted).feasible;
+              }).low);
 }
 
 namespace {
@@ -198,13 +196,13 @@ class ProfileLayer {
 
   /// Constant speed; the elements tell why it is not higher.
   void add_cruise(double duration) {
-    constexpr std::size_t most_elements = 256;  // of one piece, so that none takes long to look into
+    constexpr std::size_t max_elements = 256;  // of one piece, so that none takes long to look into
     at_.a = 0;
     while (duration > 0) {
       const Cause cause = stretch_.plan[element_].limits.speed.cause;
       double end = start_ + stretch_.plan[element_].length;
       for (std::size_t e = element_ + 1;
-           e < last_ && e - element_ < most_elements && stretch_.plan[e].limits.speed.cause == cause &&
+           e < last_ && e - element_ < max_elements && stretch_.plan[e].limits.speed.cause == cause &&
            !stretch_.by_parameter(e) && !stretch_.by_parameter(element_) && end < at_.s + at_.v * duration;
            ++e) {
         end += stretch_.plan[e].length;

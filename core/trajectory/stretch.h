@@ -12,7 +12,7 @@
 namespace feedscope {
 
 /// A part of the path from standstill to standstill, as models plan and run it. Arrays by element; reused
-/// from stretch to stretch so that nothing is allocated anew.
+/// from stretch to stretch so that nothing is allocated again.
 struct Stretch {
   std::vector<PlanElement> plan;
   std::vector<std::uint32_t> element;  ///< index into the path

@@ -66,7 +66,7 @@ class TrajectoryBuilder {
   /// Passes everything from `start` on slower by `factor` >= 1: times grow by it, velocities fall by it.
   void slow_down(const Mark& start, double factor);
 
-  /// Where programmed points are left out of the path: largest distance of one from it [mm].
+  /// Where programmed points are omitted of the path: largest distance of one from it [mm].
   void set_compaction_error(double error) { content_.compaction_error = error; }
 
   const BlendedPath& path() const { return content_.path; }

@@ -1,0 +1,55 @@
+#include "core/base/dimension.h"
+
+#include <array>
+#include <utility>
+
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+constexpr std::size_t dimension_count = static_cast<std::size_t>(Dimension::angle) + 1;
+constexpr double inch = 1 / units::from_inch(1);
+
+/// By Dimension.
+constexpr std::array<ShownUnit, dimension_count> metric{{
+    {"", 1, 0},
+    {"s", 1, 3},
+    {"mm", 1, 3},
+    {"1/mm", 1, 4},
+    {"1/mm²", 1, 5},
+    {"µm", 1000, 1},
+    {"mm/min", units::to_mm_min(1), 0},
+    {"m/min", units::to_m_min(1), 2},
+    {"m/s²", units::to_m(1), 2},
+    {"m/s³", units::to_m(1), 1},
+    {"%", 100, 0},
+    {"ms/mm", 1000, 3},
+    {"°", units::to_deg(1), 2},
+}};
+
+/// A thou is a thousandth of an inch.
+constexpr std::array<ShownUnit, dimension_count> in_inches{{
+    {"", 1, 0},
+    {"s", 1, 3},
+    {"in", inch, 4},
+    {"1/in", 1 / inch, 3},
+    {"1/in²", 1 / (inch * inch), 3},
+    {"thou", 1000 * inch, 2},
+    {"in/min", units::to_mm_min(inch), 1},
+    {"in/min", units::to_mm_min(inch), 0},
+    {"in/s²", inch, 1},
+    {"in/s³", inch, 0},
+    {"%", 100, 0},
+    {"ms/in", 1000 / inch, 2},
+    {"°", units::to_deg(1), 2},
+}};
+
+}  // namespace
+
+const ShownUnit& shown_unit(Dimension dimension, UnitSystem system) {
+  const auto& shown = system == UnitSystem::metric ? metric : in_inches;
+  return shown[static_cast<std::size_t>(dimension)];
+}
+
+}  // namespace feedscope
