@@ -105,7 +105,7 @@ struct Program {
 
 struct ReadOptions {
   std::optional<Dialect> dialect = std::nullopt;  ///< none: recognised from the text
-  /// As with the control's block delete switch on: "/" blocks are left out.
+  /// As with the control's block delete switch on: "/" blocks are omitted.
   bool skip_deleted_blocks = false;
   /// Lines that loops and calls may run on top of the program's own, so that an endless loop ends; cycles and
   /// curves may make 25 times as many motions.

@@ -17,7 +17,7 @@ std::string describe(const ProgramUnit& unit) {
     case ProgramUnit::Source::asked:
       return fmt::format("{}, by --unit", to_string(unit.unit));
     default:
-      return fmt::format("{}, assumed: the program does not say its unit", to_string(unit.unit));
+      return fmt::format("{}, assumed: the program does not define its unit", to_string(unit.unit));
   }
 }
 

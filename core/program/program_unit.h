@@ -26,7 +26,7 @@ struct ProgramUnit {
   bool operator==(const ProgramUnit&) const = default;
 };
 
-/// "inch, by the program", "mm, by --unit", "mm, assumed: the program does not say its unit".
+/// "inch, by the program", "mm, by --unit", "mm, assumed: the program does not define its unit".
 std::string describe(const ProgramUnit& unit);
 
 /// What a program cuts, as far as sizes tell units apart.

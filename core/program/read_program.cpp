@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "core/program/heidenhain/heidenhain_iso_reader.h"
-#include "core/program/heidenhain/heidenhain_reader.h"
-#include "core/program/iso/iso_reader.h"
+#include "core/program/heidenhain/iso_reader.h"
+#include "core/program/heidenhain/reader.h"
+#include "core/program/iso/reader.h"
 #include "core/program/program.h"
-#include "core/program/sinumerik/sinumerik_reader.h"
+#include "core/program/sinumerik/reader.h"
 
 namespace feedscope {
 
@@ -22,21 +22,20 @@ void say_centers_are_positions(Program& program, const std::vector<Diagnostic>& 
   const std::uint32_t column = first == as_offsets.end() ? 0 : first->column;
   const auto behind = std::find_if(program.diagnostics.begin(), program.diagnostics.end(),
                                    [line](const Diagnostic& diagnostic) { return diagnostic.line > line; });
-  program.diagnostics.insert(
-      behind, {Severity::warning, line, column, "arc-centers",
-               "I J K are taken as positions: as offsets from the start most arcs do not fit, as positions "
-               "all of them do",
-               "write G90.1 if that is right, G91.1 if not"});
+  program.diagnostics.insert(behind, {Severity::warning, line, column, "arc-centers",
+                                      "I J K are used as positions: as offsets from the start most arcs do "
+                                      "not fit, as positions all of them do",
+                                      "program G90.1 if that is right, G91.1 if not"});
 }
 
 Program read_iso(const std::shared_ptr<const SourceText>& source, const ReadOptions& options,
                  Progress* progress) {
-  IsoReader reader(source, options, progress);
+  iso::IsoReader reader(source, options, progress);
   Program program = reader.read();
   if (!reader.doubts_centers()) {
     return program;
   }
-  IsoReader again(source, options, progress, true);
+  iso::IsoReader again(source, options, progress, true);
   Program other = again.read();
   if (!again.centers_fit()) {
     return program;
@@ -49,11 +48,11 @@ Program read_as(Dialect dialect, std::shared_ptr<const SourceText> source, const
                 Progress* progress) {
   switch (dialect) {
     case Dialect::sinumerik:
-      return SinumerikReader(std::move(source), options, progress).read();
+      return sinumerik::SinumerikReader(std::move(source), options, progress).read();
     case Dialect::heidenhain:
-      return HeidenhainReader(std::move(source), options, progress).read();
+      return heidenhain::HeidenhainReader(std::move(source), options, progress).read();
     case Dialect::heidenhain_iso:
-      return HeidenhainIsoReader(std::move(source), options, progress).read();
+      return heidenhain::HeidenhainIsoReader(std::move(source), options, progress).read();
     default:
       return read_iso(source, options, progress);
   }
@@ -61,13 +60,12 @@ Program read_as(Dialect dialect, std::shared_ptr<const SourceText> source, const
 
 /// In front: it says more about the program than all that follow from it.
 void say_foreign(Program& program, const ForeignLanguage& language) {
-  program.diagnostics.insert(
-      program.diagnostics.begin(),
-      {Severity::error, language.line, 0, "unsupported-control",
-       fmt::format("this is a program for {}, which is not supported", language.title),
-       fmt::format("it is read as ISO and the path shown may be wrong: {}; name a dialect with --dialect to "
-                   "read it as that one",
-                   language.meaning)});
+  program.diagnostics.insert(program.diagnostics.begin(),
+                             {Severity::error, language.line, 0, "unsupported-control",
+                              fmt::format("this is a program for {}, which is not supported", language.title),
+                              fmt::format("it is interpreted as ISO and the path shown may be wrong: {}; "
+                                          "give --dialect to interpret it as that dialect",
+                                          language.meaning)});
 }
 
 }  // namespace

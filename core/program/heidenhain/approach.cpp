@@ -2,7 +2,7 @@
 
 #include "core/program/path/plane_points.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 namespace {
 
@@ -60,4 +60,4 @@ std::optional<ApproachPath> departure_path(const ApproachShape& shape, const Vec
   return path;
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

@@ -5,7 +5,7 @@
 
 #include "core/program/path/plane_element.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 /// How a contour is reached (APPR) or left (DEP).
 enum class ApproachKind : std::uint8_t {
@@ -46,4 +46,4 @@ std::optional<ApproachPath> approach_path(const ApproachShape& shape, const Vec2
 std::optional<ApproachPath> departure_path(const ApproachShape& shape, const Vec2& contour,
                                            const Vec2& direction, const Vec2& to);
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

@@ -2,46 +2,47 @@
 
 #include <cmath>
 
-#include "core/program/heidenhain/spindle_moves.h"
+#include "core/program/heidenhain/tool_axis_moves.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
-void bore(const Drilling& words, const Hole& hole, Spindle& spindle) {
+void bore(const DrillingParameters& words, const Hole& hole, ToolAxisMoves& moves) {
   constexpr double off_the_wall = 0.2;
-  spindle.cut(hole.bottom, words.feed);
-  spindle.dwell(words.bottom_dwell);
+  moves.cut(hole.bottom, words.feed);
+  moves.dwell(words.bottom_dwell);
   const bool retreats = words.retreat >= 1 && words.retreat <= 4;
   const int retreat = retreats ? static_cast<int>(words.retreat) : 0;
   if (retreats) {
-    spindle.shift(retreat, off_the_wall);
+    moves.shift(retreat, off_the_wall);
   }
-  spindle.cut(hole.top, or_else(words.retract_feed, words.feed));
-  spindle.rapid(hole.out);
+  moves.cut(hole.top, or_else(words.retract_feed, words.feed));
+  moves.rapid(hole.out);
   if (retreats) {
-    spindle.shift(retreat, -off_the_wall);
+    moves.shift(retreat, -off_the_wall);
   }
 }
 
-void bore_backwards(const Drilling& words, const Hole& hole, Spindle& spindle) {
+void bore_backwards(const DrillingParameters& words, const Hole& hole, ToolAxisMoves& moves) {
   const int direction = static_cast<int>(words.retreat);
   const double underside = words.surface - words.thickness;
   const double below = underside - words.clearance - words.edge_height;
-  spindle.shift(direction, words.off_center);
-  spindle.cut(below, words.start_feed);
-  spindle.shift(direction, -words.off_center);
-  spindle.cut(underside + words.counterbore - words.edge_height, words.counterbore_feed);
-  spindle.dwell(words.counterbore_dwell);
-  spindle.cut(below, words.start_feed);
-  spindle.shift(direction, words.off_center);
-  spindle.cut(hole.top, words.start_feed);
-  spindle.rapid(hole.out);
-  spindle.shift(direction, -words.off_center);
+  moves.shift(direction, words.off_center);
+  moves.cut(below, words.start_feed);
+  moves.shift(direction, -words.off_center);
+  moves.cut(underside + words.counterbore - words.edge_height, words.counterbore_feed);
+  moves.dwell(words.counterbore_dwell);
+  moves.cut(below, words.start_feed);
+  moves.shift(direction, words.off_center);
+  moves.cut(hole.top, words.start_feed);
+  moves.rapid(hole.out);
+  moves.shift(direction, -words.off_center);
 }
 
 namespace {
 
 /// From the centre on a half circle to the wall, down a helix, once round and back to the centre.
-void mill_circles(const Drilling& words, const Hole& hole, double radius, const DrillingPlace& place) {
+void mill_circles(const DrillingParameters& words, const Hole& hole, double radius,
+                  const DrillingPlace& place) {
   PathWriter& path = place.path;
   const int axis = normal_axis(place.plane);
   const Vec3 side = Vec3::Unit(first_axis(place.plane));
@@ -70,16 +71,16 @@ void mill_circles(const Drilling& words, const Hole& hole, double radius, const 
 
 }  // namespace
 
-void mill_bore(const Drilling& words, const Hole& hole, const DrillingPlace& place) {
+void mill_bore(const DrillingParameters& words, const Hole& hole, const DrillingPlace& place) {
   const double radius = words.diameter / 2 - *place.tool_radius;
   if (radius > same_point) {
     mill_circles(words, hole, radius, place);
   }
-  Spindle spindle(place);
-  spindle.cut(hole.bottom, words.feed);  // nothing where circles have ended there
-  spindle.rapid(hole.top);
-  spindle.rapid(hole.out);
-  run(spindle.plan(), place.path, place.path.position());
+  ToolAxisMoves moves(place);
+  moves.cut(hole.bottom, words.feed);  // nothing where circles have ended there
+  moves.rapid(hole.top);
+  moves.rapid(hole.out);
+  run(moves.plan(), place.path, place.path.position());
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

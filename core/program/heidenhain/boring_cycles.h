@@ -1,18 +1,18 @@
 #pragma once
 
 #include "core/program/heidenhain/drilling_cycles.h"
-#include "core/program/heidenhain/spindle_moves.h"
+#include "core/program/heidenhain/tool_axis_moves.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 /// Cycles 201 and 202, from the set-up clearance.
-void bore(const Drilling& words, const Hole& hole, Spindle& spindle);
+void bore(const DrillingParameters& words, const Hole& hole, ToolAxisMoves& moves);
 
 /// Cycle 204: through the hole beside its axis, below the workpiece back onto it, and upwards into the
 /// underside. The programmed position of the tool is that of its lower end; the cutting edge lies Q252 above.
-void bore_backwards(const Drilling& words, const Hole& hole, Spindle& spindle);
+void bore_backwards(const DrillingParameters& words, const Hole& hole, ToolAxisMoves& moves);
 
 /// Cycle 208, from the clearance; its circles are arcs and no steps of a plan. `place.tool_radius` is known.
-void mill_bore(const Drilling& words, const Hole& hole, const DrillingPlace& place);
+void mill_bore(const DrillingParameters& words, const Hole& hole, const DrillingPlace& place);
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

@@ -4,7 +4,7 @@
 
 #include "core/program/path/plane_points.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 using Text = DiagnosticLog::Text;
 
@@ -54,7 +54,7 @@ void ContourWriter::flush() {
     const ContourApproach approach = *approach_;
     approach_.reset();
     report_approach(approach.place, "no contour follows the approach",
-                    "a line to its first point is taken; write a contour element behind it");
+                    "a line to its first point is used; write a contour element after it");
     go(approach.target, approach.feed, approach.place);
   }
   if (corner_) {
@@ -121,12 +121,12 @@ void ContourWriter::compensate(const ContourElement& element) {
 
 void ContourWriter::add_corner(const ContourCorner& corner) {
   if (corner_) {
-    report_corner("another rounding or chamfer follows", "the first one is left out");
+    report_corner("another rounding or chamfer follows", "the first one is skipped");
   }
   corner_ = corner;
   if (!held_ || approach_) {
-    report_corner("no contour element stands in the block before",
-                  "it is left out; write the corner between two lines or arcs");
+    report_corner("the preceding block is not a contour element",
+                  "it is skipped; write the corner between two lines or arcs");
     corner_.reset();
   }
 }
@@ -218,8 +218,9 @@ void ContourWriter::resolve_approach(const ContourElement& first) {
   approach_.reset();
   const auto curve = curve_of(approach.target, first);
   if (!curve || curve->tangent_at_start() == Vec2::Zero()) {
-    report_approach(approach.place, "the contour behind the approach starts with no direction in the plane",
-                    "a line to its first point is taken");
+    report_approach(approach.place,
+                    "the contour after the approach has no direction in the plane at its start",
+                    "a line to its first point is used");
     go(approach.target, approach.feed, approach.place);
     return;
   }
@@ -232,7 +233,7 @@ void ContourWriter::resolve_approach(const ContourElement& first) {
     report_approach(approach.place,
                     fmt::format("the tool starts inside the approach arc of radius {:.3f} mm",
                                 std::abs(approach.shape.radius)),
-                    "a line to the contour's first point is taken; start farther away or make R smaller");
+                    "a line to the first point of the contour is used; start farther away or reduce R");
     go(approach.target, approach.feed, approach.place);
     return;
   }
@@ -255,8 +256,8 @@ void ContourWriter::depart(const ContourDeparture& departure) {
   const bool to_point = departure.shape.kind == ApproachKind::line_and_arc;
   std::optional<ApproachPath> path;
   if (!along) {
-    report_approach(departure.place, "no contour in the working plane stands before the departure",
-                    "a line to its end is taken");
+    report_approach(departure.place, "the departure does not follow a contour in the working plane",
+                    "a line to its end is used");
   } else {
     path =
         departure_path(departure.shape, in_plane(from, plane_), *along, in_plane(departure.target, plane_));
@@ -264,7 +265,7 @@ void ContourWriter::depart(const ContourDeparture& departure) {
       report_approach(departure.place,
                       fmt::format("the departure ends inside its arc of radius {:.3f} mm",
                                   std::abs(departure.shape.radius)),
-                      "a line to its end is taken; end farther away or make R smaller");
+                      "a line to its end is used; end farther away or reduce R");
     }
   }
   if (path) {
@@ -286,4 +287,4 @@ void ContourWriter::depart(const ContourDeparture& departure) {
   }
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

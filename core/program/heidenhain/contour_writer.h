@@ -9,7 +9,7 @@
 #include "core/program/path/path_writer.h"
 #include "core/program/path/plane_element.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 /// The line that programs a motion.
 struct BlockPlace {
@@ -122,4 +122,4 @@ class ContourWriter {
   double beside_ = 0;  ///< the compensation in force, positive to the left [mm]
 };
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

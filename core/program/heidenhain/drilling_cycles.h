@@ -7,16 +7,16 @@
 #include "core/program/path/path_writer.h"
 #include "core/program/path/plane.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 /// What a drilling, tapping or boring cycle is given, by its Q numbers; [mm], [s], [mm/s].
-struct Drilling {
+struct DrillingParameters {
   double clearance = 0;          ///< Q200, above the surface
   double depth = 0;              ///< Q201, below the surface: negative
   double infeed = 0;             ///< Q202
   double surface = 0;            ///< Q203, coordinate
   double second_clearance = 0;   ///< Q204, above the surface
-  double least_infeed = 0;       ///< Q205
+  double min_infeed = 0;         ///< Q205
   double feed = 0;               ///< Q206
   double retract_feed = 0;       ///< Q208; 0: as the cycle says
   double top_dwell = 0;          ///< Q210
@@ -51,7 +51,7 @@ enum class CycleUnit : std::uint8_t { length, feed, plain };
 
 struct CycleParameter {
   int q = 0;
-  double Drilling::*value = nullptr;
+  double DrillingParameters::*value = nullptr;
   CycleUnit unit = CycleUnit::plain;
   std::optional<double> otherwise;  ///< value of an older program that lacks it; none: needed
 };
@@ -81,7 +81,7 @@ enum class DrillingFault : std::uint8_t {
 
 /// Drills at the tool's position in the plane with cycle `number`, 200 to 241, and ends on the second
 /// clearance. With a fault nothing is drilled.
-DrillingFault drill(int number, const Drilling& words, const DrillingPlace& place);
+DrillingFault drill(int number, const DrillingParameters& words, const DrillingPlace& place);
 
 /// The cycles of older programs, 1 pecking, 2 tapping, 17 rigid tapping; they start and end where the tool
 /// is.
@@ -95,4 +95,4 @@ struct OldDrilling {
 };
 DrillingFault drill_old(int number, const OldDrilling& words, const DrillingPlace& place);
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

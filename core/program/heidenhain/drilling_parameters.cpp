@@ -3,11 +3,11 @@
 
 #include "core/program/heidenhain/drilling_cycles.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 namespace {
 
-using D = Drilling;
+using D = DrillingParameters;
 using P = CycleParameter;
 constexpr CycleUnit length = CycleUnit::length;
 constexpr CycleUnit feed = CycleUnit::feed;
@@ -23,7 +23,7 @@ constexpr P bottom_dwell{211, &D::bottom_dwell, plain, 0};
 constexpr P retract_feed{208, &D::retract_feed, feed, 0};
 constexpr P top_dwell{210, &D::top_dwell, plain, 0};
 constexpr P decrement{212, &D::decrement, length, 0};
-constexpr P least_infeed{205, &D::least_infeed, length, 0};
+constexpr P min_infeed{205, &D::min_infeed, length, 0};
 constexpr P break_distance{256, &D::break_distance, length, 0.2};
 constexpr P break_infeed{257, &D::break_infeed, length, 0};
 constexpr P pitch{239, &D::pitch, length, {}};
@@ -41,7 +41,7 @@ constexpr std::array boring{clearance,    depth,   plunge_feed,      bottom_dwel
 constexpr std::array universal_drilling{clearance,        depth,        plunge_feed,
                                         infeed,           top_dwell,    surface,
                                         second_clearance, decrement,    P{213, &D::breaks, plain, 0},
-                                        least_infeed,     bottom_dwell, retract_feed,
+                                        min_infeed,       bottom_dwell, retract_feed,
                                         break_distance,   to_shoulder};
 constexpr std::array pecking{clearance,
                              depth,
@@ -50,7 +50,7 @@ constexpr std::array pecking{clearance,
                              surface,
                              second_clearance,
                              decrement,
-                             least_infeed,
+                             min_infeed,
                              P{258, &D::upper_stop, length, 0.2},
                              P{259, &D::lower_stop, length, 0.2},
                              break_infeed,
@@ -134,4 +134,4 @@ std::span<const CycleParameter> parameters_of_drilling(int number) {
   }
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

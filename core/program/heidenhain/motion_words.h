@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <optional>
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 enum class FeedWord : std::uint8_t {
   none,
@@ -73,4 +73,4 @@ struct MotionWords {
   }
 };
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

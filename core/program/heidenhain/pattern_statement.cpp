@@ -1,16 +1,18 @@
-// The part of HeidenhainReader for PATTERN DEF.
+#include "core/program/heidenhain/pattern_statement.h"
+
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "core/base/units.h"
 #include "core/program/cycles/hole_patterns.h"
-#include "core/program/heidenhain/heidenhain_reader.h"
 #include "core/program/path/plane_points.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 namespace {
 
@@ -20,7 +22,7 @@ struct PatternWord {
   bool is_length = false;
 };
 
-/// Of names that begin alike the longer stands first.
+/// Of names that begin the same the longer stands first.
 constexpr auto pattern_words = std::to_array<PatternWord>({
     {"NUMX", &PatternWords::columns, false},
     {"NUMY", &PatternWords::rows, false},
@@ -41,9 +43,8 @@ constexpr auto pattern_words = std::to_array<PatternWord>({
 int checked_count(double count, std::uint32_t column) {
   constexpr double most = 10000;
   if (!(count >= 1 && count <= most)) {
-    throw ReadFault{"pattern", column,
-                    fmt::format("the pattern has {} places, not a number from 1 to {}", count, most),
-                    "the pattern is left out; check NUM, NUMX and NUMY"};
+    throw ReadFault{"pattern", column, fmt::format("{} is not a number of places from 1 to {}", count, most),
+                    "the pattern is skipped; check NUM, NUMX and NUMY"};
   }
   return static_cast<int>(count);
 }
@@ -84,7 +85,7 @@ std::vector<Vec2> places_in_plane(std::string_view kind, const PatternWords& wor
 
 }  // namespace
 
-void HeidenhainReader::pattern(Scanner& scanner, std::uint32_t column) {
+void PatternStatement::run(Scanner& scanner, std::uint32_t column) {
   constexpr std::array<std::string_view, 6> kinds{"POS", "ROW", "PAT", "FRAME", "CIRC", "PITCHCIRC"};
   if (!scanner.take_keyword("DEF")) {
     throw_unread_words(scanner, "PATTERN DEF");
@@ -98,10 +99,10 @@ void HeidenhainReader::pattern(Scanner& scanner, std::uint32_t column) {
                                    [kind](std::string_view name) { return letters::same(name, kind); });
     if (!known || !scanner.take('(')) {
       throw ReadFault{"pattern", at,
-                      fmt::format("{} is no kind of pattern", quoted(scanner.text().substr(at - 1))),
-                      "the pattern is left out; write POS, ROW, PAT, FRAME, CIRC or PITCHCIRC"};
+                      fmt::format("{} is not a pattern", quoted(scanner.text().substr(at - 1))),
+                      "the pattern is skipped; write POS, ROW, PAT, FRAME, CIRC or PITCHCIRC"};
     }
-    const PatternWords words = read_pattern(scanner);
+    const PatternWords words = read_words(scanner);
     const Vec3 origin(words.x, words.y, words.z);
     for (const Vec2& place : places_in_plane(kind, words, in_plane(origin, plane()), at)) {
       places.push_back(from_plane(place, plane(), origin));
@@ -110,10 +111,10 @@ void HeidenhainReader::pattern(Scanner& scanner, std::uint32_t column) {
   if (places.empty()) {
     throw ReadFault{"pattern", column, "PATTERN DEF without a pattern", "write POS1 (X+5 Y+5 Z+0)"};
   }
-  set_pattern(std::move(places));
+  cycle_calls_.set_pattern(std::move(places));
 }
 
-PatternWords HeidenhainReader::read_pattern(Scanner& scanner) {
+PatternWords PatternStatement::read_words(Scanner& scanner) const {
   PatternWords words;
   while (!scanner.take(')')) {
     const auto known = std::find_if(pattern_words.begin(), pattern_words.end(),
@@ -121,10 +122,10 @@ PatternWords HeidenhainReader::read_pattern(Scanner& scanner) {
     if (known == pattern_words.end()) {
       throw_unread_words(scanner, "a pattern");
     }
-    const double value = formulas().read_value(scanner);
+    const double value = read_value(scanner);
     words.*known->value = known->is_length ? to_mm(value) : value;
   }
   return words;
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

@@ -1,14 +1,12 @@
-// The part of HeidenhainReader for tilted working planes: PLANE and cycle 19. The path is shown in the
-// coordinates of the workpiece, however the machine turns its axes to get there.
+#include "core/program/heidenhain/plane_statements.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 
 #include "core/base/units.h"
-#include "core/program/heidenhain/heidenhain_reader.h"
 #include "core/program/text/read_fault.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 namespace {
 
@@ -39,39 +37,39 @@ std::optional<CoordinateFrame> tilted_to(const Vec3& base, const Vec3& normal) {
 
 }  // namespace
 
-void HeidenhainReader::plane_statement(Scanner& scanner, std::uint32_t column) {
+bool PlaneStatements::run(Scanner& scanner, std::uint32_t column) {
   const std::string_view form = scanner.name();
   std::optional<CoordinateFrame> tilt;
   if (letters::same(form, "SPATIAL")) {
     tilt = tilted_by(named_angles(scanner, {"SPA", "SPB", "SPC"}));
   } else if (letters::same(form, "RELATIV") || letters::same(form, "RELATIVE")) {
-    tilt = transformations().tilt() * tilted_by(named_angles(scanner, {"SPA", "SPB", "SPC"}));
+    tilt = coordinates_.transformations().tilt() * tilted_by(named_angles(scanner, {"SPA", "SPB", "SPC"}));
   } else if (letters::same(form, "EULER")) {
     const auto angles = named_angles(scanner, {"EULPR", "EULNU", "EULROT"});
     tilt = CoordinateFrame::rotation(Vec3::UnitZ(), angles[0]) *
            CoordinateFrame::rotation(Vec3::UnitX(), angles[1]) *
            CoordinateFrame::rotation(Vec3::UnitZ(), angles[2]);
   } else if (letters::same(form, "VECTOR")) {
-    tilt = vector_plane(scanner, column);
+    tilt = by_vectors(scanner, column);
   } else if (letters::same(form, "AXIAL")) {
-    tilt = axis_plane(scanner, column);
+    tilt = by_axes(scanner, column);
   } else if (letters::same(form, "POINTS")) {
-    tilt = points_plane(scanner, column);
+    tilt = by_points(scanner, column);
   } else if (!letters::same(form, "RESET")) {
-    set_tilt(std::nullopt, column);
-    report_unread("PLANE", scanner.text(), column);
-    return;
+    coordinates_.set_tilt(std::nullopt, column);
+    return false;
   }
-  skip_turning_words(scanner);
-  set_tilt(tilt, column);
+  skip_positioning(scanner);
+  coordinates_.set_tilt(tilt, column);
+  return true;
 }
 
-std::array<double, 3> HeidenhainReader::named_angles(Scanner& scanner,
-                                                     const std::array<std::string_view, 3>& names) {
+std::array<double, 3> PlaneStatements::named_angles(Scanner& scanner,
+                                                    const std::array<std::string_view, 3>& names) const {
   std::array<double, 3> angles{};
   for (std::size_t i = 0; i < names.size();) {
     if (scanner.take(names[i])) {
-      angles[i] = units::from_deg(formulas().read_value(scanner));
+      angles[i] = units::from_deg(read_value(scanner));
       i = 0;
     } else {
       ++i;
@@ -80,7 +78,7 @@ std::array<double, 3> HeidenhainReader::named_angles(Scanner& scanner,
   return angles;
 }
 
-CoordinateFrame HeidenhainReader::vector_plane(Scanner& scanner, std::uint32_t column) {
+CoordinateFrame PlaneStatements::by_vectors(Scanner& scanner, std::uint32_t column) const {
   std::array<Vec3, 2> vectors{Vec3::Zero(), Vec3::Zero()};
   for (char letter = letters::to_upper(scanner.peek()); letter == 'B' || letter == 'N';
        letter = letters::to_upper(scanner.peek())) {
@@ -89,18 +87,18 @@ CoordinateFrame HeidenhainReader::vector_plane(Scanner& scanner, std::uint32_t c
       break;
     }
     scanner.move_to(scanner.at() + 2);
-    vectors[letter == 'B' ? 0 : 1][axis - 'X'] = formulas().read_value(scanner);
+    vectors[letter == 'B' ? 0 : 1][axis - 'X'] = read_value(scanner);
   }
   const std::optional<CoordinateFrame> tilt = tilted_to(vectors[0], vectors[1]);
   if (!tilt) {
     throw ReadFault{"plane", column, "the vectors of PLANE VECTOR do not span a plane",
-                    "the plane stays as it was; check BX BY BZ and NX NY NZ"};
+                    "the plane does not change; check BX BY BZ and NX NY NZ"};
   }
   return *tilt;
 }
 
 /// X' runs from the first point to the second, Y' towards the third; the datum stays where it is.
-CoordinateFrame HeidenhainReader::points_plane(Scanner& scanner, std::uint32_t column) {
+CoordinateFrame PlaneStatements::by_points(Scanner& scanner, std::uint32_t column) const {
   std::array<Vec3, 3> points{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
   while (letters::to_upper(scanner.peek()) == 'P' && letters::is_digit(scanner.peek_at(1))) {
     const int point = scanner.peek_at(1) - '1';
@@ -109,19 +107,19 @@ CoordinateFrame HeidenhainReader::points_plane(Scanner& scanner, std::uint32_t c
       break;
     }
     scanner.move_to(scanner.at() + 3);
-    points[static_cast<std::size_t>(point)][axis] = to_mm(formulas().read_value(scanner));
+    points[static_cast<std::size_t>(point)][axis] = read_length(scanner);
   }
   const Vec3 base = points[1] - points[0];
   const std::optional<CoordinateFrame> tilt = tilted_to(base, base.cross(points[2] - points[0]));
   if (!tilt) {
-    throw ReadFault{"plane", column, "the points of PLANE POINTS lie on one line",
-                    "the plane stays as it was; check P1X to P3Z"};
+    throw ReadFault{"plane", column, "the points of PLANE POINTS are on one line",
+                    "the plane does not change; check P1X to P3Z"};
   }
   return *tilt;
 }
 
 /// How the axes turn there: no matter for the path on the workpiece.
-void HeidenhainReader::skip_turning_words(Scanner& scanner) {
+void PlaneStatements::skip_positioning(Scanner& scanner) const {
   constexpr std::array<std::string_view, 9> names{"MOVE",  "TURN",  "STAY",  "MAX", "FMAX",
                                                   "FAUTO", "TABLE", "COORD", "ROT"};
   const auto take_a_name = [&] {
@@ -136,23 +134,23 @@ void HeidenhainReader::skip_turning_words(Scanner& scanner) {
       scanner.take('+') || scanner.take('-');
     } else if (scanner.take("MB") || scanner.take('F')) {
       if (!scanner.take_keyword("MAX") && !scanner.take_keyword("AUTO")) {
-        formulas().read_value(scanner);
+        read_value(scanner);
       }
     } else if (scanner.take("DIST") || scanner.take("ABST") || scanner.take("SETUP")) {
-      formulas().read_value(scanner);
+      read_value(scanner);
     } else {
       throw_unread_words(scanner, "PLANE");
     }
   }
 }
 
-void HeidenhainReader::tilt_cycle(Scanner& scanner, std::uint32_t column) {
-  const std::optional<CoordinateFrame> tilt = axis_plane(scanner, column);
-  skip_turning_words(scanner);
-  set_tilt(tilt, column);
+void PlaneStatements::run_cycle(Scanner& scanner, std::uint32_t column) {
+  const std::optional<CoordinateFrame> tilt = by_axes(scanner, column);
+  skip_positioning(scanner);
+  coordinates_.set_tilt(tilt, column);
 }
 
-std::optional<CoordinateFrame> HeidenhainReader::axis_plane(Scanner& scanner, std::uint32_t column) {
+std::optional<CoordinateFrame> PlaneStatements::by_axes(Scanner& scanner, std::uint32_t column) const {
   std::array<double, 3> angles{};
   bool any = false;
   while (true) {
@@ -162,18 +160,16 @@ std::optional<CoordinateFrame> HeidenhainReader::axis_plane(Scanner& scanner, st
       break;
     }
     scanner.take(letter);
-    angles[static_cast<std::size_t>(letter - 'A')] = units::from_deg(formulas().read_value(scanner));
+    angles[static_cast<std::size_t>(letter - 'A')] = units::from_deg(read_value(scanner));
     any = true;
   }
   if (std::count(angles.begin(), angles.end(), 0.0) < 2) {
     report(Severity::warning, "tilt-angles", 0, column, [] {
-      return Text{
-          "the plane is tilted by the angles of more than one axis",
-          "what they come to depends on the machine; they are taken as angles in space, as PLANE SPATIAL "
-          "has them"};
+      return Text{"the plane is tilted by angles of more than one axis",
+                  "the plane depends on the machine; they are used as spatial angles, as in PLANE SPATIAL"};
     });
   }
   return any ? std::optional(tilted_by(angles)) : std::nullopt;
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

@@ -11,7 +11,7 @@
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 namespace {
 
@@ -171,14 +171,14 @@ double QFormulas::read_value(Scanner& scanner) {
       throw ReadFault{
           "number-range", column,
           fmt::format("the parameter's value {} is beyond the largest number, 1000000000", *value),
-          "the block is left out; check what the parameter is made of"};
+          "the block is skipped; check how the parameter is calculated"};
     }
     return sign * *value;
   }
   throw ReadFault{"malformed-number", column,
                   scanner.at_end() ? "a number is missing at the end of the block"
-                                   : fmt::format("{} is no number or parameter", quoted(scanner.rest())),
-                  "the block is left out; write a number or a Q parameter here"};
+                                   : fmt::format("{} is not a number or parameter", quoted(scanner.rest())),
+                  "the block is skipped; write a number or a Q parameter here"};
 }
 
 std::optional<double> QFormulas::variable(Scanner& scanner) {
@@ -194,4 +194,4 @@ std::optional<double> QFormulas::variable(Scanner& scanner) {
   return value ? *value : unset_(*name);
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

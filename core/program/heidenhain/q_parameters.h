@@ -7,10 +7,10 @@
 #include <string_view>
 #include <vector>
 
-#include "core/program/text/expression.h"
+#include "core/program/language/expression.h"
 #include "core/program/text/scanner.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 /// A parameter as written: Q5, QL5, QR5, QS5.
 struct QName {
@@ -70,4 +70,4 @@ class QFormulas : public ExpressionReader {
   Unset unset_;
 };
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

@@ -3,15 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/program/cycles/drill_plan.h"
+#include "core/program/cycles/tapping.h"
 #include "core/program/heidenhain/drilling_cycles.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 /// Moves of the tool at one place of the plane, as steps of a plan.
-class Spindle {
+class ToolAxisMoves {
  public:
-  explicit Spindle(const DrillingPlace& place)
+  explicit ToolAxisMoves(const DrillingPlace& place)
       : plane_(place.plane),
         plan_(normal_axis(place.plane), place.path.position()[normal_axis(place.plane)]) {}
 
@@ -27,6 +27,7 @@ class Spindle {
     }
   }
   void dwell(double seconds) { plan_.dwell(seconds); }
+  void tap(const Tapping& thread) { feedscope::tap(thread, plan_); }
   /// In the plane, by an offset.
   void shift(int direction, double by) {
     const int axis = direction % 2 == 1 ? first_axis(plane_) : second_axis(plane_);
@@ -40,7 +41,7 @@ class Spindle {
 
 /// Heights of a hole.
 struct Hole {
-  explicit Hole(const Drilling& words)
+  explicit Hole(const DrillingParameters& words)
       : top(words.surface + words.clearance),
         bottom(words.surface + words.depth),
         out(words.surface + std::max(words.second_clearance, words.clearance)) {}
@@ -54,8 +55,8 @@ inline double or_else(double value, double otherwise) {
   return value > 0 ? value : otherwise;
 }
 
-inline double whole_depth_if_none(const Drilling& words) {
+inline double whole_depth_if_none(const DrillingParameters& words) {
   return words.infeed > 0 ? words.infeed : -words.depth;
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 Transformations::Step& Transformations::step(Kind kind) {
   const auto found =
@@ -99,4 +99,4 @@ CoordinateFrame Transformations::frame() const {
   return frame;
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

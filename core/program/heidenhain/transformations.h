@@ -7,9 +7,9 @@
 #include "core/program/path/coordinate_frame.h"
 #include "core/program/path/plane.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
-/// Cycles 7, 8, 10, 11, 19, 26 and PLANE in force. One that is programmed anew keeps its place, one that is
+/// Cycles 7, 8, 10, 11, 19, 26 and PLANE in force. One that is programmed again keeps its place, one that is
 /// reset loses it; each acts in the coordinates that those before it have made.
 class Transformations {
  public:
@@ -22,7 +22,7 @@ class Transformations {
   void rotate(Plane plane, double angle, bool incremental);
   /// Factors about a centre [mm].
   void scale(const Vec3& factors, const Vec3& center = Vec3::Zero());
-  /// Turns the working plane in space; one that is in force is turned anew, in its place.
+  /// Turns the working plane in space; one that is in force is turned again, in its place.
   void tilt(const CoordinateFrame& tilt) { step(Kind::tilt).tilt = tilt; }
   void reset(Kind kind);
 
@@ -50,4 +50,4 @@ class Transformations {
   std::vector<Step> steps_;
 };
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

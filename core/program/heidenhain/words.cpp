@@ -1,80 +1,77 @@
-// The part of HeidenhainReader for the words of path blocks.
+#include "core/program/heidenhain/words.h"
+
 #include <fmt/format.h>
 
+#include <string>
+
 #include "core/base/units.h"
-#include "core/program/heidenhain/heidenhain_reader.h"
+#include "core/program/heidenhain/motion.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
 
-namespace feedscope {
+namespace feedscope::heidenhain {
 
 namespace {
 
 [[noreturn]] void throw_unread_word(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
-  throw ReadFault{"unread-word", column, fmt::format("{} is no word of this block", quoted(scanner.rest())),
-                  "the block is left out; check it"};
+  throw ReadFault{"unread-word", column,
+                  fmt::format("{} is not a word of this block", quoted(scanner.rest())),
+                  "the block is skipped; correct it"};
 }
 
 }  // namespace
 
-MotionWords HeidenhainReader::words(Scanner& scanner) {
+MotionWords Words::read(Scanner& scanner) {
   MotionWords words;
-  while (true) {
-    const char c = letters::to_upper(scanner.peek());
+  while (!scanner.at_end()) {
     const std::uint32_t column = scanner.column();
-    switch (c) {
-      case '\0':
-        return words;
-      case 'F':
-        feed_word(scanner, column, words);
-        continue;
-      case 'R':
-        radius_word(scanner, column, words);
-        continue;
-      case 'M':
-        m_word(scanner, column, words);
-        continue;
-      case 'D':
-        if (scanner.take("DR")) {
-          words.turn = scanner.take('-') ? -1 : 1;
-          scanner.take('+');
-          words.first_column = words.first_column == 0 ? column : words.first_column;
-          continue;
-        }
-        break;
-      case 'L':
-        if (scanner.take("LEN")) {
-          words.length = to_mm(formulas().read_value(scanner));
-          continue;
-        }
-        // LIN_Z-5: the axis that an arc takes along.
-        if (scanner.take("LIN_") &&
-            axis_word(scanner, letters::to_upper(scanner.peek()), false, column, words)) {
-          continue;
-        }
-        break;
-      case 'N':
-      case 'T':
-        if (normal_word(scanner, column)) {
-          continue;
-        }
-        break;
-      default: {
-        const bool incremental = c == 'I';
-        const char letter = incremental ? letters::to_upper(scanner.peek_at(1)) : c;
-        if (axis_word(scanner, letter, incremental, column, words)) {
-          continue;
-        }
-        break;
-      }
+    if (!read_word(scanner, letters::to_upper(scanner.peek()), column, words)) {
+      throw_unread_word(scanner);
     }
-    throw_unread_word(scanner);
+  }
+  return words;
+}
+
+bool Words::read_word(Scanner& scanner, char letter, std::uint32_t column, MotionWords& words) {
+  switch (letter) {
+    case 'F':
+      read_feed(scanner, column, words);
+      return true;
+    case 'R':
+      read_radius(scanner, column, words);
+      return true;
+    case 'M':
+      m_functions_.read(scanner, column, words);
+      return true;
+    case 'D':
+      if (!scanner.take("DR")) {
+        return false;
+      }
+      words.turn = scanner.take('-') ? -1 : 1;
+      scanner.take('+');
+      words.first_column = words.first_column == 0 ? column : words.first_column;
+      return true;
+    case 'L':
+      if (scanner.take("LEN")) {
+        words.length = read_length(scanner);
+        return true;
+      }
+      // LIN_Z-5: the axis that an arc takes along.
+      return scanner.take("LIN_") &&
+             read_axis(scanner, letters::to_upper(scanner.peek()), false, column, words);
+    case 'N':
+    case 'T':
+      return read_normal(scanner, column);
+    case 'I':
+      return read_axis(scanner, letters::to_upper(scanner.peek_at(1)), true, column, words);
+    default:
+      return read_axis(scanner, letter, false, column, words);
   }
 }
 
-bool HeidenhainReader::axis_word(Scanner& scanner, char letter, bool incremental, std::uint32_t column,
-                                 MotionWords& words) {
+bool Words::read_axis(Scanner& scanner, char letter, bool incremental, std::uint32_t column,
+                      MotionWords& words) {
   const std::size_t prefix = incremental ? 1 : 0;
   const auto take = [&](std::size_t length) { scanner.move_to(scanner.at() + prefix + length); };
   const auto set = [&](OptionalWord& word, double value) {
@@ -86,16 +83,16 @@ bool HeidenhainReader::axis_word(Scanner& scanner, char letter, bool incremental
     case 'Y':
     case 'Z':
       take(1);
-      set(words.axes[static_cast<std::size_t>(letter - 'X')], to_mm(formulas().read_value(scanner)));
+      set(words.axes[static_cast<std::size_t>(letter - 'X')], read_length(scanner));
       return true;
     case 'P': {
       const char which = letters::to_upper(scanner.peek_at(prefix + 1));
       if (which == 'A') {
         take(2);
-        set(words.polar_angle, units::from_deg(formulas().read_value(scanner)));
+        set(words.polar_angle, units::from_deg(read_value(scanner)));
       } else if (which == 'R') {
         take(2);
-        set(words.polar_radius, to_mm(formulas().read_value(scanner)));
+        set(words.polar_radius, read_length(scanner));
       }
       return which == 'A' || which == 'R';
     }
@@ -106,32 +103,32 @@ bool HeidenhainReader::axis_word(Scanner& scanner, char letter, bool incremental
     case 'V':
     case 'W':
       if (scanner.take("CCA")) {
-        words.center_angle = units::from_deg(formulas().read_value(scanner));
+        words.center_angle = units::from_deg(read_value(scanner));
         return true;
       }
       take(1);
-      set_other_axis(letter, formulas().read_value(scanner), incremental, column, words);
+      set_other_axis(letter, read_value(scanner), incremental, column, words);
       return true;
     default:
       return false;
   }
 }
 
-bool HeidenhainReader::normal_word(Scanner& scanner, std::uint32_t column) {
+bool Words::read_normal(Scanner& scanner, std::uint32_t column) {
   const char axis = letters::to_upper(scanner.peek_at(1));
   if (axis != 'X' && axis != 'Y' && axis != 'Z') {
     return false;
   }
   scanner.move_to(scanner.at() + 2);
-  formulas().read_value(scanner);
+  read_value(scanner);
   report(Severity::info, "unread-vector", 0, column, [] {
-    return Text{"surface normals and tool directions (LN) are not read",
+    return Text{"surface normals and tool directions (LN) are not supported",
                 "X, Y and Z are shown as programmed"};
   });
   return true;
 }
 
-void HeidenhainReader::feed_word(Scanner& scanner, std::uint32_t column, MotionWords& words) {
+void Words::read_feed(Scanner& scanner, std::uint32_t column, MotionWords& words) {
   scanner.take('F');
   words.feed_column = column;
   if (scanner.take("MAX")) {
@@ -139,9 +136,9 @@ void HeidenhainReader::feed_word(Scanner& scanner, std::uint32_t column, MotionW
   } else if (scanner.take("AUTO")) {
     words.feed_word = FeedWord::of_tool_call;
   } else if (scanner.take('T')) {
-    const double seconds = formulas().read_value(scanner);
+    const double seconds = read_value(scanner);
     report(Severity::error, "unread-word", 1, column, [&] {
-      return Text{fmt::format("FT{} (the time of the block) is not read", seconds),
+      return Text{fmt::format("FT{} (time of the block) is not supported", seconds),
                   "the last feed stays in force"};
     });
   } else if (const char next = letters::to_upper(scanner.peek());
@@ -152,11 +149,11 @@ void HeidenhainReader::feed_word(Scanner& scanner, std::uint32_t column, MotionW
     words.feed_word = scanner.take('Z')   ? FeedWord::per_tooth
                       : scanner.take('U') ? FeedWord::per_revolution
                                           : FeedWord::value;
-    words.feed = formulas().read_value(scanner);
+    words.feed = read_value(scanner);
   }
 }
 
-void HeidenhainReader::radius_word(Scanner& scanner, std::uint32_t column, MotionWords& words) {
+void Words::read_radius(Scanner& scanner, std::uint32_t column, MotionWords& words) {
   scanner.take('R');
   const char next = letters::to_upper(scanner.peek_at(0));
   const char after = scanner.peek_at(1);
@@ -173,15 +170,15 @@ void HeidenhainReader::radius_word(Scanner& scanner, std::uint32_t column, Motio
   } else if (sign_alone) {
     scanner.move_to(scanner.at() + 1);
     report(Severity::error, "unread-word", 2, column, [&] {
-      return Text{fmt::format("R{} (longer or shorter by the tool's radius) is not read", next),
+      return Text{fmt::format("R{} (extension by the tool radius) is not supported", next),
                   "the position is shown as programmed"};
     });
   } else if (next == '0' && !number_goes_on) {
     scanner.move_to(scanner.at() + 1);
     words.side = SideWord::off;
   } else {
-    words.radius = to_mm(formulas().read_value(scanner));
+    words.radius = read_length(scanner);
   }
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::heidenhain

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-namespace feedscope {
+#include "core/program/cycles/tapping.h"
+
+namespace feedscope::iso {
 
 namespace {
 
@@ -17,6 +19,17 @@ class Drill {
       case DrillingMotion::feed_out:
         down();
         out(cycle_.motion == DrillingMotion::feed_out);
+        break;
+      case DrillingMotion::tap:
+        plan_.rapid(cycle_.retract);
+        tap({.safe = cycle_.retract,
+             .surface = cycle_.retract,
+             .bottom = cycle_.bottom,
+             .stroke = cycle_.peck,
+             .lift = cycle_.clearance,
+             .dwell = cycle_.dwell},
+            plan_);
+        out(false);
         break;
       case DrillingMotion::peck:
       case DrillingMotion::chip_break:
@@ -103,4 +116,4 @@ void drill(PathWriter& path, const DrillingCycle& cycle, const Vec3& hole) {
   run(plan, path, hole);
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

@@ -5,12 +5,13 @@
 #include "core/base/geometry.h"
 #include "core/program/cycles/drill_plan.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
 /// What a drilling cycle does between its retract plane and the bottom of the hole.
 enum class DrillingMotion : std::uint8_t {
   rapid_out,   ///< one feed down, rapid out: G81, G82, G86
-  feed_out,    ///< one feed down, feed out: tapping, reaming, G85, G89
+  feed_out,    ///< one feed down, feed out: reaming, G85, G89
+  tap,         ///< down and out at feed, in strokes of `peck`: G74, G84
   peck,        ///< feeds down bit by bit, rapid out of the hole and back in between: G83
   chip_break,  ///< the same, with a short lift in between: G73
   fine_bore,   ///< one feed down, aside off the wall, rapid out, back: G76
@@ -24,7 +25,7 @@ struct DrillingCycle {
   double initial = 0;     ///< level before the first hole [mm]
   double retract = 0;     ///< level from which the tool feeds [mm]
   double bottom = 0;      ///< level the tool feeds to [mm]
-  double peck = 0;        ///< depth of one feed, > 0; 0: all at once [mm]
+  double peck = 0;        ///< depth of one feed or stroke, > 0; 0: all at once [mm]
   double peck_less = 0;   ///< by which each feed is shorter than the one before, >= 0 [mm]
   double peck_least = 0;  ///< which no feed falls below, > 0 with `peck_less` [mm]
   double clearance = 0;   ///< lift of a chip break; distance from the last depth at which a peck begins [mm]
@@ -39,4 +40,4 @@ double peck_count(const DrillingCycle& cycle);
 /// Rapid above `hole` at the present level, or the retract level if that is higher; then the cycle.
 void drill(PathWriter& path, const DrillingCycle& cycle, const Vec3& hole);
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

@@ -1,7 +1,8 @@
-#include "core/program/iso/iso_expression.h"
+#include "core/program/iso/expression.h"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -10,7 +11,7 @@
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
 namespace {
 
@@ -243,25 +244,25 @@ std::string normal_name(std::string_view name) {
   return normal;
 }
 
-IsoExpression::IsoExpression(Dialect dialect, VariableSource& variables)
+Expression::Expression(Dialect dialect, VariableSource& variables)
     : ExpressionReader(follows_linuxcnc(dialect) ? linuxcnc_grammar : fanuc_grammar),
       variables_(variables),
       linuxcnc_(follows_linuxcnc(dialect)) {}
 
-std::uint32_t IsoExpression::variable_number(Scanner& scanner) {
+std::uint32_t Expression::variable_number(Scanner& scanner) {
   constexpr double largest = 4e9;
   constexpr double whole_within = 1e-4;
   const std::uint32_t column = scanner.column();
   const double value = number(read_operand(scanner));
   const double whole = std::round(value);
   if (!(whole >= 0 && whole <= largest && std::abs(value - whole) <= whole_within)) {
-    throw ReadFault{"variable", column, fmt::format("{} is not the number of a variable", value),
-                    "the block does not move; variables have whole numbers from 0 on"};
+    throw ReadFault{"variable", column, fmt::format("{} is not a variable number", value),
+                    "the block does not move; variable numbers are whole and start at 0"};
   }
   return static_cast<std::uint32_t>(whole);
 }
 
-std::string IsoExpression::variable_name(Scanner& scanner) {
+std::string Expression::variable_name(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   if (!scanner.take('<')) {
     return {};
@@ -278,7 +279,7 @@ std::string IsoExpression::variable_name(Scanner& scanner) {
   return name;
 }
 
-std::optional<double> IsoExpression::variable(Scanner& scanner) {
+std::optional<double> Expression::variable(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   if (scanner.take('#')) {
     const std::string name = variable_name(scanner);
@@ -300,7 +301,7 @@ std::optional<double> IsoExpression::variable(Scanner& scanner) {
   return std::nullopt;
 }
 
-double IsoExpression::arc_tangent(Scanner& scanner) {
+double Expression::arc_tangent(Scanner& scanner) {
   expect(scanner, '[');
   const double rise = number(read(scanner));
   if (scanner.take(',')) {
@@ -319,21 +320,20 @@ double IsoExpression::arc_tangent(Scanner& scanner) {
   return direction(rise, run);
 }
 
-double IsoExpression::direction(double rise, double run) const {
+double Expression::direction(double rise, double run) const {
   const double angle = std::atan2(rise, run) / degree;
   return !linuxcnc_ && angle < 0 ? angle + 360 : angle;
 }
 
-double IsoExpression::exists(Scanner& scanner) {
+double Expression::exists(Scanner& scanner) {
   expect(scanner, '[');
   expect(scanner, '#');
   const std::string name = variable_name(scanner);
   if (name.empty()) {
-    throw ReadFault{"expression", scanner.column(), "EXISTS asks for a named variable",
-                    "write EXISTS[#<name>]"};
+    throw ReadFault{"expression", scanner.column(), "EXISTS needs a named variable", "write EXISTS[#<name>]"};
   }
   expect(scanner, ']');
   return variables_.has_name(name) ? 1 : 0;
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

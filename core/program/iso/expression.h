@@ -5,22 +5,22 @@
 #include <string_view>
 
 #include "core/program/dialect.h"
-#include "core/program/text/expression.h"
+#include "core/program/language/expression.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
-/// LinuxCNC and grbl read alike; Fanuc and all others alike: in rank of operators, rounding, logic, undefined
-/// variables.
+/// LinuxCNC and grbl have the same rules; Fanuc and all others have others: in rank of operators, rounding,
+/// logic, undefined variables.
 inline bool follows_linuxcnc(Dialect dialect) {
   return dialect == Dialect::linuxcnc || dialect == Dialect::grbl;
 }
 
 /// The value of a Fanuc variable that holds none: counts as zero in arithmetic, as unequal to zero in EQ and
-/// NE; a word with it is left out.
+/// NE; a word with it is omitted.
 double null_value();
 bool is_null(double value);
 
-/// Name of a LinuxCNC variable or O word: blanks left out, lower case.
+/// Name of a LinuxCNC variable or O word: blanks omitted, lower case.
 std::string normal_name(std::string_view name);
 
 /// What the variables of an expression hold.
@@ -35,10 +35,10 @@ class VariableSource {
 };
 
 /// Expressions of Fanuc's macro B and of LinuxCNC: in square brackets, angles in degrees.
-class IsoExpression : public ExpressionReader {
+class Expression : public ExpressionReader {
  public:
   /// `variables` outlives it.
-  IsoExpression(Dialect dialect, VariableSource& variables);
+  Expression(Dialect dialect, VariableSource& variables);
 
   /// The number behind "#": digits, a variable or an expression in brackets. Throws ReadFault.
   std::uint32_t variable_number(Scanner& scanner);
@@ -59,4 +59,4 @@ class IsoExpression : public ExpressionReader {
   double rounding_step_ = 1;
 };
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

@@ -1,4 +1,5 @@
-// The part of IsoReader that jumps: O words of LinuxCNC, macro statements of Fanuc.
+#include "core/program/iso/flow.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -6,23 +7,17 @@
 #include <cmath>
 #include <utility>
 
-#include "core/program/iso/iso_reader.h"
+#include "core/program/iso/statements.h"
 #include "core/program/text/message.h"
+#include "core/program/text/read_fault.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
 namespace {
-
-constexpr std::string_view left_out = "it is left out; check the labels";
 
 bool only_number_before(const Block& block) {
   return std::all_of(block.words.begin(), block.words.end(),
                      [](const Word& word) { return word.letter == 'N'; });
-}
-
-[[noreturn]] void throw_unpaired(std::string_view statement, std::string_view missing, std::uint32_t column) {
-  throw ReadFault{"flow-pair", column, fmt::format("{} has no {}", quoted(statement), missing),
-                  std::string(left_out)};
 }
 
 std::string_view partner(FlowWord word) {
@@ -92,22 +87,15 @@ bool is_paired(const FlowIndex::Statement& statement) {
 
 }  // namespace
 
-const FlowIndex& IsoReader::flow_index(const SourceText& text) {
-  const auto found = flow_.find(&text);
-  return found != flow_.end()
-             ? found->second
-             : flow_.emplace(&text, FlowIndex(text, options().skip_deleted_blocks)).first->second;
-}
-
-bool IsoReader::run_flow(const Block& block, Scanner& scan) {
-  const bool flows = run_o_word(block, scan) || (only_number_before(block) && run_macro_statement(scan));
+bool Flow::run(const Block& line, Scanner& scan) {
+  const bool flows = run_o_word(line, scan) || (only_number_before(line) && run_macro_statement(scan));
   if (flows) {
     report_rest(scan);
   }
   return flows;
 }
 
-void IsoReader::report_rest(Scanner& scan) {
+void Flow::report_rest(Scanner& scan) const {
   if (scan.at_end() || scan.peek() == '%') {
     return;
   }
@@ -115,20 +103,20 @@ void IsoReader::report_rest(Scanner& scan) {
     return Text{fmt::format("{} follows a statement", quoted(scan.rest())),
                 "it is skipped; write it in a line of its own"};
   });
-  leave_line(scan);
+  skip_rest(scan);
 }
 
-bool IsoReader::run_o_word(const Block& block, Scanner& scan) {
+bool Flow::run_o_word(const Block& line, Scanner& scan) {
   std::string label;
   std::uint32_t column = scan.column();
-  const bool plain_label = !block.words.empty() && block.words.back().letter == 'O';
+  const bool plain_label = !line.words.empty() && line.words.back().letter == 'O';
   if (plain_label) {
-    column = block.words.back().column;
+    column = line.words.back().column;
     Scanner at_label(scan.text(), column);
     label = take_o_label(at_label);
   } else {
     Scanner after = scan;
-    if (!only_number_before(block) || !after.take('O') ||
+    if (!only_number_before(line) || !after.take('O') ||
         std::string_view("<#[").find(after.peek()) == std::string_view::npos) {
       return false;
     }
@@ -142,44 +130,41 @@ bool IsoReader::run_o_word(const Block& block, Scanner& scan) {
   const FlowWord word = o_word_named(after.name());
   if (word == FlowWord::none) {
     throw ReadFault{"unread-statement", column,
-                    fmt::format("{} is no O word", quoted(scan.text().substr(column - 1))),
-                    "the line is left out; O words are sub, call, if, while, do, repeat and their ends"};
+                    fmt::format("{} is not an O word", quoted(scan.text().substr(column - 1))),
+                    "the line is skipped; O words are sub, call, if, while, do, repeat and their ends"};
   }
   scan = after;
   run_o_word(word, label, column, scan);
   return true;
 }
 
-void IsoReader::run_o_word(FlowWord word, const std::string& label, std::uint32_t column, Scanner& scan) {
+void Flow::run_o_word(FlowWord word, const std::string& label, std::uint32_t column, Scanner& scan) {
   if (word == FlowWord::call) {
-    call_o_word(label, column, scan);
+    call(label, column, scan);
     return;
   }
   if (word == FlowWord::return_) {
-    return_from_o_word(scan);
+    return_from_sub(scan);
     return;
   }
-  const FlowIndex::Statement* const found = flow_index(text()).at(line());
-  if (found == nullptr || !is_paired(*found)) {
-    throw_unpaired(scan.text().substr(column - 1, scan.at() + 1 - column), partner(word), column);
-  }
-  const FlowIndex::Statement& statement = *found;
+  const std::string_view written = scan.text().substr(column - 1, scan.at() + 1 - column);
+  const Statement& statement = paired_statement(written, partner(word), column);
   switch (word) {
     case FlowWord::sub:
       report_nested_subs(statement);
-      jump_to(statement.end + 1);
+      lines().jump_to(statement.end + 1);
       break;
     case FlowWord::endsub:
-      return_from_o_word(scan);
+      return_from_sub(scan);
       break;
     case FlowWord::if_:
       begin_branch(condition(scan), statement);
       break;
     case FlowWord::elseif:
     case FlowWord::else_:
-      if (std::exchange(tested_branch_, 0) != line()) {
-        leave_line(scan);
-        jump_to(flow_index(text()).at(statement.begin)->end + 1);
+      if (std::exchange(tested_branch_, 0) != lines().line()) {
+        skip_rest(scan);
+        lines().jump_to(index().at(statement.begin)->end + 1);
       } else if (word == FlowWord::elseif) {
         begin_branch(condition(scan), statement);
       }
@@ -188,11 +173,11 @@ void IsoReader::run_o_word(FlowWord word, const std::string& label, std::uint32_
       if (statement.begin == 0) {
         begin_loop(condition(scan), statement);
       } else if (condition(scan)) {
-        jump_to(statement.begin);
+        lines().jump_to(statement.begin);
       }
       break;
     case FlowWord::endwhile:
-      jump_to(statement.begin);
+      lines().jump_to(statement.begin);
       break;
     case FlowWord::repeat:
       begin_repeat(scan, statement);
@@ -202,7 +187,7 @@ void IsoReader::run_o_word(FlowWord word, const std::string& label, std::uint32_
       break;
     case FlowWord::break_:
     case FlowWord::continue_:
-      leave_loop(word == FlowWord::break_, *flow_index(text()).at(statement.begin));
+      leave_loop(word == FlowWord::break_, *index().at(statement.begin));
       break;
     case FlowWord::endif:
       tested_branch_ = 0;
@@ -217,128 +202,170 @@ void IsoReader::run_o_word(FlowWord word, const std::string& label, std::uint32_
   }
 }
 
-void IsoReader::report_nested_subs(const FlowIndex::Statement& statement) {
-  for (const std::uint32_t inner : flow_index(text()).subs_within(statement)) {
-    DiagnosticLog::Place there = place(0);
+void Flow::call(const std::string& label, std::uint32_t column, Scanner& scan) {
+  constexpr std::size_t max_arguments = 30;
+  std::vector<double> arguments;
+  while (!scan.at_end()) {
+    const std::uint32_t argument_column = scan.column();
+    const double value = expression_.read_operand(scan);
+    if (arguments.size() == max_arguments) {
+      throw ReadFault{"expression", argument_column, "a call has more than 30 arguments",
+                      "the call is skipped; pass the rest in global variables"};
+    }
+    arguments.push_back(value);
+  }
+  calls_.call_sub(label, column, arguments);
+}
+
+void Flow::return_from_sub(Scanner& scan) {
+  const std::optional<double> value =
+      scan.at_end() ? std::nullopt : std::optional(expression_.read_operand(scan));
+  if (lines().call_depth() == 0) {
+    throw ReadFault{"flow-pair", scan.column(), "return or endsub outside a subprogram",
+                    "it is skipped; a subprogram is written between sub and endsub"};
+  }
+  report_rest(scan);
+  calls_.leave();
+  variables_.set("_value", value.value_or(0));
+  variables_.set("_value_returned", value ? 1 : 0);
+}
+
+void Flow::report_nested_subs(const Statement& statement) const {
+  for (const std::uint32_t inner : indexes_.of(lines().text()).subs_within(statement)) {
+    DiagnosticLog::Place there = lines().place(0);
     there.line = inner;
-    log().add(Severity::error, "flow-pair", 1, there, [&] {
-      return Text{fmt::format("a sub within the sub of line {}", statement.line),
+    machining_.log.add(Severity::error, "flow-pair", 1, there, [&] {
+      return Text{fmt::format("a sub inside the sub of line {}", statement.line),
                   "LinuxCNC rejects the program; write one subprogram after the other"};
     });
   }
 }
 
-void IsoReader::begin_branch(bool holds, const FlowIndex::Statement& statement) {
+void Flow::begin_branch(bool holds, const Statement& statement) {
   if (!holds) {
     tested_branch_ = statement.next;
-    jump_to(statement.next);
+    lines().jump_to(statement.next);
   }
 }
 
-void IsoReader::begin_loop(bool holds, const FlowIndex::Statement& statement) {
+void Flow::begin_loop(bool holds, const Statement& statement) {
   if (!holds) {
-    jump_to(statement.end + 1);
+    lines().jump_to(statement.end + 1);
   }
 }
 
-void IsoReader::begin_repeat(Scanner& scan, const FlowIndex::Statement& statement) {
+void Flow::begin_repeat(Scanner& scan, const Statement& statement) {
   const double times = std::round(expression_.read_operand(scan));
-  std::vector<Repeat>& repeats = frames_.back().repeats;
-  std::erase_if(repeats, [&](const Repeat& repeat) { return repeat.line == statement.line; });
+  std::vector<Calls::Repeat>& repeats = calls_.repeats();
+  std::erase_if(repeats, [&](const Calls::Repeat& repeat) { return repeat.line == statement.line; });
   if (times >= 1) {
     repeats.push_back({statement.line, times});
   } else {
-    jump_to(statement.end + 1);
+    lines().jump_to(statement.end + 1);
   }
 }
 
-void IsoReader::end_repeat(const FlowIndex::Statement& statement) {
-  std::vector<Repeat>& repeats = frames_.back().repeats;
-  const auto running = std::find_if(repeats.begin(), repeats.end(),
-                                    [&](const Repeat& repeat) { return repeat.line == statement.begin; });
+void Flow::end_repeat(const Statement& statement) {
+  std::vector<Calls::Repeat>& repeats = calls_.repeats();
+  const auto running = std::find_if(repeats.begin(), repeats.end(), [&](const Calls::Repeat& repeat) {
+    return repeat.line == statement.begin;
+  });
   if (running == repeats.end()) {
     return;
   }
   if (--running->left >= 1) {
-    jump_to(statement.begin + 1);
+    lines().jump_to(statement.begin + 1);
   } else {
     repeats.erase(running);
   }
 }
 
-void IsoReader::leave_loop(bool for_good, const FlowIndex::Statement& loop) {
+void Flow::leave_loop(bool for_good, const Statement& loop) {
   if (for_good) {
-    std::erase_if(frames_.back().repeats, [&](const Repeat& repeat) { return repeat.line == loop.line; });
-    jump_to(loop.end + 1);
+    std::erase_if(calls_.repeats(), [&](const Calls::Repeat& repeat) { return repeat.line == loop.line; });
+    lines().jump_to(loop.end + 1);
   } else {
-    jump_to(loop.word == FlowWord::while_ ? loop.line : loop.end);
+    lines().jump_to(loop.word == FlowWord::while_ ? loop.line : loop.end);
   }
 }
 
-void IsoReader::leave_line(Scanner& scan) {
-  scan.move_to(scan.text().size());
-}
-
-bool IsoReader::condition(Scanner& scan) {
+bool Flow::condition(Scanner& scan) {
   try {
     const double value = expression_.read(scan);
     return !is_null(value) && value != 0;
   } catch (const ReadFault& fault) {
     // Taken as not fulfilled, so that a loop ends.
-    report_fault(fault);
-    leave_line(scan);
+    machining_.report(fault);
+    skip_rest(scan);
     return false;
   }
 }
 
-bool IsoReader::run_macro_statement(Scanner& scan) {
-  const std::uint32_t column = scan.column();
-  if (run_branch_statement(scan)) {
-    return true;
+const FlowIndex::Statement& Flow::paired_statement(std::string_view written, std::string_view missing,
+                                                   std::uint32_t column) {
+  const Statement* const found = index().at(lines().line());
+  if (found == nullptr || !is_paired(*found)) {
+    throw ReadFault{"flow-pair", column, fmt::format("{} has no {}", quoted(written), missing),
+                    "it is skipped; check the labels"};
   }
-  const bool is_while = take_macro_word(scan, "WHILE");
-  if (is_while || scan.take_keyword("DO") || take_macro_word(scan, "END")) {
-    const FlowIndex::Statement* const statement = flow_index(text()).at(line());
-    if (statement == nullptr || !is_paired(*statement)) {
-      const bool ends = statement != nullptr && statement->word == FlowWord::macro_end;
-      throw_unpaired(scan.text().substr(column - 1), partner(ends ? FlowWord::macro_end : FlowWord::macro_do),
-                     column);
-    }
-    if (statement->word == FlowWord::macro_end) {
-      jump_to(statement->begin);
-      scan.number();
-      return true;
-    }
-    const bool holds = !is_while || condition(scan);
-    if (is_while) {
-      begin_loop(holds, *statement);
-      scan.take_keyword("DO");
-    }
-    scan.number();
-    // What the line holds behind DO belongs to the loop.
-    if (!holds) {
-      leave_line(scan);
-    } else if (scan.take_keyword("IF")) {
-      run_if(scan);
-    } else if (take_macro_word(scan, "GOTO")) {
-      go_to(scan);
-    } else if (!scan.at_end() && scan.peek() != '%') {
-      run_items(scan);
-    }
+  return *found;
+}
+
+bool Flow::run_macro_statement(Scanner& scan) {
+  if (run_macro_branch(scan) || run_macro_loop(scan)) {
     return true;
   }
   if (scan.take_keyword("IF")) {
-    run_if(scan);
+    run_macro_if(scan);
     return true;
   }
   if (take_macro_word(scan, "GOTO")) {
     go_to(scan);
     return true;
   }
+  return run_output(scan);
+}
+
+bool Flow::run_macro_loop(Scanner& scan) {
+  const std::uint32_t column = scan.column();
+  const std::string_view written = scan.text().substr(std::min<std::size_t>(column - 1, scan.text().size()));
+  const bool is_while = take_macro_word(scan, "WHILE");
+  const bool begins = is_while || scan.take_keyword("DO");
+  if (!begins && !take_macro_word(scan, "END")) {
+    return false;
+  }
+  const Statement& statement =
+      paired_statement(written, partner(begins ? FlowWord::macro_do : FlowWord::macro_end), column);
+  if (statement.word == FlowWord::macro_end) {
+    lines().jump_to(statement.begin);
+    scan.number();
+    return true;
+  }
+  const bool holds = !is_while || condition(scan);
+  if (is_while) {
+    begin_loop(holds, statement);
+    scan.take_keyword("DO");
+  }
+  scan.number();
+  // What the line holds behind DO belongs to the loop.
+  if (!holds) {
+    skip_rest(scan);
+  } else if (scan.take_keyword("IF")) {
+    run_macro_if(scan);
+  } else if (take_macro_word(scan, "GOTO")) {
+    go_to(scan);
+  } else if (!scan.at_end() && scan.peek() != '%') {
+    run_words_(scan);
+  }
+  return true;
+}
+
+bool Flow::run_output(Scanner& scan) {
   constexpr auto printing = std::to_array<std::string_view>({"POPEN", "PCLOS", "DPRNT", "BPRNT"});
+  const std::uint32_t column = scan.column();
   for (const std::string_view name : printing) {
     if (scan.take_name(name)) {
-      leave_line(scan);
+      skip_rest(scan);
       report(Severity::info, "output-statement", 0, column, [&] {
         return Text{fmt::format("{} writes to a device", name), "it does not change the path"};
       });
@@ -349,8 +376,8 @@ bool IsoReader::run_macro_statement(Scanner& scan) {
 }
 
 /// ELSEIF, ELSE, ENDIF of an IF over many lines.
-bool IsoReader::run_branch_statement(Scanner& scan) {
-  if (follows_linuxcnc(dialect_)) {
+bool Flow::run_macro_branch(Scanner& scan) {
+  if (is_linuxcnc()) {
     return false;
   }
   const std::uint32_t column = scan.column();
@@ -367,41 +394,37 @@ bool IsoReader::run_branch_statement(Scanner& scan) {
   return false;
 }
 
-void IsoReader::run_if(Scanner& scan) {
+void Flow::run_macro_if(Scanner& scan) {
   const bool holds = condition(scan);
   const std::uint32_t column = scan.column();
   const bool then = take_macro_word(scan, "THEN");
   if (then && scan.at_end()) {
-    const FlowIndex::Statement* const statement = flow_index(text()).at(line());
-    if (statement == nullptr || !is_paired(*statement)) {
-      throw_unpaired("IF", "ENDIF", column);
-    }
-    begin_branch(holds, *statement);
+    begin_branch(holds, paired_statement("IF", "ENDIF", column));
     return;
   }
   const bool go = take_macro_word(scan, "GOTO");
   if (!then && !go) {
     throw ReadFault{"expression", scan.column(), "GOTO or THEN is missing after the condition",
-                    "the line is left out; complete it"};
+                    "the line is skipped; complete it"};
   }
   if (holds) {
-    go ? go_to(scan) : run_items(scan);
+    go ? go_to(scan) : run_words_(scan);
   } else {
-    leave_line(scan);
+    skip_rest(scan);
   }
 }
 
-void IsoReader::go_to(Scanner& scan) {
+void Flow::go_to(Scanner& scan) {
   const std::uint32_t column = scan.column();
   const double number = expression_.read(scan);
   const bool valid = number >= 1 && number <= 999999999 && number == std::floor(number);
   const std::uint32_t target =
-      valid ? flow_index(text()).block(static_cast<std::uint32_t>(number), line() + 1) : 0;
+      valid ? index().block(static_cast<std::uint32_t>(number), lines().line() + 1) : 0;
   if (target == 0) {
-    throw ReadFault{"jump-target", column, fmt::format("there is no block N{} to go to", number),
-                    "the jump is left out; correct the number"};
+    throw ReadFault{"jump-target", column, fmt::format("jump target N{} does not exist", number),
+                    "the jump is skipped; correct the number"};
   }
-  jump_to(target);
+  lines().jump_to(target);
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

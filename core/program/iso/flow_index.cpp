@@ -4,10 +4,10 @@
 #include <array>
 #include <limits>
 
-#include "core/program/iso/iso_expression.h"
+#include "core/program/iso/expression.h"
 #include "core/program/text/lexer.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
 namespace {
 
@@ -329,4 +329,4 @@ std::uint32_t FlowIndex::block(std::uint32_t number, std::uint32_t line) const {
   return 0;
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

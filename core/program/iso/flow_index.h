@@ -11,7 +11,7 @@
 #include "core/program/text/scanner.h"
 #include "core/program/text/source_text.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
 /// Words that O words of LinuxCNC and macro statements of Fanuc rule the flow with.
 enum class FlowWord : std::uint8_t {
@@ -94,4 +94,4 @@ class FlowIndex {
   std::map<std::string, std::vector<Opened>> open_;
 };
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

@@ -3,21 +3,24 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <string>
 
 #include "core/base/geometry.h"
 #include "core/program/path/coordinate_frame.h"
 #include "core/program/path/plane.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
 /// Shifts, rotation, scales and mirror images of an ISO program, and the frame they make together. A point
 /// goes through them in the controls' order: mirror image, scale, rotation, G52 and G92, rotation of the work
 /// offset, work offset. What the program does not set is zero.
-class IsoCoordinates {
+class Frames {
  public:
   static constexpr int first_work_offset = 540;  ///< key of G54
   /// Key of G54.1 Pn.
   static constexpr int further_work_offset(int n) { return 10000 + n; }
+  /// "G55", "G54.1 P3".
+  static std::string name_of(int key);
 
   struct WorkOffset {
     Vec3 shift = Vec3::Zero();  ///< [mm]
@@ -53,7 +56,7 @@ class IsoCoordinates {
   }
   /// G92: the programmed `from` gets the coordinates `to` [mm].
   void set_position(const Vec3& from, const Vec3& to);
-  /// G92.1: forgotten; G92.2: left out; G92.3: in force again.
+  /// G92.1: forgotten; G92.2: omitted; G92.3: in force again.
   void forget_position();
   void hold_position() { preset_on_ = false; }
   void restore_position() { preset_on_ = true; }
@@ -101,4 +104,4 @@ class IsoCoordinates {
   std::array<std::optional<double>, 3> mirror_;
 };
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

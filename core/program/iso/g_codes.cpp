@@ -2,17 +2,17 @@
 
 #include <array>
 
-namespace feedscope {
+namespace feedscope::iso {
 
 namespace {
 
 using enum GAction;
 using enum Severity;
 
-constexpr std::string_view positions_left_out = "positions are left out up to the next G0 to G3";
-constexpr std::string_view motion_left_out = "its motion is left out";
+constexpr std::string_view positions_left_out = "positions are skipped up to the next G0 to G3";
+constexpr std::string_view motion_left_out = "its motion is skipped";
 constexpr std::string_view unshifted = "the path is shown without it";
-constexpr std::string_view stays_put = "the path stays where it is";
+constexpr std::string_view stays_put = "nothing moves";
 constexpr std::string_view tip_shown = "the path shown is that of the tool tip";
 constexpr std::string_view no_effect = "it does not change the programmed path";
 
@@ -183,4 +183,4 @@ const GCode* find_g_code(int number) {
   return i == absent ? nullptr : &g_codes[i];
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

@@ -6,7 +6,7 @@
 
 #include "core/base/diagnostic.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
 /// What a G word does to the reader.
 enum class GAction : std::uint8_t {
@@ -69,4 +69,4 @@ struct GCode {
 /// The code with ten times its G number, or nullptr for one that is not known.
 const GCode* find_g_code(int number);
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

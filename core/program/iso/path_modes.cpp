@@ -1,11 +1,10 @@
-// The part of IsoReader that turns exact stops, path modes and look-ahead into PathControl.
+#include "core/program/iso/path_modes.h"
+
 #include <fmt/format.h>
 
-#include "core/program/iso/iso_reader.h"
+namespace feedscope::iso {
 
-namespace feedscope {
-
-void IsoReader::apply_path_control(const GCode& code) {
+void PathModes::apply(const GCode& code) {
   constexpr int exact_stop_of_block = 90;
   constexpr int exact_path = 610;
   constexpr int exact_stop = 611;
@@ -56,18 +55,19 @@ void IsoReader::apply_path_control(const GCode& code) {
 }
 
 /// R of G5.1: a parameter set of the control, from speed (1) to accuracy (10).
-void IsoReader::report_precision_level() {
+void PathModes::report_precision_level() const {
   if (words_.has('R')) {
     const Word& word = words_['R'];
     report(Severity::info, "unused-word", 'R', word.column, [&] {
-      return Text{fmt::format("R{} of G5.1 (machining condition from speed to accuracy) is not supported",
-                              word.value),
-                  "its parameters are in the control only; set acceleration and jerk of the machine instead"};
+      return Text{
+          fmt::format("R{} of G5.1 (machining condition from speed to accuracy) is not supported",
+                      word.value),
+          "its parameters exist only in the control; set acceleration and jerk of the machine instead"};
     });
   }
 }
 
-std::optional<double> IsoReader::tolerance(char letter, std::string_view of) {
+std::optional<double> PathModes::tolerance(char letter, std::string_view of) const {
   if (!words_.has(letter)) {
     return std::nullopt;
   }
@@ -75,31 +75,22 @@ std::optional<double> IsoReader::tolerance(char letter, std::string_view of) {
   if (word.value < 0) {
     report(Severity::error, "path-tolerance", 0, word.column, [&] {
       return Text{fmt::format("tolerance {}{} of {} is negative", letter, word.value, of),
-                  "it is left out; write a tolerance of zero or more"};
+                  "it is ignored; write a tolerance of zero or more"};
     });
     return std::nullopt;
   }
-  return state_.to_mm(word.value);
+  return modal_.to_mm(word.value);
 }
 
-void IsoReader::set_tolerances(PathControl& control) {
+void PathModes::set_tolerances(PathControl& control) const {
   control.contour_tolerance = tolerance('P', "G64");
   const std::optional<double> joining = tolerance('Q', "G64");
   control.compaction_tolerance = joining ? joining : control.contour_tolerance;
   control.compaction = Switch::machine;
-  if (follows_linuxcnc(dialect_) || control.compaction_tolerance) {
+  if (is_linuxcnc() || control.compaction_tolerance) {
     const bool joins = control.compaction_tolerance.value_or(0) > 0;
     control.compaction = joins ? Switch::on : Switch::off;
   }
 }
 
-void IsoReader::move_to_exact_stop() {
-  const PathControl modal = path().path_control();
-  PathControl control = modal;
-  control.mode = PathMode::exact_stop;
-  path().set_path_control(control);
-  move();
-  path().set_path_control(modal);
-}
-
-}  // namespace feedscope
+}  // namespace feedscope::iso

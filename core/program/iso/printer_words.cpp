@@ -6,7 +6,7 @@
 
 #include "core/program/text/scanner.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
 namespace {
 
@@ -78,4 +78,4 @@ bool is_for_printer(const SourceText& text) {
   return false;
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

@@ -1,83 +1,85 @@
-// The part of IsoReader that reads LinuxCNC's splines: G5 (cubic), G5.1 (quadratic), G5.2 and G5.3 (NURBS),
-// and Fanuc's G6.2.
+#include "core/program/iso/splines.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
-#include "core/program/iso/iso_reader.h"
 #include "core/program/path/b_spline.h"
 #include "core/program/text/message.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
 namespace {
 
-constexpr int cubic = 50;
-constexpr int quadratic = 51;
+constexpr int cubic_code = 50;
+constexpr int quadratic_code = 51;
 constexpr int fanuc_nurbs = 62;
 constexpr int nurbs = 52;
 constexpr int nurbs_end = 53;
-constexpr std::size_t least_nurbs_order = 3;
-constexpr std::string_view straight_instead = "a straight line to the end is taken instead";
+constexpr std::size_t min_nurbs_order = 3;
+constexpr std::string_view straight_instead = "a straight line to its end is used instead";
 
 }  // namespace
 
-void IsoReader::begin_spline(const GCode& code, const Word& word) {
+void Splines::begin(const GCode& code, const Word& word) {
   if (code.number == nurbs_end) {
     if (nurbs_.points.empty()) {
       report(Severity::error, "spline-words", nurbs_end, word.column, [] {
-        return Text{"G5.3 without a G5.2 before it", "it is left out"};
+        return Text{"G5.3 without G5.2", "it is skipped"};
       });
     }
     end_nurbs();
-    state_.motion = MotionMode::none;
+    modal_.motion = MotionMode::none;
     return;
   }
   if (code.number == fanuc_nurbs) {
     end_nurbs();
-    if (dialect_ == Dialect::linuxcnc && (words_.has('Q') || !words_.has('K'))) {
+    if (dialect() == Dialect::linuxcnc && (words_.has('Q') || !words_.has('K'))) {
       report(Severity::error, "spline-words", 'Q', word.column, [] {
         return Text{"G6.2 as LinuxCNC has it (weights P, no knots K) is not supported",
                     "positions are skipped up to the next G0 to G3; write G5.2 and G5.3"};
       });
-      state_.motion = MotionMode::unread;
+      modal_.motion = MotionMode::unread;
       return;
     }
   }
-  const bool goes_on = state_.motion == MotionMode::spline && state_.spline.code == code.number;
-  state_.motion = MotionMode::spline;
+  const bool goes_on = modal_.motion == MotionMode::spline && modal_.spline_code == code.number;
+  modal_.motion = MotionMode::spline;
   if (!goes_on) {
-    state_.spline = {.code = code.number};
+    modal_.spline_code = code.number;
+    has_tangent_ = false;
   }
 }
 
-Vec3 IsoReader::offset_words(char first, char second) const {
-  const auto value = [&](char letter) { return words_.has(letter) ? state_.to_mm(words_[letter].value) : 0; };
-  return {value(first), value(second), 0};
+Vec3 Splines::offset_words(char first, char second) const {
+  return {length_or(first, 0), length_or(second, 0), 0};
 }
 
-bool IsoReader::lacks_spline_words(char first, char second) {
+bool Splines::lacks_words(char first, char second) {
   if (words_.has(first) || words_.has(second)) {
     return false;
   }
-  report(Severity::error, "spline-words", state_.spline.code, words_.first_column("XYZ"), [&] {
-    return Text{fmt::format("{} without {} and {}", g_name(state_.spline.code), first, second),
+  report(Severity::error, "spline-words", modal_.spline_code, words_.first_column("XYZ"), [&] {
+    return Text{fmt::format("{} without {} and {}", g_name(modal_.spline_code), first, second),
                 std::string(straight_instead)};
   });
-  path().line(target_of_block());
-  state_.spline.has_tangent = false;
+  path().line(targets_.target());
+  has_tangent_ = false;
   return true;
 }
 
-void IsoReader::run_spline() {
-  switch (state_.spline.code) {
-    case cubic:
-      cubic_spline();
+bool Splines::moves_without_axes() const {
+  return words_.has('P') || (modal_.spline_code == fanuc_nurbs && words_.has('K'));
+}
+
+void Splines::run() {
+  switch (modal_.spline_code) {
+    case cubic_code:
+      cubic();
       break;
-    case quadratic:
-      quadratic_spline();
+    case quadratic_code:
+      quadratic();
       break;
     case fanuc_nurbs:
       add_fanuc_control_point();
@@ -88,18 +90,18 @@ void IsoReader::run_spline() {
   }
 }
 
-void IsoReader::cubic_spline() {
-  const bool goes_on = state_.spline.has_tangent && !words_.has_any("IJ");
-  if (lacks_spline_words('P', 'Q') || (!goes_on && lacks_spline_words('I', 'J'))) {
+void Splines::cubic() {
+  const bool goes_on = has_tangent_ && !words_.has_any("IJ");
+  if (lacks_words('P', 'Q') || (!goes_on && lacks_words('I', 'J'))) {
     return;
   }
   const Vec3 start = path().position();
-  const Vec3 end = target_of_block();
+  const Vec3 end = targets_.target();
   const Vec3 rise((end - start).z() * Vec3::UnitZ());
-  const Vec3 first = start + rise / 3 + (goes_on ? state_.spline.tangent : offset_words('I', 'J'));
+  const Vec3 first = start + rise / 3 + (goes_on ? tangent_ : offset_words('I', 'J'));
   const Vec3 second = end - rise / 3 + offset_words('P', 'Q');
-  state_.spline.tangent = -offset_words('P', 'Q');
-  state_.spline.has_tangent = true;
+  tangent_ = -offset_words('P', 'Q');
+  has_tangent_ = true;
   write_curve([&](double t) -> CurvePlace {
     const double s = 1 - t;
     return {s * s * s * start + 3 * s * s * t * first + 3 * s * t * t * second + t * t * t * end,
@@ -107,12 +109,12 @@ void IsoReader::cubic_spline() {
   });
 }
 
-void IsoReader::quadratic_spline() {
-  if (lacks_spline_words('I', 'J')) {
+void Splines::quadratic() {
+  if (lacks_words('I', 'J')) {
     return;
   }
   const Vec3 start = path().position();
-  const Vec3 end = target_of_block();
+  const Vec3 end = targets_.target();
   const Vec3 middle = start + (end - start).z() / 2 * Vec3::UnitZ() + offset_words('I', 'J');
   write_curve([&](double t) -> CurvePlace {
     const double s = 1 - t;
@@ -121,33 +123,28 @@ void IsoReader::quadratic_spline() {
   });
 }
 
-void IsoReader::write_curve(const ParametricCurve& curve) {
+void Splines::write_curve(const ParametricCurve& curve) const {
   path().curve(curve, 0, 1, words_.first_column("XYZIJPQ"));
 }
 
-Vec3 IsoReader::target_from(const Vec3& place) const {
-  return state_.incremental ? Vec3(place + programmed_axes(Vec3::Zero())) : programmed_axes(place);
-}
-
-void IsoReader::add_control_point() {
+void Splines::add_control_point() {
   const bool names_place = words_.has_any("XY");
-  const double weight = words_.has('P') ? words_['P'].value : names_place ? 0 : 1;
+  const double weight = words_.value_or('P', names_place ? 0 : 1);
   if (!(weight > 0) && names_place) {
-    report(Severity::error, "spline-words", nurbs,
-           words_.has('P') ? words_['P'].column : words_.first_column("XY"), [] {
-             return Text{"a control point of G5.2 without a weight above zero",
-                         "1 is taken; write P with the weight"};
-           });
+    report(Severity::error, "spline-words", nurbs, words_.column_or('P', words_.first_column("XY")), [] {
+      return Text{"a control point of G5.2 without a weight above zero",
+                  "1 is used; write P with the weight"};
+    });
   }
-  const ControlPoint point{path().position(), weight > 0 ? weight : 1, shown_line(), place(0)};
+  const ControlPoint point = control_point(path().position(), weight > 0 ? weight : 1);
   if (nurbs_.points.empty()) {
     nurbs_ = {};
     nurbs_.points.push_back(point);
     nurbs_.points.back().weight = names_place ? 1 : point.weight;
     nurbs_.end = point.at;
   }
-  if (words_.has('L') && words_['L'].value > static_cast<double>(least_nurbs_order)) {
-    const double most = most_spline_degree + 1;
+  if (words_.has('L') && words_['L'].value > static_cast<double>(min_nurbs_order)) {
+    const double most = max_spline_degree + 1;
     if (words_['L'].value > most) {
       report(Severity::error, "spline-words", 'L', words_['L'].column, [&] {
         return Text{fmt::format("order L{} of G5.2 is above {}", words_['L'].value, most),
@@ -157,27 +154,27 @@ void IsoReader::add_control_point() {
     nurbs_.order = static_cast<std::size_t>(std::min(words_['L'].value, most));
   }
   if (names_place) {
-    nurbs_.end = target_from(nurbs_.end);
+    nurbs_.end = targets_.target_from(nurbs_.end);
     nurbs_.points.push_back(point);
     nurbs_.points.back().at = nurbs_.end;
   }
 }
 
 /// G6.2 P order K knot X Y Z R weight; K X Y Z R; ... and as many blocks with K alone as the order says.
-void IsoReader::add_fanuc_control_point() {
-  constexpr std::size_t least_order = 2;
+void Splines::add_fanuc_control_point() {
+  constexpr std::size_t min_order = 2;
   if (nurbs_.points.empty()) {
     nurbs_ = {};
     nurbs_.order = 4;
     nurbs_.end = path().position();
     if (words_.has('P')) {
       const double order = words_['P'].value;
-      const bool fits = order >= least_order && order <= most_spline_degree + 1 && order == std::floor(order);
+      const bool fits = order >= min_order && order <= max_spline_degree + 1 && order == std::floor(order);
       if (!fits) {
         report(Severity::error, "spline-words", 'P', words_['P'].column, [&] {
-          return Text{fmt::format("order P{} of G6.2 is not from {} to {}", order, least_order,
-                                  most_spline_degree + 1),
-                      "4 is taken"};
+          return Text{
+              fmt::format("order P{} of G6.2 is not from {} to {}", order, min_order, max_spline_degree + 1),
+              "4 is taken"};
         });
       }
       nurbs_.order = fits ? static_cast<std::size_t>(order) : nurbs_.order;
@@ -187,19 +184,23 @@ void IsoReader::add_fanuc_control_point() {
     nurbs_.knots.push_back(words_['K'].value);
   }
   if (words_.has_any("XYZ")) {
-    nurbs_.end = target_from(nurbs_.end);
-    const double weight = words_.has('R') ? words_['R'].value : 1;
+    nurbs_.end = targets_.target_from(nurbs_.end);
+    const double weight = words_.value_or('R', 1);
     if (!(weight > 0)) {
       report(Severity::error, "spline-words", 'R', words_['R'].column, [] {
         return Text{"a control point of G6.2 without a weight above zero",
-                    "1 is taken; write R with the weight"};
+                    "1 is used; write R with the weight"};
       });
     }
-    nurbs_.points.push_back({nurbs_.end, weight > 0 ? weight : 1, shown_line(), place(0)});
+    nurbs_.points.push_back(control_point(nurbs_.end, weight > 0 ? weight : 1));
   }
 }
 
-void IsoReader::end_fanuc_nurbs() {
+Splines::ControlPoint Splines::control_point(const Vec3& at, double weight) const {
+  return {at, weight, lines().shown_line(), lines().place(0)};
+}
+
+void Splines::end_fanuc_nurbs() {
   const std::vector<ControlPoint> points = std::move(nurbs_.points);
   const std::vector<double> knots = std::move(nurbs_.knots);
   nurbs_.points.clear();
@@ -210,21 +211,20 @@ void IsoReader::end_fanuc_nurbs() {
   path().begin_line(points.back().line, points.back().place);
   path().program_axes();
   if (!sound) {
-    log().add(Severity::error, "spline-words", fanuc_nurbs, points.back().place, [&] {
-      return Text{
-          fmt::format("G6.2 of order {} with {} control points and {} knots K", nurbs_.order, points.size(),
-                      knots.size()),
-          "a straight line to the last point is taken instead; write as many K that do not fall as points "
-          "and order together"};
+    machining_.log.add(Severity::error, "spline-words", fanuc_nurbs, points.back().place, [&] {
+      return Text{fmt::format("G6.2 of order {} with {} control points and {} knots K", nurbs_.order,
+                              points.size(), knots.size()),
+                  "a straight line to the last point is used instead; write as many non-decreasing K as "
+                  "points and order together"};
     });
     path().line(points.back().at);
   } else {
     write_nurbs(points, knots);
   }
-  path().begin_line(shown_line(), place(0));
+  path().begin_line(lines().shown_line(), lines().place(0));
 }
 
-void IsoReader::write_nurbs(const std::vector<ControlPoint>& points, const std::vector<double>& knots) {
+void Splines::write_nurbs(const std::vector<ControlPoint>& points, const std::vector<double>& knots) const {
   const std::size_t degree = knots.size() - points.size() - 1;
   std::vector<Eigen::Vector4d> weighted_points;
   for (const ControlPoint& point : points) {
@@ -246,8 +246,8 @@ void IsoReader::write_nurbs(const std::vector<ControlPoint>& points, const std::
   }
 }
 
-void IsoReader::end_nurbs() {
-  if (!nurbs_.points.empty() && state_.spline.code == fanuc_nurbs) {
+void Splines::end_nurbs() {
+  if (!nurbs_.points.empty() && modal_.spline_code == fanuc_nurbs) {
     end_fanuc_nurbs();
     return;
   }
@@ -261,17 +261,20 @@ void IsoReader::end_nurbs() {
     report(Severity::error, "spline-words", 'n', points.back().place.column, [&] {
       return Text{
           fmt::format("G5.2 with {} control points is too short for order {}", points.size(), nurbs_.order),
-          "a straight line to the last one is taken instead"};
+          "a straight line to the last one is used instead"};
     });
     path().line(points.back().at);
     return;
   }
   write_nurbs(points, clamped_knots(points.size(), degree));
-  path().begin_line(shown_line(), place(0));
+  path().begin_line(lines().shown_line(), lines().place(0));
 }
 
-void IsoReader::finish() {
-  if (nurbs_.points.empty() || state_.spline.code == fanuc_nurbs) {
+void Splines::finish() {
+  if (nurbs_.points.empty()) {
+    return;
+  }
+  if (modal_.spline_code == fanuc_nurbs) {
     end_nurbs();
     return;
   }
@@ -282,4 +285,4 @@ void IsoReader::finish() {
   end_nurbs();
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

@@ -1,22 +1,22 @@
-#include "core/program/iso/iso_variables.h"
+#include "core/program/iso/variables.h"
 
-#include "core/program/iso/iso_expression.h"
+#include "core/program/iso/expression.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
-IsoVariables::IsoVariables(Dialect dialect)
+Variables::Variables(Dialect dialect)
     : local_count_(follows_linuxcnc(dialect) ? 30 : 33),
       argument_left_out_(follows_linuxcnc(dialect) ? 0 : null_value()) {
   levels_.push_back({no_arguments(), {}});
 }
 
-IsoVariables::Locals IsoVariables::no_arguments() const {
+Variables::Locals Variables::no_arguments() const {
   Locals locals;
   locals.fill(argument_left_out_);
   return locals;
 }
 
-double IsoVariables::get(std::uint32_t number) const {
+double Variables::get(std::uint32_t number) const {
   if (is_local(number)) {
     return levels_.back().locals[number];
   }
@@ -24,7 +24,7 @@ double IsoVariables::get(std::uint32_t number) const {
   return found == numbered_.end() ? null_value() : found->second;
 }
 
-void IsoVariables::set(std::uint32_t number, double value) {
+void Variables::set(std::uint32_t number, double value) {
   if (is_local(number)) {
     levels_.back().locals[number] = value;
   } else {
@@ -32,22 +32,22 @@ void IsoVariables::set(std::uint32_t number, double value) {
   }
 }
 
-std::optional<double> IsoVariables::get(const std::string& name) const {
+std::optional<double> Variables::get(const std::string& name) const {
   const std::map<std::string, double>& names = name.starts_with('_') ? named_ : levels_.back().named;
   const auto found = names.find(name);
   return found == names.end() ? std::nullopt : std::optional(found->second);
 }
 
-void IsoVariables::set(const std::string& name, double value) {
+void Variables::set(const std::string& name, double value) {
   (name.starts_with('_') ? named_ : levels_.back().named)[name] = value;
 }
 
-void IsoVariables::enter(const Locals& arguments) {
+void Variables::enter(const Locals& arguments) {
   levels_.push_back({arguments, {}});
 }
 
-void IsoVariables::leave() {
+void Variables::leave() {
   levels_.pop_back();
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

@@ -10,17 +10,17 @@
 
 #include "core/program/dialect.h"
 
-namespace feedscope {
+namespace feedscope::iso {
 
 /// The variables that a program has set, with the local ones of each call: #1 to #30 and named ones in
 /// LinuxCNC, #1 to #33 in Fanuc's macro B. What was not set holds the null value.
-class IsoVariables {
+class Variables {
  public:
-  static constexpr std::size_t most_locals = 33;
+  static constexpr std::size_t max_locals = 33;
   /// By number, [0] unused.
-  using Locals = std::array<double, most_locals + 1>;
+  using Locals = std::array<double, max_locals + 1>;
 
-  explicit IsoVariables(Dialect dialect);
+  explicit Variables(Dialect dialect);
 
   /// All null; in LinuxCNC, where a missing argument is zero, all zero.
   Locals no_arguments() const;
@@ -49,4 +49,4 @@ class IsoVariables {
   std::map<std::string, double> named_;
 };
 
-}  // namespace feedscope
+}  // namespace feedscope::iso

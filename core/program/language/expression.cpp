@@ -1,4 +1,4 @@
-#include "core/program/text/expression.h"
+#include "core/program/language/expression.h"
 
 #include <fmt/format.h>
 
@@ -16,7 +16,7 @@ constexpr int deepest = 200;
 
 double finite(double value, std::string_view text, std::uint32_t column) {
   if (!std::isfinite(value)) {
-    throw ReadFault{"expression-value", column, fmt::format("{} has no finite value here", quoted(text)),
+    throw ReadFault{"expression-value", column, fmt::format("{} has no finite value", quoted(text)),
                     "check the values that go into it"};
   }
   return value;
@@ -39,7 +39,7 @@ void ExpressionReader::expect(Scanner& scanner, char c) {
   }
 }
 
-double ExpressionReader::infix(Scanner& scanner, int least_rank) {
+double ExpressionReader::infix(Scanner& scanner, int min_rank) {
   double value = read_operand(scanner);
   while (true) {
     const std::size_t before = scanner.at();
@@ -51,7 +51,7 @@ double ExpressionReader::infix(Scanner& scanner, int least_rank) {
         break;
       }
     }
-    if (found == nullptr || found->rank < least_rank) {
+    if (found == nullptr || found->rank < min_rank) {
       scanner.move_to(before);
       return value;
     }
@@ -68,7 +68,7 @@ double ExpressionReader::read_operand(Scanner& scanner) {
   } const level(depth_);
   if (depth_ > deepest) {
     throw ReadFault{"expression", column, fmt::format("the expression is nested more than {} deep", deepest),
-                    "divide it into several assignments"};
+                    "split it into several assignments"};
   }
   for (const ExpressionGrammar::Prefix& prefix : grammar_.prefixes) {
     if (take_operator(scanner, prefix.text)) {
@@ -97,7 +97,7 @@ double ExpressionReader::primary(Scanner& scanner) {
   const std::string_view rest = scanner.rest();
   throw ReadFault{"expression", column,
                   rest.empty() ? "a value is missing at the end of the expression"
-                               : fmt::format("{} is no value, variable or function", quoted(rest)),
+                               : fmt::format("{} is not a value, variable or function", quoted(rest)),
                   "write a number, a variable or a function here"};
 }
 

@@ -11,7 +11,7 @@ namespace feedscope {
 /// What operators and functions a dialect's expressions have, and how they look.
 struct ExpressionGrammar {
   /// Between two operands; a greater rank binds more tightly, equal ranks from left to right. Of operators
-  /// that begin alike the longer stands first. A name is followed by no name character.
+  /// that begin the same the longer stands first. A name is followed by no name character.
   struct Infix {
     std::string_view text;
     int rank = 0;
@@ -61,7 +61,7 @@ class ExpressionReader {
   static void expect(Scanner& scanner, char c);
 
  private:
-  double infix(Scanner& scanner, int least_rank);
+  double infix(Scanner& scanner, int min_rank);
   double primary(Scanner& scanner);
   double scaled(Scanner& scanner, double number);
   std::optional<double> function(Scanner& scanner);

@@ -15,7 +15,7 @@ std::vector<double> clamped_knots(std::size_t count, std::size_t degree) {
 
 CurvePlace b_spline_place(std::span<const Eigen::Vector4d> points, std::span<const double> knots,
                           std::size_t degree, std::size_t interval, double parameter) {
-  std::array<Eigen::Vector4d, most_spline_degree + 1> d;
+  std::array<Eigen::Vector4d, max_spline_degree + 1> d;
   std::copy_n(points.begin() + static_cast<std::ptrdiff_t>(interval - degree), degree + 1, d.begin());
   Eigen::Vector4d slope = Eigen::Vector4d::Zero();
   for (std::size_t level = 1; level <= degree; ++level) {

@@ -10,7 +10,7 @@
 
 namespace feedscope {
 
-inline constexpr std::size_t most_spline_degree = 7;
+inline constexpr std::size_t max_spline_degree = 7;
 
 /// Control point of a rational B-spline: its weight times the place, and the weight (> 0).
 inline Eigen::Vector4d weighted(const Vec3& place, double weight) {
@@ -23,7 +23,7 @@ std::vector<double> clamped_knots(std::size_t count, std::size_t degree);
 
 /// The curve and its slope at `parameter`, which lies in the knot interval that begins with knot number
 /// `interval`, by de Boor's algorithm. As many knots as control points, plus `degree` + 1; `degree` at most
-/// `most_spline_degree`.
+/// `max_spline_degree`.
 CurvePlace b_spline_place(std::span<const Eigen::Vector4d> points, std::span<const double> knots,
                           std::size_t degree, std::size_t interval, double parameter);
 

@@ -79,11 +79,11 @@ void ContourCorners::resolve(PathMotion& next, Vec3& from) {
   const bool beside_rapid = held_->motion.block.motion == Motion::rapid || next.block.motion == Motion::rapid;
   if (!in_plane(held_->motion, held_->from) || !in_plane(next, from)) {
     if (!corner_->modal) {
-      report("the elements next to it leave the working plane", "the corner stays sharp");
+      report("the adjacent elements leave the working plane", "the corner stays sharp");
     }
   } else if (corner_->at_feed_only && beside_rapid) {
     if (!corner_->modal) {
-      report("a rapid stands next to it", "the corner stays sharp");
+      report("it is adjacent to a rapid", "the corner stays sharp");
     }
   } else {
     const PlaneElement first = plane_.element_of(held_->motion, plane_.in_plane(held_->from));
@@ -153,8 +153,8 @@ PlaneCorner ContourCorners::largest_piece(const PlaneElement& first, const Plane
     }
   }
   if (largest.fault == CornerFault::none) {
-    report(fmt::format("it does not fit between the elements next to it; {:.3f} mm are taken", fits),
-           "the control makes it smaller too, by a rule of its own", Severity::warning);
+    report(fmt::format("it does not fit between the adjacent elements; {:.3f} mm are used", fits),
+           "the control reduces it too, by its own rule", Severity::warning);
   }
   return largest;
 }
@@ -170,10 +170,10 @@ void ContourCorners::report(CornerFault fault) const {
       }
       break;
     case CornerFault::too_large:
-      report("it does not fit between the elements next to it", "the corner stays sharp; make it smaller");
+      report("it does not fit between the adjacent elements", "the corner stays sharp; make it smaller");
       break;
     case CornerFault::not_lines:
-      report("it stands next to an arc", "the corner stays sharp; a chamfer is read between two lines");
+      report("it is adjacent to an arc", "the corner stays sharp; a chamfer is supported between two lines");
       break;
   }
 }

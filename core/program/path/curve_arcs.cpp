@@ -10,20 +10,20 @@ namespace feedscope {
 
 namespace {
 
-constexpr int most_halvings = 16;
+constexpr int max_halvings = 16;
 /// Looked at inside a part, evenly; a curve of degree 7 cannot meet its biarc at all of them by chance.
 constexpr int looks = 7;
 /// Of the way over all places looked at, at most this share lies between two of them. Where a curve rushes,
 /// as weights far apart make it, a bend could else be overlooked; 0.33 is where its slope vanishes as that of
 /// t^3.
-constexpr double most_share = 0.4;
+constexpr double max_share = 0.4;
 /// Share of the tolerance that a biarc may use up where it is looked at; the rest is for the places between:
 /// each half of it errs like sin^2 over four looks, of which the nearest is cos^2(pi / 8) as high as the top.
 constexpr double looked_share = 0.85;
 /// Beyond this radius an arc is a line [mm].
 constexpr double flat_radius = 1e7;
 /// Chords of arcs are longer, far enough above the distance of equal points [mm].
-constexpr double least_chord = 10 * same_point;
+constexpr double min_chord = 10 * same_point;
 
 struct End {
   double parameter = 0;
@@ -80,7 +80,7 @@ std::optional<HalfArc> half_arc(const Vec3& from, const Vec3& tangent, const Vec
   const double along = w.dot(tangent);
   const Vec3 n = w - along * tangent;
   const double across = n.norm();
-  if (!(along > across) || !(w.norm() > least_chord)) {
+  if (!(along > across) || !(w.norm() > min_chord)) {
     return std::nullopt;
   }
   HalfArc arc{from, to, Vec3::Zero(), Vec3::UnitZ()};
@@ -157,10 +157,10 @@ void Fitter::divide(const End& from, const End& to, int halvings) {
     step(i == 0 ? from.point : between[static_cast<std::size_t>(i - 1)], point);
   }
   step(between.back(), to.point);
-  if (longest <= most_share * way && take_biarc(from, to, between)) {
+  if (longest <= max_share * way && take_biarc(from, to, between)) {
     return;
   }
-  if (is_speck || halvings >= most_halvings) {
+  if (is_speck || halvings >= max_halvings) {
     take({.end = to.point, .length = (to.point - from.point).norm()});
     return;
   }

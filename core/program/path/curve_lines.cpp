@@ -9,8 +9,8 @@ namespace {
 
 /// Halvings of the parameter's range. The first ones are made in any case, so that no bend is overlooked
 /// where the curve crosses its chord at the places looked at.
-constexpr int most_halvings = 16;
-constexpr int least_halvings = 2;
+constexpr int max_halvings = 16;
+constexpr int min_halvings = 2;
 
 struct Place {
   double parameter = 0;
@@ -33,10 +33,10 @@ class Divider {
   void divide(const Place& from, const Place& to, int halvings) {
     const double half = (to.parameter - from.parameter) / 2;
     const Place middle = at(from.parameter + half);
-    const bool close = halvings >= least_halvings && is_close(from, to, middle.point) &&
+    const bool close = halvings >= min_halvings && is_close(from, to, middle.point) &&
                        is_close(from, to, curve_(from.parameter + half / 2).point) &&
                        is_close(from, to, curve_(to.parameter - half / 2).point);
-    if (close || halvings >= most_halvings) {
+    if (close || halvings >= max_halvings) {
       ends.push_back(to.point);
       return;
     }

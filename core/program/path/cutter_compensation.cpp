@@ -166,7 +166,7 @@ void CutterCompensation::enter(const PathMotion& motion, const PlaneElement& con
   }
   log_.add(Severity::error, "compensation-entry", 0, motion.place, [] {
     return Text{"cutter radius compensation begins on an arc",
-                "a straight line leads to the arc beside its start; begin it on a line"};
+                "a straight line leads to the start of the offset arc; begin it on a line"};
   });
   write(as_line(motion), in_space(path_beside(contour).start, contour_));
   hold(motion, contour, false);
@@ -206,10 +206,9 @@ void CutterCompensation::watch_contour(const PathMotion& motion, const PlaneElem
                                                          std::abs(left_), allowed_cut_further_on)) {
     log_.add(Severity::error, "compensation-gouge", 2, cut.beside, [&] {
       return Text{
-          fmt::format("beside this block a tool of radius {:.4f} mm cuts {:.4f} mm into the contour of "
-                      "line {}",
+          fmt::format("at this block a tool of radius {:.4f} mm cuts {:.4f} mm into the contour of line {}",
                       std::abs(left_), cut.depth, motion.place.line),
-          "use a smaller tool, or begin the contour elsewhere than in an inside corner"};
+          "use a smaller tool, or do not begin the contour in an inside corner"};
     });
   }
 }
@@ -257,9 +256,9 @@ Vec2 CutterCompensation::inside_corner(const PlaneElement& last, const PlaneElem
     return found.points[0];
   }
   // In a notch without width both are as far away: then the one before the ends.
-  constexpr double alike = 0.02;
+  constexpr double similar = 0.02;
   const std::array<double, 2> far{cut_off(found.points[0]), cut_off(found.points[1])};
-  const bool tie = std::abs(far[1] - far[0]) <= alike * (far[0] + far[1]);
+  const bool tie = std::abs(far[1] - far[0]) <= similar * (far[0] + far[1]);
   const Vec2 back = next_path.tangent_at_start() - path.tangent_at_end();
   const bool second = tie ? (found.points[1] - found.points[0]).dot(back) > 0 : far[1] < far[0];
   return found.points[second ? 1 : 0];
@@ -376,7 +375,7 @@ void CutterCompensation::write_beside(const PathMotion& motion) {
 void CutterCompensation::report_plane(const DiagnosticLog::Place& place) {
   log_.add(Severity::error, "compensation-plane", 0, place, [] {
     return Text{"the plane changes while cutter radius compensation is on",
-                "it begins anew in the other plane; end it before"};
+                "it begins again in the other plane; end it before"};
   });
 }
 
@@ -386,7 +385,7 @@ void CutterCompensation::report_radius(const PathMotion& motion, double radius) 
     return Text{
         fmt::format("the arc's radius, {:.4f} mm, is smaller than the tool's, {:.4f} mm", radius,
                     std::abs(left_)),
-        "a straight line to its end is taken instead, which cuts into the contour; use a smaller tool"};
+        "a straight line to its end is used instead, which cuts into the contour; use a smaller tool"};
   });
 }
 

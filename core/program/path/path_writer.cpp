@@ -8,13 +8,16 @@
 #include <numbers>
 #include <string>
 
+#include "core/program/path/curve_arcs.h"
+#include "core/program/path/curve_lines.h"
+
 namespace feedscope {
 
 namespace {
 
 using Text = DiagnosticLog::Text;
 
-constexpr std::string_view straight_instead = "a straight line to the end is taken instead";
+constexpr std::string_view straight_instead = "a straight line to its end is used instead";
 
 struct ArcShape {
   Vec3 from;  ///< from the centre to the start, in the plane
@@ -40,7 +43,7 @@ ArcShape shape_of(const Vec3& start, const ArcSolution::Piece& piece) {
 }  // namespace
 
 PathWriter::PathWriter(Program& program, DiagnosticLog& log)
-    : program_(program), log_(log), extents_(program), corners_(log), compensation_(log) {
+    : program_(program), log_(log), extents_(program), feed_(log), corners_(log), compensation_(log) {
   program_.path_controls.emplace_back();
 }
 
@@ -103,7 +106,7 @@ void PathWriter::cut_next_corner(CornerCut cut, Plane plane) {
   const double scale = frame_.is_shift() ? 1 : frame_.scale_across(normal_of(plane));
   if (scale == 0) {
     log_.add(Severity::error, "corner", 1, cut.place, [] {
-      return Text{"a rounding or chamfer of a contour that is scaled unevenly is not read",
+      return Text{"a rounding or chamfer of a non-uniformly scaled contour is not supported",
                   "the corner stays sharp"};
     });
     return;
@@ -139,7 +142,7 @@ void PathWriter::rapid(const Vec3& target) {
 }
 
 void PathWriter::chord(const Vec3& target) {
-  append(Motion::line, target, feed_over((target - programmed_).norm()));
+  append(Motion::line, target, feed_.over((target - programmed_).norm(), place_));
 }
 
 void PathWriter::line(const Vec3& target) {
@@ -168,8 +171,9 @@ void PathWriter::arc(const ArcRequest& request, const ArcSolution& solution) {
   }
   for (int i = 0; i < solution.count; ++i) {
     const ArcSolution::Piece& piece = solution.pieces[static_cast<std::size_t>(i)];
-    const double feed =
-        feed_mode_ == FeedMode::inverse_time ? feed_over(shape_of(programmed_, piece).length) : feed_over(0);
+    const double feed = feed_.mode() == FeedMode::inverse_time
+                            ? feed_.over(shape_of(programmed_, piece).length, place_)
+                            : feed_.over(0, place_);
     ArcWords shown = piece.words;
     if (!frame_.is_identity()) {
       shown.center = frame_.to_shown(shown.center);
@@ -188,17 +192,17 @@ void PathWriter::arc(const ArcRequest& request, const ArcSolution& solution) {
 
 void PathWriter::straight_arc(const ArcRequest& request, const ArcSolution::Piece& piece) {
   constexpr double chord_error = 1e-3;
-  constexpr double most_chords = 1e5;
+  constexpr double max_chords = 1e5;
   log_.add(Severity::info, "scaled-arc", 0, {place_.line, request.column, place_.file}, [] {
-    return Text{"the arc is scaled unevenly and becomes an ellipse",
-                "it is read as lines within 0.001 mm of it"};
+    return Text{"the arc is scaled non-uniformly and becomes an ellipse",
+                "it is approximated by lines within 0.001 mm"};
   });
   const ArcShape shape = shape_of(programmed_, piece);
   const Vec3 start = programmed_;
   const Vec3 side = piece.words.axis.cross(shape.from);
   const double radius = std::max(frame_.turned(shape.from).norm(), frame_.turned(side).norm());
   const double step = 2 * std::acos(std::max(0.0, 1 - chord_error / std::max(radius, chord_error)));
-  const double count = std::clamp(std::ceil(shape.sweep / step), 1.0, most_chords);
+  const double count = std::clamp(std::ceil(shape.sweep / step), 1.0, max_chords);
   const double rise = piece.words.axis.dot(piece.target - start);
   for (double i = 1; i <= count; ++i) {
     const double angle = shape.sweep * i / count;
@@ -247,9 +251,9 @@ bool PathWriter::starts_at_known_place(Motion motion, double feed, const Vec3& p
   log_.add(Severity::warning, "unknown-position", 0, place_, [&] {
     std::string axes;
     for (int axis = 0; axis < 3; ++axis) {
-      axes += places_.is_shown(axis)
-                  ? ""
-                  : fmt::format("{}{}", axes.empty() ? "" : ", ", axis_names[static_cast<std::size_t>(axis)]);
+      axes += places_.is_shown(axis) ? ""
+                                     : fmt::format("{}{}", axes.empty() ? "" : ", ",
+                                                   coordinate_names[static_cast<std::size_t>(axis)]);
     }
     return Text{fmt::format("a feed move while the position of {} is not known", axes),
                 "the axis is assumed where it was before the move to the machine position; program it first"};
@@ -299,45 +303,58 @@ void PathWriter::resume_compensation() {
   }
 }
 
-void PathWriter::set_feed_mode(FeedMode mode) {
-  if (mode != feed_mode_) {
-    feed_mode_ = mode;
-    feed_ = 0;
-  }
-}
-
-double PathWriter::feed_rate() const {
-  switch (feed_mode_) {
-    case FeedMode::per_minute:
-    case FeedMode::inverse_time:
-      break;
-    case FeedMode::per_revolution:
-      return feed_ * spindle_speed_;
-    case FeedMode::per_tooth:
-      return feed_ * tooth_count_ * spindle_speed_;
-  }
-  return feed_;
-}
-
-double PathWriter::feed_over(double length) {
-  const double feed = feed_rate() * (feed_mode_ == FeedMode::inverse_time ? length : 1);
-  if (feed == 0 && length > 0) {
-    report_missing_feed();
-  }
-  return feed;
-}
-
-void PathWriter::report_missing_feed() {
-  if (feed_missed_) {
-    return;
-  }
-  feed_missed_ = true;
-  const bool no_spindle = feed_ > 0 && spindle_speed_ == 0;
-  log_.add(Severity::error, "feed-missing", 0, place_, [&] {
-    return Text{no_spindle ? "a feed per revolution without a spindle speed" : "a feed move without a feed",
-                no_spindle ? "it runs as fast as the axes allow; write S before it"
-                           : "it runs as fast as the axes allow; write F before it"};
+Vec3 PathWriter::curve(const ParametricCurve& curve, double from, double to, std::uint32_t column) {
+  const bool as_arcs = compensation_.is_off() && corners_.is_idle();
+  const MessageCode code = as_arcs ? MessageCode("curve-as-arcs") : MessageCode("curve-as-lines");
+  log_.add(Severity::info, code, 0, {place_.line, column, place_.file}, [&] {
+    return as_arcs ? Text{"a curve is approximated by tangent arcs within 0.001 mm of it", ""}
+                   : Text{
+                         "a curve under cutter compensation or at a rounded corner is approximated by lines "
+                         "within 0.001 mm",
+                         ""};
   });
+  const Vec3 direction = as_arcs ? curve_as_arcs(curve, from, to) : curve_as_lines(curve, from, to);
+  end_motion();
+  return direction;
+}
+
+Vec3 PathWriter::curve_as_arcs(const ParametricCurve& curve, double from, double to) {
+  const auto shown = [&](double parameter) -> CurvePlace {
+    const CurvePlace place = curve(parameter);
+    return {frame_.to_shown(place.point), frame_.turned(place.slope)};
+  };
+  const bool as_is = frame_.is_identity();
+  const CurvePieces fitted = arcs_of_curve(as_is ? curve : ParametricCurve(shown), from, to);
+  const double feed = feed_.over(fitted.length, place_);
+  for (const CurvePiece& piece : fitted.pieces) {
+    const bool is_last = &piece == &fitted.pieces.back();
+    append(piece.is_arc ? Motion::arc : Motion::line,
+           is_last ? curve(to).point
+           : as_is ? piece.end
+                   : frame_.to_programmed(piece.end),
+           feed, {piece.center, piece.axis, 0});
+  }
+  const Vec3 direction =
+      as_is ? fitted.end_direction : Vec3(frame_.to_programmed(shown_ + fitted.end_direction) - programmed_);
+  return direction.isZero() ? direction : Vec3(direction.normalized());
+}
+
+Vec3 PathWriter::curve_as_lines(const ParametricCurve& curve, double from, double to) {
+  const std::vector<Vec3> ends = lines_of_curve(curve, from, to);
+  double length = 0;
+  Vec3 before = programmed_;
+  Vec3 direction = Vec3::Zero();
+  for (const Vec3& end : ends) {
+    const Vec3 way = end - before;
+    length += way.norm();
+    direction = way.norm() > 0 ? Vec3(way.normalized()) : direction;
+    before = end;
+  }
+  const double feed = feed_.over(length, place_);
+  for (const Vec3& end : ends) {
+    append(Motion::line, end, feed);
+  }
+  return direction;
 }
 
 void PathWriter::use_work_offset(std::string_view name, const std::optional<Vec3>& zero) {
@@ -433,7 +450,7 @@ std::uint16_t PathWriter::path_control_index() {
     } else {
       log_.add(Severity::error, "path-controls", 0, place_, [] {
         return Text{"the program has more than 65536 different path control settings",
-                    "the last one stays in force; divide the program"};
+                    "the last one stays in force; split the program"};
       });
     }
   }

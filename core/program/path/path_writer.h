@@ -13,19 +13,12 @@
 #include "core/program/path/parametric_curve.h"
 #include "core/program/path/path_extents.h"
 #include "core/program/path/plane.h"
+#include "core/program/path/programmed_feed.h"
 #include "core/program/path_control.h"
 #include "core/program/program.h"
 #include "core/program/text/diagnostic_log.h"
 
 namespace feedscope {
-
-/// How F is meant.
-enum class FeedMode : std::uint8_t {
-  per_minute,      ///< G94
-  inverse_time,    ///< G93: F is one over the minutes of the block
-  per_revolution,  ///< G95: along with the spindle speed
-  per_tooth,       ///< per revolution and tooth
-};
 
 /// An arc to be, in programmed coordinates.
 struct ArcRequest {
@@ -109,17 +102,15 @@ class PathWriter {
   };
   const CenterCount& centers() const { return centers_; }
 
-  void set_feed_mode(FeedMode mode);
-  FeedMode feed_mode() const { return feed_mode_; }
-  /// > 0; mm/s, 1/s, mm a revolution or a tooth as the mode says.
-  void set_feed(double feed) { feed_ = feed; }
-  /// The last valid one; 0: none yet in this mode.
-  double feed() const { return feed_; }
-  /// What it comes to for motions [mm/s]; meaningless under G93.
-  double feed_rate() const;
-  void set_spindle_speed(double revolutions_per_second) { spindle_speed_ = revolutions_per_second; }
-  double spindle_speed() const { return spindle_speed_; }
-  void set_tooth_count(double teeth) { tooth_count_ = teeth; }
+  /// What ProgrammedFeed says of it.
+  void set_feed_mode(FeedMode mode) { feed_.set_mode(mode); }
+  FeedMode feed_mode() const { return feed_.mode(); }
+  void set_feed(double feed) { feed_.set_value(feed); }
+  double feed() const { return feed_.value(); }
+  double feed_rate() const { return feed_.rate(); }
+  void set_spindle_speed(double revolutions_per_second) { feed_.set_spindle_speed(revolutions_per_second); }
+  double spindle_speed() const { return feed_.spindle_speed(); }
+  void set_tooth_count(double teeth) { feed_.set_tooth_count(teeth); }
 
   /// What follows is a contour of which the tool's centre is written, see CutterCompensation; `column` for
   /// messages. Positions stay those of the contour.
@@ -142,8 +133,6 @@ class PathWriter {
   void chord(const Vec3& target);
   Vec3 curve_as_arcs(const ParametricCurve& curve, double from, double to);
   Vec3 curve_as_lines(const ParametricCurve& curve, double from, double to);
-  double feed_over(double length);
-  void report_missing_feed();
   void append(Motion motion, const Vec3& target, double feed, const ArcWords& arc = {});
   void wait(Pause kind, double seconds);
   bool starts_at_known_place(Motion motion, double feed, const Vec3& programmed, const Vec3& shown);
@@ -175,11 +164,7 @@ class PathWriter {
   ProgrammedAxes axes_;                ///< of the line
   PlaceTracker places_;
   bool compensation_waits_ = false;  ///< until every axis is known again
-  FeedMode feed_mode_ = FeedMode::per_minute;
-  double feed_ = 0;
-  double spindle_speed_ = 0;
-  double tooth_count_ = 1;
-  bool feed_missed_ = false;
+  ProgrammedFeed feed_;
   PathControl path_control_;
   std::uint16_t control_index_ = 0;  ///< of the last motion
   ContourCorners corners_;

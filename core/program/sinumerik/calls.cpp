@@ -1,59 +1,19 @@
-// The part of SinumerikReader that defines variables and runs subprograms.
+#include "core/program/sinumerik/calls.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "core/program/language/statement_table.h"
 #include "core/program/sinumerik/names.h"
-#include "core/program/sinumerik/sinumerik_reader.h"
+#include "core/program/sinumerik/scanning.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
 
-namespace feedscope {
-
-using namespace sinumerik;
+namespace feedscope::sinumerik {
 
 namespace {
-
-constexpr auto types = std::to_array<std::pair<std::string_view, Type>>({{"REAL", Type::real},
-                                                                         {"INT", Type::integer},
-                                                                         {"BOOL", Type::boolean},
-                                                                         {"CHAR", Type::integer},
-                                                                         {"STRING", Type::text},
-                                                                         {"AXIS", Type::axis}});
-
-/// The type that stands here, with the length of a text; none, and nothing taken, if none does.
-std::optional<Type> take_type(Scanner& scanner) {
-  for (const auto& [name, type] : types) {
-    if (scanner.take_name(name)) {
-      if (type == Type::text && scanner.peek() == '[') {
-        skip_brackets(scanner);
-      }
-      return type;
-    }
-  }
-  return std::nullopt;
-}
-
-/// Without folder and drive.
-std::string_view file_name(std::string_view written) {
-  return written.substr(written.find_last_of("/\\:") + 1);
-}
-
-/// "/_N_SPF_DIR/_N_NAME_SPF", "NAME.SPF" and "NAME" are one subprogram.
-std::string plain_name(std::string_view written) {
-  std::string name = upper_case(file_name(written));
-  if (name.starts_with("_N_")) {
-    name.erase(0, 3);
-  }
-  for (const std::string_view ending : {"_SPF", "_MPF", ".SPF", ".MPF"}) {
-    if (name.ends_with(ending)) {
-      name.resize(name.size() - ending.size());
-    }
-  }
-  return name;
-}
 
 bool is_cycle(std::string_view name) {
   constexpr auto beginnings = std::to_array<std::string_view>(
@@ -65,289 +25,225 @@ bool is_cycle(std::string_view name) {
 
 }  // namespace
 
-/// DEF REAL A=1, B[3], and DEF STRING[20] NAME.
-void SinumerikReader::run_def(Scanner& scanner) {
-  for (const std::string_view scope : {"NCK", "CHAN", "SYNR", "SYNW", "SYNRW", "PHU"}) {
-    scanner.take_name(scope);
-  }
-  const std::uint32_t column = scanner.column();
-  if (scanner.take_name("FRAME")) {
-    define_frames(scanner);
-    return;
-  }
-  const std::optional<Type> type = take_type(scanner);
-  if (!type) {
-    throw ReadFault{"definition", column, fmt::format("{} is no type that is read", quoted(scanner.rest())),
-                    "write REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME; the variables are not defined"};
-  }
-  do {
-    const std::uint32_t at = scanner.column();
-    const std::string_view name = scanner.name();
-    if (name.empty()) {
-      throw ReadFault{"definition", at, "DEF without a name", "write the variable's name behind its type"};
-    }
-    Variable variable = Variable::of(*type, values_.dimensions(scanner));
-    if (scanner.take('=')) {
-      values_.initialise(scanner, variable);
-    }
-    values_.variables().define(name, std::move(variable));
-  } while (scanner.take(','));
+bool Calls::run(std::string_view name, Scanner& scanner) {
+  static constexpr auto statements = std::to_array<StatementEntry<Calls>>({{"RET", &Calls::run_ret},
+                                                                           {"CALL", &Calls::run_call},
+                                                                           {"PCALL", &Calls::run_call},
+                                                                           {"EXTCALL", &Calls::run_extcall},
+                                                                           {"ISOCALL", &Calls::run_isocall},
+                                                                           {"MCALL", &Calls::run_mcall}});
+  return run_statement(*this, statements, name, scanner);
 }
 
-void SinumerikReader::run_define(Scanner& scanner) {
-  const std::uint32_t column = scanner.column();
-  const std::string_view name = scanner.name();
-  const bool complete = !name.empty() && scanner.take_name("AS") && !scanner.at_end();
-  if (!complete) {
-    throw ReadFault{"macro", column, "DEFINE without a name, AS and words",
-                    "words by its name are taken for subprograms; write DEFINE NAME AS G0 X5"};
-  }
-  macros_.define(name, scanner.rest());
-  scanner.move_to(scanner.text().size());
+void Calls::set(std::string name, std::uint32_t column) {
+  call_ = SubprogramCall{.name = std::move(name), .column = column};
 }
 
-void SinumerikReader::run_proc(Scanner& scanner) {
-  if (!scopes_.empty()) {
-    scopes_.back().returned.clear();
-  }
-  scanner.name();
-  if (scanner.take('(')) {
-    std::size_t position = 0;
-    while (scanner.peek() != ')' && !scanner.at_end()) {
-      bind(scanner, position++);
-      scanner.take(',');
-    }
-    require(scanner, ')');
-  }
-  while (!scanner.at_end()) {
-    const std::string_view attribute = scanner.name();
-    if (attribute.empty()) {
-      throw ReadFault{"syntax", scanner.column(),
-                      fmt::format("{} stands behind PROC", quoted(scanner.rest())),
-                      "write the parameters in brackets, then attributes such as SAVE"};
-    }
-    if (letters::same(attribute, "SAVE") && !scopes_.empty()) {
-      scopes_.back().saves = true;
-    }
-  }
-}
-
-/// One parameter: "REAL X", "VAR INT N", "REAL X=1".
-void SinumerikReader::bind(Scanner& scanner, std::size_t position) {
-  const bool by_reference = scanner.take_name("VAR");
-  const std::uint32_t column = scanner.column();
-  const std::optional<Type> type = take_type(scanner);
-  const std::string_view name = scanner.name();
-  if (!type || name.empty()) {
-    throw ReadFault{"definition", column, fmt::format("{} is no parameter", quoted(scanner.rest())),
-                    "write a type and a name"};
-  }
-  Variable variable = take_array(scanner, *type, position, name);
-  bool given = scanner.take('=');
-  if (given) {
-    values_.initialise(scanner, variable);
-  }
-  if (!scopes_.empty() && position < scopes_.back().arguments.size()) {
-    const Argument& argument = scopes_.back().arguments[position];
-    if (by_reference && !argument.variable.empty()) {
-      scopes_.back().returned.emplace_back(std::string(name), argument.variable);
-    }
-    given = given || argument.number || argument.text;
-    if (argument.number && !variable.is_text()) {
-      variable.set(0, *argument.number);
-    } else if (argument.text && variable.is_text()) {
-      variable.texts[0] = *argument.text;
-    }
-  }
-  if (!given && scopes_.empty()) {
-    report(Severity::warning, "unset-parameter", -1, column, [&] {
-      return Text{fmt::format("the program waits for a value of {}", quoted(name)),
-                  "taken as 0; call it from a program that gives the value"};
-    });
-  }
-  values_.variables().define(name, std::move(variable));
-}
-
-/// The variable of a parameter whose type and name have just been read. "A[3]" and "A[]" take all elements of
-/// the array that is passed.
-Variable SinumerikReader::take_array(Scanner& scanner, Type type, std::size_t position,
-                                     std::string_view name) {
-  const std::uint32_t column = scanner.column();
-  if (scanner.peek() != '[') {
-    return Variable::of(type);
-  }
-  Scanner inside = scanner;
-  inside.take('[');
-  const bool open = inside.peek() == ']' || inside.peek() == ',';
-  Variable variable;
-  if (open) {
-    skip_brackets(scanner);
-    variable = Variable::of(type);
-  } else {
-    variable = Variable::of(type, values_.dimensions(scanner));
-  }
-  const bool passed = !scopes_.empty() && position < scopes_.back().arguments.size();
-  const std::optional<Variable> array =
-      passed ? scopes_.back().arguments[position].array : std::optional<Variable>();
-  if (!array) {
-    return variable;
-  }
-  if (array->is_text() != variable.is_text() || (!open && array->count() != variable.count())) {
-    throw ReadFault{"definition", column,
-                    fmt::format("the array parameter {} has {} elements, what is passed has {}", quoted(name),
-                                variable.count(), array->count()),
-                    "pass an array of the same type and size"};
-  }
-  variable.size = open ? array->size : variable.size;
-  variable.numbers = array->numbers;
-  variable.texts = array->texts;
-  return variable;
-}
-
-void SinumerikReader::run_extern(Scanner& scanner) {
-  scanner.name();
-  if (scanner.peek() == '(') {
-    skip_brackets(scanner);
-  }
-}
-
-void SinumerikReader::run_ret(Scanner& scanner) {
+void Calls::run_ret(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   if (scanner.take('(') && !scanner.take(')')) {
     report(Severity::error, "unread-statement", 0, column, [] {
-      return Text{"RET with a target for the jump back is not read",
-                  "the program goes on behind the call; return without a target"};
+      return Text{"RET with a jump target is not supported",
+                  "the program continues after the call; return without a target"};
     });
-    scanner.move_to(scanner.text().size());
+    skip_rest(scanner);
   }
-  ends_ = true;
+  functions_.ends = true;
 }
 
-void SinumerikReader::run_call(Scanner& scanner) {
-  const std::uint32_t column = scanner.column();
-  if (!values_.text_follows(scanner)) {
-    call_ = read_call(scanner);
-    return;
+void Calls::run_call(Scanner& scanner) {
+  if (parts_.values.text_follows(scanner)) {
+    call_by_text(scanner);
+  } else {
+    read(scanner);
   }
-  call_ = SubprogramCall{
-      .name = values_.read_text(scanner), .column = column, .arguments = {}, .bracketed = false};
 }
 
 /// A program from outside of the control, with its folder or without: EXTCALL("D:/PART.WPD/OP10.SPF").
-void SinumerikReader::run_extcall(Scanner& scanner) {
-  const std::uint32_t column = scanner.column();
-  if (values_.text_follows(scanner) || scanner.peek() == '(') {
-    call_ = SubprogramCall{
-        .name = values_.read_text(scanner), .column = column, .arguments = {}, .bracketed = false};
+void Calls::run_extcall(Scanner& scanner) {
+  if (parts_.values.text_follows(scanner) || scanner.peek() == '(') {
+    call_by_text(scanner);
   } else {
-    call_ = read_call(scanner);
+    read(scanner);
   }
 }
 
-void SinumerikReader::run_isocall(Scanner& scanner) {
-  report(Severity::error, "unread-function", kind_of("ISOCALL"), scanner.column(), [] {
-    return Text{"ISOCALL (call of a program in ISO dialect) is not read", "its motion is left out"};
-  });
-  scanner.move_to(scanner.text().size());
+void Calls::call_by_text(Scanner& scanner) {
+  const std::uint32_t column = scanner.column();
+  set(parts_.values.read_text(scanner), column);
 }
 
-/// With a name: it is called behind every motion from now on; alone: no longer.
-void SinumerikReader::run_mcall(Scanner& scanner) {
+void Calls::run_isocall(Scanner& scanner) {
+  report(Severity::error, "unread-function", kind_of("ISOCALL"), scanner.column(), [] {
+    return Text{"ISOCALL (call of a program in ISO dialect) is not supported", "its motion is skipped"};
+  });
+  skip_rest(scanner);
+}
+
+/// With a name: it is called after every motion from now on; alone: no longer.
+void Calls::run_mcall(Scanner& scanner) {
   modal_call_.reset();
   if (!scanner.at_end()) {
-    modal_call_ = ModalCall{.call = read_call(scanner), .depth = call_depth()};
+    modal_call_ = ModalCall{.call = read_call(scanner), .depth = lines().call_depth()};
   }
 }
 
-SinumerikReader::SubprogramCall SinumerikReader::read_call(Scanner& scanner) {
+SubprogramCall Calls::read_call(Scanner& scanner) {
   SubprogramCall call;
   call.column = scanner.column();
   call.name = std::string(scanner.name());
   if (call.name.empty()) {
-    throw ReadFault{"syntax", call.column, fmt::format("{} is no subprogram", quoted(scanner.rest())),
-                    "write the subprogram's name"};
+    throw ReadFault{"syntax", call.column, fmt::format("{} is not a subprogram", quoted(scanner.rest())),
+                    "write the name of a subprogram"};
   }
-  call.bracketed = scanner.peek() == '(';
-  if (call.bracketed) {
+  if (scanner.peek() == '(') {
     call.arguments = read_arguments(scanner);
   }
   return call;
 }
 
-Arguments SinumerikReader::read_arguments(Scanner& scanner) {
+Arguments Calls::read_arguments(Scanner& scanner) {
   Arguments arguments;
   require(scanner, '(');
   if (scanner.take(')')) {
     return arguments;
   }
   do {
-    Argument& argument = arguments.emplace_back();
-    if (scanner.peek() == ',' || scanner.peek() == ')') {
-      continue;
-    }
-    Scanner alone = scanner;
-    const std::string_view name = alone.name();
-    const bool only_name = !name.empty() && (alone.peek() == ',' || alone.peek() == ')');
-    const Variable* const variable = only_name ? values_.variables().find(name) : nullptr;
-    if (variable != nullptr) {
-      argument.variable = upper_case(name);
-      argument.array = variable->count() > 1 ? std::optional(*variable) : std::nullopt;
-    }
-    if (values_.text_follows(scanner)) {
-      argument.text = values_.read_text(scanner);
-    } else if (only_name && name.size() == 1 && variable == nullptr) {
-      argument.text = upper_case(name);
-      scanner = alone;
-    } else {
-      argument.number = values_.read_bounded(scanner);
-    }
+    const bool missing = scanner.peek() == ',' || scanner.peek() == ')';
+    arguments.push_back(missing ? Argument() : read_argument(scanner));
   } while (scanner.take(','));
   require(scanner, ')');
   return arguments;
 }
 
-void SinumerikReader::run_subprogram(const SubprogramCall& call, std::uint32_t times) {
-  finish_spline();
-  const std::string name = plain_name(call.name);
-  for (const auto& text : {text_in_force(), main_text()}) {
-    const ProgramIndex::Section* const section = index_of(*text).section(name);
-    if (section != nullptr && !(section->main && call_depth() == 0 && text == text_in_force() &&
-                                section == &index().section_of(line()))) {
-      enter(call, text, section->first, times);
-      return;
-    }
+Argument Calls::read_argument(Scanner& scanner) {
+  Values& values = parts_.values;
+  Argument argument;
+  Scanner alone = scanner;
+  const std::string_view name = alone.name();
+  const bool only_name = !name.empty() && (alone.peek() == ',' || alone.peek() == ')');
+  const Variable* const variable = only_name ? values.variables().find(name) : nullptr;
+  if (variable != nullptr) {
+    argument.variable = upper_case(name);
+    argument.array = variable->count() > 1 ? std::optional(*variable) : std::nullopt;
   }
-  const std::vector<std::string> files{name + ".SPF", name + ".MPF", "_N_" + name + "_SPF",
-                                       "_N_" + name + "_MPF", std::string(file_name(call.name))};
-  if (auto text = subprogram_files().find(files)) {
-    enter(call, std::move(text), 1, times);
+  if (values.text_follows(scanner)) {
+    argument.text = values.read_text(scanner);
+  } else if (only_name && name.size() == 1 && variable == nullptr) {
+    argument.text = upper_case(name);
+    scanner = alone;
+  } else {
+    argument.number = values.read_bounded(scanner);
+  }
+  return argument;
+}
+
+void Calls::run_modal() {
+  if (!modal_call_ || modal_call_->depth != lines().call_depth()) {
     return;
   }
-  const bool cycle = is_cycle(name);
-  report(Severity::error, cycle ? "unread-cycle" : "subprogram-missing", kind_of(name), call.column, [&] {
-    return cycle ? Text{fmt::format("the cycle {} is not read", name), "its motion is left out"}
-                 : Text{fmt::format("there is no subprogram {} beside the program",
-                                    feedscope::quoted(call.name)),
-                        "its motion is left out; put it beside the program or into the same file"};
-  });
-}
-
-bool SinumerikReader::enter(const SubprogramCall& call, std::shared_ptr<const SourceText> text,
-                            std::uint32_t line, std::uint32_t times) {
-  Scope scope;
-  scope.name = call.name;
-  scope.arguments = call.arguments;
-  scope.modal = modal_;
-  scope.frames = frames_;
-  scope.path_words = path_words_;
-  if (!Reader::call(std::move(text), line, times)) {
-    return false;
+  SubprogramCall call = modal_call_->call;
+  call.column = words_.first_column("XYZ");
+  if (!run_cycle(call)) {
+    run_subprogram(call, 1);
   }
-  scope.ends_caller = ends_;
-  ends_ = false;
-  scopes_.push_back(std::move(scope));
-  values_.variables().enter();
-  return true;
 }
 
-}  // namespace feedscope
+void Calls::run_block() {
+  if (call_ && !run_cycle(*call_)) {
+    const double times = words_.has(Address::p) ? std::clamp(words_[Address::p].value, 1.0, 9999.0) : 1;
+    run_subprogram(*call_, static_cast<std::uint32_t>(times));
+  }
+  if (functions_.ends) {
+    end_or_return();
+  }
+}
+
+void Calls::end_or_return() {
+  parts_.splines.finish();
+  if (!leave()) {
+    lines().end_program();
+  }
+}
+
+bool Calls::run_cycle(const SubprogramCall& call) {
+  return parts_.cycles.run(call, modal_call_ ? &modal_call_->call : nullptr);
+}
+
+void Calls::run_subprogram(const SubprogramCall& call, std::uint32_t times) {
+  parts_.splines.finish();
+  const Subprogram subprogram = parts_.subprograms.find(call.name);
+  if (subprogram.text != nullptr) {
+    enter(call, subprogram, times);
+    return;
+  }
+  const std::string name = plain_name(call.name);
+  const bool cycle = is_cycle(name);
+  report(Severity::error, cycle ? MessageCode("unread-cycle") : MessageCode("subprogram-missing"),
+         kind_of(name), call.column, [&] {
+           return cycle ? Text{fmt::format("cycle {} is not supported", name), "its motion is skipped"}
+                        : Text{fmt::format("subprogram {} is neither in the program nor a file in its folder",
+                                           feedscope::quoted(call.name)),
+                               "its motion is skipped; add it to the program or to its folder"};
+         });
+}
+
+void Calls::enter(const SubprogramCall& call, const Subprogram& subprogram, std::uint32_t times) {
+  Scope scope;
+  scope.parameters.arguments = call.arguments;
+  scope.ends_caller = functions_.ends;
+  scope.kept = parts_.kept_modes.keep();
+  if (!lines().call(subprogram.text, subprogram.line, times)) {
+    return;
+  }
+  functions_.ends = false;
+  scopes_.push_back(std::move(scope));
+  parts_.values.variables().enter();
+}
+
+/// False outside of calls.
+bool Calls::leave() {
+  const LineRunner::Returned returned = lines().return_from_call();
+  if (returned == LineRunner::Returned::left) {
+    come_back();
+  }
+  return returned != LineRunner::Returned::no_call;
+}
+
+void Calls::come_back() {
+  parts_.splines.finish();
+  const Scope scope = std::move(scopes_.back());
+  scopes_.pop_back();
+  return_values(scope.parameters);
+  parts_.repeats.leave_call();
+  if (modal_call_ && modal_call_->depth > lines().call_depth()) {
+    modal_call_.reset();
+  }
+  if (scope.parameters.keeps_modes) {
+    parts_.kept_modes.restore(scope.kept);
+  }
+  if (scope.ends_caller) {
+    end_or_return();
+  }
+}
+
+/// VAR parameters: the caller's variables get what the subprogram has left in its own.
+void Calls::return_values(const Parameters& parameters) {
+  Variables& variables = parts_.values.variables();
+  std::vector<std::pair<std::string, Variable>> returned;
+  for (const auto& [own, callers] : parameters.returned) {
+    if (const Variable* const value = variables.find(own)) {
+      returned.emplace_back(callers, *value);
+    }
+  }
+  variables.leave();
+  for (auto& [callers, value] : returned) {
+    Variable* const target = variables.find(callers);
+    if (target != nullptr && target->is_text() == value.is_text() && target->count() == value.count()) {
+      target->numbers = std::move(value.numbers);
+      target->texts = std::move(value.texts);
+    }
+  }
+}
+
+}  // namespace feedscope::sinumerik

@@ -1,20 +1,17 @@
-// The part of SinumerikReader that cuts corners off: RND, RNDM, CHF, CHR.
+#include "core/program/sinumerik/corners.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-#include "core/program/sinumerik/sinumerik_reader.h"
+namespace feedscope::sinumerik {
 
-namespace feedscope {
-
-using namespace sinumerik;
-
-void SinumerikReader::apply_modal_corners() {
+void Corners::run_modal() {
   if (words_.has(Address::rndm)) {
     const BlockWords::Value& radius = words_[Address::rndm];
-    modal_.rounding = std::max(0.0, to_mm(radius.value));
+    modes_.rounding = std::max(0.0, to_mm(radius.value));
     if (radius.value < 0) {
       report(Severity::error, "corner", 2, radius.column, [&] {
         return Text{fmt::format("RNDM={} is negative", radius.value),
@@ -23,12 +20,11 @@ void SinumerikReader::apply_modal_corners() {
     }
   }
   if (words_.has(Address::frcm)) {
-    modal_.corner_feed = std::max(0.0, words_[Address::frcm].value);
+    modes_.feed = std::max(0.0, words_[Address::frcm].value);
   }
 }
 
-/// At the end of the motion that follows: the block's own corner, else RNDM.
-void SinumerikReader::cut_corner(bool at_line_or_arc) {
+void Corners::cut(bool at_line_or_arc) const {
   constexpr std::array own{std::pair(Address::rnd, CornerCut::Kind::rounding),
                            std::pair(Address::chf, CornerCut::Kind::chamfer_by_length),
                            std::pair(Address::chr, CornerCut::Kind::chamfer)};
@@ -37,7 +33,7 @@ void SinumerikReader::cut_corner(bool at_line_or_arc) {
   CornerCut cut;
   cut.modal = found == own.end();
   cut.at_feed_only = cut.modal;
-  cut.size = cut.modal ? modal_.rounding : to_mm(words_[found->first].value);
+  cut.size = cut.modal ? modes_.rounding : to_mm(words_[found->first].value);
   cut.kind = cut.modal ? CornerCut::Kind::rounding : found->second;
   if (cut.size == 0 || (cut.modal && !at_line_or_arc)) {
     return;
@@ -51,10 +47,10 @@ void SinumerikReader::cut_corner(bool at_line_or_arc) {
     });
     return;
   }
-  const double feed = words_.has(Address::frc) ? words_[Address::frc].value : modal_.corner_feed;
+  const double feed = words_.has(Address::frc) ? words_[Address::frc].value : modes_.feed;
   if (feed > 0) {
     const double of_block = path().feed();
-    path().set_feed(feed_of(feed));
+    path().set_feed(feeds_.feed_of(feed));
     cut.feed = path().feed_rate();
     path().set_feed(of_block);
   }
@@ -64,4 +60,4 @@ void SinumerikReader::cut_corner(bool at_line_or_arc) {
   path().cut_next_corner(cut, modal_.plane);
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::sinumerik

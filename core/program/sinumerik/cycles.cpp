@@ -1,19 +1,18 @@
-// The part of SinumerikReader that runs the control's own cycles.
+#include "core/program/sinumerik/cycles.h"
+
 #include <fmt/format.h>
 
 #include <charconv>
 #include <cmath>
+#include <vector>
 
 #include "core/base/units.h"
 #include "core/program/cycles/hole_patterns.h"
 #include "core/program/path/plane_points.h"
 #include "core/program/sinumerik/names.h"
-#include "core/program/sinumerik/sinumerik_reader.h"
 #include "core/program/text/message.h"
 
-namespace feedscope {
-
-using namespace sinumerik;
+namespace feedscope::sinumerik {
 
 namespace {
 
@@ -51,16 +50,16 @@ std::vector<Vec2> places_of_holes(const Arguments& arguments, bool circle, int c
 
 }  // namespace
 
-bool SinumerikReader::run_cycle(const SubprogramCall& call) {
+bool Cycles::run(const SubprogramCall& call, const SubprogramCall* modal) {
   const int number = cycle_number(call.name);
   if (number == 832) {
     high_speed_settings(call);
   } else if (number == 800) {
     swivel(call);
   } else if (letters::same(call.name, "HOLES1") || letters::same(call.name, "HOLES2")) {
-    hole_pattern(call.arguments, call.name.back() == '2', call.column);
+    hole_pattern(call, modal);
   } else if (const auto plan = drill_plan(number, call.arguments, drilling_place())) {
-    finish_spline();
+    parts_.splines.finish();
     check_depth(number, call);
     drill(*plan);
   } else {
@@ -71,74 +70,74 @@ bool SinumerikReader::run_cycle(const SubprogramCall& call) {
 
 /// _GMODE of centring and drilling: the depth may be meant of the tool's diameter or shank, whose height over
 /// the tip the program does not tell.
-void SinumerikReader::check_depth(int number, const SubprogramCall& call) {
+void Cycles::check_depth(int number, const SubprogramCall& call) const {
   const bool by_tip = static_cast<int>(number_at(call.arguments, 6)) / 10 % 10 == 0;
   if (by_tip || (number != 81 && number != 82)) {
     return;
   }
   report(Severity::error, "hole-depth", number, call.column, [&] {
-    return Text{fmt::format("the depth of CYCLE{} by the tool's diameter or shank is not read", number),
-                "it is taken as that of the tip"};
+    return Text{fmt::format("the depth of CYCLE{} at the tool's diameter or shank is not supported", number),
+                "it is used as the depth of the tip"};
   });
 }
 
-DrillingPlace SinumerikReader::drilling_place() {
+DrillingPlace Cycles::drilling_place() const {
   return {modal_.plane,
           path().position(),
           to_mm(1),
           path().feed(),
           path().feed_mode(),
           path().spindle_speed(),
-          [this](double value) { return feed_of(value); }};
+          [this](double value) { return parts_.feeds.feed_of(value); }};
 }
 
-void SinumerikReader::drill(const DrillPlan& plan) {
-  last_arc_.reset();
+void Cycles::drill(const DrillPlan& plan) {
+  parts_.last.set_line();
   feedscope::run(plan, path(), path().position(), [&](bool rapid) {
-    start_ = path().position();
-    use_path_control(rapid);
+    parts_.last.set_start(path().position());
+    parts_.path_modes.use(rapid);
   });
 }
 
 /// The modal cycle at every hole.
-void SinumerikReader::hole_pattern(const Arguments& arguments, bool circle, std::uint32_t column) {
-  constexpr double most_holes = 1000;
-  const double count = number_at(arguments, 5);
-  if (!(count >= 1 && count <= most_holes)) {
-    report(Severity::error, "hole-count", 0, column, [&] {
-      return Text{fmt::format("a pattern of {} holes is not within 1 to {}", count, most_holes),
-                  "the holes are left out"};
+void Cycles::hole_pattern(const SubprogramCall& call, const SubprogramCall* modal) {
+  constexpr double max_holes = 1000;
+  const double count = number_at(call.arguments, 5);
+  if (!(count >= 1 && count <= max_holes)) {
+    report(Severity::error, "hole-count", 0, call.column, [&] {
+      return Text{fmt::format("{} is not a number of holes from 1 to {}", count, max_holes),
+                  "the holes are skipped; correct the number"};
     });
     return;
   }
-  finish_spline();
-  for (const Vec2& place : places_of_holes(arguments, circle, static_cast<int>(count))) {
+  parts_.splines.finish();
+  for (const Vec2& place :
+       places_of_holes(call.arguments, call.name.back() == '2', static_cast<int>(count))) {
     const Vec3 at = from_plane(to_mm(1) * place, modal_.plane, path().position());
-    program_axis(first_axis(modal_.plane));
-    program_axis(second_axis(modal_.plane));
-    use_path_control(true);
+    parts_.targets.program_axis(first_axis(modal_.plane));
+    parts_.targets.program_axis(second_axis(modal_.plane));
+    parts_.path_modes.use(true);
     path().rapid(at);
-    if (modal_call_ && cycle_number(modal_call_->call.name) > 0) {
-      run_cycle(modal_call_->call);
-    } else if (modal_call_) {
-      report(Severity::error, "unread-cycle", 0, column, [&] {
-        return Text{
-            fmt::format("the subprogram {} at a pattern of holes is not read", modal_call_->call.name),
-            "its motion is left out; call it behind single positions"};
+    if (modal != nullptr && cycle_number(modal->name) > 0) {
+      run(*modal, modal);
+    } else if (modal != nullptr) {
+      report(Severity::error, "unread-cycle", 0, call.column, [&] {
+        return Text{fmt::format("subprogram {} at a pattern of holes is not supported", modal->name),
+                    "its motion is skipped; call it after single positions"};
       });
     }
   }
-  last_arc_.reset();
+  parts_.last.set_line();
 }
 
-void SinumerikReader::high_speed_settings(const SubprogramCall& call) {
+void Cycles::high_speed_settings(const SubprogramCall& call) {
   const double tolerance = number_at(call.arguments, 0);
   const double code = number_at(call.arguments, 1);
-  constexpr double most = 1e8;
-  if (!(tolerance >= 0 && code >= 0 && code < most)) {
+  constexpr double max_code = 1e8;
+  if (!(tolerance >= 0 && code >= 0 && code < max_code)) {
     report(Severity::error, "path-value", 0, call.column, [&] {
-      return Text{fmt::format("CYCLE832 with tolerance {} and code {}", tolerance, code),
-                  "it is left out; neither may be negative"};
+      return Text{fmt::format("CYCLE832 with tolerance {} and code {} is out of range", tolerance, code),
+                  "it is ignored; write a tolerance of zero or more and a code from 0 to 99999999"};
     });
     return;
   }
@@ -147,21 +146,20 @@ void SinumerikReader::high_speed_settings(const SubprogramCall& call) {
     report(Severity::warning, "path-value", 1, call.column, [&] {
       return Text{
           fmt::format("CYCLE832 with tolerance {} and machining type 0 switches its settings off", tolerance),
-          "write the type as second value: 1 finishing, 2 semi-finishing, 3 roughing"};
+          "write the type as the second value: 1 finishing, 2 semi-finishing, 3 roughing"};
     });
   }
   std::optional<double> orientation;
   if (digits / 10 % 10 == 1) {
     orientation = units::from_deg(number_at(call.arguments, 2));
   }
-  path_words_.set_cycle(to_mm(tolerance), digits, orientation);
-  applied_ = Applied::none;
+  parts_.path_modes.set_cycle(to_mm(tolerance), digits, orientation);
 }
 
 /// CYCLE800(FR, TC, ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, ...): the plane is shifted by X0, turned about
 /// one axis after the other and shifted by X1.
-void SinumerikReader::swivel(const SubprogramCall& call) {
-  finish_spline();
+void Cycles::swivel(const SubprogramCall& call) {
+  parts_.splines.finish();
   const Arguments& values = call.arguments;
   const auto vector = [&](std::size_t place) -> Vec3 {
     return {number_at(values, place), number_at(values, place + 1), number_at(values, place + 2)};
@@ -176,8 +174,8 @@ void SinumerikReader::swivel(const SubprogramCall& call) {
   }
   if (!angles.isZero() && !turns) {
     report(Severity::error, "swivel", 0, call.column, [&] {
-      return Text{fmt::format("CYCLE800 with mode {} is not read", mode),
-                  "the plane is shown unturned; angles about one axis after the other are read"};
+      return Text{fmt::format("CYCLE800 with mode {} is not supported", mode),
+                  "the plane is shown without rotation; program angles about one axis after the other"};
     });
     return;
   }
@@ -189,8 +187,7 @@ void SinumerikReader::swivel(const SubprogramCall& call) {
   }
   frame = frame * CoordinateFrame::shift(vector(10) * to_mm(1));
   const bool additive = static_cast<int>(number_at(values, 2)) % 10 == 1;
-  frames_.set_swivel(additive ? frames_.swivel() * frame : frame);
-  set_frame();
+  parts_.coordinates.swivel(frame, additive);
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::sinumerik

@@ -7,12 +7,13 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/program/cycles/tapping.h"
 
 namespace feedscope::sinumerik {
 
 namespace {
 
-constexpr std::size_t most_strokes = 1000;
+constexpr std::size_t max_strokes = 1000;
 
 /// Lead of metric coarse threads by their size, ISO 261 [mm].
 constexpr auto metric_leads = std::to_array<std::pair<double, double>>(
@@ -53,12 +54,12 @@ std::vector<double> stroke_depths(double total, double first, double degression,
   double stroke = first > 0 ? std::min(first, total) : total;
   double depth = stroke;
   depths.push_back(depth);
-  while (total - depth > 1e-9 && depths.size() < most_strokes) {
+  while (total - depth > 1e-9 && depths.size() < max_strokes) {
     const double shorter = degression < 0 ? stroke * -degression : stroke - degression;
     const double floor = least > 0 ? least : degression > 0 ? degression : 0;
     const double rest = total - depth;
     stroke = std::max(shorter, floor);
-    if (!(stroke > 0) || rest < 2 * stroke || depths.size() + 2 >= most_strokes) {
+    if (!(stroke > 0) || rest < 2 * stroke || depths.size() + 2 >= max_strokes) {
       if (stroke > 0 && stroke < rest) {
         depths.push_back(depth + rest / 2);
       }
@@ -81,7 +82,10 @@ class DrillingCycle {
   const DrillPlan& plan() const { return plan_; }
 
  private:
-  struct Tapping {
+  double number_of(std::size_t argument) const { return number_at(arguments_, argument); }
+  void drill(double bottom_dwell);
+  void deep_hole();
+  struct Thread {
     double lead = 0;   ///< [mm]
     double speed = 0;  ///< [1/s]
     double speed_back = 0;
@@ -89,10 +93,7 @@ class DrillingCycle {
     double stroke = 0;  ///< between lifts; 0: in one go
     double lift = 0;    ///< 0: up to the safe height
   };
-  double number_of(std::size_t argument) const { return number_at(arguments_, argument); }
-  void drill(double bottom_dwell);
-  void deep_hole();
-  void tap(const Tapping& tapping);
+  void tap(const Thread& thread);
   void lift_off(double first, double second, double up);
   void rapid(double height) { plan_.rapid(place_.mm * height); }
   /// At the programmed feed times `share`.
@@ -230,29 +231,24 @@ void DrillingCycle::deep_hole() {
   }
 }
 
-void DrillingCycle::tap(const Tapping& tapping) {
-  const double speed_back = tapping.speed_back > 0 ? tapping.speed_back : tapping.speed;
-  const auto cut = [&](double height, double speed) {
-    if (tapping.lead > 0) {
-      plan_.feed(place_.mm * height, DrillFeed{tapping.lead, FeedMode::per_revolution, speed});
-    } else {
-      feed(height);
-    }
+void DrillingCycle::tap(const Thread& thread) {
+  const auto feed_at = [&](double speed) {
+    return thread.lead > 0 ? std::optional(DrillFeed{thread.lead, FeedMode::per_revolution, speed})
+                           : std::nullopt;
   };
   rapid(safe_);
-  const double total = std::abs(top_ - bottom_);
-  double depth = tapping.stroke > 0 ? tapping.stroke : total;
-  for (std::size_t strokes = 0; depth < total && strokes < most_strokes; ++strokes) {
-    cut(top_ - up_ * depth, tapping.speed);
-    cut(tapping.lift > 0 ? top_ - up_ * (depth - tapping.lift) : safe_, speed_back);
-    depth += tapping.stroke;
-  }
-  cut(bottom_, tapping.speed);
-  dwell(tapping.dwell);
-  cut(safe_, speed_back);
+  feedscope::tap({.safe = place_.mm * safe_,
+                  .surface = place_.mm * top_,
+                  .bottom = place_.mm * bottom_,
+                  .stroke = place_.mm * thread.stroke,
+                  .lift = place_.mm * thread.lift,
+                  .dwell = thread.dwell,
+                  .down = feed_at(thread.speed),
+                  .back = feed_at(thread.speed_back > 0 ? thread.speed_back : thread.speed)},
+                 plan_);
 }
 
-/// The spindle stands: the edge leaves the wall by RPA, RPO and RPAP, and the hole beside its axis.
+/// The spindle is at rest: the edge leaves the wall by RPA, RPO and RPAP, and the hole beside its axis.
 void DrillingCycle::lift_off(double first, double second, double up) {
   if (first == 0 && second == 0 && up == 0) {
     return;

@@ -19,9 +19,8 @@ class Frames {
   void replace(const CoordinateFrame& by);
   /// ATRANS, AROT, ASCALE, AMIRROR: inside what was programmed before.
   void add(const CoordinateFrame& more) { chain_ = chain_ * more; }
-  /// G58, G59: coordinates of the coarse or the fine shift anew.
-  void set_coarse(int axis, double value) { coarse_[axis] = value; }
-  void set_fine(int axis, double value) { fine_[axis] = value; }
+  /// G58, G59: coordinate of the coarse or the `fine` shift.
+  void set_shift(int axis, double value, bool fine) { (fine ? fine_ : coarse_)[axis] = value; }
   /// G54 to G599.
   void set_settable(const CoordinateFrame& by) { settable_ = by; }
   /// CYCLE800.

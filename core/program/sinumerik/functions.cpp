@@ -16,13 +16,13 @@ constexpr auto warning = Severity::warning;
 constexpr auto info = Severity::info;
 using enum Action;
 
-constexpr std::string_view not_moved = "positions are left out up to the next motion word";
+constexpr std::string_view not_moved = "positions are skipped up to the next motion word";
 constexpr std::string_view path_as_programmed = "X, Y and Z are shown as programmed";
 constexpr std::string_view contour_shown = "the path shown is the programmed contour";
-constexpr std::string_view own_limits = "limits are those of the machine file";
+constexpr std::string_view own_limits = "the limits of the machine file are used";
 constexpr std::string_view straight_approach =
     "compensation begins and ends on a straight line, as with NORM";
-constexpr std::string_view compensation_in_space = "cutter compensation in space";
+constexpr std::string_view compensation_in_space = "3D cutter compensation";
 constexpr std::string_view in_plane = "the cutter is compensated in the plane";
 
 constexpr auto functions = std::to_array<Function>({
@@ -39,8 +39,8 @@ constexpr auto functions = std::to_array<Function>({
     {"G33", Group::motion, thread},
     {"G331", Group::motion, thread},
     {"G332", Group::motion, thread},
-    {"G34", Group::motion, unread_motion, error, "thread with growing lead", not_moved},
-    {"G35", Group::motion, unread_motion, error, "thread with shrinking lead", not_moved},
+    {"G34", Group::motion, unread_motion, error, "thread with increasing lead", not_moved},
+    {"G35", Group::motion, unread_motion, error, "thread with decreasing lead", not_moved},
     {"INVCW", Group::motion, unread_motion, error, "involute", not_moved},
     {"INVCCW", Group::motion, unread_motion, error, "involute", not_moved},
     {"G63", Group::none, report, info, "tapping with compensating chuck", "a line at the programmed feed"},
@@ -62,7 +62,7 @@ constexpr auto functions = std::to_array<Function>({
     {"G972", Group::none, accept},
     {"G973", Group::feed_mode, feed_per_revolution},
     {"G96", Group::feed_mode, feed_per_revolution, warning, "constant cutting speed",
-     "the last spindle speed counts"},
+     "the last spindle speed is used"},
     {"G961", Group::feed_mode, feed_per_minute},
     {"G962", Group::none, accept},
     {"G53", Group::none, machine_axes},
@@ -130,7 +130,8 @@ constexpr auto functions = std::to_array<Function>({
     {"G348", Group::none, report, error, "soft retraction", path_as_programmed},
     {"G5", Group::none, report, error, "oblique plunge grinding", path_as_programmed},
     {"G7", Group::none, report, error, "oblique plunge grinding", path_as_programmed},
-    {"G291", Group::none, report, error, "ISO dialect", "what follows is read as Siemens code"},
+    {"G291", Group::none, report, error, "ISO dialect",
+     "the following blocks are interpreted as Siemens code"},
     {"DIAMON", Group::diameter, diameters},
     {"DIAM90", Group::diameter, diameters_if_absolute},
     {"DIAMOF", Group::diameter, radii},
@@ -139,26 +140,26 @@ constexpr auto functions = std::to_array<Function>({
     {"TRANSMIT", Group::none, report, error, "face end transformation", path_as_programmed},
     {"TRAANG", Group::none, report, error, "inclined axis", path_as_programmed},
     {"TRACON", Group::none, report, error, "chained transformation", path_as_programmed},
-    {"TOFRAME", Group::none, report, error, "frame by the tool", path_as_programmed},
-    {"TOFRAMEX", Group::none, report, error, "frame by the tool", path_as_programmed},
-    {"TOFRAMEY", Group::none, report, error, "frame by the tool", path_as_programmed},
-    {"TOFRAMEZ", Group::none, report, error, "frame by the tool", path_as_programmed},
-    {"TOROT", Group::none, report, error, "rotation by the tool", path_as_programmed},
-    {"PAROT", Group::none, report, error, "rotation by the workpiece", path_as_programmed},
-    {"FPO", Group::none, report, info, "feed by a polynomial", "the feed stays as it is"},
-    {"MEAS", Group::none, report, warning, "measuring", "the probe is taken as never touching"},
-    {"MEAW", Group::none, report, warning, "measuring", "the probe is taken as never touching"},
+    {"TOFRAME", Group::none, report, error, "frame in tool direction", path_as_programmed},
+    {"TOFRAMEX", Group::none, report, error, "frame in tool direction", path_as_programmed},
+    {"TOFRAMEY", Group::none, report, error, "frame in tool direction", path_as_programmed},
+    {"TOFRAMEZ", Group::none, report, error, "frame in tool direction", path_as_programmed},
+    {"TOROT", Group::none, report, error, "rotation in tool direction", path_as_programmed},
+    {"PAROT", Group::none, report, error, "alignment with the workpiece", path_as_programmed},
+    {"FPO", Group::none, report, info, "feed by a polynomial", "the feed does not change"},
+    {"MEAS", Group::none, report, warning, "measuring", "the probe is assumed never to touch"},
+    {"MEAW", Group::none, report, warning, "measuring", "the probe is assumed never to touch"},
     {"TRAILON", Group::none, report, warning, "coupled axes", path_as_programmed},
-    {"TANG", Group::none, report, warning, "tangential following", path_as_programmed},
+    {"TANG", Group::none, report, warning, "tangential control", path_as_programmed},
     {"OSCILL", Group::none, report, warning, "oscillating axes", path_as_programmed},
-    {"POSP", Group::none, report, error, "positioning axis", "its motion is left out"},
-    {"PRESETON", Group::none, report, error, "actual value set by the program", path_as_programmed},
-    {"GEOAX", Group::none, report, error, "geometry axes changed", path_as_programmed},
-    {"PTP", Group::none, report, warning, "motion from point to point", path_as_programmed},
+    {"POSP", Group::none, report, error, "positioning axis", "its motion is skipped"},
+    {"PRESETON", Group::none, report, error, "setting of actual values", path_as_programmed},
+    {"GEOAX", Group::none, report, error, "change of geometry axes", path_as_programmed},
+    {"PTP", Group::none, report, warning, "point-to-point motion", path_as_programmed},
     {"OFFN", Group::none, report, error, "contour offset", contour_shown},
-    {"FZ", Group::none, report, error, "feed per tooth", "the last feed counts; write F"},
-    {"OVR", Group::none, report, error, "feed override", "feeds are those of F"},
-    {"OVRRAP", Group::none, report, warning, "override of rapids", "rapids are those of the machine"},
+    {"FZ", Group::none, report, error, "feed per tooth", "the last feed is used; write F"},
+    {"OVR", Group::none, report, error, "feed override", "the feed of F is used"},
+    {"OVRRAP", Group::none, report, warning, "override of rapids", "rapids of the machine are used"},
     {"DYNNORM", Group::none, report, info, "set of dynamic limits", own_limits},
     {"DYNPOS", Group::none, report, info, "set of dynamic limits", own_limits},
     {"DYNROUGH", Group::none, report, info, "set of dynamic limits", own_limits},
@@ -182,12 +183,12 @@ constexpr auto functions = std::to_array<Function>({
     {"CUT3DF", Group::none, report, warning, compensation_in_space, in_plane},
     {"CUT3DFS", Group::none, report, warning, compensation_in_space, in_plane},
     {"CUT3DFF", Group::none, report, warning, compensation_in_space, in_plane},
-    {"TOFFR", Group::none, report, error, "offset of the tool's radius", "the radius stays as it is"},
-    {"EXECSTRING", Group::none, report, error, "block made of texts", "the block is left out"},
-    {"EXECTAB", Group::none, report, error, "run of a contour table", "its motion is left out"},
-    {"REPOSL", Group::none, report, error, "return to the contour", "its motion is left out"},
-    {"REPOSA", Group::none, report, error, "return to the contour", "its motion is left out"},
-    {"PRESETONS", Group::none, report, error, "actual value set by the program", path_as_programmed},
+    {"TOFFR", Group::none, report, error, "tool radius offset", "the radius does not change"},
+    {"EXECSTRING", Group::none, report, error, "block made of strings", "the block is skipped"},
+    {"EXECTAB", Group::none, report, error, "execution of a contour table", "its motion is skipped"},
+    {"REPOSL", Group::none, report, error, "return to the contour", "its motion is skipped"},
+    {"REPOSA", Group::none, report, error, "return to the contour", "its motion is skipped"},
+    {"PRESETONS", Group::none, report, error, "setting of actual values", path_as_programmed},
     {"TRAFOON", Group::none, report, error, "transformation", path_as_programmed},
 });
 
@@ -244,7 +245,7 @@ constexpr int greatest_g = 999;
 std::array<const Function*, greatest_g + 1> make_numbers() {
   static const Function offset{"G54", Group::offset, work_offset};
   static const Function oem{
-      "G810", Group::none, report, warning, "function of the machine builder", path_as_programmed};
+      "G810", Group::none, report, warning, "machine builder function", path_as_programmed};
   std::array<const Function*, greatest_g + 1> numbers{};
   for (const auto& [name, function] : table()) {
     int number = 0;

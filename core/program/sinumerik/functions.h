@@ -10,11 +10,10 @@ namespace feedscope::sinumerik {
 
 /// What a G word or a name without value ("CIP", "SOFT") does to the reader.
 enum class Action : std::uint8_t {
-  accept,         ///< leaves the path as it is; values, indices and arguments behind it are skipped
-  report,         ///< the same, and said
-  own_words,      ///< said; the block's coordinates belong to it, nothing moves
-  unread_motion,  ///< said; nothing moves until the next motion word that is read
-  unread_axes,    ///< said where the block has X, Y or Z, which do not move
+  accept,         ///< does not change the path; values, indices and arguments after it are skipped
+  report,         ///< the same, and reported
+  own_words,      ///< reported; the block's coordinates belong to it, nothing moves
+  unread_motion,  ///< reported; nothing moves until the next supported motion word
   rapid,
   line,
   arc_cw,
@@ -37,7 +36,7 @@ enum class Action : std::uint8_t {
   feed_per_minute,
   feed_inverse_time,
   feed_per_revolution,
-  work_offset,  ///< a warning once it changes on the way
+  work_offset,  ///< a warning once it changes after a motion
   compensation_left,
   compensation_right,
   compensation_off,
@@ -46,7 +45,7 @@ enum class Action : std::uint8_t {
   diameters,              ///< DIAMON: X is one
   diameters_if_absolute,  ///< DIAM90
   radii,                  ///< DIAMOF
-  machine_axes,           ///< SUPA, G53, G153, G74, G75: positions that cannot be known
+  machine_axes,           ///< SUPA, G53, G153, G74, G75: positions that depend on the machine
   shift,                  ///< TRANS
   shift_more,             ///< ATRANS
   turn,

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/program/text/expression.h"
+#include "core/program/language/expression.h"
 
 namespace feedscope::sinumerik {
 

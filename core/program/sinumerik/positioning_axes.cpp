@@ -1,15 +1,12 @@
-// The part of SinumerikReader that moves positioning axes: POS, POSA, FA.
+#include "core/program/sinumerik/positioning_axes.h"
+
 #include <fmt/format.h>
 
 #include "core/base/units.h"
+#include "core/program/sinumerik/coordinate_value.h"
 #include "core/program/sinumerik/names.h"
-#include "core/program/sinumerik/sinumerik_reader.h"
-#include "core/program/text/message.h"
-#include "core/program/text/read_fault.h"
 
-namespace feedscope {
-
-using namespace sinumerik;
+namespace feedscope::sinumerik {
 
 namespace {
 
@@ -23,41 +20,55 @@ std::string_view take_index(Scanner& scanner) {
 
 }  // namespace
 
-/// "POS[X]=10", whose name has just been read.
-void SinumerikReader::run_pos(Scanner& scanner) {
+void PositioningAxes::begin_block() {
+  if (has_positions_) {
+    positions_.fill(std::nullopt);
+    has_positions_ = false;
+  }
+}
+
+bool PositioningAxes::run(std::string_view name, Scanner& scanner) {
+  if (letters::same(name, "POS") || letters::same(name, "POSA")) {
+    read_position(scanner);
+  } else if (letters::same(name, "FA")) {
+    read_feed(scanner);
+  } else {
+    return false;
+  }
+  return true;
+}
+
+/// After "POS": "[X]=10".
+void PositioningAxes::read_position(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   const std::string_view name = take_index(scanner);
   require(scanner, '=');
-  const BlockWords::Value value = coordinate(scanner, column);
+  const BlockWords::Value value = read_coordinate(values_, scanner, column);
   const int axis = linear_axis(name);
   if (axis < 0) {
-    note_other_axis(upper_case(name), value.value, AxisMotion::positions, column);
+    machining_.other_axes.move(upper_case(name), value.value, AxisMotion::positions, column);
     return;
   }
   positions_[static_cast<std::size_t>(axis)] = value;
   has_positions_ = true;
 }
 
-/// "FA[X]=1000".
-void SinumerikReader::run_axis_feed(Scanner& scanner) {
+/// After "FA": "[X]=1000".
+void PositioningAxes::read_feed(Scanner& scanner) {
   const int axis = linear_axis(take_index(scanner));
   require(scanner, '=');
   const double feed = values_.read_bounded(scanner);
   if (axis >= 0) {
     const double length = modal_.inch_feed ? units::from_inch(feed) : feed;
-    modal_.axis_feeds[static_cast<std::size_t>(axis)] = length > 0 ? units::from_mm_min(length) : 0;
+    feeds_[static_cast<std::size_t>(axis)] = length > 0 ? units::from_mm_min(length) : 0;
   }
 }
 
 /// Each goes to its place at its own feed, on its own: that is a line for one axis. Several are shown as a
-/// rapid, and so is one without a feed, whose speed is the machine's.
-void SinumerikReader::move_positioning_axes() {
-  if (!has_positions_) {
-    return;
-  }
-  finish_spline();
-  const Vec3 start = path().position();
-  Vec3 target = start;
+/// rapid, and so is one without a feed, whose speed depends on the machine.
+void PositioningAxes::move(bool path_moves) {
+  splines_.finish();
+  Vec3 target = path().position();
   int count = 0;
   std::size_t last = 0;
   std::uint32_t column = 0;
@@ -65,36 +76,41 @@ void SinumerikReader::move_positioning_axes() {
     if (positions_[axis]) {
       const double value = to_mm(positions_[axis]->value);
       double& coordinate = target[static_cast<int>(axis)];
-      coordinate = is_incremental(*positions_[axis]) ? coordinate + value : value;
+      coordinate = modal_.is_incremental(*positions_[axis]) ? coordinate + value : value;
       column = column == 0 ? positions_[axis]->column : column;
       last = axis;
       ++count;
     }
   }
-  if (has_motion_words()) {
+  if (path_moves) {
     report(Severity::error, "positioning-axis", 0, column, [] {
-      return Text{"positioning axes beside a motion along the path are not read",
-                  "their motion is left out; position them in a block of their own"};
+      return Text{"positioning axes in a block with a path motion are not supported",
+                  "their motion is skipped; position them in a block of their own"};
     });
     return;
   }
-  const double feed = count == 1 ? modal_.axis_feeds[last] : 0;
+  const double feed = count == 1 ? feeds_[last] : 0;
   if (feed <= 0) {
     report(Severity::info, "positioning-axis", 1, column, [&] {
-      return Text{count > 1 ? "axes that position on their own are shown as a rapid on a straight line"
-                            : "an axis that positions on its own is shown as a rapid",
-                  "each runs at its own speed, which FA or the machine sets"};
+      return Text{count > 1 ? "positioning axes are shown as a rapid on a straight line"
+                            : "a positioning axis is shown as a rapid",
+                  "each axis moves at its own speed, set by FA or the machine"};
     });
   }
   for (std::size_t axis = 0; axis < positions_.size(); ++axis) {
     if (positions_[axis]) {
-      program_axis(static_cast<int>(axis));
+      targets_.program_axis(static_cast<int>(axis));
     }
   }
-  last_arc_.reset();
-  start_ = start;
+  move_to(target, feed, column);
+}
+
+/// At `feed` [mm/s], or as a rapid (0).
+void PositioningAxes::move_to(const Vec3& target, double feed, std::uint32_t column) {
+  last_.set_line();
+  last_.set_start(path().position());
   path().set_column(written(column));
-  use_path_control(feed <= 0);
+  path_modes_.use(feed <= 0);
   if (feed <= 0) {
     path().rapid(target);
     return;
@@ -108,4 +124,4 @@ void SinumerikReader::move_positioning_axes() {
   path().set_feed(path_feed);
 }
 
-}  // namespace feedscope
+}  // namespace feedscope::sinumerik

@@ -18,7 +18,7 @@ bool jumps(std::string_view condition) {
   return upper_case(condition).find("GOTO") != std::string::npos;
 }
 
-/// Digits from here on, which are taken.
+/// Takes the digits from here on.
 std::string_view digits(Scanner& scanner) {
   const std::string_view rest = scanner.rest();
   const std::size_t count = std::min(rest.find_first_not_of("0123456789"), rest.size());
@@ -26,7 +26,7 @@ std::string_view digits(Scanner& scanner) {
   return rest.substr(0, count);
 }
 
-/// What stands before a line's first word.
+/// What is before a line's first word.
 struct Prefix {
   std::string_view number;  ///< "N20", ":20"; may be empty
   std::string_view label;   ///< without its colon; may be empty

@@ -14,11 +14,11 @@ namespace feedscope::sinumerik {
 /// A line without its comment, which ";" starts outside of quoted texts.
 std::string_view without_comment(std::string_view line);
 
-/// At the first word behind block delete, block number and label of a line without comment.
+/// At the first word after block delete, block number and label of a line without comment.
 Scanner first_statement(std::string_view line);
 
 /// Where in a text one can go to: labels, block numbers, the ends of IF, FOR, WHILE, LOOP and REPEAT, and the
-/// programs that share the file, each behind a head such as "%_N_PART_MPF".
+/// programs that share the file, each after a head such as "%_N_PART_MPF".
 class ProgramIndex {
  public:
   explicit ProgramIndex(const SourceText& text);
@@ -27,7 +27,7 @@ class ProgramIndex {
   struct Section {
     std::string name;  ///< upper case, without "_N_" and ending
     bool main = false;
-    std::uint32_t first = 1;  ///< line behind the head
+    std::uint32_t first = 1;  ///< line after the head
     std::uint32_t last = 0;
   };
   /// Lines that belong together; 0: there is none.
@@ -44,7 +44,7 @@ class ProgramIndex {
   /// The first main program of a file with heads; nullptr if there is none.
   const Section* main_section() const;
 
-  /// The next line with the label or block number ("N20") behind `from`, or before it, in the same program;
+  /// The next line with the label or block number ("N20") after `from`, or before it, in the same program;
   /// 0 if there is none.
   std::uint32_t forward(std::string_view label, std::uint32_t from) const;
   std::uint32_t backward(std::string_view label, std::uint32_t from) const;

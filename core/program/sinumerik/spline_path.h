@@ -64,7 +64,7 @@ class SplinePath {
   /// A part of the curve: from and to which of its parameters, and the point whose block it belongs to.
   using TakeSpan = std::function<void(const ParametricCurve&, double, double, const Point&)>;
 
-  /// The parts in their order. `direction`: of the motion behind, for ETAN; zero for none.
+  /// The parts in their order. `direction`: of the motion after it, for ETAN; zero for none.
   void spans(const Vec3& direction, const TakeSpan& take) const;
 
  private:

@@ -17,9 +17,9 @@ namespace feedscope::sinumerik {
 
 namespace {
 
-constexpr std::size_t most_elements = 100'000;
-constexpr int most_r = 32'535;
-constexpr double most_value = 1e9;
+constexpr std::size_t max_elements = 100'000;
+constexpr int max_r = 32'535;
+constexpr double max_value = 1e9;
 
 /// Names that the control's cycles give to numbers.
 constexpr auto constants = std::to_array<std::pair<std::string_view, double>>({{"TRUE", 1},
@@ -42,39 +42,7 @@ struct Level {
   Level& operator=(const Level&) = delete;
 };
 
-[[noreturn]] void throw_index(std::string_view name, std::uint32_t column, double index, std::size_t size) {
-  throw ReadFault{"array-index", column,
-                  fmt::format("{} has no element {}, its indices go up to {}", quoted(name), index, size - 1),
-                  "correct the index or the size in DEF"};
-}
-
 }  // namespace
-
-void require(Scanner& scanner, char c) {
-  const std::uint32_t column = scanner.column();
-  if (!scanner.take(c)) {
-    throw ReadFault{"syntax", column, fmt::format("\"{}\" is missing here", c),
-                    "correct the statement; the block does not move"};
-  }
-}
-
-void skip_brackets(Scanner& scanner) {
-  const std::uint32_t column = scanner.column();
-  int depth = 0;
-  bool inside_text = false;
-  for (std::size_t at = scanner.at(); at < scanner.text().size(); ++at) {
-    const char c = scanner.text()[at];
-    inside_text = c == '"' ? !inside_text : inside_text;
-    depth += !inside_text && (c == '(' || c == '[') ? 1 : 0;
-    depth -= !inside_text && (c == ')' || c == ']') ? 1 : 0;
-    if (depth == 0 && !inside_text) {
-      scanner.move_to(at + 1);
-      return;
-    }
-  }
-  throw ReadFault{"syntax", column, "the bracket is not closed",
-                  "correct the statement; the block does not move"};
-}
 
 Values::Values(const PathWriter& path, Warn warn)
     : ExpressionReader(grammar()), path_(path), warn_(std::move(warn)) {}
@@ -130,7 +98,7 @@ std::optional<double> Values::named(Scanner& scanner) {
   if (!is_function) {
     throw ReadFault{"unknown-name", scanner.column(),
                     fmt::format("the program does not define {}", feedscope::quoted(std::string(name))),
-                    "the block does not move; data that only the machine has (GUD) can be defined at the "
+                    "the block does not move; define data of the machine (GUD) at the "
                     "program's top, DEF REAL " +
                         std::string(name) + "="};
   }
@@ -164,9 +132,9 @@ std::optional<int> Values::r_number(Scanner& scanner) {
     std::from_chars(rest.data(), rest.data() + digits, number);
     scanner.move_to(scanner.at() + digits);
   }
-  if (!(number >= 0 && number <= most_r)) {
+  if (!(number >= 0 && number <= max_r)) {
     throw ReadFault{"array-index", column,
-                    fmt::format("R{} is no R parameter, they go from R0 to R{}", number, most_r),
+                    fmt::format("R{} is not an R parameter from R0 to R{}", number, max_r),
                     "correct the number"};
   }
   return static_cast<int>(number);
@@ -176,8 +144,8 @@ double Values::r_value(int number, std::uint32_t column) {
   const std::optional<double> value = variables_.r(number);
   if (!value) {
     warn_("unset-parameter", number, column,
-          {fmt::format("R{} is read before the program sets it", number),
-           "taken as 0; the control has a value of its own"});
+          {fmt::format("R{} is used before the program sets it", number),
+           "0 is used; the control has a value of its own"});
   }
   return value.value_or(0);
 }
@@ -193,7 +161,7 @@ double Values::quoted_number(Scanner& scanner) {
   if ((kind != 'H' && kind != 'B') || status != std::errc() || stop == rest.data() + rest.size() ||
       *stop != '\'') {
     throw ReadFault{"malformed-number", column,
-                    fmt::format("{} has no readable number", quoted(scanner.text().substr(column - 1))),
+                    fmt::format("{} has no valid number", quoted(scanner.text().substr(column - 1))),
                     "write 'H1F' or 'B101'"};
   }
   scanner.move_to(static_cast<std::size_t>(stop - scanner.text().data()) + 1);
@@ -219,8 +187,8 @@ double Values::system_variable(Scanner& scanner) {
     }
   }
   warn_("system-variable", kind_of(name), column,
-        {fmt::format("{} is known to the machine only", feedscope::quoted("$" + std::string(name))),
-         "taken as 0"});
+        {fmt::format("{} is a control-internal value", feedscope::quoted("$" + std::string(name))),
+         "0 is used; the control may run another path"});
   return 0;
 }
 
@@ -239,8 +207,8 @@ std::optional<double> Values::text_comparison(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   const bool equal = scanner.take("==");
   if (!equal && !scanner.take("<>")) {
-    throw ReadFault{"expression", column, fmt::format("the text {} is no number", feedscope::quoted(first)),
-                    "compare texts by == or <>"};
+    throw ReadFault{"expression", column, fmt::format("text {} is not a number", feedscope::quoted(first)),
+                    "compare texts with == or <>"};
   }
   return (first == read_text(scanner)) == equal ? 1 : 0;
 }
@@ -260,7 +228,7 @@ std::optional<double> Values::plain_number(Scanner& scanner) {
   double number = 0;
   const char* const end = rest.data() + rest.size();
   const auto [stop, status] = std::from_chars(rest.data() + sign, end, number, std::chars_format::fixed);
-  if (status != std::errc() || !(number <= most_value)) {
+  if (status != std::errc() || !(number <= max_value)) {
     return std::nullopt;
   }
   Scanner behind = scanner;
@@ -277,9 +245,9 @@ std::optional<double> Values::plain_number(Scanner& scanner) {
 }
 
 double Values::bounded(double value, std::uint32_t column) {
-  if (!(std::abs(value) <= most_value)) {
+  if (!(std::abs(value) <= max_value)) {
     throw ReadFault{"number-range", column,
-                    fmt::format("the value {} is beyond the largest number, 1000000000", value),
+                    fmt::format("value {} is above the largest number, 1000000000", value),
                     "the block does not move; correct the expression"};
   }
   return value;
@@ -298,7 +266,7 @@ std::string Values::text_operand(Scanner& scanner) {
   if (scanner.take('(')) {
     constexpr int deepest = 100;
     if (text_depth_ >= deepest) {
-      throw ReadFault{"expression", column, "the text is nested more than 100 deep", "leave out brackets"};
+      throw ReadFault{"expression", column, "the text is nested more than 100 deep", "remove brackets"};
     }
     const Level level(text_depth_);
     std::string text = read_text(scanner);
@@ -331,10 +299,10 @@ std::array<std::size_t, 3> Values::dimensions(Scanner& scanner) {
   std::size_t count = 1;
   for (std::size_t& dimension : size) {
     const double number = std::floor(read(scanner) + 0.5);
-    if (!(number >= 1 && number * static_cast<double>(count) <= static_cast<double>(most_elements))) {
+    if (!(number >= 1 && number * static_cast<double>(count) <= static_cast<double>(max_elements))) {
       throw ReadFault{"array-size", column,
-                      fmt::format("an array of {} elements is not within 1 to {}",
-                                  number * static_cast<double>(count), most_elements),
+                      fmt::format("{} is not a number of array elements from 1 to {}",
+                                  number * static_cast<double>(count), max_elements),
                       "correct the size"};
     }
     dimension = static_cast<std::size_t>(number);
@@ -357,7 +325,7 @@ std::size_t Values::element(Scanner& scanner, const Variable& variable, std::str
     const std::uint32_t column = scanner.column();
     const double index = given ? std::floor(read(scanner) + 0.5) : 0;
     if (!(index >= 0 && index < static_cast<double>(variable.size[i]))) {
-      throw_index(name, column, index, variable.size[i]);
+      throw_no_element(name, column, index, variable.size[i]);
     }
     flat = flat * variable.size[i] + static_cast<std::size_t>(index);
   }
@@ -365,102 +333,25 @@ std::size_t Values::element(Scanner& scanner, const Variable& variable, std::str
   return flat;
 }
 
-void Values::assign(Scanner& scanner, Variable& variable, std::string_view name) {
-  const std::size_t first = element(scanner, variable, name);
-  require(scanner, '=');
-  if (scanner.take_name("SET")) {
-    set_list(scanner, variable, first);
-  } else if (scanner.take_name("REP")) {
-    repeat_one(scanner, variable, first);
-  } else {
-    set_one(scanner, variable, first);
+void Values::skip(Scanner& scanner) {
+  while (scanner.peek() == '[' || scanner.peek() == '(') {
+    skip_brackets(scanner);
   }
-}
-
-void Values::initialise(Scanner& scanner, Variable& variable) {
-  if (scanner.take_name("SET") || (variable.count() > 1 && scanner.peek() == '(')) {
-    set_list(scanner, variable, 0);
-  } else if (scanner.take_name("REP")) {
-    repeat_one(scanner, variable, 0);
-  } else {
-    set_one(scanner, variable, 0);
-    copy_on(variable, 0, static_cast<double>(variable.count()));
+  if (!scanner.take('=')) {
+    return;
   }
-}
-
-void Values::set_list(Scanner& scanner, Variable& variable, std::size_t first) {
-  require(scanner, '(');
-  std::size_t index = first;
-  do {
-    if (index >= variable.count()) {
-      throw_index("the array", scanner.column(), static_cast<double>(index), variable.count());
-    }
-    if (scanner.peek() != ',' && scanner.peek() != ')') {
-      set_one(scanner, variable, index);
-    }
-    ++index;
-  } while (scanner.take(','));
-  require(scanner, ')');
-}
-
-void Values::repeat_one(Scanner& scanner, Variable& variable, std::size_t first) {
-  require(scanner, '(');
-  set_one(scanner, variable, first);
-  double count = static_cast<double>(variable.count());
-  if (scanner.take(',')) {
-    count = std::min(count, read(scanner));
-  }
-  require(scanner, ')');
-  copy_on(variable, first, count);
-}
-
-void Values::copy_on(Variable& variable, std::size_t first, double count) {
-  for (std::size_t i = first + 1; i < variable.count() && static_cast<double>(i - first) < count; ++i) {
-    if (variable.is_text()) {
-      variable.texts[i] = variable.texts[first];
+  while (!scanner.at_end()) {
+    const char c = scanner.peek();
+    if (c == '(' || c == '[') {
+      skip_brackets(scanner);
+    } else if (c == '"') {
+      read_text(scanner);
     } else {
-      variable.numbers[i] = variable.numbers[first];
+      scanner.move_to(scanner.at() + 1);
     }
-  }
-}
-
-LoopCounter Values::read_counter(Scanner& scanner) {
-  const std::uint32_t column = scanner.column();
-  Scanner behind = scanner;
-  if (behind.take('R')) {
-    if (const std::optional<int> number = r_number(behind)) {
-      scanner = behind;
-      return {.r = *number, .variable = nullptr, .element = 0};
+    if (letters::is_blank(scanner.peek_at(0))) {
+      break;
     }
-  }
-  const std::string_view name = scanner.name();
-  Variable* const found = variables_.find(name);
-  if (found == nullptr || found->is_text()) {
-    throw ReadFault{"syntax", column, fmt::format("FOR does not count with {}", quoted(name)),
-                    "write an R parameter or a variable defined by DEF INT"};
-  }
-  return {.r = -1, .variable = found, .element = element(scanner, *found, name)};
-}
-
-double Values::get(const LoopCounter& counter) const {
-  return counter.r >= 0 ? variables_.r(counter.r).value_or(0) : counter.variable->numbers.at(counter.element);
-}
-
-void Values::set(const LoopCounter& counter, double value) {
-  if (counter.r >= 0) {
-    variables_.set_r(counter.r, value);
-  } else {
-    counter.variable->set(counter.element, value);
-  }
-}
-
-void Values::set_one(Scanner& scanner, Variable& variable, std::size_t index) {
-  if (!variable.is_text()) {
-    variable.set(index, read(scanner));
-  } else if (variable.type == Type::axis && !text_follows(scanner)) {
-    variable.texts.at(index) = upper_case(scanner.name());
-  } else {
-    variable.texts.at(index) = read_text(scanner);
   }
 }
 

@@ -1,8 +1,12 @@
 #include "core/program/sinumerik/variables.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "core/program/sinumerik/names.h"
+#include "core/program/text/message.h"
+#include "core/program/text/read_fault.h"
 #include "core/program/text/scanner.h"
 
 namespace feedscope::sinumerik {
@@ -59,6 +63,12 @@ Variable& Variables::define(std::string_view name, Variable variable) {
     letters_ |= 1U << (first - 'A');
   }
   return levels_.back().insert_or_assign(upper_case(name), std::move(variable)).first->second;
+}
+
+void throw_no_element(std::string_view name, std::uint32_t column, double index, std::size_t size) {
+  throw ReadFault{"array-index", column,
+                  fmt::format("{} has no element {}, its largest index is {}", quoted(name), index, size - 1),
+                  "correct the index or the size in DEF"};
 }
 
 }  // namespace feedscope::sinumerik

@@ -57,4 +57,8 @@ class Variables {
   std::vector<std::map<std::string, Variable, std::less<>>> levels_;
 };
 
+/// Throws ReadFault "array-index": the array `name` of `size` elements has no element `index`.
+[[noreturn]] void throw_no_element(std::string_view name, std::uint32_t column, double index,
+                                   std::size_t size);
+
 }  // namespace feedscope::sinumerik

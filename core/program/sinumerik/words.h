@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "core/program/sinumerik/functions.h"
+
 namespace feedscope::sinumerik {
 
 /// How a coordinate is meant.
@@ -72,6 +74,8 @@ class BlockWords {
     }
     return false;
   }
+  /// By angle and radius about the pole.
+  bool is_polar() const { return has(Address::ap) || has(Address::rp); }
   const Value& operator[](char letter) const { return letters_[index(letter)]; }
   const Value& operator[](Address address) const { return addresses_[static_cast<std::size_t>(address)]; }
 
@@ -107,6 +111,25 @@ class BlockWords {
   std::array<Value, address_count> addresses_;
   std::uint32_t letters_present_ = 0;
   std::uint32_t addresses_present_ = 0;
+};
+
+/// What the functions of one block ask for: G words, names without value, M words.
+struct BlockFunctions {
+  std::array<const Function*, group_count> groups{};  ///< the block's function of each group
+  const Function* own_block = nullptr;                ///< to which the block's coordinates belong
+  std::uint32_t own_column = 0;                       ///< of `own_block`
+  std::uint32_t compensation_column = 0;              ///< of G40, G41, G42
+  const Function* machine_axes = nullptr;             ///< G53, G153, SUPA, G74, G75, G751
+  int fixed_point = 1;                                ///< FP of G75
+  bool exact_stop = false;                            ///< G9
+  bool tool_change = false;                           ///< M6
+  bool spindle_start = false;                         ///< M3, M4
+  bool spindle_stop = false;                          ///< M5, M19
+  bool stop = false;                                  ///< M0, M1
+  bool ends = false;                                  ///< M2, M17, M30, RET
+
+  const Function* operator[](Group group) const { return groups[static_cast<std::size_t>(group)]; }
+  const Function*& operator[](Group group) { return groups[static_cast<std::size_t>(group)]; }
 };
 
 }  // namespace feedscope::sinumerik

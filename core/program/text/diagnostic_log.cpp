@@ -6,8 +6,8 @@
 
 namespace feedscope {
 
-bool DiagnosticLog::admit(Severity severity, std::string_view code, int detail, Place place) {
-  Kind& kind = kinds_[{code, detail}];
+bool DiagnosticLog::admit(Severity severity, MessageCode code, int detail, Place place) {
+  Kind& kind = kinds_[{code.text(), detail}];
   kind.severity = std::max(kind.severity, severity);
   const std::pair at{place.line, place.column};
   if (std::find(kind.places.begin(), kind.places.begin() + kind.kept, at) !=
@@ -34,7 +34,7 @@ std::vector<Diagnostic> DiagnosticLog::take() {
            kind.first_left_out,
            0,
            std::string(key.first),
-           fmt::format("{} more like it from here up to line {}", kind.left_out, kind.last_left_out),
+           fmt::format("{} more of this kind up to line {}", kind.left_out, kind.last_left_out),
            "",
            {},
            kind.left_out,

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/program/text/message_codes.h"
 
 namespace feedscope {
 
@@ -30,14 +31,14 @@ class DiagnosticLog {
     std::string hint;
   };
 
-  /// A kind is `code`, which must outlive the log, and `detail`, such as the number of a G word.
+  /// A kind is `code` and `detail`, such as the number of a G word.
   /// `text()` gives the Text; it is called for what is kept only.
   template <typename MakeText>
-  void add(Severity severity, std::string_view code, int detail, Place place, MakeText&& text) {
+  void add(Severity severity, MessageCode code, int detail, Place place, MakeText&& text) {
     if (admit(severity, code, detail, place)) {
       Text made = text();
-      diagnostics_.push_back({severity, place.line, place.column, std::string(code), std::move(made.message),
-                              std::move(made.hint), std::string(place.file)});
+      diagnostics_.push_back({severity, place.line, place.column, std::string(code.text()),
+                              std::move(made.message), std::move(made.hint), std::string(place.file)});
     }
   }
 
@@ -54,7 +55,7 @@ class DiagnosticLog {
     std::uint32_t last_left_out = 0;   ///< line
   };
 
-  bool admit(Severity severity, std::string_view code, int detail, Place place);
+  bool admit(Severity severity, MessageCode code, int detail, Place place);
 
   std::vector<Diagnostic> diagnostics_;
   std::map<std::pair<std::string_view, int>, Kind> kinds_;

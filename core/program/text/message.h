@@ -11,4 +11,7 @@ std::string quoted(std::string_view text);
 /// "G1", "G90.1"; `number` is ten times the G number.
 std::string g_name(int number);
 
+/// What to do where a work offset has no value: "G54.1 P3".
+std::string missing_offset_hint(std::string name);
+
 }  // namespace feedscope

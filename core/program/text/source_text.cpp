@@ -85,7 +85,7 @@ std::size_t clear_noise(const std::string& name, std::string& text) {
     }
   }
   if (inside > always_allowed + text.size() / one_in || (count > always_allowed && first == text.end())) {
-    refuse(name, fmt::format("it holds {} control characters", count));
+    refuse(name, fmt::format("it has {} control characters", count));
   }
   return count;
 }
@@ -137,7 +137,7 @@ std::string read_all(std::FILE* file, const std::string& name, std::size_t expec
       break;
     }
     if (std::all_of(begin, begin + piece_looked_at, is_noise)) {
-      refuse(name, "it goes on with control characters alone");
+      refuse(name, "the rest is control characters only");
     }
     piece = used;
   }
@@ -175,7 +175,7 @@ SourceText SourceText::from_file(const std::filesystem::path& path) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) {
-    throw InputError(fmt::format("{}: there is no such file; check the path", name));
+    throw InputError(fmt::format("{}: does not exist; check the path", name));
   }
   if (std::filesystem::is_directory(status)) {
     throw InputError(fmt::format("{}: is a directory; give the NC program inside it", name));

@@ -12,9 +12,9 @@ enum class Encoding : std::uint8_t { utf8, latin1 };
 
 /// The text of an NC program, every line kept as written.
 ///
-/// A file is read in one piece, not mapped: a CAM system that writes a mapped file anew would end the program
-/// that shows it. Control characters of punched tape and serial lines (NUL, DEL, XON, Ctrl-Z ...) become
-/// blanks.
+/// A file is read in one piece, not mapped: a CAM system that writes a mapped file again would end the
+/// program that shows it. Control characters of punched tape and serial lines (NUL, DEL, XON, Ctrl-Z ...)
+/// become blanks.
 class SourceText {
  public:
   static constexpr std::size_t longest_line = 10'000'000;  ///< [bytes]

@@ -16,7 +16,7 @@ namespace feedscope {
 
 namespace {
 
-constexpr std::uint32_t most_lines_before_headings = 20;
+constexpr std::uint32_t max_lines_before_headings = 20;
 constexpr double mm_per_inch = 25.4;
 
 std::string_view trimmed(std::string_view text) {
@@ -51,7 +51,7 @@ std::vector<std::size_t> word_starts(std::string_view line) {
 
 std::optional<ToolColumns> ToolColumns::find(const SourceText& text, double unit) {
   ToolColumns columns(text, unit);
-  const std::uint32_t last = std::min(text.line_count(), most_lines_before_headings);
+  const std::uint32_t last = std::min(text.line_count(), max_lines_before_headings);
   for (std::uint32_t line = 1; line <= last; ++line) {
     const std::string_view words = trimmed(text.line(line));
     if (words.starts_with("BEGIN ")) {

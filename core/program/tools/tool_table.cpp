@@ -150,7 +150,7 @@ class LinuxcncLines : public LineReader {
       const char letter = letters::to_upper(scanner.peek());
       if (!letters::is_letter(letter)) {
         throw ReadFault{"tool-table", scanner.column(),
-                        fmt::format("{} is no letter with a number", quoted(scanner.rest())), ""};
+                        fmt::format("{} is not a letter with a number", quoted(scanner.rest())), ""};
       }
       scanner.take(letter);
       const double value = signed_number(scanner);
@@ -218,10 +218,10 @@ CutterRadii read_tool_table(const SourceText& text, double unit) {
   if (has(text, is_linuxcnc)) {
     return read_lines<LinuxcncLines>(text, unit);
   }
-  throw InputError(fmt::format(
-      "'{}' is no tool table that can be read; give lines such as \"T1 D10\" or \"$TC_DP6[1,1]=5\", "
-      "\"G10 L12 P1 R5\", or columns headed T and R",
-      text.name()));
+  throw InputError(
+      fmt::format("'{}' is not a supported tool table; give lines such as \"T1 D10\" or \"$TC_DP6[1,1]=5\", "
+                  "\"G10 L12 P1 R5\", or columns headed T and R",
+                  text.name()));
 }
 
 const std::vector<std::string>& tool_table_names() {

@@ -12,11 +12,11 @@ namespace feedscope {
 /// Reads the cutter radii of a control's tool table. What it is shows by itself:
 ///  - LinuxCNC: "T1 P1 D10.0 Z50 ;end mill", D being the diameter;
 ///  - Sinumerik: "$TC_DP6[1,1]=5", "$TC_DP15[1,1]=-0.02" (wear, added), "$TC_TP2[1]=\"MILL_10\"" (its name);
-///  - Fanuc and alike: "G10 L12 P1 R5.", L13 (wear, added), offset by offset;
+///  - Fanuc and similar: "G10 L12 P1 R5.", L13 (wear, added), offset by offset;
 ///  - Heidenhain's TOOL.T and lists with a line of headings: T (or NR, TOOL), NAME, R (RADIUS), DR (added) or
 ///    D (DIAMETER), in columns of fixed width or with semicolons, commas or tabs between them.
 /// `unit`: millimetres of a length, where the table does not say it itself (TOOL.T: MM or INCH; G20, G21).
-/// A tool whose radius comes out below zero is left out: one odd row does not make the others useless.
+/// A tool whose radius comes out below zero is omitted: one odd row does not make the others useless.
 /// Throws InputError naming the file, and the line of a value that is no number.
 CutterRadii read_tool_table(const SourceText& text, double unit = 1);
 

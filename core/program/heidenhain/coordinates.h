@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/program/heidenhain/context.h"
+#include "core/program/heidenhain/transformations.h"
+
+namespace feedscope::heidenhain {
+
+/// Datums and transformations: what they are is in force once apply() has run.
+class Coordinates : private Part {
+ public:
+  explicit Coordinates(Context& context) : Part(context) {}
+
+  Transformations& transformations() { return transformations_; }
+  const Transformations& transformations() const { return transformations_; }
+  /// What the transformations are now is in force.
+  void apply(std::uint32_t column);
+
+  /// The working plane tilted against the coordinates in force so far; none: no longer.
+  void set_tilt(const std::optional<CoordinateFrame>& tilt, std::uint32_t column);
+  void shift_datum(const std::array<OptionalWord, 3>& to, std::uint32_t column);
+  /// A datum that only the machine knows, named by `what`.
+  void set_datum(std::string_view what, std::uint32_t column) const;
+  /// A datum of the machine; shift, mirror, rotation and scaling end unless `keeps_transformations`.
+  void set_preset(std::string_view what, bool keeps_transformations, std::uint32_t column);
+
+ private:
+  Transformations transformations_;
+};
+
+/// A scaling factor as the control accepts it. Throws ReadFault "scale-factor".
+double checked_factor(double factor, std::uint32_t column);
+
+}  // namespace feedscope::heidenhain

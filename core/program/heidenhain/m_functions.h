@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/program/heidenhain/cycles.h"
+#include "core/program/heidenhain/path_modes.h"
+#include "core/program/heidenhain/targets.h"
+#include "core/program/heidenhain/tools.h"
+
+namespace feedscope::heidenhain {
+
+/// Miscellaneous functions: M words, of which some act before the motion of their block and some after it.
+class MFunctions : private Part {
+ public:
+  /// Which they act on; all outlive it.
+  struct Parts {
+    Feeds& feeds;
+    Tools& tools;
+    const Targets& targets;
+    PathModes& path_modes;
+    Cycles& cycles;
+    Calls& calls;
+  };
+  MFunctions(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
+
+  /// Takes an M with the words that belong to it. Throws ReadFault.
+  void read(Scanner& scanner, std::uint32_t column, MotionWords& words) const;
+  /// Those that act before the motion.
+  void start(const MotionWords& words);
+  /// Those that act after it; `moved`: the block has one.
+  void finish(const MotionWords& words, bool moved);
+
+ private:
+  void retract(const MotionWords& words);
+
+  Parts parts_;
+};
+
+}  // namespace feedscope::heidenhain

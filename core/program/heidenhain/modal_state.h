@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/base/units.h"
+#include "core/program/heidenhain/contour_writer.h"
+#include "core/program/heidenhain/motion_words.h"
+
+namespace feedscope::heidenhain {
+
+/// What stays in force from block to block and more than one part of the readers uses.
+struct ModalState {
+  double unit = 1;  ///< mm a written length
+  ContourFeed feed;
+  double tool_feed = 0;  ///< of the last tool call, as written
+  FeedWord tool_feed_word = FeedWord::value;
+  double spindle_speed = 0;  ///< [1/min]; 0: none yet
+  std::string tool;          ///< number or name of the one called
+  std::optional<double> tool_radius;
+  int side = 0;  ///< of the tool: 1 left of the contour, -1 right, 0 on it
+  std::optional<Vec3> pole;
+  Plane pole_plane = Plane::xy;
+
+  bool is_inch() const { return unit != 1; }
+  double to_mm(double value) const { return value * unit; }
+  /// A feed as written, in mm/s. In inch programs the control counts feeds in tenths of an inch a minute
+  /// (TNC 640 Klartext programming, F).
+  double to_feed(double value) const {
+    return units::from_mm_min(is_inch() ? units::from_inch(value / 10) : value);
+  }
+};
+
+}  // namespace feedscope::heidenhain

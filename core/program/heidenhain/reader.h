@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include "core/program/heidenhain/cycle_statements.h"
+#include "core/program/heidenhain/fn_statements.h"
+#include "core/program/heidenhain/path_statements.h"
+#include "core/program/heidenhain/program_statements.h"
+#include "core/program/heidenhain/statement_reader.h"
+
+namespace feedscope::heidenhain {
+
+/// Reads Heidenhain conversational programs; README.md beside this file gives the words. The name of a
+/// statement says which part runs it.
+class HeidenhainReader : public StatementReader {
+ public:
+  HeidenhainReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress);
+
+ private:
+  void run_statement(std::string_view statement) override;
+  void run_words(std::string_view name, std::size_t start, Scanner& scanner, std::uint32_t column);
+  /// The end of the program counts as none.
+  std::uint32_t first_word(std::string_view line) override;
+  std::string label_on(std::string_view line);
+
+  Words words_;
+  UnsupportedStatements unsupported_;
+  PathStatements path_statements_;
+  ProgramStatements program_statements_;
+  FnStatements fn_statements_;
+  CycleStatements cycle_statements_;
+};
+
+}  // namespace feedscope::heidenhain

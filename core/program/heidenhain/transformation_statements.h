@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/program/heidenhain/coordinates.h"
+#include "core/program/heidenhain/words.h"
+
+namespace feedscope::heidenhain {
+
+/// Datum shift, mirroring, rotation and scaling, as TRANS statements and as cycles 7, 8, 10, 11 and 26.
+class TransformationStatements : private Part {
+ public:
+  /// All outlive it.
+  TransformationStatements(Context& context, Words& words, Coordinates& coordinates)
+      : Part(context), words_(words), coordinates_(coordinates) {}
+
+  /// From behind "TRANS" on. Throws ReadFault.
+  void run(Scanner& scanner, std::uint32_t column);
+  /// False for a cycle that is none of them.
+  static bool has_cycle(int number);
+  /// A line of such a cycle. Throws ReadFault.
+  void run_cycle(int number, Scanner& scanner, std::uint32_t column);
+
+ private:
+  void shift(Scanner& scanner, std::uint32_t column);
+  void mirror(Scanner& scanner);
+  void rotate(Scanner& scanner);
+  void scale(Scanner& scanner);
+  void scale_axes(Scanner& scanner);
+  double factor(Scanner& scanner) const;
+
+  Words& words_;
+  Coordinates& coordinates_;
+};
+
+}  // namespace feedscope::heidenhain

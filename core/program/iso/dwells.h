@@ -1,0 +1,23 @@
+#pragma once
+
+#include <optional>
+
+#include "core/program/iso/context.h"
+
+namespace feedscope::iso {
+
+/// Runs G4, whose time has the unit of the dialect.
+class Dwells : private Part {
+ public:
+  explicit Dwells(Context& context) : Part(context) {}
+
+  void run();
+
+ private:
+  /// The words are those of a printer or plotter, not of grbl.
+  bool is_printer();
+
+  std::optional<bool> is_printer_;  ///< once a dwell has asked
+};
+
+}  // namespace feedscope::iso

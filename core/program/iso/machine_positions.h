@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/program/iso/context.h"
+#include "core/program/iso/targets.h"
+
+namespace feedscope::iso {
+
+/// Runs G28, G29, G30 and G53: moves to, at or from places that only the machine knows.
+class MachinePositions : private Part {
+ public:
+  /// Both outlive it.
+  MachinePositions(Context& context, Targets& targets) : Part(context), targets_(targets) {}
+
+  /// By ten times the G number.
+  void run(int code, std::uint32_t column);
+
+ private:
+  void go_to_reference(int code, std::uint32_t column);
+  void go_to_machine_coordinates(std::uint32_t column);
+  void return_from_reference();
+  void report_levelling(std::uint32_t column) const;
+
+  Targets& targets_;
+  Vec3 intermediate_point_ = Vec3::Zero();  ///< of G28 and G30 [mm]
+};
+
+}  // namespace feedscope::iso

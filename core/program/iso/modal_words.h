@@ -1,0 +1,48 @@
+#pragma once
+
+#include "core/program/iso/calls.h"
+#include "core/program/iso/context.h"
+#include "core/program/iso/cycles.h"
+#include "core/program/iso/kept_modes.h"
+#include "core/program/iso/path_modes.h"
+#include "core/program/iso/splines.h"
+
+namespace feedscope::iso {
+
+/// Applies the G and M words of a block, and F, S and T: what holds from this block on. What G words do with
+/// the block's coordinates is kept in BlockWords::functions.
+class ModalWords : private Part {
+ public:
+  /// All outlive it.
+  ModalWords(Context& context, PathModes& path_modes, Cycles& cycles, Splines& splines, Calls& calls,
+             KeptModes& kept_modes)
+      : Part(context),
+        path_modes_(path_modes),
+        cycles_(cycles),
+        splines_(splines),
+        calls_(calls),
+        kept_modes_(kept_modes) {}
+
+  /// `word` of `block`.
+  void apply_g(const Block& block, const Word& word);
+  void apply_m(const Word& word);
+  /// F and S, T.
+  void apply_feed();
+  void apply_tool();
+  /// The program says G90.1 or G91.1.
+  bool names_centers() const { return names_centers_; }
+
+ private:
+  void apply(const GCode& code, const Word& word);
+  void check_group(const GCode& code, const Word& word);
+  void add_function(int code, std::uint32_t column);
+
+  PathModes& path_modes_;
+  Cycles& cycles_;
+  Splines& splines_;
+  Calls& calls_;
+  KeptModes& kept_modes_;
+  bool names_centers_ = false;
+};
+
+}  // namespace feedscope::iso

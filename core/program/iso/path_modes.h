@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/program/iso/context.h"
+#include "core/program/path_control.h"
+
+namespace feedscope::iso {
+
+/// Turns exact stops, path modes and look-ahead of a program into the path's PathControl: G5 P, G5.1 Q, G8 P,
+/// G9, G61 to G64, G187.
+class PathModes : private Part {
+ public:
+  explicit PathModes(Context& context) : Part(context) {}
+
+  /// G9 marks the block only.
+  void apply(const GCode& code);
+
+ private:
+  std::optional<double> tolerance(char letter, std::string_view of) const;
+  void set_tolerances(PathControl& control) const;
+  void report_precision_level() const;
+};
+
+}  // namespace feedscope::iso

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string_view>
+
+#include "core/program/iso/calls.h"
+#include "core/program/iso/compensation.h"
+#include "core/program/iso/context.h"
+#include "core/program/iso/coordinates.h"
+#include "core/program/iso/cycles.h"
+#include "core/program/iso/dwells.h"
+#include "core/program/iso/flow.h"
+#include "core/program/iso/kept_modes.h"
+#include "core/program/iso/machine_positions.h"
+#include "core/program/iso/modal_words.h"
+#include "core/program/iso/motion.h"
+#include "core/program/iso/path_modes.h"
+#include "core/program/iso/splines.h"
+#include "core/program/iso/statements.h"
+#include "core/program/iso/word_checks.h"
+#include "core/program/reader.h"
+
+namespace feedscope::iso {
+
+/// Reads what ISO controls share, and Fanuc, LinuxCNC and grbl. README.md beside program.h gives the words.
+/// A line becomes words (Lexer, Statements), the words modal state (ModalWords), functions and motions.
+class IsoReader : public Reader {
+ public:
+  /// `options.dialect` says which of them; none: Dialect::iso. `absolute_centers`: I J K are positions until
+  /// the program says otherwise (G91.1), a parameter of some controls.
+  IsoReader(std::shared_ptr<const SourceText> source, const ReadOptions& options, Progress* progress,
+            bool absolute_centers = false);
+
+  /// After read(): most arcs by a centre do not fit, and the program does not say how its I J K are meant.
+  bool doubts_centers() const;
+  /// After read(): every arc by a centre fits.
+  bool centers_fit() const { return path().centers().misfits == 0; }
+
+ private:
+  void run_line(std::string_view line) override;
+  std::uint32_t first_word(std::string_view line) override;
+  void run_out() override { calls_.leave(); }
+  void finish() override { splines_.finish(); }
+
+  /// True if "%" follows.
+  bool run_statement(const Block& line);
+  void run_words(Scanner& scan);
+  /// `readable`: false for a block of which words could not be read; it does not move.
+  void run_block(const Block& block, bool readable);
+  void gather(const Block& block);
+  void run_functions();
+  void run_function(int code, std::uint32_t column);
+  void set_data(std::uint32_t column);
+  /// A line of words that are none to the dialect; it is dealt with.
+  bool is_no_block(const Block& block);
+  bool is_grbl_command(const Block& block);
+
+  Lexer lexer_;
+  Lexer argument_lexer_;  ///< for arguments of macros
+  Context context_;
+  Variables variables_;
+  FlowIndexes indexes_;
+  Subprograms subprograms_;
+  Targets targets_;
+  Coordinates coordinates_;
+  MachinePositions machine_positions_;
+  Compensation compensation_;
+  PathModes path_modes_;
+  Cycles cycles_;
+  Splines splines_;
+  Dwells dwells_;
+  Motions motions_;
+  KeptModes kept_modes_;
+  Calls calls_;
+  ModalWords modal_words_;
+  WordChecks checks_;
+  SystemVariables system_variables_;
+  Expression expression_;
+  Statements statements_;
+  Flow flow_;
+  bool has_words_ = false;  ///< once words have run, "%" ends the program
+};
+
+}  // namespace feedscope::iso

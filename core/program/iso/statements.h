@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/program/iso/context.h"
+#include "core/program/iso/expression.h"
+#include "core/program/iso/system_variables.h"
+#include "core/program/iso/variables.h"
+
+namespace feedscope::iso {
+
+/// Reads the words of lines with variables, expressions and names, and runs their assignments.
+class Statements : private Part {
+ public:
+  /// All outlive it.
+  Statements(Context& context, Expression& expression, SystemVariables& system, Variables& variables)
+      : Part(context), expression_(expression), system_(system), variables_(variables) {}
+
+  /// A line that holds more than plain words: what stands before its first statement belongs to the words.
+  /// The text without comments, from that statement on.
+  Scanner begin(const Block& line);
+  /// The words before the first statement belong to the block too.
+  void keep_words(const Block& line);
+  /// Words and assignments from here on to the line's end. False, and reported, if one cannot be read; then
+  /// nothing of the line is left to scan.
+  bool read(Scanner& scan);
+  /// What has been read, valid until the next begin().
+  const Block& block() const { return block_; }
+  /// True once a variable has been given a value.
+  bool has_assigned() const { return has_assigned_; }
+
+ private:
+  struct Assignment {
+    std::uint32_t number = 0;
+    std::string name;  ///< empty: by number
+    double value = 0;
+    std::uint32_t column = 0;
+  };
+
+  std::string_view without_comments(const Block& line);
+  void read_word(Scanner& scan);
+  double read_value(Scanner& scan, bool& has_point);
+  void read_assignment(Scanner& scan);
+  void assign(const Assignment& assignment);
+
+  Expression& expression_;
+  SystemVariables& system_;
+  Variables& variables_;
+  Block block_;
+  std::string text_;  ///< without comments
+  std::vector<Assignment> assignments_;
+  bool has_assigned_ = false;
+};
+
+/// What stands in the rest of the line has no effect.
+inline void skip_rest(Scanner& scan) {
+  scan.move_to(scan.text().size());
+}
+
+}  // namespace feedscope::iso

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+
+#include "core/base/geometry.h"
+#include "core/program/iso/context.h"
+
+namespace feedscope::iso {
+
+/// Places that the words of the block name: in Cartesian coordinates, or by radius and angle (G16, "@" and
+/// "^" of LinuxCNC). Programmed coordinates, mm.
+class Targets : private Part {
+ public:
+  /// `context` outlives it.
+  explicit Targets(Context& context) : Part(context) {}
+
+  /// Where the block's motion ends. The angle and radius of G16 are kept from block to block.
+  Vec3 target();
+  /// X Y Z of the block, absolute or from `place` on.
+  Vec3 target_from(const Vec3& place) const;
+  /// X Y Z as they stand; `otherwise` for missing ones.
+  Vec3 axes(const Vec3& otherwise) const;
+  /// I J K, as a position or as an offset from the start.
+  Vec3 center(bool absolute) const;
+  /// X, Y and Z that the block names; all of them if it names none.
+  std::array<bool, 3> named_axes() const;
+  /// The path's extent and known places hold what the block programs from now on.
+  void program_axes() const;
+
+  /// G15, G16.
+  void set_polar(bool on) { polar_ = {.on = on}; }
+
+ private:
+  /// G15, G16: the words of the plane's axes are radius and angle.
+  struct Polar {
+    bool on = false;
+    Vec3 center = Vec3::Zero();  ///< [mm]
+    double radius = 0;           ///< [mm]
+    double angle = 0;            ///< [rad]
+  };
+
+  Vec3 polar_target(Vec3 target);
+  Vec3 distance_and_angle_target(Vec3 target) const;
+  void check_point(char letter) const;
+
+  Polar polar_;
+};
+
+}  // namespace feedscope::iso

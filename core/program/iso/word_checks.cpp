@@ -1,0 +1,60 @@
+#include "core/program/iso/word_checks.h"
+
+#include <fmt/format.h>
+
+namespace feedscope::iso {
+
+void WordChecks::run() {
+  check_other_axes();
+  check_unused();
+}
+
+void WordChecks::check_other_axes() {
+  constexpr std::string_view axes = "ABCUVW";
+  if (words_.own_words || words_.dwell > 0 || !words_.has_any(axes)) {
+    return;
+  }
+  const bool cuts =
+      modal_.motion == MotionMode::line || modal_.is_arc() || modal_.motion == MotionMode::spline;
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (!words_.has(axes[i])) {
+      continue;
+    }
+    const Word& word = words_[axes[i]];
+    const double target = modal_.incremental ? other_axes_[i] + word.value : word.value;
+    if (target != other_axes_[i]) {
+      const bool rotary = i < 3;
+      machining_.other_axes.move(axes.substr(i, 1), target,
+                                 rotary && !cuts ? AxisMotion::positions : AxisMotion::cuts, word.column);
+    }
+    other_axes_[i] = target;
+  }
+}
+
+void WordChecks::check_unused() const {
+  const bool is_arc = modal_.is_arc();
+  const bool own_letters = modal_.motion == MotionMode::unread || modal_.motion == MotionMode::cycle ||
+                           modal_.motion == MotionMode::spline;
+  if (words_.other_codes || own_letters) {
+    return;
+  }
+  if (words_.has('E')) {
+    report(Severity::info, "unused-word", 'E', words_['E'].column, [] {
+      return Text{"E (extruder) is not supported", "it does not change the path"};
+    });
+  }
+  const std::string_view unused = is_arc ? "LQ" : "IJKRPLQ";
+  if (!(is_arc ? words_.has_any("LQ") : words_.has_any("IJKRPLQ"))) {
+    return;
+  }
+  for (const char letter : unused) {
+    if (words_.has(letter)) {
+      report(Severity::warning, "unused-word", letter, words_[letter].column, [&] {
+        return Text{fmt::format("{}{} has no meaning in this block", letter, words_[letter].value),
+                    is_arc ? "it is skipped" : "it is ignored; check whether G2 or G3 is missing"};
+      });
+    }
+  }
+}
+
+}  // namespace feedscope::iso

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <array>
+
+#include "core/program/iso/context.h"
+
+namespace feedscope::iso {
+
+/// Reports words of a block that are not simulated: axes other than X, Y and Z, words without meaning.
+class WordChecks : private Part {
+ public:
+  explicit WordChecks(Context& context) : Part(context) {}
+
+  void run();
+
+ private:
+  void check_other_axes();
+  void check_unused() const;
+
+  std::array<double, 6> other_axes_{};  ///< A B C U V W as written
+};
+
+}  // namespace feedscope::iso

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "core/program/program.h"
+#include "core/program/text/diagnostic_log.h"
+
+namespace feedscope {
+
+/// The unit of a program: that of its first motion with a length.
+class UnitTracker {
+ public:
+  /// Both outlive it.
+  UnitTracker(const ReadOptions& options, Program& program) : options_(options), program_(program) {}
+
+  /// That holds until the program programs one.
+  LengthUnit first() const { return options_.unit.value_or(LengthUnit::mm); }
+  /// The program programs its unit.
+  void set(LengthUnit unit) { programmed_ = unit; }
+
+  /// After each line.
+  void watch();
+  /// After the last one: an assumed unit is reported.
+  void finish(DiagnosticLog& log);
+
+ private:
+  void settle();
+  bool has_motion() const { return first_motion_ < program_.motions.size(); }
+
+  const ReadOptions& options_;
+  Program& program_;
+  std::optional<LengthUnit> programmed_;
+  std::size_t first_motion_ = 0;  ///< the first of Program::motions with a length, once settled_
+  bool settled_ = false;
+};
+
+}  // namespace feedscope

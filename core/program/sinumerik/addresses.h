@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/program/sinumerik/assignments.h"
+#include "core/program/sinumerik/calls.h"
+#include "core/program/sinumerik/compensation.h"
+#include "core/program/sinumerik/context.h"
+#include "core/program/sinumerik/modal_words.h"
+#include "core/program/sinumerik/other_axis_words.h"
+#include "core/program/sinumerik/values.h"
+#include "core/program/text/lexer.h"
+
+namespace feedscope::sinumerik {
+
+/// Reads letters and addresses with their values ("X10", "X=R1", "CR=5", "S1=1000") and passes them on: to
+/// the words of the block, G and M to ModalWords, L to Calls.
+class Addresses : private Part {
+ public:
+  /// What it hands words to; all outlive it.
+  struct Parts {
+    Values& values;
+    Assignments& assignments;
+    ModalWords& modal_words;
+    Compensation& compensation;
+    Calls& calls;
+    OtherAxisWords& other_axes;
+  };
+  Addresses(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
+
+  /// A letter with a plain number; `written`: both.
+  void set(const Word& word, std::string_view written);
+  /// A letter with a number after it, with "=" and a value, or with an index. False, and nothing taken, for
+  /// everything else. Throws ReadFault.
+  bool run_letter(Scanner& scanner);
+  /// "CR=5", whose `name` in `column` has just been read. False, and nothing taken, if it is not an address.
+  /// Throws ReadFault.
+  bool run_address(Scanner& scanner, std::string_view name, std::uint32_t column);
+  /// The same for a letter with a number, "I1=", "S2=", "Z1=", used as an axis if it is nothing
+  /// else.
+  void run_numbered(Scanner& scanner, std::string_view name, std::uint32_t column);
+
+ private:
+  void set(char letter, const BlockWords::Value& value, std::string_view written);
+  void set_call(const BlockWords::Value& value, std::string_view written);
+
+  Parts parts_;
+};
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,101 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/program/sinumerik/context.h"
+#include "core/program/sinumerik/cycles.h"
+#include "core/program/sinumerik/kept_modes.h"
+#include "core/program/sinumerik/repeats.h"
+#include "core/program/sinumerik/splines.h"
+#include "core/program/sinumerik/subprogram_call.h"
+#include "core/program/sinumerik/subprograms.h"
+#include "core/program/sinumerik/values.h"
+
+namespace feedscope::sinumerik {
+
+/// Calls subprograms and cycles and comes back from them: names, L, CALL, PCALL, EXTCALL, MCALL, RET, M17.
+class Calls : private Part {
+ public:
+  /// What calls work with; all outlive it.
+  struct Parts {
+    Values& values;
+    Splines& splines;
+    Cycles& cycles;
+    KeptModes& kept_modes;
+    Subprograms& subprograms;
+    Repeats& repeats;
+  };
+  Calls(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
+
+  /// Forgets the call of the block before.
+  void begin_block() { call_.reset(); }
+  /// True if `name`, which has just been read, is one of its statements, which is run. Throws ReadFault.
+  bool run(std::string_view name, Scanner& scanner);
+  /// The block calls `name`, or what is written here with its arguments. Throws ReadFault.
+  void set(std::string name, std::uint32_t column);
+  void read(Scanner& scanner) { call_ = read_call(scanner); }
+
+  /// After a motion of the block: what MCALL calls.
+  void run_modal();
+  /// At the block's end: what the block calls, and its return.
+  void run_block();
+  /// M2, M17, M30, RET: back to the caller, or the program ends.
+  void end_or_return();
+  /// The text in force has no further line.
+  void run_out() { leave(); }
+
+  /// What the call in force passes to its subprogram, and what PROC does with it.
+  struct Parameters {
+    Arguments arguments;
+    std::vector<std::pair<std::string, std::string>> returned;  ///< own variable, caller's: VAR parameters
+    bool keeps_modes = false;                                   ///< PROC ... SAVE
+  };
+  /// nullptr in the program itself.
+  Parameters* parameters() { return scopes_.empty() ? nullptr : &scopes_.back().parameters; }
+
+  /// Words have been met in the program or subprogram in force, whose next head ends it.
+  bool words_met() const { return scopes_.empty() ? words_met_ : scopes_.back().words_met; }
+  void note_words() { (scopes_.empty() ? words_met_ : scopes_.back().words_met) = true; }
+
+ private:
+  /// A subprogram that runs.
+  struct Scope {
+    Parameters parameters;
+    bool words_met = false;
+    bool ends_caller = false;  ///< the block of the call holds M17 or M30 too
+    KeptModes::Kept kept;      ///< of the caller
+  };
+  struct ModalCall {
+    SubprogramCall call;
+    std::size_t depth = 0;  ///< of calls
+  };
+
+  void run_ret(Scanner& scanner);
+  void run_call(Scanner& scanner);
+  void run_extcall(Scanner& scanner);
+  void run_isocall(Scanner& scanner);
+  void run_mcall(Scanner& scanner);
+  void call_by_text(Scanner& scanner);
+  SubprogramCall read_call(Scanner& scanner);
+  Arguments read_arguments(Scanner& scanner);
+  Argument read_argument(Scanner& scanner);
+  bool run_cycle(const SubprogramCall& call);
+  void run_subprogram(const SubprogramCall& call, std::uint32_t times);
+  void enter(const SubprogramCall& call, const Subprogram& subprogram, std::uint32_t times);
+  bool leave();
+  void come_back();
+  void return_values(const Parameters& parameters);
+
+  Parts parts_;
+  std::optional<SubprogramCall> call_;  ///< of the block
+  std::optional<ModalCall> modal_call_;
+  std::vector<Scope> scopes_;
+  bool words_met_ = false;  ///< in the program itself
+};
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/program/machining.h"
+#include "core/program/sinumerik/macros.h"
+#include "core/program/sinumerik/modal_state.h"
+#include "core/program/sinumerik/words.h"
+
+namespace feedscope::sinumerik {
+
+/// What all parts of the reader work on: the words of the block in force and what stays in force from block
+/// to block.
+struct Context {
+  Machining& machining;
+  BlockWords words = {};
+  BlockFunctions functions = {};
+  ModalState modal = {};
+  std::optional<Macros::Line> replaced = std::nullopt;  ///< the line in force, if it has macros
+
+  /// Column in the line as it is written; `column` is one of the line with its macros replaced.
+  std::uint32_t written(std::uint32_t column) const {
+    return replaced ? replaced->written_column(column) : column;
+  }
+};
+
+/// What the parts of the reader have in common: short names for what they work on.
+class Part {
+ protected:
+  using Text = DiagnosticLog::Text;
+
+  /// `context` outlives it.
+  explicit Part(Context& context)
+      : words_(context.words),
+        functions_(context.functions),
+        modal_(context.modal),
+        machining_(context.machining),
+        context_(context) {}
+
+  PathWriter& path() const { return machining_.path; }
+  LineRunner& lines() const { return machining_.lines; }
+  double to_mm(double value) const { return modal_.to_mm(value); }
+
+  std::uint32_t written(std::uint32_t column) const { return context_.written(column); }
+  DiagnosticLog::Place place(std::uint32_t column) const { return lines().place(written(column)); }
+  template <typename MakeText>
+  void report(Severity severity, MessageCode code, int detail, std::uint32_t column, MakeText&& text) const {
+    machining_.report(severity, code, detail, written(column), text);
+  }
+
+  BlockWords& words_;
+  BlockFunctions& functions_;
+  ModalState& modal_;
+  Machining& machining_;
+
+ private:
+  const Context& context_;
+};
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/program/sinumerik/context.h"
+#include "core/program/sinumerik/coordinates.h"
+#include "core/program/sinumerik/drilling_cycle.h"
+#include "core/program/sinumerik/feeds.h"
+#include "core/program/sinumerik/last_motion.h"
+#include "core/program/sinumerik/path_modes.h"
+#include "core/program/sinumerik/splines.h"
+#include "core/program/sinumerik/subprogram_call.h"
+#include "core/program/sinumerik/targets.h"
+
+namespace feedscope::sinumerik {
+
+/// The control's own cycles: drilling (CYCLE81 to CYCLE89, CYCLE840), patterns of holes (HOLES1, HOLES2),
+/// CYCLE800 and CYCLE832.
+class Cycles : private Part {
+ public:
+  /// What cycles work with; all outlive it.
+  struct Parts {
+    const Feeds& feeds;
+    Targets& targets;
+    PathModes& path_modes;
+    Splines& splines;
+    Coordinates& coordinates;
+    LastMotion& last;
+  };
+  Cycles(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
+
+  /// False if `call` is not one of these cycles. `modal`: what MCALL calls, nullptr for nothing; a pattern
+  /// runs it at its holes.
+  bool run(const SubprogramCall& call, const SubprogramCall* modal);
+
+ private:
+  void check_depth(int number, const SubprogramCall& call) const;
+  DrillingPlace drilling_place() const;
+  void drill(const DrillPlan& plan);
+  void hole_pattern(const SubprogramCall& call, const SubprogramCall* modal);
+  void high_speed_settings(const SubprogramCall& call);
+  void swivel(const SubprogramCall& call);
+
+  Parts parts_;
+};
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/program/sinumerik/compensation.h"
+#include "core/program/sinumerik/context.h"
+#include "core/program/sinumerik/coordinates.h"
+#include "core/program/sinumerik/corners.h"
+#include "core/program/sinumerik/feeds.h"
+#include "core/program/sinumerik/path_modes.h"
+#include "core/program/sinumerik/positioning_axes.h"
+#include "core/program/sinumerik/targets.h"
+
+namespace feedscope::sinumerik {
+
+/// Keeps what stays in force in all parts, and restores it after a subprogram with PROC ... SAVE.
+class KeptModes : private Part {
+ public:
+  /// Whose modes they are; all outlive it.
+  struct Parts {
+    Feeds& feeds;
+    Targets& targets;
+    PathModes& path_modes;
+    Compensation& compensation;
+    Corners& corners;
+    Coordinates& coordinates;
+    PositioningAxes& positioning_axes;
+  };
+  KeptModes(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
+
+  struct Kept {
+    ModalState modal;
+    bool surface_speed = false;
+    Targets::Modes targets;
+    PathWords path_words;
+    Compensation::Modes compensation;
+    Corners::Modes corners;
+    Coordinates::Modes coordinates;
+    PositioningAxes::AxisFeeds axis_feeds{};
+  };
+  Kept keep() const;
+  /// The path's frame follows.
+  void restore(const Kept& kept);
+
+ private:
+  Parts parts_;
+};
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "core/program/sinumerik/arcs.h"
+#include "core/program/sinumerik/context.h"
+#include "core/program/sinumerik/corners.h"
+#include "core/program/sinumerik/feeds.h"
+#include "core/program/sinumerik/last_motion.h"
+#include "core/program/sinumerik/machine_positions.h"
+#include "core/program/sinumerik/path_modes.h"
+#include "core/program/sinumerik/polynomials.h"
+#include "core/program/sinumerik/splines.h"
+#include "core/program/sinumerik/targets.h"
+
+namespace feedscope::sinumerik {
+
+/// Moves X, Y and Z of a block along the path: rapids, lines, threads; arcs, splines, polynomials and machine
+/// positions by their parts.
+class Motions : private Part {
+ public:
+  /// What it hands motions to; all outlive it.
+  struct Parts {
+    const Feeds& feeds;
+    Targets& targets;
+    PathModes& path_modes;
+    Splines& splines;
+    Polynomials& polynomials;
+    Arcs& arcs;
+    Corners& corners;
+    MachinePositions& machine_positions;
+    LastMotion& last;
+  };
+  Motions(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
+
+  /// The block has words of a motion along the path.
+  bool has_words() const;
+  /// False if the block does not move along the path.
+  bool run();
+
+ private:
+  void move(Action action);
+  void thread(const Vec3& target);
+  void check_unused(bool arc) const;
+
+  Parts parts_;
+};
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "core/program/sinumerik/context.h"
+#include "core/program/sinumerik/path_words.h"
+#include "core/program/sinumerik/values.h"
+
+namespace feedscope::sinumerik {
+
+/// Gives motions the path control that the program sets: G60, G64x, ADIS, CTOL, COMPCAD, SOFT, CYCLE832 and
+/// similar.
+class PathModes : private Part {
+ public:
+  /// Both outlive it.
+  PathModes(Context& context, Values& values) : Part(context), values_(values) {}
+
+  /// A function with Action::path_control, by its name.
+  void apply(std::string_view name);
+  /// "ADIS=1", whose name has just been read: ADIS, ADISPOS, CTOL, OTOL. False, and nothing taken, for other
+  /// names. Throws ReadFault.
+  bool run(Scanner& scanner, std::string_view name, std::uint32_t column);
+  /// CYCLE832: tolerance [mm], code, orientation tolerance [rad].
+  void set_cycle(double tolerance, int code, std::optional<double> orientation);
+  /// The motion that follows has the path control in force.
+  void use(bool rapid);
+
+  const PathWords& words() const { return path_words_; }
+  void restore(const PathWords& words);
+
+ private:
+  enum class Applied : std::uint8_t { none, feed, rapid };
+
+  Values& values_;
+  PathWords path_words_;
+  Applied applied_ = Applied::none;  ///< what the PathWriter has
+};
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "core/program/text/scanner.h"
+
+namespace feedscope::sinumerik {
+
+/// Takes `c`. Throws ReadFault "syntax" if it is not next.
+void require(Scanner& scanner, char c);
+
+/// Skips what is in the next brackets, "()" or "[]", and quoted texts in it. Throws
+/// ReadFault "syntax" if it is not closed.
+void skip_brackets(Scanner& scanner);
+
+/// What is in the rest of the line has no effect.
+inline void skip_rest(Scanner& scanner) {
+  scanner.move_to(scanner.text().size());
+}
+
+}  // namespace feedscope::sinumerik

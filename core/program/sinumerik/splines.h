@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string_view>
+
+#include "core/program/sinumerik/context.h"
+#include "core/program/sinumerik/last_motion.h"
+#include "core/program/sinumerik/spline_path.h"
+#include "core/program/sinumerik/targets.h"
+
+namespace feedscope::sinumerik {
+
+/// Collects the points of ASPLINE, BSPLINE and CSPLINE over their blocks and writes the curve once it ends.
+class Splines : private Part {
+ public:
+  /// All outlive it.
+  Splines(Context& context, const Targets& targets, LastMotion& last)
+      : Part(context), targets_(targets), last_(last) {}
+
+  /// The block in force goes to `target`, programmed coordinates [mm], along the spline.
+  void collect(const Vec3& target);
+  /// Writes the spline that is collected, if there is one: what follows depends on where the path has come
+  /// to.
+  void finish();
+  bool begun() const { return spline_.begun(); }
+  /// Where the block in force starts: the last point, or that of the path.
+  Vec3 position() const { return spline_.begun() ? spline_.last().at : path().position(); }
+
+  /// BAUTO to ETAN, by its name.
+  void set_end(std::string_view name) { spline_.set_end(name); }
+
+ private:
+  SplinePath::Point point_of_block(const Vec3& target) const;
+
+  const Targets& targets_;
+  LastMotion& last_;
+  SplinePath spline_;
+};
+
+}  // namespace feedscope::sinumerik

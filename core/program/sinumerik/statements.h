@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "core/program/sinumerik/addresses.h"
+#include "core/program/sinumerik/assignments.h"
+#include "core/program/sinumerik/calls.h"
+#include "core/program/sinumerik/compensation.h"
+#include "core/program/sinumerik/context.h"
+#include "core/program/sinumerik/definitions.h"
+#include "core/program/sinumerik/flow.h"
+#include "core/program/sinumerik/frame_variables.h"
+#include "core/program/sinumerik/jumps.h"
+#include "core/program/sinumerik/modal_words.h"
+#include "core/program/sinumerik/other_axis_words.h"
+#include "core/program/sinumerik/path_modes.h"
+#include "core/program/sinumerik/polynomials.h"
+#include "core/program/sinumerik/positioning_axes.h"
+#include "core/program/sinumerik/repeats.h"
+#include "core/program/sinumerik/values.h"
+
+namespace feedscope::sinumerik {
+
+/// Reads lines that hold more than letters with plain numbers: finds out what each item is and has the part
+/// run it whose it is.
+class Statements : private Part {
+ public:
+  /// Whose statements they are; all outlive it.
+  struct Parts {
+    Values& values;
+    Assignments& assignments;
+    ModalWords& modal_words;
+    Addresses& addresses;
+    PathModes& path_modes;
+    Compensation& compensation;
+    FrameVariables& frame_variables;
+    OtherAxisWords& other_axes;
+    Polynomials& polynomials;
+    PositioningAxes& positioning_axes;
+    Definitions& definitions;
+    Jumps& jumps;
+    Repeats& repeats;
+    Flow& flow;
+    Calls& calls;
+  };
+  Statements(Context& context, const Parts& parts) : Part(context), parts_(parts) {}
+
+  /// From the first item that is not a plain word to the line's end; what plain words say is known. Throws
+  /// ReadFault.
+  void run(Scanner& scanner);
+
+ private:
+  void run_item(Scanner& scanner);
+  void run_word(Scanner& scanner);
+  void run_letter(Scanner& scanner);
+  void run_name(Scanner& scanner);
+  void run_system_variable(Scanner& scanner);
+  bool run_assignment(Scanner& scanner, std::string_view name);
+  bool run_statement(std::string_view name, Scanner& scanner);
+  bool run_synchronized(std::string_view name, Scanner& scanner);
+  bool run_function(std::string_view name, std::uint32_t column, Scanner& scanner);
+  bool run_value(std::string_view name, std::uint32_t column, Scanner& scanner);
+
+  Parts parts_;
+};
+
+}  // namespace feedscope::sinumerik

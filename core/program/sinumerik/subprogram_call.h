@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "core/program/sinumerik/arguments.h"
+
+namespace feedscope::sinumerik {
+
+/// A subprogram or cycle as a block calls it.
+struct SubprogramCall {
+  std::string name;          ///< as written
+  std::uint32_t column = 0;  ///< of its name
+  Arguments arguments = {};
+};
+
+}  // namespace feedscope::sinumerik

@@ -1,0 +1,74 @@
+#include "core/program/tools/tool_rack.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace feedscope {
+
+ToolRack::ToolRack(const ReadOptions& options, SubprogramFiles& files, Program& program, PathWriter& path,
+                   const LineRunner& lines, DiagnosticLog& log)
+    : program_(program), path_(path), lines_(lines), log_(log), cutters_(options, files) {}
+
+void ToolRack::select(std::string_view name) {
+  const bool is_new = std::none_of(program_.tools.begin(), program_.tools.end(),
+                                   [&](const ToolChange& tool) { return tool.name == name; });
+  if (is_new) {
+    program_.tools.push_back({std::string(name), lines_.shown_line()});
+  }
+}
+
+void ToolRack::change_to(std::string_view name) {
+  if (in_spindle_ != name) {
+    in_spindle_ = name;
+    spindle_turns_ = false;
+    path_.pause(Pause::tool_change);
+  }
+}
+
+void ToolRack::start_spindle() {
+  if (!spindle_turns_) {
+    spindle_turns_ = true;
+    path_.pause(Pause::spindle_start);
+  }
+}
+
+std::optional<double> ToolRack::radius_of(std::string_view tool, std::optional<double> programmed) {
+  const Cutters::Found found = cutters_.find(tool, programmed);
+  return found.source == CutterSource::unknown ? std::nullopt : std::optional(found.radius);
+}
+
+std::optional<double> ToolRack::use_radius_of(std::string_view tool, std::optional<double> programmed) {
+  const Cutters::Found found = cutters_.find(tool, programmed);
+  const std::string key = CutterRadii::key(tool);
+  const auto known = std::find_if(program_.cutters.begin(), program_.cutters.end(),
+                                  [&](const CutterUse& use) { return use.tool == key; });
+  if (known == program_.cutters.end()) {
+    program_.cutters.push_back({key, found.radius, lines_.shown_line(), found.source});
+  } else {
+    known->radius = found.radius;
+    known->source = found.source;
+  }
+  if (!cutters_.table_fault().empty()) {
+    log_.add(Severity::warning, "tool-table", 0, lines_.place(0), [&] {
+      return DiagnosticLog::Text{
+          cutters_.table_fault(),
+          "the table in the program's folder is not used; correct it, or name another one"};
+    });
+  } else if (found.source == CutterSource::table) {
+    log_.add(Severity::info, "tool-table", 1, lines_.place(0), [&] {
+      return DiagnosticLog::Text{
+          fmt::format("cutter radii are those of tool table '{}'", cutters_.table_name()), ""};
+    });
+  }
+  return found.source == CutterSource::unknown ? std::nullopt : std::optional(found.radius);
+}
+
+std::string ToolRack::radius_hint(std::string_view tool) {
+  return fmt::format(
+      "give it as an import option (--tool {}=RADIUS) or in a tool table, or say that the path is "
+      "already compensated (--wear-only)",
+      CutterRadii::key(tool));
+}
+
+}  // namespace feedscope

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "core/program/language/line_runner.h"
+#include "core/program/path/path_writer.h"
+#include "core/program/program.h"
+#include "core/program/text/subprogram_files.h"
+#include "core/program/tools/cutters.h"
+
+namespace feedscope {
+
+/// The tools that a program names, the one in the spindle, and whether the spindle turns.
+class ToolRack {
+ public:
+  /// All outlive it. Throws InputError for a tool table of `options` that cannot be read.
+  ToolRack(const ReadOptions& options, SubprogramFiles& files, Program& program, PathWriter& path,
+           const LineRunner& lines, DiagnosticLog& log);
+
+  /// The program asks for a tool, by number or name.
+  void select(std::string_view name);
+  /// The tool comes into the spindle; nothing if it is there.
+  void change_to(std::string_view name);
+
+  /// M3, M4: nothing where the spindle turns. M5 and similar.
+  void start_spindle();
+  void stop_spindle() { spindle_turns_ = false; }
+  bool spindle_turns() const { return spindle_turns_; }
+
+  /// Radius of a cutter [mm], for which the program gives `programmed`; none if nothing gives it.
+  std::optional<double> radius_of(std::string_view tool, std::optional<double> programmed);
+  /// The same where the path depends on it: Program::cutters names it.
+  std::optional<double> use_radius_of(std::string_view tool, std::optional<double> programmed);
+  /// What to do about a radius that nothing gives, behind "the path shown is the programmed contour; ".
+  static std::string radius_hint(std::string_view tool);
+
+ private:
+  Program& program_;
+  PathWriter& path_;
+  const LineRunner& lines_;
+  DiagnosticLog& log_;
+  Cutters cutters_;
+  std::optional<std::string> in_spindle_;
+  bool spindle_turns_ = false;
+};
+
+}  // namespace feedscope
