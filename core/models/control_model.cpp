@@ -15,7 +15,9 @@ namespace {
 /// An axis that moves needs all its limits; a limit of 0 or less would divide by zero or never arrive.
 void check_axes(const Toolpath& toolpath, const Machine& machine) {
   for (int j = 0; j < 3; ++j) {
-    const auto& axis = machine.axes[static_cast<std::size_t>(j)];
+    const char name = coordinate_names[static_cast<std::size_t>(j)];
+    const AxisLimits* found = machine.axes.find(name);
+    const AxisLimits axis = found == nullptr ? AxisLimits() : *found;
     const double least = std::min({axis.velocity, axis.acceleration, axis.jerk, axis.blend_jerk});
     const bool moves =
         !toolpath.segments.empty() &&
@@ -26,7 +28,7 @@ void check_axes(const Toolpath& toolpath, const Machine& machine) {
       throw InputError(
           fmt::format("machine '{}': axis {} moves in this program, but one of its limits is {}; every limit "
                       "of an axis that moves must be above 0",
-                      machine.id, axis_names[static_cast<std::size_t>(j)], least));
+                      machine.id, name, least));
     }
   }
 }
@@ -65,7 +67,7 @@ const ControlModel& find_model(const std::string& id) {
     ids.push_back(model->info().id);
   }
   const std::string near = nearest_name(id, ids);
-  throw InputError(fmt::format("model '{}' is not known; {}there are {}", id,
+  throw InputError(fmt::format("unknown model '{}'; {}known models: {}", id,
                                near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
                                fmt::join(ids, ", ")));
 }
@@ -118,7 +120,7 @@ std::vector<std::string> assignable_keys(const ControlModel& model) {
   for (const SettingSpec& spec : settings_of(model)) {
     keys.push_back(spec.key);
   }
-  for (const char axis : axis_names) {
+  for (const auto& [axis, kind] : known_axes) {
     for (const SettingSpec& limit : axis_limit_specs()) {
       keys.push_back(limit_key(axis, limit));
     }
@@ -144,7 +146,7 @@ void apply_setting(const std::string& assignment, const ControlModel& model, Mac
       return;
     }
   }
-  for (const char axis : axis_names) {
+  for (const auto& [axis, kind] : known_axes) {
     for (const SettingSpec& limit : axis_limit_specs()) {
       SettingSpec spec = limit;
       spec.key = limit_key(axis, limit);
@@ -156,7 +158,7 @@ void apply_setting(const std::string& assignment, const ControlModel& model, Mac
   }
   const std::vector<std::string> keys = assignable_keys(model);
   const std::string near = nearest_name(key, keys);
-  throw InputError(fmt::format("setting '{}' is not known to model '{}'; {}there are {}", key,
+  throw InputError(fmt::format("setting '{}' is unknown to model '{}'; {}known settings: {}", key,
                                model.info().id, near.empty() ? "" : fmt::format("did you mean '{}'? ", near),
                                fmt::join(keys, ", ")));
 }

@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/machine/machine.h"
 #include "core/models/guarantees.h"
+#include "core/models/limit_traits.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
 
@@ -21,6 +22,7 @@ struct ModelInfo {
   std::vector<SettingSpec> settings;  ///< beyond those of common_settings()
   std::vector<std::string> uses;      ///< keys of common_settings() that it reads
   std::vector<std::string> remarks;   ///< what Guarantees cannot say, one sentence each
+  LimitTraits limits = {};            ///< for explanations
 };
 
 /// A published way in which a control turns a path into motion.

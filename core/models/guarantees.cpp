@@ -24,9 +24,9 @@ std::string listed(const std::vector<std::string>& words) {
 std::string parts_text(const KeptLimit& kept, bool jerk) {
   const std::string limit = kept.factor == 1 ? "the limit" : fmt::format("{} times the limit", kept.factor);
   return jerk ? fmt::format(
-                    "of every axis: along the path the change of the acceleration (v'') and what turning "
-                    "takes (v^3 k^2) each stay within {}, together within {} times the limit; across "
-                    "the path (3 v v' k) it is not bounded",
+                    "of every axis: along the path the change of the acceleration (v'') and the part due to "
+                    "curvature (v^3 k^2) each stay within {}, together within {} times the limit; across the "
+                    "path (3 v v' k) it is not bounded",
                     limit, 2 * kept.factor)
               : fmt::format(
                     "of every axis: along and across the path it stays within {} each, together within "
@@ -69,14 +69,14 @@ std::string place_sentence(const char* place, const KeptLimits& limits) {
 
 std::string covered_sentence(Covered covered) {
   return covered == Covered::lines
-             ? "The source covers lines and their corners; arcs and helices keep to shared rules."
-             : "The source covers arcs; lines keep to shared rules.";
+             ? "The source covers lines and their corners; arcs and helices follow the shared rules."
+             : "The source covers arcs; lines follow the shared rules.";
 }
 
 std::string feed_sentence(const Guarantees& g) {
   const std::string feed =
       g.feed_of_run ? "the largest programmed feed between two standstills" : "the programmed feed";
-  return g.feed == 1 ? fmt::format("Never faster than {}, a rapid than the axes allow.", feed)
+  return g.feed == 1 ? fmt::format("Never faster than {}; rapids never faster than the axes allow.", feed)
                      : fmt::format("Never faster than {} times {}.", g.feed, feed);
 }
 
@@ -93,7 +93,7 @@ std::string contour_sentence(const Guarantees& g) {
     text = fmt::format("Every programmed corner lies within {} times the contour tolerance of the path",
                        g.contour);
   }
-  return text + (g.meets_tangent_ends ? "; tangential ends of blocks are met exactly." : ".");
+  return text + (g.meets_tangent_ends ? "; tangent transitions between blocks are passed exactly." : ".");
 }
 
 std::string continuity_sentence(Continuity continuity) {

@@ -20,7 +20,7 @@ struct KeptLimit {
   bool operator==(const KeptLimit&) const = default;
 };
 
-/// What is kept of every axis on one kind of place of the path, jumps (see Continuity) left out.
+/// What is kept of every axis on one kind of place of the path, jumps (see Continuity) omitted.
 struct KeptLimits {
   KeptLimit velocity;
   KeptLimit acceleration;

@@ -1,14 +1,17 @@
 #include "core/models/shared_settings.h"
 
+#include "core/base/translatable.h"
+
 namespace feedscope {
 
 SettingSpec used_tolerance_setting() {
   SettingSpec beta;
   beta.key = "beta";
-  beta.title = "Used share of the tolerance beta";
-  beta.explanation =
+  beta.title = QT_TRANSLATE_NOOP("core", "Tolerance share beta");
+  beta.explanation = QT_TRANSLATE_NOOP(
+      "core",
       "Share of the contour tolerance that the control uses; 0 for the identified rule: 0.6 where an axis "
-      "reverses in the corner, else 0.8.";
+      "reverses in the corner, else 0.8.");
   beta.minimum = 0;
   beta.maximum = 1;
   beta.fallback = 0;

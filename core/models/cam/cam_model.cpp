@@ -1,20 +1,22 @@
 #include "core/models/cam/cam_model.h"
 
+#include "core/base/translatable.h"
 #include "core/limits/segment_limits.h"
 #include "core/trajectory/trajectory_builder.h"
 
 namespace feedscope {
 
 const ModelInfo& CamModel::info() const {
-  static const ModelInfo info{"cam",
-                              "CAM baseline",
-                              "",
-                              "Path length over programmed feed, block by block; rapids at the speed of the "
-                              "axes; dwells as programmed. "
-                              "What a CAM system promises.",
-                              {},
-                              {},
-                              {"A rapid keeps the velocity limit of every axis."}};
+  static const ModelInfo info{
+      "cam",
+      QT_TRANSLATE_NOOP("core", "CAM baseline"),
+      "",
+      QT_TRANSLATE_NOOP("core",
+                        "Path length divided by programmed feed, block by block; rapids at axis speed; "
+                        "dwells as programmed: the time that a CAM system predicts."),
+      {},
+      {},
+      {"A rapid keeps the velocity limit of every axis."}};
   return info;
 }
 

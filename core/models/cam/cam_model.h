@@ -5,7 +5,7 @@
 namespace feedscope {
 
 /// What a CAM system shows: every block at its programmed feed from end to end, rapids at the axes' speed,
-/// dwells; no acceleration takes time (MODELS section 7). The reference for every other model.
+/// dwells; no acceleration takes time (README.md beside this file). The reference for every other model.
 class CamModel : public ControlModel {
  public:
   const ModelInfo& info() const override;

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/roots.h"
+
 namespace feedscope {
 namespace {
 
@@ -18,13 +20,8 @@ Sample step(const Sample& from, double jerk, double time) {
 
 /// Time until u = 1 within a step that ends beyond it.
 double time_to_end(const Sample& from, double jerk, double period) {
-  double low = 0;
-  double high = period;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (step(from, jerk, middle).u < 1 ? low : high) = middle;
-  }
-  return high;
+  constexpr int halvings = 60;
+  return halve({0, period}, halvings, [&](double time) { return step(from, jerk, time).u < 1; }).high;
 }
 
 /// The row of eq 24 that is used most, as a share of its limit.
@@ -85,7 +82,7 @@ class BlendRunner {
     }
     Candidate kept{low, use(low)};
     if (kept.use.share > 1) {
-      const double least = least_excess(low, high, use);
+      const double least = min_excess(low, high, use);
       kept = {least, use(least)};
       if (kept.use.share > 1) {
         return {kept.jerk, kept.use.cause};
@@ -104,14 +101,14 @@ class BlendRunner {
   /// falsi (Illinois), in steps that leave both ends by that much at least.
   template <typename F>
   static std::pair<double, Cause> largest_kept(Candidate kept, Candidate broken, const F& use) {
-    const double least_step = std::ldexp(broken.jerk - kept.jerk, -24);
+    const double min_step = std::ldexp(broken.jerk - kept.jerk, -24);
     double below = 1 - kept.use.share;
     double above = broken.use.share - 1;
     int side = 0;
-    for (int i = 0; i < 60 && broken.jerk - kept.jerk > least_step * (1 + 1e-6); ++i) {
+    for (int i = 0; i < 60 && broken.jerk - kept.jerk > min_step * (1 + 1e-6); ++i) {
       const double width = broken.jerk - kept.jerk;
       const double step = i < 30 ? width * below / (below + above) : width / 2;
-      const double jerk = kept.jerk + std::clamp(step, least_step, width - least_step);
+      const double jerk = kept.jerk + std::clamp(step, min_step, width - min_step);
       const Use there = use(jerk);
       if (there.share <= 1) {
         above = side == 1 ? above / 2 : above;
@@ -128,30 +125,13 @@ class BlendRunner {
     return {kept.jerk, broken.use.cause};
   }
 
-  /// The shares are convex in the jerk within one sample: a golden-section search finds the least.
+  /// The shares are convex in the jerk within one sample.
   template <typename F>
-  static double least_excess(double low, double high, const F& use) {
-    constexpr double golden = 0.6180339887498949;
-    double a = high - golden * (high - low);
-    double b = low + golden * (high - low);
-    double at_a = use(a).share;
-    double at_b = use(b).share;
-    for (int i = 0; i < 32; ++i) {
-      if (at_a <= at_b) {
-        high = b;
-        b = a;
-        at_b = at_a;
-        a = high - golden * (high - low);
-        at_a = use(a).share;
-      } else {
-        low = a;
-        a = b;
-        at_a = at_b;
-        b = low + golden * (high - low);
-        at_b = use(b).share;
-      }
-    }
-    return use(low).share <= std::min(at_a, at_b) ? low : (low + high) / 2;
+  static double min_excess(double low, double high, const F& use) {
+    constexpr int steps = 32;
+    const auto share = [&](double jerk) { return use(jerk).share; };
+    const Least least = least_place({low, high}, 0, steps, share);
+    return share(least.place.low) <= least.value ? least.place.low : least.place.middle();
   }
 
   const BlendShape& shape_;
@@ -223,14 +203,14 @@ MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& spee
 
 BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& ceiling,
                       const BlendLimits& limits, double period) {
-  constexpr std::size_t most_samples = 5000;
+  constexpr std::size_t max_samples = 5000;
   const BlendRunner runner(shape, ceiling, limits);
   const BlendShape::Point entry = shape.at(0);
   const double du = speed / entry.sigma;
   Sample now{0, du, -entry.dsigma * du * du / entry.sigma};
 
   BlendMotion motion;
-  while (motion.steps.size() < most_samples && now.du > 1e-3 * du) {
+  while (motion.steps.size() < max_samples && now.du > 1e-3 * du) {
     const auto [jerk, cause] = runner.choose(now, period);
     const Sample next = step(now, jerk, period);
     const double duration = next.u < 1 ? period : time_to_end(now, jerk, period);

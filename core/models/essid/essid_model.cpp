@@ -1,7 +1,8 @@
 #include "core/models/essid/essid_model.h"
 
+#include "core/base/translatable.h"
+#include "core/models/essid/essid_runner.h"
 #include "core/models/essid/essid_settings.h"
-#include "core/models/essid/essid_stretch.h"
 #include "core/models/shared_settings.h"
 
 namespace feedscope {
@@ -22,26 +23,31 @@ const ModelInfo& EssidModel::info() const {
   static const ModelInfo info = [] {
     SettingSpec alpha;
     alpha.key = "alpha";
-    alpha.title = "Tangent weight alpha";
-    alpha.explanation = "Weight of the end tangents of a blend; 2.5 was identified on a Sinumerik 840D.";
+    alpha.title = QT_TRANSLATE_NOOP("core", "Tangent weight alpha");
+    alpha.explanation = QT_TRANSLATE_NOOP(
+        "core", "Weight of the end tangents of a blend; 2.5 was identified on a Sinumerik 840D.");
     alpha.minimum = 0.5;
     alpha.maximum = 3.5;
     alpha.fallback = 2.5;
     SettingSpec reading;
     reading.key = "reading";
-    reading.title = "Reading of the paper";
+    reading.title = QT_TRANSLATE_NOOP("core", "Interpretation of the paper");
     reading.explanation =
-        "corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper's "
-        "figures; strict: constant du/dt on a blend, where blends meet ramps of it, every limit kept.";
-    reading.choices = {"corrected", "published", "strict"};
+        QT_TRANSLATE_NOOP("core",
+                          "corrected: the acceleration continues after a blend; published: it drops to zero "
+                          "there, as in the figures of the paper; strict: constant du/dt on a blend, ramps "
+                          "where blends meet, every limit kept.");
+    reading.choices = {QT_TRANSLATE_NOOP("core", "corrected"), QT_TRANSLATE_NOOP("core", "published"),
+                       QT_TRANSLATE_NOOP("core", "strict")};
     return ModelInfo{
         "essid",
-        "Local smoothing by cubic blends (Sinumerik 840D)",
+        QT_TRANSLATE_NOOP("core", "Local smoothing by cubic blends (Sinumerik 840D)"),
         "M. Essid et al., Int J Adv Manuf Technol 105 (2019) 457-470, doi 10.1007/s00170-019-04157-4",
-        "Corners between lines are blended by cubic Hermite curves within the contour tolerance; "
-        "jerk-limited "
-        "ramps on the lines, per-axis limits with radial shares on the blends, look-ahead over some blocks. "
-        "Arcs and tangent junctions keep the static limits of Tapie 2007, which the paper does not cover.",
+        QT_TRANSLATE_NOOP("core",
+                          "Corners between lines are blended by cubic Hermite curves within the contour "
+                          "tolerance; jerk-limited ramps on the lines, per-axis limits with radial shares on "
+                          "the blends, look-ahead over a number of blocks. Arcs and tangent junctions, which "
+                          "the paper does not cover, keep the static limits of Tapie 2007."),
         {alpha, used_tolerance_setting(), reading},
         {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
          "radial_acceleration_share", "radial_jerk_share"},

@@ -14,8 +14,7 @@ namespace feedscope {
 CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule);
 
 /// Runs stretches from standstill to standstill, one after the other, into a trajectory: lays blends into
-/// their corners (essid_path.cpp), plans, and moves over lines by ramps and over blends by the paper's law
-/// (essid_motion.cpp).
+/// their corners, plans, and moves over lines by ramps and over blends by the paper's law.
 class EssidRunner {
  public:
   EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/base/translatable.h"
 #include "core/blend/corner.h"
 #include "core/models/shared_settings.h"
 #include "core/trajectory/blend_chains.h"
@@ -92,20 +93,26 @@ LaidArc lay_arc(const CornerPlace& place, CornerRule rule) {
 const ModelInfo& GassaraModel::info() const {
   static const ModelInfo info{
       "gassara",
-      "Circle-arc blends at constant speed",
+      QT_TRANSLATE_NOOP("core", "Circular-arc blends at constant speed"),
       "B. Gassara et al., Mach Sci Technol 17 (2013) 181-208, doi 10.1080/10910344.2013.780537, as compared "
       "in "
       "Essid et al. 2019, section 4.3",
-      "Corners between lines are blended by circle arcs within the contour tolerance and passed at constant "
-      "speed, those that meet within ramps; limits taken along tangent and normal instead of per axis; "
-      "jerk-limited ramps on the lines, "
-      "look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007.",
+      QT_TRANSLATE_NOOP(
+          "core",
+          "Corners between lines are blended by circular arcs within the contour tolerance and passed at "
+          "constant speed; where blends meet, they are passed within ramps. Limits apply along tangent and "
+          "normal instead of per axis; jerk-limited ramps on the lines, look-ahead. Arcs and tangent "
+          "junctions keep the static limits of Tapie 2007."),
       {used_tolerance_setting()},
       {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
        "radial_acceleration_share", "radial_jerk_share"},
       {"On blends the shares of the least acceleration and jerk of the axes are kept: of the acceleration "
        "R_A "
-       "across and 1 - R_A along the path, of the jerk R_J across and 1 - R_J along it."}};
+       "across and 1 - R_A along the path, of the jerk R_J across and 1 - R_J along it."},
+      {.sources = {{FormulaId::shared_radial_acceleration, "Gassara 2013, in Essid 2019, section 4.3"},
+                   {FormulaId::shared_radial_jerk, "Gassara 2013, in Essid 2019, section 4.3"},
+                   {FormulaId::steady_acceleration, "Gassara 2013, in Essid 2019, section 4.3"},
+                   {FormulaId::steady_jerk, "Gassara 2013, in Essid 2019, section 4.3"}}}};
   return info;
 }
 

@@ -1,5 +1,6 @@
 #include "core/models/msaddek/msaddek_model.h"
 
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/models/msaddek/msaddek_stretch.h"
 #include "core/models/shared_settings.h"
@@ -18,34 +19,43 @@ const ModelInfo& MsaddekModel::info() const {
   static const ModelInfo info = [] {
     SettingSpec compaction;
     compaction.key = "compaction_mm";
-    compaction.title = "Compaction length";
+    compaction.title = QT_TRANSLATE_NOOP("core", "Compaction length");
     compaction.unit = "mm";
     compaction.explanation =
-        "Blocks shorter than this are merged into segments of at most this length where the tolerance allows "
-        "it; 0 merges none.";
+        QT_TRANSLATE_NOOP("core",
+                          "Blocks shorter than this are merged into segments of at most this length where "
+                          "the tolerance allows it; 0: no compaction.");
     compaction.maximum = 1000;
     SettingSpec law;
     law.key = "law";
-    law.title = "Look-ahead";
-    law.explanation =
-        "dynamic: ramps that know the blocks ahead; static: every block at its own feed, as if feed changes "
-        "took no time.";
-    law.choices = {"dynamic", "static"};
+    law.title = QT_TRANSLATE_NOOP("core", "Look-ahead law");
+    law.explanation = QT_TRANSLATE_NOOP("core",
+                                        "dynamic: ramps planned over the blocks ahead; static: every block "
+                                        "at its own feed, as if feed changes took no time.");
+    law.choices = {QT_TRANSLATE_NOOP("core", "dynamic"), QT_TRANSLATE_NOOP("core", "static")};
     return ModelInfo{
         "msaddek",
-        "Connecting arcs, static and dynamic look-ahead (Sinumerik 840D, TNC 430)",
+        QT_TRANSLATE_NOOP("core", "Connecting arcs, static and dynamic look-ahead (Sinumerik 840D, TNC 430)"),
         "E. B. Msaddek et al., Int J Adv Manuf Technol 53 (2011) 877-888, doi 10.1007/s00170-010-2884-z",
-        "Corners between lines get connecting arcs within the contour tolerance (TIT), small blocks are "
-        "merged. Static look-ahead gives every block and arc one feed; dynamic look-ahead ramps below it. "
-        "Helices, dwells, rapids and corners that touch an arc, which the paper does not cover, keep the "
-        "static limits of arcs and lines or are exact stops.",
+        QT_TRANSLATE_NOOP(
+            "core",
+            "Connecting arcs are inserted at corners between lines within the contour tolerance (TIT); short "
+            "blocks are merged. Static look-ahead assigns one feed to every block and arc; dynamic "
+            "look-ahead plans ramps below it. Helices, dwells, rapids and corners at an arc, which the paper "
+            "does not cover, keep the static limits of arcs and lines or are exact stops."),
         {compaction, law},
         {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
          "curvilinear_jerk_m_s3", "tangential_share"},
-        {"Points that compaction leaves out stay within the tolerance of the chord, which a corner may cut "
-         "once more.",
+        {"Points that compaction omits stay within the tolerance of the chord; a corner blend may deviate "
+         "from the chord in addition.",
          "law dynamic: where curvature jumps, the acceleration changes within one interpolation period by "
-         "what the axis jerk allows."}};
+         "what the axis jerk allows."},
+        {.ramps_share_corners = false,
+         .sources = {{FormulaId::radial_acceleration, "Msaddek 2011, eq 11"},
+                     {FormulaId::radial_jerk, "Msaddek 2011, eq 15"},
+                     {FormulaId::curvilinear_jerk, "Msaddek 2011, eq 17"},
+                     {FormulaId::curvature_crossing, "Msaddek 2011, eq 3"},
+                     {FormulaId::interpolation_period, "Msaddek 2011, eq 5 and 7"}}}};
   }();
   return info;
 }

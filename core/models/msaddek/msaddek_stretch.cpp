@@ -8,8 +8,8 @@
 namespace feedscope {
 namespace {
 
-/// A piece of line shorter than this [mm] is left out.
-constexpr double least_line = 1e-12;
+/// A piece of line shorter than this [mm] is omitted.
+constexpr double min_line = 1e-12;
 
 }  // namespace
 
@@ -95,7 +95,7 @@ void MsaddekRunner::add_line(std::size_t segment, double cut_before, double cut_
     // Each programmed block keeps the part of a chord that stands for it.
     const Segment& programmed = programmed_.segments[block];
     const double to = block + 1 == last ? end : std::min(end, (programmed.end - start).dot(direction));
-    if (to - from <= least_line) {
+    if (to - from <= min_line) {
       continue;
     }
     stretch_.add({to - from, limits}, builder_.add_segment(block, to - from),

@@ -13,9 +13,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr std::size_t window_cells = 4096;
 
 /// How often the limits of a window are lowered where its motion exceeds them.
-constexpr int most_rounds = 10;
+constexpr int max_rounds = 10;
 /// Least share of its limits that a cell is lowered to.
-constexpr double least_share = 0.5;
+constexpr double min_share = 0.5;
 /// Load that is let pass, and then taken out by passing the stretch slower.
 constexpr double full_load = 1 + 1e-6;
 
@@ -23,7 +23,7 @@ constexpr double full_load = 1 + 1e-6;
 constexpr double at_ceiling = 1e-9;
 
 /// Cells of a curve that one piece runs over at most.
-constexpr std::size_t most_joined = 32;
+constexpr std::size_t max_joined = 32;
 
 /// Of constant jerk from speed `v0` to `v1` over `length` in `time`.
 LawPoint joined_motion(double v0, double v1, double length, double time) {
@@ -40,7 +40,7 @@ AccelerationLaw::AccelerationLaw(const Toolpath& toolpath, const AxisVectors& ax
 void AccelerationLaw::run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps) {
   const TrajectoryBuilder::Mark start = builder_.mark();
   excess_ = 1;
-  tried_ = most_joined;
+  tried_ = max_joined;
   cells_.clear();
   double x = 0;
   std::uint32_t next = first;
@@ -65,7 +65,7 @@ std::size_t AccelerationLaw::plan_window(bool to_rest, double x) {
   changed_.assign(cells_.size(), 1);
   runs_.resize(cells_.size());
   run_on(x);
-  for (int round = 0; round < most_rounds && !lowered_.empty(); ++round) {
+  for (int round = 0; round < max_rounds && !lowered_.empty(); ++round) {
     lower_exceeded();
     run_on(x);
   }
@@ -113,7 +113,7 @@ void AccelerationLaw::run_on(double x) {
       runs_[i] = cells_.run(i, x, highest_[i + 1]);
       moved = runs_[i].x != before;
       changed_[i] = 0;
-      if (runs_[i].load > full_load && cells_[i].share > least_share) {
+      if (runs_[i].load > full_load && cells_[i].share > min_share) {
         lowered_.push_back(static_cast<std::uint32_t>(i));
       }
     }
@@ -212,7 +212,7 @@ std::size_t AccelerationLaw::add_curved(std::size_t i, std::size_t count, double
       break;
     }
   }
-  tried_ = joined < most ? joined : std::min(2 * tried_, most_joined);
+  tried_ = joined < most ? joined : std::min(2 * tried_, max_joined);
   builder_.add_piece({0, cell.offset, from.v, from.a, from.j, cell.element, cause}, time);
   excess_ = std::max(excess_, load);
   return joined;
@@ -233,7 +233,7 @@ void AccelerationLaw::add_phases(std::size_t i, double x0, double x1, const Phas
   const double least = 1e-12 * (1 + cell.length);  // mm, far below what positions resolve
   // On a fitted course one piece would run over many of its curves, which parts of a motion are not cut at.
   const bool whole = builder_.path().kind(cell.element) != ElementKind::fitted;
-  double reached = 0;  // what is left out moves the next one: a piece begins where the cell does
+  double reached = 0;  // what is omitted moves the next one: a piece begins where the cell does
   const auto add = [&](double from, double to, double length, Cause cause) {
     if (length > least || std::abs(to - from) > at_ceiling * (from + to)) {
       const double time = 2 * length / (from + to);

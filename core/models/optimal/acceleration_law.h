@@ -8,7 +8,7 @@
 namespace feedscope {
 
 /// The fastest law s(t) under velocity and acceleration limits of every axis, from standstill to standstill
-/// (MODELS section 8 a): backward-forward reachability, as TOPP-RA.
+/// (README.md beside this file): backward-forward reachability, as TOPP-RA.
 ///
 ///   x = v^2 ^   ___ceiling___             Backwards K, the largest x from which standstill at the end is
 ///           |  /   K  \__    \            still reached, every constraint kept on the way; then forwards the

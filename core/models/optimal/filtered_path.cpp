@@ -15,11 +15,11 @@ constexpr std::size_t curves_a_block = 2000;
 
 /// Between two looks at the motion passes at least and at most this share of a filter time, unless one pulse
 /// fills the filters: then it turns by this at most [rad].
-constexpr double least_share = 0.25;
-constexpr double most_share = 0.5;
-constexpr double most_turn = 0.5;
+constexpr double min_share = 0.25;
+constexpr double max_share = 0.5;
+constexpr double max_turn = 0.5;
 /// Shorter blocks are no elements of their own: of so near places rounding would make the curvature [mm].
-constexpr double least_block = 1e-4;
+constexpr double min_block = 1e-4;
 /// Nearer places are one place [mm].
 constexpr double same_place = 1e-10;
 /// Within this length a turn by more than a curve may turn is a standstill [mm].
@@ -35,13 +35,13 @@ constexpr double curvature_off = 0.005;
 constexpr double curvature_of_limit = 2e-3;
 
 /// Of the turn of a curve; what turns by more within `turned_back` [mm] turns back there.
-constexpr double least_cosine = 0.5;
+constexpr double min_cosine = 0.5;
 
 constexpr int deepest = 60;
 
 /// Curvature of a knot times the chord of a curve beside it at most. What follows the motion turns less;
 /// where a curve is put for being short, beside a standstill, the curvature of the motion has no bound.
-constexpr double most_bend = 2;
+constexpr double max_bend = 2;
 
 /// Lowers the curvature of `knot` to `most` [1/mm]; whether it was larger.
 bool bend_at_most(double most, CourseKnot& knot) {
@@ -115,11 +115,11 @@ void FilteredPath::follow(double from, double to) {
   const double filter_time = motion_->filter_time();
   for (double t = from; t < to;) {
     const double knot = walk_.next_knot(motion_->train(), t);
-    double end = std::clamp(knot, t + least_share * filter_time, t + most_share * filter_time);
+    double end = std::clamp(knot, t + min_share * filter_time, t + max_share * filter_time);
     double count = 1;
     if (walk_.is_settled()) {
       end = std::min(knot, to);
-      count = std::max(std::ceil((end - t) * place_at(t).turn_rate / most_turn), 1.0);
+      count = std::max(std::ceil((end - t) * place_at(t).turn_rate / max_turn), 1.0);
     }
     const double looks = end < to ? count : count - 1;  // the end is for end_block()
     for (double i = 1; i <= looks; ++i) {
@@ -131,7 +131,7 @@ void FilteredPath::follow(double from, double to) {
 
 void FilteredPath::follow_to(double time) {
   const Place to = place_at(time);
-  if ((to.knot.position - last_.knot.position).norm() > least_block) {
+  if ((to.knot.position - last_.knot.position).norm() > min_block) {
     fit_to(to, 0);
   }
 }
@@ -139,7 +139,7 @@ void FilteredPath::follow_to(double time) {
 void FilteredPath::end_block(double time, bool at_rest) {
   Place to = place_at(time);
   to.stands = to.stands || at_rest;
-  const bool is_short = (to.knot.position - last_.knot.position).norm() <= least_block;
+  const bool is_short = (to.knot.position - last_.knot.position).norm() <= min_block;
   const bool has_curves = knots_.size() > 1;
   if (is_short && has_curves) {  // not beside another knot
     knots_.pop_back();
@@ -167,7 +167,7 @@ void FilteredPath::fit_to(const Place& to, int depth) {
   }
   const double size =
       std::max((middle.knot.position - from.position).norm(), (end.position - middle.knot.position).norm());
-  const bool goes_on = from.tangent.dot(end.tangent) > least_cosine && !middle.stands;
+  const bool goes_on = from.tangent.dot(end.tangent) > min_cosine && !middle.stands;
   if (depth == deepest || size <= turned_back || (size <= error_ && goes_on) ||
       (goes_on && is_close(from, middle, end, to.time))) {
     put(to);
@@ -191,7 +191,7 @@ bool FilteredPath::is_close(CourseKnot from, const Place& middle, CourseKnot to,
     const CurvePoint at = span.at(s);
     return (at.d1 - knot.tangent).norm() <= direction_off &&
            (at.d2 - knot.curvature).norm() <=
-               curvature_off * curvature + curvature_of_limit * least_acceleration_ / (feed_ * feed_);
+               curvature_off * curvature + curvature_of_limit * min_acceleration_ / (feed_ * feed_);
   };
   return passes(middle.knot, 0.5) && passes(place_at((last_.time + middle.time) / 2).knot, 0.25) &&
          passes(place_at((middle.time + time) / 2).knot, 0.75);
@@ -204,7 +204,7 @@ void FilteredPath::put(const Place& place) {
   bool turns_back = false;
   if (chord.norm() > same_place) {
     const Vec3 direction = chord.normalized();
-    if (!last_.stands && knots_.back().tangent.dot(direction) <= least_cosine) {
+    if (!last_.stands && knots_.back().tangent.dot(direction) <= min_cosine) {
       end_element();
       last_.stands = true;
     }
@@ -212,13 +212,13 @@ void FilteredPath::put(const Place& place) {
       knots_.back().tangent = direction;
       knots_.back().curvature = Vec3::Zero();
     }
-    turns_back = !place.stands && knots_.back().tangent.dot(knot.tangent) <= least_cosine;
+    turns_back = !place.stands && knots_.back().tangent.dot(knot.tangent) <= min_cosine;
     if (place.stands || turns_back) {
       knot.tangent = direction;
       knot.curvature = Vec3::Zero();
     }
-    bend_at_most(most_bend / chord.norm(), knot);
-    if (bend_at_most(most_bend / chord.norm(), knots_.back()) && knots_.size() > 1) {
+    bend_at_most(max_bend / chord.norm(), knot);
+    if (bend_at_most(max_bend / chord.norm(), knots_.back()) && knots_.size() > 1) {
       const CourseKnot& before = knots_[knots_.size() - 2];
       knots_.back().s = before.s + course_length(before, knots_.back());
     }
@@ -227,12 +227,12 @@ void FilteredPath::put(const Place& place) {
     const std::size_t most = curves_for_any + curves_a_block * run_.path().size();
     if (++curves_ > most) {
       throw InputError(
-          fmt::format("setting path: the path of ward takes more than {} curves to be followed within "
-                      "{} mm, up to line {}; choose the path of another model",
+          fmt::format("setting path: the path of ward needs more than {} curves to be approximated within {} "
+                      "mm, up to line {}; choose the path of another model",
                       most, error_, run_.path().programmed()->segments[block_].line));
     }
   } else {
-    turns_back = !place.stands && !last_.stands && knots_.back().tangent.dot(knot.tangent) <= least_cosine;
+    turns_back = !place.stands && !last_.stands && knots_.back().tangent.dot(knot.tangent) <= min_cosine;
   }
   if (chord.norm() > same_place || place.stands || turns_back) {
     before_ = last_;

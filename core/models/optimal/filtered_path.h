@@ -21,7 +21,7 @@ class FilteredPath {
   /// `run`: lines and arcs as filtered motion, dwells. `builder`, without any elements, takes those of the
   /// curves.
   FilteredPath(const Trajectory& run, const AxisVectors& axes, double error, TrajectoryBuilder& builder)
-      : run_(run), least_acceleration_(axes.acceleration.minCoeff()), error_(error), builder_(builder) {}
+      : run_(run), min_acceleration_(axes.acceleration.minCoeff()), error_(error), builder_(builder) {}
 
   /// Throws InputError where the motion turns about so often that the curves would fill the memory.
   void lay();
@@ -49,7 +49,7 @@ class FilteredPath {
   Place place_at(double t);
 
   const Trajectory& run_;
-  double least_acceleration_;
+  double min_acceleration_;
   double error_;
   TrajectoryBuilder& builder_;
   FilterWalk walk_;

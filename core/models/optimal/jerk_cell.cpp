@@ -119,9 +119,9 @@ PlaceLimits::PlaceLimits(const PathPoint& point, bool straight, double speed, co
     const AxisBound a = axis_share(acceleration, point.t);
     const AxisBound j = axis_share(jerk, point.t);
     count = 1;
-    at[0] = 1 / a.value;
-    jt[0] = 1 / j.value;
-    ac[0] = jc[0] = jd[0] = 0;
+    tangential_over_acceleration[0] = 1 / a.value;
+    tangential_over_jerk[0] = 1 / j.value;
+    curvature_over_acceleration[0] = curvature_over_jerk[0] = curvature_rate_over_jerk[0] = 0;
     axis[0] = a.axis;
     return;
   }
@@ -130,23 +130,23 @@ PlaceLimits::PlaceLimits(const PathPoint& point, bool straight, double speed, co
       continue;
     }
     const auto k = static_cast<std::size_t>(count++);
-    at[k] = point.t[j] / acceleration[j];
-    ac[k] = point.c[j] / acceleration[j];
-    jt[k] = point.t[j] / jerk[j];
-    jc[k] = 3 * point.c[j] / jerk[j];
-    jd[k] = point.d[j] / jerk[j];
+    tangential_over_acceleration[k] = point.t[j] / acceleration[j];
+    curvature_over_acceleration[k] = point.c[j] / acceleration[j];
+    tangential_over_jerk[k] = point.t[j] / jerk[j];
+    curvature_over_jerk[k] = 3 * point.c[j] / jerk[j];
+    curvature_rate_over_jerk[k] = point.d[j] / jerk[j];
     axis[k] = static_cast<std::int8_t>(j);
   }
 }
 
 double PlaceLimits::acceleration(int index, double v, double a) const {
   const auto k = static_cast<std::size_t>(index);
-  return at[k] * a + ac[k] * v * v;
+  return tangential_over_acceleration[k] * a + curvature_over_acceleration[k] * v * v;
 }
 
 double PlaceLimits::jerk(int index, double v, double a, double j) const {
   const auto k = static_cast<std::size_t>(index);
-  return jt[k] * j + v * (jc[k] * a + jd[k] * v * v);
+  return tangential_over_jerk[k] * j + v * (curvature_over_jerk[k] * a + curvature_rate_over_jerk[k] * v * v);
 }
 
 double cell_value(const CellMotion& motion, const CellPlace* first, const CellPlace* last, double mu) {
@@ -196,11 +196,14 @@ CellCost cell_cost(const CellMotion& m, double length, const CellPlace* first, c
     }
     for (int index = 0; index < limits.count; ++index) {
       const auto k = static_cast<std::size_t>(index);
-      add(limits.acceleration(index, at.v, at.a), limits.at[k] * a + 2 * limits.ac[k] * at.v * v);
-      const Vector4d turning = limits.jc[k] * (at.v * a + at.a * v) + 3 * limits.jd[k] * at.v * at.v * v;
-      add(limits.jerk(index, at.v, at.a, at.j), limits.jt[k] * (second ? slopes.j2 : slopes.j1) + turning);
+      add(limits.acceleration(index, at.v, at.a),
+          limits.tangential_over_acceleration[k] * a + 2 * limits.curvature_over_acceleration[k] * at.v * v);
+      const Vector4d turning = limits.curvature_over_jerk[k] * (at.v * a + at.a * v) +
+                               3 * limits.curvature_rate_over_jerk[k] * at.v * at.v * v;
+      add(limits.jerk(index, at.v, at.a, at.j),
+          limits.tangential_over_jerk[k] * (second ? slopes.j2 : slopes.j1) + turning);
       if (middle) {
-        add(limits.jerk(index, at.v, at.a, m.j2), limits.jt[k] * slopes.j2 + turning);
+        add(limits.jerk(index, at.v, at.a, m.j2), limits.tangential_over_jerk[k] * slopes.j2 + turning);
       }
     }
   }

@@ -29,20 +29,20 @@ struct CellMotion {
 };
 
 /// A value and its slopes by (v0, a0, v1, a1).
-struct Sloped {
+struct ValueWithSlope {
   double value;
   Eigen::Vector4d slope;
 };
 
 /// What the axes ask of speed, acceleration and jerk at one place, each over its limit: at most 1.
 struct PlaceLimits {
-  int count = 0;             ///< axes that can limit; 1 on a line
-  double ceiling = 0;        ///< [mm/s]
-  std::array<double, 3> at;  ///< T_j / A_j
-  std::array<double, 3> ac;  ///< c_j / A_j
-  std::array<double, 3> jt;  ///< T_j / J_j
-  std::array<double, 3> jc;  ///< 3 c_j / J_j
-  std::array<double, 3> jd;  ///< d_j / J_j
+  int count = 0;                                       ///< axes that can limit; 1 on a line
+  double ceiling = 0;                                  ///< [mm/s]
+  std::array<double, 3> tangential_over_acceleration;  ///< T_j / A_j
+  std::array<double, 3> curvature_over_acceleration;   ///< c_j / A_j
+  std::array<double, 3> tangential_over_jerk;          ///< T_j / J_j
+  std::array<double, 3> curvature_over_jerk;           ///< 3 c_j / J_j
+  std::array<double, 3> curvature_rate_over_jerk;      ///< d_j / J_j
   std::array<std::int8_t, 3> axis;
 
   PlaceLimits(const PathPoint& point, bool straight, double speed, const Vec3& acceleration,

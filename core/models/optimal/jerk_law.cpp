@@ -12,7 +12,7 @@ constexpr double ramp_cells = 5;       ///< cells in the time of the shortest ra
 constexpr double stretch_cells = 20;   ///< cells of a stretch at least
 constexpr double growth = 0.4;         ///< of cells by time, away from where the law may change
 /// Cells last longer in the first law than they will, up to this share, where it is slower than the feed.
-constexpr double least_speed_share = 0.3;
+constexpr double min_speed_share = 0.3;
 constexpr double level_after = 2;  ///< ramp times within which they stay short
 /// The law is passed slower in such steps, which do not hang on the rounding of path lengths.
 constexpr double excess_step = 1e-4;
@@ -44,10 +44,10 @@ void JerkLaw::run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps)
   const TrajectoryBuilder::Mark start = builder_.mark();
   excess_ = 1;
   plan(first, last);
-  const double planned = first_law_.duration();
+  const double planned = static_law_.duration();
   start_strictly(first, last);
   improve(steps);
-  if (first_law_.is_straight() && time() >= planned) {
+  if (static_law_.is_straight() && time() >= planned) {
     plan(first, last);
     add_planned(first, last);
     return;
@@ -78,29 +78,29 @@ void JerkLaw::load_element(std::uint32_t index, int fineness) {
 }
 
 void JerkLaw::plan(std::uint32_t first, std::uint32_t last) {
-  first_law_.clear();
+  static_law_.clear();
   for (std::uint32_t e = first; e < last; ++e) {
     load_element(e);
-    first_law_.add_element(geometry_, e, feed_, axes_, jerk_of(e));
+    static_law_.add_element(geometry_, e, feed_, axes_, jerk_of(e));
   }
-  first_law_.plan();
+  static_law_.plan();
 }
 
 void JerkLaw::cut_cells(std::uint32_t first, std::uint32_t last) {
-  first_law_.rewind();
+  static_law_.rewind();
   cells_.clear();
   nodes_.assign(1, {});
   // A shorter cell would have its jerk from the rounding of its length.
-  const double least_jerk = std::min(axes_.jerk.minCoeff(), axes_.blend_jerk.minCoeff());
-  least_time_ = std::cbrt(digits * (1 + first_law_.length()) / (rounded_jerk * least_jerk));
+  const double min_jerk = std::min(axes_.jerk.minCoeff(), axes_.blend_jerk.minCoeff());
+  min_time_ = std::cbrt(digits * (1 + static_law_.length()) / (rounded_jerk * min_jerk));
   std::size_t part = 0;
   for (std::uint32_t e = first; e < last; ++e) {
     load_element(e);
-    const double begin = first_law_.part_begin(part);
+    const double begin = static_law_.part_begin(part);
     double reached = 0;
     for (bool ends = false; !ends; ++part) {
-      ends = first_law_.ends_element(part);
-      const double to = ends ? law_length(builder_.path(), e) : first_law_.part_end(part) - begin;
+      ends = static_law_.ends_element(part);
+      const double to = ends ? law_length(builder_.path(), e) : static_law_.part_end(part) - begin;
       reached = cut_part(e, begin, reached, to, part);
     }
   }
@@ -111,37 +111,37 @@ void JerkLaw::cut_cells(std::uint32_t first, std::uint32_t last) {
 /// them; they turn little. Returns where the last one ends, before `to` where that is next to nothing away
 /// [mm].
 double JerkLaw::cut_part(std::uint32_t index, double begin, double from, double to, std::size_t part) {
-  const std::size_t place = first_law_.place();
-  const double start = first_law_.time_at(begin + from);
-  const double duration = first_law_.time_at(begin + to) - start;
-  first_law_.rewind(place);
+  const std::size_t place = static_law_.place();
+  const double start = static_law_.time_at(begin + from);
+  const double duration = static_law_.time_at(begin + to) - start;
+  static_law_.rewind(place);
   const bool ends = to == law_length(builder_.path(), index);
-  if (duration < least_time_ && (!ends || from > 0)) {
+  if (duration < min_time_ && (!ends || from > 0)) {
     if (ends) {
-      const Motion1d at = first_law_.at(start + duration);
+      const Motion1d at = static_law_.at(start + duration);
       cells_.back().length = to - cells_.back().offset;
       nodes_.back() = {std::max(at.v, 0.0), at.a};
     }
     return from;
   }
   const double jerk = axis_share(jerk_of(index), geometry_.front().from.t).value;
-  const double ramp = std::min(first_law_.ramp_time(), std::sqrt(feed_.value / jerk));
+  const double ramp = std::min(static_law_.ramp_time(), std::sqrt(feed_.value / jerk));
   const double planned_speed = (to - from) / duration;
-  const double speed_up = std::max(planned_speed / feed_.value, least_speed_share);
-  const double fine = first_law_.fineness(part);
-  const double unit = std::min(ramp / ramp_cells / speed_up, first_law_.duration() / stretch_cells) / fine;
+  const double speed_up = std::max(planned_speed / feed_.value, min_speed_share);
+  const double fine = static_law_.fineness(part);
+  const double unit = std::min(ramp / ramp_cells / speed_up, static_law_.duration() / stretch_cells) / fine;
   const double most = duration / std::ceil(std::max(fine * turn_of(geometry_, from, to) / cell_turn, 1.0));
   std::vector<double> times;
   double t = 0;
   while (t < duration) {
     const double away = std::max(std::min(t, duration - t) - level_after * ramp, 0.0);
-    t += std::max(std::min(unit + growth * away, most * (1 + 1e-9)), least_time_);
+    t += std::max(std::min(unit + growth * away, most * (1 + 1e-9)), min_time_);
     times.push_back(t);
   }
   double reached = from;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const bool end = i + 1 == times.size();
-    const Motion1d at = first_law_.at(start + times[i] * duration / t);
+    const Motion1d at = static_law_.at(start + times[i] * duration / t);
     const double offset = end ? to : at.s - begin;
     if (offset > reached) {
       cells_.push_back({offset - reached, reached, index});
@@ -221,11 +221,11 @@ void JerkLaw::slow_nodes(double factor) {
 /// that does not end, all over.
 void JerkLaw::start_strictly(std::uint32_t first, std::uint32_t last) {
   constexpr double slower = 1.15;
-  constexpr int most_rounds = 60;
+  constexpr int max_rounds = 60;
   constexpr int local_rounds = 24;
-  for (int round = 0; round < most_rounds; ++round) {
+  for (int round = 0; round < max_rounds; ++round) {
     if (round < local_rounds) {
-      first_law_.plan();
+      static_law_.plan();
       cut_cells(first, last);
     }
     slow_nodes(slower);
@@ -246,7 +246,7 @@ bool JerkLaw::lower_exceeded() {
     for (std::size_t k = i; k < end; begin += cells_[k++].length) {
       if (!JerkSolver::keeps_limits(solver_cells_[k - i], places_, &nodes_[k])) {
         any = true;
-        last_lowered = first_law_.lower_at(begin + cells_[k].length / 2, last_lowered);
+        last_lowered = static_law_.lower_at(begin + cells_[k].length / 2, last_lowered);
       }
     }
   }
@@ -257,7 +257,7 @@ void JerkLaw::improve(ProgressSteps& steps) {
   for (std::size_t i = 0; i < cells_.size();) {
     std::size_t end = i;
     double time = 0;
-    while (end < cells_.size() && (end < i + window_cells || time < window_ramps * first_law_.ramp_time())) {
+    while (end < cells_.size() && (end < i + window_cells || time < window_ramps * static_law_.ramp_time())) {
       time += CellMotion::through(cells_[end].length, nodes_[end].v, nodes_[end].a, nodes_[end + 1].v,
                                   nodes_[end + 1].a)
                   .time;
@@ -283,13 +283,13 @@ double JerkLaw::time() const {
 void JerkLaw::add_planned(std::uint32_t first, std::uint32_t last) {
   std::uint32_t element = first;
   double begin = 0;
-  const std::vector<FirstLaw::Phase>& phases = first_law_.phases();
+  const std::vector<StaticLaw::Phase>& phases = static_law_.phases();
   for (std::size_t i = 0; i + 1 < phases.size(); ++i) {
-    const FirstLaw::Phase& phase = phases[i];
+    const StaticLaw::Phase& phase = phases[i];
     while (element + 1 < last && begin + law_length(builder_.path(), element) <= phase.at.s) {
       begin += law_length(builder_.path(), element++);
     }
-    const Cause cause = planned_cause(first_law_.straight_element(element), phase.jerk, phase.at);
+    const Cause cause = planned_cause(static_law_.straight_element(element), phase.jerk, phase.at);
     builder_.add_piece({0, phase.at.s - begin, phase.at.v, phase.at.a, phase.jerk, element, cause},
                        phases[i + 1].time - phase.time);
   }

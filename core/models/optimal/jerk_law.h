@@ -2,18 +2,18 @@
 
 #include <vector>
 
-#include "core/models/optimal/first_law.h"
 #include "core/models/optimal/jerk_solver.h"
+#include "core/models/optimal/static_law.h"
 #include "core/trajectory/trajectory_builder.h"
 
 namespace feedscope {
 
 /// A law close to the fastest under velocity, acceleration and jerk limits of every axis, from standstill to
-/// standstill (MODELS section 8 b):
+/// standstill (README.md beside this file):
 ///
 ///   |T_j s''' + 3 c_j v v' + d_j v^3| <= J_j
 ///
-/// on lines and arcs of the program with J, on corner blends with Jtb. It begins with FirstLaw, lowered
+/// on lines and arcs of the program with J, on corner blends with Jtb. It begins with StaticLaw, lowered
 /// around the places where it does not keep all limits strictly, and is improved by JerkSolver in windows
 /// that overlap. Two pieces of constant jerk a cell. Curvature may jump between elements: v and v' are
 /// continuous there, the acceleration across the path is not.
@@ -57,8 +57,8 @@ class JerkLaw {
   TrajectoryBuilder& builder_;
   CellRule rule_;
 
-  FirstLaw first_law_;
-  double least_time_ = 0;  ///< of a cell [s]
+  StaticLaw static_law_;
+  double min_time_ = 0;  ///< of a cell [s]
   std::vector<Cell> cells_;
   std::vector<LawNode> nodes_;
 

@@ -13,8 +13,8 @@ constexpr double last_mu = 4e-5;
 constexpr double less_mu = 0.25;
 /// The last steps go on until they gain no more than this share of the time.
 constexpr double settled = 1e-12;
-constexpr int most_steps = 60;
-constexpr int most_halvings = 30;
+constexpr int max_steps = 60;
+constexpr int max_halvings = 30;
 
 }  // namespace
 
@@ -95,7 +95,7 @@ JerkSolver::Step JerkSolver::step(LawNode* nodes, double mu) {
   const std::size_t count = cells_->size();
   trial_.resize(count + 1);
   double share = 1;
-  for (int i = 0; i < most_halvings; ++i, share /= 2) {
+  for (int i = 0; i < max_halvings; ++i, share /= 2) {
     for (std::size_t n = 0; n <= count; ++n) {
       const double square = nodes[n].v * nodes[n].v + share * move_[n][0];
       trial_[n] = {std::sqrt(std::max(square, 0.0)), nodes[n].a + share * move_[n][1]};
@@ -120,7 +120,7 @@ void JerkSolver::improve(const std::vector<SolverCell>& cells, const std::vector
     time += weight_.back();
   }
   double mu = first_mu;
-  for (int i = 0; i < most_steps; ++i) {
+  for (int i = 0; i < max_steps; ++i) {
     const Step taken = step(nodes, mu);
     const bool last = mu <= last_mu;
     if (taken.share == 0 || (taken.share >= 0.5 && (!last || taken.gain < settled * time))) {

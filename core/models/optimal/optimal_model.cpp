@@ -2,10 +2,11 @@
 
 #include <algorithm>
 
+#include "core/base/translatable.h"
 #include "core/models/optimal/acceleration_law.h"
 #include "core/models/optimal/filtered_path.h"
 #include "core/models/optimal/jerk_law.h"
-#include "core/models/optimal/own_law.h"
+#include "core/models/optimal/slowed_law.h"
 
 namespace feedscope {
 namespace {
@@ -47,33 +48,37 @@ void add_settings_of_paths(ModelInfo& info, SettingSpec& path) {
 ModelInfo make_info() {
   ModelInfo info;
   info.id = "optimal";
-  info.title = "Time-optimal bound";
+  info.title = QT_TRANSLATE_NOOP("core", "Time-optimal bound");
   info.reference = "";
   info.summary =
-      "The least time that any law could take on the path that another model runs, its blends included, "
-      "under the limits of the axes and the programmed feed: what a better control could still win. The "
-      "settings of the other model shape the path.";
+      QT_TRANSLATE_NOOP("core",
+                        "The shortest time in which any control could run the path of another model, "
+                        "including its blends, within the axis limits and the programmed feed: what a better "
+                        "control could still gain. The settings of the other model shape the path.");
   SettingSpec path;
   path.key = "path";
-  path.title = "Path of the model";
-  path.explanation =
-      "Model whose path is run, corner blends included; of ward the path that its filters draw.";
+  path.title = QT_TRANSLATE_NOOP("core", "Path of the model");
+  path.explanation = QT_TRANSLATE_NOOP(
+      "core",
+      "Model whose path is run, including corner blends; for ward the path that its filters produce.");
   path.choices = {usual_path};
   add_settings_of_paths(info, path);
   SettingSpec jerk;
   jerk.key = "jerk";
-  jerk.title = "Jerk limits";
-  jerk.explanation =
-      "off: the fastest under velocity and acceleration limits, which no law can beat; on: a law that keeps "
-      "the "
-      "jerk of every axis too, close to the fastest, and slow to compute.";
-  jerk.choices = {"off", "on"};
+  jerk.title = QT_TRANSLATE_NOOP("core", "Jerk limits");
+  jerk.explanation = QT_TRANSLATE_NOOP(
+      "core",
+      "off: the fastest within velocity and acceleration limits, which no control can beat; on: also within "
+      "the jerk of every axis, close to the fastest and slow to compute.");
+  jerk.choices = {QT_TRANSLATE_NOOP("core", "off"), QT_TRANSLATE_NOOP("core", "on")};
   info.settings.insert(info.settings.begin(), {path, jerk});
   info.remarks = {
-      "On blends that nearly reverse limits were seen exceeded by 5 % (acceleration) and a third (jerk).",
-      "On the path of ward jerk=on keeps the jerk but for short peaks where an arc begins from a standstill.",
+      "On blends that nearly reverse, limits were exceeded by up to 5 % (acceleration) and a third (jerk).",
+      "On the path of ward, jerk=on keeps the jerk except for short peaks where an arc begins from a "
+      "standstill.",
       "Stops only where the path itself has a kink, a reversal or a dwell.",
-      "Kinks of up to 0.01 rad at arcs count as tangent, as in every model."};
+      "Kinks of up to 0.01 rad at arcs are treated as tangent, as in every model."};
+  info.limits.along_and_across = true;
   return info;
 }
 
@@ -148,7 +153,7 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   };
   TrajectoryBuilder builder =
       with_jerk ? lay_path_of(model_run) : lay_path_of(model.lay_path(shared, machine, settings, progress));
-  const OwnLaw own_law(model_run, axes);
+  const SlowedLaw slowed_law(model_run, axes);
   AccelerationLaw acceleration_law(toolpath, axes, 1, builder);
   JerkLaw jerk_law(toolpath, axes, builder);
   const BlendedPath& path = builder.path();
@@ -165,7 +170,7 @@ Trajectory OptimalModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
       const TrajectoryBuilder::Mark start = builder.mark();
       jerk_law.run(first, last, steps);
       if (can_be_run) {
-        own_law.replace_slower(first, last, start, builder);
+        slowed_law.replace_slower(first, last, start, builder);
       }
     } else {
       acceleration_law.run(first, last, steps);

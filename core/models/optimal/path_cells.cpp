@@ -41,7 +41,7 @@ double cells_of_change(double length, double limit, const CellRule& rule) {
 }
 
 /// Least number of cells for a curve of `length` whose largest curvature vector is about `curvature` [1/mm].
-int least_cells(double length, double curvature, const CellRule& rule) {
+int min_cells(double length, double curvature, const CellRule& rule) {
   constexpr double few = 2;
   constexpr double slight = 1e-3;
   const double acceleration = rule.acceleration.minCoeff();
@@ -56,7 +56,7 @@ int least_cells(double length, double curvature, const CellRule& rule) {
 }
 
 void append_arc(const Arc& arc, PathCell cell, const CellRule& rule, std::vector<PathCell>& cells) {
-  const int count = std::max(least_cells(cell.length, arc.curvature(), rule),
+  const int count = std::max(min_cells(cell.length, arc.curvature(), rule),
                              static_cast<int>(std::ceil(arc.sweep * rule.fineness / arc_turn)));
   cell.length /= count;
   cell.to = point_of(arc.at(0));
@@ -148,7 +148,7 @@ void append_blend(const CubicBlend& blend, const PathCell& cell, const CellRule&
     const BlendShape::Point point = shape.at(u);
     return CutPlace{point_of(point), point.k, point.sigma};
   };
-  const int count = least_cells(cell.length, shape.middle_curvature(), rule);
+  const int count = min_cells(cell.length, shape.middle_curvature(), rule);
   CurveCutter(at, rule.fineness, cell, cells).cut(count);
 }
 

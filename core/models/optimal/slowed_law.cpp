@@ -1,4 +1,4 @@
-#include "core/models/optimal/own_law.h"
+#include "core/models/optimal/slowed_law.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +16,7 @@ double largest_share(const Vec3& values, const Vec3& limits) {
 
 }  // namespace
 
-double OwnLaw::slower_by(std::size_t first_piece, std::size_t last_piece) const {
+double SlowedLaw::slower_by(std::size_t first_piece, std::size_t last_piece) const {
   double factor = 1;
   for (PartWalk walk(run_, first_piece); !walk.done() && walk.part().piece < last_piece; walk.next()) {
     const Part& part = walk.part();
@@ -33,8 +33,8 @@ double OwnLaw::slower_by(std::size_t first_piece, std::size_t last_piece) const 
   return factor;
 }
 
-void OwnLaw::replace_slower(std::uint32_t first, std::uint32_t last, const TrajectoryBuilder::Mark& start,
-                            TrajectoryBuilder& builder) const {
+void SlowedLaw::replace_slower(std::uint32_t first, std::uint32_t last, const TrajectoryBuilder::Mark& start,
+                               TrajectoryBuilder& builder) const {
   const std::vector<Piece>& pieces = run_.pieces();
   const auto before = [](const Piece& piece, std::uint32_t element) { return piece.element < element; };
   const auto begin = std::lower_bound(pieces.begin(), pieces.end(), first, before);

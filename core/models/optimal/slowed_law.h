@@ -7,9 +7,9 @@ namespace feedscope {
 
 /// The law by which another model runs a path, passed so much slower that it keeps velocity, programmed feed,
 /// acceleration and jerk: what a law near the bound must not be slower than.
-class OwnLaw {
+class SlowedLaw {
  public:
-  OwnLaw(const Trajectory& run, const AxisVectors& axes) : run_(run), axes_(axes) {}
+  SlowedLaw(const Trajectory& run, const AxisVectors& axes) : run_(run), axes_(axes) {}
 
   /// Where elements [first, last), from standstill to standstill, take less time by this law than what
   /// `builder` collected of them from `start` on, puts it in its place.

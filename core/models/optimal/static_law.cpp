@@ -1,8 +1,9 @@
-#include "core/models/optimal/first_law.h"
+#include "core/models/optimal/static_law.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/roots.h"
 #include "core/trajectory/stretch.h"
 
 namespace feedscope {
@@ -50,7 +51,7 @@ SpeedBound static_speed(const Largest& of, const SpeedBound& feed, const AxisVec
 
 }  // namespace
 
-void FirstLaw::clear() {
+void StaticLaw::clear() {
   parts_.clear();
   begins_.clear();
   fineness_.clear();
@@ -59,8 +60,8 @@ void FirstLaw::clear() {
   straight_ = true;
 }
 
-void FirstLaw::add_element(const std::vector<PathCell>& cells, std::uint32_t index, const SpeedBound& feed,
-                           const AxisVectors& axes, const Vec3& jerk) {
+void StaticLaw::add_element(const std::vector<PathCell>& cells, std::uint32_t index, const SpeedBound& feed,
+                            const AxisVectors& axes, const Vec3& jerk) {
   if (parts_.empty()) {
     first_ = index;
   }
@@ -84,8 +85,8 @@ void FirstLaw::add_element(const std::vector<PathCell>& cells, std::uint32_t ind
   ends_element_.back() = 1;
 }
 
-void FirstLaw::add_part(const PathCell* first, const PathCell* last, const SpeedBound& feed,
-                        const AxisVectors& axes, const Vec3& jerk) {
+void StaticLaw::add_part(const PathCell* first, const PathCell* last, const SpeedBound& feed,
+                         const AxisVectors& axes, const Vec3& jerk) {
   PlanElement part;
   Largest largest;
   for (const PathCell* cell = first; cell != last; ++cell) {
@@ -114,7 +115,7 @@ void FirstLaw::add_part(const PathCell* first, const PathCell* last, const Speed
   largest_jerk_ = std::max(largest_jerk_, jerk.maxCoeff());
 }
 
-double FirstLaw::lower_at(double s, double lowered) {
+double StaticLaw::lower_at(double s, double lowered) {
   const auto after = std::upper_bound(begins_.begin(), begins_.end(), s);
   const std::size_t part =
       after == begins_.begin() ? 0 : static_cast<std::size_t>(after - begins_.begin()) - 1;
@@ -129,7 +130,7 @@ double FirstLaw::lower_at(double s, double lowered) {
   return begins_[part];
 }
 
-void FirstLaw::plan() {
+void StaticLaw::plan() {
   std::vector<SpeedBound> ceilings(parts_.size() + 1);
   for (std::size_t j = 1; j < parts_.size(); ++j) {
     ceilings[j] = parts_[j].limits.speed;
@@ -138,7 +139,7 @@ void FirstLaw::plan() {
   lay_phases(plan_nodes(parts_, ceilings));
 }
 
-void FirstLaw::lay_phases(const std::vector<PlanNode>& nodes) {
+void StaticLaw::lay_phases(const std::vector<PlanNode>& nodes) {
   phases_.clear();
   Motion1d at;
   double time = 0;
@@ -166,7 +167,7 @@ void FirstLaw::lay_phases(const std::vector<PlanNode>& nodes) {
   phase_ = 0;
 }
 
-Motion1d FirstLaw::at(double time) {
+Motion1d StaticLaw::at(double time) {
   while (phase_ + 2 < phases_.size() && phases_[phase_ + 1].time <= time) {
     ++phase_;
   }
@@ -174,18 +175,15 @@ Motion1d FirstLaw::at(double time) {
   return advance(phase.at, phase.jerk, time - phase.time);
 }
 
-double FirstLaw::time_at(double s) {
+double StaticLaw::time_at(double s) {
   while (phase_ + 2 < phases_.size() && phases_[phase_ + 1].at.s <= s) {
     ++phase_;
   }
   const Phase& phase = phases_[phase_];
-  double low = 0;
-  double high = phases_[phase_ + 1].time - phase.time;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (advance(phase.at, phase.jerk, middle).s < s ? low : high) = middle;
-  }
-  return phase.time + high;
+  constexpr int halvings = 60;
+  const Bracket found = halve({0, phases_[phase_ + 1].time - phase.time}, halvings,
+                              [&](double time) { return advance(phase.at, phase.jerk, time).s < s; });
+  return phase.time + found.high;
 }
 
 }  // namespace feedscope

@@ -10,7 +10,7 @@ namespace feedscope {
 /// A law from standstill to standstill that keeps static limits of every part of the path, by the planner of
 /// the planned models: what JerkLaw begins with. Curves are parts of about one static speed, so that a sharp
 /// place slows its surroundings and not the whole curve.
-class FirstLaw {
+class StaticLaw {
  public:
   struct Phase {
     double time;  ///< [s]

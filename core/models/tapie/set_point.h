@@ -13,10 +13,10 @@ struct SteadyPlace {
   AxisBound velocity;       ///< V_t(a_c) [mm/s]
 };
 
-/// a_c (Tapie 2007, fig. 12 and section 5.2.4; MODELS section 3): the first angle of the arc at which the
-/// axes, at constant speed, allow just the feed of the control settings, V_Jt(a_c) = V_Jtcurv, which in the
-/// XY plane is J_t(a_c) = J_curv r_jct; if the arc holds none, the angle at which V_Jt is largest.
-/// `control_jerk`: J_curv r_jct [mm/s3].
+/// a_c (Tapie 2007, fig. 12 and section 5.2.4; README.md beside this file): the first angle of the arc at
+/// which the axes, at constant speed, allow just the feed of the control settings, V_Jt(a_c) = V_Jtcurv,
+/// which in the XY plane is J_t(a_c) = J_curv r_jct; if the arc holds none, the angle at which V_Jt is
+/// largest. `control_jerk`: J_curv r_jct [mm/s3].
 ///
 /// Any plane, helices: the jerk at constant speed is v^3 times the third derivative of the position by path
 /// length; its part on every axis is a cosine of the angle, so that a_c is found in closed form.

@@ -1,5 +1,6 @@
 #include "core/models/tapie/tapie_model.h"
 
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/models/tapie/set_point.h"
 #include "core/trajectory/stretch.h"
@@ -9,19 +10,21 @@ namespace feedscope {
 const ModelInfo& TapieModel::info() const {
   static const ModelInfo info{
       "tapie",
-      "Circular interpolation (Sinumerik 840D)",
+      QT_TRANSLATE_NOOP("core", "Circular interpolation (Sinumerik 840D)"),
       "L. P. Tapie et al., Int J Mach Tools Manuf 47 (2007) 805-819, doi 10.1016/j.ijmachtools.2006.06.021",
-      "One feed for every arc, from the curvilinear jerk of the control and from what the axes allow where "
-      "it "
-      "is reached; speed lost at every change of curvature; jerk-limited ramps in between. Corners are exact "
-      "stops: the paper says that the control rounds them, but not how.",
+      QT_TRANSLATE_NOOP(
+          "core",
+          "One feed for each arc, from the curvilinear jerk of the control and from what the axes allow "
+          "where it is reached; speed is lost at every change of curvature; jerk-limited ramps in between. "
+          "Corners are exact stops: the paper states that the control rounds them, but not how."),
       {},
       {"interpolation_period_s", "lookahead_blocks", "curvilinear_jerk_m_s3", "tangential_share"},
       {"On arcs the tangential and the radial acceleration each keep the axis limits at the place where the "
        "steady feed is reached, and so do the two parts of the jerk along the path, v'' and v^3 k^2; their "
        "sum "
        "may exceed them, and elsewhere on the arc the radial acceleration and v^3 k^2 too, as measured "
-       "there."}};
+       "there."},
+      {.at_steady_place = true}};
   return info;
 }
 

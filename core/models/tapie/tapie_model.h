@@ -7,7 +7,7 @@ namespace feedscope {
 /// Circular interpolation on a Sinumerik 840D.
 ///
 /// L. P. Tapie, K. Mawussi, B. Anselmetti, "Circular tests for HSM machine tools: Bore machining
-/// application", Int J Mach Tools Manuf 47 (2007) 805-819; equations in MODELS section 3.
+/// application", Int J Mach Tools Manuf 47 (2007) 805-819; equations in README.md beside this file.
 /// Symbols: V_st feed set point, V_fr speed at a change of curvature, J_curv curvilinear jerk, r_jct its
 /// tangential share, t_cy interpolation period, a_c angle at which the steady feed is reached.
 ///

@@ -5,6 +5,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/base/roots.h"
+
 namespace feedscope {
 namespace {
 
@@ -21,6 +23,8 @@ double distance_slope(int filters, double a) {
   return (78 - p + (1 - a) * dp) / 384;
 }
 
+constexpr RootTolerance pulse_tolerance{.relative = 1e-14, .steps = 60};
+
 /// x in (0, pi) with 1 - sin(x)/x = `loss`, which is in (0, 1).
 double inverse_sinc_loss(double loss) {
   const auto excess = [&](double x) {
@@ -28,19 +32,10 @@ double inverse_sinc_loss(double loss) {
     return x < 0.5 ? y / 6 * (1 - y / 20 * (1 - y / 42 * (1 - y / 72 * (1 - y / 110)))) - loss
                    : 1 - std::sin(x) / x - loss;
   };
-  double low = 0;
-  double high = std::numbers::pi;
-  double x = std::min(std::sqrt(6 * loss), high);
-  for (int i = 0; i < 60 && high - low > 1e-15; ++i) {
-    const double error = excess(x);
-    (error > 0 ? high : low) = x;
-    const double next = x - error / ((std::sin(x) - x * std::cos(x)) / (x * x));
-    if (std::abs(next - x) <= 1e-14 * x) {
-      break;
-    }
-    x = next > low && next < high ? next : (low + high) / 2;
-  }
-  return x;
+  return rising_root({0, std::numbers::pi}, std::min(std::sqrt(6 * loss), std::numbers::pi), pulse_tolerance,
+                     [&](double x) {
+                       return ValueAndSlope{excess(x), (std::sin(x) - x * std::cos(x)) / (x * x)};
+                     });
 }
 
 }  // namespace
@@ -75,21 +70,11 @@ double corner_speed(int filters, double filter_time, const CornerLegs& legs, dou
   if (distance(top) <= wanted) {
     return top;
   }
-  double low = 0;
-  double high = top;
-  double v = std::min(top / 2, wanted / (2 * distance_slope(filters, 0)));
-  for (int i = 0; i < 60 && high - low > 1e-15 * top; ++i) {
-    const double excess = distance(v) - wanted;
-    (excess > 0 ? high : low) = v;
-    const double slope =
-        distance_slope(filters, v / legs.feed_before) + distance_slope(filters, v / legs.feed_after);
-    const double next = v - excess / slope;
-    if (std::abs(next - v) <= 1e-14 * v) {
-      break;
-    }
-    v = next > low && next < high ? next : (low + high) / 2;
-  }
-  return v;
+  return rising_root(
+      {0, top}, std::min(top / 2, wanted / (2 * distance_slope(filters, 0))), pulse_tolerance, [&](double v) {
+        return ValueAndSlope{distance(v) - wanted, distance_slope(filters, v / legs.feed_before) +
+                                                       distance_slope(filters, v / legs.feed_after)};
+      });
 }
 
 double turn_gain(int filters, double x) {

@@ -4,9 +4,9 @@
 
 namespace feedscope {
 
-/// Closed forms of an isolated corner (Ward 2021, section 3; MODELS section 5 with print corrected: eq 29 and
-/// 30 need cos(theta) + 1 with theta the interior angle and the other sign for eps; eq 30, 40, 41 and 42 hold
-/// the width of n = 2 in the formula of n = 3; eq 38 and 39 are right up to a = 2/3 only).
+/// Closed forms of an isolated corner (Ward 2021, section 3; README.md beside this file with print corrected:
+/// eq 29 and 30 need cos(theta) + 1 with theta the interior angle and the other sign for eps; eq 30, 40, 41
+/// and 42 hold the width of n = 2 in the formula of n = 3; eq 38 and 39 are right up to a = 2/3 only).
 ///
 /// Symbols: n filters of length T1, F feed, a = V_c/F blending factor, V_c height of the blending pulse,
 /// T_b = (n T1/2)(1 - a) its width on each side, phi direction change.

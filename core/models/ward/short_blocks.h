@@ -8,8 +8,8 @@
 namespace feedscope {
 
 /// Highest speed of the corner at the other end of a block of length `length` [mm] whose slower corner is
-/// passed at `speed`: f = c V^2/(c V - L) with c = n T1/2 `half_delay`; infinite if c V <= L (MODELS section
-/// 5).
+/// passed at `speed`: f = c V^2/(c V - L) with c = n T1/2 `half_delay`; infinite if c V <= L (README.md
+/// beside this file).
 double short_block_speed(double speed, double length, double half_delay);
 
 /// Lowers corner speeds until every short block of `train` can change from one to the other. Two passes

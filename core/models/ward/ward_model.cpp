@@ -1,5 +1,6 @@
 #include "core/models/ward/ward_model.h"
 
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/models/ward/ward_runner.h"
 #include "core/trajectory/stretch.h"
@@ -16,58 +17,59 @@ const ModelInfo& WardModel::info() const {
   static const ModelInfo info = [] {
     SettingSpec filters;
     filters.key = "filters";
-    filters.title = "Number of filters";
-    filters.explanation =
-        "Moving averages in a row; 3 come closer to the control of the paper, 2 are simpler.";
+    filters.title = QT_TRANSLATE_NOOP("core", "Number of filters");
+    filters.explanation = QT_TRANSLATE_NOOP(
+        "core",
+        "Number of moving averages in series; 3 are closer to the control in the paper, 2 are simpler.");
     filters.minimum = 2;
     filters.maximum = 3;
     filters.whole = true;
     filters.fallback = 3;
     SettingSpec jerk;
     jerk.key = "filter_jerk_m_s3";
-    jerk.title = "Jerk of the filters";
+    jerk.title = QT_TRANSLATE_NOOP("core", "Jerk of the filters");
     jerk.unit = "m/s3";
-    jerk.explanation =
-        "Only where the filter time is 0: jerk of a ramp to the largest programmed feed of a stretch, from "
-        "which the filter time follows as the square root of feed over jerk. 0: the smallest jerk of the "
-        "axes.";
+    jerk.explanation = QT_TRANSLATE_NOOP(
+        "core",
+        "Used only if the filter time is 0: jerk of a ramp to the highest programmed feed between two stops; "
+        "the filter time is the square root of this feed over the jerk. 0: the smallest axis jerk.");
     jerk.maximum = 1e6;
     SettingSpec time;
     time.key = "filter_time_s";
-    time.title = "Filter time";
+    time.title = QT_TRANSLATE_NOOP("core", "Filter time");
     time.unit = "s";
     time.explanation =
-        "Length of one moving average, the same for all feeds. 0: from the largest programmed feed and the "
-        "jerk "
-        "of the filters, stop by stop; a higher programmed feed can then slow the program down.";
+        QT_TRANSLATE_NOOP("core",
+                          "Length of one moving average, the same for all feeds. 0: computed from the "
+                          "highest programmed feed between two stops and the jerk of the filters; a higher "
+                          "programmed feed can then slow the program down.");
     time.maximum = 10;
     SettingSpec enforce;
     enforce.key = "enforce";
-    enforce.title = "Keep the tolerance where corners are close";
+    enforce.title = QT_TRANSLATE_NOOP("core", "Keep the tolerance where corners are close");
     enforce.explanation =
-        "on: corners are slowed until the true contour error keeps the tolerance; off: every corner as if it "
-        "were "
-        "alone, as in the paper.";
-    enforce.choices = {"on", "off"};
+        QT_TRANSLATE_NOOP("core",
+                          "on: corners are slowed down until the actual contour error is within the "
+                          "tolerance; off: every corner is treated as if it were alone, as in the paper.");
+    enforce.choices = {QT_TRANSLATE_NOOP("core", "on"), QT_TRANSLATE_NOOP("core", "off")};
     return ModelInfo{
         "ward",
-        "Velocity pulses through FIR filters (Heidenhain TNC 640)",
+        QT_TRANSLATE_NOOP("core", "Velocity pulses through FIR filters (Heidenhain TNC 640)"),
         "R. Ward et al., Int J Adv Manuf Technol (2021), "
         "Accurate prediction of machining feedrate and cycle times considering interpolator dynamics",
-        "Every block is a velocity pulse, lowered around corners so far that the contour tolerance is kept; "
-        "two or "
-        "three equal moving averages smooth the pulses of each axis. On arcs, which the paper does not "
-        "cover, "
-        "the "
-        "pulses turn; they keep the static limits of Tapie 2007, and the tolerance as corners do.",
+        QT_TRANSLATE_NOOP("core",
+                          "Every block is a velocity pulse, reduced around corners until the contour "
+                          "tolerance is kept; two or three equal moving averages smooth the pulses of each "
+                          "axis. On arcs, which the paper does not cover, the pulses follow the tangent; "
+                          "they keep the static limits of Tapie 2007 and, as at corners, the tolerance."),
         {filters, jerk, time, enforce},
         {"contour_tolerance_mm", "program_tolerance"},
         {"A filtered velocity is an average of commanded ones, which keeps the axes' velocities.",
          "Acceleration and jerk follow from the filters alone: a change of feed dF takes the jerk dF/T1^2; "
-         "the axes' limits are not looked at.",
+         "axis limits are not considered.",
          "With three filters the jerk is continuous, too.",
-         "Tolerance 0: full stops in every corner; on arcs the path still lies inside, by what the filters "
-         "take off the radius."}};
+         "Tolerance 0: full stops in every corner; on arcs the path is still inside the programmed one, by "
+         "the amount that the filters reduce the radius."}};
   }();
   return info;
 }

@@ -7,9 +7,9 @@ namespace feedscope {
 /// Velocity pulses smoothed by moving averages (FIR filters), as a Heidenhain TNC 640 interpolates.
 ///
 /// R. Ward, B. Sencer, B. Jones, E. Ozturk, "Accurate prediction of machining feedrate and cycle times
-/// considering interpolator dynamics", Int J Adv Manuf Technol (2021); equations in MODELS section 5.
-/// Symbols: n filters of length T1, delay T_d = n T1, F feed, a blending factor, V_c = a F height of the
-/// blending pulses, T_b = (T_d/2)(1 - a) their width on each side of a corner, T_v width of the pulse
+/// considering interpolator dynamics", Int J Adv Manuf Technol (2021); equations in README.md beside this
+/// file. Symbols: n filters of length T1, delay T_d = n T1, F feed, a blending factor, V_c = a F height of
+/// the blending pulses, T_b = (T_d/2)(1 - a) their width on each side of a corner, T_v width of the pulse
 /// between.
 ///
 /// Departures from print: corner_pulse.h (eq 29, 30, 38-42); T_v takes both blending pulses off, with their

@@ -65,12 +65,12 @@ void WardRunner::limit_arcs() {
 }
 
 /// Blocks too short for the pulses of their corners get a lower feed, which is that of the legs of these
-/// corners: pulses and feeds are computed again until they settle (MODELS section 5). Where the tolerance is
-/// enforced the first speeds are a start only, which the measured distances lower. Faster corners make a
-/// shorter block's feed rise or fall, so that a few swing for ever: feeds that have not settled after a
-/// few passes go half of the way to the new ones.
+/// corners: pulses and feeds are computed again until they settle (README.md beside this file). Where the
+/// tolerance is enforced the first speeds are a start only, which the measured distances lower. Faster
+/// corners make a shorter block's feed rise or fall, so that a few swing for ever: feeds that have not
+/// settled after a few passes go half of the way to the new ones.
 void WardRunner::choose_corner_speeds() {
-  constexpr int most_passes = 200;
+  constexpr int max_passes = 200;
   constexpr double same = 1e-12;
   constexpr int quick_passes = 16;
   std::vector<double> alone(train_.size(), 0.0);  // speeds of the corners by their own legs
@@ -79,7 +79,7 @@ void WardRunner::choose_corner_speeds() {
     leg_feeds.push_back(limit.value);
   }
   std::vector<char> moved(train_.size(), 1);
-  for (int pass = 0; pass < most_passes; ++pass) {
+  for (int pass = 0; pass < max_passes; ++pass) {
     for (std::size_t i = 1; i < train_.size(); ++i) {
       if (moved[i - 1] != 0 || moved[i] != 0) {
         alone[i] =

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "core/limits/formula.h"
+
+namespace feedscope {
+
+/// Where the limits of a model differ from the static ones that most share, so that a limit can be explained
+/// with the formula and the source that the model uses.
+struct LimitTraits {
+  /// On corner blends ramps have what the radial shares leave of acceleration and jerk; else all of it.
+  bool ramps_share_corners = true;
+  /// Limits of an arc hold at the place where its steady feed is reached (Tapie 2007), else all along it.
+  bool at_steady_place = false;
+  /// An axis limit holds along and across the path together, on ramps too.
+  bool along_and_across = false;
+
+  struct Source {
+    FormulaId formula = FormulaId::none;
+    std::string_view text;  ///< paper and equation
+  };
+  std::vector<Source> sources = {};  ///< those that are not the shared ones
+};
+
+}  // namespace feedscope
