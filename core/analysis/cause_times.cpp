@@ -1,10 +1,10 @@
-#include "ui/charts/cause_times.h"
+#include "core/analysis/cause_times.h"
 
 #include <algorithm>
 #include <array>
 #include <utility>
 
-namespace feedscope::ui {
+namespace feedscope {
 
 namespace {
 
@@ -105,4 +105,4 @@ std::vector<std::optional<CauseKind>> CauseTimes::dominating(std::span<const dou
   return kinds;
 }
 
-}  // namespace feedscope::ui
+}  // namespace feedscope

@@ -8,7 +8,7 @@
 
 #include "core/trajectory/trajectory.h"
 
-namespace feedscope::ui {
+namespace feedscope {
 
 /// Time that each limiting cause takes in any stretch of a trajectory.
 ///
@@ -37,4 +37,4 @@ class CauseTimes {
   std::vector<double> marks_;           ///< a row of seen_.size() for each 64 pieces: times before them [s]
 };
 
-}  // namespace feedscope::ui
+}  // namespace feedscope

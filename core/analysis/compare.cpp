@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <exception>
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/base/parallel.h"
 
 namespace feedscope {
 namespace {
@@ -42,7 +41,7 @@ void check_assignments(const std::vector<std::string>& assignments, const std::v
     if (!contains(known, key)) {
       const std::string near = nearest_name(key, known);
       throw InputError(fmt::format(
-          "setting '{}' is known to none of the models {}; {}there are {}", key, fmt::join(models, ", "),
+          "setting '{}' is unknown to the models {}; {}known settings: {}", key, fmt::join(models, ", "),
           near.empty() ? "" : fmt::format("did you mean '{}'? ", near), fmt::join(known, ", ")));
     }
   }
@@ -99,28 +98,17 @@ std::vector<ComparedRun> compare_runs(const LoadedProgram& program, const std::v
   Progress& whole = progress != nullptr ? *progress : unwatched;
   whole.report(0);
   std::vector<ComparedRun> runs(setups.size());
-  std::vector<std::exception_ptr> errors(setups.size());
-  const auto run = [&](std::size_t i) {
-    try {
-      Progress part(whole, 1 / static_cast<double>(setups.size()));
-      part.report(0);
-      const Run done = simulate_run(program, setups[i], &part);
-      runs[i] = figures_of(done);
-      if (inspect) {
-        inspect(i, done);
-      }
-      part.report(1);
-    } catch (...) {
-      errors[i] = std::current_exception();
+  in_parallel(setups.size(), [&](std::size_t i) {
+    Progress part(whole, 1 / static_cast<double>(setups.size()));
+    part.report(0);
+    const Run done = simulate_run(program, setups[i], &part);
+    runs[i] = figures_of(done);
+    if (inspect) {
+      inspect(i, done);
     }
-  };
-  tbb::parallel_for(std::size_t{0}, setups.size(), run, tbb::simple_partitioner());
+    part.report(1);
+  });
   whole.report(1);
-  for (const std::exception_ptr& error : errors) {
-    if (error) {
-      std::rethrow_exception(error);
-    }
-  }
   return runs;
 }
 

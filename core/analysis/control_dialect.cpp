@@ -89,7 +89,7 @@ std::string describe(const ControlMismatch& mismatch) {
   const std::string_view dialect = info_of(mismatch.dialect).title;
   const std::string remedy =
       mismatch.fitting_machine.empty()
-          ? fmt::format("No published machine has a {} control; use a machine file of your own.", dialect)
+          ? fmt::format("No published machine has a {} control; use your own machine file.", dialect)
           : fmt::format("Use machine {}, whose control reads it.", mismatch.fitting_machine);
   return fmt::format(
       "The program is written for {}, but {} has a {}: path and times are those of that control. {}", dialect,

@@ -1,4 +1,4 @@
-#include "ui/charts/envelope.h"
+#include "core/analysis/envelope.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 
 #include "core/base/units.h"
 
-namespace feedscope::ui {
+namespace feedscope {
 
 namespace {
 
@@ -16,8 +16,8 @@ constexpr double whole_group_share = 1.0 / 8;
 constexpr double arc_step = units::from_deg(5);
 constexpr double samples_a_blend = 3;  // of a gentle one
 constexpr double samples_a_filter_time = 8;
-constexpr double sharpest = 0.2;         // cosine of half the turn
-constexpr int most_inner_samples = 720;  // ten turns of a helix in one piece; beyond, turns repeat
+constexpr double sharpest = 0.2;        // cosine of half the turn
+constexpr int max_inner_samples = 720;  // ten turns of a helix in one piece; beyond, turns repeat
 
 /// The share of a blend in which it turns is proportional to this: |S'(1/2)| / |S'(0)| = (3/alpha - 1/2) cos.
 double half_turn_cosine(const CubicBlend& blend) {
@@ -26,41 +26,16 @@ double half_turn_cosine(const CubicBlend& blend) {
 
 }  // namespace
 
-double channel_value(const State& state, Channel channel) {
-  switch (channel) {
-    case Channel::programmed_feed:
-      return state.programmed_feed;
-    case Channel::feed:
-      return state.speed;
-    case Channel::velocity_x:
-    case Channel::velocity_y:
-    case Channel::velocity_z:
-      return state.velocity[static_cast<int>(channel) - static_cast<int>(Channel::velocity_x)];
-    case Channel::tangential_acceleration:
-      return state.tangential_acceleration;
-    case Channel::acceleration_x:
-    case Channel::acceleration_y:
-    case Channel::acceleration_z:
-      return state.acceleration[static_cast<int>(channel) - static_cast<int>(Channel::acceleration_x)];
-    case Channel::tangential_jerk:
-      return state.tangential_jerk;
-    case Channel::jerk_x:
-    case Channel::jerk_y:
-    case Channel::jerk_z:
-      return state.jerk[static_cast<int>(channel) - static_cast<int>(Channel::jerk_x)];
-  }
-  return 0;
-}
-
 void Band::add(const Band& other) {
-  for (std::size_t i = 0; i < channel_count; ++i) {
-    channels[i].add(other.channels[i]);
+  for (std::size_t i = 0; i < extents.size(); ++i) {
+    extents[i].add(other.extents[i]);
   }
 }
 
 void Band::add(const State& state) {
-  for (std::size_t i = 0; i < channel_count; ++i) {
-    channels[i].add(static_cast<float>(channel_value(state, static_cast<Channel>(i))));
+  const auto charted = all_quantities().subspan(static_cast<std::size_t>(first_charted), charted_count);
+  for (std::size_t i = 0; i < charted_count; ++i) {
+    extents[i].add(static_cast<float>(charted[i].of(state)));
   }
 }
 
@@ -191,7 +166,7 @@ int Envelope::inner_samples(const Part& part, const ElementCurve& curve, double 
     const double cosine = std::max(sharpest, half_turn_cosine(curve.blend));
     steps = share * samples_a_blend / (cosine * cosine);
   }
-  return static_cast<int>(std::clamp(std::ceil(steps) - 1, 0.0, double{most_inner_samples}));
+  return static_cast<int>(std::clamp(std::ceil(steps) - 1, 0.0, double{max_inner_samples}));
 }
 
 void Envelope::add_groups(Band& band, std::size_t first, std::size_t last) const {
@@ -209,4 +184,4 @@ void Envelope::add_groups(Band& band, std::size_t first, std::size_t last) const
   }
 }
 
-}  // namespace feedscope::ui
+}  // namespace feedscope

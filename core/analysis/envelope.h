@@ -1,38 +1,17 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "core/analysis/cause_times.h"
 #include "core/base/progress.h"
 #include "core/trajectory/part_walk.h"
-#include "ui/charts/cause_times.h"
+#include "core/trajectory/quantity.h"
 
-namespace feedscope::ui {
-
-/// What a chart can show of a trajectory: feeds [mm/s], accelerations [mm/s2], jerks [mm/s3].
-enum class Channel : std::uint8_t {
-  programmed_feed,
-  feed,
-  velocity_x,
-  velocity_y,
-  velocity_z,
-  tangential_acceleration,
-  acceleration_x,
-  acceleration_y,
-  acceleration_z,
-  tangential_jerk,
-  jerk_x,
-  jerk_y,
-  jerk_z,
-};
-inline constexpr std::size_t channel_count = 13;
-
-/// Value of a channel in a state, in the core's units.
-double channel_value(const State& state, Channel channel);
+namespace feedscope {
 
 /// Smallest and largest value seen; empty until one is added.
 struct Extent {
@@ -50,18 +29,22 @@ struct Extent {
   }
 };
 
-/// Extents of all channels over one stretch of time.
+/// Extents of all charted quantities over one stretch of time, in inside units.
 struct Band {
-  std::array<Extent, channel_count> channels;
+  std::array<Extent, charted_count> extents;  ///< from first_charted on
 
-  const Extent& operator[](Channel channel) const { return channels[static_cast<std::size_t>(channel)]; }
+  const Extent& operator[](QuantityId id) const { return extents[index(id)]; }
+  Extent& operator[](QuantityId id) { return extents[index(id)]; }
+  static constexpr std::size_t index(QuantityId id) {
+    return static_cast<std::size_t>(id) - static_cast<std::size_t>(first_charted);
+  }
   void add(const Band& other);
   void add(const State& state);
 };
 
 /// Level of detail of a trajectory for charts: the least and the largest value in every pixel column.
 ///
-/// A pyramid of extents over groups of motion pieces, about 35 bytes a piece, built once in linear time. A
+/// A pyramid of extents over groups of motion pieces, about 37 bytes a piece, built once in linear time. A
 /// column then costs a logarithmic walk of the pyramid plus the pieces of the two groups that its borders
 /// cut, whatever the length of the program. A cut group that lasts less than 1/8 of the column counts as a
 /// whole, so a column may show what happens that much beyond its borders, never less than what is in it.
@@ -97,4 +80,4 @@ class Envelope {
   std::vector<std::vector<Band>> levels_;  ///< [0]: one band a group of pieces; each next level merges a few
 };
 
-}  // namespace feedscope::ui
+}  // namespace feedscope

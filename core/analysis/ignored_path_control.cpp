@@ -1,7 +1,9 @@
-#include "core/analysis/unfollowed.h"
+#include "core/analysis/ignored_path_control.h"
 
 #include <algorithm>
 #include <array>
+
+#include "core/base/translatable.h"
 
 namespace feedscope {
 
@@ -19,35 +21,40 @@ struct Asked {
 
 struct Rule {
   const char* sentence;
-  bool (*is_unfollowed)(const Asked& asked);
+  bool (*is_ignored)(const Asked& asked);
 };
 
 constexpr auto rules = std::to_array<Rule>({
-    {"Tolerances and blend distances of the program are not followed: the model has no blends.",
+    {QT_TRANSLATE_NOOP(
+         "core", "Tolerances and blend distances of the program are not used: the model has no blends."),
      [](const Asked& a) {
        return (a.control.contour_tolerance || a.control.blend_distance) && !contour_tolerance(a.setup);
      }},
-    {"Compaction that the program asks for is not followed: short blocks are not joined.",
+    {QT_TRANSLATE_NOOP("core",
+                       "Compaction requested by the program is not simulated: short blocks are not joined."),
      [](const Asked& a) { return a.control.compaction == Switch::on && !a.promised.follows_compaction; }},
-    {"BRISK of the program is not followed: the jerk along the path stays limited.",
+    {QT_TRANSLATE_NOOP("core",
+                       "BRISK of the program is not simulated: the jerk along the path stays limited."),
      [](const Asked& a) {
        return a.control.acceleration == AccelerationMode::brisk && a.has_ramps() && !a.promised.follows_brisk;
      }},
-    {"DRIVE of the program is run as SOFT: the speed above which it lowers the acceleration is in the "
-     "control's "
-     "machine data.",
+    {QT_TRANSLATE_NOOP("core",
+                       "DRIVE of the program is simulated as SOFT: the speed above which it reduces the "
+                       "acceleration is in the machine data of the control."),
      [](const Asked& a) { return a.control.acceleration == AccelerationMode::drive && a.has_ramps(); }},
-    {"Feed-forward that the program switches off is not followed: the axes are taken to follow without lag.",
+    {QT_TRANSLATE_NOOP("core",
+                       "Feed-forward switched off by the program is not simulated: the axes are assumed to "
+                       "follow without lag."),
      [](const Asked& a) { return a.control.feed_forward == Switch::off; }},
-    {"Look-ahead that the program switches off is not followed.",
+    {QT_TRANSLATE_NOOP("core", "Look-ahead switched off by the program is not simulated."),
      [](const Asked& a) { return a.control.look_ahead == Switch::off && a.has_ramps(); }},
 });
 
 /// Times of splines as arcs over those on the curves of continuous curvature that they stand for: 2 to 2.4.
-constexpr const char* curves_as_arcs =
-    "Curves of the program run as arcs that touch each other: where the curvature jumps, a control that "
-    "limits "
-    "the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.";
+constexpr const char* curves_as_arcs = QT_TRANSLATE_NOOP(
+    "core",
+    "Curves of the program are simulated as tangent arcs: where the curvature jumps, a control that limits "
+    "the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.");
 
 bool has_curves_as_arcs(const LoadedProgram& program) {
   const std::vector<Diagnostic>& said = program.program->diagnostics;
@@ -56,8 +63,8 @@ bool has_curves_as_arcs(const LoadedProgram& program) {
 
 }  // namespace
 
-std::vector<std::string> unfollowed(const LoadedProgram& program, const Setup& setup) {
-  std::vector<std::string> sentences = unfollowed(*program.toolpath, setup);
+std::vector<std::string> ignored_path_control(const LoadedProgram& program, const Setup& setup) {
+  std::vector<std::string> sentences = ignored_path_control(*program.toolpath, setup);
   const bool has_ramps = setup.model->guarantees(setup.settings).continuity != Continuity::position;
   if (has_ramps && has_curves_as_arcs(program)) {
     sentences.emplace_back(curves_as_arcs);
@@ -65,13 +72,13 @@ std::vector<std::string> unfollowed(const LoadedProgram& program, const Setup& s
   return sentences;
 }
 
-std::vector<std::string> unfollowed(const Toolpath& toolpath, const Setup& setup) {
+std::vector<std::string> ignored_path_control(const Toolpath& toolpath, const Setup& setup) {
   const Guarantees promised = setup.model->guarantees(setup.settings);
   std::vector<std::string> sentences;
   for (const Rule& rule : rules) {
     const bool applies = std::any_of(toolpath.path_controls.begin(), toolpath.path_controls.end(),
                                      [&](const PathControl& control) {
-                                       return rule.is_unfollowed({control, promised, setup});
+                                       return rule.is_ignored({control, promised, setup});
                                      });
     if (applies) {
       sentences.emplace_back(rule.sentence);
@@ -80,7 +87,7 @@ std::vector<std::string> unfollowed(const Toolpath& toolpath, const Setup& setup
   return sentences;
 }
 
-std::vector<std::string> all_unfollowed() {
+std::vector<std::string> all_ignored_path_control() {
   std::vector<std::string> sentences;
   for (const Rule& rule : rules) {
     sentences.emplace_back(rule.sentence);

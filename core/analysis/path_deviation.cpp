@@ -66,8 +66,8 @@ class HelixFoot {
   double valley(double base) const {
     const double gap = std::abs(aim_ - base);
     double y = 0;
-    constexpr int most_steps = 60;
-    for (int step = 0; step < most_steps; ++step) {
+    constexpr int max_steps = 60;
+    for (int step = 0; step < max_steps; ++step) {
       const double bend = pull_ * std::cos(y) + rise_;
       const double left = rise_ * (gap - y) - pull_ * std::sin(y);
       if (bend <= 0 || left <= 1e-15 * rise_ * gap) {

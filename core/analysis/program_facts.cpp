@@ -7,7 +7,7 @@ namespace feedscope {
 namespace {
 
 /// As many as a reader of the facts looks through; loops may change the settings at every turn.
-constexpr std::size_t most_ranges = 200;
+constexpr std::size_t max_ranges = 200;
 
 std::vector<PathControlRange> path_control_ranges(const Toolpath& toolpath) {
   std::vector<PathControlRange> ranges;
@@ -17,7 +17,7 @@ std::vector<PathControlRange> path_control_ranges(const Toolpath& toolpath) {
       continue;
     }
     if (ranges.empty() || segment.path_control != last) {
-      if (ranges.size() == most_ranges) {
+      if (ranges.size() == max_ranges) {
         break;
       }
       ranges.push_back({segment.line, segment.line, toolpath.path_controls[segment.path_control]});
@@ -52,7 +52,7 @@ ProgramFacts facts_of(const Program& program, const Toolpath& toolpath) {
     facts.arcs += segment.kind == SegmentKind::arc ? 1 : 0;
     facts.dwells += is_dwell(toolpath, segment) ? 1 : 0;
     if (segment.feed > 0) {
-      facts.least_feed = facts.least_feed > 0 ? std::min(facts.least_feed, segment.feed) : segment.feed;
+      facts.min_feed = facts.min_feed > 0 ? std::min(facts.min_feed, segment.feed) : segment.feed;
       facts.largest_feed = std::max(facts.largest_feed, segment.feed);
     }
   }

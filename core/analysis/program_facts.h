@@ -29,9 +29,9 @@ struct ProgramFacts {
   double path_length = 0;    ///< rapids included [mm]
   double rapid_length = 0;   ///< [mm]
   double dwell_time = 0;     ///< [s]
-  double least_feed = 0;     ///< of what moves at a programmed feed; 0 if nothing does [mm/s]
+  double min_feed = 0;       ///< of what moves at a programmed feed; 0 if nothing does [mm/s]
   double largest_feed = 0;   ///< [mm/s]
-  std::vector<PathControlRange> path_control;  ///< in programmed order, dwells left out
+  std::vector<PathControlRange> path_control;  ///< in programmed order, dwells omitted
 };
 
 ProgramFacts facts_of(const Program& program, const Toolpath& toolpath);

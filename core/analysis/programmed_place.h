@@ -24,7 +24,7 @@ double path_length_of(const BlendedPath& path, const ProgrammedPlace& place);
 /// The place under way at `time` [s], clamped to the run. The origin of an empty trajectory.
 ProgrammedPlace programmed_place(const Trajectory& trajectory, double time);
 
-/// First instant at which a run is at `place` [s]; a segment that the control left out stands for the
+/// First instant at which a run is at `place` [s]; a segment that the control omitted stands for the
 /// beginning of the next one, one beyond the program for its end. 0 for an empty trajectory.
 double time_of(const Trajectory& trajectory, const ProgrammedPlace& place);
 

@@ -9,6 +9,7 @@
 #include "core/analysis/run_stages.h"
 #include "core/base/data_folder.h"
 #include "core/base/error.h"
+#include "core/limits/axis_share.h"
 #include "core/machine/contour_tolerance.h"
 
 namespace feedscope {
@@ -50,8 +51,8 @@ std::vector<PathControl> controls_of_feed_motions(const Toolpath& toolpath) {
                               ? std::string()
                               : fmt::format(", line {}: {}", limit->line, limit->message);
   throw InputError(
-      fmt::format("{}{}; such a program is not simulated: check its loops, raise the limit (--repeat-limit), "
-                  "or ask for what was read of it (--simulate-cut-off)",
+      fmt::format("{}{}; the program is not simulated: check its loops, raise the limit (--repeat-limit), or "
+                  "simulate the part that was read (--simulate-cut-off)",
                   program.source->name(), why));
 }
 
@@ -142,9 +143,8 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
 
 void add_summary(Run& run) {
   const StopWatch watch;
-  const auto& axes = run.setup.machine.axes;
-  run.summary =
-      summarise(*run.trajectory, *run.input.toolpath, {axes[0].velocity, axes[1].velocity, axes[2].velocity});
+  run.summary = summarise(*run.trajectory, *run.input.toolpath,
+                          axis_limit_vector(run.setup.machine, &AxisLimits::velocity));
   run.simulate_time += watch.seconds();
 }
 

@@ -4,7 +4,7 @@
 #include <fmt/ranges.h>
 
 #include "core/analysis/control_dialect.h"
-#include "core/analysis/unfollowed.h"
+#include "core/analysis/ignored_path_control.h"
 
 namespace feedscope {
 
@@ -23,7 +23,7 @@ std::string unused_work_offsets(const Program& program, const Machine& machine) 
 }
 
 std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup) {
-  std::vector<std::string> notes = unfollowed(program, setup);
+  std::vector<std::string> notes = ignored_path_control(program, setup);
   if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
     notes.insert(notes.begin(), describe(*mismatch));
   }
@@ -31,7 +31,7 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   if (!offsets.empty()) {
     notes.insert(
         notes.begin(),
-        fmt::format("The program was read with other work offsets than those of the machine ({}).", offsets));
+        fmt::format("The program was read with work offsets other than those of the machine ({}).", offsets));
   }
   return notes;
 }

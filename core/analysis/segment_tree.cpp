@@ -9,9 +9,9 @@
 namespace feedscope {
 namespace {
 
-constexpr std::uint32_t most_in_leaf = 8;
-constexpr double most_lengths = 2;  // the average one, of a segment that is not divided
-constexpr double most_turn = 2;     // of an arc that is not divided [rad]
+constexpr std::uint32_t max_in_leaf = 8;
+constexpr double max_lengths = 2;  // the average one, of a segment that is not divided
+constexpr double max_turn = 2;     // of an arc that is not divided [rad]
 constexpr double part_turn = 1;
 
 float rounded_down(double value) {
@@ -55,7 +55,7 @@ std::uint32_t parts_of(const Toolpath& toolpath, const Segment& segment, double 
   double parts = segment.length > longest ? segment.length / longest : 1;
   if (segment.kind == SegmentKind::arc) {
     const double turn = toolpath.arc_of(segment).sweep;
-    parts = std::max(parts, turn > most_turn ? turn / part_turn : 1);
+    parts = std::max(parts, turn > max_turn ? turn / part_turn : 1);
   }
   return static_cast<std::uint32_t>(std::ceil(parts));
 }
@@ -88,7 +88,7 @@ SegmentTree::SegmentTree(const Toolpath& toolpath) {
 void SegmentTree::make_leaves(const Toolpath& toolpath) {
   const auto segments = static_cast<std::uint32_t>(toolpath.segments.size());
   const double average = toolpath.length() / std::max<std::uint32_t>(segments, 1);
-  const double longest = most_lengths * average;
+  const double longest = max_lengths * average;
   levels_.emplace_back();
   Leaf leaf{0, 0};
   Bounds bounds;
@@ -103,7 +103,7 @@ void SegmentTree::make_leaves(const Toolpath& toolpath) {
   };
   for (std::uint32_t i = 0; i < segments; ++i) {
     const Segment& segment = toolpath.segments[i];
-    if (leaf.count == most_in_leaf || length > most_in_leaf * average) {
+    if (leaf.count == max_in_leaf || length > max_in_leaf * average) {
       close(i);
     }
     if (const std::uint32_t parts = parts_of(toolpath, segment, longest); parts > 1) {

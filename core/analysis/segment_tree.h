@@ -28,7 +28,7 @@ class SegmentTree {
 
  private:
   static constexpr std::uint32_t fan_out = 4;
-  static constexpr std::size_t most_levels = 17;  // 4^16 leaves
+  static constexpr std::size_t max_levels = 17;  // 4^16 leaves
 
   /// Rounded outwards [mm].
   struct Box {
@@ -72,7 +72,7 @@ void SegmentTree::search(const Vec3& place, double squared, const Look& look) co
   if (leaves_.empty()) {
     return;
   }
-  std::array<Node, most_levels * fan_out> waiting;
+  std::array<Node, max_levels * fan_out> waiting;
   const auto top = static_cast<std::uint32_t>(levels_.size() - 1);
   waiting[0] = {top, 0, levels_[top][0].squared_distance(place)};
   std::size_t count = 1;

@@ -10,9 +10,9 @@
 namespace feedscope {
 namespace {
 
-constexpr double least_depth = 0.1;      // of the programmed feed
+constexpr double min_depth = 0.1;        // of the programmed feed
 constexpr double as_programmed = 0.999;  // of the programmed feed; what is faster is not slow
-constexpr double least_loss = 1e-6;      // [s]
+constexpr double min_loss = 1e-6;        // [s]
 constexpr double filtered_per_filter_time = 4;
 
 /// Achieved feed at one instant.
@@ -72,7 +72,7 @@ class Account {
     is_slow_ = false;
   }
 
-  bool counts() const { return is_slow_ && place_.loss > least_loss; }
+  bool counts() const { return is_slow_ && place_.loss > min_loss; }
   double loss() const { return place_.loss; }
   SlowPlace place() const {
     SlowPlace place = place_;
@@ -110,7 +110,7 @@ class Account {
 /// Cuts the course of the feed at its peaks as it comes in.
 ///
 ///   share   __             __      a peak is one, and the places are cut there, once the feed has fallen
-///             \    /\_    /        by least_depth below it; until then what follows the peak so far is kept
+///             \    /\_    /        by min_depth below it; until then what follows the peak so far is kept
 ///              \__/   \__/         apart in after_peak_
 ///            place 1|place 2
 class PlaceFinder {
@@ -121,7 +121,7 @@ class PlaceFinder {
     const double share = level.share();
     if (!rising_) {
       lowest_ = std::min(lowest_, share);
-      if (share > lowest_ + least_depth) {
+      if (share > lowest_ + min_depth) {
         rising_ = true;
         peak_ = share;
       }
@@ -129,7 +129,7 @@ class PlaceFinder {
       peak_ = share;
       open_.append(after_peak_);
       after_peak_.clear();
-    } else if (share < peak_ - least_depth) {
+    } else if (share < peak_ - min_depth) {
       close();
       std::swap(open_, after_peak_);
       after_peak_.clear();

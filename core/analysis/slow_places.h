@@ -27,7 +27,7 @@ struct SlowPlace {
 /// Where a run loses time against its programmed feed.
 struct SlowPlaces {
   std::vector<SlowPlace> places;  ///< in order of time
-  std::size_t count = 0;          ///< also of those that are left out
+  std::size_t count = 0;          ///< also of those that are omitted
   double loss = 0;  ///< of all [s]: cycle time less dwells less the path at its programmed feeds
 };
 

@@ -45,7 +45,7 @@ std::vector<ToleranceRun> tolerance_runs(std::span<const ComparedRun> runs) {
 }
 
 std::vector<SlowerTolerance> slower_with_wider_tolerance(std::span<const ToleranceRun> runs) {
-  constexpr double least_growth = 1e-4;
+  constexpr double min_growth = 1e-4;
   std::vector<std::vector<Candidate>> groups;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const std::optional<double> tolerance = contour_tolerance(*runs[i].setup);
@@ -65,7 +65,7 @@ std::vector<SlowerTolerance> slower_with_wider_tolerance(std::span<const Toleran
     const Candidate* fastest = &group.front();
     for (const Candidate& one : group) {
       const double more = time(one) - time(*fastest);
-      if (one.tolerance > fastest->tolerance && more > std::max(worst.more, least_growth * time(*fastest))) {
+      if (one.tolerance > fastest->tolerance && more > std::max(worst.more, min_growth * time(*fastest))) {
         worst = {fastest->run, one.run, fastest->tolerance, one.tolerance, more, {}, 0};
       }
       if (time(one) < time(*fastest)) {
@@ -83,9 +83,8 @@ std::vector<SlowerTolerance> slower_with_wider_tolerance(std::span<const Toleran
 std::string to_string(const SlowerTolerance& slower, std::span<const ToleranceRun> runs) {
   const ToleranceRun& wide = runs[slower.wide];
   return fmt::format(
-      "{} on {}: a contour tolerance of {} mm takes longer than {} mm, {:.3f} s against {:.3f} s. The "
-      "largest "
-      "growth by cause: {}, {:.3f} s more. {}",
+      "{} on {}: a contour tolerance of {} mm takes longer than {} mm, {:.3f} s against {:.3f} s. Largest "
+      "increase by cause: {}, {:.3f} s more. {}",
       wide.setup->model->info().id, wide.setup->machine.name, slower.wide_value, slower.narrow_value,
       wide.summary->cycle_time, runs[slower.narrow].summary->cycle_time, cause_title(slower.cause),
       slower.cause_more, why_slower_with_wider_tolerance);

@@ -90,7 +90,7 @@ class Peaks {
   }
 
   double speed() const { return speed_; }
-  const std::array<AxisPeaks, 3>& axes() const { return axes_; }
+  const AxisVector<AxisPeaks>& axes() const { return axes_; }
 
  private:
   /// On a straight line every extreme is one of a polynomial, on each axis at the same time.
@@ -132,7 +132,7 @@ class Peaks {
 
   void add(double speed, const Vec3& velocity, const Vec3& acceleration, const Vec3& jerk) {
     speed_ = std::max(speed_, speed);
-    for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (std::size_t axis = 0; axis < coordinate_names.size(); ++axis) {
       const auto i = static_cast<Eigen::Index>(axis);
       axes_[axis].velocity = std::max(axes_[axis].velocity, velocity[i]);
       axes_[axis].acceleration = std::max(axes_[axis].acceleration, acceleration[i]);
@@ -142,7 +142,7 @@ class Peaks {
 
   const Trajectory& trajectory_;
   double speed_ = 0;
-  std::array<AxisPeaks, 3> axes_;
+  AxisVector<AxisPeaks> axes_;
 };
 
 }  // namespace

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "core/analysis/contour/contour_errors.h"
+#include "core/machine/axis_vector.h"
 #include "core/toolpath/machine_toolpath.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
@@ -27,7 +27,7 @@ struct Summary {
   double max_corner_distance = 0;
   ContourPlace worst_place;  ///< where max_contour_error is; of a run that leaves the path nowhere all 0
   double peak_feed = 0;      ///< [mm/s]
-  std::array<AxisPeaks, 3> axes;
+  AxisVector<AxisPeaks> axes;
   /// By cause_index(); adds up to cycle_time but for rounding: less than 1e-14 of it is none [s].
   std::vector<double> time_by_cause;
   /// Of the time of ramp_down: by cause_index() of what sets the slower place ahead [s].

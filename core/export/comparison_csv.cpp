@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <iterator>
 #include <vector>
@@ -12,6 +13,10 @@
 
 namespace feedscope {
 namespace {
+
+/// Of every axis of known_axes; without values where a machine does not have it.
+constexpr std::array<const char*, 6> axis_columns{"v{}_mm_min", "a{}_m_s2",  "j{}_m_s3",
+                                                  "v{}_share",  "a{}_share", "j{}_share"};
 
 std::string number(double value) {
   return fmt::format("{:.11g}", value + 0.0);
@@ -46,9 +51,9 @@ std::vector<std::string> header(const std::vector<std::size_t>& causes) {
                                "tolerance_min_mm",
                                "tolerance_max_mm",
                                "tolerance_set_by"};
-  for (const char name : axis_names) {
-    const char axis = static_cast<char>(std::tolower(name));
-    for (const char* column : {"v{}_mm_min", "a{}_m_s2", "j{}_m_s3", "v{}_share", "a{}_share", "j{}_share"}) {
+  for (const AxisInfo& info : known_axes) {
+    const char axis = static_cast<char>(std::tolower(info.name));
+    for (const char* column : axis_columns) {
       row.push_back(fmt::format(fmt::runtime(column), axis));
     }
   }
@@ -74,9 +79,14 @@ std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::s
                                tolerance ? number(tolerance->min) : "",
                                tolerance ? number(tolerance->max) : "",
                                std::string(tolerance ? to_string(tolerance->set_by) : "")};
-  for (std::size_t i = 0; i < summary.axes.size(); ++i) {
-    const AxisPeaks& peak = summary.axes[i];
-    const AxisLimits& limit = run.setup.machine.axes[i];
+  for (const AxisInfo& axis : known_axes) {
+    const AxisPeaks* const found = summary.axes.find(axis.name);
+    if (found == nullptr) {
+      row.insert(row.end(), axis_columns.size(), "");
+      continue;
+    }
+    const AxisPeaks& peak = *found;
+    const AxisLimits& limit = *run.setup.machine.axes.find(axis.name);
     row.push_back(number(units::to_mm_min(peak.velocity)));
     row.push_back(number(units::to_m(peak.acceleration)));
     row.push_back(number(units::to_m(peak.jerk)));

@@ -8,11 +8,12 @@
 #include "core/base/units.h"
 #include "core/export/export.h"
 #include "core/trajectory/part_walk.h"
+#include "core/trajectory/quantity.h"
 
 namespace feedscope {
 namespace {
 
-constexpr double most_rows = 1e9;             // about 300 GB; a step that small is a slip of the pen
+constexpr double max_rows = 1e9;              // about 300 GB; a step that small is a slip of the pen
 constexpr std::size_t buffer_size = 1 << 20;  // bytes
 constexpr std::size_t rows_per_report = 4096;
 
@@ -59,22 +60,29 @@ std::vector<std::string> cause_keys() {
   return keys;
 }
 
-void write_row(TextSink& sink, const State& state, std::string_view cause) {
-  constexpr double per_minute = units::to_mm_min(1);
-  constexpr double in_metres = units::to_m(1);
-  sink.number(state.time);
-  sink.number(state.path_length);
-  sink.count(state.line);
-  sink.vector(state.position, 1);
-  sink.number(units::to_mm_min(state.speed));
-  sink.number(units::to_mm_min(state.programmed_feed));
-  sink.vector(state.velocity, per_minute);
-  sink.vector(state.acceleration, in_metres);
-  sink.vector(state.jerk, in_metres);
-  sink.number(units::to_m(state.tangential_acceleration));
-  sink.number(units::to_m(state.tangential_jerk));
-  sink.text(cause);
-  sink.end_row();
+/// A column of motion: a quantity in the unit of files.
+struct Column {
+  std::string_view name;
+  double (*of)(const State&) = nullptr;
+  double factor = 1;
+};
+
+/// Those before the limiting cause, which once was the last, and those behind it.
+struct Columns {
+  std::vector<Column> before_cause;
+  std::vector<Column> behind_cause;
+};
+
+Columns motion_columns() {
+  Columns columns;
+  for (const QuantityInfo& quantity : all_quantities()) {
+    if (!quantity.column.empty()) {
+      std::vector<Column>& side =
+          quantity.id <= QuantityId::tangential_jerk ? columns.before_cause : columns.behind_cause;
+      side.push_back({quantity.column, quantity.of, shown_unit(quantity.dimension).factor});
+    }
+  }
+  return columns;
 }
 
 /// Rows of samples at instants that never fall.
@@ -89,9 +97,15 @@ class SampleRows {
         causes_(cause_keys()),
         rows_(rows),
         progress_(progress) {
-    sink_.text(
-        "time_s,path_mm,line,x_mm,y_mm,z_mm,feed_mm_min,programmed_feed_mm_min,vx_mm_min,vy_mm_min,vz_mm_min,"
-        "ax_m_s2,ay_m_s2,az_m_s2,jx_m_s3,jy_m_s3,jz_m_s3,at_m_s2,jt_m_s3,cause");
+    for (const Column& column : columns_.before_cause) {
+      sink_.text(column.name);
+      sink_.text(",");
+    }
+    sink_.text("cause");
+    for (const Column& column : columns_.behind_cause) {
+      sink_.text(",");
+      sink_.text(column.name);
+    }
     sink_.end_row();
   }
   SampleRows(const SampleRows&) = delete;
@@ -104,7 +118,7 @@ class SampleRows {
     add(walk_.done() ? trajectory_.state(time) : walk_.motion().state(time - walk_.part().time));
   }
   void add(const State& state) {
-    write_row(sink_, state, causes_[cause_index(state.cause)]);
+    write_row(state);
     if (progress_ != nullptr && row_ % rows_per_report == 0) {
       progress_->report(static_cast<double>(row_) / static_cast<double>(rows_));
     }
@@ -113,6 +127,23 @@ class SampleRows {
   void end() { sink_.flush(); }
 
  private:
+  void write_row(const State& state) {
+    for (const Column& column : columns_.before_cause) {
+      if (column.of == info_of(QuantityId::line).of) {
+        sink_.count(state.line);
+      } else {
+        sink_.number(column.of(state) * column.factor);
+      }
+    }
+    sink_.text(causes_[cause_index(state.cause)]);
+    sink_.text(",");
+    for (const Column& column : columns_.behind_cause) {
+      sink_.number(column.of(state) * column.factor);
+    }
+    sink_.end_number_row();
+  }
+
+  const Columns columns_ = motion_columns();
   TextSink sink_;
   const Trajectory& trajectory_;
   PartWalk walk_;
@@ -126,7 +157,7 @@ class SampleRows {
 
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress) {
   const double duration = trajectory.duration();
-  if (!(step > 0) || duration / step > most_rows) {
+  if (!(step > 0) || duration / step > max_rows) {
     throw InputError(fmt::format(
         "a step of {} s gives more than a billion rows for a cycle time of {:.6g} s; use a larger step", step,
         duration));

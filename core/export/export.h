@@ -11,12 +11,12 @@ namespace feedscope {
 
 struct ContourReport;
 
-/// Samples as CSV, columns of DESIGN section 4; one row each `step` [s] and one for the very end.
+/// Samples as CSV, columns of README.md beside this file; one row each `step` [s] and one for the very end.
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress = nullptr);
 /// The same with a row at each of `times` [s], ascending, clamped to the run.
 void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
                Progress* progress = nullptr);
-/// Corner blends as CSV, columns of DESIGN section 4.
+/// Corner blends as CSV, columns of README.md beside this file.
 void write_blends(std::ostream& out, const Trajectory& trajectory);
 
 // JSON, indented, newline at the end; every key is listed in core/export/README.md. Two files of equal

@@ -136,7 +136,7 @@ Json program_json(const Program& program, const Toolpath& toolpath) {
           {"rapid_mm", finite(facts.rapid_length)},
           {"dwell_s", finite(facts.dwell_time)},
           {"feed_mm_min",
-           {{"min", finite(units::to_mm_min(facts.least_feed))},
+           {{"min", finite(units::to_mm_min(facts.min_feed))},
             {"max", finite(units::to_mm_min(facts.largest_feed))}}},
           {"tools", tools(program)},
           {"cutters", cutters(program)},
@@ -168,7 +168,7 @@ Json peaks(const Summary& summary) {
   Json axes = Json::object();
   for (std::size_t i = 0; i < summary.axes.size(); ++i) {
     const AxisPeaks& axis = summary.axes[i];
-    axes[std::string(1, axis_names[i])] = axis_figures(axis.velocity, axis.acceleration, axis.jerk);
+    axes[std::string(1, summary.axes.name(i))] = axis_figures(axis.velocity, axis.acceleration, axis.jerk);
   }
   return {{"feed_mm_min", finite(units::to_mm_min(summary.peak_feed))}, {"axes", axes}};
 }
@@ -185,7 +185,7 @@ Json contour_place(const Summary& summary) {
           {"side_mm", rounded_length(place.side)}};
 }
 
-/// `seconds` by cause_index(); those without time are left out.
+/// `seconds` by cause_index(); those without time are omitted.
 Json by_cause(const std::vector<double>& seconds) {
   Json times = Json::object();
   for (std::size_t i = 0; i < seconds.size(); ++i) {
@@ -205,7 +205,7 @@ Json axis_limits(const Machine& machine) {
   Json axes = Json::object();
   for (std::size_t i = 0; i < machine.axes.size(); ++i) {
     const AxisLimits& axis = machine.axes[i];
-    axes[std::string(1, axis_names[i])] = axis_figures(axis.velocity, axis.acceleration, axis.jerk);
+    axes[std::string(1, machine.axes.name(i))] = axis_figures(axis.velocity, axis.acceleration, axis.jerk);
   }
   return axes;
 }

@@ -22,7 +22,7 @@ class Place {
 
   Place at(const std::string& key) const {
     if (!json_.is_object() || !json_.contains(key)) {
-      throw InputError(fmt::format("'{}': key '{}' is missing; merge files that compare --json wrote", file_,
+      throw InputError(fmt::format("'{}': key '{}' is missing; merge files written by compare --json", file_,
                                    path_.empty() ? key : path_ + "." + key));
     }
     return {file_, json_.at(key), path_.empty() ? key : path_ + "." + key};
@@ -35,7 +35,7 @@ class Place {
   }
   std::string text() const {
     if (!json_.is_string()) {
-      refuse("a text");
+      refuse("a string");
     }
     return json_.get<std::string>();
   }
@@ -122,9 +122,8 @@ MergedProgram program_of(const NamedText& file, std::optional<double>& within) {
   try {
     json = Json::parse(file.text);
   } catch (const Json::parse_error& error) {
-    throw InputError(fmt::format("'{}': not a JSON text, {}{}; merge files that compare --json wrote",
-                                 file.name,
-                                 error.byte > file.text.size() ? "it ends too early: " : "wrong at ",
+    throw InputError(fmt::format("'{}': not valid JSON, {}{}; merge files written by compare --json",
+                                 file.name, error.byte > file.text.size() ? "unexpected end: " : "error at ",
                                  place_of_byte(file.text, error.byte)));
   }
   const Place whole(file.name, json);
@@ -138,7 +137,7 @@ MergedProgram program_of(const NamedText& file, std::optional<double>& within) {
     const auto& added = program.runs.back();
     const auto same = std::ranges::find(program.runs, added.key, &MergedRun::key);
     if (same + 1 != program.runs.end()) {
-      throw InputError(fmt::format("'{}': runs[{}] has the settings of runs[{}] ({} {} {})", file.name,
+      throw InputError(fmt::format("'{}': runs[{}] has the same settings as runs[{}] ({} {} {})", file.name,
                                    program.runs.size() - 1, same - program.runs.begin(), added.machine,
                                    added.model, added.setting));
     }
@@ -224,7 +223,7 @@ MergedComparison merge_comparisons(const std::vector<NamedText>& files, std::opt
     MergedProgram program = program_of(file, bounds.emplace_back());
     const auto same = std::ranges::find(merged.programs, program.file, &MergedProgram::file);
     if (same != merged.programs.end()) {
-      throw InputError(fmt::format("'{}': program '{}' is in '{}', too", file.name, program.file,
+      throw InputError(fmt::format("'{}': program '{}' is also in '{}'", file.name, program.file,
                                    files[static_cast<std::size_t>(same - merged.programs.begin())].name));
     }
     for (const MergedRun& run : program.runs) {

@@ -27,10 +27,10 @@ double turn_of(const Junction& junction) {
 
 /// The nearest programmed point of an evenly cut corner of `turn` is error tan(turn / 2) before its end.
 bool is_of_corner(const Junction& junction, double error) {
-  constexpr double least_turn = 1e-3;  // [rad]
+  constexpr double min_turn = 1e-3;  // [rad]
   constexpr double uneven = 2;
   const double turn = turn_of(junction);
-  return turn > least_turn && junction.distance <= uneven * error * std::tan(std::min(turn / 2, 1.5));
+  return turn > min_turn && junction.distance <= uneven * error * std::tan(std::min(turn / 2, 1.5));
 }
 
 double distance_along(const Toolpath& path, std::size_t segment, const Vec3& point) {

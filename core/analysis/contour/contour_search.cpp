@@ -66,9 +66,9 @@ double ContourSearch::bend_from_line(const PathDeviation::Foot& at_from, const P
   const double from = std::sqrt(at_from.squared);
   const double to = std::sqrt(at_to.squared);
   const ElementKind kind = trajectory_.path().kind(span.from.place.element);
-  constexpr double least_cosine = 0.9;
+  constexpr double min_cosine = 0.9;
   const double cosine = at_from.offset.dot(at_to.offset) / (from * to);
-  if (kind == ElementKind::connecting_arc || !(cosine > least_cosine)) {
+  if (kind == ElementKind::connecting_arc || !(cosine > min_cosine)) {
     return std::max(span.from.point.d2.norm(), span.to.point.d2.norm());
   }
   // A unit vector between both is their sum with shares that add up to 1 / cos(half their angle) at most.

@@ -132,9 +132,9 @@ void CourseWalk::follow_part() {
   const Part& part = parts_.part();
   const PartMotion motion = parts_.motion();
   const std::uint32_t segment = trajectory_.path().segment(part.element);
-  constexpr int most_spans = 256;  // where blocks meet a part is short
+  constexpr int max_spans = 256;  // where blocks meet a part is short
   const int count = part.law == Law::filtered
-                        ? std::min(trajectory_.filtered_spans(part, spans_a_filter_time), most_spans)
+                        ? std::min(trajectory_.filtered_spans(part, spans_a_filter_time), max_spans)
                         : spans_of_fitted_part;
   const double step = part.duration / count;
   Kinematics from = motion.kinematics(0);

@@ -14,9 +14,9 @@ constexpr double nowhere = 1e-9;  ///< what is nearer is the same place [mm]
 /// Newton steps from `start`, within `range`; `curve(u)` gives position, first and second derivative.
 template <typename Curve>
 void NearestPlace::descend(const Curve& curve, double start, Range range) {
-  constexpr int most_steps = 12;
+  constexpr int max_steps = 12;
   double u = std::clamp(start, range.low, range.high);
-  for (int step = 0; step < most_steps; ++step) {
+  for (int step = 0; step < max_steps; ++step) {
     const auto at = curve(u);
     const Vec3 offset = at.position - place_;
     squared_ = std::min(squared_, offset.squaredNorm());

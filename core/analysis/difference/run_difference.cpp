@@ -12,11 +12,11 @@ namespace {
 
 void check(const Trajectory& run, const Trajectory& reference) {
   if (run.pieces().empty() || reference.pieces().empty()) {
-    throw std::invalid_argument("two runs are compared place by place, and one of them does not move");
+    throw std::invalid_argument("the runs cannot be compared place by place: one of them has no motion");
   }
   const std::size_t segments = run.path().programmed()->segments.size();
   if (segments != reference.path().programmed()->segments.size()) {
-    throw std::invalid_argument("two runs are compared place by place, and they are of different programs");
+    throw std::invalid_argument("the runs cannot be compared place by place: they are of different programs");
   }
 }
 

@@ -25,7 +25,7 @@ struct LeastRamp {
 ElementLimits::ElementLimits(const Run& run)
     : run_(run),
       path_(run.trajectory->path()),
-      model_(run.setup.model->info().id),
+      traits_(run.setup.model->info().limits),
       axes_(run.setup.machine) {}
 
 double ElementLimits::setting(std::string_view key) const {
@@ -51,7 +51,7 @@ bool ElementLimits::accelerates_by_jumps(std::uint32_t element) const {
          (!path_.in_corner(element) || rules.acceleration_jumps(first + 1));
 }
 
-Formula ElementLimits::least_share(FormulaId id, Symbol limit, const Vec3& limits, const Vec3& parts) const {
+Formula ElementLimits::min_share(FormulaId id, Symbol limit, const Vec3& limits, const Vec3& parts) const {
   const AxisBound bound = axis_share(limits, parts);
   if (bound.axis < 0) {
     return {};
@@ -85,23 +85,23 @@ Formula ElementLimits::blend_rest(FormulaId id, Symbol share, Symbol limit, std:
 
 Formula ElementLimits::path_acceleration(std::uint32_t element) const {
   constexpr auto id = FormulaId::path_acceleration;
-  if (path_.in_corner(element) && model_ != "msaddek") {
+  if (path_.in_corner(element) && traits_.ramps_share_corners) {
     return blend_rest(FormulaId::shared_acceleration, Symbol::acceleration_share, Symbol::axis_acceleration,
                       element);
   }
   const ElementCurve curve = path_.curve(element);
   const Vec3 parts = curve.is_arc() ? ArcExtremes(curve.arc).tangent : curve.direction;
-  return least_share(id, Symbol::axis_acceleration, axes_.acceleration, parts);
+  return min_share(id, Symbol::axis_acceleration, axes_.acceleration, parts);
 }
 
 Formula ElementLimits::path_jerk(std::uint32_t element) const {
   Formula steady;
-  if (path_.in_corner(element) && model_ != "msaddek") {
+  if (path_.in_corner(element) && traits_.ramps_share_corners) {
     steady = blend_rest(FormulaId::shared_jerk, Symbol::jerk_share, Symbol::blend_jerk, element);
   } else {
     const ElementCurve curve = path_.curve(element);
     const Vec3 parts = curve.is_arc() ? ArcExtremes(curve.arc).tangent : curve.direction;
-    steady = least_share(FormulaId::path_jerk, Symbol::axis_jerk, axes_.jerk, parts);
+    steady = min_share(FormulaId::path_jerk, Symbol::axis_jerk, axes_.jerk, parts);
   }
   if (!accelerates_by_jumps(element)) {
     return steady;
@@ -122,7 +122,7 @@ BlendShape ElementLimits::blend_shape(std::uint32_t element) const {
 Formula ElementLimits::arc_velocity(Cause cause, const Arc& arc) const {
   const std::size_t j = axis_of(cause);
   double part = ArcExtremes(arc).tangent[cause.axis];
-  if (model_ == "tapie") {
+  if (traits_.at_steady_place) {
     const SteadyPlace place = steady_place(
         arc, axes_, units::from_m(setting("curvilinear_jerk_m_s3")) * setting("tangential_share"));
     part = std::max(part, std::abs(arc.at(place.angle * arc.length_per_radian()).d1[cause.axis]));
@@ -146,7 +146,7 @@ Formula ElementLimits::arc_speed(Cause cause, const Arc& arc) const {
   }
   Vec3 tangent;
   Vec3 normal;
-  if (model_ == "tapie") {
+  if (traits_.at_steady_place) {
     const SteadyPlace place = steady_place(
         arc, axes_, units::from_m(setting("curvilinear_jerk_m_s3")) * setting("tangential_share"));
     const CurvePoint at = arc.at(place.angle * arc.length_per_radian());
@@ -176,7 +176,7 @@ Formula ElementLimits::arc_speed(Cause cause, const Arc& arc) const {
   }
 }
 
-/// On a circle arc that is passed at constant speed, limits of tangent and normal (MODELS section 6).
+/// On a circle arc that is passed at constant speed, limits of tangent and normal (models/gassara/README.md).
 Formula ElementLimits::connecting_arc_speed(Cause cause, double radius) const {
   const Quantity r{Symbol::radius, -1, radius};
   switch (cause.kind) {

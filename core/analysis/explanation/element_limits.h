@@ -1,7 +1,7 @@
 #pragma once
 
-#include "core/analysis/explanation/formula.h"
 #include "core/analysis/run.h"
+#include "core/limits/formula.h"
 #include "core/models/essid/blend_law.h"
 
 namespace feedscope {
@@ -28,12 +28,12 @@ class ElementLimits {
   /// From the junction before `element` standstill must be reached within the look-ahead.
   Formula horizon(std::uint32_t element) const;
 
-  const std::string& model() const { return model_; }
+  const LimitTraits& traits() const { return traits_; }
   const AxisVectors& axes() const { return axes_; }
   double setting(std::string_view key) const;
 
  private:
-  Formula least_share(FormulaId id, Symbol limit, const Vec3& limits, const Vec3& parts) const;
+  Formula min_share(FormulaId id, Symbol limit, const Vec3& limits, const Vec3& parts) const;
   Formula blend_rest(FormulaId id, Symbol share, Symbol limit, std::uint32_t element) const;
   Formula arc_speed(Cause cause, const Arc& arc) const;
   Formula arc_velocity(Cause cause, const Arc& arc) const;
@@ -45,7 +45,7 @@ class ElementLimits {
 
   const Run& run_;
   const BlendedPath& path_;
-  std::string model_;
+  const LimitTraits& traits_;
   AxisVectors axes_;
 };
 

@@ -22,7 +22,7 @@ bool is_between(const Trajectory& trajectory, std::size_t index) {
 /// A ceiling that is not the one of the place, because what limits lies further on, says nothing there.
 void drop_if_far_off(Reason& reason) {
   constexpr double near = 0.05;
-  const bool speed = !reason.formula.empty() && reason.formula.dimension() == Dimension::speed;
+  const bool speed = !reason.formula.empty() && reason.formula.dimension() == Dimension::feed;
   if (speed && std::abs(reason.formula.value() - reason.reached) > near * reason.reached) {
     reason.formula = {};
     reason.source.clear();
@@ -31,7 +31,7 @@ void drop_if_far_off(Reason& reason) {
 
 /// Follows the pieces that brake for the same place, from the one about `state.time` on.
 SlowerPlace find_slower_place(const Run& run, const ReasonFinder& reasons, const State& state) {
-  constexpr int most_looks = 64;  // boundaries that are looked at closely, where nodes lower each other
+  constexpr int max_looks = 64;  // boundaries that are looked at closely, where nodes lower each other
   const Trajectory& trajectory = *run.trajectory;
   const std::size_t count = trajectory.pieces().size();
   const auto brakes = [&](std::size_t piece) {
@@ -47,7 +47,7 @@ SlowerPlace find_slower_place(const Run& run, const ReasonFinder& reasons, const
       ++next;
     }
     const bool brakes_on = brakes(next);
-    if (!brakes_on || looks < most_looks) {
+    if (!brakes_on || looks < max_looks) {
       there = trajectory.state(trajectory.piece_end(piece));
       reason = reasons.find_at_start(there, state.slower_place);
     }

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "core/analysis/explanation/formula.h"
 #include "core/analysis/run.h"
+#include "core/limits/formula.h"
 
 namespace feedscope {
 

@@ -1,5 +1,6 @@
 #include "core/analysis/explanation/reason_finder.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace feedscope {
@@ -48,7 +49,7 @@ ReasonFinder::ReasonFinder(const Run& run)
     : run_(*run.trajectory), settings_(run.setup.settings), limits_(run) {}
 
 Reason ReasonFinder::made(Cause cause, Formula formula, double reached, std::uint32_t element) const {
-  std::string source = source_of(formula.id, limits_.model());
+  std::string source(source_of(formula.id, limits_.traits()));
   return {cause, std::move(formula), reached, run_.line_of(element), std::move(source)};
 }
 
@@ -61,7 +62,7 @@ Reason ReasonFinder::find(const State& state, Cause cause) const {
     return filtered(state, cause);
   }
   if (on_ramp_up) {
-    return limits_.model() == "optimal" ? whole_axis(state, cause) : on_ramp(state, cause);
+    return limits_.traits().along_and_across ? whole_axis(state, cause) : on_ramp(state, cause);
   }
   switch (cause.kind) {
     case CauseKind::ramp_down:
@@ -253,8 +254,11 @@ Reason ReasonFinder::whole_axis(const State& state, Cause cause) const {
               limit[j], state.element);
 }
 
-std::string source_of(FormulaId id, const std::string& model) {
-  const bool msaddek = model == "msaddek";
+std::string_view source_of(FormulaId id, const LimitTraits& traits) {
+  const auto own = std::ranges::find(traits.sources, id, &LimitTraits::Source::formula);
+  if (own != traits.sources.end()) {
+    return own->text;
+  }
   switch (id) {
     case FormulaId::none:
       return {};
@@ -278,22 +282,22 @@ std::string source_of(FormulaId id, const std::string& model) {
     case FormulaId::jerk_across:
       return "Essid 2019, eq 15 and 24";
     case FormulaId::radial_acceleration:
-      return msaddek ? "Msaddek 2011, eq 11" : "Tapie 2007, eq 2 and 8";
+      return "Tapie 2007, eq 2 and 8";
     case FormulaId::radial_jerk:
-      return msaddek ? "Msaddek 2011, eq 15" : "Tapie 2007, eq 4 and 9";
+      return "Tapie 2007, eq 4 and 9";
     case FormulaId::shared_radial_acceleration:
     case FormulaId::shared_radial_jerk:
     case FormulaId::steady_acceleration:
     case FormulaId::steady_jerk:
-      return model == "gassara" ? "Gassara 2013, in Essid 2019, section 4.3" : "Essid 2019, eq 24 and 26";
+      return "Essid 2019, eq 24 and 26";
     case FormulaId::arc_blend_radial_jerk:
       return "Gassara 2013, in Essid 2019, section 4.3";
     case FormulaId::curvilinear_jerk:
-      return msaddek ? "Msaddek 2011, eq 17" : "Tapie 2007, eq 10 and 11";
+      return "Tapie 2007, eq 10 and 11";
     case FormulaId::curvature_crossing:
-      return msaddek ? "Msaddek 2011, eq 3" : "Tapie 2007, eq 13";
+      return "Tapie 2007, eq 13";
     case FormulaId::interpolation_period:
-      return msaddek ? "Msaddek 2011, eq 5 and 7" : "Tapie 2007, eq 6";
+      return "Tapie 2007, eq 6";
     case FormulaId::horizon_jerk:
     case FormulaId::horizon_acceleration:
       return "Msaddek 2011, section 2.2.3";

@@ -36,7 +36,7 @@ class ReasonFinder {
   ElementLimits limits_;
 };
 
-/// Paper and equation of a formula as `model` uses it.
-std::string source_of(FormulaId id, const std::string& model);
+/// Paper and equation of a formula as a model uses it.
+std::string_view source_of(FormulaId id, const LimitTraits& traits);
 
 }  // namespace feedscope

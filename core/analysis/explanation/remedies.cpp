@@ -22,13 +22,13 @@ class Candidates {
       : setup_(setup), specs_(settings_of(*setup.model)), tolerance_(tolerance) {}
 
   void axis(int axis, const std::string& limit, double factor = more) {
-    add(axis_changes(axis, limit, factor));
+    add(axis_changes(known_axes[static_cast<std::size_t>(axis)].name, limit, factor));
   }
 
   void all_axes(const std::string& limit) {
     Remedy remedy;
-    for (int axis = 0; axis < 3; ++axis) {
-      const Remedy one = axis_changes(axis, limit, more);
+    for (const AxisInfo& axis : setup_.machine.axes.axes()) {
+      const Remedy one = axis_changes(axis.name, limit, more);
       remedy.changes.insert(remedy.changes.end(), one.changes.begin(), one.changes.end());
     }
     add(std::move(remedy));
@@ -81,8 +81,7 @@ class Candidates {
   std::vector<Remedy> take() { return std::move(found_); }
 
  private:
-  Remedy axis_changes(int axis, const std::string& limit, double factor) const {
-    const char name = axis_names[static_cast<std::size_t>(axis)];
+  Remedy axis_changes(char name, const std::string& limit, double factor) const {
     const double value = axis_limit(setup_.machine, name, limit);
     return {{{fmt::format("{}.{}", name, limit), value * factor}}};
   }
@@ -116,8 +115,9 @@ void faster_filters(Candidates& candidates, const Setup& setup) {
     return;
   }
   double jerk = setup.settings.number("filter_jerk_m_s3");
-  for (std::size_t axis = 0; axis < 3 && !(setup.settings.number("filter_jerk_m_s3") > 0); ++axis) {
-    const double own = axis_limit(setup.machine, axis_names[axis], "jerk");
+  for (std::size_t axis = 0;
+       axis < setup.machine.axes.size() && !(setup.settings.number("filter_jerk_m_s3") > 0); ++axis) {
+    const double own = axis_limit(setup.machine, setup.machine.axes.name(axis), "jerk");
     jerk = jerk > 0 ? std::min(jerk, own) : own;
   }
   candidates.set("filter_jerk_m_s3", jerk * more);

@@ -79,7 +79,7 @@ std::string code_of(std::string_view line) {
   return code;
 }
 
-/// The number or the quoted name at the start of `text`, blanks and "=" left out; "" if there is none.
+/// The number or the quoted name at the start of `text`, blanks and "=" omitted; "" if there is none.
 std::string name_at(std::string_view text) {
   while (!text.empty() && (is_blank(text.front()) || text.front() == '=')) {
     text.remove_prefix(1);

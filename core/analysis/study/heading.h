@@ -10,7 +10,7 @@ namespace feedscope {
 /// line. Block numbers in front do not count.
 std::optional<std::string> operation_heading(std::string_view line);
 
-/// What a line says of tools, comments left out: the names that "T3", "T=\"MILL\"" or "TOOL CALL 3" give, the
+/// What a line says of tools, comments omitted: the names that "T3", "T=\"MILL\"" or "TOOL CALL 3" give, the
 /// last one counting, and whether M6 or TOOL CALL brings it in.
 struct ToolWords {
   std::string tool;  ///< "" for none

@@ -124,7 +124,7 @@ OperationSplit operation_split(const std::string& name) {
     return OperationSplit::comment;
   }
   const std::string near = nearest_name(name, {"tool", "comment"});
-  throw InputError(fmt::format("operations cannot be told apart by '{}'; {}choose tool or comment", name,
+  throw InputError(fmt::format("operations cannot be grouped by '{}'; {}choose tool or comment", name,
                                near.empty() ? "" : fmt::format("did you mean '{}'? ", near)));
 }
 

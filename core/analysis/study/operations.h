@@ -26,13 +26,13 @@ struct Operation {
 /// Throws InputError with the nearest name for what is none of "tool" and "comment".
 OperationSplit operation_split(const std::string& name);
 
-/// Splits a program; operations without a segment are left out, all others together hold every segment.
+/// Splits a program; operations without a segment are omitted, all others together hold every segment.
 ///
 /// By tool: where the tool comes in that the program asked for last ("tool 3"); what runs before the first
 /// one is "start". By comment: CAM systems head an operation with a line that holds a comment alone, (...),
 /// ;... or "* - ..." of Heidenhain, MSG("...") of Sinumerik. Of the comment lines between two motions the
 /// last run of neighbouring ones counts, and of that the first that holds a letter. A subprogram belongs to
-/// the operation that calls it; where a loop comes back to a heading its operation begins anew.
+/// the operation that calls it; where a loop comes back to a heading its operation begins again.
 std::vector<Operation> split_operations(const LoadedProgram& program, OperationSplit split);
 
 /// Figures of one operation in one run.
@@ -58,7 +58,7 @@ struct CauseShare {
   double share = 0;  ///< of the whole
 };
 /// What the cycle time of a run is due to, largest first; slowing down counts for what sets the speed of the
-/// slower place ahead. Causes without time are left out.
+/// slower place ahead. Causes without time are omitted.
 std::vector<CauseShare> limiting_causes(const Summary& summary);
 
 }  // namespace feedscope

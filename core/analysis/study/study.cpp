@@ -25,12 +25,11 @@ void check_keys(const StudyRequest& request) {
     }
     for (const std::string& assignment : request.assignments) {
       if (assigned_key(assignment) == key) {
-        throw InputError(
-            fmt::format("'{}' is swept and set to a value, too; leave '{}' out", key, assignment));
+        throw InputError(fmt::format("'{}' is both swept and set to a value; omit '{}'", key, assignment));
       }
     }
     if (key == "tolerance" && !request.tolerances.empty()) {
-      throw InputError("the tolerance is swept and given, too; leave --tolerance out");
+      throw InputError("the tolerance is both swept and set; omit --tolerance");
     }
   }
 }
@@ -58,7 +57,7 @@ std::vector<std::string> models_that_know(const StudyRequest& request) {
     if (models.empty()) {
       const std::string near = nearest_name(sweep.key, known);
       throw InputError(fmt::format(
-          "sweep of '{}': none of the models {} knows it; {}there are {}", sweep.key, fmt::join(asked, ", "),
+          "sweep of '{}': unknown to the models {}; {}known settings: {}", sweep.key, fmt::join(asked, ", "),
           near.empty() || near == sweep.key ? "" : fmt::format("did you mean '{}'? ", near),
           fmt::join(known, ", ")));
     }
@@ -82,7 +81,7 @@ std::size_t combinations(const std::vector<Sweep>& sweeps) {
   std::size_t count = 1;
   for (const Sweep& sweep : sweeps) {
     count *= sweep.values.size();
-    if (count > most_study_runs) {
+    if (count > max_study_runs) {
       break;
     }
   }
@@ -98,8 +97,8 @@ std::vector<StudySetup> setups_to_study(const StudyRequest& request) {
                                        : setups_to_compare(request.machines, models_that_know(request),
                                                            request.tolerances, request.assignments);
   const std::size_t count = combinations(request.sweeps);
-  if (count * bases.size() > most_study_runs) {
-    throw InputError(fmt::format("the sweeps ask for more than {} runs; take fewer values", most_study_runs));
+  if (count * bases.size() > max_study_runs) {
+    throw InputError(fmt::format("the sweeps need more than {} runs; use fewer values", max_study_runs));
   }
   std::vector<StudySetup> setups;
   for (const Setup& base : bases) {

@@ -31,9 +31,9 @@ struct StudySetup {
 };
 
 /// Every setup of setups_to_compare() with every combination of the swept values; the first sweep changes
-/// from run to run. Models that do not know a swept key are left out.
+/// from run to run. Models that do not know a swept key are omitted.
 /// Throws InputError as setups_to_compare and apply_swept; for a key that none of the models knows with the
-/// nearest one; for a key that is swept or set twice; beyond most_study_runs.
+/// nearest one; for a key that is swept or set twice; beyond max_study_runs.
 std::vector<StudySetup> setups_to_study(const StudyRequest& request);
 
 /// Figures of one of the runs.

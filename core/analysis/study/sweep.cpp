@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* tolerance_key = "tolerance";
 constexpr const char* form =
-    "write KEY=FROM:TO:logN, KEY=FROM:TO:linN or \"KEY=A;B;C\", as in tolerance=0.005:0.1:log12";
+    "write KEY=FROM:TO:logN, KEY=FROM:TO:linN or \"KEY=A;B;C\", such as tolerance=0.005:0.1:log12";
 constexpr std::string_view separators = " \t;";
 
 [[noreturn]] void refuse(const std::string& text, const std::string& reason) {
@@ -56,7 +56,7 @@ double rounded(double value) {
 
 Sweep range(const std::string& text, const std::string& key, const std::vector<std::string_view>& parts) {
   if (parts.size() != 3) {
-    refuse(text, fmt::format("a range has three parts, here are {}", parts.size()));
+    refuse(text, fmt::format("a range has three parts, not {}", parts.size()));
   }
   const std::string_view steps = parts[2];
   const bool logarithmic = steps.starts_with("log");
@@ -64,9 +64,9 @@ Sweep range(const std::string& text, const std::string& key, const std::vector<s
     refuse(text, fmt::format("'{}' is neither logN nor linN", steps));
   }
   const double count = number_in(text, steps.substr(3));
-  if (!(count >= 2 && count <= static_cast<double>(most_sweep_values) && count == std::floor(count))) {
+  if (!(count >= 2 && count <= static_cast<double>(max_sweep_values) && count == std::floor(count))) {
     refuse(text, fmt::format("{} values; there must be a whole number from 2 to {}", steps.substr(3),
-                             most_sweep_values));
+                             max_sweep_values));
   }
   const double from = number_in(text, parts[0]);
   const double to = number_in(text, parts[1]);
@@ -78,13 +78,13 @@ Sweep range(const std::string& text, const std::string& key, const std::vector<s
 Sweep make_sweep(const std::string& key, double from, double to, std::size_t count, bool logarithmic) {
   const std::string text = fmt::format("{}={}:{}:{}{}", key, from, to, logarithmic ? "log" : "lin", count);
   if (!(std::isfinite(from) && std::isfinite(to)) || from == to) {
-    refuse(text, fmt::format("from {} to {} is no range", from, to));
+    refuse(text, fmt::format("from {} to {} is not a range", from, to));
   }
   if (logarithmic && !(from > 0 && to > 0)) {
-    refuse(text, fmt::format("equal ratios need ends above 0, here is {}", std::min(from, to)));
+    refuse(text, fmt::format("equal ratios need ends above 0, not {}", std::min(from, to)));
   }
-  if (count < 2 || count > most_sweep_values) {
-    refuse(text, fmt::format("{} values; there must be 2 to {}", count, most_sweep_values));
+  if (count < 2 || count > max_sweep_values) {
+    refuse(text, fmt::format("{} values; there must be 2 to {}", count, max_sweep_values));
   }
   Sweep sweep{key, {from}, logarithmic};
   for (std::size_t i = 1; i + 1 < count; ++i) {
@@ -104,7 +104,7 @@ Sweep make_sweep(const std::string& key, double from, double to, std::size_t cou
 Sweep parse_sweep(const std::string& text) {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0) {
-    refuse(text, "there is no KEY=");
+    refuse(text, "KEY= is missing");
   }
   const std::string key = text.substr(0, equals);
   const std::string_view values = std::string_view(text).substr(equals + 1);
@@ -122,8 +122,8 @@ Sweep parse_sweep(const std::string& text) {
   if (sweep.values.empty()) {
     refuse(text, "the value is missing");
   }
-  if (sweep.values.size() > most_sweep_values) {
-    refuse(text, fmt::format("{} values; at most {} are possible", sweep.values.size(), most_sweep_values));
+  if (sweep.values.size() > max_sweep_values) {
+    refuse(text, fmt::format("{} values; at most {} are possible", sweep.values.size(), max_sweep_values));
   }
   return sweep;
 }
@@ -140,7 +140,7 @@ std::vector<std::string> sweep_keys(const ControlModel& model) {
 SettingSpec sweep_spec(const std::string& key) {
   std::vector<SettingSpec> specs = common_settings();
   std::ranges::copy(all_model_settings(), std::back_inserter(specs));
-  for (const char axis : axis_names) {
+  for (const auto& [axis, kind] : known_axes) {
     for (SettingSpec limit : axis_limit_specs()) {
       limit.key = fmt::format("{}.{}", axis, limit.key);
       specs.push_back(std::move(limit));

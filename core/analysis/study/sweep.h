@@ -15,8 +15,8 @@ struct Sweep {
 };
 
 /// Most values of one sweep, and most runs of a study.
-inline constexpr std::size_t most_sweep_values = 1000;
-inline constexpr std::size_t most_study_runs = 10'000;
+inline constexpr std::size_t max_sweep_values = 1000;
+inline constexpr std::size_t max_study_runs = 10'000;
 
 /// Reads KEY=FROM:TO:logN, KEY=FROM:TO:linN, or KEY=A;B;C, separated by semicolons or blanks; numbers have a
 /// decimal point, a comma is refused. Values of a range are rounded to 5 digits, its ends are as given.
