@@ -1,11 +1,10 @@
 #include "core/lessons/handout.h"
 
-#include <cmark.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstdlib>
-#include <memory>
+#include "core/base/markdown.h"
+#include "core/lessons/lesson_language.h"
 
 namespace feedscope {
 namespace {
@@ -62,36 +61,42 @@ std::string row(const std::string& name, const std::string& value) {
 }
 
 std::string setup_table(const Lesson& lesson) {
+  const auto word = [&](const std::string& english) { return lesson_word(english, lesson.language); };
   const LessonSetup start = set_up(lesson, {});
+  const ModelInfo& model = start.setup.model->info();
   std::string table = "<table class=\"setup\">\n";
-  table += row("Program", start.program.filename().string());
-  table += row("Machine", fmt::format("{} ({})", start.setup.machine.name, start.setup.machine.control));
-  table += row("Control model",
-               fmt::format("{}: {}", start.setup.model->info().id, start.setup.model->info().title));
+  table += row(word("Program"), start.program.filename().string());
+  table +=
+      row(word("Machine"), fmt::format("{} ({})", start.setup.machine.name, start.setup.machine.control));
+  table += row(word("Control model"),
+               fmt::format(fmt::runtime(word("{}: {}")), model.id, word(std::string(model.title))));
   for (const std::string& change : lesson.start) {
     const std::string key = assigned_key(change);
     if (key != "program" && key != "machine" && key != "model") {
-      table += row("Setting", change);
+      table += row(word("Setting"), change);
     }
   }
   return table + "</table>\n";
 }
 
-std::string question_html(const Question& question, std::size_t number, const WrittenNumbers& numbers) {
-  std::string html =
-      fmt::format("<table class=\"question\" width=\"100%\"><tr><td>\n<h2>Question {}</h2>\n{}", number,
-                  html_of(filled(question.text, numbers)));
+std::string question_html(const Question& question, std::size_t number, const WrittenNumbers& numbers,
+                          const std::string& language) {
+  const auto word = [&](const std::string& english) { return lesson_word(english, language); };
+  std::string html = fmt::format("<table class=\"question\" width=\"100%\"><tr><td>\n<h2>{} {}</h2>\n{}",
+                                 word("Question"), number, markdown_as_html(filled(question.text, numbers)));
   if (!question.with.empty()) {
-    html += fmt::format("<p><b>First set</b> <code>{}</code></p>\n",
+    html += fmt::format("<p><b>{}</b> <code>{}</code></p>\n", word("First set"),
                         escaped(fmt::format("{}", fmt::join(question.with, ", "))));
   }
   html +=
-      fmt::format("<p><b>Move</b> <code>{}</code><br><b>Watch</b> {}{}</p>\n",
-                  escaped(control_text(question.control)), escaped(title_of(question.watch)),
+      fmt::format("<p><b>{}</b> <code>{}</code><br><b>{}</b> {}{}</p>\n", word("Move"),
+                  escaped(control_text(question.control, language)), word("Watch"),
+                  escaped(title_of(question.watch, language)),
                   question.watch.spec->unit.empty() ? "" : fmt::format(" [{}]", question.watch.spec->unit));
   if (!question.hint.empty()) {
-    html +=
-        fmt::format("<div class=\"hint\">{}</div>\n", html_of("*Hint:* " + filled(question.hint, numbers)));
+    html += fmt::format(
+        "<div class=\"hint\">{}</div>\n",
+        markdown_as_html(fmt::format(fmt::runtime(word("*Hint:* {}")), filled(question.hint, numbers))));
   }
   constexpr int lines = 3;
   html += "<table class=\"lines\" width=\"100%\">\n";
@@ -103,36 +108,31 @@ std::string question_html(const Question& question, std::size_t number, const Wr
 
 }  // namespace
 
-std::string html_of(const std::string& markdown) {
-  const std::unique_ptr<char, void (*)(void*)> html(
-      cmark_markdown_to_html(markdown.data(), markdown.size(), CMARK_OPT_DEFAULT), std::free);
-  return html.get();
-}
-
 std::string handout_html(const Lesson& lesson, const WrittenNumbers& numbers, const std::string& figures) {
+  const auto word = [&](const std::string& english) { return lesson_word(english, lesson.language); };
   std::string html = fmt::format(
-      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<!DOCTYPE html>\n<html lang=\"{4}\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, "
       "initial-scale=1\">\n<title>{0}</title>\n<style>{1}"
-      "</style>\n</head>\n<body>\n<h1>{0}</h1>\n<p class=\"learn\">{2} About {3} minutes.</p>\n",
-      escaped(lesson.title), style, escaped(lesson.learn), lesson.minutes);
-  html += setup_table(lesson) + html_of(filled(lesson.text, numbers)) + figures;
+      "</style>\n</head>\n<body>\n<h1>{0}</h1>\n<p class=\"learn\">{2} {3}</p>\n",
+      escaped(lesson.title), style, escaped(lesson.learn),
+      fmt::format(fmt::runtime(word("About {} minutes.")), lesson.minutes), lesson.language);
+  html += setup_table(lesson) + markdown_as_html(filled(lesson.text, numbers)) + figures;
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
-    html += question_html(lesson.questions[i], i + 1, numbers);
+    html += question_html(lesson.questions[i], i + 1, numbers, lesson.language);
   }
-  html += "<h1 class=\"answers\">Answers</h1>\n";
+  html += fmt::format("<h1 class=\"answers\">{}</h1>\n", word("Answers"));
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
-    html += fmt::format("<div class=\"answer\">\n<h2>Question {}</h2>\n{}</div>\n", i + 1,
-                        html_of(filled(lesson.questions[i].answer, numbers)));
+    html += fmt::format("<div class=\"answer\">\n<h2>{} {}</h2>\n{}</div>\n", word("Question"), i + 1,
+                        markdown_as_html(filled(lesson.questions[i].answer, numbers)));
   }
-  html += "<h2>Sources</h2>\n<ul>\n";
+  html += fmt::format("<h2>{}</h2>\n<ul>\n", word("Sources"));
   for (const std::string& source : lesson.sources) {
     html += fmt::format("<li>{}</li>\n", escaped(source));
   }
-  return html +
-         "</ul>\n<p class=\"footer\">Every number of the simulation on these pages was simulated by "
-         "Feedscope "
-         "when they were made.</p>\n</body>\n</html>\n";
+  return html + fmt::format("</ul>\n<p class=\"footer\">{}</p>\n</body>\n</html>\n",
+                            word("Every number of the simulation on these pages was simulated by Feedscope "
+                                 "when they were made."));
 }
 
 }  // namespace feedscope

@@ -31,7 +31,8 @@ struct LessonQuantity {
 /// A number that texts of the lesson take from somewhere else.
 struct GivenNumber {
   double value = 0;
-  std::string written;  ///< as in the file, with its unit: "2.01 m/min"
+  std::string unit;     ///< may be ""
+  std::string written;  ///< in the language of the lesson, with its unit: "2.01 m/min"
   std::string source;   ///< "Tapie 2007, table 3"
 };
 
@@ -76,7 +77,10 @@ struct LessonWindow {
 /// A lesson for a course: a text, and questions that are answered by moving one control.
 struct Lesson {
   std::filesystem::path file;
-  std::string id;  ///< file name without ending
+  std::string id;               ///< file name without ending
+  std::string language = "en";  ///< of the texts and their numbers
+  /// What the language asked for has no text for, which is English: "'hint' of question 2".
+  std::vector<std::string> untranslated;
   std::string title;
   std::string learn;  ///< what one learns, a sentence or two
   double minutes = 0;
@@ -99,14 +103,16 @@ struct LessonSetup {
   Setup file;   ///< machine and model as their files have them
   Setup setup;  ///< with all settings of the lesson
 };
-/// The start of a lesson with `changes`. A setting of the start that another model does not know is left out,
+/// The start of a lesson with `changes`. A setting of the start that another model does not know is omitted,
 /// one of `changes` is not. Throws InputError naming key, value, bounds and the nearest valid name.
 LessonSetup set_up(const Lesson& lesson, const Changes& changes);
 
 /// Reads a lesson; resources/lessons/README.md says what is in it. A program is looked for beside the file,
 /// then in resources/programs. Throws InputError naming file, line, key, value and the nearest valid name:
 /// unknown or missing key, program, machine, model, setting, measure, cause or number, value out of bounds.
-Lesson read_lesson(const std::filesystem::path& file);
+/// `language`: one of lesson_languages(); texts without translation are English, and so is a lesson without
+/// any. Mistakes in all languages are found.
+Lesson read_lesson(const std::filesystem::path& file, const std::string& language = "en");
 
 /// The lessons of resources/lessons in the data folder, sorted by file name.
 std::vector<std::filesystem::path> shipped_lessons();

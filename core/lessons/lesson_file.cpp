@@ -7,8 +7,11 @@
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/lessons/lesson.h"
+#include "core/lessons/lesson_language.h"
 #include "core/lessons/lesson_text.h"
+#include "core/lessons/translated_texts.h"
 #include "core/machine/config_file.h"
+#include "core/trajectory/quantity.h"
 
 namespace feedscope {
 namespace {
@@ -80,18 +83,19 @@ Names texts(const ConfigNode& node, const std::string& name) {
 
 class LessonReader {
  public:
-  explicit LessonReader(const std::filesystem::path& file) {
+  LessonReader(const std::filesystem::path& file, const std::string& language) : texts_(lesson_, language) {
     lesson_.file = file;
     lesson_.id = file.stem().string();
   }
 
   Lesson read(const ConfigNode& root) {
     const std::string where = "the file";
-    root.check_keys(
-        {"title", "learn", "minutes", "sources", "text", "start", "window", "numbers", "given", "question"},
-        where);
-    lesson_.title = root.need_text("title", where);
-    lesson_.learn = root.need_text("learn", where);
+    root.check_keys(TranslatedTexts::with_languages({"title", "learn", "minutes", "sources", "text", "start",
+                                                     "window", "numbers", "given", "question"}),
+                    where);
+    TranslatedTexts::check(root, {"title", "learn", "text"}, where);
+    lesson_.title = texts_.plain(root, "title", where);
+    lesson_.learn = texts_.plain(root, "learn", where);
     lesson_.minutes = whole_number(root.need("minutes", where), "'minutes' in the file", 1);
     lesson_.sources = texts(root.need("sources", where), "'sources' in the file");
     read_start(root.need_table("start", where));
@@ -100,8 +104,9 @@ class LessonReader {
     }
     read_numbers(root);
     read_given(root);
-    lesson_.text = text(root, "text", where);
+    lesson_.text = texts_.with_numbers(root, "text", where);
     read_questions(root.need("question", where));
+    finish_language();
     return std::move(lesson_);
   }
 
@@ -140,14 +145,13 @@ class LessonReader {
     return list;
   }
 
-  /// A text whose {numbers} are all there.
-  std::string text(const ConfigNode& table, const std::string& key, const std::string& where) const {
-    const std::string& text = table.need_text(key, where);
-    at(table.need(key, where), [&] {
-      check_numbers(text, lesson_);
-      return 0;
-    });
-    return text;
+  /// Numbers follow the language of the texts, which is known when all of them are read.
+  void finish_language() {
+    lesson_.language = texts_.language();
+    lesson_.untranslated = texts_.untranslated();
+    for (auto& [name, given] : lesson_.given) {
+      given.written = number_with_unit(given.written, given.unit, lesson_.language);
+    }
   }
 
   void read_view(const ConfigNode& table) {
@@ -293,7 +297,7 @@ class LessonReader {
       given.source = entry.need_text("source", where);
       given.written = fmt::format("{}", given.value);
       if (entry.find("unit") != nullptr) {
-        given.written += " " + entry.need_text("unit", where);
+        given.unit = entry.need_text("unit", where);
       }
       lesson_.given.emplace(name, std::move(given));
     }
@@ -413,9 +417,12 @@ class LessonReader {
       if (table.kind() != ConfigNode::Kind::table) {
         table.fail("'question' in the file must be tables, each under [[question]]");
       }
-      table.check_keys({"text", "with", "control", "watch", "hint", "answer", "claim"}, where);
+      table.check_keys(
+          TranslatedTexts::with_languages({"text", "with", "control", "watch", "hint", "answer", "claim"}),
+          where);
+      TranslatedTexts::check(table, {"text", "hint", "answer"}, where);
       Question question;
-      question.text = text(table, "text", where);
+      question.text = texts_.with_numbers(table, "text", where);
       if (const ConfigNode* with = table.find("with")) {
         question.with = changes(*with, fmt::format("'with' of {}", where));
       }
@@ -423,9 +430,9 @@ class LessonReader {
           control(table.need_table("control", where), question.with, fmt::format("'control' of {}", where));
       question.watch = watch(table, where);
       if (table.find("hint") != nullptr) {
-        question.hint = text(table, "hint", where);
+        question.hint = texts_.with_numbers(table, "hint", where);
       }
-      question.answer = text(table, "answer", where);
+      question.answer = texts_.with_numbers(table, "answer", where);
       const ConfigNode& claims = table.need("claim", where);
       if (!claims.is_list() || claims.items().empty()) {
         claims.fail(fmt::format("'claim' of {} must be tables, each under [[question.claim]]", where));
@@ -446,14 +453,22 @@ class LessonReader {
   }
 
   Lesson lesson_;
+  TranslatedTexts texts_;
 };
 
 }  // namespace
 
 const std::vector<std::string>& lesson_colourings() {
-  static const Names names{"feed",          "feed_ratio",      "tangential_acceleration",
-                           "acceleration",  "tangential_jerk", "jerk",
-                           "contour_error", "cause",           "run"};
+  static const Names names = [] {
+    Names keys;
+    for (const QuantityInfo& quantity : all_quantities()) {
+      if (quantity.colours) {
+        keys.emplace_back(quantity.key);
+      }
+    }
+    keys.insert(keys.end(), {"contour_error", "cause", "run"});
+    return keys;
+  }();
   return names;
 }
 
@@ -462,8 +477,8 @@ const std::vector<std::string>& lesson_cameras() {
   return names;
 }
 
-Lesson read_lesson(const std::filesystem::path& file) {
-  return LessonReader(file).read(read_config_file(file, "lesson"));
+Lesson read_lesson(const std::filesystem::path& file, const std::string& language) {
+  return LessonReader(file, language).read(read_config_file(file, "lesson"));
 }
 
 }  // namespace feedscope

@@ -101,7 +101,7 @@ WrittenNumbers LessonRuns::numbers(Progress* progress) {
     numbers[name] = given.written;
   }
   for (const auto& [name, quantity] : lesson_.numbers) {
-    numbers[name] = value_text(quantity, value(quantity, progress));
+    numbers[name] = value_text(quantity, value(quantity, progress), lesson_.language);
   }
   return numbers;
 }

@@ -8,6 +8,8 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/base/typed_number.h"
+#include "core/lessons/lesson_language.h"
 
 namespace feedscope {
 namespace {
@@ -26,7 +28,7 @@ std::string changes_text(const Changes& changes) {
 template <typename Found>
 void each_number(const std::string& text, Found found) {
   static const std::regex pattern(
-      R"((^|[^\w.,{}-])(\d+(?:[.,]\d+)*)(?![\w}])(\s?(?:%|m/|mm|um|µm|ms|s\b|degree))?)");
+      "(^|[^\\w.,{}-])(\\d+(?:[.,]\\d+)*)(?![\\w}])((?:\\s|\u00a0)?(?:%|°|m/|mm|um|µm|ms|s\\b|degr))?");
   for (auto match = std::sregex_iterator(text.begin(), text.end(), pattern); match != std::sregex_iterator();
        ++match) {
     found((*match)[2].str(), (*match)[3].matched);
@@ -65,7 +67,9 @@ class KnownNumbers {
     }
     add(claim.upper);
   }
-  bool holds(const std::string& number) const { return values_.contains(number); }
+  bool holds(const std::string& typed, const std::string& language) const {
+    return values_.contains(plain_number(typed, language));
+  }
 
  private:
   std::set<std::string> values_;
@@ -145,10 +149,8 @@ std::string unit_of(const LessonQuantity& quantity) {
   return quantity.relation == Relation::ratio ? "" : "%";
 }
 
-std::string value_text(const LessonQuantity& quantity, double value) {
-  const std::string unit = unit_of(quantity);
-  const std::string number = fmt::format("{:.{}f}", value, quantity.decimals);
-  return unit.empty() ? number : fmt::format("{} {}", number, unit);
+std::string value_text(const LessonQuantity& quantity, double value, const std::string& language) {
+  return number_with_unit(fmt::format("{:.{}f}", value, quantity.decimals), unit_of(quantity), language);
 }
 
 std::string quantity_text(const LessonQuantity& quantity) {
@@ -184,19 +186,28 @@ std::string expectation_text(const Claim& claim) {
   return bound;
 }
 
-std::string control_text(const Control& control) {
-  return control.range
-             ? fmt::format("{}: from {} to {}", control.key, control.values.front(), control.values.back())
-             : fmt::format("{}: {}", control.key, fmt::join(control.values, ", "));
+std::string control_text(const Control& control, const std::string& language) {
+  std::vector<std::string> values;
+  for (const std::string& value : control.values) {
+    values.push_back(typed_number(value).value ? number_in(value, language) : value);
+  }
+  if (control.range) {
+    return fmt::format(fmt::runtime(lesson_word("{}: from {} to {}", language)), control.key, values.front(),
+                       values.back());
+  }
+  return fmt::format(fmt::runtime(lesson_word("{}: {}", language)), control.key,
+                     fmt::join(values, lesson_word(", ", language)));
 }
 
 std::vector<std::string> unchecked_numbers(const Lesson& lesson) {
   const KnownNumbers known = numbers_in_data(lesson);
+  const bool mixed = !lesson.untranslated.empty();
   std::vector<std::string> found;
   const auto look = [&](const std::string& text, const std::string& where) {
     each_number(text, [&](const std::string& number, bool with_unit) {
       const bool small = number.size() == 1 && !with_unit;
-      if (!small && !known.holds(number)) {
+      const bool held = known.holds(number, lesson.language) || (mixed && known.holds(number, "en"));
+      if (!small && !held) {
         found.push_back(fmt::format("{} in {}", number, where));
       }
     });

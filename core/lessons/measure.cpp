@@ -9,7 +9,9 @@
 #include "core/analysis/line_times.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/base/roots.h"
 #include "core/base/units.h"
+#include "core/lessons/lesson_language.h"
 #include "core/trajectory/part_walk.h"
 
 namespace feedscope {
@@ -21,7 +23,7 @@ enum What : std::uint8_t {
   against_cam,
   mean_feed,
   peak_feed,
-  least_feed,
+  min_feed,
   corner_feed,
   contour_error,
   path_length,
@@ -31,14 +33,34 @@ enum What : std::uint8_t {
   peak_jerk,
   time_by_cause,
   share_by_cause,
+  peak_of_quantity,
 };
 
 constexpr double mm_min = units::from_mm_min(1);
 constexpr double m_min = units::from_m_min(1);
 
+/// The largest value along the path of every acceleration and jerk, in the unit of its CSV column:
+/// "peak_acceleration_across_m_s2".
+void add_peaks(std::vector<MeasureSpec>& measures) {
+  for (const QuantityInfo& quantity : all_quantities()) {
+    const bool is_limited =
+        quantity.dimension == Dimension::acceleration || quantity.dimension == Dimension::jerk;
+    if (quantity.axis >= 0 || quantity.column.empty() || !is_limited) {
+      continue;
+    }
+    const ShownUnit& unit = shown_unit(quantity.dimension);
+    std::string title(quantity.title);
+    title.front() = static_cast<char>(title.front() - 'A' + 'a');
+    const std::string_view in_unit = quantity.column.substr(quantity.column.find('_'));
+    measures.push_back({fmt::format("peak_{}{}", quantity.key, in_unit), "largest " + title,
+                        std::string(unit.text), unit.decimals, 1 / unit.factor, peak_of_quantity,
+                        LineUse::optional, false, false, quantity.id});
+  }
+}
+
 std::vector<MeasureSpec> make_measures() {
   using enum LineUse;
-  return {
+  std::vector<MeasureSpec> measures{
       {"cycle_time_s", "cycle time", "s", 3, 1, cycle_time, optional},
       {"cycle_time_ms", "cycle time", "ms", 0, 1e-3, cycle_time, optional},
       {"programmed_time_s", "programmed time", "s", 3, 1, programmed_time},
@@ -47,8 +69,8 @@ std::vector<MeasureSpec> make_measures() {
       {"mean_feed_m_min", "mean feed", "m/min", 2, m_min, mean_feed, optional},
       {"peak_feed_mm_min", "largest feed", "mm/min", 0, mm_min, peak_feed, optional},
       {"peak_feed_m_min", "largest feed", "m/min", 2, m_min, peak_feed, optional},
-      {"least_feed_mm_min", "least feed", "mm/min", 0, mm_min, least_feed, needed},
-      {"least_feed_m_min", "least feed", "m/min", 2, m_min, least_feed, needed},
+      {"least_feed_mm_min", "least feed", "mm/min", 0, mm_min, min_feed, needed},
+      {"least_feed_m_min", "least feed", "m/min", 2, m_min, min_feed, needed},
       {"corner_feed_mm_min", "feed in the corner at the end", "mm/min", 0, mm_min, corner_feed, needed},
       {"corner_feed_m_min", "feed in the corner at the end", "m/min", 2, m_min, corner_feed, needed},
       {"max_contour_error_mm", "contour error", "mm", 4, 1, contour_error},
@@ -62,6 +84,8 @@ std::vector<MeasureSpec> make_measures() {
       {"time_by_cause_s", "time", "s", 3, 1, time_by_cause, none, false, true},
       {"share_by_cause_percent", "share of the cycle time", "%", 0, 0.01, share_by_cause, none, false, true},
   };
+  add_peaks(measures);
+  return measures;
 }
 
 std::string lines_text(const Measure& measure) {
@@ -70,37 +94,64 @@ std::string lines_text(const Measure& measure) {
              : fmt::format("lines {} to {}", measure.first_line, measure.last_line);
 }
 
+std::string cause_in(Cause cause, const std::string& language) {
+  const CauseInfo& info = info_of(cause.kind);
+  if (cause.axis < 0 || !info.by_axis()) {
+    return lesson_word(std::string(info.title), language);
+  }
+  std::string title = lesson_word(std::string(info.axis_title), language);
+  return title.replace(title.find("%1"), 2, 1, axis_name(cause));
+}
+
 [[noreturn]] void fail_without_motion(const Measure& measure) {
   throw InputError(fmt::format("nothing moves on {} of the program: no {} there", lines_text(measure),
                                measure.spec->title));
 }
 
-struct FeedRange {
-  double least = 0;
-  double largest = 0;
+struct Range {
+  double least = INFINITY;
+  double largest = -INFINITY;
 };
 
-/// Of the parts on the lines of `measure` [mm/s].
-FeedRange feeds_on_lines(const Measure& measure, const Trajectory& trajectory) {
+/// Of `value(motion, tau)` at 17 instants of every part on the lines of `measure`, of all lines if it names
+/// none; dwells apart.
+template <typename Value>
+Range range_of(const Measure& measure, const Trajectory& trajectory, Value value) {
   constexpr int steps = 16;
-  FeedRange range{INFINITY, -INFINITY};
+  Range range;
   for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
     const Part& part = walk.part();
     const std::uint32_t line = trajectory.line_of(part.element);
-    if (line < measure.first_line || line > measure.last_line ||
-        trajectory.path().kind(part.element) == ElementKind::dwell) {
+    const bool elsewhere = measure.first_line > 0 && (line < measure.first_line || line > measure.last_line);
+    if (elsewhere || trajectory.path().kind(part.element) == ElementKind::dwell) {
       continue;
     }
     const PartMotion motion = walk.motion();
     for (int i = 0; i <= steps; ++i) {
-      const double speed = motion.kinematics(part.duration * i / steps).velocity.norm();
-      range = {std::min(range.least, speed), std::max(range.largest, speed)};
+      const double at = value(motion, part.duration * i / steps);
+      range = {std::min(range.least, at), std::max(range.largest, at)};
     }
   }
+  return range;
+}
+
+Range feeds_on_lines(const Measure& measure, const Trajectory& trajectory) {
+  const Range range = range_of(measure, trajectory, [](const PartMotion& motion, double tau) {
+    return motion.kinematics(tau).velocity.norm();
+  });
   if (range.least > range.largest) {
     fail_without_motion(measure);
   }
   return range;
+}
+
+/// Of the absolute value; 0 where nothing moves.
+double peak(const Measure& measure, const Trajectory& trajectory) {
+  const auto of = info_of(*measure.spec->quantity).of;
+  const Range range = range_of(measure, trajectory, [of](const PartMotion& motion, double tau) {
+    return std::abs(of(motion.state_without_length(tau)));
+  });
+  return std::max(0.0, range.largest);
 }
 
 /// Where a block lies on the executed path.
@@ -141,23 +192,15 @@ double feed_in_corner(const Measure& measure, const Trajectory& trajectory) {
     high = (after.from + after.to) / 2;
   }
   const auto distance = [&](double s) { return (trajectory.state_at_path(s).position - corner).norm(); };
-  constexpr double share = 0.6180339887498949;  // of the golden section
-  constexpr double fine = 1e-7;                 // mm
-  while (high - low > fine) {
-    const double step = share * (high - low);
-    if (distance(high - step) < distance(low + step)) {
-      high = low + step;
-    } else {
-      low = high - step;
-    }
-  }
-  return trajectory.state_at_path((low + high) / 2).speed;
+  constexpr double fine = 1e-7;  // mm
+  constexpr int max_steps = 200;
+  return trajectory.state_at_path(least_place({low, high}, fine, max_steps, distance).place.middle()).speed;
 }
 
 double of_axes(const Measure& measure, const Summary& summary, double AxisPeaks::*value) {
   double largest = 0;
-  for (std::size_t axis = 0; axis < axis_names.size(); ++axis) {
-    if (measure.axis == 0 || measure.axis == axis_names[axis]) {
+  for (std::size_t axis = 0; axis < summary.axes.size(); ++axis) {
+    if (measure.axis == 0 || measure.axis == summary.axes.name(axis)) {
       largest = std::max(largest, summary.axes[axis].*value);
     }
   }
@@ -190,7 +233,7 @@ double on_lines(const Measure& measure, const Run& run) {
       return line_time(measure, run).length;
     case corner_feed:
       return feed_in_corner(measure, *run.trajectory);
-    case least_feed:
+    case min_feed:
       return feeds_on_lines(measure, *run.trajectory).least;
     default:
       return feeds_on_lines(measure, *run.trajectory).largest;
@@ -270,20 +313,32 @@ std::vector<std::size_t> causes_named(const std::string& key) {
   return found;
 }
 
-std::string title_of(const Measure& measure) {
-  std::string title = measure.spec->title;
+std::string title_of(const Measure& measure, const std::string& language) {
+  const auto pattern = [&](const char* english) { return lesson_word(english, language); };
+  std::string title = lesson_word(measure.spec->title, language);
   if (!measure.cause.empty()) {
     const std::vector<std::size_t> causes = causes_named(measure.cause);
     const Cause cause = all_causes()[causes.front()];
-    title += fmt::format(" limited by {}", cause_title(causes.size() == 1 ? cause : Cause{cause.kind, -1}));
+    title = fmt::format(fmt::runtime(pattern("{} limited by {}")), title,
+                        cause_in(causes.size() == 1 ? cause : Cause{cause.kind, -1}, language));
   }
   if (measure.spec->of_axis) {
-    title += measure.axis == 0 ? " of an axis" : fmt::format(" of axis {}", measure.axis);
+    title = measure.axis == 0 ? fmt::format(fmt::runtime(pattern("{} of an axis")), title)
+                              : fmt::format(fmt::runtime(pattern("{} of axis {}")), title, measure.axis);
   }
-  return measure.first_line == 0 ? title : fmt::format("{}, {}", title, lines_text(measure));
+  if (measure.first_line == 0) {
+    return title;
+  }
+  return measure.first_line == measure.last_line
+             ? fmt::format(fmt::runtime(pattern("{}, line {}")), title, measure.first_line)
+             : fmt::format(fmt::runtime(pattern("{}, lines {} to {}")), title, measure.first_line,
+                           measure.last_line);
 }
 
 double measured(const Measure& measure, const Run& run) {
+  if (measure.spec->quantity) {
+    return peak(measure, *run.trajectory) / measure.spec->per_unit;
+  }
   return (measure.first_line == 0 ? on_run(measure, run) : on_lines(measure, run)) / measure.spec->per_unit;
 }
 

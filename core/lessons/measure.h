@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/analysis/run.h"
+#include "core/trajectory/quantity.h"
 
 namespace feedscope {
 
@@ -20,8 +22,9 @@ struct MeasureSpec {
   double per_unit = 1;    ///< internal units in one `unit`
   std::uint8_t what = 0;  ///< which measurement; several specs may share one, in different units
   LineUse lines = LineUse::none;
-  bool of_axis = false;   ///< may be of one axis, else the largest of all
-  bool of_cause = false;  ///< needs a cause
+  bool of_axis = false;                               ///< may be of one axis, else the largest of all
+  bool of_cause = false;                              ///< needs a cause
+  std::optional<QuantityId> quantity = std::nullopt;  ///< of a peak
 };
 
 /// What to measure, and of which part of the run.
@@ -42,7 +45,7 @@ const MeasureSpec& find_measure(const std::string& key);
 std::vector<std::size_t> causes_named(const std::string& key);
 
 /// "peak acceleration of axis X, lines 3 to 5".
-std::string title_of(const Measure& measure);
+std::string title_of(const Measure& measure, const std::string& language = "en");
 /// In the unit of the measure. Throws InputError if the run holds no motion on the lines asked for.
 double measured(const Measure& measure, const Run& run);
 
