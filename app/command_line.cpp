@@ -106,7 +106,7 @@ void refuse_empty_values(const CLI::App& command) {
     const std::vector<std::string> values =
         option->count() > 0 ? option->results() : std::vector<std::string>();
     if (std::ranges::find(values, "") != values.end()) {
-      throw InputError(fmt::format("{} is empty; give a value or leave it out", option->get_name()));
+      throw InputError(fmt::format("{} is empty; give a value or omit it", option->get_name()));
     }
   }
 }
@@ -115,9 +115,8 @@ void refuse_empty_values(const CLI::App& command) {
 void refuse_options_before_command(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     if (option->count() > 0 && !app.get_subcommands().empty()) {
-      throw InputError(
-          fmt::format("{0} is before '{1}', and belongs to the window there; write feedscope {1} ... {0}",
-                      option->get_name(), app.get_subcommands().front()->get_name()));
+      throw InputError(fmt::format("{0} before '{1}' is an option of the window; write feedscope {1} ... {0}",
+                                   option->get_name(), app.get_subcommands().front()->get_name()));
     }
   }
 }
@@ -136,10 +135,11 @@ int report(const std::string& message, int code) {
 
 /// What no input should bring about.
 int report_mistake(const std::exception& error) {
-  return report(fmt::format("internal error: {}; this is a mistake in Feedscope, please report it with the "
-                            "command and its files",
-                            error.what()),
-                exit_code::failed);
+  return report(
+      fmt::format(
+          "internal error: {}; this is a bug in Feedscope, please report it with the command and its files",
+          error.what()),
+      exit_code::failed);
 }
 
 int run_checked(int argc, char** argv) {
@@ -147,9 +147,9 @@ int run_checked(int argc, char** argv) {
       "Shows what a CNC control really does with an NC program, and why it is slow where it is slow.");
   app.name("feedscope");
   app.set_version_flag("--version", "feedscope " FEEDSCOPE_VERSION);
-  std::vector<Command> commands{add_simulate_command(app), add_compare_command(app),
-                                add_check_command(app),    add_machines_command(app),
-                                add_models_command(app),   add_lessons_command(app)};
+  std::vector<Command> commands{add_simulate_command(app), add_compare_command(app), add_check_command(app),
+                                add_machines_command(app), add_models_command(app),  add_lessons_command(app),
+                                add_help_command(app)};
 #ifdef FEEDSCOPE_WITH_UI
   commands.push_back(add_render_command(app));
   commands.push_back(add_report_command(app));

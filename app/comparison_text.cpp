@@ -25,7 +25,7 @@ std::string percent(double share) {
   return std::isfinite(share) ? fmt::format("{:.0f}", 100 * share) : "-";
 }
 
-/// "40 % slowing for what follows, 35 % jerk of axis X, ...", the largest first, in lines that fit.
+/// "40 % braking for a slower place ahead, 35 % jerk of axis X, ...", the largest first, in lines that fit.
 std::vector<std::string> causes_text(const Summary& summary) {
   const std::vector<double>& times = summary.time_by_cause;
   std::vector<std::size_t> order(times.size());
@@ -99,8 +99,10 @@ std::string times_table(std::span<const ComparedRun> runs) {
 }
 
 void add_shares(Cells& cells, const ComparedRun& run, double AxisPeaks::*peak, double AxisLimits::*limit) {
-  for (std::size_t i = 0; i < run.summary.axes.size(); ++i) {
-    cells.push_back(percent(run.summary.axes[i].*peak / run.setup.machine.axes[i].*limit));
+  for (const AxisInfo& axis : known_axes) {
+    const AxisPeaks* const found = run.summary.axes.find(axis.name);
+    cells.push_back(
+        found == nullptr ? "" : percent(found->*peak / run.setup.machine.axes.find(axis.name)->*limit));
   }
 }
 
@@ -120,8 +122,9 @@ std::string not_counted_text(std::span<const ComparedRun> runs) {
   std::string out;
   for (const auto& [text, machines] : texts) {
     if (!text.empty()) {
-      out += texts.size() == 1 ? fmt::format("\nNot counted: {}\n", text)
-                               : fmt::format("\nNot counted on {}: {}\n", fmt::join(machines, ", "), text);
+      out += texts.size() == 1
+                 ? fmt::format("\nNot in the cycle time: {}\n", text)
+                 : fmt::format("\nNot in the cycle time on {}: {}\n", fmt::join(machines, ", "), text);
     }
   }
   return out;
@@ -129,7 +132,13 @@ std::string not_counted_text(std::span<const ComparedRun> runs) {
 
 std::string peaks_table(std::span<const ComparedRun> runs) {
   RunTable table;
-  table.add_head({"velocity X", "Y", "Z", "acceleration X", "Y", "Z", "jerk X", "Y", "Z"});
+  Cells head;
+  for (const std::string_view limit : {"velocity ", "acceleration ", "jerk "}) {
+    for (std::size_t i = 0; i < known_axes.size(); ++i) {
+      head.push_back(fmt::format("{}{}", i == 0 ? limit : "", known_axes[i].name));
+    }
+  }
+  table.add_head(std::move(head));
   for (const ComparedRun& run : runs) {
     Cells shares;
     add_shares(shares, run, &AxisPeaks::velocity, &AxisLimits::velocity);

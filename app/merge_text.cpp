@@ -40,7 +40,7 @@ std::string fastest_text(const MergedComparison& merged) {
   }
   const MergedSum* best = merged.fastest_sum();
   if (best == nullptr) {
-    return fmt::format("\nNo setting keeps a contour error of {} mm in all {} programs.\n", *merged.within,
+    return fmt::format("\nNo value has a contour error within {} mm in all {} programs.\n", *merged.within,
                        merged.programs.size());
   }
   return fmt::format("\n* Fastest within {} mm. Of all {} programs: {} on {}, {}, {}.\n", *merged.within,

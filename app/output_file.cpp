@@ -97,14 +97,14 @@ void check_outputs(const std::string& input, const std::vector<std::string>& out
     std::error_code ignored;
     if (outputs[i] != "-" && fs::is_regular_file(input, ignored) &&
         fs::equivalent(input, outputs[i], ignored)) {
-      fail(outputs[i], "it is the program itself; name another file");
+      fail(outputs[i], "it is the program itself; give another file");
     }
     for (std::size_t j = 0; j < i; ++j) {
       const bool same =
           outputs[i] == outputs[j] || (!outputs[j].empty() && outputs[i] != "-" && outputs[j] != "-" &&
                                        place_of(outputs[i]) == place_of(outputs[j]));
       if (same) {
-        fail(outputs[i], "two results would go there; name two files");
+        fail(outputs[i], "two results would be written there; give two files");
       }
     }
   }

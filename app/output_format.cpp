@@ -23,7 +23,7 @@ std::string output_format(const std::string& out, const std::string& asked,
   std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
   ending = ending == ".htm" ? "html" : ending.substr(std::min<std::size_t>(1, ending.size()));
   if (std::ranges::find(known, ending) == known.end()) {
-    throw InputError(fmt::format("--out '{}' does not say what to write; end it in .{}, or add --format {}",
+    throw InputError(fmt::format("--out '{}' does not state the format; end it in .{}, or add --format {}",
                                  out, fmt::join(known, ", ."), fmt::join(known, "|")));
   }
   return ending;

@@ -28,9 +28,9 @@ std::vector<std::string> sheet_names() {
 
 void check_sides(const std::string& text, ui::PictureSize size, const char* advice) {
   for (const int side : {size.width, size.height}) {
-    if (side < ui::least_picture_side || side > ui::largest_picture_side) {
-      throw InputError(fmt::format("--size '{}': {} pixels is out of bounds; each side may have {} to {}{}",
-                                   text, side, ui::least_picture_side, ui::largest_picture_side, advice));
+    if (side < ui::min_picture_side || side > ui::largest_picture_side) {
+      throw InputError(fmt::format("--size '{}': {} pixels is out of range; each side may have {} to {}{}",
+                                   text, side, ui::min_picture_side, ui::largest_picture_side, advice));
     }
   }
 }
@@ -46,7 +46,7 @@ ui::PictureSize parse_picture_size(const std::string& text) {
                                            : std::from_chars_result{by, std::errc::invalid_argument};
   if (height_error != std::errc() || rest != end) {
     throw InputError(
-        fmt::format("--size '{}' is no size; give width and height in pixels, as 1280x960", text));
+        fmt::format("--size '{}' is not a size; give width and height in pixels, such as 1280x960", text));
   }
   check_sides(text, size, "");
   return size;
@@ -73,7 +73,7 @@ PageSize parse_page_size(const std::string& text, double dpi) {
   PageSize page{{static_cast<int>(std::lround(paper.width() / inch * dpi)),
                  static_cast<int>(std::lround(paper.height() / inch * dpi))},
                 paper};
-  check_sides(text, page.pixels, "; take a smaller --dpi");
+  check_sides(text, page.pixels, "; use a smaller --dpi");
   return page;
 }
 

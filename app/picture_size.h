@@ -25,7 +25,7 @@ struct PageSize {
   std::optional<QSizeF> paper;  ///< [mm]; none: pixels were asked for
 };
 
-/// Reads "800x600", or a sheet: "A4" lying, "A4-portrait" upright; A2 to A6, Letter. `dpi`: pixels an inch of
+/// Reads "800x600", or a sheet: "A4" landscape, "A4-portrait"; A2 to A6, Letter. `dpi`: pixels an inch of
 /// sheets. Throws InputError if it is none or a side is out of bounds.
 PageSize parse_page_size(const std::string& text, double dpi);
 

@@ -29,17 +29,24 @@ std::string peak_and_limit(double peak, double limit) {
   return fmt::format("{:.4g} of {:.4g}", peak, limit);
 }
 
+/// On blends, where the limit is another one: "; 10 on blends".
+std::string blend_limit(const Machine& machine, char axis) {
+  const double on_blends = axis_limit(machine, axis, "blend_jerk");
+  return on_blends == axis_limit(machine, axis, "jerk") ? "" : fmt::format("; {:.4g} on blends", on_blends);
+}
+
 std::string axis_table(const Run& run) {
   TextTable table;
   table.add({"", "velocity [m/min]", "acceleration [m/s2]", "jerk [m/s3]"});
-  for (std::size_t i = 0; i < axis_names.size(); ++i) {
-    const char axis = axis_names[i];
+  for (std::size_t i = 0; i < run.summary.axes.size(); ++i) {
+    const char axis = run.summary.axes.name(i);
     const AxisPeaks& peak = run.summary.axes[i];
     table.add(
         {fmt::format("axis {}", axis),
          peak_and_limit(units::to_m_min(peak.velocity), axis_limit(run.setup.machine, axis, "velocity")),
          peak_and_limit(units::to_m(peak.acceleration), axis_limit(run.setup.machine, axis, "acceleration")),
-         peak_and_limit(units::to_m(peak.jerk), axis_limit(run.setup.machine, axis, "jerk"))});
+         peak_and_limit(units::to_m(peak.jerk), axis_limit(run.setup.machine, axis, "jerk")) +
+             blend_limit(run.setup.machine, axis)});
   }
   return table.text("lrrr");
 }
@@ -67,7 +74,7 @@ std::string cause_table(const Summary& summary) {
     add(cause_title(all_causes()[i]), summary.time_by_cause[i]);
     if (all_causes()[i].kind == CauseKind::ramp_down) {
       for (const std::size_t place : longest_first(summary.time_by_slower_place)) {
-        add(fmt::format("  which is {}", cause_title(all_causes()[place])),
+        add(fmt::format("  of which: {}", cause_title(all_causes()[place])),
             summary.time_by_slower_place[place]);
       }
     }
@@ -167,11 +174,11 @@ std::string summary_text(const Run& run) {
   TextTable figures;
   figures.add({"cycle time", time_text(s.cycle_time)});
   if (const std::string missing = describe(s.not_counted); !missing.empty()) {
-    figures.add({"not counted", missing});
+    figures.add({"not in the cycle time", missing});
   }
   figures.add({"programmed time", time_text(s.programmed_time)});
   const auto tolerance = tolerance_in_force(run.input.feed_controls, run.setup);
-  figures.add({"tolerance", tolerance ? describe(tolerance) : "none: the model follows none"});
+  figures.add({"tolerance", tolerance ? describe(tolerance) : "none: not used by the model"});
   figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
   figures.add({"mean feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.mean_feed))});
   figures.add({"peak feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.peak_feed))});

@@ -8,8 +8,8 @@
 
 #include "app/number_option.h"
 #include "core/analysis/control_dialect.h"
+#include "core/analysis/ignored_path_control.h"
 #include "core/analysis/run_notes.h"
-#include "core/analysis/unfollowed.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 
@@ -79,7 +79,7 @@ void move_tolerance(std::vector<std::string>& set, std::vector<std::string>& tol
       continue;
     }
     if (given > 0) {
-      throw InputError(fmt::format("--tolerance {} and --set {} both give the tolerance; leave one out",
+      throw InputError(fmt::format("--tolerance {} and --set {} both set the tolerance; omit one",
                                    tolerances.front(), assignment));
     }
     if (key == "tolerance") {
@@ -87,9 +87,8 @@ void move_tolerance(std::vector<std::string>& set, std::vector<std::string>& tol
     }
   }
   if (tolerances.size() > given + 1) {
-    throw InputError(
-        fmt::format("--set tolerance={} and --set tolerance={} both give the tolerance; leave one out",
-                    tolerances[given], tolerances[given + 1]));
+    throw InputError(fmt::format("--set tolerance={} and --set tolerance={} both set the tolerance; omit one",
+                                 tolerances[given], tolerances[given + 1]));
   }
   std::erase_if(set, [](const std::string& assignment) { return assigned_key(assignment) == "tolerance"; });
 }
@@ -187,16 +186,16 @@ CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values) {
           ->required();
   command
       .add_option("--dialect", values.dialect,
-                  fmt::format("Language of the program: {} [recognised]", fmt::join(dialects, ", ")))
+                  fmt::format("Dialect of the program: {} [auto-detected]", fmt::join(dialects, ", ")))
       ->type_name("ID");
   command
       .add_option(
           "--unit", values.unit,
-          "Unit of lengths and feeds until the program says one (G20, G71, BEGIN PGM n MM): mm or inch "
+          "Unit of lengths and feeds until the program sets one (G20, G71, BEGIN PGM n MM): mm or inch "
           "[mm, with a warning]")
       ->type_name("UNIT")
       ->check(CLI::IsMember({"mm", "inch"}));
-  command.add_flag("--skip-deleted", values.skip_deleted, "Leave out blocks that begin with /");
+  command.add_flag("--skip-deleted", values.skip_deleted, "Skip blocks that begin with /");
   add_number_option(
       command, "--repeat-limit", whole_numbers(0, largest_count),
       [&values](double count) { values.repeat_limit = static_cast<std::uint64_t>(count); },
@@ -218,8 +217,8 @@ CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values) {
   command
       .add_option(
           "--tools", values.tool_table,
-          "Tool table with cutter radii: of LinuxCNC, Sinumerik, Fanuc (G10), Heidenhain (TOOL.T), or a "
-          "list with headings [tool.tbl, TOOL.T, to.ini or tools.csv beside the program]")
+          "Tool table with cutter radii: LinuxCNC, Sinumerik, Fanuc (G10) or Heidenhain (TOOL.T) format, or "
+          "a list with headings [tool.tbl, TOOL.T, to.ini or tools.csv in the folder of the program]")
       ->type_name("FILE");
   command
       .add_option(
@@ -230,11 +229,11 @@ CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values) {
       ->allow_extra_args(false);
   command
       .add_option("--tools-unit", values.table_unit,
-                  "Unit of a tool table that does not name it: mm or inch [mm]")
+                  "Unit of a tool table that does not state it: mm or inch [mm]")
       ->type_name("UNIT")
       ->check(CLI::IsMember({"mm", "inch"}));
   command.add_flag("--wear-only", values.wear_only,
-                   "The path is already compensated: cutters have radius 0 unless --tool gives one");
+                   "The path is already compensated: cutters have radius 0 except those of --tool");
   command.add_flag("--simulate-cut-off", values.simulate_cut_off,
                    "Simulate a program even if its loops or cycles were cut off at --repeat-limit");
   return file;
@@ -246,7 +245,7 @@ CLI::Option* add_run_options(CLI::App& command, RunOptions& values) {
   command.add_option("--model", values.model, "Control model [the machine's own]")->type_name("ID");
   command
       .add_option("--tolerance", values.tolerance,
-                  "Contour tolerance in mm, instead of the program's own [or else the machine's]")
+                  "Contour tolerance in mm, instead of the program's own [otherwise the machine's]")
       ->type_name("MM");
   add_set_option(command, values.set);
   return file;
@@ -289,7 +288,7 @@ void note_unused_reading(const Program& program, const ReadOptions& asked) {
   for (const auto& [tool, radius] : asked.radii.all()) {
     if (std::ranges::find(tools, tool) == tools.end()) {
       note(fmt::format("the cutter radius of tool '{}'", tool), tools,
-           "the program asks for no cutter radius compensation");
+           "the program uses no cutter radius compensation");
     }
   }
 }
@@ -304,13 +303,13 @@ void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
     }
     if (const std::string offsets = unused_work_offsets(*program.program, setup.machine); !offsets.empty()) {
       const std::string note =
-          fmt::format("the program was read with other work offsets than those of machine '{}' ({})",
+          fmt::format("the program was read with work offsets other than those of machine '{}' ({})",
                       setup.machine.id, offsets);
       if (said.insert(note).second) {
         fmt::print(stderr, "feedscope: note: {}\n", note);
       }
     }
-    for (const std::string& sentence : unfollowed(program, setup)) {
+    for (const std::string& sentence : ignored_path_control(program, setup)) {
       std::string note = fmt::format("model '{}': {}", setup.model->info().id, sentence);
       if (said.insert(note).second) {
         fmt::print(stderr, "feedscope: note: {}\n", note);
@@ -321,7 +320,7 @@ void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
 
 void note_unused_tolerance(const RunOptions& options, const Setup& setup) {
   if (!options.tolerance.empty() && !contour_tolerance(setup)) {
-    fmt::print(stderr, "feedscope: note: model '{}' does not read a contour tolerance\n",
+    fmt::print(stderr, "feedscope: note: model '{}' does not use a contour tolerance\n",
                setup.model->info().id);
   }
 }

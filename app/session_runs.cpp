@@ -15,7 +15,7 @@ void refuse_options(const ProgramOptions& options, const std::vector<GivenOption
   for (const auto& [option, is_given] : given) {
     if (is_given) {
       throw InputError(
-          fmt::format("{} does not go with session '{}', which has its own; give the NC program "
+          fmt::format("{} cannot be combined with session '{}', which has its own; give the NC program "
                       "instead, or change the session in the window",
                       option, options.file));
     }
@@ -43,13 +43,13 @@ std::optional<ui::Session> asked_session(const ProgramOptions& options, std::vec
   const std::filesystem::path& program = read.session.program;
   if (!std::filesystem::exists(program)) {
     throw InputError(
-        fmt::format("the program of session '{}' is not there: '{}'; put it there, or open the "
-                    "session in the window and show where it is",
+        fmt::format("the program of session '{}' was not found: '{}'; restore it, or open the "
+                    "session in the window and select it",
                     options.file, program.string()));
   }
   if (!read.session.program_hash.isEmpty() && ui::hash_of(program) != read.session.program_hash) {
     fmt::print(stderr,
-               "feedscope: note: '{}' has changed since session '{}' was saved; annotations may stand "
+               "feedscope: note: '{}' has changed since session '{}' was saved; annotations may be "
                "elsewhere\n",
                program.string(), options.file);
   }

@@ -2,15 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <QtConcurrent/QtConcurrentMap>
 #include <algorithm>
-#include <exception>
 #include <memory>
-#include <numeric>
 
 #include "core/analysis/compare.h"
 #include "core/analysis/control_dialect.h"
-#include "ui/models/simulate_shown.h"
+#include "core/base/parallel.h"
+#include "ui/workbench/simulate_shown.h"
 
 namespace feedscope {
 namespace {
@@ -56,7 +54,7 @@ void add_several_runs_options(CLI::App& command, SeveralRunsOptions& values) {
   add_list("--machine", values.machines, machine_help())->type_name("ID|FILE");
   add_list("--model", values.models, "Control model [the machine's own]")->type_name("ID");
   add_list("--tolerance", values.tolerances,
-           "Contour tolerance in mm, instead of the program's own [or else the machine's]")
+           "Contour tolerance in mm, instead of the program's own [otherwise the machine's]")
       ->type_name("MM");
   add_set_option(command, values.set);
 }
@@ -159,22 +157,10 @@ ui::ReportInput simulate_runs(const ReadOptions& reading, const std::vector<Aske
   note_unused_reading(*program.program, reading);
   Progress& whole = *watch.stage("simulating");
   std::vector<std::shared_ptr<const ui::ShownRun>> shown(runs.size());
-  std::vector<std::exception_ptr> errors(runs.size());
-  std::vector<std::size_t> order(runs.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  QtConcurrent::blockingMap(order, [&](std::size_t i) {
-    try {
-      Progress part(whole, 1 / static_cast<double>(runs.size()));
-      shown[i] = ui::simulate_shown(program, runs[i].setup, &part);
-    } catch (...) {
-      errors[i] = std::current_exception();
-    }
+  in_parallel(runs.size(), [&](std::size_t i) {
+    Progress part(whole, 1 / static_cast<double>(runs.size()));
+    shown[i] = ui::simulate_shown(program, runs[i].setup, &part);
   });
-  for (const std::exception_ptr& error : errors) {
-    if (error) {
-      std::rethrow_exception(error);
-    }
-  }
   ui::ReportInput input;
   input.runs = ui::report_runs(shown);
   return input;

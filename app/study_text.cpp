@@ -76,7 +76,7 @@ std::string curve_table(const Study& study, std::span<const StudyRun> curve, con
   return table.text("lrrrrrl");
 }
 
-const StudyRun& least_error(std::span<const StudyRun> runs) {
+const StudyRun& min_error(std::span<const StudyRun> runs) {
   return *std::ranges::min_element(runs, {},
                                    [](const StudyRun& run) { return run.summary.max_contour_error; });
 }
@@ -84,8 +84,8 @@ const StudyRun& least_error(std::span<const StudyRun> runs) {
 std::string optimum_text(const Study& study, std::span<const StudyRun> runs) {
   const StudyRun* best = fastest(runs, study.within);
   if (best == nullptr) {
-    const StudyRun& least = least_error(runs);
-    return fmt::format("No setting keeps a contour error of {} mm; the least is {:.4f} mm at {}.",
+    const StudyRun& least = min_error(runs);
+    return fmt::format("No value has a contour error within {} mm; the smallest is {:.4f} mm at {}.",
                        *study.within, least.summary.max_contour_error, setting_text(study, least));
   }
   const Summary& summary = best->summary;
@@ -136,9 +136,9 @@ std::string operations_text(const Study& study, const StudyRun& run) {
 std::string fastest_text(const Study& study) {
   const StudyRun* best = fastest(study.runs, study.within);
   if (best == nullptr) {
-    const StudyRun& least = least_error(study.runs);
-    return fmt::format("No run keeps a contour error of {} mm; the least is {:.4f} mm: {}.\n", *study.within,
-                       least.summary.max_contour_error, curve_title(study, least));
+    const StudyRun& least = min_error(study.runs);
+    return fmt::format("No run has a contour error within {} mm; the smallest is {:.4f} mm: {}.\n",
+                       *study.within, least.summary.max_contour_error, curve_title(study, least));
   }
   return fmt::format("Fastest within {} mm: {}, {}.\n", *study.within, curve_title(study, *best),
                      time_text(best->summary.cycle_time));
@@ -166,7 +166,7 @@ std::string study_text(const LoadedProgram& program, const Study& study,
       text += fmt::format("{}\n", wrapped(to_string(slower, tolerances), 0));
     }
     if (!study.operations.empty()) {
-      const StudyRun& shown = best != nullptr ? *best : least_error(curve);
+      const StudyRun& shown = best != nullptr ? *best : min_error(curve);
       text +=
           fmt::format("\nOperations at {}\n{}", setting_text(study, shown), operations_text(study, shown));
     }

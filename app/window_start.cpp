@@ -23,20 +23,20 @@ void check(const RunOptions& options, const std::string& lesson) {
   const std::vector<GivenOption> of_program = given_of(options);
   if (!lesson.empty()) {
     const std::string reason =
-        fmt::format("does not go with lesson '{}', which has its own; give one of them", lesson);
+        fmt::format("cannot be combined with lesson '{}', which has its own; give one of them", lesson);
     refuse(of_run, reason);
     refuse(of_program, reason);
   }
   if (ui::is_session_file(options.file)) {
     const std::string reason = fmt::format(
-        "does not go with session '{}', which has its own; give the NC program instead, or open the "
+        "cannot be combined with session '{}', which has its own; give the NC program instead, or open the "
         "session and change it there",
         options.file);
     refuse(of_run, reason);
     refuse(of_program, reason);
   }
   if (options.file.empty()) {
-    refuse(of_program, "says how a program is read, and there is none; give the NC program too");
+    refuse(of_program, "is an option of the program, which is missing; give the NC program too");
   }
 }
 

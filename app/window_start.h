@@ -3,7 +3,7 @@
 #include <string>
 
 #include "app/run_options.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope {
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -38,7 +39,7 @@ std::string tools_text(const Program& program) {
   for (const ToolChange& tool : program.tools) {
     names.push_back(fmt::format("{} (line {})", tool.name, tool.line));
   }
-  return names.empty() ? "none named" : fmt::format("{}", fmt::join(names, ", "));
+  return names.empty() ? "none programmed" : fmt::format("{}", fmt::join(names, ", "));
 }
 
 std::string cutters_text(const Program& program) {
@@ -55,8 +56,8 @@ std::string cutters_text(const Program& program) {
 std::string offsets_text(const Program& program) {
   std::vector<std::string> texts;
   for (const OffsetUse& use : program.work_offsets) {
-    texts.push_back(fmt::format("{} (line {}): {} motions{}", use.name, use.line, use.blocks,
-                                use.given ? "" : ", assumed as zero"));
+    texts.push_back(fmt::format("{} (line {}): {} motion{}{}", use.name, use.line, use.blocks,
+                                use.blocks == 1 ? "" : "s", use.given ? "" : ", assumed as zero"));
   }
   return fmt::format("{}", fmt::join(texts, "; "));
 }
@@ -68,20 +69,20 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
   table.add({"lines", fmt::format("{}; {} blocks run", facts.lines, facts.blocks)});
   table.add({"segments", fmt::format("{}: {} lines, {} arcs, {} dwells", facts.segments,
                                      facts.segments - facts.arcs - facts.dwells, facts.arcs, facts.dwells)});
-  for (std::size_t i = 0; i < axis_names.size(); ++i) {
+  for (std::size_t i = 0; i < coordinate_names.size(); ++i) {
     const auto axis = static_cast<Eigen::Index>(i);
-    table.add({fmt::format("{} range", axis_names[i]), extent_text(facts, axis)});
+    table.add({fmt::format("{} range", coordinate_names[i]), extent_text(facts, axis)});
   }
   table.add({"path length",
              fmt::format("{:.3f} mm, {:.3f} mm of it rapid", facts.path_length, facts.rapid_length)});
   if (facts.segments > 0) {
-    table.add({"start", "X0 Y0 Z0, assumed; not in the ranges where a rapid leaves it"});
+    table.add({"start", "X0 Y0 Z0, assumed; not in the ranges if the first move is a rapid"});
   }
   if (facts.dwells > 0) {
     table.add({"dwell time", time_text(facts.dwell_time)});
   }
   table.add({"feeds", facts.largest_feed > 0
-                          ? fmt::format("{:.6g} to {:.6g} mm/min", units::to_mm_min(facts.least_feed),
+                          ? fmt::format("{:.6g} to {:.6g} mm/min", units::to_mm_min(facts.min_feed),
                                         units::to_mm_min(facts.largest_feed))
                           : "none programmed"});
   table.add({"tools", tools_text(program)});
@@ -96,7 +97,9 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
   }
   table.add({"calls", fmt::format("{}", program.call_count)});
   std::string label = "path control";
-  for (const PathControlRange& range : facts.path_control) {
+  std::vector<PathControlRange> ranges = facts.path_control;
+  std::ranges::stable_sort(ranges, {}, &PathControlRange::first_line);
+  for (const PathControlRange& range : ranges) {
     const std::string lines = range.first_line == range.last_line
                                   ? fmt::format("line {}", range.first_line)
                                   : fmt::format("lines {} to {}", range.first_line, range.last_line);
@@ -133,8 +136,7 @@ int check(const CheckOptions& options) {
 
 Command add_check_command(CLI::App& app) {
   const auto options = std::make_shared<CheckOptions>();
-  CLI::App* command =
-      app.add_subcommand("check", "Read an NC program and say what it holds and what is wrong");
+  CLI::App* command = app.add_subcommand("check", "Read an NC program and report its contents and errors");
   add_program_options(*command, *options);
   command->add_option("--json", options->json, "Write facts and messages; - for standard output")
       ->type_name("FILE");

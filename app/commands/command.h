@@ -19,6 +19,7 @@ Command add_report_command(CLI::App& app);  ///< the same
 Command add_window_command(CLI::App& app);  ///< what the program does without a command
 Command add_machines_command(CLI::App& app);
 Command add_models_command(CLI::App& app);
+Command add_help_command(CLI::App& app);
 Command add_lessons_command(CLI::App& app);
 
 }  // namespace feedscope

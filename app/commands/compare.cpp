@@ -23,7 +23,7 @@
 #include "core/export/merge.h"
 #ifdef FEEDSCOPE_WITH_UI
 #include "app/picture_size.h"
-#include "ui/window_picture.h"
+#include "ui/window/pictures_of_panels.h"
 #endif
 
 namespace feedscope {
@@ -202,12 +202,12 @@ int merge(const CompareOptions& options) {
 int compare(const CompareOptions& options) {
   if (!options.merge.empty()) {
     if (!options.file.empty()) {
-      throw InputError(fmt::format("--merge takes JSON files only, not the program '{}'", options.file));
+      throw InputError(fmt::format("--merge accepts JSON files only, not the program '{}'", options.file));
     }
     return merge(options);
   }
   if (options.file.empty()) {
-    throw InputError("no program given; name one, or the results of others with --merge");
+    throw InputError("no program given; give one, or the results of others with --merge");
   }
   const AskedProgram asked = asked_program(options, {{"--machine", !options.machines.empty()},
                                                      {"--model", !options.models.empty()},
@@ -255,7 +255,7 @@ Command add_compare_command(CLI::App& app) {
   add_list("--machine", options->machines, machine_help())->type_name("ID|FILE");
   add_list("--model", options->models, "Control model [all]")->type_name("ID");
   add_list("--tolerance", options->tolerances,
-           "Contour tolerance in mm, instead of the program's own [or else the machine's]")
+           "Contour tolerance in mm, instead of the program's own [otherwise the machine's]")
       ->type_name("MM");
   add_set_option(*command, options->set);
   command->get_option("FILE")->required(false);
@@ -263,15 +263,18 @@ Command add_compare_command(CLI::App& app) {
            "Study a setting: tolerance=0.005:0.1:log12, X.jerk=10:50:lin5, filters=\"2;3\"")
       ->type_name("KEY=RANGE");
   command
-      ->add_option("--within", options->within, "Bound of the contour error in mm: which run is the fastest?")
+      ->add_option("--within", options->within,
+                   "Maximum contour error in mm; marks the fastest run within it")
       ->type_name("MM");
-  command->add_option("--operations", options->operations, "Figures by operation: tool or comment")
+  command->add_option("--operations", options->operations, "Numbers by operation: tool or comment")
       ->type_name("tool|comment");
-  command->add_option("--merge", options->merge, "Merge what --json wrote for several programs; no FILE then")
+  command
+      ->add_option("--merge", options->merge,
+                   "Merge files that --json wrote for several programs, without FILE")
       ->type_name("JSON");
-  command->add_option("--csv", options->csv, "Write the figures, one row a run; - for standard output")
+  command->add_option("--csv", options->csv, "Write the numbers, one row per run; - for standard output")
       ->type_name("FILE");
-  command->add_option("--json", options->json, "Write figures and messages; - for standard output")
+  command->add_option("--json", options->json, "Write numbers and messages; - for standard output")
       ->type_name("FILE");
 #ifdef FEEDSCOPE_WITH_UI
   CLI::Option* png = command
@@ -279,7 +282,8 @@ Command add_compare_command(CLI::App& app) {
                                       "Draw the runs as bars, a sweep as curves; - for standard output")
                          ->type_name("FILE");
   command
-      ->add_option("--size", options->size, "Width and height of the picture [1280 and what the runs need]")
+      ->add_option("--size", options->size,
+                   "Width and height of the picture [1280 x the height that the runs need]")
       ->type_name("WxH")
       ->needs(png);
 #endif

@@ -13,10 +13,15 @@
 #include "app/watch.h"
 #include "core/base/error.h"
 #include "core/lessons/handout.h"
+#include "core/lessons/lesson_language.h"
 #include "core/lessons/lesson_runs.h"
 #include "core/lessons/plain_text.h"
 #ifdef FEEDSCOPE_WITH_UI
+#include <QLocale>
+
+#include "ui/language/language.h"
 #include "ui/report/handout.h"
+#include "ui/scene_view/scene_texts.h"
 #include "ui/theme/offscreen_application.h"
 #endif
 
@@ -28,11 +33,12 @@ struct LessonsOptions {
   bool check = false;
   std::string out;
   std::string format;
+  std::string language = lesson_languages().front();
 };
 
-void list_lessons() {
+void list_lessons(const std::string& language) {
   for (const std::filesystem::path& file : shipped_lessons()) {
-    const Lesson lesson = read_lesson(file);
+    const Lesson lesson = read_lesson(file, language);
     fmt::print("{}: {} ({} min)\n    {}\n", lesson.id, lesson.title, lesson.minutes,
                wrapped(lesson.learn, 4));
   }
@@ -51,31 +57,38 @@ void print_text(const std::string& text, std::size_t indent) {
   }
 }
 
-void print_question(const Question& question, std::size_t number, const WrittenNumbers& numbers) {
-  fmt::print("\nQuestion {}\n", number);
+void print_question(const Question& question, std::size_t number, const WrittenNumbers& numbers,
+                    const std::string& language) {
+  const auto print_row = [&](const char* name, const std::string& text) {
+    constexpr std::size_t column = 8;
+    fmt::print("  {:<{}}  {}\n", lesson_word(name, language), column, wrapped(text, column + 4));
+  };
+  fmt::print("\n{} {}\n", lesson_word("Question", language), number);
   print_text(filled(question.text, numbers), 2);
   if (!question.with.empty()) {
-    fmt::print("  Set    {}\n", fmt::join(question.with, ", "));
+    print_row("Set", fmt::format("{}", fmt::join(question.with, ", ")));
   }
-  fmt::print("  Move   {}\n  Watch  {}\n", control_text(question.control), title_of(question.watch));
+  print_row("Move", control_text(question.control, language));
+  print_row("Watch", title_of(question.watch, language));
   if (!question.hint.empty()) {
-    fmt::print("  Hint   {}\n", wrapped(plain_line(filled(question.hint, numbers)), 9));
+    print_row("Hint", plain_line(filled(question.hint, numbers)));
   }
 }
 
 void show_lesson(const Lesson& lesson, const WrittenNumbers& numbers) {
-  fmt::print("{} ({} minutes)\n{}\n\n", lesson.title, lesson.minutes, wrapped(lesson.learn, 0));
-  fmt::print("Begins with {}\n\n", wrapped(fmt::format("{}", fmt::join(lesson.start, ", ")), 4));
+  const auto word = [&](const char* english) { return lesson_word(english, lesson.language); };
+  fmt::print("{} ({} {})\n{}\n\n", lesson.title, lesson.minutes, word("minutes"), wrapped(lesson.learn, 0));
+  fmt::print("{} {}\n\n", word("Begins with"), wrapped(fmt::format("{}", fmt::join(lesson.start, ", ")), 4));
   print_text(filled(lesson.text, numbers), 0);
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
-    print_question(lesson.questions[i], i + 1, numbers);
+    print_question(lesson.questions[i], i + 1, numbers, lesson.language);
   }
-  fmt::print("\nAnswers\n");
+  fmt::print("\n{}\n", word("Answers"));
   for (std::size_t i = 0; i < lesson.questions.size(); ++i) {
     fmt::print("\n  {}.\n", i + 1);
     print_text(filled(lesson.questions[i].answer, numbers), 2);
   }
-  fmt::print("\nSources\n");
+  fmt::print("\n{}\n", word("Sources"));
   for (const std::string& source : lesson.sources) {
     fmt::print("  - {}\n", wrapped(source, 4));
   }
@@ -90,6 +103,33 @@ std::string result_text(const Claim& claim, const ClaimResult& result) {
     text += fmt::format(" ({})", value_text(quantity, result.bound));
   }
   return text;
+}
+
+/// What a lesson says in a language that nothing checks, and what it does not say in it.
+void note_texts(const Lesson& lesson, const std::string& language, bool shipped) {
+  const bool english = language == lesson_languages().front();
+  const bool translated = lesson.language == language;
+  if (!english && !translated) {
+    if (shipped) {
+      fmt::print("  note   no translation ({})\n", language);
+    }
+    return;
+  }
+  const std::string mark = english ? "" : fmt::format(" ({})", language);
+  for (const std::string& number : unchecked_numbers(lesson)) {
+    fmt::print("  note   nothing checks the number {}{}\n", number, mark);
+  }
+  for (const std::string& text : lesson.untranslated) {
+    fmt::print("  note   no translation of {}{}\n", text, mark);
+  }
+}
+
+bool is_shipped(const std::filesystem::path& file) {
+  const std::vector<std::filesystem::path> shipped = shipped_lessons();
+  return std::any_of(shipped.begin(), shipped.end(), [&](const std::filesystem::path& one) {
+    std::error_code ignored;
+    return std::filesystem::equivalent(one, file, ignored);
+  });
 }
 
 /// Simulates every claim and says what it comes to; how many do not hold.
@@ -121,8 +161,9 @@ int check_lesson(const Lesson& lesson) {
       fmt::print("         {}\n", line.claim->place);
     }
   }
-  for (const std::string& number : unchecked_numbers(lesson)) {
-    fmt::print("  note   nothing checks the number {}\n", number);
+  const bool shipped = is_shipped(lesson.file);
+  for (const std::string& language : lesson_languages()) {
+    note_texts(read_lesson(lesson.file, language), language, shipped);
   }
   return failed;
 }
@@ -153,8 +194,15 @@ std::string handout([[maybe_unused]] const std::string& format, const Lesson& le
                     Progress* progress) {
 #ifdef FEEDSCOPE_WITH_UI
   const ui::OffscreenApplication application;
+  ui::SceneTexts texts;
+  if (lesson.language != lesson_languages().front()) {
+    const QString language = QString::fromStdString(lesson.language);
+    ui::install_language(language);
+    QLocale::setDefault(QLocale(language));  // whatever the system's is
+    texts = ui::scene_texts();
+  }
   return ui::make_handout(lesson, runs, format == "pdf" ? ui::ReportFormat::pdf : ui::ReportFormat::html,
-                          progress);
+                          texts, progress);
 #else
   return handout_html(lesson, runs.numbers(progress));
 #endif
@@ -168,12 +216,12 @@ int run_lessons(const LessonsOptions& options) {
     return check_lessons(options.id);
   }
   if (options.id.empty()) {
-    list_lessons();
+    list_lessons(options.language);
     return exit_code::done;
   }
   const std::string format = options.out.empty() ? "" : format_of(options);
   const std::filesystem::path file = find_lesson(options.id);
-  const Lesson lesson = read_lesson(file);
+  const Lesson lesson = read_lesson(file, options.language);
   std::unique_ptr<OutputFile> out;
   if (!options.out.empty()) {
     check_outputs(file.string(), {options.out});
@@ -203,11 +251,11 @@ Command add_lessons_command(CLI::App& app) {
   const auto options = std::make_shared<LessonsOptions>();
   CLI::App* command = app.add_subcommand("lessons", "List the lessons for courses, show, check or print one");
   command->add_option("ID", options->id, "Lesson id, its number, or a lesson file");
-  CLI::Option* check = command->add_flag(
-      "--check", options->check,
-      "Simulate what the lesson claims (without ID: all lessons) and say what does not hold (exit code 1)");
+  CLI::Option* check = command->add_flag("--check", options->check,
+                                         "Simulate the claims of the lesson (without ID: of all lessons) and "
+                                         "report those that fail (exit code 1)");
   CLI::Option* out =
-      command->add_option("--out", options->out, "Write a hand-out to print; - for standard output")
+      command->add_option("--out", options->out, "Write a printable hand-out; - for standard output")
           ->type_name("FILE.pdf|FILE.html")
           ->excludes(check);
   command
@@ -215,6 +263,13 @@ Command add_lessons_command(CLI::App& app) {
       ->check(CLI::IsMember({"html", "pdf"}))
       ->needs(out)
       ->type_name("FORMAT");
+  command
+      ->add_option("--language", options->language,
+                   fmt::format("Language of texts and numbers: {} [{}]",
+                               fmt::join(lesson_languages(), " or "), options->language))
+      ->check(CLI::IsMember(lesson_languages()))
+      ->type_name("LANGUAGE")
+      ->excludes(check);
   return {command, [options] { return run_lessons(*options); }};
 }
 

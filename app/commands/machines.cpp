@@ -39,7 +39,7 @@ void show_machine(const std::string& id) {
   fmt::print("{}: {}, {}\n{}\ndefault model: {}\n\n", machine.id, machine.name, machine.control,
              machine.reference, machine.model);
   TextTable table;
-  for (const char axis : axis_names) {
+  for (const auto& [axis, kind] : machine.axes.axes()) {
     for (const SettingSpec& limit : axis_limit_specs()) {
       const std::string key = fmt::format("{}.{}", axis, limit.key);
       table.add({key, fmt::format("{}", axis_limit(machine, axis, limit.key)), limit.unit,

@@ -71,7 +71,7 @@ void print_settings(const ControlModel& model) {
     table.add({spec.key, fallback, spec.unit, range_text(spec)});
   }
   const std::string settings = table.text("lrll");
-  fmt::print("\nSettings: key, value where the machine gives none, unit, range\n{}",
+  fmt::print("\nSettings: key, default without a value of the machine, unit, range\n{}",
              settings.empty() ? "  none\n" : settings);
   for (const SettingSpec& spec : settings_of(model)) {
     fmt::print("\n  {}: {}.\n    {}\n", spec.key, spec.title, wrapped(spec.explanation, 4));

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/commands/command.h"
+#include "app/display_units.h"
 #include "app/exit_codes.h"
 #include "app/number_option.h"
 #include "app/output_file.h"
@@ -15,10 +16,10 @@
 #include "app/print.h"
 #include "app/session_runs.h"
 #include "core/base/error.h"
-#include "ui/main_window.h"
 #include "ui/report/pictures.h"
 #include "ui/theme/offscreen_application.h"
-#include "ui/window_picture.h"
+#include "ui/window/main_window.h"
+#include "ui/window/pictures_of_panels.h"
 
 namespace feedscope {
 namespace {
@@ -53,7 +54,7 @@ constexpr double units_per_inch = 96;
 
 std::vector<std::string> colouring_keys() {
   std::vector<std::string> keys;
-  std::ranges::transform(ui::all_colourings, std::back_inserter(keys), ui::colouring_key);
+  std::ranges::transform(ui::all_colourings(), std::back_inserter(keys), ui::colouring_key);
   return keys;
 }
 
@@ -81,7 +82,7 @@ ui::PictureRequest request_of(const RenderOptions& options) {
   const bool by_dots = page.paper.has_value() || format != ui::PictureFormat::png;
   if (options.dpi && !by_dots) {
     throw InputError(
-        fmt::format("--dpi says nothing about {} pixels; give --size as a sheet (A4, A3-portrait, "
+        fmt::format("--dpi has no effect with {} pixels; give --size as a sheet (A4, A3-portrait, "
                     "Letter) or write .svg or .pdf",
                     size));
   }
@@ -98,19 +99,18 @@ ui::PictureRequest request_of(const RenderOptions& options) {
 
 void check_runs(const RenderOptions& options, const std::vector<AskedRun>& runs) {
   if (views.at(options.view) == View::window && runs.size() > 1) {
-    throw InputError(
-        fmt::format("--view window shows one run, and {} were asked for; give one machine, model and "
-                    "tolerance, or take --view sheet",
-                    runs.size()));
+    throw InputError(fmt::format(
+        "--view window shows one run, not {}; give one machine, model and tolerance, or use --view sheet",
+        runs.size()));
   }
   const bool coloured = views.at(options.view) == View::scene || views.at(options.view) == View::sheet;
   if (!options.colour.empty() && !coloured) {
     throw InputError(
-        fmt::format("--colour says nothing about --view {}; take --view 3d or sheet", options.view));
+        fmt::format("--colour has no effect with --view {}; use --view 3d or sheet", options.view));
   }
   if (views.at(options.view) == View::window && options.transparent) {
     throw InputError(
-        "--transparent: the window has no transparent background; take --view 3d, charts or sheet");
+        "--transparent: the window has no transparent background; use --view 3d, charts or sheet");
   }
 }
 
@@ -146,13 +146,13 @@ std::string picture_file(const ui::ReportInput& input, const RenderOptions& opti
 
 void set_colours(const RenderOptions& options, ui::ReportInput& input) {
   if (!options.colour.empty()) {
-    input.scene.colouring = *std::ranges::find(ui::all_colourings, options.colour, ui::colouring_key);
+    input.scene.colouring = *std::ranges::find(ui::all_colourings(), options.colour, ui::colouring_key);
   }
   const auto count = static_cast<int>(input.runs.size());
   if (ui::needs_reference(input.scene.colouring) && count < 2) {
     throw InputError(
-        fmt::format("--colour {} compares two runs, and there is one; give another --tolerance, --model or "
-                    "--machine",
+        fmt::format("--colour {} compares two runs, but there is only one; give another --tolerance, --model "
+                    "or --machine",
                     ui::colouring_key(input.scene.colouring)));
   }
   if (!options.reference) {
@@ -160,7 +160,7 @@ void set_colours(const RenderOptions& options, ui::ReportInput& input) {
   }
   if (*options.reference < 1 || *options.reference > count) {
     throw InputError(
-        fmt::format("--reference {} is no run; there are {}, counted from 1 in the order of the "
+        fmt::format("--reference {} is not a run; there are {}, counted from 1 in the order of the "
                     "options",
                     *options.reference, count));
   }
@@ -190,7 +190,7 @@ QString command_of(const RenderOptions& options) {
 void note_unused_tolerances(const RenderOptions& options, const std::vector<AskedRun>& runs) {
   for (const AskedRun& run : runs) {
     if (!options.runs.tolerances.empty() && !contour_tolerance(run.setup)) {
-      fmt::print(stderr, "feedscope: note: model '{}' does not read a contour tolerance\n",
+      fmt::print(stderr, "feedscope: note: model '{}' does not use a contour tolerance\n",
                  run.setup.model->info().id);
     }
   }
@@ -238,8 +238,8 @@ void add_size_options(CLI::App& command, RenderOptions& options) {
   command
       .add_option(
           "--size", options.size,
-          "Width and height in pixels, or a sheet of paper: A4 (lying), A4-portrait, A2 to A6, Letter "
-          "[1280x960; A4 for a sheet]")
+          "Width and height in pixels, or a sheet of paper: A4 (landscape), A4-portrait, A2 to A6, Letter; a "
+          "--view sheet smaller than A4 needs a --scale below 1 [1280x960; A4 for a sheet]")
       ->type_name("WxH|PAPER");
   add_number_option(
       command, "--dpi", numbers(36, 1200), [&options](double dpi) { options.dpi = dpi; },
@@ -247,7 +247,7 @@ void add_size_options(CLI::App& command, RenderOptions& options) {
       ->type_name("N");
   add_number_option(
       command, "--scale", numbers(0.25, 8), [&options](double scale) { options.scale = scale; },
-      "Size of text and lines [1]")
+      "Scale of text and lines [1]")
       ->type_name("S");
 }
 
@@ -258,22 +258,22 @@ Command add_render_command(CLI::App& app) {
   CLI::App* command = app.add_subcommand(
       "render", "Draw an NC program and its motion as a PNG, SVG or PDF picture; needs no display");
   add_several_runs_options(*command, options->runs);
-  command->add_option("--view", options->view, "What to draw: 3d, charts, window, sheet")
+  command->add_option("--view", options->view, "View to draw: 3d, charts, window, sheet")
       ->check(CLI::IsMember(views))
       ->type_name("VIEW")
       ->capture_default_str();
   add_size_options(*command, *options);
   command
       ->add_option("--camera", options->camera,
-                   "Where to look from: iso, top, front, right [iso, or the session's]")
+                   "View direction: iso, top, front, right [iso, or the session's]")
       ->check(CLI::IsMember(camera_views))
       ->type_name("CAMERA");
   command
-      ->add_option(
-          "--colour", options->colour,
-          "What the colour of the path shows: " + fmt::format("{}", fmt::join(colouring_keys(), ", ")) +
-              "; time_lost and path_distance compare the first run with another one [feed, or the "
-              "session's]")
+      ->add_option("--colour", options->colour,
+                   "Quantity shown by the colour of the path: " +
+                       fmt::format("{}", fmt::join(colouring_keys(), ", ")) +
+                       "; time_lost and path_distance compare the first run with another one [feed, or the "
+                       "session's]")
       ->check(CLI::IsMember(colouring_keys()))
       ->type_name("COLOUR");
   add_number_option(
@@ -284,10 +284,11 @@ Command add_render_command(CLI::App& app) {
   command->add_option("--theme", options->theme, "Colours: light, dark [light, or the session's]")
       ->check(CLI::IsMember(themes))
       ->type_name("THEME");
+  add_display_units_option(*command);
   command->add_option("--format", options->format, "png, svg or pdf [the ending of --out]")
       ->check(CLI::IsMember(formats))
       ->type_name("FORMAT");
-  command->add_flag("--transparent", options->transparent, "Nothing behind what is drawn");
+  command->add_flag("--transparent", options->transparent, "Transparent background");
   command->add_option("--title", options->title, "Title of a sheet [the program's name]")->type_name("TEXT");
   command->add_option("--out", options->out, "The picture to write; - for standard output")
       ->type_name("FILE.png|svg|pdf")

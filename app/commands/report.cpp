@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/commands/command.h"
+#include "app/display_units.h"
 #include "app/exit_codes.h"
 #include "app/output_file.h"
 #include "app/output_format.h"
@@ -42,7 +43,8 @@ QDateTime date_of(const std::string& text) {
   }
   const QDate date = QDate::fromString(QString::fromStdString(text), Qt::ISODate);
   if (!date.isValid()) {
-    throw InputError(fmt::format("--date '{}' is no date; give year, month and day, as 2025-01-31", text));
+    throw InputError(
+        fmt::format("--date '{}' is not a date; give year, month and day, such as 2025-01-31", text));
   }
   return {date, QTime(0, 0), Qt::UTC};
 }
@@ -117,19 +119,20 @@ Command add_report_command(CLI::App& app) {
   command->add_option("--out", options->out, "The report to write; - for standard output")
       ->type_name("FILE.pdf|FILE.html")
       ->required();
+  add_display_units_option(*command);
   command->add_option("--format", options->format, "pdf or html [the ending of --out]")
       ->check(CLI::IsMember(formats))
       ->type_name("FORMAT");
-  command->add_option("--template", options->page, "A page of your own; see resources/report/README.md")
+  command
+      ->add_option("--template", options->page, "HTML template of your own; see resources/report/README.md")
       ->type_name("FILE.html");
   command->add_option("--title", options->title, "Title [the program's name]")->type_name("TEXT");
-  command->add_option("--author", options->author, "Who made the report")->type_name("TEXT");
-  command
-      ->add_option("--date", options->date, "Date of the report [none, so that it can be made again alike]")
+  command->add_option("--author", options->author, "Author of the report")->type_name("TEXT");
+  command->add_option("--date", options->date, "Date of the report [none, so that it can be reproduced]")
       ->type_name("YYYY-MM-DD");
   command
       ->add_option("--camera", options->camera,
-                   "Where to look from: iso, top, front, right [iso, or the session's]")
+                   "View direction: iso, top, front, right [iso, or the session's]")
       ->check(CLI::IsMember(camera_views))
       ->type_name("CAMERA");
   return {command, [options] {

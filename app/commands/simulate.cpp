@@ -106,7 +106,7 @@ class Results {
 Setup setup_of(const SimulateOptions& options, const AskedProgram& asked) {
   if (!asked.is_session()) {
     if (options.number) {
-      throw InputError(fmt::format("--run {} names a run of a session, and '{}' is not a session",
+      throw InputError(fmt::format("--run {} selects a run of a session, but '{}' is not a session",
                                    *options.number, options.run.file));
     }
     return make_setup(options.run.request(asked.dialect()));
@@ -118,7 +118,7 @@ Setup setup_of(const SimulateOptions& options, const AskedProgram& asked) {
   }
   if (!options.number && asked.setups.size() > 1) {
     fmt::print(stderr,
-               "feedscope: note: session '{}' has {} runs; number {} is simulated, --run takes another one\n",
+               "feedscope: note: session '{}' has {} runs; run {} is simulated; --run selects another one\n",
                options.run.file, asked.setups.size(), number);
   }
   return asked.setups[number - 1];
@@ -163,14 +163,14 @@ Command add_simulate_command(CLI::App& app) {
   add_number_option(
       *command, "--run", whole_numbers(1, 1'000'000),
       [options](double number) { options->number = static_cast<std::size_t>(number); },
-      "Number of the run of a session [the one it shows]")
+      "Number of the run in a session [the current one]")
       ->type_name("N");
-  command->add_option("--csv", options->csv, "Write the motion, one row a step; - for standard output")
+  command->add_option("--csv", options->csv, "Write the motion, one row per step; - for standard output")
       ->type_name("FILE");
   command
       ->add_option("--step", options->step, "Time between two rows in s [the machine's interpolation period]")
       ->type_name("S");
-  command->add_option("--json", options->json, "Write figures and messages; - for standard output")
+  command->add_option("--json", options->json, "Write numbers and messages; - for standard output")
       ->type_name("FILE");
   command
       ->add_option("--blends", options->blends,
@@ -185,7 +185,7 @@ Command add_simulate_command(CLI::App& app) {
   add_number_option(
       *command, "--contour-places", whole_numbers(1, 1'000'000),
       [options](double count) { options->contour_places = static_cast<std::size_t>(count); },
-      "How many of these places [20]")
+      "Number of these places [20]")
       ->needs("--contour")
       ->type_name("N");
   return {command, [options] {

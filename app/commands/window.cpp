@@ -12,10 +12,11 @@
 #include "app/window_start.h"
 #include "core/base/error.h"
 #include "ui/language/language.h"
-#include "ui/main_window.h"
-#include "ui/models/recent_files.h"
-#include "ui/panel_states.h"
+#include "ui/language/shown_numbers.h"
 #include "ui/theme/theme.h"
+#include "ui/window/main_window.h"
+#include "ui/window/panel_states.h"
+#include "ui/workbench/recent_files.h"
 
 namespace feedscope {
 namespace {
@@ -46,6 +47,44 @@ QSize room_on(const QScreen& screen) {
   return screen.availableSize() - frame;
 }
 
+/// What a window ends with that is to be made again.
+constexpr int made_again = 0x52454d;
+
+/// Shows the window until it is closed or to be made again, in another language or other units; `before`:
+/// what the window before has shown.
+int show_window(ui::Workbench& model, const WindowStart& start,
+                std::optional<ui::MainWindow::Handover>& before) {
+  ui::MainWindow window(model, ui::default_backend());
+  QObject::connect(&model, &ui::Workbench::program_changed, &window, [&model, &window] {
+    if (model.program() != nullptr) {
+      const auto& shown = window.session().file().empty() ? model.file() : window.session().file();
+      ui::RecentFiles::add(QString::fromStdU16String(shown.u16string()));
+    }
+  });
+  QObject::connect(
+      &window, &ui::MainWindow::remake_wanted, &window, [] { QApplication::exit(made_again); },
+      Qt::QueuedConnection);
+  QSettings settings;
+  window.resize(window.size().boundedTo(room_on(*window.screen())));
+  window.restoreGeometry(settings.value("geometry").toByteArray());
+  window.restore_layout(settings.value("layout").toByteArray());
+  ui::restore_panel_states(window);
+  if (before) {
+    window.take_over(*before);
+  }
+  window.show();
+  window.session().begin_keeping();
+  if (!before) {
+    start.show(window, model);
+  }
+  const int code = QApplication::exec();
+  settings.setValue("geometry", window.saveGeometry());
+  settings.setValue("layout", window.saveState());
+  ui::keep_panel_states(window);
+  before = window.hand_over();
+  return code;
+}
+
 int show_window(const RunOptions& options, const std::string& lesson) {
   const WindowStart start(options, lesson);
   check_display();
@@ -58,28 +97,17 @@ int show_window(const RunOptions& options, const std::string& lesson) {
   QApplication::setOrganizationName("Feedscope");
   QApplication::setDesktopFileName("feedscope");
   ui::install_language(ui::chosen_language());
+  ui::use_unit_system(ui::chosen_unit_system());
   ui::apply_theme(QSettings().value("dark", false).toBool() ? ui::ThemeKind::dark : ui::ThemeKind::light);
 
   ui::Workbench model(shipped_machines(), make_setup({}));
-  ui::MainWindow window(model, ui::default_backend());
-  QObject::connect(&model, &ui::Workbench::program_changed, [&model, &window] {
-    if (model.program() != nullptr) {
-      const auto& shown = window.session().file().empty() ? model.file() : window.session().file();
-      ui::RecentFiles::add(QString::fromStdU16String(shown.u16string()));
-    }
-  });
-  QSettings settings;
-  window.resize(window.size().boundedTo(room_on(*window.screen())));
-  window.restoreGeometry(settings.value("geometry").toByteArray());
-  window.restore_layout(settings.value("layout").toByteArray());
-  ui::restore_panel_states(window);
-  window.show();
-  window.session().begin_keeping();
-  start.show(window, model);
-  const int code = QApplication::exec();
-  settings.setValue("geometry", window.saveGeometry());
-  settings.setValue("layout", window.saveState());
-  ui::keep_panel_states(window);
+  std::optional<ui::MainWindow::Handover> before;
+  int code = made_again;
+  while (code == made_again) {
+    code = show_window(model, start, before);
+    ui::install_language(ui::chosen_language());
+    ui::use_unit_system(ui::chosen_unit_system());
+  }
   return code;
 }
 
