@@ -1,4 +1,4 @@
-#include "ui/views/annotation_overlay.h"
+#include "ui/annotations/annotation_overlay.h"
 
 #include <QKeyEvent>
 #include <QLineF>

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "ui/annotations/annotation_list.h"
 #include "ui/annotations/annotation_picture.h"
+#include "ui/workbench/annotation_list.h"
 
 class QKeyEvent;
 class QMouseEvent;

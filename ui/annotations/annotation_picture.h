@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "ui/annotations/annotation.h"
 #include "ui/scene/path_scene.h"
+#include "ui/workbench/annotation.h"
 
 class QPainter;
 

@@ -2,7 +2,7 @@
 
 #include <QAbstractTableModel>
 
-#include "ui/annotations/annotation_list.h"
+#include "ui/workbench/annotation_list.h"
 
 namespace feedscope::ui {
 

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <QString>
-#include <span>
+#include <functional>
+#include <vector>
 
-#include "ui/annotations/annotation.h"
+#include "ui/workbench/annotation.h"
 
 namespace feedscope::ui {
 
@@ -18,11 +19,12 @@ struct AnnotationValues {
 
 /// One name that stands in braces in the text of an annotation.
 struct AnnotationField {
-  const char* name;         ///< "feed"
-  const char* explanation;  ///< to be translated in the context Annotations
-  QString (*value)(const AnnotationValues&);
+  QString name;         ///< "feed"
+  QString explanation;  ///< in the user's language
+  std::function<QString(const AnnotationValues&)> value;
 };
-std::span<const AnnotationField> annotation_fields();
+/// The quantities of the motion at the place, and what else a label can tell.
+std::vector<AnnotationField> annotation_fields();
 
 /// `text` with the values in place of "{feed}" and its like, numbers by the locale. What is no field stays.
 QString with_values(const QString& text, const AnnotationValues& values);

@@ -1,4 +1,4 @@
-#include "ui/views/annotations_view.h"
+#include "ui/annotations/annotations_view.h"
 
 #include <QAction>
 #include <QColorDialog>
@@ -16,7 +16,8 @@
 #include "ui/annotations/annotation_text.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/fields/whole_number_box.h"
-#include "ui/views/row_copy.h"
+#include "ui/shared/row_copy.h"
+#include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
@@ -24,16 +25,15 @@ namespace {
 
 constexpr int row_height = 22;
 constexpr int text_lines = 4;
-constexpr int least_size = 6;      // [points]
+constexpr int min_size = 6;        // [points]
 constexpr int largest_size = 72;   // [points]
 constexpr int swatch_pixels = 14;  // of the colour's button
 
 QString list_of_fields() {
   QStringList rows;
   for (const AnnotationField& field : annotation_fields()) {
-    rows.append(
-        QStringLiteral("<tr><td><code>{%1}</code>&nbsp;</td><td>%2</td></tr>")
-            .arg(QLatin1String(field.name), QCoreApplication::translate("Annotations", field.explanation)));
+    rows.append(QStringLiteral("<tr><td><code>{%1}</code>&nbsp;</td><td>%2</td></tr>")
+                    .arg(field.name, field.explanation));
   }
   return QStringLiteral("<table>%1</table>").arg(rows.join(QString()));
 }
@@ -41,7 +41,7 @@ QString list_of_fields() {
 }  // namespace
 
 AnnotationsView::AnnotationsView(AnnotationList& annotations, Cursor& cursor, QWidget* parent)
-    : QWidget(parent),
+    : Panel({QStringLiteral("annotations"), tr("Annotations"), Qt::RightDockWidgetArea}, parent),
       annotations_(annotations),
       cursor_(cursor),
       model_(new AnnotationTable(annotations, this)),
@@ -63,14 +63,14 @@ AnnotationsView::AnnotationsView(AnnotationList& annotations, Cursor& cursor, QW
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
   text_->setAccessibleName(tr("Text of the annotation"));
-  text_->setToolTip(tr("Names in braces become the values at the place:") + list_of_fields());
+  text_->setToolTip(tr("Names in braces are replaced by the values at the place:") + list_of_fields());
   text_->setMaximumHeight(text_->fontMetrics().lineSpacing() * text_lines + 12);
   text_->installEventFilter(this);
   colour_->setToolTip(tr("Colour of the annotation"));
   colour_->setIconSize({swatch_pixels, swatch_pixels});
-  size_->setRange(least_size, largest_size);
+  size_->setRange(min_size, largest_size);
   size_->setSuffix(tr(" pt"));
-  size_->setToolTip(tr("Size of the text [points]"));
+  size_->setToolTip(tr("Text size [points]"));
   hint_->setWordWrap(true);
   make_actions();
   make_layout();
@@ -107,16 +107,16 @@ void AnnotationsView::make_actions() {
     action->setIconText(annotation_title(kind));
     connect(action, &QAction::triggered, this, [this, kind] { add(kind); });
   };
-  put(AnnotationKind::text, tr("Add &text"), tr("Put words beside the path at the cursor"), {});
-  put(AnnotationKind::arrow, tr("Add &arrow"), tr("Point an arrow at the place of the cursor"), {});
+  put(AnnotationKind::text, tr("Add &text"), tr("Place text beside the path at the cursor"), {});
+  put(AnnotationKind::arrow, tr("Add &arrow"), tr("Point an arrow at the cursor"), {});
   put(AnnotationKind::callout, tr("Add &callout"),
-      tr("Put a label with feed, contour error and limiting cause at the cursor"), tr("Ctrl+Shift+C"));
+      tr("Place a label with feed, contour error and limiting cause at the cursor"), tr("Ctrl+Shift+C"));
   put(AnnotationKind::dimension, tr("Add &dimension"),
-      tr("Show the distance between the cursors A and B of the charts, or the ends of what the charts show"),
+      tr("Show the distance between cursors A and B of the charts, or between the ends of the visible range"),
       {});
   put(AnnotationKind::region, tr("Add &region"),
-      tr("Mark the path between the cursors A and B of the charts, or all that the charts show"), {});
-  QAction* remove = add_action(tr("&Remove annotation"), tr("Take the selected annotation away"), {});
+      tr("Mark the path between cursors A and B of the charts, or over the whole visible range"), {});
+  QAction* remove = add_action(tr("&Remove annotation"), tr("Delete the selected annotation"), {});
   remove->setIconText(tr("Remove"));
   connect(remove, &QAction::triggered, this, [this] { annotations_.remove(annotations_.selected()); });
 }
@@ -157,7 +157,7 @@ void AnnotationsView::edit(int id) {
 
 void AnnotationsView::add(AnnotationKind kind) {
   if (!cursor_.valid()) {
-    hint_->setText(tr("Open a program first: an annotation stands at a place of its path."));
+    hint_->setText(tr("Open a program first: an annotation belongs to a place on its path."));
     return;
   }
   const Trajectory& trajectory = *cursor_.trajectory();
@@ -204,9 +204,9 @@ void AnnotationsView::show_selected() {
 void AnnotationsView::show_hint() {
   const QString wrong = unknown_field(text_->toPlainText());
   if (!wrong.isEmpty()) {
-    hint_->setText(tr("%1 is no value; the tooltip of the text lists them.").arg(wrong));
+    hint_->setText(tr("%1 is not a value name; the tooltip of the text lists them.").arg(wrong));
   } else if (annotations_.items().empty()) {
-    hint_->setText(tr("Click the path, then add what it is to say there."));
+    hint_->setText(tr("Click the path, then add an annotation there."));
   } else {
     hint_->setText(tr("Drag labels to move them; drag the dots of the selected one along the path."));
   }
@@ -234,6 +234,13 @@ bool AnnotationsView::eventFilter(QObject* watched, QEvent* event) {
     annotations_.end_step();
   }
   return QWidget::eventFilter(watched, event);
+}
+
+void AnnotationsView::follow(Workbench& workbench) {
+  const auto show_program = [this, &workbench] { set_toolpath(workbench.shown_program().input.toolpath); };
+  connect(&workbench, &Workbench::program_changed, this, show_program);
+  connect(this, &AnnotationsView::time_chosen, &workbench.cursor(), &Cursor::set_time);
+  show_program();
 }
 
 }  // namespace feedscope::ui

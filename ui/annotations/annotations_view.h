@@ -1,12 +1,12 @@
 #pragma once
 
 #include <QList>
-#include <QWidget>
 #include <array>
 #include <functional>
 
 #include "ui/annotations/annotation_table.h"
-#include "ui/models/cursor.h"
+#include "ui/shared/cursor.h"
+#include "ui/workbench/panel.h"
 
 class QAction;
 class QLabel;
@@ -19,13 +19,14 @@ namespace feedscope::ui {
 class WholeNumberBox;
 
 /// The annotations of the program: put one at the cursor, change its text, colour and size, remove it.
-class AnnotationsView : public QWidget {
+class AnnotationsView : public Panel {
   Q_OBJECT
 
  public:
   /// Both outlive this.
   AnnotationsView(AnnotationList& annotations, Cursor& cursor, QWidget* parent = nullptr);
 
+  void follow(Workbench& workbench) override;
   /// Tells the two times [s] that a new dimension or region goes between.
   void set_stretch(std::function<std::array<double, 2>()> stretch) { stretch_ = std::move(stretch); }
   void set_toolpath(std::shared_ptr<const Toolpath> toolpath);
@@ -35,12 +36,11 @@ class AnnotationsView : public QWidget {
   QTableView* table() { return table_; }
   QPlainTextEdit* text() { return text_; }
   /// One to add each kind, in the order of annotation_kinds, and one to remove the selected one.
-  QList<QAction*> panel_actions() const { return actions_; }
+  QList<QAction*> panel_actions() const override { return actions_; }
 
  signals:
   /// A row has been chosen: the place is to be looked at [s].
   void time_chosen(double time);
-  void attention_wanted();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;

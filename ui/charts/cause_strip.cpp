@@ -23,7 +23,7 @@ constexpr int strip_height = 10;
 constexpr int swatch = 9;
 constexpr int gap = 4;
 constexpr int item_gap = 14;
-constexpr double least_named_share = 0.0005;  // of the visible time; below, 0.0 % would stand there
+constexpr double min_named_share = 0.0005;  // of the visible time; below, 0.0 % would stand there
 
 QColor colour_of(CauseKind kind) {
   const Rgb rgb = cause_colour(kind);
@@ -38,7 +38,7 @@ QString percent(double share) {
 }  // namespace
 
 QString cause_kind_name(CauseKind kind) {
-  return core_text(cause_kind_title(kind));
+  return core_text(cause_title({kind, -1}));
 }
 
 QString cause_name(Cause cause) {
@@ -74,7 +74,7 @@ void CauseStrip::set_causes(std::vector<std::optional<CauseKind>> columns, std::
     }
     shares_.back().time += times_[i];
   }
-  std::erase_if(shares_, [&](const Share& share) { return share.time <= least_named_share * whole_; });
+  std::erase_if(shares_, [&](const Share& share) { return share.time <= min_named_share * whole_; });
   std::ranges::stable_sort(shares_, std::greater(), &Share::time);
   for (Share& share : shares_) {
     share.text = tr("%1 %2").arg(cause_kind_name(share.kind), percent(share.time / whole_));

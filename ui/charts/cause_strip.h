@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/charts/cause_times.h"
+#include "core/analysis/cause_times.h"
 
 namespace feedscope::ui {
 

@@ -19,7 +19,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double most_samples = 2e7;  // some 5 GB
+constexpr double max_samples = 2e7;  // some 5 GB
 
 QString tr(const char* text) {
   return QCoreApplication::translate("ChartExport", text);
@@ -86,11 +86,11 @@ void save_csv(const QString& file, const Trajectory& trajectory, std::span<const
 
 std::vector<double> sample_times(const Interval& range, double step) {
   const double count = std::ceil(range.width() / step * (1 - 1e-12));
-  if (!(count <= most_samples)) {
-    throw InputError(tr("a row each %1 s would be more than 20 million rows; show a shorter range, or choose "
-                        "a larger step")
-                         .arg(step)
-                         .toStdString());
+  if (!(count <= max_samples)) {
+    throw InputError(
+        tr("a row every %1 s gives more than 20 million rows; show a shorter range or choose a larger step")
+            .arg(step)
+            .toStdString());
   }
   std::vector<double> times;
   times.reserve(static_cast<std::size_t>(count) + 1);

@@ -20,7 +20,7 @@ constexpr int swatch_width = 18;
 constexpr int gap = 5;
 constexpr int curve_gap = 10;
 constexpr int longest_run_name = 160;  // [px]
-constexpr int most_run_rows = 2;
+constexpr int max_run_rows = 2;
 
 QFont bold(QFont font) {
   font.setBold(true);
@@ -31,6 +31,8 @@ QFont bold(QFont font) {
 
 ChartHeader::ChartHeader(ChartSpec spec, QWidget* parent)
     : QWidget(parent), spec_(std::move(spec)), shown_(spec_.curves.size(), true) {
+  std::transform(spec_.curves.begin(), spec_.curves.end(), shown_.begin(),
+                 [](const CurveSpec& curve) { return !curve.on_demand; });
   QSizePolicy policy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   policy.setHeightForWidth(true);
   setSizePolicy(policy);
@@ -128,9 +130,9 @@ void ChartHeader::add_runs(Layout& layout, int width) const {
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     const int room = item_width(metrics.elidedText(runs_[i].name, Qt::ElideMiddle, longest_run_name));
     const bool last = i + 1 == runs_.size();
-    const int end = x + room + (last || row + 1 < most_run_rows ? 0 : curve_gap + more);
+    const int end = x + room + (last || row + 1 < max_run_rows ? 0 : curve_gap + more);
     if (end > width && x > plot_left_margin) {
-      if (row + 1 == most_run_rows) {
+      if (row + 1 == max_run_rows) {
         break;
       }
       ++row;
@@ -233,7 +235,7 @@ void ChartHeader::draw_curve(QPainter& painter, std::size_t curve, const QRect& 
   painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, spec.name);
   if (state_.has_value() && shown) {
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
-                     number(spec_.convert(channel_value(*state_, spec.channel))));
+                     number(spec_.convert(info_of(spec.quantity).of(*state_))));
   }
 }
 

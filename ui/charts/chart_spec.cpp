@@ -1,9 +1,11 @@
 #include "ui/charts/chart_spec.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include "core/base/geometry.h"
-#include "core/base/units.h"
+#include "ui/language/core_texts.h"
+#include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {
 
@@ -17,14 +19,52 @@ QString tr(const char* text) {
   return QCoreApplication::translate("KinematicCharts", text);
 }
 
-/// `first` and the two channels after it are those of X, Y and Z; keys are `letter` with the axis.
-void add_axes(ChartSpec& spec, Channel first, char letter) {
-  for (std::size_t i = 0; i < axis_names.size(); ++i) {
-    const QChar axis(axis_names[i]);
-    spec.curves.push_back({static_cast<Channel>(static_cast<std::size_t>(first) + i),
-                           QString(QChar(letter)) + axis.toLower(), QString(axis), axis_roles[i],
-                           axis_width});
+QString text_of(std::string_view text) {
+  return core_text(std::string(text));
+}
+
+/// "vx" of "vx_mm_min".
+QString key_of(const QuantityInfo& quantity) {
+  static const QRegularExpression unit(QStringLiteral("_(mm|m)_(min|s2|s3)$"));
+  QString key = QString::fromStdString(std::string(quantity.column));
+  return key.remove(unit);
+}
+
+CurveRole role_of(const QuantityInfo& quantity) {
+  if (quantity.axis >= 0) {
+    return axis_roles[static_cast<std::size_t>(quantity.axis)];
   }
+  return quantity.id == QuantityId::programmed_feed       ? CurveRole::programmed
+         : quantity.id == QuantityId::acceleration_across ? CurveRole::across
+                                                          : CurveRole::path;
+}
+
+CurveSpec curve_of(const QuantityInfo& quantity) {
+  const bool of_axis = quantity.axis >= 0;
+  const QString name = of_axis ? QString(QChar(coordinate_names[static_cast<std::size_t>(quantity.axis)]))
+                               : text_of(quantity.curve);
+  CurveSpec curve{quantity.id, key_of(quantity), name, role_of(quantity), of_axis ? axis_width : path_width};
+  curve.may_be_cut = quantity.id == QuantityId::programmed_feed || quantity.id == QuantityId::tangential_jerk;
+  curve.on_demand = quantity.id == QuantityId::acceleration_across;
+  return curve;
+}
+
+/// Of the path first, then of the axes.
+ChartSpec chart_of(QuantityChart chart, const QString& title) {
+  ChartSpec spec;
+  spec.title = title;
+  for (const bool of_axis : {false, true}) {
+    for (const QuantityInfo& quantity : all_quantities()) {
+      if (quantity.chart == chart && (quantity.axis >= 0) == of_axis) {
+        const ShownUnit& unit = shown(quantity.dimension);
+        spec.unit = QString::fromStdString(std::string(unit.text));
+        spec.factor = unit.factor;
+        spec.decimals = unit.decimals;
+        spec.curves.push_back(curve_of(quantity));
+      }
+    }
+  }
+  return spec;
 }
 
 }  // namespace
@@ -35,6 +75,8 @@ QColor curve_colour(CurveRole role, const ThemeColours& colours) {
       return colours.path;
     case CurveRole::programmed:
       return colours.programmed;
+    case CurveRole::across:
+      return colours.across;
     case CurveRole::x:
     case CurveRole::y:
     case CurveRole::z:
@@ -44,28 +86,9 @@ QColor curve_colour(CurveRole role, const ThemeColours& colours) {
 }
 
 std::array<ChartSpec, chart_count> kinematic_chart_specs() {
-  const QString tangential = tr("tangential");
-  ChartSpec feed{tr("Feed"),
-                 tr("mm/min"),
-                 {{Channel::feed, "feed", tr("achieved"), CurveRole::path, path_width},
-                  {Channel::programmed_feed, "programmed_feed", tr("programmed"), CurveRole::programmed,
-                   path_width, true}},
-                 units::to_mm_min,
-                 0};
-  add_axes(feed, Channel::velocity_x, 'v');
-  ChartSpec acceleration{tr("Acceleration"),
-                         tr("m/s²"),
-                         {{Channel::tangential_acceleration, "at", tangential, CurveRole::path, path_width}},
-                         units::to_m,
-                         2};
-  add_axes(acceleration, Channel::acceleration_x, 'a');
-  ChartSpec jerk{tr("Jerk"),
-                 tr("m/s³"),
-                 {{Channel::tangential_jerk, "jt", tangential, CurveRole::path, path_width, true}},
-                 units::to_m,
-                 1};
-  add_axes(jerk, Channel::jerk_x, 'j');
-  return {feed, acceleration, jerk};
+  return {chart_of(QuantityChart::feed, tr("Feed")),
+          chart_of(QuantityChart::acceleration, tr("Acceleration")),
+          chart_of(QuantityChart::jerk, tr("Jerk"))};
 }
 
 }  // namespace feedscope::ui

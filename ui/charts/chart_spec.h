@@ -6,35 +6,39 @@
 #include <cstdint>
 #include <vector>
 
-#include "ui/charts/envelope.h"
+#include "core/analysis/envelope.h"
+#include "core/trajectory/quantity.h"
 #include "ui/theme/theme.h"
 
 namespace feedscope::ui {
 
 /// What a curve shows, which gives it its colour in every theme.
-enum class CurveRole : std::uint8_t { path, programmed, x, y, z };
+enum class CurveRole : std::uint8_t { path, programmed, across, x, y, z };
 QColor curve_colour(CurveRole role, const ThemeColours& colours);
 
 struct CurveSpec {
-  Channel channel;
+  QuantityId quantity = QuantityId::feed;
   QString key;  ///< stable, for files: "feed", "vx"
   QString name;
   CurveRole role = CurveRole::path;
   double width = 1;         ///< [px]
   bool may_be_cut = false;  ///< the chart need not grow far beyond the other curves to show it in full
+  bool on_demand = false;   ///< hidden until the user asks for it
 };
 
 struct ChartSpec {
   QString title;
   QString unit;
-  std::vector<CurveSpec> curves;        ///< as the header lists them
-  double (*convert)(double) = nullptr;  ///< from the core's unit to `unit`
-  int decimals = 0;                     ///< of values shown as numbers
+  std::vector<CurveSpec> curves;  ///< as the header lists them
+  double factor = 1;              ///< `unit` an inside unit
+  int decimals = 0;               ///< of values shown as numbers
+
+  double convert(double value) const { return value * factor; }
 };
 
 inline constexpr std::size_t chart_count = 3;
 
-/// Feed, acceleration and jerk of a run.
+/// Feed, acceleration and jerk of a run: a curve for each charted quantity.
 std::array<ChartSpec, chart_count> kinematic_chart_specs();
 
 }  // namespace feedscope::ui

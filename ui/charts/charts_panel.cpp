@@ -16,6 +16,8 @@
 #include "core/base/units.h"
 #include "ui/charts/measurement.h"
 #include "ui/fields/focus_outline.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
@@ -25,18 +27,17 @@ constexpr auto rest_after = std::chrono::milliseconds(500);
 
 }  // namespace
 
-ChartsPanel::ChartsPanel(Cursor& cursor, QWidget* parent)
-    : QWidget(parent),
+ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
+    : Panel({QStringLiteral("charts"), tr("Charts"), Qt::BottomDockWidgetArea}, parent),
       cursor_(cursor),
-      range_(this),
+      range_(range),
       causes_(new CauseStrip(this)),
       readout_(new QLabel(this)),
       abscissa_(new QComboBox(this)),
       show_all_(new QToolButton(this)),
-      more_(new QToolButton(this)),
-      menu_(new QMenu(this)) {
+      more_(new QToolButton(this)) {
   abscissa_->addItems({tr("over time"), tr("over path length")});
-  abscissa_->setToolTip(tr("What runs along the charts"));
+  abscissa_->setToolTip(tr("Horizontal axis of the charts"));
   connect(abscissa_, &QComboBox::currentIndexChanged, this,
           [this](int index) { choose_abscissa(index == 0 ? Abscissa::time : Abscissa::path_length); });
   readout_->setContentsMargins(8, 2, 8, 2);
@@ -59,7 +60,14 @@ ChartsPanel::ChartsPanel(Cursor& cursor, QWidget* parent)
     }
   }
   charts_.back()->set_abscissa_title(tr("Time [s]"));
-  make_actions();
+  commands_ = new ChartCommands(*this);
+  connect(commands_, &ChartCommands::exported, this, &ChartsPanel::exported);
+  connect(commands_, &ChartCommands::failed, this, &ChartsPanel::failed);
+  show_all_->setDefaultAction(commands_->show_all());
+  more_->setText(QStringLiteral("☰"));
+  more_->setToolTip(tr("Chart commands"));
+  more_->setMenu(&commands_->menu());
+  more_->setPopupMode(QToolButton::InstantPopup);
 
   refresh_.setSingleShot(true);
   refresh_.setInterval(0);
@@ -70,10 +78,6 @@ ChartsPanel::ChartsPanel(Cursor& cursor, QWidget* parent)
   connect(&range_, &ViewRange::changed, &refresh_, qOverload<>(&QTimer::start));
   connect(&range_, &ViewRange::changed, this, &ChartsPanel::begin_rest);
   connect(&cursor_, &Cursor::changed, this, &ChartsPanel::show_cursor);
-}
-
-ChartsPanel::~ChartsPanel() {
-  export_.waitForFinished();
 }
 
 QLayout* ChartsPanel::add_header(std::size_t i, const ChartSpec& spec) {
@@ -103,7 +107,8 @@ void ChartsPanel::connect_chart(KinematicChart& chart) {
   connect(&chart, &KinematicChart::plot_resized, &refresh_, qOverload<>(&QTimer::start));
   connect(&chart, &KinematicChart::values_chosen, this, &ChartsPanel::begin_rest);
   connect(&chart, &KinematicChart::fit_requested, this, &ChartsPanel::fit);
-  connect(&chart, &KinematicChart::menu_requested, this, &ChartsPanel::show_menu);
+  connect(&chart, &KinematicChart::menu_requested, this,
+          [this](const QPoint& global) { commands_->menu().popup(global); });
   chart.installEventFilter(this);
 }
 
@@ -122,9 +127,7 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
   trajectory_ = trajectory;
   envelope_ = std::move(envelope);
   columns_.clear();
-  for (ColumnCache& columns : overlay_columns_) {
-    columns.clear();
-  }
+  overlays_.clear();
   if (!keep_range) {
     for (KinematicChart* chart : charts_) {
       chart->choose_values({});
@@ -140,6 +143,35 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
   }
   if (trajectory_ != nullptr && awaiting_run_.has_value()) {
     show_range(ChartsState(*awaiting_run_));
+  }
+}
+
+void ChartsPanel::follow(Workbench& workbench) {
+  RunList& runs = workbench.runs();
+  const auto show_others = [this, &runs] { set_overlays(other_runs(runs)); };
+  connect(&workbench, &Workbench::run_changed, this, [this, &workbench] { show_run_of(workbench); });
+  for (const auto signal : {&RunList::list_changed, &RunList::current_changed}) {
+    connect(&runs, signal, this, show_others);
+  }
+  for (const auto signal : {&RunList::item_changed, &RunList::result_changed}) {
+    connect(&runs, signal, this, show_others);
+  }
+  connect(&workbench, &Workbench::program_changed, this, [this, &workbench] {
+    if (workbench.program() != nullptr && std::exchange(shown_file_, workbench.file()) != workbench.file()) {
+      show_usual_curves();
+    }
+  });
+  show_run_of(workbench);
+}
+
+void ChartsPanel::show_run_of(Workbench& workbench) {
+  const auto shown = workbench.shown();
+  const SetupEdit& setup = workbench.setup();
+  set_limits(setup.setup().machine.axes);
+  set_run(shown == nullptr ? nullptr : shown->run.trajectory, shown == nullptr ? nullptr : shown->envelope,
+          workbench.program() != nullptr);
+  if (const auto period = setup.interpolation_period()) {
+    set_sample_time(*period);
   }
 }
 
@@ -159,35 +191,20 @@ void ChartsPanel::show_held_range() {
 }
 
 void ChartsPanel::set_overlays(std::vector<RunOverlay> overlays) {
-  overlays_ = std::move(overlays);
-  overlay_columns_.assign(overlays_.size(), {});
+  overlays_.set_runs(std::move(overlays));
   refresh_.start();
 }
 
 void ChartsPanel::set_overlay_curve(std::size_t chart, std::optional<std::size_t> curve) {
-  overlay_curve_[chart] = curve;
+  overlays_.choose(chart, curve);
   refresh_.start();
 }
 
-void ChartsPanel::set_limits(const std::array<AxisLimits, 3>& limits) {
-  const std::array<double AxisLimits::*, 3> kinds{&AxisLimits::velocity, &AxisLimits::acceleration,
-                                                  &AxisLimits::jerk};
+void ChartsPanel::set_limits(const AxisVector<AxisLimits>& limits) {
+  const std::array<double AxisLimits::*, chart_count> kinds{&AxisLimits::velocity, &AxisLimits::acceleration,
+                                                            &AxisLimits::jerk};
   for (std::size_t k = 0; k < charts_.size(); ++k) {
-    std::vector<LimitLine> lines;
-    for (std::size_t i = 0; i < limits.size(); ++i) {
-      const double value = charts_[k]->spec().convert(limits[i].*kinds[k]);
-      const QString axis(QChar(axis_names[i]));
-      if (!lines.empty() && lines.back().value == value) {
-        lines.back().label += ' ' + axis;
-        lines.back().axis.reset();
-      } else {
-        lines.push_back({value, axis, i});
-      }
-    }
-    for (LimitLine& line : lines) {
-      line.label = tr("limit of %1").arg(line.label);
-    }
-    charts_[k]->set_limits(lines);
+    charts_[k]->set_limits(limit_lines(charts_[k]->spec(), limits, kinds[k]));
   }
   refresh_.start();
 }
@@ -201,10 +218,18 @@ void ChartsPanel::hide_controls() {
 void ChartsPanel::show_curve(std::size_t chart, std::size_t curve, bool shown) {
   charts_[chart]->show_curve(curve, shown);
   headers_[chart]->show_curve(curve, shown);
-  curve_actions_[chart][curve]->setChecked(shown);
+  commands_->set_curve_shown(chart, curve, shown);
 }
 
-/// The second time all.
+void ChartsPanel::show_usual_curves() {
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    for (std::size_t k = 0; k < charts_[i]->spec().curves.size(); ++k) {
+      show_curve(i, k, !charts_[i]->spec().curves[k].on_demand);
+    }
+  }
+}
+
+/// The second time those that are shown usually.
 void ChartsPanel::show_alone(std::size_t chart, std::size_t curve) {
   const std::size_t count = charts_[chart]->spec().curves.size();
   bool alone = true;
@@ -212,7 +237,7 @@ void ChartsPanel::show_alone(std::size_t chart, std::size_t curve) {
     alone = alone && (i == curve) == charts_[chart]->curve_shown(i);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    show_curve(chart, i, alone || i == curve);
+    show_curve(chart, i, i == curve || (alone && !charts_[chart]->spec().curves[i].on_demand));
   }
 }
 
@@ -227,19 +252,18 @@ QString ChartsPanel::measurement_text() const {
     return {};
   }
   const Measurement between = measure(cursor_.state(), trajectory_->state(*second_));
-  const QLocale locale;
-  return tr("A → B:   Δt %1 s   ·   Δs %2 mm   ·   mean feed %3 mm/min   ·   Δfeed %4 mm/min")
-      .arg(locale.toString(between.time, 'f', 4), locale.toString(between.path_length, 'f', 3),
-           locale.toString(units::to_mm_min(between.mean_feed), 'f', 0),
-           locale.toString(units::to_mm_min(between.feed), 'f', 0));
+  return tr("A → B:   Δt %1 s   ·   Δs %2   ·   mean feed %3   ·   Δfeed %4")
+      .arg(QLocale().toString(between.time, 'f', 4), amount_text(between.path_length, Dimension::length),
+           amount_text(between.mean_feed, Dimension::feed), amount_text(between.feed, Dimension::feed));
 }
 
 void ChartsPanel::refresh() {
   refresh_.stop();
   refresh_columns();
-  charts_.front()->set_cutting_feed(cutting_feed(envelope_.get(), columns_.bands(), overlays_));
+  charts_.front()->set_cutting_feed(cutting_feed(envelope_.get(), columns_.bands(), overlays_.runs()));
   for (std::size_t i = 0; i < charts_.size(); ++i) {
-    charts_[i]->show_bands(columns_.bands(), overlay_curves(i));
+    charts_[i]->show_bands(columns_.bands(), envelope_ == nullptr ? std::vector<OverlayCurve>()
+                                                                  : overlays_.curves(i, charts_[i]->spec()));
   }
   if (envelope_ != nullptr) {
     const std::vector<double>& times = columns_.times();
@@ -259,34 +283,7 @@ void ChartsPanel::refresh_columns() {
   const int count = charts_.front()->column_count();
   const Interval shown{range_.lower(), range_.upper()};
   columns_.update(*envelope_, shown, count, [this](double position) { return range_.time_at(position); });
-  for (std::size_t i = 0; i < overlays_.size(); ++i) {
-    overlay_columns_[i].update(*overlays_[i].envelope, shown, count,
-                               [&](double position) { return overlay_time(overlays_[i], position); });
-  }
-}
-
-double ChartsPanel::overlay_time(const RunOverlay& overlay, double position) const {
-  if (range_.abscissa() == Abscissa::time) {
-    return position;
-  }
-  const Trajectory& other = *overlay.trajectory;
-  return other.state_at_path(same_place(trajectory_->path(), position, other.path())).time;
-}
-
-std::vector<OverlayCurve> ChartsPanel::overlay_curves(std::size_t chart) const {
-  std::vector<OverlayCurve> curves;
-  if (!overlay_curve_[chart].has_value() || envelope_ == nullptr) {
-    return curves;
-  }
-  const Channel channel = charts_[chart]->spec().curves[*overlay_curve_[chart]].channel;
-  for (std::size_t i = 0; i < overlays_.size(); ++i) {
-    OverlayCurve curve{{}, overlays_[i].color, overlays_[i].dashed};
-    for (const Band& band : overlay_columns_[i].bands()) {
-      curve.columns.push_back(band[channel]);
-    }
-    curves.push_back(std::move(curve));
-  }
-  return curves;
+  overlays_.update(range_, *trajectory_, count);
 }
 
 void ChartsPanel::show_cursor() {
@@ -303,28 +300,35 @@ void ChartsPanel::show_cursor() {
   const QString text = measurement_text();
   readout_->setText(text);
   readout_->setVisible(!text.isEmpty());
-  remove_second_->setEnabled(second_.has_value());
+  commands_->set_second_cursor(second_.has_value());
 }
 
 /// Names of the other runs, and their values where the cursor is.
 void ChartsPanel::show_other_runs() {
   const bool valued = envelope_ != nullptr && cursor_.valid();
+  const auto position = valued ? std::optional(range_.position_of(cursor_.state())) : std::nullopt;
   for (std::size_t i = 0; i < headers_.size(); ++i) {
-    std::vector<LegendEntry> entries;
-    for (const RunOverlay& overlay : overlays_) {
-      if (!overlay_curve_[i].has_value()) {
-        break;
-      }
-      LegendEntry entry{overlay.name, overlay.color, overlay.dashed, {}};
-      if (valued) {
-        const ChartSpec& spec = charts_[i]->spec();
-        const double time = overlay_time(overlay, range_.position_of(cursor_.state()));
-        entry.value = spec.convert(
-            channel_value(overlay.trajectory->state(time), spec.curves[*overlay_curve_[i]].channel));
-      }
-      entries.push_back(std::move(entry));
-    }
-    headers_[i]->set_runs(std::move(entries));
+    headers_[i]->set_runs(overlays_.legend(i, charts_[i]->spec(), range_, trajectory_.get(), position));
+  }
+}
+
+void ChartsPanel::zoom(double factor) {
+  const double at = cursor_.valid() ? range_.position_of(cursor_.state()) : -1;
+  range_.zoom(factor,
+              at >= range_.lower() && at <= range_.upper() ? at : (range_.lower() + range_.upper()) / 2);
+}
+
+void ChartsPanel::go_back() {
+  rest();
+  if (history_.can_go_back()) {
+    show_view(history_.back());
+  }
+}
+
+void ChartsPanel::go_forward() {
+  rest();
+  if (history_.can_go_forward()) {
+    show_view(history_.forward());
   }
 }
 
@@ -352,17 +356,16 @@ void ChartsPanel::fit() {
 
 void ChartsPanel::choose_abscissa(Abscissa abscissa) {
   columns_.clear();
-  for (ColumnCache& columns : overlay_columns_) {
-    columns.clear();
-  }
+  overlays_.clear();
   range_.set_abscissa(abscissa);
   const bool time = abscissa == Abscissa::time;
   abscissa_->setCurrentIndex(time ? 0 : 1);
-  charts_.back()->set_abscissa_title(time ? tr("Time [s]") : tr("Path length [mm]"));
+  charts_.back()->set_abscissa_title(time ? tr("Time [s]")
+                                          : with_unit_of(tr("Path length"), Dimension::length));
 }
 
 ChartView ChartsPanel::view() const {
-  ChartView view{{range_.time_at(range_.lower()), range_.time_at(range_.upper())}};
+  ChartView view{shown_times()};
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     view.values[i] = charts_[i]->chosen_values();
   }
@@ -370,22 +373,18 @@ ChartView ChartsPanel::view() const {
 }
 
 void ChartsPanel::show_view(const ChartView& view) {
-  if (trajectory_ != nullptr) {
-    range_.show(range_.position_of(trajectory_->state(view.time.lower)),
-                range_.position_of(trajectory_->state(view.time.upper)));
-  }
+  range_.show_times(view.time.lower, view.time.upper);
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     charts_[i]->choose_values(view.values[i]);
   }
   rest_.stop();
-  back_->setEnabled(history_.can_go_back());
-  forward_->setEnabled(history_.can_go_forward());
+  commands_->set_steps(history_.can_go_back(), history_.can_go_forward());
 }
 
 /// The view is being changed; it counts once it stays for a while.
 void ChartsPanel::begin_rest() {
   rest_.start();
-  back_->setEnabled(history_.can_go_back() || view() != history_.current());
+  commands_->set_steps(history_.can_go_back() || view() != history_.current(), history_.can_go_forward());
 }
 
 void ChartsPanel::rest() {
@@ -394,8 +393,7 @@ void ChartsPanel::rest() {
     return;
   }
   history_.rest(view());
-  back_->setEnabled(history_.can_go_back());
-  forward_->setEnabled(history_.can_go_forward());
+  commands_->set_steps(history_.can_go_back(), history_.can_go_forward());
 }
 
 bool ChartsPanel::eventFilter(QObject* watched, QEvent* event) {
@@ -440,10 +438,10 @@ ChartsState ChartsPanel::state() const {
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     const std::vector<CurveSpec>& curves = charts_[i]->spec().curves;
     for (std::size_t k = 0; k < curves.size(); ++k) {
-      if (!charts_[i]->curve_shown(k)) {
-        state.hidden.append(curves[k].key);
+      if (charts_[i]->curve_shown(k) == curves[k].on_demand) {
+        (curves[k].on_demand ? state.shown : state.hidden).append(curves[k].key);
       }
-      if (overlay_curve_[i] == k) {
+      if (overlays_.chosen(i) == k) {
         state.other_runs.append(curves[k].key);
       }
     }
@@ -468,14 +466,14 @@ void ChartsPanel::set_state(const ChartsState& state) {
     const std::vector<CurveSpec>& curves = charts_[i]->spec().curves;
     std::optional<std::size_t> other;
     for (std::size_t k = 0; k < curves.size(); ++k) {
-      show_curve(i, k, !state.hidden.contains(curves[k].key));
+      show_curve(i, k, is_shown(curves[k], state));
       if (state.other_runs.contains(curves[k].key)) {
         other = k;
       }
     }
     set_overlay_curve(i, other);
   }
-  show_causes_->setChecked(state.causes);
+  commands_->set_causes_shown(state.causes);
   show_range(state);
 }
 
@@ -486,8 +484,7 @@ void ChartsPanel::show_range(const ChartsState& state) {
   } else if (!state.time.has_value()) {
     range_.fit();
   } else {
-    range_.show(range_.position_of(trajectory_->state(state.time->lower)),
-                range_.position_of(trajectory_->state(state.time->upper)));
+    range_.show_times(state.time->lower, state.time->upper);
   }
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     charts_[i]->choose_values(state.values[i]);

@@ -1,30 +1,28 @@
 #pragma once
 
-#include <QFutureWatcher>
 #include <QList>
 #include <QTimer>
-#include <QWidget>
 #include <array>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "core/machine/machine.h"
 #include "ui/charts/cause_strip.h"
+#include "ui/charts/chart_commands.h"
 #include "ui/charts/chart_header.h"
 #include "ui/charts/charts_state.h"
 #include "ui/charts/column_cache.h"
-#include "ui/charts/csv_dialog.h"
 #include "ui/charts/kinematic_chart.h"
-#include "ui/charts/run_overlay.h"
+#include "ui/charts/overlay_curves.h"
 #include "ui/charts/zoom_history.h"
-#include "ui/models/cursor.h"
+#include "ui/shared/cursor.h"
+#include "ui/workbench/panel.h"
 
-class QAction;
 class QComboBox;
 class QLabel;
 class QLayout;
-class QMenu;
 class QToolButton;
 
 namespace feedscope::ui {
@@ -34,13 +32,14 @@ namespace feedscope::ui {
 ///
 /// Cursor A is the shared one. Cursor B stands where Shift and a click put it, and is this panel's own: with
 /// it the differences between both are shown.
-class ChartsPanel : public QWidget {
+class ChartsPanel : public Panel {
   Q_OBJECT
 
  public:
-  /// `cursor` outlives this; a click moves it.
-  explicit ChartsPanel(Cursor& cursor, QWidget* parent = nullptr);
-  ~ChartsPanel() override;
+  /// Both outlive this; a click moves the cursor, the wheel the range.
+  ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent = nullptr);
+
+  void follow(Workbench& workbench) override;
 
   /// Shows a run, or nothing if `trajectory` is null. `keep_range`: stay at the stretch that is shown; with
   /// nothing in between, the next run that keeps it goes on there.
@@ -51,48 +50,58 @@ class ChartsPanel : public QWidget {
   /// The curve of other runs that a chart shows, by its number in the chart's spec; none: no curve. At first
   /// the achieved feed alone.
   void set_overlay_curve(std::size_t chart, std::optional<std::size_t> curve);
-  void set_limits(const std::array<AxisLimits, 3>& limits);
+  void set_limits(const AxisVector<AxisLimits>& limits);
   /// Step of exported samples [s].
   void set_sample_time(double seconds) { sample_time_ = seconds; }
+  double sample_time() const { return sample_time_; }
   /// For pictures, where nothing can be pressed.
   void hide_controls();
 
   /// What is shown; null for nothing.
   const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
-  const std::vector<RunOverlay>& overlays() const { return overlays_; }
+  const std::vector<RunOverlay>& overlays() const { return overlays_.runs(); }
+  std::optional<std::size_t> overlay_curve(std::size_t chart) const { return overlays_.chosen(chart); }
+  Cursor& cursor() { return cursor_; }
   ViewRange& range() { return range_; }
+  Interval shown_times() const { return {range_.lower_time(), range_.upper_time()}; }  ///< [s]
+  /// Of the borders of the pixel columns as of the last refresh() [s].
+  const std::vector<double>& column_times() const { return columns_.times(); }
   /// 0 feed, 1 acceleration, 2 jerk.
   KinematicChart& chart(std::size_t i) { return *charts_[i]; }
   ChartHeader& header(std::size_t i) { return *headers_[i]; }
   CauseStrip& causes() { return *causes_; }
   void show_curve(std::size_t chart, std::size_t curve, bool shown);
-  void show_all_curves();
+  void show_usual_curves();
   /// Time of cursor B [s].
   const std::optional<double>& second_cursor() const { return second_; }
   void set_second_cursor(std::optional<double> time);
   /// The differences between both cursors as they are shown; empty without cursor B.
   QString measurement_text() const;
+  void zoom_to_cursors();
+  void move_cursor(int pixels);
+  /// About the cursor, where that is in sight.
+  void zoom(double factor);
+  void fit();
+  /// The range and values that were shown before, and those after them.
+  void go_back();
+  void go_forward();
+  void choose_abscissa(Abscissa abscissa);
 
   /// Every command of the panel, for menus, the list of keys and the command palette.
-  QList<QAction*> panel_actions() const { return actions_; }
+  QList<QAction*> panel_actions() const override { return commands_->actions(); }
+  ChartCommands& commands() { return *commands_; }
   ChartsState state() const;
   /// Without a run, range and second cursor are those of the next one. Curves that there are none of are
-  /// left out.
+  /// omitted.
   void set_state(const ChartsState& state);
 
   /// All but the controls, at the size that the panel has.
   void draw(QPainter& painter);
-  /// As the file's ending says, png or svg; throws InputError.
-  void save_picture(const QString& file);
-  /// The visible range; `step` of CsvRows::samples [s]. Another thread writes it and one of exported() and
-  /// failed() follows.
-  void save_csv(const QString& file, CsvRows rows, double step = 0);
   /// Brings the curves up to date now, not with the next turn of the event loop.
   void refresh();
 
  signals:
   void exported(const QString& message);
-  void failed(const QString& message);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -100,45 +109,27 @@ class ChartsPanel : public QWidget {
  private:
   QLayout* add_header(std::size_t i, const ChartSpec& spec);
   void connect_chart(KinematicChart& chart);
-  void make_actions();
-  void make_zoom_actions();
-  void make_cursor_actions();
-  void make_display_actions();
-  void make_export_actions();
-  QAction* add_action(const QString& text, const QString& tip, const QKeySequence& key = {});
-  void add_overlay_menu(std::size_t chart, QMenu& menu);
-  void show_menu(const QPoint& global);
-
   void show_alone(std::size_t chart, std::size_t curve);
   void refresh_columns();
-  std::vector<OverlayCurve> overlay_curves(std::size_t chart) const;
-  double overlay_time(const RunOverlay& overlay, double position) const;
   void show_cursor();
   void show_other_runs();
   void show_measurement();
-  void move_cursor(int pixels);
-  void zoom_to_cursors();
-  void fit();
-  void choose_abscissa(Abscissa abscissa);
 
   ChartView view() const;
   void show_view(const ChartView& view);
   void show_range(const ChartsState& state);
   void hold_range();
+  void show_run_of(Workbench& workbench);
   void show_held_range();
   void begin_rest();
   void rest();
-  void ask_for_csv();
-  void ask_for_picture();
 
   Cursor& cursor_;
-  ViewRange range_;
+  ViewRange& range_;
   std::shared_ptr<const Trajectory> trajectory_;
   std::shared_ptr<const Envelope> envelope_;
   ColumnCache columns_;
-  std::vector<RunOverlay> overlays_;
-  std::vector<ColumnCache> overlay_columns_;
-  std::array<std::optional<std::size_t>, chart_count> overlay_curve_{0, std::nullopt, std::nullopt};
+  OverlayCurves overlays_;
   std::optional<double> second_;
   ZoomHistory history_;
   std::optional<ChartsState> awaiting_run_;  ///< its range is the next run's
@@ -148,6 +139,7 @@ class ChartsPanel : public QWidget {
     std::optional<double> second_place;  ///< cursor B, path length [mm]
   };
   std::optional<Held> held_;
+  std::filesystem::path shown_file_;  ///< that the curves were last chosen for
   double sample_time_ = 0.001;
   CauseStrip* causes_;
   QLabel* readout_;
@@ -156,17 +148,9 @@ class ChartsPanel : public QWidget {
   QComboBox* abscissa_;
   QToolButton* show_all_;
   QToolButton* more_;
-  QList<QAction*> actions_;
-  QMenu* menu_;
-  QAction* back_ = nullptr;
-  QAction* forward_ = nullptr;
-  QAction* remove_second_ = nullptr;
-  QAction* show_causes_ = nullptr;
-  std::array<std::vector<QAction*>, chart_count> curve_actions_;
+  ChartCommands* commands_ = nullptr;
   QTimer refresh_;
   QTimer rest_;  ///< runs while the view is being changed
-  QFutureWatcher<QString> export_;
-  QString export_file_;
 };
 
 }  // namespace feedscope::ui

@@ -35,9 +35,14 @@ void read_keys(const QJsonValue& json, QStringList& keys) {
 ChartsState for_any_run(ChartsState state) {
   state.time.reset();
   state.hidden.clear();
+  state.shown.clear();
   state.values = {};
   state.second_cursor.reset();
   return state;
+}
+
+bool is_shown(const CurveSpec& curve, const ChartsState& state) {
+  return curve.on_demand ? state.shown.contains(curve.key) : !state.hidden.contains(curve.key);
 }
 
 QJsonObject to_json(const ChartsState& state) {
@@ -45,13 +50,18 @@ QJsonObject to_json(const ChartsState& state) {
   for (const auto& interval : state.values) {
     values.append(json_of(interval));
   }
-  return {{"abscissa", state.abscissa == Abscissa::time ? time_key : path_length_key},
-          {"time_s", json_of(state.time)},
-          {"values", values},
-          {"hidden", QJsonArray::fromStringList(state.hidden)},
-          {"other_runs", QJsonArray::fromStringList(state.other_runs)},
-          {"causes", state.causes},
-          {"second_cursor_s", state.second_cursor ? QJsonValue(*state.second_cursor) : QJsonValue()}};
+  QJsonObject json{
+      {"abscissa", state.abscissa == Abscissa::time ? time_key : path_length_key},
+      {"time_s", json_of(state.time)},
+      {"values", values},
+      {"hidden", QJsonArray::fromStringList(state.hidden)},
+      {"other_runs", QJsonArray::fromStringList(state.other_runs)},
+      {"causes", state.causes},
+      {"second_cursor_s", state.second_cursor ? QJsonValue(*state.second_cursor) : QJsonValue()}};
+  if (!state.shown.isEmpty()) {
+    json["shown"] = QJsonArray::fromStringList(state.shown);
+  }
+  return json;
 }
 
 void read_json(const QJsonObject& json, ChartsState& state) {
@@ -66,6 +76,8 @@ void read_json(const QJsonObject& json, ChartsState& state) {
     }
   }
   read_keys(json["hidden"], state.hidden);
+  state.shown.clear();
+  read_keys(json["shown"], state.shown);
   read_keys(json["other_runs"], state.other_runs);
   state.causes = json["causes"].toBool(state.causes);
   if (json["second_cursor_s"].isDouble()) {

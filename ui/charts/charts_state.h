@@ -7,7 +7,7 @@
 
 #include "ui/charts/chart_spec.h"
 #include "ui/charts/value_fit.h"
-#include "ui/charts/view_range.h"
+#include "ui/shared/view_range.h"
 
 namespace feedscope::ui {
 
@@ -18,6 +18,7 @@ struct ChartsState {
   std::array<std::optional<Interval>, chart_count> values =
       {};                       ///< ordinates that the user chose, in their unit
   QStringList hidden = {};      ///< curves, in the order of the charts
+  QStringList shown = {};       ///< curves that are hidden until the user asks for them
   QStringList other_runs = {};  ///< curves that the charts show of other runs, at most one a chart
   bool causes = true;           ///< the strip of limiting causes is shown
   std::optional<double> second_cursor = {};  ///< [s]
@@ -27,6 +28,8 @@ struct ChartsState {
 
 /// The same without what belongs to one run: range, ordinates, second cursor.
 ChartsState for_any_run(ChartsState state);
+
+bool is_shown(const CurveSpec& curve, const ChartsState& state);
 
 QJsonObject to_json(const ChartsState& state);
 /// What is missing or wrong stays as it is in `state`.

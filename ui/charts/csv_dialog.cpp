@@ -14,7 +14,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double least_step = 1e-6;    // [s]
+constexpr double min_step = 1e-6;      // [s]
 constexpr double largest_step = 1000;  // [s]
 
 }  // namespace
@@ -26,7 +26,7 @@ CsvDialog::CsvDialog(const Interval& range, double step, std::size_t blocks, std
       blocks_(blocks),
       pixels_(pixels),
       samples_(new QRadioButton(tr("One row every"), this)),
-      by_block_(new QRadioButton(tr("One row where each block begins"), this)),
+      by_block_(new QRadioButton(tr("One row at the start of each block"), this)),
       by_pixel_(new QRadioButton(tr("One row per pixel of the charts"), this)),
       step_(new NumberBox(this)),
       count_(new QLabel(this)) {
@@ -36,13 +36,13 @@ CsvDialog::CsvDialog(const Interval& range, double step, std::size_t blocks, std
       tr("From %1 s to %2 s").arg(locale.toString(range.lower, 'f', 3), locale.toString(range.upper, 'f', 3)),
       this);
   step_->setDecimals(6);
-  step_->setRange(least_step, largest_step);
+  step_->setRange(min_step, largest_step);
   step_->setValue(step);
   step_->setSuffix(tr(" s"));
   step_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-  step_->setAccessibleName(tr("Time from row to row"));
+  step_->setAccessibleName(tr("Time between rows"));
   samples_->setChecked(true);
-  by_pixel_->setToolTip(tr("What happens between two pixels is not in the table"));
+  by_pixel_->setToolTip(tr("Values between two pixels are not in the table"));
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Save | QDialogButtonBox::Cancel, this);
   connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -11,11 +11,11 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr double least_overlap = 2;       // [px] of neighbouring columns that swing
+constexpr double min_overlap = 2;         // [px] of neighbouring columns that swing
 constexpr double swinging_overlap = 0.4;  // of the lower of the two
-constexpr std::size_t least_swinging = 4;
-constexpr double least_hollow = 6;  // [px] that two edges leave between them
-constexpr double jump = 8;          // height in widths from which on a column is filled as a whole
+constexpr std::size_t min_swinging = 4;
+constexpr double min_hollow = 6;  // [px] that two edges leave between them
+constexpr double jump = 8;        // height in widths from which on a column is filled as a whole
 constexpr std::size_t dash_period = 10;
 constexpr std::size_t dash_length = 6;
 
@@ -41,7 +41,7 @@ std::vector<ColumnSpan> joined(std::span<const ColumnSpan> columns) {
 
 bool swings(const ColumnSpan& a, const ColumnSpan& b) {
   const double overlap = std::min(a.bottom, b.bottom) - std::max(a.top, b.top);
-  return overlap > std::max(least_overlap, swinging_overlap * std::min(a.height(), b.height()));
+  return overlap > std::max(min_overlap, swinging_overlap * std::min(a.height(), b.height()));
 }
 
 /// What of a curve is drawn.
@@ -65,7 +65,7 @@ class ColumnPainter {
       while (swinging + 1 < end && swings(spans_[swinging], spans_[swinging + 1])) {
         ++swinging;
       }
-      if (swinging - i >= least_swinging) {
+      if (swinging - i >= min_swinging) {
         fill_each(i, swinging + 1);
         i = swinging;
         if (i + 1 >= end) {
@@ -83,7 +83,7 @@ class ColumnPainter {
 
  private:
   bool begins_swinging(std::size_t i, std::size_t end) const {
-    for (std::size_t k = 0; k < least_swinging; ++k) {
+    for (std::size_t k = 0; k < min_swinging; ++k) {
       if (i + k + 1 >= end || !swings(spans_[i + k], spans_[i + k + 1])) {
         return false;
       }
@@ -97,7 +97,7 @@ class ColumnPainter {
     QVarLengthArray<QRectF, 1024> columns;
     for (std::size_t i = first; i < end; ++i) {
       const double height = spans_[i].height();
-      const bool hollow = part_ != CurvePart::all && height > least_hollow + 2 * half_width_;
+      const bool hollow = part_ != CurvePart::all && height > min_hollow + 2 * half_width_;
       if (!hollow && part_ != CurvePart::inside) {
         columns.append(QRectF(left_of(i), spans_[i].top - half_width_, column_, height + 2 * half_width_));
       } else if (part_ == CurvePart::edges) {

@@ -20,7 +20,7 @@ struct ColumnSpan {
 struct CurvePen {
   QColor color;
   double width = 1;     ///< [px]
-  bool dashed = false;  ///< 6 columns drawn, 4 left out
+  bool dashed = false;  ///< 6 columns drawn, 4 omitted
   bool hollow = false;  ///< where the curve swings within the columns only its largest and least values
 };
 

@@ -1,5 +1,6 @@
 #include "ui/charts/kinematic_chart.h"
 
+#include <QContextMenuEvent>
 #include <QGraphicsLayout>
 #include <QLocale>
 #include <QPainter>
@@ -9,9 +10,10 @@
 #include <functional>
 #include <numeric>
 
+#include "core/base/ticks.h"
+#include "ui/charts/chart_input.h"
 #include "ui/charts/curve_columns.h"
 #include "ui/charts/plot_margins.h"
-#include "ui/scene/ticks.h"
 
 namespace feedscope::ui {
 
@@ -46,8 +48,8 @@ double tick_step(const Interval& range, int most) {
   return step;
 }
 
-void set_range(QValueAxis* axis, const Interval& range, int most_ticks) {
-  const double step = tick_step(range, most_ticks);
+void set_range(QValueAxis* axis, const Interval& range, int max_ticks) {
+  const double step = tick_step(range, max_ticks);
   if (std::max(std::abs(range.lower), std::abs(range.upper)) >= long_number) {
     axis->setLabelFormat(QStringLiteral("%.4g"));
   } else {
@@ -116,13 +118,35 @@ double room_for_names(const std::vector<LimitLine>& limits, const Interval& valu
 
 }  // namespace
 
+std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisLimits>& limits,
+                                   double AxisLimits::*kind) {
+  std::vector<LimitLine> lines;
+  for (std::size_t i = 0; i < limits.size(); ++i) {
+    const double value = spec.convert(limits[i].*kind);
+    const QString axis(QChar(limits.name(i)));
+    if (!lines.empty() && lines.back().value == value) {
+      lines.back().label += ' ' + axis;
+      lines.back().axis.reset();
+    } else {
+      lines.push_back({value, axis, i});
+    }
+  }
+  for (LimitLine& line : lines) {
+    line.label = KinematicChart::tr("limit of %1").arg(line.label);
+  }
+  return lines;
+}
+
 KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, bool labelled, QWidget* parent)
     : QChartView(parent),
       spec_(std::move(spec)),
       range_(range),
       labelled_(labelled),
       columns_(spec_.curves.size()),
-      shown_(spec_.curves.size(), true) {
+      shown_(spec_.curves.size(), true),
+      input_(new ChartInput(*this, range)) {
+  std::transform(spec_.curves.begin(), spec_.curves.end(), shown_.begin(),
+                 [](const CurveSpec& curve) { return !curve.on_demand; });
   chart()->legend()->hide();
   chart()->setBackgroundRoundness(0);
   chart()->setMargins({});
@@ -182,7 +206,7 @@ void KinematicChart::show_bands(std::span<const Band> bands, std::vector<Overlay
   for (std::size_t k = 0; k < columns_.size(); ++k) {
     columns_[k].resize(bands.size());
     for (std::size_t i = 0; i < bands.size(); ++i) {
-      columns_[k][i] = bands[i][spec_.curves[k].channel];
+      columns_[k][i] = bands[i][spec_.curves[k].quantity];
     }
   }
   overlays_ = std::move(overlays);
@@ -281,6 +305,21 @@ double KinematicChart::value_at(double height) const {
   return values_.lower + (plot.bottom() - height) / plot.height() * values_.width();
 }
 
+bool KinematicChart::event(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) {
+    apply_colours();
+  }
+  return QChartView::event(event);
+}
+
+void KinematicChart::contextMenuEvent(QContextMenuEvent* event) {
+  if (event->reason() == QContextMenuEvent::Mouse) {
+    event->accept();  // the release of the button decides between box and menu
+  } else {
+    emit menu_requested(mapToGlobal(chart()->plotArea().center().toPoint()));
+  }
+}
+
 void KinematicChart::paintEvent(QPaintEvent*) {
   if (picture_.isNull()) {
     picture_ = QPixmap(viewport()->size() * devicePixelRatioF());
@@ -291,12 +330,12 @@ void KinematicChart::paintEvent(QPaintEvent*) {
   QPainter painter(viewport());
   painter.drawPixmap(0, 0, picture_);
   draw_cursors(painter);
-  if (drag_ == Drag::box) {
+  if (const std::optional<QRectF> box = input_->box()) {
     QColor fill = palette().color(QPalette::Highlight);
     painter.setPen(fill);
     fill.setAlpha(50);
     painter.setBrush(fill);
-    painter.drawRect(box());
+    painter.drawRect(*box);
   }
 }
 

@@ -7,9 +7,10 @@
 #include <span>
 #include <vector>
 
+#include "core/machine/machine.h"
 #include "ui/charts/chart_spec.h"
 #include "ui/charts/value_fit.h"
-#include "ui/charts/view_range.h"
+#include "ui/shared/view_range.h"
 
 class QValueAxis;
 
@@ -22,12 +23,18 @@ struct LimitLine {
   std::optional<std::size_t> axis;  ///< 0 X, 1 Y, 2 Z; none: several share it
 };
 
+/// Those of the axes, `kind` being one of their limits: one line for all that have the same.
+std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisLimits>& limits,
+                                   double AxisLimits::*kind);
+
 /// A curve of another run.
 struct OverlayCurve {
   std::vector<Extent> columns;  ///< core units, over the range that is shown
   QColor color;
   bool dashed = false;
 };
+
+class ChartInput;
 
 /// One chart of a run: curves as bands of pixel columns, axis limits and cursors.
 ///
@@ -90,23 +97,12 @@ class KinematicChart : public QChartView {
   bool event(QEvent* event) override;
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
-  void wheelEvent(QWheelEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-  void mouseMoveEvent(QMouseEvent* event) override;
-  void mouseReleaseEvent(QMouseEvent* event) override;
-  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
-  enum class Drag { none, undecided, pan, box, second_cursor };
-
   void apply_colours();
   void fit();
   CurveReach reach_of(const std::vector<Extent>& columns, bool may_be_cut) const;
-  void begin_drag(const QMouseEvent& event);
-  /// The part of the plot that the box drawn will show.
-  QRectF box() const;
-  void zoom_to(const QRectF& box);
   void draw_picture(QPainter& painter);
   void draw_curves(QPainter& painter) const;
   void draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color, double width,
@@ -132,10 +128,8 @@ class KinematicChart : public QChartView {
   std::optional<double> cursor_;
   std::optional<double> second_cursor_;
   QPixmap picture_;  ///< the chart without cursors; null when it must be drawn again
-  QPointF pressed_at_;
-  QPointF dragged_to_;
-  Drag drag_ = Drag::none;
   double resolution_ = 1;
+  ChartInput* input_;
 };
 
 }  // namespace feedscope::ui

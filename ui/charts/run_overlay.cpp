@@ -6,21 +6,33 @@
 
 namespace feedscope::ui {
 
+std::vector<RunOverlay> other_runs(const RunList& runs) {
+  std::vector<RunOverlay> others;
+  for (std::size_t row = 0; row < runs.items().size(); ++row) {
+    const auto result = runs.result(row);
+    const RunItem& item = runs.items()[row];
+    if (row != runs.current() && item.visible && result != nullptr) {
+      others.push_back({result->run.trajectory, result->envelope, item.colour, runs.title(item)});
+    }
+  }
+  return others;
+}
+
 std::optional<CuttingFeed> cutting_feed(const Envelope* run, std::span<const Band> shown,
                                         std::span<const RunOverlay> beside) {
-  if (run == nullptr || run->cutting()[Channel::feed].empty()) {
+  if (run == nullptr || run->cutting()[QuantityId::feed].empty()) {
     return std::nullopt;
   }
   Extent programmed;
   for (const Band& band : shown) {
-    programmed.add(band[Channel::programmed_feed]);
+    programmed.add(band[QuantityId::programmed_feed]);
   }
-  if (programmed.min > run->cutting()[Channel::programmed_feed].max) {
+  if (programmed.min > run->cutting()[QuantityId::programmed_feed].max) {
     return std::nullopt;
   }
-  CuttingFeed feed{run->cutting()[Channel::feed].max, run->cutting()[Channel::programmed_feed].max};
+  CuttingFeed feed{run->cutting()[QuantityId::feed].max, run->cutting()[QuantityId::programmed_feed].max};
   for (const RunOverlay& overlay : beside) {
-    feed.achieved = std::max(feed.achieved, double{overlay.envelope->cutting()[Channel::feed].max});
+    feed.achieved = std::max(feed.achieved, double{overlay.envelope->cutting()[QuantityId::feed].max});
   }
   return feed;
 }

@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <vector>
 
-#include "ui/charts/envelope.h"
+#include "core/analysis/envelope.h"
 #include "ui/charts/value_fit.h"
+#include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
 
@@ -20,6 +22,9 @@ struct RunOverlay {
   bool dashed = false;
 };
 
+/// Those of the list that are shown and simulated, but for the current one.
+std::vector<RunOverlay> other_runs(const RunList& runs);
+
 /// The largest feeds that a run and those beside it cut at [mm/s]; none without a run (null), and where what
 /// is `shown` of it are rapids alone.
 std::optional<CuttingFeed> cutting_feed(const Envelope* run, std::span<const Band> shown,
@@ -27,7 +32,7 @@ std::optional<CuttingFeed> cutting_feed(const Envelope* run, std::span<const Ban
 
 /// Path length on `to` of the place that lies at path length `s` on `from`: in the same programmed segment,
 /// at the same share of what each run executes of it [mm]. Corner blends shorten every run's path by
-/// something else, so equal path lengths are other places. A segment that `to` left out gives its beginning.
+/// something else, so equal path lengths are other places. A segment that `to` omitted gives its beginning.
 double same_place(const BlendedPath& from, double s, const BlendedPath& to);
 
 }  // namespace feedscope::ui

@@ -44,12 +44,12 @@ Interval fit_values(std::span<const CurveReach> curves, std::span<const double> 
 
 std::optional<Interval> without_rapids(const Interval& values, double fastest, const CuttingFeed& cutting) {
   constexpr double far_beyond = 3;
-  constexpr double least_room = 1.25;
+  constexpr double min_room = 1.25;
   if (!(cutting.achieved > 0) || fastest < far_beyond * cutting.achieved) {
     return std::nullopt;
   }
   const double programmed = std::min((1 + headroom) * cutting.programmed, in_sight * cutting.achieved);
-  const double most = std::max(least_room * cutting.achieved, programmed);
+  const double most = std::max(min_room * cutting.achieved, programmed);
   return Interval{std::max(values.lower, -most), std::min(values.upper, most)};
 }
 

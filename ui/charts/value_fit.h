@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "ui/charts/envelope.h"
+#include "core/analysis/envelope.h"
 
 namespace feedscope::ui {
 

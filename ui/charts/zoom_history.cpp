@@ -4,7 +4,7 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr std::size_t most_views = 200;
+constexpr std::size_t max_views = 200;
 
 }  // namespace
 
@@ -18,7 +18,7 @@ void ZoomHistory::rest(const ChartView& view) {
     return;
   }
   views_.resize(at_ + 1);
-  if (views_.size() == most_views) {
+  if (views_.size() == max_views) {
     views_.erase(views_.begin());
   }
   views_.push_back(view);

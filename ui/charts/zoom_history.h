@@ -20,7 +20,7 @@ struct ChartView {
 /// The views that the user came to rest at, to go back to and forward again.
 class ZoomHistory {
  public:
-  /// Another run: begins anew.
+  /// Another run: begins again.
   void start(const ChartView& view);
   /// The user rests at a view; what lay ahead is forgotten if it is a new one.
   void rest(const ChartView& view);

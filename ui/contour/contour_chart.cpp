@@ -1,4 +1,4 @@
-#include "ui/charts/contour_chart.h"
+#include "ui/contour/contour_chart.h"
 
 #include <QHelpEvent>
 #include <QLocale>
@@ -6,6 +6,8 @@
 #include <QToolTip>
 #include <cmath>
 #include <utility>
+
+#include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {
 
@@ -48,26 +50,29 @@ QString ContourChart::tip_at(const QPointF& place) const {
   if (!bin) {
     return {};
   }
-  constexpr double micrometres = 1000;
   const QLocale locale;
-  const auto edge = [&](std::size_t i) { return shown.histogram(0).edges[i] * micrometres; };
+  const auto edge = [&](std::size_t i) {
+    return in_shown_unit(shown.histogram(0).edges[i], Dimension::error);
+  };
   const auto text = [&](double value) { return locale.toString(std::abs(value), 'g', 3); };
+  const auto amount = [&](double value) { return text(value) + ' ' + unit_of(Dimension::error); };
   const double from = edge(*bin);
   const double to = edge(*bin + 1);
   QString tip;
   if (!curves_.sides) {
-    tip = tr("%1 to %2 µm from the programmed path").arg(text(from), text(to));
+    tip = tr("%1 to %2 from the programmed path").arg(text(from), amount(to));
   } else if (from < 0 && to > 0) {
-    tip = tr("At most %1 µm left or right of the programmed path").arg(text(to));
+    tip = tr("At most %1 left or right of the programmed path").arg(amount(to));
   } else {
-    tip = (from >= 0 ? tr("%1 to %2 µm left of the programmed path")
-                     : tr("%1 to %2 µm right of the programmed path"))
-              .arg(text(from >= 0 ? from : to), text(from >= 0 ? to : from));
+    tip =
+        (from >= 0 ? tr("%1 to %2 left of the programmed path") : tr("%1 to %2 right of the programmed path"))
+            .arg(text(from >= 0 ? from : to), amount(from >= 0 ? to : from));
   }
   for (std::size_t i = 0; i < curves_.runs.size(); ++i) {
     tip += QStringLiteral("\n") +
-           tr("%1: %2 mm of the path")
-               .arg(curves_.runs[i].name, locale.toString(shown.histogram(i).length[*bin], 'g', 4));
+           tr("%1: %2 of the path")
+               .arg(curves_.runs[i].name,
+                    significant_text(shown.histogram(i).length[*bin], Dimension::length, 4));
   }
   return tip;
 }

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "ui/charts/contour_plot.h"
+#include "ui/contour/contour_plot.h"
 
 namespace feedscope::ui {
 

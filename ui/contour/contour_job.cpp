@@ -1,28 +1,17 @@
-#include "ui/models/contour_job.h"
+#include "ui/contour/contour_job.h"
 
-#include <QtConcurrentRun>
 #include <algorithm>
-#include <new>
 #include <utility>
 
 namespace feedscope::ui {
-
-ContourJob::ContourJob(QObject* parent) : QObject(parent) {
-  connect(&watcher_, &QFutureWatcher<Result>::finished, this, &ContourJob::deliver);
-}
-
-ContourJob::~ContourJob() {
-  want({});
-  watcher_.waitForFinished();
-}
 
 void ContourJob::want(std::vector<std::shared_ptr<const ShownRun>> runs) {
   wanted_ = std::move(runs);
   std::erase_if(reports_, [](const auto& entry) { return entry.first.expired(); });
   if (!busy()) {
-    launch();
+    start_next();
   } else if (std::ranges::find(wanted_, under_way_) == wanted_.end()) {
-    progress_->cancel();
+    job_.cancel();
   }
 }
 
@@ -31,34 +20,27 @@ std::shared_ptr<const ContourReport> ContourJob::report(const std::shared_ptr<co
   return found == reports_.end() ? nullptr : found->second;
 }
 
-void ContourJob::launch() {
+void ContourJob::start_next() {
   const auto next = std::ranges::find_if(
       wanted_, [this](const auto& run) { return run != nullptr && !reports_.contains(run); });
   if (next == wanted_.end()) {
     return;
   }
   under_way_ = *next;
-  progress_ = std::make_shared<Progress>();
-  watcher_.setFuture(QtConcurrent::run([run = under_way_, progress = progress_]() -> Result {
-    try {
-      return std::make_shared<const ContourReport>(contour_report(run->run, most_places, progress.get()));
-    } catch (const Cancelled&) {
-    } catch (const std::bad_alloc&) {
-    }
-    return nullptr;
-  }));
+  job_.start(
+      [run = under_way_](JobControl& control) -> Result {
+        return std::make_shared<const ContourReport>(contour_report(run->run, max_places, &control.progress));
+      },
+      [this](const JobOutcome<Result>& outcome) { take(outcome); });
 }
 
-void ContourJob::deliver() {
-  const bool cancelled = progress_->cancelled();
+void ContourJob::take(const JobOutcome<Result>& outcome) {
   const auto run = std::exchange(under_way_, nullptr);
-  progress_.reset();
-  const Result report = watcher_.result();
-  if (!cancelled) {
-    reports_.insert_or_assign(run, report);
+  if (!outcome.cancelled()) {
+    reports_.insert_or_assign(run, outcome.result.value_or(nullptr));
   }
-  launch();
-  if (!cancelled) {
+  start_next();
+  if (!outcome.cancelled()) {
     emit changed();
   }
 }

@@ -1,21 +1,22 @@
-#include "ui/models/contour_places_model.h"
+#include "ui/contour/contour_places_model.h"
 
 #include <QFont>
 #include <QLocale>
 #include <utility>
 
 #include "core/base/units.h"
+#include "ui/contour/contour_texts.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/contour_texts.h"
-#include "ui/models/next_place.h"
-#include "ui/models/texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
+#include "ui/shared/next_place.h"
 
 namespace feedscope::ui {
 
 namespace {
 
 QString feed_text(double feed) {
-  return QLocale().toString(units::to_mm_min(feed), 'f', 0);
+  return number_text(feed, Dimension::feed);
 }
 
 bool is_exceeded(const ContourFinding& finding) {
@@ -53,7 +54,7 @@ QString ContourPlacesModel::text(int row, int column) const {
     case line:
       return line_text(found);
     case error:
-      return micrometres_text(found.place.error);
+      return error_text(found.place.error);
     case share:
       return found.tolerance && *found.tolerance > 0
                  ? locale.toString(percent * found.place.error / *found.tolerance, 'f', 0)
@@ -72,14 +73,14 @@ QString ContourPlacesModel::text(int row, int column) const {
 QString ContourPlacesModel::tip(const ContourFinding& found) const {
   const QLocale locale;
   const Vec3& at = found.place.position;
-  QString tip = tr("%1 µm from the programmed path at %2, X %3 Y %4 Z %5 mm.")
-                    .arg(micrometres_text(found.place.error), clock_text(found.place.time),
-                         locale.toString(at.x(), 'f', 3), locale.toString(at.y(), 'f', 3),
-                         locale.toString(at.z(), 'f', 3));
+  QString tip = tr("%1 from the programmed path at %2, X %3 Y %4 Z %5.")
+                    .arg(error_amount_text(found.place.error), clock_text(found.place.time),
+                         number_text(at.x(), Dimension::length), number_text(at.y(), Dimension::length),
+                         amount_text(at.z(), Dimension::length));
   if (found.tolerance) {
-    tip += QStringLiteral("\n") + (is_exceeded(found) ? tr("The contour tolerance of %1 µm is exceeded here.")
-                                                      : tr("The contour tolerance of %1 µm is kept here."))
-                                      .arg(micrometres_text(*found.tolerance));
+    tip += QStringLiteral("\n") + (is_exceeded(found) ? tr("The contour tolerance of %1 is exceeded here.")
+                                                      : tr("The contour tolerance of %1 is kept here."))
+                                      .arg(error_amount_text(*found.tolerance));
   }
   return tip;
 }
@@ -117,19 +118,19 @@ QVariant ContourPlacesModel::headerData(int section, Qt::Orientation orientation
     case rank:
       return is_tip ? tr("Rank by contour error") : tr("No.");
     case line:
-      return is_tip ? tr("Line of the program, and the block's number") : tr("Line");
+      return is_tip ? tr("Program line and block number") : tr("Line");
     case error:
-      return is_tip ? tr("Distance of the executed path from the programmed one") : tr("Error [µm]");
+      return is_tip ? tr("Distance of the executed path from the programmed one")
+                    : with_unit_of(tr("Error"), Dimension::error);
     case share:
-      return is_tip ? tr("Share of the contour tolerance that rules there") : tr("Used [%]");
+      return is_tip ? tr("Share of the contour tolerance that applies there") : tr("Used [%]");
     case side:
-      return is_tip ? tr("Side of the programmed path in XY, seen in its direction: left is where G41 puts "
-                         "the tool")
+      return is_tip ? tr("Side of the programmed path in XY, in its direction: left is the G41 side")
                     : tr("Side");
     case spot:
-      return is_tip ? tr("What the programmed path is there") : tr("Where");
+      return is_tip ? tr("Shape of the programmed path there") : tr("Where");
     case feed:
-      return is_tip ? tr("Achieved and programmed feed there") : tr("Feed [mm/min]");
+      return is_tip ? tr("Achieved and programmed feed there") : with_unit_of(tr("Feed"), Dimension::feed);
     default:
       return is_tip ? tr("What limits the feed there") : tr("Limited by");
   }

@@ -1,4 +1,4 @@
-#include "ui/charts/contour_plot.h"
+#include "ui/contour/contour_plot.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -7,7 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/scene/ticks.h"
+#include "core/base/ticks.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/shared/plot_grid.h"
 
 namespace feedscope::ui {
 
@@ -20,7 +22,6 @@ struct Plot {
 constexpr double margin = 8;
 constexpr double swatch = 18;
 constexpr double gap = 14;
-constexpr double micrometres = 1000;
 /// Outlines are told apart without colour.
 constexpr std::array<Qt::PenStyle, 4> styles{Qt::SolidLine, Qt::DashLine, Qt::DotLine, Qt::DashDotLine};
 
@@ -84,7 +85,7 @@ ContourPlot::ContourPlot(const ContourCurves& curves, const QRectF& area, const 
   const double top = area.top() + margin + (legend_.empty() ? 0 : legend_.back().bottom() - area.top()) +
                      line_ + 4 + (curves.tolerance ? line_ : 0);
   double left = 0;
-  for (double power = least_length_; power <= most_length_ * 1.001; power *= 10) {
+  for (double power = min_length_; power <= max_length_ * 1.001; power *= 10) {
     left = std::max(left, text_width(font_, power_text(power)));
   }
   const double rows = curves.sides ? 3 : 2;
@@ -95,12 +96,14 @@ ContourPlot::ContourPlot(const ContourCurves& curves, const QRectF& area, const 
 
 QString ContourPlot::entry_text(std::size_t run, double room) const {
   const ContourCurve& curve = curves_.runs[run];
-  const QString largest = number(micrometres * curve.largest);
+  const auto amount = [](double error) {
+    return number(in_shown_unit(error, Dimension::error)) + ' ' + unit_of(Dimension::error);
+  };
   const double beside = curve.largest_beside();
   constexpr double most_of_it = 0.9;
   const QString error = curves_.sides && beside < most_of_it * curve.largest
-                            ? Plot::tr(": %1 µm, in XY %2 µm").arg(largest, number(micrometres * beside))
-                            : Plot::tr(": %1 µm").arg(largest);
+                            ? Plot::tr(": %1, in XY %2").arg(amount(curve.largest), amount(beside))
+                            : Plot::tr(": %1").arg(amount(curve.largest));
   return QFontMetricsF(font_).elidedText(curve.name, Qt::ElideRight,
                                          std::max(room - swatch - text_width(font_, error), 20.0)) +
          error;
@@ -112,21 +115,16 @@ void ContourPlot::lay_out_legend(const QRectF& area) {
     return;
   }
   const double room = area.width() - 2 * margin;
-  double left = area.left() + margin;
-  double top = area.top() + 4;
+  std::vector<double> widths;
   for (std::size_t i = 0; i < curves_.runs.size(); ++i) {
-    const double width = std::min(room, swatch + 4 + text_width(font_, entry_text(i, room)));
-    if (left > area.left() + margin && left + width > area.right() - margin) {
-      left = area.left() + margin;
-      top += line_ + 1;
-    }
-    legend_.emplace_back(left, top, width, line_);
-    left += width + gap;
+    widths.push_back(std::min(room, swatch + 4 + text_width(font_, entry_text(i, room))));
   }
+  legend_ = entries_in_rows(widths, QRectF(area.left() + margin, area.top() + 4, room, line_), line_,
+                            line_ + 1, gap);
 }
 
 void ContourPlot::choose_scales() {
-  constexpr double most_decades = 1e6;
+  constexpr double max_decades = 1e6;
   double most = 0;
   double least = std::numeric_limits<double>::infinity();
   for (const ContourHistogram& histogram : histograms_) {
@@ -144,34 +142,38 @@ void ContourPlot::choose_scales() {
     }
   }
   if (most > 0) {
-    most_length_ = std::pow(10, std::ceil(std::log10(most) - 1e-9));
-    least = std::max(least, most_length_ / most_decades);
-    least_length_ = std::min(std::pow(10, std::floor(std::log10(least))), most_length_ / 10);
-    most_error_ = farthest;
+    max_length_ = std::pow(10, std::ceil(std::log10(most) - 1e-9));
+    least = std::max(least, max_length_ / max_decades);
+    min_length_ = std::min(std::pow(10, std::floor(std::log10(least))), max_length_ / 10);
+    max_error_ = farthest;
   }
   constexpr double worth_showing = 2.5;  // times the largest error
-  if (curves_.tolerance && (*curves_.tolerance)[0] < worth_showing * most_error_) {
+  if (curves_.tolerance && (*curves_.tolerance)[0] < worth_showing * max_error_) {
     constexpr double head_room = 1.05;
-    most_error_ =
-        std::max(most_error_, std::min((*curves_.tolerance)[1], worth_showing * most_error_) * head_room);
+    max_error_ =
+        std::max(max_error_, std::min((*curves_.tolerance)[1], worth_showing * max_error_) * head_room);
   }
 }
 
 double ContourPlot::x(double error) const {
-  return curves_.sides ? plot_.center().x() - error / most_error_ * plot_.width() / 2
-                       : plot_.left() + error / most_error_ * plot_.width();
+  return curves_.sides ? plot_.center().x() - error / max_error_ * plot_.width() / 2
+                       : plot_.left() + error / max_error_ * plot_.width();
 }
 
 double ContourPlot::y(double length) const {
-  if (length <= least_length_) {
+  if (length <= min_length_) {
     return plot_.bottom();
   }
-  const double share = std::log(length / least_length_) / std::log(most_length_ / least_length_);
+  const double share = std::log(length / min_length_) / std::log(max_length_ / min_length_);
   return plot_.bottom() - share * plot_.height();
 }
 
 QRectF ContourPlot::below(double rows) const {
   return {plot_.left(), plot_.bottom() + 5 + rows * line_, plot_.width(), line_};
+}
+
+GridLook ContourPlot::grid_look() const {
+  return {colours_.grid, colours_.frame, colours_.text, 6, 5};
 }
 
 void ContourPlot::draw(QPainter& painter) const {
@@ -210,39 +212,29 @@ void ContourPlot::draw_lengths(QPainter& painter) const {
   painter.setPen(colours_.text);
   const double title_top = plot_.top() - 4 - line_ - (curves_.tolerance ? line_ : 0);
   painter.drawText(QRectF(plot_.left() - 4, title_top, plot_.width() + 8, line_),
-                   Qt::AlignLeft | Qt::AlignVCenter, Plot::tr("Path length [mm]"));
-  double free = plot_.bottom() + line_;
-  for (double power = least_length_; power <= most_length_ * 1.001; power *= 10) {
-    const double at = std::round(y(power)) + 0.5;
-    painter.setPen(QPen(colours_.grid, 1));
-    painter.drawLine(QPointF(plot_.left(), at), QPointF(plot_.right(), at));
-    if (at + line_ / 2 <= free) {
-      painter.setPen(colours_.text);
-      painter.drawText(QRectF(plot_.left() - 206, at - line_ / 2, 200, line_),
-                       Qt::AlignRight | Qt::AlignVCenter, power_text(power));
-      free = at - line_ / 2;
-    }
+                   Qt::AlignLeft | Qt::AlignVCenter,
+                   with_unit_of(Plot::tr("Path length"), Dimension::length));
+  PlotGrid grid(painter, plot_, grid_look());
+  for (double power = min_length_; power <= max_length_ * 1.001; power *= 10) {
+    grid.level(y(power), power_text(power));
   }
 }
 
 void ContourPlot::draw_errors(QPainter& painter) const {
   const double label = text_width(font_, QStringLiteral("0000")) + 10;
-  const double most = most_error_ * micrometres;
+  const double most = in_shown_unit(max_error_, Dimension::error);
   const int count = static_cast<int>(std::clamp(plot_.width() / label, 3.0, 13.0));
   const Ticks ticks = round_ticks(curves_.sides ? -most : 0, most, count);
+  PlotGrid grid(painter, plot_, grid_look());
   for (const double tick : ticks.values) {
-    const double at = std::round(x(tick / micrometres)) + 0.5;
-    painter.setPen(QPen(tick == 0 ? colours_.frame : colours_.grid, 1));
-    painter.drawLine(QPointF(at, plot_.top()), QPointF(at, plot_.bottom() + 4));
-    painter.setPen(colours_.text);
-    painter.drawText(QRectF(at - 60, below(0).top(), 120, line_), Qt::AlignHCenter | Qt::AlignVCenter,
-                     number(std::abs(tick)));
+    grid.upright(x(from_shown_unit(tick, Dimension::error)), number(std::abs(tick)),
+                 tick == 0 ? GridLine::strong : GridLine::usual);
   }
   painter.setPen(QPen(colours_.frame, 1));
   painter.drawLine(plot_.bottomLeft(), plot_.bottomRight());
   painter.setPen(colours_.text);
   painter.drawText(below(curves_.sides ? 2 : 1).adjusted(-30, 0, 8, 0), Qt::AlignHCenter | Qt::AlignVCenter,
-                   Plot::tr("Contour error [µm]"));
+                   with_unit_of(Plot::tr("Contour error"), Dimension::error));
 }
 
 void ContourPlot::draw_sides(QPainter& painter) const {
@@ -311,17 +303,18 @@ void ContourPlot::draw_tolerance(QPainter& painter) const {
     return;
   }
   const auto [least, largest] = *curves_.tolerance;
-  const QString amount = least == largest ? number(micrometres * least)
-                                          : QStringLiteral("%1 – %2").arg(number(micrometres * least),
-                                                                          number(micrometres * largest));
-  const bool is_outside = least > most_error_;
+  const auto text_of = [](double error) { return number(in_shown_unit(error, Dimension::error)); };
+  const QString range =
+      least == largest ? text_of(least) : QStringLiteral("%1 – %2").arg(text_of(least), text_of(largest));
+  const QString amount = range + ' ' + unit_of(Dimension::error);
+  const bool is_outside = least > max_error_;
   const QString text =
-      is_outside ? Plot::tr("tolerance %1 µm ▸").arg(amount) : Plot::tr("tolerance %1 µm").arg(amount);
+      is_outside ? Plot::tr("tolerance %1 ▸").arg(amount) : Plot::tr("tolerance %1").arg(amount);
   painter.setPen(QPen(colours_.text, 1.4, Qt::DashLine));
   double label_at = plot_.right();
   for (const double sign : {1.0, -1.0}) {
     for (const double tolerance : {least, largest}) {
-      if (tolerance <= most_error_ && (sign > 0 || curves_.sides)) {
+      if (tolerance <= max_error_ && (sign > 0 || curves_.sides)) {
         const double at = x(sign * tolerance);
         painter.drawLine(QPointF(at, plot_.top() - 2), QPointF(at, plot_.bottom()));
         label_at = at;

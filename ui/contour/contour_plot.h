@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/analysis/contour/contour_histogram.h"
+#include "ui/shared/plot_grid.h"
 #include "ui/theme/theme.h"
 
 class QPainter;
@@ -60,6 +61,7 @@ class ContourPlot {
   void choose_scales();
   double x(double error) const;   ///< of a signed error [mm]
   double y(double length) const;  ///< [mm]
+  GridLook grid_look() const;
   void draw_legend(QPainter& painter) const;
   void draw_lengths(QPainter& painter) const;
   void draw_errors(QPainter& painter) const;
@@ -80,9 +82,9 @@ class ContourPlot {
   std::vector<ContourHistogram> histograms_;  ///< of all runs, the same edges
   std::vector<QRectF> legend_;
   QRectF plot_;
-  double most_error_ = 1;      ///< at the end of the axis [mm]
-  double least_length_ = 0.1;  ///< a power of ten [mm]
-  double most_length_ = 1;
+  double max_error_ = 1;     ///< at the end of the axis [mm]
+  double min_length_ = 0.1;  ///< a power of ten [mm]
+  double max_length_ = 1;
 };
 
 }  // namespace feedscope::ui

@@ -1,4 +1,4 @@
-#include "ui/models/contour_texts.h"
+#include "ui/contour/contour_texts.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -7,7 +7,8 @@
 #include <numeric>
 
 #include "core/base/units.h"
-#include "ui/models/texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 
 namespace feedscope::ui {
 
@@ -28,24 +29,27 @@ QString tolerance_sentence(const ContourReport& report) {
     const bool kept = std::ranges::all_of(report.worst, [](const ContourFinding& finding) {
       return !finding.tolerance || keeps_tolerance(finding.place.error, *finding.tolerance);
     });
-    return kept ? Contour::tr("The tolerances of the program, %1 to %2 µm, are kept at all listed places.")
-                      .arg(micrometres_text(least), micrometres_text(largest))
-                : Contour::tr("The tolerances of the program, %1 to %2 µm, are exceeded at listed places.")
-                      .arg(micrometres_text(least), micrometres_text(largest));
+    return kept ? Contour::tr("The tolerances of the program, %1 to %2, are kept at all listed places.")
+                      .arg(error_text(least), error_amount_text(largest))
+                : Contour::tr("The tolerances of the program, %1 to %2, are exceeded at listed places.")
+                      .arg(error_text(least), error_amount_text(largest));
   }
   if (keeps_tolerance(report.largest, largest)) {
-    return Contour::tr("The contour tolerance of %1 µm is kept.").arg(micrometres_text(largest));
+    return Contour::tr("The contour tolerance of %1 is kept.").arg(error_amount_text(largest));
   }
-  return Contour::tr("The contour tolerance of %1 µm is exceeded by %2 µm.")
-      .arg(micrometres_text(largest), micrometres_text(report.largest - largest));
+  return Contour::tr("The contour tolerance of %1 is exceeded by %2.")
+      .arg(error_amount_text(largest), error_amount_text(report.largest - largest));
 }
 
 }  // namespace
 
-QString micrometres_text(double mm) {
-  const double value = 1000 * mm;
-  const int decimals = value >= 9.995 ? 1 : value >= 0.9995 ? 2 : 3;
-  return QLocale().toString(value, 'f', decimals);
+QString error_text(double mm) {
+  const int decimals = mm >= 9.995e-3 ? 1 : mm >= 0.9995e-3 ? 2 : 3;
+  return number_text(mm, Dimension::error, decimals);
+}
+
+QString error_amount_text(double mm) {
+  return QStringLiteral("%1 %2").arg(error_text(mm), unit_of(Dimension::error));
 }
 
 QString line_text(const ContourFinding& finding) {
@@ -69,11 +73,12 @@ QString spot_text(const ContourSpot& spot) {
       return Contour::tr("Corner of %1°, %2")
           .arg(locale.toString(units::to_deg(spot.turn), 'f', spot.turn < 0.1 ? 1 : 0), in_or_out(spot));
     case ContourSpot::Kind::arc:
-      return Contour::tr("Arc R %1 mm, %2").arg(locale.toString(spot.radius, 'g', 4), in_or_out(spot));
+      return Contour::tr("Arc R %1, %2")
+          .arg(significant_text(spot.radius, Dimension::length, 4), in_or_out(spot));
     case ContourSpot::Kind::line:
       break;
   }
-  return Contour::tr("Line of %1 mm").arg(locale.toString(spot.length, 'g', 3));
+  return Contour::tr("Line of %1").arg(significant_text(spot.length, Dimension::length, 3));
 }
 
 QString verdict_text(const ContourReport& report) {
@@ -82,24 +87,24 @@ QString verdict_text(const ContourReport& report) {
   }
   const ContourFinding& worst = report.worst.front();
   const QString where =
-      Contour::tr("Largest contour error %1 µm, in line %2 at %3.")
-          .arg(micrometres_text(report.largest), line_text(worst), clock_text(worst.place.time));
+      Contour::tr("Largest contour error %1, in line %2 at %3.")
+          .arg(error_amount_text(report.largest), line_text(worst), clock_text(worst.place.time));
   return report.tolerance ? where + QStringLiteral(" ") + tolerance_sentence(report)
-                          : where + QStringLiteral(" ") + Contour::tr("No contour tolerance rules it.");
+                          : where + QStringLiteral(" ") + Contour::tr("No contour tolerance applies.");
 }
 
 QString share_text(const ContourReport& report, bool sides) {
   if (report.worst.empty()) {
     return {};
   }
-  const QString shares = Contour::tr("90 % of the path is within %1 µm, 99 % within %2 µm.")
-                             .arg(micrometres_text(error_quantile(report.spread, 0.1)),
-                                  micrometres_text(error_quantile(report.spread, 0.01)));
+  const QString shares = Contour::tr("90 % of the path is within %1, 99 % within %2.")
+                             .arg(error_amount_text(error_quantile(report.spread, 0.1)),
+                                  error_amount_text(error_quantile(report.spread, 0.01)));
   constexpr double most_of_it = 0.9;
   const ContourPlace& worst = report.worst.front().place;
   return sides && std::abs(worst.side) < most_of_it * worst.error
              ? shares + QStringLiteral(" ") +
-                   Contour::tr("The largest error lies across Z, so that left and right do not show it.")
+                   Contour::tr("The largest error is along Z, so left and right do not show it.")
              : shares;
 }
 

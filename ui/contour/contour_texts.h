@@ -6,10 +6,12 @@
 
 namespace feedscope::ui {
 
-// What is said of contour errors on screen; numbers by the locale, errors in micrometres.
+// What is said of contour errors on screen; numbers by the locale and the unit system.
 
-/// "28.3", with one digit more below 10 and two below 1.
-QString micrometres_text(double mm);
+/// "28.3", with one digit more below 10 µm and two below 1 µm.
+QString error_text(double mm);
+/// "28.3 µm".
+QString error_amount_text(double mm);
 /// "12 (N120)".
 QString line_text(const ContourFinding& finding);
 /// "left", "right"; "–" where the deviation is not in XY.

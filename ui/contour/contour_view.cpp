@@ -1,4 +1,4 @@
-#include "ui/views/contour_view.h"
+#include "ui/contour/contour_view.h"
 
 #include <QApplication>
 #include <QCheckBox>
@@ -15,16 +15,16 @@
 #include <utility>
 
 #include "core/export/contour.h"
+#include "ui/contour/contour_texts.h"
 #include "ui/fields/focus_outline.h"
-#include "ui/models/contour_texts.h"
-#include "ui/models/panel_action.h"
-#include "ui/views/row_copy.h"
+#include "ui/shared/panel_action.h"
+#include "ui/shared/row_copy.h"
 
 namespace feedscope::ui {
 
-ContourView::ContourView(Workbench& model, QWidget* parent)
-    : QWidget(parent),
-      model_(model),
+ContourView::ContourView(Workbench& workbench, QWidget* parent)
+    : Panel({QStringLiteral("contour"), tr("Contour error"), Qt::BottomDockWidgetArea, false}, parent),
+      workbench_(workbench),
       places_(new ContourPlacesModel(this)),
       verdict_(new QLabel(this)),
       shares_(new QLabel(this)),
@@ -35,8 +35,8 @@ ContourView::ContourView(Workbench& model, QWidget* parent)
       list_(new QTreeView(this)) {
   verdict_->setWordWrap(true);
   shares_->setWordWrap(true);
-  sides_->setToolTip(tr("Tell the sides of the path in XY apart; else the distance alone"));
-  close_up_->setToolTip(tr("The 3D view shows the chosen place from near"));
+  sides_->setToolTip(tr("Distinguish the sides of the path in XY; otherwise only the distance"));
+  close_up_->setToolTip(tr("Zoom the 3D view to the selected place"));
   close_up_->setChecked(true);
   list_->setModel(places_);
   list_->setRootIsDecorated(false);
@@ -52,41 +52,42 @@ ContourView::ContourView(Workbench& model, QWidget* parent)
   connect(list_, &QTreeView::clicked, this, &ContourView::choose);
   connect(list_, &QTreeView::activated, this, &ContourView::choose);
   connect(&job_, &ContourJob::changed, this, &ContourView::show_reports);
-  connect(&model_, &Workbench::run_changed, this, &ContourView::refresh);
+  connect(this, &ContourView::place_chosen, &workbench_, &Workbench::show_place);
+  connect(&workbench_, &Workbench::run_changed, this, &ContourView::refresh);
   for (const auto signal : {&RunList::item_changed, &RunList::result_changed}) {
-    connect(&model_.runs(), signal, this, &ContourView::refresh);
+    connect(&workbench_.runs(), signal, this, &ContourView::refresh);
   }
-  connect(&model_.runs(), &RunList::list_changed, this, &ContourView::refresh);
+  connect(&workbench_.runs(), &RunList::list_changed, this, &ContourView::refresh);
   show_reports();
 }
 
 void ContourView::make_actions() {
   actions_.append(make_action(this, tr("Contour &error …"),
-                              tr("How far the executed path is from the programmed one, and where"),
+                              tr("Show how far and where the executed path deviates from the programmed one"),
                               QKeySequence(tr("Ctrl+Shift+E")), [this] { emit attention_wanted(); }));
   actions_.append(make_action(this, tr("Copy the picture of the contour error"),
-                              tr("The histogram to the clipboard"), {},
+                              tr("Copy the histogram to the clipboard"), {},
                               [this] { QApplication::clipboard()->setPixmap(chart_->grab()); }));
   actions_.append(make_action(this, tr("Copy the worst contour errors"),
-                              tr("The list to the clipboard, as CSV with units"), {}, [this] {
+                              tr("Copy the list to the clipboard as CSV with units"), {}, [this] {
                                 if (places_->report() != nullptr) {
                                   QApplication::clipboard()->setText(
                                       QString::fromStdString(contour_places_csv(*places_->report())));
                                 }
                               }));
   actions_.append(make_action(
-      this, tr("Save the worst contour errors as CSV …"), tr("One row a place, with units"), {}, [this] {
+      this, tr("Save the worst contour errors as CSV …"), tr("One row per place, with units"), {}, [this] {
         save(tr("Save the worst contour errors"),
              places_->report() == nullptr ? std::string() : contour_places_csv(*places_->report()));
       }));
   actions_.append(make_action(this, tr("Save the histogram of the contour error as CSV …"),
-                              tr("Path length by contour error, one column a run, with units"), {}, [this] {
+                              tr("Path length by contour error, one column per run, with units"), {}, [this] {
                                 save(tr("Save the histogram of the contour error"), histogram_csv());
                               }));
   steps_.append(make_action(this, tr("Next contour error"),
-                            tr("Go on to the next listed place that is far from the programmed path"),
+                            tr("Go to the next listed place far from the programmed path"),
                             QKeySequence(Qt::Key_F6), [this] { step(true); }));
-  steps_.append(make_action(this, tr("Previous contour error"), tr("Go back to the listed place before"),
+  steps_.append(make_action(this, tr("Previous contour error"), tr("Go to the previous listed place"),
                             QKeySequence(Qt::SHIFT | Qt::Key_F6), [this] { step(false); }));
 }
 
@@ -136,8 +137,8 @@ void ContourView::set_on_screen(bool on_screen) {
 void ContourView::refresh() {
   std::vector<std::shared_ptr<const ShownRun>> wanted;
   if (is_seen()) {
-    const RunList& runs = model_.runs();
-    wanted.push_back(model_.shown());
+    const RunList& runs = workbench_.runs();
+    wanted.push_back(workbench_.shown());
     for (std::size_t row = 0; row < runs.items().size(); ++row) {
       if (row != runs.current() && runs.items()[row].visible) {
         wanted.push_back(runs.result(row));
@@ -150,7 +151,7 @@ void ContourView::refresh() {
 }
 
 void ContourView::show_reports() {
-  const auto shown = model_.shown();
+  const auto shown = workbench_.shown();
   const auto report = shown == nullptr ? nullptr : job_.report(shown);
   if (places_->report() != report.get()) {
     places_->set_report(report);
@@ -158,8 +159,8 @@ void ContourView::show_reports() {
       list_->resizeColumnToContents(column);
     }
   }
-  if (report != nullptr && judged_.lock() != model_.program()) {
-    judged_ = model_.program();
+  if (report != nullptr && judged_.lock() != workbench_.program()) {
+    judged_ = workbench_.program();
     const QSignalBlocker quiet(sides_);
     sides_->setChecked(report->is_flat());
   }
@@ -172,14 +173,14 @@ void ContourView::show_reports() {
 }
 
 QString ContourView::verdict() const {
-  if (model_.shown() == nullptr) {
-    return model_.program() == nullptr
-               ? tr("How far the executed path is from the programmed one: open a program.")
+  if (workbench_.shown() == nullptr) {
+    return workbench_.program() == nullptr
+               ? tr("Open a program to see how far the executed path is from the programmed one.")
                : tr("This run has not been simulated.");
   }
   if (places_->report() == nullptr) {
     return job_.busy() ? tr("Comparing the executed with the programmed path …")
-                       : tr("The program needs more memory than there is.");
+                       : tr("The program needs more memory than is available.");
   }
   return verdict_text(*places_->report());
 }
@@ -187,7 +188,7 @@ QString ContourView::verdict() const {
 ContourCurves ContourView::curves() const {
   ContourCurves shown;
   shown.sides = sides_->isChecked();
-  const RunList& runs = model_.runs();
+  const RunList& runs = workbench_.runs();
   const auto add = [&](std::size_t row) {
     const auto report = runs.result(row) == nullptr ? nullptr : job_.report(runs.result(row));
     if (report != nullptr) {
@@ -208,16 +209,16 @@ ContourCurves ContourView::curves() const {
 }
 
 void ContourView::step(bool forward) {
-  if (model_.shown() == nullptr) {
+  if (workbench_.shown() == nullptr) {
     emit attention_wanted();
     return;
   }
-  if (!is_seen() || job_.report(model_.shown()) == nullptr) {
+  if (!is_seen() || job_.report(workbench_.shown()) == nullptr) {
     pending_step_ = forward;
     emit attention_wanted();
     return;
   }
-  const Cursor& cursor = model_.cursor();
+  const Cursor& cursor = workbench_.cursor();
   const int row = places_->next_row(cursor.valid() ? cursor.state().time : 0, forward);
   if (row >= 0) {
     const QModelIndex index = places_->index(row, 0);
@@ -227,7 +228,7 @@ void ContourView::step(bool forward) {
 }
 
 void ContourView::choose(const QModelIndex& index) {
-  const auto shown = model_.shown();
+  const auto shown = workbench_.shown();
   if (shown == nullptr || job_.report(shown).get() != places_->report()) {
     return;
   }
@@ -236,8 +237,12 @@ void ContourView::choose(const QModelIndex& index) {
   constexpr double shown_errors = 12;  // of path on both sides
   constexpr double least = 0.01;       // [mm]
   const double around = std::max(shown_errors * place.error, least);
-  emit place_chosen(place.time, trajectory.state_at_path(place.path_length - around).time,
-                    trajectory.state_at_path(place.path_length + around).time, close_up_->isChecked());
+  const double from = trajectory.state_at_path(place.path_length - around).time;
+  const double to = trajectory.state_at_path(place.path_length + around).time;
+  emit place_chosen(place.time, from, to);
+  if (close_up_->isChecked()) {
+    emit close_up_wanted(from, to);
+  }
 }
 
 std::string ContourView::histogram_csv() const {
@@ -251,7 +256,7 @@ std::string ContourView::histogram_csv() const {
 
 void ContourView::save(const QString& title, const std::string& text) {
   if (text.empty()) {
-    emit failed(tr("There is no contour error to save yet: open the panel with a program."));
+    emit failed(tr("There is no contour error to save: open a program and this panel."));
     return;
   }
   const QString file = QFileDialog::getSaveFileName(this, title, {}, tr("Tables (*.csv)"));

@@ -1,13 +1,13 @@
 #pragma once
 
 #include <QList>
-#include <QWidget>
 #include <optional>
 
-#include "ui/charts/contour_chart.h"
-#include "ui/models/contour_job.h"
-#include "ui/models/contour_places_model.h"
-#include "ui/models/workbench.h"
+#include "ui/contour/contour_chart.h"
+#include "ui/contour/contour_job.h"
+#include "ui/contour/contour_places_model.h"
+#include "ui/workbench/panel.h"
+#include "ui/workbench/workbench.h"
 
 class QAction;
 class QCheckBox;
@@ -19,31 +19,31 @@ namespace feedscope::ui {
 
 /// How far the executed path of the current run is from the programmed one: in a sentence, as a histogram
 /// beside those of the other visible runs, and the worst places to go to. Found only while it is seen.
-class ContourView : public QWidget {
+class ContourView : public Panel {
   Q_OBJECT
 
  public:
-  /// `model` outlives this.
-  explicit ContourView(Workbench& model, QWidget* parent = nullptr);
+  /// `workbench` outlives this.
+  explicit ContourView(Workbench& workbench, QWidget* parent = nullptr);
 
   /// Whether the panel that holds this is in front.
-  void set_on_screen(bool on_screen);
+  void set_on_screen(bool on_screen) override;
   /// Wanted reports are still to come.
-  bool busy() const { return job_.busy(); }
+  bool busy() const override { return job_.busy(); }
   QString verdict() const;
   ContourPlacesModel& places() { return *places_; }
   ContourChart& chart() { return *chart_; }
   QTreeView& list() { return *list_; }
   QCheckBox& sides() { return *sides_; }
-  QList<QAction*> panel_actions() const { return actions_; }
+  QList<QAction*> panel_actions() const override { return actions_; }
   /// To the next and to the previous place.
   QList<QAction*> step_actions() const { return steps_; }
 
  signals:
-  void attention_wanted();
-  /// `time` of the place; between `from` and `to` lies the path that a close-up shows [s].
-  void place_chosen(double time, double from, double to, bool close_up);
-  void failed(const QString& message);
+  /// A row has been chosen: `time` of the place, which lies between `from` and `to` [s].
+  void place_chosen(double time, double from, double to);
+  /// The path between these times is to fill the 3D view [s].
+  void close_up_wanted(double from, double to);
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -61,7 +61,7 @@ class ContourView : public QWidget {
   void save(const QString& title, const std::string& text);
   std::string histogram_csv() const;
 
-  Workbench& model_;
+  Workbench& workbench_;
   ContourJob job_;
   ContourPlacesModel* places_;
   QLabel* verdict_;

@@ -23,13 +23,14 @@ QString NumberBox::problem(const QString& text) const {
     return number_problem(typed, locale());
   }
   if (*value < minimum() || *value > maximum()) {
-    return tr("“%1” is not within %2 and %3.").arg(typed, editable_text(minimum()), editable_text(maximum()));
+    return tr("“%1” is not between %2 and %3.")
+        .arg(typed, editable_text(minimum()), editable_text(maximum()));
   }
   const double finest = std::pow(10, -decimals());
   const double scaled = *value / finest;
   const double rounding = 1e-9 * std::max(1.0, std::abs(scaled));
   return std::abs(scaled - std::round(scaled)) > rounding
-             ? tr("“%1” is finer than %2.").arg(typed, editable_text(finest))
+             ? tr("“%1” has too many decimals; the smallest step is %2.").arg(typed, editable_text(finest))
              : QString();
 }
 

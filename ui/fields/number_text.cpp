@@ -37,7 +37,7 @@ QString number_problem(const QString& text, const QLocale& locale) {
   QString whole = plain;
   whole.remove(',');
   if (plain.count(',') > 1 || plain.contains('.')) {
-    return NumberText::tr("“%1” has more than one decimal sign or groups thousands; type %2.")
+    return NumberText::tr("“%1” has more than one decimal separator or uses thousands separators; type %2.")
         .arg(text.trimmed(), whole);
   }
   QString with_point = plain;

@@ -35,7 +35,7 @@ QString WholeNumberBox::problem(const QString& text) const {
     return tr("“%1” is not a whole number.").arg(typed);
   }
   return *value < minimum() || *value > maximum()
-             ? tr("“%1” is not within %2 and %3.")
+             ? tr("“%1” is not between %2 and %3.")
                    .arg(typed, textFromValue(minimum()), textFromValue(maximum()))
              : QString();
 }

@@ -1,178 +1,32 @@
 #include "ui/language/core_texts.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 namespace feedscope::ui {
 
-namespace {
-
-// lupdate reads them here; tests/ui/language holds that none is missing.
-// clang-format off
-constexpr const char* texts[] = {
-    QT_TRANSLATE_NOOP("core", "axis velocity"),
-    QT_TRANSLATE_NOOP("core", "axis acceleration"),
-    QT_TRANSLATE_NOOP("core", "axis jerk"),
-    QT_TRANSLATE_NOOP("core", "programmed feed"),
-    QT_TRANSLATE_NOOP("core", "rapid traverse"),
-    QT_TRANSLATE_NOOP("core", "velocity"),
-    QT_TRANSLATE_NOOP("core", "velocity of axis X"),
-    QT_TRANSLATE_NOOP("core", "velocity of axis Y"),
-    QT_TRANSLATE_NOOP("core", "velocity of axis Z"),
-    QT_TRANSLATE_NOOP("core", "acceleration"),
-    QT_TRANSLATE_NOOP("core", "acceleration of axis X"),
-    QT_TRANSLATE_NOOP("core", "acceleration of axis Y"),
-    QT_TRANSLATE_NOOP("core", "acceleration of axis Z"),
-    QT_TRANSLATE_NOOP("core", "jerk"),
-    QT_TRANSLATE_NOOP("core", "jerk of axis X"),
-    QT_TRANSLATE_NOOP("core", "jerk of axis Y"),
-    QT_TRANSLATE_NOOP("core", "jerk of axis Z"),
-    QT_TRANSLATE_NOOP("core", "radial acceleration"),
-    QT_TRANSLATE_NOOP("core", "radial acceleration of axis X"),
-    QT_TRANSLATE_NOOP("core", "radial acceleration of axis Y"),
-    QT_TRANSLATE_NOOP("core", "radial acceleration of axis Z"),
-    QT_TRANSLATE_NOOP("core", "radial jerk"),
-    QT_TRANSLATE_NOOP("core", "radial jerk of axis X"),
-    QT_TRANSLATE_NOOP("core", "radial jerk of axis Y"),
-    QT_TRANSLATE_NOOP("core", "radial jerk of axis Z"),
-    QT_TRANSLATE_NOOP("core", "velocity on a blend"),
-    QT_TRANSLATE_NOOP("core", "velocity of axis X on a blend"),
-    QT_TRANSLATE_NOOP("core", "velocity of axis Y on a blend"),
-    QT_TRANSLATE_NOOP("core", "velocity of axis Z on a blend"),
-    QT_TRANSLATE_NOOP("core", "radial acceleration on a blend"),
-    QT_TRANSLATE_NOOP("core", "radial acceleration of axis X on a blend"),
-    QT_TRANSLATE_NOOP("core", "radial acceleration of axis Y on a blend"),
-    QT_TRANSLATE_NOOP("core", "radial acceleration of axis Z on a blend"),
-    QT_TRANSLATE_NOOP("core", "radial jerk on a blend"),
-    QT_TRANSLATE_NOOP("core", "radial jerk of axis X on a blend"),
-    QT_TRANSLATE_NOOP("core", "radial jerk of axis Y on a blend"),
-    QT_TRANSLATE_NOOP("core", "radial jerk of axis Z on a blend"),
-    QT_TRANSLATE_NOOP("core", "tangential acceleration on a blend"),
-    QT_TRANSLATE_NOOP("core", "tangential acceleration of axis X on a blend"),
-    QT_TRANSLATE_NOOP("core", "tangential acceleration of axis Y on a blend"),
-    QT_TRANSLATE_NOOP("core", "tangential acceleration of axis Z on a blend"),
-    QT_TRANSLATE_NOOP("core", "tangential jerk on a blend"),
-    QT_TRANSLATE_NOOP("core", "tangential jerk of axis X on a blend"),
-    QT_TRANSLATE_NOOP("core", "tangential jerk of axis Y on a blend"),
-    QT_TRANSLATE_NOOP("core", "tangential jerk of axis Z on a blend"),
-    QT_TRANSLATE_NOOP("core", "curvilinear jerk"),
-    QT_TRANSLATE_NOOP("core", "jerk at a change of curvature"),
-    QT_TRANSLATE_NOOP("core", "jerk of axis X at a change of curvature"),
-    QT_TRANSLATE_NOOP("core", "jerk of axis Y at a change of curvature"),
-    QT_TRANSLATE_NOOP("core", "jerk of axis Z at a change of curvature"),
-    QT_TRANSLATE_NOOP("core", "interpolation period"),
-    QT_TRANSLATE_NOOP("core", "contour tolerance"),
-    QT_TRANSLATE_NOOP("core", "look-ahead horizon"),
-    QT_TRANSLATE_NOOP("core", "slowing for what follows"),
-    QT_TRANSLATE_NOOP("core", "exact stop"),
-    QT_TRANSLATE_NOOP("core", "dwell"),
-    QT_TRANSLATE_NOOP("core", "tool change"),
-    QT_TRANSLATE_NOOP("core", "spindle start"),
-    QT_TRANSLATE_NOOP("core", "Tool change time"),
-    QT_TRANSLATE_NOOP("core", "Time of a tool change, from the end of the last motion to the begin of the next one; without it tool changes are not counted in the cycle time."),
-    QT_TRANSLATE_NOOP("core", "Spindle start time"),
-    QT_TRANSLATE_NOOP("core", "Time until the spindle has reached its speed, during which the axes wait; without it spindle starts are not counted in the cycle time."),
-    QT_TRANSLATE_NOOP("core", "Home position X"),
-    QT_TRANSLATE_NOOP("core", "Home position Y"),
-    QT_TRANSLATE_NOOP("core", "Home position Z"),
-    QT_TRANSLATE_NOOP("core", "Machine coordinate of the reference point that G28 and G74 move to; without it such a move is neither drawn nor timed."),
-    QT_TRANSLATE_NOOP("core", "Tool change position X"),
-    QT_TRANSLATE_NOOP("core", "Tool change position Y"),
-    QT_TRANSLATE_NOOP("core", "Tool change position Z"),
-    QT_TRANSLATE_NOOP("core", "Machine coordinate of the position that G30 and G75 move to; without it such a move is neither drawn nor timed."),
-    QT_TRANSLATE_NOOP("core", "Part zero X"),
-    QT_TRANSLATE_NOOP("core", "Part zero Y"),
-    QT_TRANSLATE_NOOP("core", "Part zero Z"),
-    QT_TRANSLATE_NOOP("core", "Machine coordinate of the zero point of the coordinates shown, 0 where work offsets are given in machine coordinates; without it moves to machine positions are neither drawn nor timed."),
-    QT_TRANSLATE_NOOP("core", "Velocity"),
-    QT_TRANSLATE_NOOP("core", "Fastest this axis may go; rapids run at the speed at which the first axis reaches it."),
-    QT_TRANSLATE_NOOP("core", "Acceleration"),
-    QT_TRANSLATE_NOOP("core", "Largest acceleration of this axis, along the path and across it together."),
-    QT_TRANSLATE_NOOP("core", "Jerk"),
-    QT_TRANSLATE_NOOP("core", "Fastest change of acceleration on programmed lines and arcs; small values spare the machine and cost most of the time on short blocks."),
-    QT_TRANSLATE_NOOP("core", "Jerk on blends"),
-    QT_TRANSLATE_NOOP("core", "Fastest change of acceleration on the corner blends that the control inserts."),
-    QT_TRANSLATE_NOOP("core", "Contour tolerance"),
-    QT_TRANSLATE_NOOP("core", "How far the control may leave the programmed corners; the larger, the less it slows down there. 0: it stops in every corner."),
-    QT_TRANSLATE_NOOP("core", "Tolerance of the program"),
-    QT_TRANSLATE_NOOP("core", "on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance (ADIS), it counts; off: the contour tolerance counts everywhere. Exact stops are obeyed in any case."),
-    QT_TRANSLATE_NOOP("core", "Interpolation period"),
-    QT_TRANSLATE_NOOP("core", "Time between two set points of the control; a block shorter than the feed covers in one period is run slower."),
-    QT_TRANSLATE_NOOP("core", "Look-ahead"),
-    QT_TRANSLATE_NOOP("core", "How many blocks ahead the control plans; it must be able to stop within them, so on short blocks a small number keeps the feed low."),
-    QT_TRANSLATE_NOOP("core", "Radial share of acceleration"),
-    QT_TRANSLATE_NOOP("core", "Share of every axis acceleration that turning on a corner blend may use; the rest is left for speeding up and slowing down."),
-    QT_TRANSLATE_NOOP("core", "Radial share of jerk"),
-    QT_TRANSLATE_NOOP("core", "Share of every axis jerk that turning on a corner blend may use; the rest is left for speeding up and slowing down."),
-    QT_TRANSLATE_NOOP("core", "on"),
-    QT_TRANSLATE_NOOP("core", "off"),
-    QT_TRANSLATE_NOOP("core", "corrected"),
-    QT_TRANSLATE_NOOP("core", "published"),
-    QT_TRANSLATE_NOOP("core", "strict"),
-    QT_TRANSLATE_NOOP("core", "dynamic"),
-    QT_TRANSLATE_NOOP("core", "static"),
-    QT_TRANSLATE_NOOP("core", "Curvilinear jerk"),
-    QT_TRANSLATE_NOOP("core", "Jerk allowed along the path; it bounds the feed on arcs by the cube root of jerk times radius squared."),
-    QT_TRANSLATE_NOOP("core", "Tangential share of curvilinear jerk"),
-    QT_TRANSLATE_NOOP("core", "Share of the curvilinear jerk given to the tangential direction, the rest to the central one."),
-    QT_TRANSLATE_NOOP("core", "CAM baseline"),
-    QT_TRANSLATE_NOOP("core", "Path length over programmed feed, block by block; rapids at the speed of the axes; dwells as programmed. What a CAM system promises."),
-    QT_TRANSLATE_NOOP("core", "Local smoothing by cubic blends (Sinumerik 840D)"),
-    QT_TRANSLATE_NOOP("core", "Corners between lines are blended by cubic Hermite curves within the contour tolerance; jerk-limited ramps on the lines, per-axis limits with radial shares on the blends, look-ahead over some blocks. Arcs and tangent junctions keep the static limits of Tapie 2007, which the paper does not cover."),
-    QT_TRANSLATE_NOOP("core", "Tangent weight alpha"),
-    QT_TRANSLATE_NOOP("core", "Weight of the end tangents of a blend; 2.5 was identified on a Sinumerik 840D."),
-    QT_TRANSLATE_NOOP("core", "Used share of the tolerance beta"),
-    QT_TRANSLATE_NOOP("core", "Share of the contour tolerance that the control uses; 0 for the identified rule: 0.6 where an axis reverses in the corner, else 0.8."),
-    QT_TRANSLATE_NOOP("core", "Reading of the paper"),
-    QT_TRANSLATE_NOOP("core", "corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper's figures; strict: constant du/dt on a blend, where blends meet ramps of it, every limit kept."),
-    QT_TRANSLATE_NOOP("core", "Circle-arc blends at constant speed"),
-    QT_TRANSLATE_NOOP("core", "Corners between lines are blended by circle arcs within the contour tolerance and passed at constant speed, those that meet within ramps; limits taken along tangent and normal instead of per axis; jerk-limited ramps on the lines, look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007."),
-    QT_TRANSLATE_NOOP("core", "Circular interpolation (Sinumerik 840D)"),
-    QT_TRANSLATE_NOOP("core", "One feed for every arc, from the curvilinear jerk of the control and from what the axes allow where it is reached; speed lost at every change of curvature; jerk-limited ramps in between. Corners are exact stops: the paper says that the control rounds them, but not how."),
-    QT_TRANSLATE_NOOP("core", "Connecting arcs, static and dynamic look-ahead (Sinumerik 840D, TNC 430)"),
-    QT_TRANSLATE_NOOP("core", "Corners between lines get connecting arcs within the contour tolerance (TIT), small blocks are merged. Static look-ahead gives every block and arc one feed; dynamic look-ahead ramps below it. Helices, dwells, rapids and corners that touch an arc, which the paper does not cover, keep the static limits of arcs and lines or are exact stops."),
-    QT_TRANSLATE_NOOP("core", "Compaction length"),
-    QT_TRANSLATE_NOOP("core", "Blocks shorter than this are merged into segments of at most this length where the tolerance allows it; 0 merges none."),
-    QT_TRANSLATE_NOOP("core", "dynamic: ramps that know the blocks ahead; static: every block at its own feed, as if feed changes took no time."),
-    QT_TRANSLATE_NOOP("core", "Velocity pulses through FIR filters (Heidenhain TNC 640)"),
-    QT_TRANSLATE_NOOP("core", "Every block is a velocity pulse, lowered around corners so far that the contour tolerance is kept; two or three equal moving averages smooth the pulses of each axis. On arcs, which the paper does not cover, the pulses turn; they keep the static limits of Tapie 2007, and the tolerance as corners do."),
-    QT_TRANSLATE_NOOP("core", "Number of filters"),
-    QT_TRANSLATE_NOOP("core", "Moving averages in a row; 3 come closer to the control of the paper, 2 are simpler."),
-    QT_TRANSLATE_NOOP("core", "Jerk of the filters"),
-    QT_TRANSLATE_NOOP("core", "Only where the filter time is 0: jerk of a ramp to the largest programmed feed of a stretch, from which the filter time follows as the square root of feed over jerk. 0: the smallest jerk of the axes."),
-    QT_TRANSLATE_NOOP("core", "Filter time"),
-    QT_TRANSLATE_NOOP("core", "Length of one moving average, the same for all feeds. 0: from the largest programmed feed and the jerk of the filters, stop by stop; a higher programmed feed can then slow the program down."),
-    QT_TRANSLATE_NOOP("core", "Keep the tolerance where corners are close"),
-    QT_TRANSLATE_NOOP("core", "on: corners are slowed until the true contour error keeps the tolerance; off: every corner as if it were alone, as in the paper."),
-    QT_TRANSLATE_NOOP("core", "Time-optimal bound"),
-    QT_TRANSLATE_NOOP("core", "The least time that any law could take on the path that another model runs, its blends included, under the limits of the axes and the programmed feed: what a better control could still win. The settings of the other model shape the path."),
-    QT_TRANSLATE_NOOP("core", "Path of the model"),
-    QT_TRANSLATE_NOOP("core", "Model whose path is run, corner blends included; of ward the path that its filters draw."),
-    QT_TRANSLATE_NOOP("core", "Jerk limits"),
-    QT_TRANSLATE_NOOP("core", "off: the fastest under velocity and acceleration limits, which no law can beat; on: a law that keeps the jerk of every axis too, close to the fastest, and slow to compute."),
-    QT_TRANSLATE_NOOP("core", "Tolerances and blend distances of the program are not followed: the model has no blends."),
-    QT_TRANSLATE_NOOP("core", "Compaction that the program asks for is not followed: short blocks are not joined."),
-    QT_TRANSLATE_NOOP("core", "BRISK of the program is not followed: the jerk along the path stays limited."),
-    QT_TRANSLATE_NOOP("core", "DRIVE of the program is run as SOFT: the speed above which it lowers the acceleration is in the control's machine data."),
-    QT_TRANSLATE_NOOP("core", "Feed-forward that the program switches off is not followed: the axes are taken to follow without lag."),
-    QT_TRANSLATE_NOOP("core", "Look-ahead that the program switches off is not followed."),
-    QT_TRANSLATE_NOOP("core", "Curves of the program run as arcs that touch each other: where the curvature jumps, a control that limits the jerk slows down, and the time shown is up to 2.4 times that on the curve itself."),
-};
-// clang-format on
-
-}  // namespace
-
 QString core_text(const std::string& text) {
-  return QCoreApplication::translate("core", text.c_str());
+  const QString shown = QCoreApplication::translate("core", text.c_str());
+  const QString as_written = QString::fromStdString(text);
+  if (shown != as_written) {
+    return shown;
+  }
+  // "jerk of axis X" is translated as "jerk of axis %1".
+  static const QRegularExpression axis(QStringLiteral("\\b[XYZ]\\b"));
+  const QRegularExpressionMatch match = axis.match(as_written);
+  if (!match.hasMatch()) {
+    return as_written;
+  }
+  QString pattern = as_written;
+  pattern.replace(match.capturedStart(), 1, QStringLiteral("%1"));
+  return QCoreApplication::translate("core", pattern.toUtf8().constData())
+      .replace(QStringLiteral("%1"), match.captured());
 }
 
 QString unit_text(const std::string& unit) {
   return QString::fromStdString(unit)
       .replace(QStringLiteral("s2"), QStringLiteral("s²"))
       .replace(QStringLiteral("s3"), QStringLiteral("s³"));
-}
-
-std::span<const char* const> known_core_texts() {
-  return texts;
 }
 
 }  // namespace feedscope::ui

@@ -3,8 +3,10 @@
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QPointer>
 #include <QSettings>
 #include <QTranslator>
+#include <utility>
 
 namespace feedscope::ui {
 
@@ -24,10 +26,17 @@ class Translator : public QTranslator {
   }
 };
 
+/// Those in use; the application owns them.
+QList<QPointer<QTranslator>>& installed() {
+  static QList<QPointer<QTranslator>> translators;
+  return translators;
+}
+
 void install(const QString& name, const QString& folder) {
   auto* translator = new Translator(QCoreApplication::instance());
   if (translator->load(name, folder)) {
     QCoreApplication::installTranslator(translator);
+    installed().append(translator);
   } else {
     delete translator;
   }
@@ -54,9 +63,11 @@ void choose_language(const QString& code) {
 }
 
 void install_language(const QString& code) {
-  if (code != QLocale::system().name().section('_', 0, 0)) {
-    QLocale::setDefault(QLocale(code));
+  for (const QPointer<QTranslator>& translator : std::exchange(installed(), {})) {
+    delete translator;  // it removes itself
   }
+  const bool desktop = code == QLocale::system().name().section('_', 0, 0);
+  QLocale::setDefault(desktop ? QLocale::system() : QLocale(code));
   if (code != english) {
     install(QStringLiteral("qtbase_%1").arg(code), QLibraryInfo::path(QLibraryInfo::TranslationsPath));
     install(QStringLiteral("feedscope_%1").arg(code), QStringLiteral(":/translations"));

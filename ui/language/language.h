@@ -9,10 +9,10 @@ namespace feedscope::ui {
 QStringList languages();
 /// The language that the user chose, or else the desktop's if the window speaks it, or else English.
 QString chosen_language();
-/// For the next start; empty: as the desktop.
+/// For install_language(); empty: as the desktop.
 void choose_language(const QString& code);
 /// Makes all texts of the application appear in a language, and numbers on screen by its rules. Needs a
-/// QApplication; call it before any window is made.
+/// QApplication. Texts of a window that exists stay: make it again.
 void install_language(const QString& code);
 
 }  // namespace feedscope::ui

@@ -1,4 +1,4 @@
-#include "ui/models/texts.h"
+#include "ui/language/texts.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -6,6 +6,7 @@
 
 #include "core/analysis/study/sweep.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {
 
@@ -25,6 +26,19 @@ QString setting_title(const std::string& key) {
                        .arg(QChar(key[0]))
                        .arg(title)
                  : title;
+}
+
+QString slower_tolerance_text(const SlowerTolerance& slower) {
+  const QLocale locale;
+  const auto seconds = [&](double value) { return locale.toString(value, 'f', 3); };
+  return QCoreApplication::translate(
+             "texts",
+             "A tolerance of %1 takes %2 s longer than %3, mostly due to %4 (%5 s more): a corner blend can "
+             "take longer than a narrower one or an exact stop, because it is passed at a limited speed "
+             "along its whole length.")
+      .arg(significant_text(slower.wide_value, Dimension::length, 5), seconds(slower.more),
+           significant_text(slower.narrow_value, Dimension::length, 5), core_text(cause_title(slower.cause)),
+           seconds(slower.cause_more));
 }
 
 QString clock_text(double seconds) {

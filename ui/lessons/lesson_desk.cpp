@@ -1,7 +1,5 @@
-#include "ui/models/lesson_desk.h"
+#include "ui/lessons/lesson_desk.h"
 
-#include <QLocale>
-#include <QtConcurrentRun>
 #include <utility>
 
 #include "core/base/error.h"
@@ -15,12 +13,10 @@ SetupState state_of(const LessonSetup& lesson) {
   return SetupState::between(lesson.file, lesson.setup);
 }
 
-QString measured_text(const Measure& measure, const Run& run) {
+QString measured_text(const Measure& measure, const Run& run, const std::string& language) {
   try {
-    const QString number = QLocale().toString(measured(measure, run), 'f', measure.spec->decimals);
-    return measure.spec->unit.empty()
-               ? number
-               : QStringLiteral("%1 %2").arg(number, QString::fromStdString(measure.spec->unit));
+    LessonQuantity quantity{measure, {}, {}, Relation::ratio, measure.spec->decimals};
+    return QString::fromStdString(feedscope::value_text(quantity, measured(measure, run), language));
   } catch (const InputError&) {
     return {};  // nothing moves on the line in this program
   }
@@ -28,40 +24,16 @@ QString measured_text(const Measure& measure, const Run& run) {
 
 }  // namespace
 
-LessonDesk::LessonDesk(Workbench& model, QObject* parent) : QObject(parent), model_(model) {
-  connect(&listing_, &QFutureWatcher<Catalogue>::finished, this, [this] {
-    Catalogue catalogue = listing_.result();
-    entries_ = std::move(catalogue.entries);
-    emit listed();
-    if (!catalogue.failure.isEmpty()) {
-      emit failed(catalogue.failure);
-    }
-  });
-  connect(&opening_, &QFutureWatcher<std::shared_ptr<const OpenLesson>>::finished, this,
-          &LessonDesk::take_lesson);
-  connect(&measuring_, &QFutureWatcher<QString>::finished, this, [this] {
-    if (measuring_.future().resultCount() > 0) {  // none: there was nothing to measure
-      value_ = measuring_.result();
-      emit value_changed();
-    }
-  });
-  connect(&model_, &Workbench::run_changed, this, &LessonDesk::follow_run);
+LessonDesk::LessonDesk(Workbench& workbench, std::string language, QObject* parent)
+    : QObject(parent), workbench_(workbench), language_(std::move(language)) {
+  connect(&workbench_, &Workbench::run_changed, this, &LessonDesk::follow_run);
 }
 
-LessonDesk::~LessonDesk() {
-  if (progress_ != nullptr) {
-    progress_->cancel();
-  }
-  listing_.waitForFinished();
-  opening_.waitForFinished();
-  measuring_.waitForFinished();
-}
-
-LessonDesk::Catalogue LessonDesk::read_catalogue() {
+LessonDesk::Catalogue LessonDesk::read_catalogue(const std::string& language) {
   Catalogue catalogue;
   try {
     for (const std::filesystem::path& file : shipped_lessons()) {
-      const Lesson lesson = read_lesson(file);
+      const Lesson lesson = read_lesson(file, language);
       catalogue.entries.push_back(
           {file, QString::fromStdString(lesson.title), QString::fromStdString(lesson.learn), lesson.minutes});
     }
@@ -72,44 +44,44 @@ LessonDesk::Catalogue LessonDesk::read_catalogue() {
 }
 
 void LessonDesk::list() {
-  if (entries_.empty() && !listing_.isRunning()) {
-    listing_.setFuture(QtConcurrent::run(&LessonDesk::read_catalogue));
+  if (!entries_.empty() || listing_.busy()) {
+    return;
   }
+  listing_.start([language = language_](JobControl&) { return read_catalogue(language); },
+                 [this](const JobOutcome<Catalogue>& outcome) {
+                   const Catalogue catalogue = outcome.result.value_or(Catalogue{{}, outcome.failure});
+                   entries_ = catalogue.entries;
+                   emit listed();
+                   if (!catalogue.failure.isEmpty()) {
+                     emit failed(catalogue.failure);
+                   }
+                 });
 }
 
 std::shared_ptr<const LessonDesk::OpenLesson> LessonDesk::read(const std::filesystem::path& file,
+                                                               const std::string& language,
                                                                Progress& progress) {
   auto result = std::make_shared<OpenLesson>();
-  try {
-    result->lesson = read_lesson(file);
-    result->numbers = LessonRuns(result->lesson).numbers(&progress);
-  } catch (const Cancelled&) {
-    return nullptr;
-  } catch (const std::exception& error) {
-    result->failure = QString::fromUtf8(error.what());
-  }
+  result->lesson = read_lesson(file, language);
+  result->numbers = LessonRuns(result->lesson).numbers(&progress);
   return result;
 }
 
 void LessonDesk::open(const std::filesystem::path& file, bool then_set_up) {
   set_up_pending_ = then_set_up;
-  if (progress_ != nullptr) {
-    progress_->cancel();
-  }
-  progress_ = std::make_shared<Progress>();
-  opening_.setFuture(QtConcurrent::run([file, progress = progress_] { return read(file, *progress); }));
+  opening_.start(
+      [file, language = language_](JobControl& control) { return read(file, language, control.progress); },
+      [this](const JobOutcome<std::shared_ptr<const OpenLesson>>& outcome) {
+        if (outcome.result) {
+          take(*outcome.result);
+        } else if (!outcome.cancelled()) {
+          emit failed(outcome.failure);
+        }
+      });
 }
 
-void LessonDesk::take_lesson() {
-  const std::shared_ptr<const OpenLesson> taken = opening_.result();
-  if (taken == nullptr) {
-    return;
-  }
-  if (!taken->failure.isEmpty()) {
-    emit failed(taken->failure);
-    return;
-  }
-  open_ = taken;
+void LessonDesk::take(const std::shared_ptr<const OpenLesson>& lesson) {
+  open_ = lesson;
   program_.clear();
   try {
     program_ = set_up(open_->lesson, {}).program;
@@ -131,19 +103,23 @@ QString LessonDesk::filled(const std::string& text) const {
   return QString::fromStdString(feedscope::filled(text, open_->numbers));
 }
 
+QString LessonDesk::watched() const {
+  return QString::fromStdString(title_of(open_->lesson.questions[question_].watch, open_->lesson.language));
+}
+
 void LessonDesk::set_up_window() {
   if (open_ == nullptr) {
     return;
   }
   try {
     const LessonSetup start = set_up(open_->lesson, {});
-    std::vector<RunItem> runs{{0, {}, model_.runs().current_item().colour, true, state_of(start)}};
+    std::vector<RunItem> runs{{0, {}, workbench_.runs().current_item().colour, true, state_of(start)}};
     for (const Changes& changes : open_->lesson.window.runs) {
       runs.push_back({0, {}, run_colour(runs.size()), true, state_of(set_up(open_->lesson, changes))});
     }
     view_pending_ = true;
     program_ = start.program;
-    model_.open(start.program, std::move(runs), 0);
+    workbench_.open(start.program, std::move(runs), 0);
   } catch (const std::exception& error) {
     report(error);
   }
@@ -167,14 +143,14 @@ void LessonDesk::move_control(const std::string& value) {
   try {
     const LessonSetup moved = set_up(open_->lesson, changes);
     program_ = moved.program;
-    RunList& runs = model_.runs();
-    if (moved.program == model_.file()) {
+    RunList& runs = workbench_.runs();
+    if (moved.program == workbench_.file()) {
       runs.set_setup(runs.current(), state_of(moved), QString::fromStdString(changes.back()));
-      model_.hold_machine();
+      workbench_.hold_machine();
     } else {
       std::vector<RunItem> all = runs.items();
       all[runs.current()].setup = state_of(moved);
-      model_.open(moved.program, std::move(all), runs.current());
+      workbench_.open(moved.program, std::move(all), runs.current());
     }
   } catch (const std::exception& error) {
     report(error);
@@ -182,7 +158,7 @@ void LessonDesk::move_control(const std::string& value) {
 }
 
 void LessonDesk::follow_run() {
-  if (view_pending_ && model_.shown() != nullptr) {
+  if (view_pending_ && workbench_.shown() != nullptr) {
     view_pending_ = false;
     emit view_wanted(open_->lesson.window);
   }
@@ -190,10 +166,10 @@ void LessonDesk::follow_run() {
 }
 
 void LessonDesk::measure() {
-  const auto shown = model_.shown();
+  const auto shown = workbench_.shown();
   // Another program than the lesson's may be open: its number would stand under the lesson's question.
-  if (open_ == nullptr || shown == nullptr || model_.file() != program_) {
-    measuring_.setFuture({});
+  if (open_ == nullptr || shown == nullptr || workbench_.file() != program_) {
+    measuring_.cancel();
     if (!value_.isEmpty()) {
       value_.clear();
       emit value_changed();
@@ -201,7 +177,14 @@ void LessonDesk::measure() {
     return;
   }
   const Measure watch = open_->lesson.questions[question_].watch;
-  measuring_.setFuture(QtConcurrent::run([watch, shown] { return measured_text(watch, shown->run); }));
+  measuring_.start([watch, shown, language = open_->lesson.language](
+                       JobControl&) { return measured_text(watch, shown->run, language); },
+                   [this](const JobOutcome<QString>& outcome) {
+                     if (outcome.result) {
+                       value_ = *outcome.result;
+                       emit value_changed();
+                     }
+                   });
 }
 
 }  // namespace feedscope::ui

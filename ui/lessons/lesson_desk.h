@@ -1,13 +1,13 @@
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
 #include <QString>
 #include <memory>
 #include <vector>
 
 #include "core/lessons/lesson_runs.h"
-#include "ui/models/workbench.h"
+#include "ui/shared/job.h"
+#include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
@@ -25,9 +25,8 @@ class LessonDesk : public QObject {
   Q_OBJECT
 
  public:
-  /// `model` outlives this.
-  explicit LessonDesk(Workbench& model, QObject* parent = nullptr);
-  ~LessonDesk() override;
+  /// `workbench` outlives this; `language`: one of lesson_languages().
+  explicit LessonDesk(Workbench& workbench, std::string language = "en", QObject* parent = nullptr);
 
   /// Reads the shipped lessons; listed() follows, failed() for a file that is faulty. Once is enough.
   void list();
@@ -35,7 +34,7 @@ class LessonDesk : public QObject {
   /// Reads a lesson and measures its numbers; opened() or failed() follows. `then_set_up`: the window, as
   /// set_up_window() does.
   void open(const std::filesystem::path& file, bool then_set_up = false);
-  bool busy() const { return opening_.isRunning() || listing_.isRunning(); }
+  bool busy() const { return opening_.busy() || listing_.busy(); }
 
   /// Null until one is open.
   const Lesson* lesson() const { return open_ == nullptr ? nullptr : &open_->lesson; }
@@ -51,7 +50,10 @@ class LessonDesk : public QObject {
   /// be undone.
   void move_control(const std::string& value);
 
-  /// What the current run measures of the question, with its unit; "" while there is nothing to measure.
+  /// What the question watches, in the language of the lesson.
+  QString watched() const;
+  /// What the current run measures of it, with its unit, written as the numbers of the lesson; "" while there
+  /// is nothing to measure.
   const QString& value() const { return value_; }
 
  signals:
@@ -71,17 +73,18 @@ class LessonDesk : public QObject {
   struct OpenLesson {
     Lesson lesson;
     WrittenNumbers numbers;
-    QString failure;  ///< why there is none; "" if there is one
   };
 
-  static Catalogue read_catalogue();
-  static std::shared_ptr<const OpenLesson> read(const std::filesystem::path& file, Progress& progress);
-  void take_lesson();
+  static Catalogue read_catalogue(const std::string& language);
+  static std::shared_ptr<const OpenLesson> read(const std::filesystem::path& file,
+                                                const std::string& language, Progress& progress);
+  void take(const std::shared_ptr<const OpenLesson>& lesson);
   void measure();
   void follow_run();
   void report(const std::exception& error) { emit failed(QString::fromUtf8(error.what())); }
 
-  Workbench& model_;
+  Workbench& workbench_;
+  std::string language_;
   std::vector<LessonEntry> entries_;
   std::shared_ptr<const OpenLesson> open_;
   std::filesystem::path program_;  ///< that the numbers of the open lesson are of
@@ -89,10 +92,9 @@ class LessonDesk : public QObject {
   QString value_;
   bool view_pending_ = false;
   bool set_up_pending_ = false;
-  std::shared_ptr<Progress> progress_;
-  QFutureWatcher<Catalogue> listing_;
-  QFutureWatcher<std::shared_ptr<const OpenLesson>> opening_;
-  QFutureWatcher<QString> measuring_;
+  Job<Catalogue> listing_;
+  Job<std::shared_ptr<const OpenLesson>> opening_;
+  Job<QString> measuring_;
 };
 
 }  // namespace feedscope::ui

@@ -1,4 +1,4 @@
-#include "ui/views/lesson_view.h"
+#include "ui/lessons/lesson_view.h"
 
 #include <QAction>
 #include <QComboBox>
@@ -12,12 +12,13 @@
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "core/base/markdown.h"
 #include "core/base/typed_number.h"
 #include "core/lessons/handout.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/panel_action.h"
-#include "ui/models/texts.h"
+#include "ui/language/texts.h"
+#include "ui/shared/panel_action.h"
 
 namespace feedscope::ui {
 
@@ -55,7 +56,7 @@ QToolButton* make_arrow(QAction* action, Qt::ArrowType arrow, QWidget* parent) {
 
 /// Markdown; unlike that of QTextDocument with room between paragraphs.
 QString as_html(const QString& markdown) {
-  return QString::fromStdString(html_of(markdown.toStdString()));
+  return QString::fromStdString(markdown_as_html(markdown.toStdString()));
 }
 
 bool is_setting(const std::string& key) {
@@ -71,7 +72,7 @@ QString value_text(const std::string& value) {
 }  // namespace
 
 LessonView::LessonView(LessonDesk& desk, QWidget* parent)
-    : QWidget(parent),
+    : Panel({QStringLiteral("lesson"), tr("Lesson"), Qt::RightDockWidgetArea, false}, parent),
       desk_(desk),
       lessons_(new QComboBox(this)),
       text_(make_browser(tr("Text of the lesson"), this)),
@@ -93,8 +94,8 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
   lessons_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   value_->setTextFormat(Qt::RichText);
   value_->setWordWrap(true);
-  show_setting_->setText(tr("Show it"));
-  show_setting_->setToolTip(tr("Show the control in the table of axis limits and settings"));
+  show_setting_->setText(tr("Show setting"));
+  show_setting_->setToolTip(tr("Show the setting in the tables of axis limits and control settings"));
   lay_out();
 
   connect(lessons_, &QComboBox::activated, this, [this](int row) {
@@ -117,11 +118,11 @@ LessonView::LessonView(LessonDesk& desk, QWidget* parent)
 void LessonView::make_actions() {
   set_up_action_ = make_action(
       this, tr("Set up the window"),
-      tr("Open the program of the lesson with its machine, settings and view; the runs are replaced"));
-  before_action_ = make_action(this, tr("Previous question"), tr("To the question before"));
-  after_action_ = make_action(this, tr("Next question"), tr("To the question after"));
+      tr("Open the program of the lesson with its machine, settings and view; this replaces the runs"));
+  before_action_ = make_action(this, tr("Previous question"), tr("Go to the previous question"));
+  after_action_ = make_action(this, tr("Next question"), tr("Go to the next question"));
   hint_action_ = make_action(this, tr("Hint"), tr("Show or hide the hint of the question"));
-  answer_action_ = make_action(this, tr("Show answer"), tr("Show or hide the answer of the question"));
+  answer_action_ = make_action(this, tr("Show answer"), tr("Show or hide the answer to the question"));
   hint_action_->setCheckable(true);
   answer_action_->setCheckable(true);
   actions_ = {set_up_action_, before_action_, after_action_, hint_action_, answer_action_};
@@ -185,7 +186,7 @@ void LessonView::showEvent(QShowEvent* event) {
 
 void LessonView::show_list() {
   lessons_->clear();
-  lessons_->addItem(desk_.entries().empty() ? tr("Reading the lessons …") : tr("Choose a lesson"));
+  lessons_->addItem(desk_.entries().empty() ? tr("Loading lessons …") : tr("Choose a lesson"));
   for (const LessonEntry& entry : desk_.entries()) {
     lessons_->addItem(
         tr("%1. %2 (%3 min)").arg(lessons_->count()).arg(entry.title, QLocale().toString(entry.minutes)));
@@ -268,13 +269,13 @@ void LessonView::show_control() {
   const Control& control = lesson->questions[desk_.question()].control;
   const QString key = setting_title(control.key);
   key_->setToolTip(QString::fromStdString(control.key));
-  key_->setText(control.range ? tr("Move <b>%1</b> between").arg(key) : tr("Move <b>%1</b> to").arg(key));
+  key_->setText(control.range ? tr("Vary <b>%1</b> between").arg(key) : tr("Set <b>%1</b> to").arg(key));
   show_setting_->setVisible(is_setting(control.key));
   for (const std::string& value : control.values) {
     auto* button = new QToolButton(values_);
     button->setText(value_text(value));
     button->setMinimumWidth(3 * button->sizeHint().height());
-    button->setToolTip(tr("Give %1 this value in the current run").arg(key));
+    button->setToolTip(tr("Set %1 to this value in the current run").arg(key));
     connect(button, &QToolButton::clicked, this, [this, value] { desk_.move_control(value); });
     values_->layout()->addWidget(button);
   }
@@ -292,9 +293,8 @@ void LessonView::show_value() {
   const Lesson* lesson = desk_.lesson();
   value_->setVisible(lesson != nullptr);
   if (lesson != nullptr) {
-    const QString title = QString::fromStdString(title_of(lesson->questions[desk_.question()].watch));
     value_->setText(tr("In the current run: %1 <b>%2</b>")
-                        .arg(title, desk_.value().isEmpty() ? QStringLiteral("–") : desk_.value()));
+                        .arg(desk_.watched(), desk_.value().isEmpty() ? QStringLiteral("–") : desk_.value()));
   }
 }
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <QWidget>
-
-#include "ui/models/lesson_desk.h"
+#include "ui/lessons/lesson_desk.h"
+#include "ui/workbench/panel.h"
 
 class QAction;
 class QComboBox;
@@ -16,7 +15,7 @@ namespace feedscope::ui {
 
 /// A lesson beside the window that it is about: its text, its questions one by one with the control to move
 /// and what the current run measures, hint and answer when asked for.
-class LessonView : public QWidget {
+class LessonView : public Panel {
   Q_OBJECT
 
  public:
@@ -33,7 +32,7 @@ class LessonView : public QWidget {
   QList<QToolButton*> values() const;
   QString measured() const;
   /// Set up the window, next and previous question, hint, answer.
-  QList<QAction*> panel_actions() const { return actions_; }
+  QList<QAction*> panel_actions() const override { return actions_; }
 
  signals:
   /// The setting is to be shown where it is edited.

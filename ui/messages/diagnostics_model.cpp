@@ -1,4 +1,4 @@
-#include "ui/models/diagnostics_model.h"
+#include "ui/messages/diagnostics_model.h"
 
 #include <QLocale>
 #include <algorithm>

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/program/program.h"
-#include "ui/models/program_text.h"
+#include "ui/shared/text_place.h"
 
 namespace feedscope::ui {
 

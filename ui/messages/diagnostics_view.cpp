@@ -1,4 +1,4 @@
-#include "ui/views/diagnostics_view.h"
+#include "ui/messages/diagnostics_view.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -9,8 +9,9 @@
 #include <QVBoxLayout>
 
 #include "ui/fields/focus_outline.h"
-#include "ui/models/panel_action.h"
-#include "ui/views/row_copy.h"
+#include "ui/shared/panel_action.h"
+#include "ui/shared/row_copy.h"
+#include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
@@ -47,16 +48,16 @@ class SeverityDelegate : public QStyledItemDelegate {
 }  // namespace
 
 DiagnosticsView::DiagnosticsView(QWidget* parent)
-    : QWidget(parent),
+    : Panel({QStringLiteral("messages"), tr("Messages"), Qt::BottomDockWidgetArea}, parent),
       model_(new DiagnosticsModel(this)),
       shown_(new DiagnosticsFilter(this)),
       list_(new QTreeView(this)),
       filter_(new QComboBox(this)) {
   shown_->setSourceModel(model_);
-  filter_->addItem(tr("Everything"), static_cast<int>(Severity::info));
+  filter_->addItem(tr("All messages"), static_cast<int>(Severity::info));
   filter_->addItem(tr("Warnings and errors"), static_cast<int>(Severity::warning));
   filter_->addItem(tr("Errors"), static_cast<int>(Severity::error));
-  filter_->setToolTip(tr("Which messages are listed, and gone to by F8"));
+  filter_->setToolTip(tr("Messages listed and visited by F8"));
   filter_->setAccessibleName(tr("Severity"));
   connect(filter_, &QComboBox::currentIndexChanged, this,
           [this] { shown_->set_least(static_cast<Severity>(filter_->currentData().toInt())); });
@@ -77,7 +78,7 @@ DiagnosticsView::DiagnosticsView(QWidget* parent)
   connect(list_, &QTreeView::activated, this, &DiagnosticsView::choose);
 
   add_step(tr("Next message"), tr("Go to the next message of the program"), QKeySequence(Qt::Key_F8), true);
-  add_step(tr("Previous message"), tr("Go to the message before"), QKeySequence(Qt::SHIFT | Qt::Key_F8),
+  add_step(tr("Previous message"), tr("Go to the previous message"), QKeySequence(Qt::SHIFT | Qt::Key_F8),
            false);
 
   auto* bar = new QHBoxLayout;
@@ -112,6 +113,12 @@ void DiagnosticsView::choose(const QModelIndex& index) {
   if (line > 0) {
     emit place_chosen(line, index.data(DiagnosticsModel::byte_role).toUInt());
   }
+}
+
+void DiagnosticsView::follow(Workbench& workbench) {
+  connect(&workbench, &Workbench::program_changed, this,
+          [this, &workbench] { set_program(workbench.program()); });
+  set_program(workbench.program());
 }
 
 }  // namespace feedscope::ui

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <QWidget>
 #include <cstdint>
 
-#include "ui/models/diagnostics_model.h"
+#include "ui/messages/diagnostics_model.h"
+#include "ui/workbench/panel.h"
 
 class QAction;
 class QComboBox;
@@ -13,12 +13,13 @@ namespace feedscope::ui {
 
 /// The diagnostics of a program and messages of the application, filtered by severity. Choosing one goes to
 /// its place.
-class DiagnosticsView : public QWidget {
+class DiagnosticsView : public Panel {
   Q_OBJECT
 
  public:
   explicit DiagnosticsView(QWidget* parent = nullptr);
 
+  void follow(Workbench& workbench) override;
   void set_program(std::shared_ptr<const Program> program) { model_->set_program(std::move(program)); }
   void add_message(Severity severity, const QString& message) { model_->add_message(severity, message); }
   /// From where the next and the previous one are looked for.
@@ -27,7 +28,7 @@ class DiagnosticsView : public QWidget {
   const DiagnosticsModel& model() const { return *model_; }
   QTreeView& list() { return *list_; }
   QComboBox& filter() { return *filter_; }
-  QList<QAction*> panel_actions() const { return actions_; }
+  QList<QAction*> panel_actions() const override { return actions_; }
 
  signals:
   /// `column` is a 1-based byte; 0: the line as a whole.

@@ -1,4 +1,4 @@
-#include "ui/views/playback_bar.h"
+#include "ui/playback/playback_bar.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "ui/fields/number_box.h"
-#include "ui/models/panel_action.h"
-#include "ui/models/texts.h"
+#include "ui/language/texts.h"
+#include "ui/shared/panel_action.h"
 #include "ui/theme/icons.h"
 
 namespace feedscope::ui {
@@ -23,10 +23,11 @@ constexpr double speed_step = 2;
 
 }  // namespace
 
-PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
+PlaybackBar::PlaybackBar(Workbench& workbench, QWidget* parent)
     : QWidget(parent),
-      cursor_(cursor),
-      playback_(playback),
+      workbench_(workbench),
+      cursor_(workbench.cursor()),
+      playback_(workbench.playback()),
       play_(new QToolButton(this)),
       slider_(new QSlider(Qt::Horizontal, this)),
       time_(new QLabel(this)),
@@ -41,7 +42,7 @@ PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
   speed_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   speed_->setPrefix(QStringLiteral("× "));
   speed_->setValue(playback_.speed());
-  speed_->setToolTip(tr("Playback speed; 1 is true time"));
+  speed_->setToolTip(tr("Playback speed; 1 is real time"));
 
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 2, 6, 2);
@@ -67,7 +68,8 @@ PlaybackBar::PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent)
     actions_.first()->setData(static_cast<int>(playing ? MediaIcon::pause : MediaIcon::play));
     draw_icons();
   });
-  set_duration(0);
+  connect(&workbench_, &Workbench::run_changed, this, &PlaybackBar::show_run);
+  show_run();
 }
 
 void PlaybackBar::make_actions() {
@@ -78,24 +80,42 @@ void PlaybackBar::make_actions() {
   add(tr("&Play or pause"), tr("Play or pause"), Qt::Key_Space, [this] {
     toggle();
   })->setData(static_cast<int>(MediaIcon::play));
-  add(tr("Block b&ack"), tr("To the start of this or the previous block"), QKeySequence(tr("Ctrl+Left")),
-      [this] { cursor_.step_block(-1); })
+  add(tr("Pre&vious block"), tr("Go to the start of this or the previous block"),
+      QKeySequence(tr("Ctrl+Left")), [this] { cursor_.step_block(-1); })
       ->setData(static_cast<int>(MediaIcon::back));
-  add(tr("Block &on"), tr("To the start of the next block"), QKeySequence(tr("Ctrl+Right")), [this] {
+  add(tr("Ne&xt block"), tr("Go to the start of the next block"), QKeySequence(tr("Ctrl+Right")), [this] {
     cursor_.step_block(1);
   })->setData(static_cast<int>(MediaIcon::on));
-  add(tr("Sample &back"), tr("One interpolation period back"), QKeySequence(Qt::Key_Comma),
+  add(tr("P&revious sample"), tr("Go back one interpolation period"), QKeySequence(Qt::Key_Comma),
       [this] { step_sample(-1); });
-  add(tr("Sample o&n"), tr("One interpolation period on"), QKeySequence(Qt::Key_Period),
+  add(tr("&Next sample"), tr("Go forward one interpolation period"), QKeySequence(Qt::Key_Period),
       [this] { step_sample(1); });
   add(tr("&Faster"), tr("Play twice as fast"), QKeySequence(tr("Ctrl+Up")),
       [this] { change_speed(speed_step); });
   add(tr("&Slower"), tr("Play half as fast"), QKeySequence(tr("Ctrl+Down")),
       [this] { change_speed(1 / speed_step); });
   QAction* loop =
-      add(tr("&Loop"), tr("Play what the charts show over and over"), QKeySequence(tr("Ctrl+L")), [] {});
+      add(tr("&Loop"), tr("Repeat the time range of the charts"), QKeySequence(tr("Ctrl+L")), [] {});
   loop->setCheckable(true);
-  connect(loop, &QAction::toggled, this, &PlaybackBar::loop_wanted);
+  connect(loop, &QAction::toggled, this, &PlaybackBar::loop);
+  add(tr("Go to s&tart"), tr("Go to the start of the run"), QKeySequence::MoveToStartOfDocument,
+      [this] { cursor_.set_time(0); });
+  add(tr("Go to &end"), tr("Go to the end of the run"), QKeySequence::MoveToEndOfDocument,
+      [this] { cursor_.set_time(duration_); });
+}
+
+void PlaybackBar::show_run() {
+  const auto shown = workbench_.shown();
+  set_duration(shown == nullptr ? 0 : shown->run.trajectory->duration());
+  if (const auto period = workbench_.setup().interpolation_period()) {
+    set_sample_time(*period);
+  }
+}
+
+void PlaybackBar::loop(bool on) {
+  const ViewRange& range = workbench_.view_range();
+  playback_.set_loop(on ? std::optional(Playback::Loop{range.lower_time(), range.upper_time()})
+                        : std::nullopt);
 }
 
 void PlaybackBar::draw_icons() {

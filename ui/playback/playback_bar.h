@@ -3,7 +3,7 @@
 #include <QList>
 #include <QWidget>
 
-#include "ui/models/playback.h"
+#include "ui/workbench/workbench.h"
 
 class QAction;
 class QLabel;
@@ -19,21 +19,17 @@ class PlaybackBar : public QWidget {
   Q_OBJECT
 
  public:
-  /// Both outlive this.
-  PlaybackBar(Cursor& cursor, Playback& playback, QWidget* parent = nullptr);
+  /// `workbench` outlives this.
+  explicit PlaybackBar(Workbench& workbench, QWidget* parent = nullptr);
 
   /// Cycle time of the run that is shown [s]; 0: none.
   void set_duration(double duration);
   void toggle();
   /// Time between two samples of the control, for stepping [s].
   void set_sample_time(double time) { sample_time_ = time; }
-  /// Play, steps, speed, loop; for menus.
+  /// Play, steps, speed, loop, start and end; for menus.
   QList<QAction*> panel_actions() const { return actions_; }
   QToolButton* play_button() { return play_; }
-
- signals:
-  /// The stretch that is shown is to be played over and over, or no longer.
-  void loop_wanted(bool on);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -41,10 +37,14 @@ class PlaybackBar : public QWidget {
  private:
   void make_actions();
   void draw_icons();
+  void show_run();
+  /// What the charts show is played over and over, or no longer.
+  void loop(bool on);
   void step_sample(int direction);
   void change_speed(double factor);
   void show_cursor();
 
+  Workbench& workbench_;
   Cursor& cursor_;
   Playback& playback_;
   QToolButton* play_;

@@ -1,4 +1,4 @@
-#include "ui/views/program/caret_keys.h"
+#include "ui/program_text/caret_keys.h"
 
 #include <QKeyEvent>
 #include <QKeySequence>

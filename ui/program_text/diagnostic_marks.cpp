@@ -1,5 +1,6 @@
-#include "ui/models/diagnostic_marks.h"
+#include "ui/program_text/diagnostic_marks.h"
 
+#include <QStringList>
 #include <algorithm>
 #include <tuple>
 
@@ -21,6 +22,17 @@ std::span<const Diagnostic* const> DiagnosticMarks::of(std::uint32_t first, std:
   const auto begin = std::ranges::lower_bound(marks_, first, {}, line);
   const auto end = std::ranges::upper_bound(begin, marks_.end(), last, {}, line);
   return {begin, end};
+}
+
+QString DiagnosticMarks::tip(std::uint32_t line) const {
+  QStringList tip;
+  for (const Diagnostic* diagnostic : of(line)) {
+    tip.append(QString::fromStdString(diagnostic->message));
+    if (!diagnostic->hint.empty()) {
+      tip.append(QString::fromStdString(diagnostic->hint));
+    }
+  }
+  return tip.join('\n');
 }
 
 ByteRange marked_bytes(std::string_view line, std::uint32_t column, std::span<const Token> tokens) {

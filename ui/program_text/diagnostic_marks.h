@@ -1,17 +1,18 @@
 #pragma once
 
+#include <QString>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/program/program.h"
-#include "ui/models/syntax.h"
+#include "ui/program_text/syntax.h"
 
 namespace feedscope::ui {
 
 /// The diagnostics of a program by their lines in its own text; those of the file as a whole and of
-/// subprograms in files of their own are left out.
+/// subprograms in files of their own are omitted.
 class DiagnosticMarks {
  public:
   DiagnosticMarks() = default;
@@ -22,6 +23,8 @@ class DiagnosticMarks {
   /// Of the lines from `first` to `last`, both included.
   std::span<const Diagnostic* const> of(std::uint32_t first, std::uint32_t last) const;
   std::span<const Diagnostic* const> of(std::uint32_t line) const { return of(line, line); }
+  /// Messages and hints of a line, one below the other.
+  QString tip(std::uint32_t line) const;
 
  private:
   std::vector<const Diagnostic*> marks_;

@@ -1,4 +1,4 @@
-#include "ui/views/program/find_bar.h"
+#include "ui/program_text/find_bar.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -8,8 +8,8 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/program_text/program_view.h"
 #include "ui/theme/theme.h"
-#include "ui/views/program/program_view.h"
 
 namespace feedscope::ui {
 
@@ -27,8 +27,8 @@ FindBar::FindBar(ProgramView& view, QWidget* parent)
       match_case_(add_button(tr("Aa"), tr("Match upper and lower case"), true)),
       whole_word_(add_button(tr("W"), tr("Whole words only"), true)),
       regular_expression_(add_button(tr(".*"), tr("Regular expression"), true)),
-      next_(add_button(QStringLiteral("↓"), tr("Next hit (F3)"), false)),
-      previous_(add_button(QStringLiteral("↑"), tr("Previous hit (Shift+F3)"), false)),
+      next_(add_button(QStringLiteral("↓"), tr("Next match (F3)"), false)),
+      previous_(add_button(QStringLiteral("↑"), tr("Previous match (Shift+F3)"), false)),
       status_(new QLabel(this)) {
   QToolButton* close = add_button(QStringLiteral("×"), tr("Close (Esc)"), false);
   input_->setPlaceholderText(tr("Find in the program"));
@@ -36,7 +36,7 @@ FindBar::FindBar(ProgramView& view, QWidget* parent)
   input_->setClearButtonEnabled(true);
   take_keys_of(input_);
   status_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  status_->setAccessibleName(tr("Result of the search"));
+  status_->setAccessibleName(tr("Search result"));
 
   auto* first = new QHBoxLayout;
   first->addWidget(input_, 1);

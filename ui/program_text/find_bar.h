@@ -3,8 +3,8 @@
 #include <QTimer>
 #include <optional>
 
-#include "ui/models/text_search.h"
-#include "ui/views/program/input_bar.h"
+#include "ui/program_text/input_bar.h"
+#include "ui/program_text/text_search.h"
 
 class QLabel;
 class QLineEdit;

@@ -1,4 +1,4 @@
-#include "ui/views/program/go_to_bar.h"
+#include "ui/program_text/go_to_bar.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "ui/fields/whole_number_box.h"
-#include "ui/views/program/program_view.h"
+#include "ui/program_text/program_view.h"
 
 namespace feedscope::ui {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/views/program/input_bar.h"
+#include "ui/program_text/input_bar.h"
 
 class QLabel;
 

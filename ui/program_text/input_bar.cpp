@@ -1,4 +1,4 @@
-#include "ui/views/program/input_bar.h"
+#include "ui/program_text/input_bar.h"
 
 #include <QKeyEvent>
 

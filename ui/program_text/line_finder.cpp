@@ -1,4 +1,4 @@
-#include "ui/models/line_finder.h"
+#include "ui/program_text/line_finder.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/models/program_text.h"
+#include "ui/program_text/program_text.h"
 
 namespace feedscope::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/views/program/line_painter.h"
+#include "ui/program_text/line_painter.h"
 
 #include <QFontMetricsF>
 #include <QPainterPath>

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
-#include "ui/models/line_cells.h"
-#include "ui/models/syntax.h"
+#include "ui/program_text/line_cells.h"
+#include "ui/program_text/syntax.h"
 
 namespace feedscope::ui {
 

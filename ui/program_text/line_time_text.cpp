@@ -1,4 +1,4 @@
-#include "ui/views/program/line_time_text.h"
+#include "ui/program_text/line_time_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
@@ -7,7 +7,8 @@
 #include <cmath>
 
 #include "core/base/units.h"
-#include "ui/models/texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 
 namespace feedscope::ui {
 
@@ -45,12 +46,12 @@ QString line_time_text(const LineTimes& times, std::uint32_t first, std::uint32_
   text.append(tr("%1, %2 % of the cycle time")
                   .arg(time_text(cost.time), locale.toString(percent * cost.time / times.total(), 'f', 2)));
   if (first == last && cost.runs > 1) {
-    text.append(tr("run %1 times, %2 each on average")
+    text.append(tr("executed %1 times, %2 each on average")
                     .arg(locale.toString(static_cast<qulonglong>(cost.runs)),
                          time_text(cost.time / static_cast<double>(cost.runs))));
   }
   if (cost.mean_feed() > 0) {
-    text.append(tr("mean feed %1 mm/min").arg(locale.toString(units::to_mm_min(cost.mean_feed()), 'f', 0)));
+    text.append(tr("mean feed %1").arg(amount_text(cost.mean_feed(), Dimension::feed)));
   }
   return text.join('\n');
 }

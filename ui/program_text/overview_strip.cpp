@@ -1,4 +1,4 @@
-#include "ui/views/program/overview_strip.h"
+#include "ui/program_text/overview_strip.h"
 
 #include <QCoreApplication>
 #include <QHelpEvent>
@@ -9,10 +9,10 @@
 #include <cmath>
 #include <vector>
 
+#include "ui/program_text/line_time_text.h"
+#include "ui/program_text/program_view.h"
 #include "ui/theme/program_colours.h"
 #include "ui/theme/theme.h"
-#include "ui/views/program/line_time_text.h"
-#include "ui/views/program/program_view.h"
 
 namespace feedscope::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/views/program/program_margin.h"
+#include "ui/program_text/program_margin.h"
 
 #include <QCoreApplication>
 #include <QHelpEvent>
@@ -8,10 +8,10 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "ui/program_text/line_time_text.h"
+#include "ui/program_text/program_view.h"
 #include "ui/theme/program_colours.h"
 #include "ui/theme/theme.h"
-#include "ui/views/program/line_time_text.h"
-#include "ui/views/program/program_view.h"
 
 namespace feedscope::ui {
 
@@ -42,14 +42,17 @@ void draw_mark(QPainter& painter, QPointF centre, Severity severity, const QColo
 QString not_counted_tip(Pause pause) {
   switch (pause) {
     case Pause::tool_change:
-      return ProgramMargin::tr("Not counted: tool change; the machine's tool change time gives it");
+      return ProgramMargin::tr(
+          "Not in the cycle time: tool change; give the tool change time of the machine");
     case Pause::spindle_start:
-      return ProgramMargin::tr("Not counted: spindle start; the machine's spindle start time gives it");
+      return ProgramMargin::tr(
+          "Not in the cycle time: spindle start; give the spindle start time of the machine");
     case Pause::stop:
-      return ProgramMargin::tr("Not counted: program stop");
+      return ProgramMargin::tr("Not in the cycle time: program stop");
     case Pause::machine_move:
       return ProgramMargin::tr(
-          "Neither drawn nor counted: move to or from a machine position; the machine's positions give it");
+          "Neither drawn nor in the cycle time: move to or from a machine position; give the positions of "
+          "the machine");
     case Pause::dwell:
       break;
   }
@@ -63,8 +66,8 @@ ProgramMargin::ProgramMargin(ProgramView* view) : QWidget(view), view_(*view) {
 }
 
 QSize ProgramMargin::sizeHint() const {
-  constexpr std::uint32_t least_lines = 100;
-  const auto digits = QString::number(std::max(least_lines, view_.text().line_count())).size();
+  constexpr std::uint32_t min_lines = 100;
+  const auto digits = QString::number(std::max(min_lines, view_.text().line_count())).size();
   const int numbers = static_cast<int>(digits) * QFontMetrics(view_.font()).horizontalAdvance('9');
   return {mark_width + numbers + gap + heat_width, 0};
 }

@@ -1,13 +1,15 @@
-#include "ui/views/program/program_panel.h"
+#include "ui/program_text/program_panel.h"
 
 #include <QLabel>
 #include <QLocale>
 #include <QVBoxLayout>
 #include <utility>
 
-#include "ui/models/panel_action.h"
-#include "ui/views/program/find_bar.h"
-#include "ui/views/program/go_to_bar.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/program_text/find_bar.h"
+#include "ui/program_text/go_to_bar.h"
+#include "ui/shared/panel_action.h"
+#include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
@@ -15,12 +17,15 @@ namespace {
 
 QString ranges_text(const Bounds& bounds) {
   const QLocale locale;
-  const auto number = [&](double value) { return locale.toString(value, 'g', 7); };
+  const int digits = unit_system() == UnitSystem::metric ? 7 : 5;
+  const auto number = [&](double value) {
+    return locale.toString(in_shown_unit(value, Dimension::length), 'g', digits);
+  };
   QStringList ranges;
   for (int axis = 0; axis < 3; ++axis) {
     if (bounds.min[axis] <= bounds.max[axis]) {
       ranges.append(ProgramPanel::tr("%1 %2 to %3")
-                        .arg(QChar(axis_names[static_cast<std::size_t>(axis)]))
+                        .arg(QChar(coordinate_names[static_cast<std::size_t>(axis)]))
                         .arg(number(bounds.min[axis]), number(bounds.max[axis])));
     }
   }
@@ -30,7 +35,7 @@ QString ranges_text(const Bounds& bounds) {
 }  // namespace
 
 ProgramPanel::ProgramPanel(QWidget* parent)
-    : QWidget(parent),
+    : Panel({QStringLiteral("program"), tr("Program"), Qt::LeftDockWidgetArea}, parent),
       view_(new ProgramView(this)),
       find_bar_(new FindBar(*view_, this)),
       go_to_bar_(new GoToBar(*view_, this)),
@@ -62,14 +67,32 @@ QAction* ProgramPanel::add_action(const QString& text, const QString& tip, const
   return action;
 }
 
+void ProgramPanel::follow(Workbench& workbench) {
+  const auto show_program = [this, &workbench] { set_program(workbench.program()); };
+  const auto show_run = [this, &workbench] {
+    const auto shown = workbench.shown();
+    view_->set_times(shown == nullptr ? nullptr : shown->line_times);
+  };
+  const auto show_cursor = [this, &cursor = workbench.cursor()] {
+    view_->show_line(cursor.valid() ? cursor.state().line : 0);
+  };
+  connect(&workbench, &Workbench::program_changed, this, show_program);
+  connect(&workbench, &Workbench::run_changed, this, show_run);
+  connect(&workbench.cursor(), &Cursor::changed, this, show_cursor);
+  connect(view_, &ProgramView::line_chosen, &workbench.cursor(), &Cursor::set_line);
+  show_program();
+  show_run();
+  show_cursor();
+}
+
 void ProgramPanel::add_actions() {
   add_action(tr("Find …"), tr("Find in the program"), QKeySequence::Find, [this] {
     go_to_bar_->hide();
     find_bar_->open();
   });
-  add_action(tr("Find next"), tr("Go to the next hit"), QKeySequence(Qt::Key_F3),
+  add_action(tr("Find next"), tr("Go to the next match"), QKeySequence(Qt::Key_F3),
              [this] { find_bar_->step(true); });
-  add_action(tr("Find previous"), tr("Go to the hit before"), QKeySequence(Qt::SHIFT | Qt::Key_F3),
+  add_action(tr("Find previous"), tr("Go to the previous match"), QKeySequence(Qt::SHIFT | Qt::Key_F3),
              [this] { find_bar_->step(false); });
   add_action(tr("Go to line …"), tr("Go to a line of the program"), QKeySequence(tr("Ctrl+G")), [this] {
     find_bar_->close_bar();
@@ -90,10 +113,11 @@ void ProgramPanel::add_actions() {
 void ProgramPanel::show_extents(const Program* program) {
   extents_->setVisible(program != nullptr && !program->cutting_bounds.empty());
   if (program != nullptr) {
-    extents_->setText(tr("Cutting [mm]: %1").arg(ranges_text(program->cutting_bounds)));
-    extents_->setToolTip(tr("Extents in mm, arcs in full\nCutting: %1\nRapid: %2\nAll: %3")
-                             .arg(ranges_text(program->cutting_bounds), ranges_text(program->rapid_bounds),
-                                  ranges_text(program->bounds)));
+    extents_->setText(
+        tr("Cutting [%1]: %2").arg(unit_of(Dimension::length), ranges_text(program->cutting_bounds)));
+    extents_->setToolTip(tr("Extents [%1], including arcs\nCutting: %2\nRapid: %3\nAll: %4")
+                             .arg(unit_of(Dimension::length), ranges_text(program->cutting_bounds),
+                                  ranges_text(program->rapid_bounds), ranges_text(program->bounds)));
   }
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <QList>
-#include <QWidget>
 #include <memory>
 
-#include "ui/views/program/program_view.h"
+#include "ui/program_text/program_view.h"
+#include "ui/workbench/panel.h"
 
 class QAction;
 class QLabel;
@@ -16,18 +16,19 @@ class GoToBar;
 
 /// A program's text with the bars that search it and go to a line, the commands of both, and the extents of
 /// its path.
-class ProgramPanel : public QWidget {
+class ProgramPanel : public Panel {
   Q_OBJECT
 
  public:
   explicit ProgramPanel(QWidget* parent = nullptr);
 
+  void follow(Workbench& workbench) override;
   /// Null: no program.
   void set_program(std::shared_ptr<const Program> program);
   ProgramView& view() { return *view_; }
   FindBar& find_bar() { return *find_bar_; }
   GoToBar& go_to_bar() { return *go_to_bar_; }
-  QList<QAction*> panel_actions() const { return actions_; }
+  QList<QAction*> panel_actions() const override { return actions_; }
 
   /// Goes to the place of a diagnostic; `column` is a 1-based byte, 0: the line as a whole.
   void go_to(std::uint32_t line, std::uint32_t column);

@@ -1,30 +1,14 @@
 #pragma once
 
 #include <QString>
-#include <compare>
 #include <cstdint>
 #include <memory>
 
 #include "core/program/program.h"
-#include "ui/models/line_cells.h"
+#include "ui/program_text/line_cells.h"
+#include "ui/shared/text_place.h"
 
 namespace feedscope::ui {
-
-/// A place between two characters of a program.
-struct TextPlace {
-  std::uint32_t line = 1;  ///< 1-based
-  std::uint32_t byte = 0;  ///< in the line, from 0 to its size
-
-  auto operator<=>(const TextPlace&) const = default;
-};
-
-struct TextRange {
-  TextPlace begin;
-  TextPlace end;
-
-  bool empty() const { return begin == end; }
-  bool operator==(const TextRange&) const = default;
-};
 
 /// What a view of a program's text asks for. Reads the program's own text, without a copy; nothing costs more
 /// than the lines it touches.

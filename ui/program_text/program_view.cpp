@@ -1,22 +1,27 @@
-#include "ui/views/program/program_view.h"
+#include "ui/program_text/program_view.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QFontDatabase>
 #include <QHelpEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
 #include <QPaintEvent>
 #include <QPainter>
 #include <QScopedValueRollback>
 #include <QScrollBar>
 #include <QToolTip>
+#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "ui/program_text/line_time_text.h"
+#include "ui/program_text/overview_strip.h"
+#include "ui/program_text/program_margin.h"
 #include "ui/theme/program_colours.h"
 #include "ui/theme/theme.h"
-#include "ui/views/program/line_time_text.h"
-#include "ui/views/program/overview_strip.h"
-#include "ui/views/program/program_margin.h"
 
 namespace feedscope::ui {
 
@@ -49,7 +54,7 @@ ProgramView::ProgramView(QWidget* parent)
     bring_line_into_sight(line);
     go_to({line, 0});
   });
-  look_anew();
+  restyle();
 }
 
 void ProgramView::set_program(std::shared_ptr<const Program> program) {
@@ -58,8 +63,7 @@ void ProgramView::set_program(std::shared_ptr<const Program> program) {
   syntax_ = Syntax(text_.program() == nullptr ? Dialect::iso : text_.program()->dialect);
   times_ = nullptr;
   current_ = 0;
-  caret_ = anchor_ = {};
-  wanted_cell_ = 0;
+  caret_ = {};
   cells_ = static_cast<std::uint32_t>(text_.longest_line());
   place_strips();
   set_ranges();
@@ -81,8 +85,7 @@ void ProgramView::show_line(std::uint32_t line) {
   current_ = line;
   if (!choosing_ && line > 0) {
     if (selection().empty()) {
-      caret_ = anchor_ = text_.clamped({line, 0});
-      wanted_cell_ = 0;
+      caret_.put(text_, {line, 0}, false);
       emit caret_moved();
     }
     bring_line_into_sight(line);
@@ -92,18 +95,18 @@ void ProgramView::show_line(std::uint32_t line) {
 
 void ProgramView::go_to(TextPlace place) {
   move_caret(place, false);
-  choose(caret_.line);
+  choose(caret().line);
 }
 
 void ProgramView::select(TextRange range) {
   reveal(range);
-  choose(caret_.line);
+  choose(caret().line);
 }
 
 void ProgramView::reveal(TextRange range) {
-  anchor_ = text_.clamped(range.begin);
-  move_caret(range.end, true);
-  ensure_visible(anchor_);
+  caret_.select(text_, range);
+  show_caret();
+  ensure_visible(text_.clamped(range.begin));
 }
 
 void ProgramView::set_search(const TextSearch* search) {
@@ -114,10 +117,6 @@ void ProgramView::set_search(const TextSearch* search) {
   refresh();
 }
 
-TextRange ProgramView::selection() const {
-  return {std::min(anchor_, caret_), std::max(anchor_, caret_)};
-}
-
 void ProgramView::choose(std::uint32_t line) {
   if (text_.line_count() > 0) {
     const QScopedValueRollback guard(choosing_, true);
@@ -126,12 +125,12 @@ void ProgramView::choose(std::uint32_t line) {
 }
 
 void ProgramView::move_caret(TextPlace place, bool keep_anchor) {
-  caret_ = text_.clamped(place);
-  if (!keep_anchor) {
-    anchor_ = caret_;
-  }
-  wanted_cell_ = text_.cells(caret_.line).cell_of(caret_.byte);
-  ensure_visible(caret_);
+  caret_.put(text_, place, keep_anchor);
+  show_caret();
+}
+
+void ProgramView::show_caret() {
+  ensure_visible(caret());
   refresh();
   emit caret_moved();
 }
@@ -142,7 +141,7 @@ int ProgramView::font_size() const {
 
 void ProgramView::set_font_size(int pixels) {
   QFont changed = font();
-  changed.setPixelSize(std::clamp(pixels, least_font_size, largest_font_size));
+  changed.setPixelSize(std::clamp(pixels, min_font_size, largest_font_size));
   if (changed.pixelSize() != font_size()) {
     setFont(changed);
     emit font_size_changed(changed.pixelSize());
@@ -154,7 +153,7 @@ void ProgramView::zoom(int steps) {
 }
 
 /// What depends on font and palette.
-void ProgramView::look_anew() {
+void ProgramView::restyle() {
   painter_ = LinePainter(font(), palette());
   place_strips();
   set_ranges();
@@ -280,7 +279,7 @@ void ProgramView::showEvent(QShowEvent* event) {
 void ProgramView::changeEvent(QEvent* event) {
   QAbstractScrollArea::changeEvent(event);
   if (event->type() == QEvent::FontChange || event->type() == QEvent::PaletteChange) {
-    look_anew();
+    restyle();
   }
 }
 
@@ -321,7 +320,7 @@ void ProgramView::paint_ground(QPainter& painter, std::uint32_t line, const Line
   const QRect row(0, top_of(line), viewport()->width(), line_height());
   if (line == current_) {
     painter.fillRect(row, theme_colours(palette()).current_line);
-  } else if (line == caret_.line && current_ > 0) {
+  } else if (line == caret().line && current_ > 0) {
     painter.setPen(program_colours(palette()).caret_line);
     painter.drawRect(row.adjusted(0, 0, -1, -1));
   }
@@ -355,7 +354,7 @@ void ProgramView::paint_marks(QPainter& painter, std::uint32_t line, const LineC
 
 void ProgramView::paint_caret(QPainter& painter) const {
   if (hasFocus()) {
-    const QRect place = place_rect(caret_);
+    const QRect place = place_rect(caret());
     painter.fillRect(QRect(place.left(), place.top(), 2, place.height()), palette().color(QPalette::Text));
   }
 }
@@ -365,14 +364,7 @@ QString ProgramView::tip_at(const QPoint& point) const {
   if (line == 0 || point.y() >= top_of(line) + line_height()) {
     return {};
   }
-  QStringList tip;
-  for (const Diagnostic* diagnostic : marks_.of(line)) {
-    tip.append(QString::fromStdString(diagnostic->message));
-    if (!diagnostic->hint.empty()) {
-      tip.append(QString::fromStdString(diagnostic->hint));
-    }
-  }
-  return tip.join('\n');
+  return marks_.tip(line);
 }
 
 bool ProgramView::viewportEvent(QEvent* event) {
@@ -382,6 +374,123 @@ bool ProgramView::viewportEvent(QEvent* event) {
     return true;
   }
   return QAbstractScrollArea::viewportEvent(event);
+}
+
+bool ProgramView::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride) {  // Ctrl+Home is the text's here, not the window's
+    auto* key = static_cast<QKeyEvent*>(event);
+    if (caret_movement_of(*key) || key->matches(QKeySequence::Copy) ||
+        key->matches(QKeySequence::SelectAll)) {
+      event->accept();
+      return true;
+    }
+  }
+  return QAbstractScrollArea::event(event);
+}
+
+void ProgramView::keyPressEvent(QKeyEvent* event) {
+  if (text_.line_count() == 0) {
+    QAbstractScrollArea::keyPressEvent(event);
+  } else if (const auto movement = caret_movement_of(*event)) {
+    if (!movement->selects && !selection().empty() && current_ > 0 && caret().line != current_) {
+      caret_.put(text_, {current_, 0}, false);  // playback went on while a selection was kept
+    }
+    const std::uint32_t line = caret().line;
+    caret_.move(text_, *movement, static_cast<std::uint32_t>(lines_in_sight()));
+    show_caret();
+    if (!movement->selects && caret().line != line) {
+      choose(caret().line);
+    }
+  } else if (event->matches(QKeySequence::Copy)) {
+    copy();
+  } else if (event->matches(QKeySequence::SelectAll)) {
+    select_all();
+  } else {
+    QAbstractScrollArea::keyPressEvent(event);
+  }
+}
+
+void ProgramView::copy() const {
+  if (!selection().empty()) {
+    QApplication::clipboard()->setText(selected_text());
+  }
+}
+
+void ProgramView::select_all() {
+  caret_.select(text_, {{}, text_.end()});
+  refresh();
+  emit caret_moved();
+}
+
+void ProgramView::mousePressEvent(QMouseEvent* event) {
+  if (event->button() != Qt::LeftButton || text_.line_count() == 0) {
+    return;
+  }
+  const bool extends = (event->modifiers() & Qt::ShiftModifier) != 0;
+  move_caret(place_at(event->position().toPoint()), extends);
+  if (!extends) {
+    choose(caret().line);
+  }
+}
+
+void ProgramView::mouseDoubleClickEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton && text_.line_count() > 0) {
+    const TextRange word = text_.word_at(place_at(event->position().toPoint()));
+    caret_.select(text_, word);
+    show_caret();
+  }
+}
+
+void ProgramView::mouseMoveEvent(QMouseEvent* event) {
+  if ((event->buttons() & Qt::LeftButton) == 0 || text_.line_count() == 0) {
+    return;
+  }
+  drag_point_ = event->position().toPoint();
+  drag_to(drag_point_);
+  constexpr int scroll_interval = 50;  // [ms]
+  if (viewport()->rect().contains(drag_point_)) {
+    drag_timer_.stop();
+  } else if (!drag_timer_.isActive()) {
+    drag_timer_.start(scroll_interval, this);
+  }
+}
+
+void ProgramView::drag_to(const QPoint& point) {
+  move_caret(place_at(point), true);
+}
+
+void ProgramView::timerEvent(QTimerEvent* event) {
+  if (event->timerId() == drag_timer_.timerId()) {
+    drag_to(drag_point_);
+  }
+}
+
+void ProgramView::mouseReleaseEvent(QMouseEvent* event) {
+  drag_timer_.stop();
+  QClipboard* clipboard = QApplication::clipboard();
+  if (event->button() == Qt::LeftButton && clipboard->supportsSelection() && !selection().empty()) {
+    clipboard->setText(selected_text(), QClipboard::Selection);
+  }
+}
+
+void ProgramView::wheelEvent(QWheelEvent* event) {
+  if ((event->modifiers() & Qt::ControlModifier) == 0) {
+    QAbstractScrollArea::wheelEvent(event);
+    return;
+  }
+  wheel_rest_ += event->angleDelta().y();
+  const int steps = wheel_rest_ / QWheelEvent::DefaultDeltasPerStep;
+  wheel_rest_ -= steps * QWheelEvent::DefaultDeltasPerStep;
+  zoom(steps);
+  event->accept();
+}
+
+void ProgramView::focusInEvent(QFocusEvent*) {
+  viewport()->update();
+}
+
+void ProgramView::focusOutEvent(QFocusEvent*) {
+  viewport()->update();
 }
 
 }  // namespace feedscope::ui

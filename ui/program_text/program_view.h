@@ -6,12 +6,12 @@
 #include <memory>
 
 #include "core/analysis/line_times.h"
-#include "ui/models/diagnostic_marks.h"
-#include "ui/models/program_text.h"
-#include "ui/models/syntax.h"
-#include "ui/models/text_search.h"
-#include "ui/views/program/caret_keys.h"
-#include "ui/views/program/line_painter.h"
+#include "ui/program_text/caret.h"
+#include "ui/program_text/diagnostic_marks.h"
+#include "ui/program_text/line_painter.h"
+#include "ui/program_text/program_text.h"
+#include "ui/program_text/syntax.h"
+#include "ui/program_text/text_search.h"
 
 namespace feedscope::ui {
 
@@ -26,7 +26,7 @@ class ProgramView : public QAbstractScrollArea {
   Q_OBJECT
 
  public:
-  static constexpr int least_font_size = 6;  ///< [pixels]
+  static constexpr int min_font_size = 6;  ///< [pixels]
   static constexpr int default_font_size = 12;
   static constexpr int largest_font_size = 48;
 
@@ -53,8 +53,8 @@ class ProgramView : public QAbstractScrollArea {
   const ProgramText& text() const { return text_; }
   const std::shared_ptr<const LineTimes>& times() const { return times_; }
   const DiagnosticMarks& marks() const { return marks_; }
-  TextPlace caret() const { return caret_; }
-  TextRange selection() const;
+  TextPlace caret() const { return caret_.place(); }
+  TextRange selection() const { return caret_.selection(); }
   QString selected_text() const { return text_.text(selection()); }
 
   int font_size() const;  ///< [pixels]
@@ -100,7 +100,7 @@ class ProgramView : public QAbstractScrollArea {
   void scrollContentsBy(int dx, int dy) override;
 
  private:
-  void look_anew();
+  void restyle();
   void place_strips();
   void set_ranges();
   int lines_in_sight() const;
@@ -108,11 +108,10 @@ class ProgramView : public QAbstractScrollArea {
   void ensure_visible(TextPlace place);
   void bring_line_into_sight(std::uint32_t line);
   void move_caret(TextPlace place, bool keep_anchor);
+  void show_caret();
   void choose(std::uint32_t line);
   TextPlace place_at(const QPoint& point) const;
   double left_edge() const;
-  TextPlace moved(CaretStep step) const;
-  TextPlace vertically_moved(std::int64_t lines) const;
   void drag_to(const QPoint& point);
 
   void paint_line(QPainter& painter, std::uint32_t line);
@@ -131,11 +130,9 @@ class ProgramView : public QAbstractScrollArea {
   ProgramMargin* margin_;
   OverviewStrip* overview_;
   std::uint32_t current_ = 0;
-  TextPlace caret_;
-  TextPlace anchor_;
-  std::uint32_t wanted_cell_ = 0;  ///< that the caret keeps to while it goes up and down
-  std::uint32_t cells_ = 0;        ///< of the longest line, as far as known
-  bool choosing_ = false;          ///< line_chosen() is being said: show_line() answers it
+  Caret caret_;
+  std::uint32_t cells_ = 0;  ///< of the longest line, as far as known
+  bool choosing_ = false;    ///< line_chosen() is being said: show_line() answers it
   QBasicTimer drag_timer_;
   QPoint drag_point_;
   int wheel_rest_ = 0;

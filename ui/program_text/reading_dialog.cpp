@@ -1,4 +1,4 @@
-#include "ui/views/reading_dialog.h"
+#include "ui/program_text/reading_dialog.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -16,13 +16,14 @@
 #include "core/base/units.h"
 #include "ui/fields/number_text.h"
 #include "ui/fields/whole_number_box.h"
+#include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-constexpr int most_lines = 2'000'000'000;
-constexpr int most_calls = 100'000;
+constexpr int max_lines = 2'000'000'000;
+constexpr int max_calls = 100'000;
 constexpr int lines_a_step = 1'000'000;
 constexpr int recognised = -1;
 constexpr int unit_of_program = -1;
@@ -35,11 +36,11 @@ QString source_text(CutterSource source) {
     case CutterSource::asked:
       return ReadingDialog::tr("set here");
     case CutterSource::program:
-      return ReadingDialog::tr("the program");
+      return ReadingDialog::tr("program");
     case CutterSource::table:
-      return ReadingDialog::tr("the tool table");
+      return ReadingDialog::tr("tool table");
     default:
-      return ReadingDialog::tr("not known: the contour is shown");
+      return ReadingDialog::tr("unknown: the programmed contour is shown");
   }
 }
 
@@ -61,11 +62,11 @@ ReadingDialog::ReadingDialog(const ReadOptions& options, const Program* program,
     : QDialog(parent),
       dialect_(new QComboBox(this)),
       unit_(new QComboBox(this)),
-      skip_deleted_(new QCheckBox(tr("Leave out blocks that begin with /"), this)),
+      skip_deleted_(new QCheckBox(tr("Skip blocks that begin with /"), this)),
       repeat_limit_(new WholeNumberBox(this)),
       call_depth_(new WholeNumberBox(this)),
       simulate_cut_off_(new QCheckBox(tr("Simulate a program that was cut off at this limit"), this)),
-      wear_only_(new QCheckBox(tr("The path is already compensated (wear only): radius 0"), this)),
+      wear_only_(new QCheckBox(tr("Path already compensated (wear only): radius 0"), this)),
       cutters_(new QTableWidget(this)),
       offsets_(new WorkOffsetsTable(options.offsets, program, this)),
       tool_table_(new QLineEdit(this)),
@@ -73,7 +74,7 @@ ReadingDialog::ReadingDialog(const ReadOptions& options, const Program* program,
       fault_(new QLabel(this)),
       buttons_(new QDialogButtonBox(
           QDialogButtonBox::Ok | QDialogButtonBox::Cancel | QDialogButtonBox::RestoreDefaults, this)) {
-  setWindowTitle(tr("Reading options"));
+  setWindowTitle(tr("Program import options"));
   list_dialects(program);
   list_units(program);
   list_cutters(options, program);
@@ -94,10 +95,11 @@ ReadingDialog::ReadingDialog(const ReadOptions& options, const Program* program,
 }
 
 void ReadingDialog::list_dialects(const Program* program) {
-  dialect_->setAccessibleName(tr("Language of the program"));
+  dialect_->setAccessibleName(tr("Dialect of the program"));
   const QString found =
       program == nullptr ? QString() : QString::fromUtf8(info_of(program->dialect).title.data());
-  dialect_->addItem(found.isEmpty() ? tr("recognised") : tr("recognised (now %1)").arg(found), recognised);
+  dialect_->addItem(found.isEmpty() ? tr("auto-detected") : tr("auto-detected (now %1)").arg(found),
+                    recognised);
   for (const DialectInfo& info : all_dialects()) {
     dialect_->addItem(QString::fromUtf8(info.title.data()), static_cast<int>(info.dialect));
   }
@@ -108,28 +110,30 @@ void ReadingDialog::list_units(const Program* program) {
   const bool says_it = program != nullptr && program->unit.source == ProgramUnit::Source::program;
   const QString now =
       program == nullptr ? QString() : QString::fromUtf8(to_string(program->unit.unit).data());
-  unit_->addItem(says_it ? tr("the program's (now %1)").arg(now) : tr("the program's, or else mm"),
+  unit_->addItem(says_it ? tr("as programmed (now %1)").arg(now) : tr("as programmed, otherwise mm"),
                  unit_of_program);
   unit_->addItem(tr("mm"), static_cast<int>(LengthUnit::mm));
   unit_->addItem(tr("inch"), static_cast<int>(LengthUnit::inch));
   unit_->setToolTip(
-      tr("Unit of lengths and feeds until the program says one: G20, G21, G70, G71, BEGIN PGM ... MM"));
+      tr("Unit of lengths and feeds until the program sets one: G20, G21, G70, G71, BEGIN PGM ... MM"));
 }
 
 /// Those that the program asks for, and what else is set; the cell of a radius holds what is set here.
 void ReadingDialog::list_cutters(const ReadOptions& options, const Program* program) {
   cutters_->setAccessibleName(tr("Cutter radii"));
   cutters_->setColumnCount(column_count);
-  cutters_->setHorizontalHeaderLabels({tr("Tool"), tr("Radius [mm]"), tr("Given by")});
+  cutters_->setHorizontalHeaderLabels(
+      {tr("Tool"), with_unit_of(tr("Radius"), Dimension::length), tr("Source")});
   cutters_->verticalHeader()->hide();
   cutters_->horizontalHeader()->setStretchLastSection(true);
   CutterRadii others = options.radii;
   for (const CutterUse& use : program == nullptr ? std::vector<CutterUse>() : program->cutters) {
     const std::optional<double> own = options.radii.find(use.tool);
     const bool found = use.source == CutterSource::program || use.source == CutterSource::table;
-    add_cutter(use.tool, own,
-               found ? tr("%1: %2 mm").arg(source_text(use.source), editable_text(use.radius))
-                     : source_text(use.source));
+    add_cutter(
+        use.tool, own,
+        found ? tr("%1: %2").arg(source_text(use.source), significant_text(use.radius, Dimension::length, 7))
+              : source_text(use.source));
     others.erase(use.tool);
   }
   for (const auto& [tool, radius] : others.all()) {
@@ -141,8 +145,9 @@ void ReadingDialog::add_cutter(const std::string& tool, std::optional<double> ow
   const int row = cutters_->rowCount();
   cutters_->insertRow(row);
   cutters_->setItem(row, tool_column, fixed_item(QString::fromStdString(tool)));
-  auto* radius = new QTableWidgetItem(own ? editable_text(*own) : QString());
-  radius->setToolTip(tr("Empty: as the program or the tool table says"));
+  auto* radius =
+      new QTableWidgetItem(own ? editable_text(in_shown_unit(*own, Dimension::length)) : QString());
+  radius->setToolTip(tr("Empty: the radius of the program or the tool table"));
   cutters_->setItem(row, radius_column, radius);
   cutters_->setItem(row, source_column, fixed_item(source));
 }
@@ -152,16 +157,16 @@ void ReadingDialog::make_layout() {
     box->setGroupSeparatorShown(true);
     box->setMinimum(1);
   }
-  repeat_limit_->setMaximum(most_lines);
+  repeat_limit_->setMaximum(max_lines);
   repeat_limit_->setSingleStep(lines_a_step);
-  repeat_limit_->setToolTip(tr("A loop that does not end is cut off there"));
-  call_depth_->setMaximum(most_calls);
-  tool_table_->setPlaceholderText(tr("one beside the program, if there is any"));
-  tool_table_->setToolTip(
-      tr("Of LinuxCNC, Sinumerik, Fanuc (G10), Heidenhain (TOOL.T), or a list with headings T and R"));
+  repeat_limit_->setToolTip(tr("Endless loops are cut off at this limit"));
+  call_depth_->setMaximum(max_calls);
+  tool_table_->setPlaceholderText(tr("a table in the folder of the program, if there is one"));
+  tool_table_->setToolTip(tr(
+      "LinuxCNC, Sinumerik, Fanuc (G10) or Heidenhain (TOOL.T) format, or a list with the headings T and R"));
   table_unit_->addItem(tr("mm"), 1.0);
   table_unit_->addItem(tr("inch"), units::from_inch(1));
-  table_unit_->setToolTip(tr("Unit of a tool table that does not name it"));
+  table_unit_->setToolTip(tr("Unit of a tool table that does not state it"));
   auto* browse = new QPushButton(tr("Choose …"), this);
   browse->setAutoDefault(false);
   connect(browse, &QPushButton::clicked, this, &ReadingDialog::choose_table);
@@ -171,23 +176,22 @@ void ReadingDialog::make_layout() {
   table_row->addWidget(browse);
   table_row->addWidget(table_unit_);
   auto* form = new QFormLayout(this);
-  form->addRow(tr("Language"), dialect_);
+  form->addRow(tr("Dialect"), dialect_);
   form->addRow(tr("Unit"), unit_);
   form->addRow(QString(), skip_deleted_);
-  form->addRow(tr("Lines that loops and calls may run"), repeat_limit_);
+  form->addRow(tr("Maximum lines executed by loops and calls"), repeat_limit_);
   form->addRow(QString(), simulate_cut_off_);
-  form->addRow(tr("Calls inside each other"), call_depth_);
+  form->addRow(tr("Maximum call depth"), call_depth_);
   form->addRow(tr("Tool table"), table_row);
   if (cutters_->rowCount() > 0) {
     form->addRow(tr("Cutter radii"), cutters_);
   } else {
     cutters_->hide();
-    form->addRow(tr("Cutter radii"), new QLabel(tr("The program compensates for no cutter."), this));
+    form->addRow(tr("Cutter radii"), new QLabel(tr("The program uses no cutter radius compensation."), this));
   }
   wear_only_->setToolTip(
-      tr("For programs whose CAM system has put the tool's radius into the path; a radius that is set here "
-         "still "
-         "applies"));
+      tr("For programs whose CAM system has already compensated the tool radius; a radius that is set here "
+         "still applies"));
   form->addRow(QString(), wear_only_);
   if (offsets_->rowCount() > 0) {
     form->addRow(tr("Work offsets"), offsets_);
@@ -205,10 +209,10 @@ void ReadingDialog::show_options(const ReadOptions& options) {
       dialect_->findData(options.dialect ? static_cast<int>(*options.dialect) : recognised));
   unit_->setCurrentIndex(unit_->findData(options.unit ? static_cast<int>(*options.unit) : unit_of_program));
   skip_deleted_->setChecked(options.skip_deleted_blocks);
-  repeat_limit_->setValue(static_cast<int>(std::min<std::uint64_t>(options.repeat_limit, most_lines)));
+  repeat_limit_->setValue(static_cast<int>(std::min<std::uint64_t>(options.repeat_limit, max_lines)));
   simulate_cut_off_->setChecked(options.simulate_cut_off);
   wear_only_->setChecked(options.wear_only);
-  call_depth_->setValue(static_cast<int>(std::min<std::size_t>(options.call_depth, most_calls)));
+  call_depth_->setValue(static_cast<int>(std::min<std::size_t>(options.call_depth, max_calls)));
   tool_table_->setText(QString::fromStdU16String(options.tool_table.u16string()));
   table_unit_->setCurrentIndex(options.table_unit == 1 ? 0 : 1);
 }
@@ -232,7 +236,8 @@ ReadOptions ReadingDialog::options() const {
   options.table_unit = table_unit_->currentData().toDouble();
   for (int row = 0; row < cutters_->rowCount(); ++row) {
     if (const auto radius = length_of(cutters_->item(row, radius_column)->text())) {
-      options.radii.set(cutters_->item(row, tool_column)->text().toStdString(), *radius);
+      options.radii.set(cutters_->item(row, tool_column)->text().toStdString(),
+                        from_shown_unit(*radius, Dimension::length));
     }
   }
   options.offsets = offsets_->offsets();
@@ -243,7 +248,7 @@ QString ReadingDialog::fault() const {
   for (int row = 0; row < cutters_->rowCount(); ++row) {
     const QString text = cutters_->item(row, radius_column)->text();
     if (!text.trimmed().isEmpty() && !length_of(text)) {
-      return tr("The radius of tool %1, \"%2\", is no length of 0 mm or more.")
+      return tr("The radius of tool %1, \"%2\", is not a length of 0 or more.")
           .arg(cutters_->item(row, tool_column)->text(), text);
     }
   }

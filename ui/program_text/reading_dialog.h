@@ -3,7 +3,7 @@
 #include <QDialog>
 
 #include "core/program/program.h"
-#include "ui/views/work_offsets_table.h"
+#include "ui/program_text/work_offsets_table.h"
 
 class QCheckBox;
 class QComboBox;

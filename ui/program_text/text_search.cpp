@@ -1,7 +1,5 @@
-#include "ui/models/text_search.h"
+#include "ui/program_text/text_search.h"
 
-#include <QFuture>
-#include <QtConcurrentRun>
 #include <algorithm>
 
 namespace feedscope::ui {
@@ -80,12 +78,6 @@ std::uint64_t FoundLines::count_before(std::uint32_t line, const ProgramText& te
   return count;
 }
 
-TextSearch::~TextSearch() {
-  if (progress_ != nullptr) {
-    progress_->cancel();
-  }
-}
-
 void TextSearch::set_text(const ProgramText& text) {
   text_ = text;
   start();
@@ -100,22 +92,20 @@ void TextSearch::set_query(const SearchQuery& query) {
 }
 
 void TextSearch::start() {
-  if (progress_ != nullptr) {
-    progress_->cancel();
-    progress_ = nullptr;
-  }
   found_ = nullptr;
-  if (finder_.can_find() && text_.line_count() > 0) {
-    progress_ = std::make_shared<Progress>();
-    QtConcurrent::run([text = text_, finder = finder_, progress = progress_] {
-      return FoundLines::find(text, finder, *progress);
-    }).then(this, [this, progress = progress_](const std::shared_ptr<const FoundLines>& found) {
-      if (progress == progress_) {
-        found_ = found;
-        progress_ = nullptr;
-        emit changed();
-      }
-    });
+  searching_ = finder_.can_find() && text_.line_count() > 0;
+  if (!searching_) {
+    job_.cancel();
+  } else {
+    job_.start([text = text_, finder = finder_](
+                   JobControl& control) { return FoundLines::find(text, finder, control.progress); },
+               [this](const JobOutcome<std::shared_ptr<const FoundLines>>& outcome) {
+                 if (!outcome.cancelled()) {
+                   found_ = outcome.result.value_or(nullptr);
+                   searching_ = false;
+                   emit changed();
+                 }
+               });
   }
   emit changed();
 }

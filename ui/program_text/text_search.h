@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/base/progress.h"
-#include "ui/models/line_finder.h"
+#include "ui/program_text/line_finder.h"
+#include "ui/shared/job.h"
 
 namespace feedscope::ui {
 
@@ -48,14 +48,13 @@ class TextSearch : public QObject {
 
  public:
   using QObject::QObject;
-  ~TextSearch() override;
 
   void set_text(const ProgramText& text);
   void set_query(const SearchQuery& query);
   const SearchQuery& query() const { return query_; }
   const QString& error() const { return finder_.error(); }
 
-  bool busy() const { return progress_ != nullptr; }
+  bool busy() const { return searching_; }
   /// Null while busy, and if nothing is looked for.
   const FoundLines* found() const { return found_.get(); }
 
@@ -78,7 +77,8 @@ class TextSearch : public QObject {
   SearchQuery query_;
   LineFinder finder_;
   std::shared_ptr<const FoundLines> found_;
-  std::shared_ptr<Progress> progress_;  ///< of the search under way
+  bool searching_ = false;
+  Job<std::shared_ptr<const FoundLines>> job_;
 };
 
 }  // namespace feedscope::ui

@@ -1,10 +1,11 @@
-#include "ui/views/work_offsets_table.h"
+#include "ui/program_text/work_offsets_table.h"
 
 #include <QHeaderView>
 #include <cmath>
 #include <optional>
 
 #include "ui/fields/number_text.h"
+#include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {
 
@@ -32,7 +33,9 @@ WorkOffsetsTable::WorkOffsetsTable(const WorkOffsets& given, const Program* prog
     : QTableWidget(parent) {
   setAccessibleName(tr("Work offsets"));
   setColumnCount(column_count);
-  setHorizontalHeaderLabels({tr("Offset"), tr("X [mm]"), tr("Y [mm]"), tr("Z [mm]"), tr("Use")});
+  setHorizontalHeaderLabels({tr("Offset"), with_unit_of("X", Dimension::length),
+                             with_unit_of("Y", Dimension::length), with_unit_of("Z", Dimension::length),
+                             tr("Use")});
   verticalHeader()->hide();
   horizontalHeader()->setStretchLastSection(true);
   WorkOffsets others = given;
@@ -54,9 +57,10 @@ void WorkOffsetsTable::add(const std::string& name, const Vec3* zero, const QStr
   insertRow(row);
   setItem(row, name_column, fixed_item(QString::fromStdString(name)));
   for (int axis = 0; axis < 3; ++axis) {
-    auto* cell = new QTableWidgetItem(zero == nullptr ? QString() : editable_text((*zero)[axis]));
+    auto* cell = new QTableWidgetItem(
+        zero == nullptr ? QString() : editable_text(in_shown_unit((*zero)[axis], Dimension::length)));
     cell->setToolTip(
-        tr("Zero point of the offset in the coordinates shown; empty: as the program says, else 0"));
+        tr("Zero point of the offset in the coordinates shown; empty: as programmed, otherwise 0"));
     setItem(row, first_axis_column + axis, cell);
   }
   setItem(row, use_column, fixed_item(use));
@@ -69,7 +73,7 @@ WorkOffsets WorkOffsetsTable::offsets() const {
     bool any = false;
     for (int axis = 0; axis < 3; ++axis) {
       if (const auto value = coordinate_of(item(row, first_axis_column + axis)->text())) {
-        zero[axis] = *value;
+        zero[axis] = from_shown_unit(*value, Dimension::length);
         any = true;
       }
     }
@@ -86,7 +90,7 @@ QString WorkOffsetsTable::fault() const {
       const QString text = item(row, first_axis_column + axis)->text();
       if (!text.trimmed().isEmpty() && !coordinate_of(text)) {
         return tr("The %1 coordinate of work offset %2, \"%3\", is not a number from -1000000 to 1000000.")
-            .arg(QChar(axis_names[static_cast<std::size_t>(axis)]))
+            .arg(QChar(coordinate_names[static_cast<std::size_t>(axis)]))
             .arg(item(row, name_column)->text(), text);
       }
     }

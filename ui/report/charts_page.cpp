@@ -8,7 +8,7 @@
 #include <QVBoxLayout>
 
 #include "ui/language/core_texts.h"
-#include "ui/models/reading_faults.h"
+#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 
@@ -33,7 +33,7 @@ QString title_of(const Run& run) {
 
 }  // namespace
 
-ChartsPage::ChartsPage() : title_(new QLabel(this)), charts_(new ChartsPanel(cursor_, this)) {
+ChartsPage::ChartsPage() : title_(new QLabel(this)), charts_(new ChartsPanel(cursor_, range_, this)) {
   title_->setContentsMargins(8, 6, 8, 2);
   title_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
   charts_->hide_controls();

@@ -27,6 +27,7 @@ class ChartsPage : public QWidget {
 
  private:
   Cursor cursor_;
+  ViewRange range_;
   QLabel* title_;
   ChartsPanel* charts_;
 };

@@ -1,8 +1,11 @@
 #include "ui/report/handout.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "core/lessons/handout.h"
+#include "core/lessons/lesson_language.h"
 #include "ui/report/html_table.h"
 #include "ui/report/paged_pdf.h"
 #include "ui/report/report_html.h"
@@ -22,7 +25,7 @@ ReportInput input_of(const Lesson& lesson, LessonRuns& runs, Progress* progress)
   }
   ReportInput input;
   input.runs = report_runs(shown);
-  input.scene.colouring = *std::ranges::find(all_colourings, lesson.window.colouring,
+  input.scene.colouring = *std::ranges::find(all_colourings(), lesson.window.colouring,
                                              [](Colouring c) { return colouring_key(c); });
   const auto camera = std::ranges::find(lesson_cameras(), lesson.window.camera);
   input.view = static_cast<StandardView>(camera - lesson_cameras().begin());
@@ -33,34 +36,45 @@ ReportInput input_of(const Lesson& lesson, LessonRuns& runs, Progress* progress)
 }
 
 bool is_straight(const SampledPath& path) {
-  constexpr double least_share = 1e-3;
+  constexpr double min_share = 1e-3;
   Vec3 size = path.bounds.empty() ? Vec3::Zero() : Vec3(path.bounds.max - path.bounds.min);
   std::ranges::sort(size);
-  return !(size[1] > least_share * size[2]);
+  return !(size[1] > min_share * size[2]);
 }
 
 }  // namespace
 
-ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, Progress* progress) {
+ReportPage handout_page(const Lesson& lesson, LessonRuns& runs, const SceneTexts& texts, Progress* progress) {
   const WrittenNumbers numbers = runs.numbers(progress);
-  const ReportInput input = input_of(lesson, runs, progress);
+  ReportInput input = input_of(lesson, runs, progress);
+  input.texts = texts;
   ReportPage page{{}, ReportPictures(progress)};
   constexpr double view_height = 270;
   constexpr double charts_height = 360;
+  const auto caption = [&](const char* english) {
+    return QString::fromStdString(fmt::format(fmt::runtime(lesson_word(english, lesson.language)),
+                                              html_text(input.run().name).toStdString()));
+  };
   QString figures;
   if (!is_straight(*input.run().shown->samples)) {
-    figures += run_view(input, page.pictures, view_height);
+    figures += run_view(input, page.pictures, view_height, caption("Programmed and executed path of {}."));
   }
-  figures += run_charts(input, input.current, page.pictures, charts_height);
+  figures += run_charts(input, input.current, page.pictures, charts_height,
+                        caption("Feed with its limiting causes, acceleration and jerk of {}."));
   page.html =
       with_figure_numbers(QString::fromStdString(handout_html(lesson, numbers, figures.toStdString())));
   return page;
 }
 
-std::string make_handout(const Lesson& lesson, LessonRuns& runs, ReportFormat format, Progress* progress) {
-  const ReportPage page = handout_page(lesson, runs, progress);
+std::string make_handout(const Lesson& lesson, LessonRuns& runs, ReportFormat format, const SceneTexts& texts,
+                         Progress* progress) {
+  const ReportPage page = handout_page(lesson, runs, texts, progress);
   return format == ReportFormat::pdf
-             ? paged_pdf(page.html, page.pictures, {QString::fromStdString(lesson.title), {}, {}})
+             ? paged_pdf(page.html, page.pictures,
+                         {QString::fromStdString(lesson.title),
+                          {},
+                          {},
+                          QString::fromStdString(lesson_word("page %1 of %2", lesson.language))})
              : report_html(page.html, page.pictures);
 }
 

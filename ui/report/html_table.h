@@ -10,7 +10,7 @@ namespace feedscope::ui {
 QString html_text(const QString& text);
 QString html_text(const std::string& text);
 
-/// A table of a report, as HTML that browsers and QTextDocument lay out alike.
+/// A table of a report, as HTML that browsers and QTextDocument lay out in the same way.
 class HtmlTable {
  public:
   /// `sides`: 'l', 'r' or 'c' for each column. `widths`: in percent, 0 where the contents decide; may be

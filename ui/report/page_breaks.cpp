@@ -17,7 +17,7 @@ double cost_of_page(double used, double height, PageEnd end) {
   const double empty = 1 - fill;
   double cost = page_cost::page;
   cost += end == PageEnd::full ? page_cost::empty * empty * empty : 0;
-  cost += end != PageEnd::last && fill < page_cost::least_fill ? page_cost::little * (1 + empty) : 0;
+  cost += end != PageEnd::last && fill < page_cost::min_fill ? page_cost::little * (1 + empty) : 0;
   cost += end == PageEnd::last && fill < sliver ? page_cost::sliver : 0;
   return cost;
 }

@@ -20,9 +20,9 @@ namespace page_cost {
 inline constexpr double page = 100;  ///< each page
 /// Times the square of the share that is left empty, unless it is the last one or ends at a forced break.
 inline constexpr double empty = 100;
-inline constexpr double least_fill = 0.26;  ///< of each page but the last
-inline constexpr double little = 1e5;       ///< a page less full than that
-inline constexpr double sliver = 30;        ///< a last page with hardly a line on it
+inline constexpr double min_fill = 0.26;  ///< of each page but the last
+inline constexpr double little = 1e5;     ///< a page less full than that
+inline constexpr double sliver = 30;      ///< a last page with hardly a line on it
 }  // namespace page_cost
 
 /// Indices of the gaps at which pages of `height` end so that all pages together cost least. `gaps` from top

@@ -41,7 +41,7 @@ void draw_margins(QPainter& painter, const PageTexts& texts, int page, int pages
   }
   line(page_height - margin_bottom + 22,
        QStringLiteral("Feedscope %1").arg(QStringLiteral(FEEDSCOPE_VERSION)),
-       QStringLiteral("page %1 of %2").arg(page + 1).arg(pages));
+       texts.number.arg(page + 1).arg(pages));
   painter.setPen(QPen(QColor(0xc8, 0xcd, 0xd2), 0.6));
   const double rule = page_height - margin_bottom + 16;
   painter.drawLine(QPointF(margin_side, rule), QPointF(margin_side + report_width, rule));

@@ -13,6 +13,7 @@ struct PageTexts {
   QString title;   ///< of the file, and on top of every page but the first
   QString author;  ///< of the file
   QDateTime date;  ///< invalid: none is written
+  QString number = QStringLiteral("page %1 of %2");
 };
 
 /// `html` laid out on pages of A4 with title, page numbers and bookmarks from its headings. Headings stay

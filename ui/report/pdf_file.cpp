@@ -33,7 +33,7 @@ QPDFObjectHandle outline_item(QPDF& pdf, const PdfBookmark& bookmark,
   return item;
 }
 
-/// Links items into the tree that their levels say; a level that is left out counts as the next one.
+/// Links items into the tree that their levels say; a level that is omitted counts as the next one.
 class OutlineBuilder {
  public:
   explicit OutlineBuilder(QPDFObjectHandle root) { open_.push_back({std::move(root), {}, 0, 0}); }

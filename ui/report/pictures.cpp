@@ -39,14 +39,13 @@ std::string charts_file(const ReportInput& input, const PictureRequest& request)
   const QSize least = page.minimumSizeHint();
   const QSize size = request.size.toSize();
   if (size.width() < least.width() || size.height() < least.height()) {
-    throw InputError(
-        QStringLiteral("charts of %1 x %2 units are too small; they need at least %3 x %4: take a "
-                       "larger --size or a smaller --scale")
-            .arg(size.width())
-            .arg(size.height())
-            .arg(least.width())
-            .arg(least.height())
-            .toStdString());
+    throw InputError(QStringLiteral("charts of %1 x %2 units are too small; they need at least %3 x %4: use "
+                                    "a larger --size or a smaller --scale")
+                         .arg(size.width())
+                         .arg(size.height())
+                         .arg(least.width())
+                         .arg(least.height())
+                         .toStdString());
   }
   constexpr double enough_for_shapes = 2;  // columns of a curve to a unit, where each is a shape of its own
   page.prepare(size, request.format == PictureFormat::png ? request.pixel_ratio

@@ -7,30 +7,31 @@
 #include <cmath>
 #include <memory>
 
+#include "core/base/ticks.h"
 #include "core/base/units.h"
-#include "ui/charts/contour_plot.h"
-#include "ui/models/contour_texts.h"
+#include "ui/contour/contour_plot.h"
+#include "ui/contour/contour_texts.h"
+#include "ui/language/shown_numbers.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/scene_picture.h"
-#include "ui/scene/ticks.h"
 #include "ui/theme/fonts.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-constexpr std::size_t most_places = 8;
-constexpr std::size_t most_close_ups = 4;
-constexpr std::size_t most_runs = 6;
+constexpr std::size_t max_places = 8;
+constexpr std::size_t max_close_ups = 4;
+constexpr std::size_t max_runs = 6;
 
 /// Places as far from paths of the same shape, as the corners of a pocket are.
-struct AlikeErrors {
+struct SimilarErrors {
   ContourFinding worst;
   std::size_t count = 1;
 };
 
-bool alike(const ContourFinding& a, const ContourFinding& b) {
+bool similar(const ContourFinding& a, const ContourFinding& b) {
   constexpr double tolerance = 0.03;
   const auto near = [](double x, double y) { return std::abs(x - y) <= tolerance * std::max(x, y); };
   return a.spot.kind == b.spot.kind && a.spot.inside == b.spot.inside && near(a.place.error, b.place.error) &&
@@ -38,20 +39,20 @@ bool alike(const ContourFinding& a, const ContourFinding& b) {
          side_text(a.place) == side_text(b.place);
 }
 
-std::vector<AlikeErrors> worst_errors(const ReportInput& input, std::size_t most) {
-  std::vector<AlikeErrors> kinds;
+std::vector<SimilarErrors> worst_errors(const ReportInput& input, std::size_t most) {
+  std::vector<SimilarErrors> kinds;
   for (const ContourFinding& finding : input.run().contour->worst) {
     const auto found =
-        std::ranges::find_if(kinds, [&](const AlikeErrors& kind) { return alike(kind.worst, finding); });
+        std::ranges::find_if(kinds, [&](const SimilarErrors& kind) { return similar(kind.worst, finding); });
     found != kinds.end() ? void(++found->count) : kinds.push_back({finding});
   }
   kinds.resize(std::min(kinds.size(), most));
   return kinds;
 }
 
-QString line_cell(const AlikeErrors& errors) {
+QString line_cell(const SimilarErrors& errors) {
   const QString line = html_text(line_text(errors.worst));
-  return errors.count > 1 ? QStringLiteral("%1 and %2 alike").arg(line).arg(errors.count - 1) : line;
+  return errors.count > 1 ? QStringLiteral("%1 and %2 similar").arg(line).arg(errors.count - 1) : line;
 }
 
 /// Path on both sides of the place that a close-up shows [mm].
@@ -122,7 +123,7 @@ QString contour_histogram_block(const ReportInput& input, ReportPictures& pictur
   curves->sides = true;
   add(input.run());
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
-    if (i != input.current && curves->runs.size() < most_runs) {
+    if (i != input.current && curves->runs.size() < max_runs) {
       add(input.runs[i]);
     }
   }
@@ -134,42 +135,45 @@ QString contour_histogram_block(const ReportInput& input, ReportPictures& pictur
   const QString others = curves->runs.size() > 1 ? QStringLiteral(", the other runs as outlines") : QString();
   return figure(pictures.add(QStringLiteral("contour"), {size, false, paint},
                              QStringLiteral("Path length by contour error")),
-                QStringLiteral("How much of the path of %1 has which contour error%2. %3 %4")
+                QStringLiteral("Path length of %1 by contour error%2. %3 %4")
                     .arg(html_text(input.run().name), others, verdict_text(current).toHtmlEscaped(),
                          share_text(current, curves->sides).toHtmlEscaped()));
 }
 
 QString contour_places_block(const ReportInput& input) {
   HtmlTable table("rlrrlllr", {4, 15, 8, 9, 6, 19, 14, 25});
-  table.add_head({QStringLiteral("No."), QStringLiteral("Line"), QStringLiteral("Error [µm]"),
-                  QStringLiteral("Of tolerance [%]"), QStringLiteral("Side"), QStringLiteral("Where"),
-                  QStringLiteral("Feed [mm/min]"), QStringLiteral("At X, Y, Z [mm]")});
+  table.add_head({QStringLiteral("No."), QStringLiteral("Line"),
+                  with_unit_of(QStringLiteral("Error"), Dimension::error), QStringLiteral("Of tolerance [%]"),
+                  QStringLiteral("Side"), QStringLiteral("Where"),
+                  with_unit_of(QStringLiteral("Feed"), Dimension::feed),
+                  with_unit_of(QStringLiteral("At X, Y, Z"), Dimension::length)});
   int number = 0;
-  for (const AlikeErrors& errors : worst_errors(input, most_places)) {
+  for (const SimilarErrors& errors : worst_errors(input, max_places)) {
     const ContourFinding& found = errors.worst;
     const Vec3& at = found.place.position;
     constexpr double percent = 100;
     const bool has_tolerance = found.tolerance && *found.tolerance > 0;
-    table.add(
-        {QString::number(++number), line_cell(errors), micrometres_text(found.place.error),
-         has_tolerance ? fixed(percent * found.place.error / *found.tolerance, 0) : QStringLiteral("–"),
-         side_text(found.place), spot_text(found.spot).toHtmlEscaped(),
-         QStringLiteral("%1 of %2")
-             .arg(fixed(units::to_mm_min(found.feed), 0), fixed(units::to_mm_min(found.programmed_feed), 0)),
-         QStringLiteral("%1, %2, %3").arg(fixed(at.x(), 3), fixed(at.y(), 3), fixed(at.z(), 3))});
+    table.add({QString::number(++number), line_cell(errors), error_text(found.place.error),
+               has_tolerance ? fixed(percent * found.place.error / *found.tolerance, 0) : QStringLiteral("–"),
+               side_text(found.place), spot_text(found.spot).toHtmlEscaped(),
+               QStringLiteral("%1 of %2")
+                   .arg(fixed(found.feed, Dimension::feed), fixed(found.programmed_feed, Dimension::feed)),
+               QStringLiteral("%1, %2, %3")
+                   .arg(fixed(at.x(), Dimension::length), fixed(at.y(), Dimension::length),
+                        fixed(at.z(), Dimension::length))});
   }
   return table.empty() ? QString() : table.html();
 }
 
 QString contour_place_views_block(const ReportInput& input, ReportPictures& pictures) {
   std::vector<std::pair<QString, QString>> shown;
-  for (const AlikeErrors& errors : worst_errors(input, most_close_ups)) {
+  for (const SimilarErrors& errors : worst_errors(input, max_close_ups)) {
     const QString number = QString::number(shown.size() + 1);
     const double factor = enlargement(errors.worst.place);
-    QString caption = QStringLiteral("Place %1: line %2, %3 µm")
-                          .arg(number, line_cell(errors), micrometres_text(errors.worst.place.error));
+    QString caption = QStringLiteral("Place %1: line %2, %3")
+                          .arg(number, line_cell(errors), error_amount_text(errors.worst.place.error));
     if (factor > 1) {
-      caption += QStringLiteral("; drawn %1 times as large").arg(significant(factor, 4));
+      caption += QStringLiteral("; deviations exaggerated %1 times").arg(significant(factor, 4));
     }
     caption += '.';
     shown.emplace_back(

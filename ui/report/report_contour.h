@@ -11,7 +11,7 @@ namespace feedscope::ui {
 
 /// How much of the path has which error, all runs in one picture.
 QString contour_histogram_block(const ReportInput& input, ReportPictures& pictures);
-/// Where the current run is farthest from the programmed path; places that are alike stand together.
+/// Where the current run is farthest from the programmed path; places that are similar stand together.
 QString contour_places_block(const ReportInput& input);
 /// Close-ups of the same places, the deviation enlarged.
 QString contour_place_views_block(const ReportInput& input, ReportPictures& pictures);

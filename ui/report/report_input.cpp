@@ -8,8 +8,8 @@
 
 #include "core/machine/contour_tolerance.h"
 #include "core/machine/machine.h"
-#include "ui/models/run_list.h"
-#include "ui/models/tolerance_text.h"
+#include "ui/workbench/run_list.h"
+#include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
 
@@ -49,7 +49,7 @@ std::set<AxisLimit> differing_limits(const std::vector<std::shared_ptr<const Sho
     const Machine& machine = run->run.setup.machine;
     const Machine& other = *first.try_emplace(machine.id, &machine).first->second;
     for (const SettingSpec& spec : axis_limit_specs()) {
-      for (const char axis : axis_names) {
+      for (const auto& [axis, kind] : machine.axes.axes()) {
         if (axis_limit(machine, axis, spec.key) != axis_limit(other, axis, spec.key)) {
           limits.emplace(spec.key, axis);
         }
@@ -100,7 +100,7 @@ QString ReportInput::heading() const {
 }
 
 ReportInput with_contour_reports(ReportInput input, Progress* progress) {
-  constexpr std::size_t places = 100;  // those that are alike stand together
+  constexpr std::size_t places = 100;  // those that are similar stand together
   for (ReportRun& run : input.runs) {
     if (run.contour == nullptr) {
       run.contour = std::make_shared<const ContourReport>(contour_report(run.shown->run, places, progress));

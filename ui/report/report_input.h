@@ -9,10 +9,11 @@
 #include <vector>
 
 #include "core/analysis/contour/contour_report.h"
-#include "ui/annotations/annotation.h"
 #include "ui/charts/charts_state.h"
-#include "ui/models/shown_run.h"
 #include "ui/scene/scene_state.h"
+#include "ui/scene/scene_style.h"
+#include "ui/workbench/annotation.h"
+#include "ui/workbench/shown_run.h"
 
 namespace feedscope::ui {
 
@@ -30,6 +31,7 @@ struct ReportInput {
   std::vector<ReportRun> runs;  ///< of one program, at least one
   std::size_t current = 0;      ///< the one that 3D view, charts and worst places show
   SceneState scene;             ///< how the 3D view looks
+  SceneTexts texts;             ///< that stand in it; at first English
   /// Run that the colours of `scene` compare with; none: the first other one than what is shown.
   std::optional<std::size_t> reference;
   /// Looks from there at the whole path, instead of with the camera of `scene`.

@@ -5,11 +5,12 @@
 
 #include "core/base/geometry.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/setup_state.h"
-#include "ui/models/tolerance_text.h"
+#include "ui/language/shown_numbers.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
+#include "ui/workbench/setup_state.h"
+#include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
 
@@ -17,9 +18,15 @@ namespace {
 
 constexpr std::size_t runs_a_table = 4;
 
-QString value_text(const SettingValue& value) {
+/// Digits that numbers in the unit of their key have, and converted ones.
+int digits_of(const KeyUnit& unit) {
+  return unit.factor == 1 ? 8 : 5;
+}
+
+QString value_text(const SettingValue& value, const KeyUnit& unit) {
   const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? significant(*number, 8) : html_text(std::get<std::string>(value));
+  return number != nullptr ? significant(*number * unit.factor, digits_of(unit))
+                           : html_text(std::get<std::string>(value));
 }
 
 /// "X, Y: Essid 2019, table 2" or, assumed, the same in italics.
@@ -40,7 +47,7 @@ bool assumed(const Machine& machine, const std::string& key) {
 /// Sources of a limit, those of several axes together where they are the same.
 QString axis_sources(const Machine& machine, const std::string& limit) {
   std::vector<std::pair<QString, QString>> sources;  // axes, source
-  for (const char axis : axis_names) {
+  for (const auto& [axis, kind] : machine.axes.axes()) {
     const QString source = source_text(machine, axis_key(axis, limit));
     const auto same = std::ranges::find(sources, source, &std::pair<QString, QString>::second);
     if (same != sources.end()) {
@@ -60,17 +67,28 @@ QString axis_sources(const Machine& machine, const std::string& limit) {
 }
 
 QString axis_table(const Machine& machine) {
-  HtmlTable table("lrrrll", {18, 9, 9, 9, 9, 46});
-  table.add_head({QStringLiteral("Limit"), QStringLiteral("X"), QStringLiteral("Y"), QStringLiteral("Z"),
-                  QStringLiteral("Unit"), QStringLiteral("Source")});
+  const AxisList& axes = machine.axes.axes();
+  constexpr int for_a_number = 9;  // [%] of the width
+  std::string sides = "l";
+  std::vector<int> widths{18};
+  QStringList head{QStringLiteral("Limit")};
+  for (const AxisInfo& axis : axes) {
+    sides += 'r';
+    widths.push_back(for_a_number);
+    head << QString(QChar(axis.name));
+  }
+  widths.insert(widths.end(), {for_a_number, 100 - 18 - for_a_number * (static_cast<int>(axes.size()) + 1)});
+  HtmlTable table(sides + "ll", widths);
+  table.add_head(head << QStringLiteral("Unit") << QStringLiteral("Source"));
   for (const SettingSpec& spec : axis_limit_specs()) {
+    const KeyUnit unit = key_unit(spec.unit);
     QStringList cells{html_text(spec.title)};
-    for (const char axis : axis_names) {
-      const QString value = significant(axis_limit(machine, axis, spec.key), 8);
+    for (const auto& [axis, kind] : axes) {
+      const QString value = significant(axis_limit(machine, axis, spec.key) * unit.factor, digits_of(unit));
       cells.append(assumed(machine, axis_key(axis, spec.key)) ? QStringLiteral("<i>%1</i>").arg(value)
                                                               : value);
     }
-    cells.append(unit_text(spec.unit));
+    cells.append(unit.text);
     cells.append(axis_sources(machine, spec.key));
     table.add(cells);
   }
@@ -93,9 +111,9 @@ QString setting_title(const std::map<std::string, SettingSpec>& specs, const std
   return html_text(found == specs.end() ? key : found->second.title);
 }
 
-QString setting_unit(const std::map<std::string, SettingSpec>& specs, const std::string& key) {
+KeyUnit setting_unit(const std::map<std::string, SettingSpec>& specs, const std::string& key) {
   const auto found = specs.find(key);
-  return found == specs.end() ? QString() : unit_text(found->second.unit);
+  return found == specs.end() ? KeyUnit() : key_unit(found->second.unit);
 }
 
 QString control_table(const Machine& machine) {
@@ -104,9 +122,10 @@ QString control_table(const Machine& machine) {
   table.add_head(
       {QStringLiteral("Control"), QStringLiteral("Value"), QStringLiteral("Unit"), QStringLiteral("Source")});
   for (const auto& [key, value] : machine.settings.values()) {
-    const QString text = value_text(value);
+    const KeyUnit unit = setting_unit(specs, key);
+    const QString text = value_text(value, unit);
     table.add({setting_title(specs, key),
-               assumed(machine, key) ? QStringLiteral("<i>%1</i>").arg(text) : text, setting_unit(specs, key),
+               assumed(machine, key) ? QStringLiteral("<i>%1</i>").arg(text) : text, unit.text,
                source_text(machine, key)});
   }
   return table.empty() ? QString() : table.html();
@@ -138,7 +157,7 @@ std::vector<SettingRow> identity_rows(const ReportInput& input) {
 
 /// What the runs follow, which the program may set.
 SettingRow tolerance_row(const ReportInput& input) {
-  SettingRow row{QStringLiteral("Tolerance in force"), QStringLiteral("mm"), {}};
+  SettingRow row{QStringLiteral("Tolerance in force"), unit_of(Dimension::length), {}};
   for (const ReportRun& run : input.runs) {
     row.values.push_back(
         tolerance_range(tolerance_in_force(run.shown->run.input.feed_controls, run.shown->run.setup)));
@@ -149,11 +168,13 @@ SettingRow tolerance_row(const ReportInput& input) {
 std::vector<SettingRow> limit_rows(const ReportInput& input) {
   std::vector<SettingRow> rows;
   for (const SettingSpec& spec : axis_limit_specs()) {
-    for (const char axis : axis_names) {
+    const KeyUnit unit = key_unit(spec.unit);
+    for (const auto& [axis, kind] : known_axes) {
       rows.push_back(row_of(
-          input, QStringLiteral("%1 of %2").arg(html_text(spec.title), QString(QChar(axis))),
-          unit_text(spec.unit),
-          [&](const Setup& setup) { return significant(axis_limit(setup.machine, axis, spec.key), 8); }));
+          input, QStringLiteral("%1 of %2").arg(html_text(spec.title), QString(QChar(axis))), unit.text,
+          [&spec, &unit, axis = axis](const Setup& setup) {
+            return significant(axis_limit(setup.machine, axis, spec.key) * unit.factor, digits_of(unit));
+          }));
     }
   }
   return rows;
@@ -169,11 +190,11 @@ std::vector<SettingRow> setting_rows(const ReportInput& input) {
   }
   std::vector<SettingRow> rows;
   for (const std::string& key : keys) {
-    rows.push_back(
-        row_of(input, setting_title(specs, key), setting_unit(specs, key), [&](const Setup& setup) {
-          const auto found = setup.settings.values().find(key);
-          return found == setup.settings.values().end() ? QStringLiteral("–") : value_text(found->second);
-        }));
+    const KeyUnit unit = setting_unit(specs, key);
+    rows.push_back(row_of(input, setting_title(specs, key), unit.text, [&](const Setup& setup) {
+      const auto found = setup.settings.values().find(key);
+      return found == setup.settings.values().end() ? QStringLiteral("–") : value_text(found->second, unit);
+    }));
   }
   return rows;
 }

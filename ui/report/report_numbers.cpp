@@ -33,6 +33,18 @@ QString significant(double value, int digits) {
   return text;
 }
 
+QString fixed(double value, Dimension dimension, int metric_decimals) {
+  return fixed(in_shown_unit(value, dimension), decimals_of(dimension, metric_decimals));
+}
+
+QString significant(double value, Dimension dimension, int digits) {
+  return significant(in_shown_unit(value, dimension), digits);
+}
+
+QString error_number(double millimetres) {
+  return significant(millimetres, Dimension::error, millimetres < 0.1 ? 3 : 4);
+}
+
 QString signed_percent(double share) {
   const QString size = fixed(std::abs(100 * share), 1);
   if (size == fixed(0, 1)) {

@@ -7,21 +7,22 @@
 
 #include "core/analysis/ruled_instant.h"
 #include "core/base/units.h"
-#include "ui/charts/comparison_chart.h"
-#include "ui/models/why_text.h"
+#include "ui/language/shown_numbers.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/scene_picture.h"
+#include "ui/runs/comparison_chart.h"
+#include "ui/why/why_text.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-constexpr std::size_t most_places = 8;  // in the table
-constexpr std::size_t most_close_ups = 6;
-constexpr std::size_t most_charts = 6;
+constexpr std::size_t max_places = 8;  // in the table
+constexpr std::size_t max_close_ups = 6;
+constexpr std::size_t max_charts = 6;
 constexpr int close_ups_a_row = 2;
 const QString figure_mark(QChar(0xe000));  // where with_figure_numbers() puts a number
 constexpr double view_height = 400;        // [1/96 inch]
@@ -34,14 +35,14 @@ ReportPicture scene_picture(const ReportInput& seen, const QSizeF& size) {
           }};
 }
 
-/// Places that lose time alike, as the turns of a pocket do.
-struct AlikePlaces {
+/// Places that lose time in a similar way, as the turns of a pocket do.
+struct SimilarPlaces {
   SlowPlace worst;
   std::size_t count = 0;
   double loss = 0;  ///< of all of them [s]
 };
 
-bool alike(const SlowPlace& a, const SlowPlace& b) {
+bool similar(const SlowPlace& a, const SlowPlace& b) {
   constexpr double tolerance = 0.03;
   const auto near = [](double x, double y) { return std::abs(x - y) <= tolerance * std::max(x, y); };
   return a.cause == b.cause && near(a.loss, b.loss) && near(a.feed, b.feed) &&
@@ -49,33 +50,33 @@ bool alike(const SlowPlace& a, const SlowPlace& b) {
 }
 
 /// Those that lose most together, the worst first.
-std::vector<AlikePlaces> worst_places(const ReportInput& input, std::size_t most) {
-  constexpr std::size_t most_kinds = 200;  // told apart; the rest loses less
+std::vector<SimilarPlaces> worst_places(const ReportInput& input, std::size_t most) {
+  constexpr std::size_t max_kinds = 200;  // told apart; the rest loses less
   std::vector<SlowPlace> places = input.run().shown->slow_places->places;
   std::ranges::stable_sort(places, std::greater(), &SlowPlace::loss);
   std::erase_if(places, [](const SlowPlace& place) { return !(place.loss > 0); });
-  std::vector<AlikePlaces> kinds;
+  std::vector<SimilarPlaces> kinds;
   for (const SlowPlace& place : places) {
     const auto found =
-        std::ranges::find_if(kinds, [&](const AlikePlaces& kind) { return alike(kind.worst, place); });
+        std::ranges::find_if(kinds, [&](const SimilarPlaces& kind) { return similar(kind.worst, place); });
     if (found != kinds.end()) {
       ++found->count;
       found->loss += place.loss;
-    } else if (kinds.size() < most_kinds) {
+    } else if (kinds.size() < max_kinds) {
       kinds.push_back({place, 1, place.loss});
     }
   }
-  std::ranges::stable_sort(kinds, std::greater(), &AlikePlaces::loss);
+  std::ranges::stable_sort(kinds, std::greater(), &SimilarPlaces::loss);
   kinds.resize(std::min(kinds.size(), most));
   return kinds;
 }
 
-QString lines_text(const AlikePlaces& places) {
+QString lines_text(const SimilarPlaces& places) {
   const SlowPlace& place = places.worst;
   const QString lines = place.first_line == place.last_line
                             ? QString::number(place.first_line)
                             : QStringLiteral("%1 – %2").arg(place.first_line).arg(place.last_line);
-  return places.count > 1 ? QStringLiteral("%1 and %2 alike").arg(lines).arg(places.count - 1) : lines;
+  return places.count > 1 ? QStringLiteral("%1 and %2 similar").arg(lines).arg(places.count - 1) : lines;
 }
 
 /// A place that is flat is seen from above, others as the whole.
@@ -183,16 +184,15 @@ void ReportPictures::paint(const QString& name, QPainter& painter, double pixel_
   found->second.paint(painter, pixel_ratio);
 }
 
-QString run_view(const ReportInput& input, ReportPictures& pictures, double height) {
+QString run_view(const ReportInput& input, ReportPictures& pictures, double height, const QString& caption) {
   const QString name = html_text(input.run().name);
-  const QString caption =
-      input.scene.exaggeration > 1
-          ? QStringLiteral("Executed path of %1; deviations drawn %2 times as large as they are.")
-                .arg(name, significant(input.scene.exaggeration, 4))
-          : QStringLiteral("Programmed and executed path of %1.").arg(name);
+  const QString english = input.scene.exaggeration > 1
+                              ? QStringLiteral("Executed path of %1; deviations exaggerated %2 times.")
+                                    .arg(name, significant(input.scene.exaggeration, 4))
+                              : QStringLiteral("Programmed and executed path of %1.").arg(name);
   return figure(pictures.add(QStringLiteral("view"), scene_picture(input, {report_width, height}),
                              QStringLiteral("3D view")),
-                caption);
+                caption.isEmpty() ? english : caption);
 }
 
 QString view_block(const ReportInput& input, ReportPictures& pictures) {
@@ -208,7 +208,8 @@ QString cause_view_block(const ReportInput& input, ReportPictures& pictures) {
       QStringLiteral("What limits the feed of %1 along the path.").arg(html_text(input.run().name)));
 }
 
-QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height) {
+QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height,
+                   const QString& caption) {
   const QSizeF size(report_width, height);
   constexpr double shrunk = 0.84;  // the charts are laid out larger
   const auto paint = [input, row, size](QPainter& painter, double pixel_ratio) {
@@ -224,13 +225,15 @@ QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pi
   return figure(
       pictures.add(QStringLiteral("charts%1").arg(row), {size, false, paint},
                    QStringLiteral("Charts of %1").arg(name)),
-      QStringLiteral("Feed with what limits it, acceleration and jerk of %1.").arg(html_text(name)));
+      caption.isEmpty()
+          ? QStringLiteral("Feed with its limiting causes, acceleration and jerk of %1.").arg(html_text(name))
+          : caption);
 }
 
 QString charts_block(const ReportInput& input, ReportPictures& pictures) {
   constexpr double height = 430;
   QString html;
-  for (std::size_t i = 0; i < std::min(input.runs.size(), most_charts); ++i) {
+  for (std::size_t i = 0; i < std::min(input.runs.size(), max_charts); ++i) {
     html += run_charts(input, i, pictures, height);
   }
   return html;
@@ -263,17 +266,17 @@ QString slow_places_block(const ReportInput& input) {
   const SlowPlaces& found = *input.run().shown->slow_places;
   HtmlTable table("rlrrl", {5, 19, 9, 16, 51});
   table.add_head({QStringLiteral("No."), QStringLiteral("Lines"), QStringLiteral("Lost [s]"),
-                  QStringLiteral("Feed [mm/min]"), QStringLiteral("Why")});
+                  with_unit_of(QStringLiteral("Feed"), Dimension::feed), QStringLiteral("Why")});
   int number = 0;
   double listed = 0;
-  for (const AlikePlaces& places : worst_places(input, most_places)) {
+  for (const SimilarPlaces& places : worst_places(input, max_places)) {
     const SlowPlace& place = places.worst;
     const Explanation why = explain(run, run.trajectory->state(ruled_instant(*run.trajectory, place)));
     const QString cause = WhyText::cause(place.cause).toHtmlEscaped();
     table.add(
         {QString::number(++number), lines_text(places), fixed(places.loss, 3),
          QStringLiteral("%1 of %2")
-             .arg(fixed(units::to_mm_min(place.feed), 0), fixed(units::to_mm_min(place.programmed_feed), 0)),
+             .arg(fixed(place.feed, Dimension::feed), fixed(place.programmed_feed, Dimension::feed)),
          QStringLiteral("<b>%1.</b> %2").arg(cause, WhyText::sentence(place.cause, why).toHtmlEscaped())});
     listed += places.loss;
   }
@@ -291,7 +294,7 @@ QString slow_places_block(const ReportInput& input) {
 }
 
 QString slow_place_views_block(const ReportInput& input, ReportPictures& pictures) {
-  const std::vector<AlikePlaces> places = worst_places(input, most_close_ups);
+  const std::vector<SimilarPlaces> places = worst_places(input, max_close_ups);
   std::vector<std::pair<QString, QString>> shown;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const QString number = QString::number(i + 1);

@@ -55,8 +55,10 @@ std::vector<Annotation> annotations_between(const ReportInput& input, double fro
 // Blocks with pictures as HTML.
 
 /// The current run in 3D as `view_block`, and the charts of one run, so high [1/96 inch].
-QString run_view(const ReportInput& input, ReportPictures& pictures, double height);
-QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height);
+QString run_view(const ReportInput& input, ReportPictures& pictures, double height,
+                 const QString& caption = {});
+QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height,
+                   const QString& caption = {});
 
 /// The current run in 3D, with the annotations, coloured as the input says.
 QString view_block(const ReportInput& input, ReportPictures& pictures);

@@ -6,19 +6,20 @@
 #include "core/analysis/run_notes.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
-#include "ui/models/reading_faults.h"
-#include "ui/models/texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/scene/cause_colour.h"
+#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 
 namespace {
 
 constexpr std::size_t runs_a_table = 4;
-constexpr double least_named_share = 0.0005;  // of a cycle time; below, 0.0 % would stand there
+constexpr double min_named_share = 0.0005;  // of a cycle time; below, 0.0 % would stand there
 
 const Summary& summary_of(const ReportRun& run) {
   return run.shown->run.summary;
@@ -26,10 +27,6 @@ const Summary& summary_of(const ReportRun& run) {
 
 double against_programmed(const Summary& summary) {
   return summary.programmed_time > 0 ? summary.cycle_time / summary.programmed_time : 1;
-}
-
-QString micrometres(double millimetres) {
-  return significant(1000 * millimetres, millimetres < 0.1 ? 3 : 4);
 }
 
 QString percent(double share, int decimals) {
@@ -59,10 +56,11 @@ QString one_run_sentence(const ReportRun& run) {
   const Summary& summary = summary_of(run);
   return QStringLiteral(
              "<b>%1</b> on %2 takes <b>%3</b>, %4 times the programmed time of %5, at a mean feed of "
-             "%6 mm/min; the path stays within <b>%7 µm</b> of the programmed path.")
+             "%6; the path stays within <b>%7</b> of the programmed path.")
       .arg(html_text(run.name), html_text(run.shown->run.setup.machine.name), clock_text(summary.cycle_time),
            significant(against_programmed(summary), 3), clock_text(summary.programmed_time),
-           fixed(units::to_mm_min(summary.mean_feed), 0), micrometres(summary.max_contour_error));
+           fixed(summary.mean_feed, Dimension::feed) + ' ' + unit_of(Dimension::feed),
+           error_number(summary.max_contour_error) + ' ' + unit_of(Dimension::error));
 }
 
 /// A sentence for each different set of events that cycle times do not contain.
@@ -81,29 +79,30 @@ QString not_counted_sentences(const ReportInput& input) {
     if (events.empty()) {
       continue;
     }
-    html += sets.size() == 1
-                ? QStringLiteral("<p>Not counted in the cycle time: %1.</p>\n").arg(html_text(events))
-                : QStringLiteral("<p>Not counted in the cycle time of %1: %2.</p>\n")
-                      .arg(runs.join(QStringLiteral(", ")), html_text(events));
+    html += sets.size() == 1 ? QStringLiteral("<p>Not in the cycle time: %1.</p>\n").arg(html_text(events))
+                             : QStringLiteral("<p>Not in the cycle time of %1: %2.</p>\n")
+                                   .arg(runs.join(QStringLiteral(", ")), html_text(events));
   }
   return html;
 }
 
 QString fastest_sentence(const ReportInput& input) {
   const auto time = [](const ReportRun& run) { return summary_of(run).cycle_time; };
+  const auto error = [](const ReportRun& run) {
+    return error_number(summary_of(run).max_contour_error) + ' ' + unit_of(Dimension::error);
+  };
   const ReportRun& fastest = *std::ranges::min_element(input.runs, {}, time);
   const ReportRun& slowest = *std::ranges::max_element(input.runs, {}, time);
   if (!(time(slowest) > time(fastest))) {
     return QStringLiteral("All runs take %1.").arg(clock_text(time(fastest)));
   }
   return QStringLiteral(
-             "<b>%1</b> is the fastest of %2 runs: <b>%3</b> at a contour error of %4 µm, "
-             "<b>%5 % less time</b> than %6 (%7, %8 µm).")
+             "<b>%1</b> is the fastest of %2 runs: <b>%3</b> at a contour error of %4, "
+             "<b>%5 % less time</b> than %6 (%7, %8).")
       .arg(html_text(fastest.name))
       .arg(input.runs.size())
-      .arg(clock_text(time(fastest)), micrometres(summary_of(fastest).max_contour_error),
-           percent(1 - time(fastest) / time(slowest), 1), html_text(slowest.name), clock_text(time(slowest)),
-           micrometres(summary_of(slowest).max_contour_error));
+      .arg(clock_text(time(fastest)), error(fastest), percent(1 - time(fastest) / time(slowest), 1),
+           html_text(slowest.name), clock_text(time(slowest)), error(slowest));
 }
 
 using Peak = double AxisPeaks::*;
@@ -113,13 +112,12 @@ struct AxisQuantity {
   const char* name;
   Peak peak;
   Limit limit;
-  double (*convert)(double);
-  const char* unit;
+  Dimension dimension;
 };
 constexpr AxisQuantity quantities[] = {
-    {"Velocity", &AxisPeaks::velocity, &AxisLimits::velocity, units::to_m_min, "m/min"},
-    {"Acceleration", &AxisPeaks::acceleration, &AxisLimits::acceleration, units::to_m, "m/s²"},
-    {"Jerk", &AxisPeaks::jerk, &AxisLimits::jerk, units::to_m, "m/s³"}};
+    {"Velocity", &AxisPeaks::velocity, &AxisLimits::velocity, Dimension::velocity},
+    {"Acceleration", &AxisPeaks::acceleration, &AxisLimits::acceleration, Dimension::acceleration},
+    {"Jerk", &AxisPeaks::jerk, &AxisLimits::jerk, Dimension::jerk}};
 
 QString swatch(CauseKind kind) {
   const Rgb rgb = cause_colour(kind);
@@ -139,7 +137,7 @@ std::vector<std::size_t> listed_causes(const ReportInput& input) {
   }
   std::vector<std::size_t> order(shares.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::erase_if(order, [&](std::size_t i) { return !(shares[i] >= least_named_share); });
+  std::erase_if(order, [&](std::size_t i) { return !(shares[i] >= min_named_share); });
   std::ranges::stable_sort(order, std::greater(), [&](std::size_t i) { return shares[i]; });
   return order;
 }
@@ -231,17 +229,18 @@ QString summary_block(const ReportInput& input) {
 
 QString comparison_block(const ReportInput& input) {
   HtmlTable table("lrrrrrrr", {27, 12, 10, 10, 10, 10, 11, 10});
-  table.add_head({QStringLiteral("Run"), QStringLiteral("Cycle time [s]"),
-                  QStringLiteral("× pro-<br/>grammed"), QStringLiteral("To first [%]"),
-                  QStringLiteral("Mean feed [mm/min]"), QStringLiteral("Peak feed [mm/min]"),
-                  QStringLiteral("Contour error [µm]"), QStringLiteral("Corner blends")});
+  table.add_head(
+      {QStringLiteral("Run"), QStringLiteral("Cycle time [s]"), QStringLiteral("× pro-<br/>grammed"),
+       QStringLiteral("To first [%]"), with_unit_of(QStringLiteral("Mean feed"), Dimension::feed),
+       with_unit_of(QStringLiteral("Peak feed"), Dimension::feed),
+       with_unit_of(QStringLiteral("Contour error"), Dimension::error), QStringLiteral("Corner blends")});
   for (const ReportRun& run : input.runs) {
     const Summary& summary = summary_of(run);
     table.add(
         {run_label(run), QStringLiteral("<b>%1</b>").arg(fixed(summary.cycle_time, 3)),
          fixed(against_programmed(summary), 3), difference_to_first(summary, summary_of(input.runs.front())),
-         fixed(units::to_mm_min(summary.mean_feed), 0), fixed(units::to_mm_min(summary.peak_feed), 0),
-         micrometres(summary.max_contour_error), QString::number(run.shown->run.trajectory->blend_count())});
+         fixed(summary.mean_feed, Dimension::feed), fixed(summary.peak_feed, Dimension::feed),
+         error_number(summary.max_contour_error), QString::number(run.shown->run.trajectory->blend_count())});
   }
   return table.html();
 }
@@ -251,20 +250,27 @@ QString peaks_block(const ReportInput& input) {
   std::vector<std::pair<QString, int>> groups{{QStringLiteral("Run"), 1}};
   QStringList axes{QString()};
   for (const AxisQuantity& quantity : quantities) {
-    groups.emplace_back(
-        QStringLiteral("%1 [%2]").arg(QString::fromUtf8(quantity.name), QString::fromUtf8(quantity.unit)), 3);
-    axes << QStringLiteral("X") << QStringLiteral("Y") << QStringLiteral("Z");
+    groups.emplace_back(with_unit_of(QString::fromUtf8(quantity.name), quantity.dimension),
+                        static_cast<int>(known_axes.size()));
+    for (const AxisInfo& axis : known_axes) {
+      axes << QString(QChar(axis.name));
+    }
   }
   table.add_group_head(groups);
   table.add_head(axes);
   for (const ReportRun& run : input.runs) {
     QStringList cells{run_label(run) + QStringLiteral("<br/><span class=\"muted\">of the limit</span>")};
     for (const AxisQuantity& quantity : quantities) {
-      for (std::size_t i = 0; i < axis_names.size(); ++i) {
-        const double peak = summary_of(run).axes[i].*quantity.peak;
-        const double limit = run.shown->run.setup.machine.axes[i].*quantity.limit;
+      for (const AxisInfo& axis : known_axes) {
+        const AxisPeaks* const peaks = summary_of(run).axes.find(axis.name);
+        if (peaks == nullptr) {
+          cells.append(QString());
+          continue;
+        }
+        const double peak = peaks->*quantity.peak;
+        const double limit = run.shown->run.setup.machine.axes.find(axis.name)->*quantity.limit;
         cells.append(QStringLiteral("%1<br/><span class=\"muted\">%2 %</span>")
-                         .arg(significant(quantity.convert(peak), 3), percent(peak / limit, 0)));
+                         .arg(significant(peak, quantity.dimension, 3), percent(peak / limit, 0)));
       }
     }
     table.add(cells);

@@ -6,7 +6,8 @@
 #include "core/analysis/not_counted.h"
 #include "core/analysis/program_facts.h"
 #include "core/base/units.h"
-#include "ui/models/texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 
@@ -14,13 +15,15 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr qsizetype most_ranges = 40;  // of path control that are listed
+constexpr qsizetype max_ranges = 40;  // of path control that are listed
 
 QString range_text(const Bounds& bounds, int axis) {
   const double from = bounds.min[axis];
   const double to = bounds.max[axis];
   return std::isfinite(from) && std::isfinite(to)
-             ? QStringLiteral("%1 to %2 mm").arg(fixed(from, 3), fixed(to, 3))
+             ? QStringLiteral("%1 to %2 %3")
+                   .arg(fixed(from, Dimension::length), fixed(to, Dimension::length),
+                        unit_of(Dimension::length))
              : QStringLiteral("not programmed");
 }
 
@@ -35,7 +38,7 @@ QString tools_text(const Program& program) {
   for (const ToolChange& tool : program.tools) {
     names.append(QStringLiteral("%1 (line %2)").arg(html_text(tool.name)).arg(tool.line));
   }
-  return names.isEmpty() ? QStringLiteral("none named") : names.join(QStringLiteral(", "));
+  return names.isEmpty() ? QStringLiteral("none programmed") : names.join(QStringLiteral(", "));
 }
 
 QString lines_text(std::uint32_t first, std::uint32_t last) {
@@ -46,7 +49,7 @@ QString lines_text(std::uint32_t first, std::uint32_t last) {
 QString path_control_text(const ProgramFacts& facts) {
   QStringList lines;
   for (const PathControlRange& range : facts.path_control) {
-    if (lines.size() == most_ranges) {
+    if (lines.size() == max_ranges) {
       lines.append(QStringLiteral("and %1 more").arg(facts.path_control.size() - lines.size()));
       break;
     }
@@ -70,7 +73,7 @@ QString program_facts_block(const ReportInput& input) {
     table.add({QString::fromUtf8(name), value});
   };
   add("File", html_text(program.source->name()));
-  add("Language", html_text(std::string(info_of(program.dialect).title)));
+  add("Dialect", html_text(std::string(info_of(program.dialect).title)));
   add("Unit", html_text(describe(program.unit)));
   add("Size", QStringLiteral("%1 lines, %2 blocks run").arg(facts.lines).arg(program.block_count));
   add("Segments", QStringLiteral("%1: %2 lines, %3 arcs, %4 dwells")
@@ -79,22 +82,24 @@ QString program_facts_block(const ReportInput& input) {
                       .arg(facts.arcs)
                       .arg(facts.dwells));
   for (int axis = 0; axis < 3; ++axis) {
-    table.add({QStringLiteral("Extent of %1").arg(QChar(axis_names[static_cast<std::size_t>(axis)])),
+    table.add({QStringLiteral("Extent of %1").arg(QChar(coordinate_names[static_cast<std::size_t>(axis)])),
                extent_text(facts, axis)});
   }
-  add("Path length", QStringLiteral("%1 mm, %2 mm of it rapid")
-                         .arg(fixed(facts.path_length, 3), fixed(facts.rapid_length, 3)));
+  add("Path length", QStringLiteral("%1 %3, %2 %3 of it rapid")
+                         .arg(fixed(facts.path_length, Dimension::length),
+                              fixed(facts.rapid_length, Dimension::length), unit_of(Dimension::length)));
   if (facts.dwells > 0) {
     add("Dwells", clock_text(facts.dwell_time));
   }
-  add("Programmed feeds", facts.largest_feed > 0
-                              ? QStringLiteral("%1 to %2 mm/min")
-                                    .arg(significant(units::to_mm_min(facts.least_feed), 6),
-                                         significant(units::to_mm_min(facts.largest_feed), 6))
-                              : QStringLiteral("none"));
+  add("Programmed feeds",
+      facts.largest_feed > 0
+          ? QStringLiteral("%1 to %2 %3")
+                .arg(significant(facts.min_feed, Dimension::feed, 6),
+                     significant(facts.largest_feed, Dimension::feed, 6), unit_of(Dimension::feed))
+          : QStringLiteral("none"));
   add("Tools", tools_text(program));
   if (const std::string events = describe(facts.not_counted); !events.empty()) {
-    add("Times not given", html_text(events));
+    add("Not in the cycle time", html_text(events));
   }
   if (program.call_count > 0) {
     add("Subprogram calls", QString::number(program.call_count));

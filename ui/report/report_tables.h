@@ -32,7 +32,7 @@ QString peaks_block(const ReportInput& input);
 /// Time by limiting cause.
 QString causes_block(const ReportInput& input);
 
-/// How long each kind of limit rules a run [s], the longest first; those that never do are left out.
+/// How long each kind of limit rules a run [s], the longest first; those that never do are omitted.
 std::vector<std::pair<CauseKind, double>> time_by_kind(const Summary& summary);
 
 /// A run's name after a square of its colour.

@@ -37,7 +37,7 @@ std::string braced(const QString& name, const char* sign = "") {
   const std::vector<std::string> names = as_std(known);
   const std::string near = nearest_name(name.toStdString(), names);
   throw InputError(place + ": unknown placeholder " + braced(name) + "; " +
-                   (near.empty() ? fmt::format("there are {}", fmt::join(names, ", "))
+                   (near.empty() ? fmt::format("known: {}", fmt::join(names, ", "))
                                  : "did you mean " + braced(QString::fromStdString(near)) + "?"));
 }
 
@@ -60,7 +60,7 @@ ReportTemplate::ReportTemplate(QString text, QString name, const QStringList& kn
   parts_.push_back({Kind::text, text.mid(at)});
   if (!open.empty()) {
     throw InputError(open.back().place + ": section " + braced(open.back().name, "#") +
-                     " is not closed; write " + braced(open.back().name, "/") + " behind it");
+                     " is not closed; write " + braced(open.back().name, "/") + " after it");
   }
 }
 

@@ -9,7 +9,7 @@
 namespace feedscope::ui {
 
 /// A page with placeholders in double braces, "{{comparison_table}}", which become blocks of a report. What
-/// stands between "{{#notes}}" and "{{/notes}}" is left out where the block is empty. "{{!" begins a remark.
+/// stands between "{{#notes}}" and "{{/notes}}" is omitted where the block is empty. "{{!" begins a remark.
 class ReportTemplate {
  public:
   /// `name` is what messages call the template. Throws InputError with name, line and the nearest known

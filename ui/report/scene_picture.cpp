@@ -10,10 +10,10 @@
 #include <cstring>
 
 #include "core/base/error.h"
-#include "ui/models/reading_faults.h"
-#include "ui/models/run_comparison.h"
 #include "ui/scene/picture.h"
 #include "ui/scene/render_window.h"
+#include "ui/workbench/reading_faults.h"
+#include "ui/workbench/run_comparison.h"
 
 namespace feedscope::ui {
 
@@ -40,7 +40,7 @@ QSize pixels_of(const QSizeF& size, double ratio) {
   for (const int side : {pixels.width(), pixels.height()}) {
     if (side < 1 || side > largest_picture_side) {
       throw InputError(
-          fmt::format("the 3D view would have {} x {} pixels, and each side may have 1 to {}; take a smaller "
+          fmt::format("the 3D view would have {} x {} pixels, and each side may have 1 to {}; use a smaller "
                       "--size, --scale or --dpi",
                       pixels.width(), pixels.height(), largest_picture_side));
     }
@@ -59,6 +59,7 @@ ScenePicture::ScenePicture(const ReportInput& input, std::size_t row, ThemeKind 
   const ReportRun& run = input.runs[row];
   scene_.set_background(theme == ThemeKind::dark ? Background::dark : Background::light);
   scene_.set_transparent(transparent);
+  scene_.set_texts(input.texts);
   scene_.set_programmed(run.shown->run.input.toolpath);
   scene_.set_executed(run.shown->run.trajectory, samples());
   scene_.set_overlays(overlays_of(input, row));

@@ -14,14 +14,15 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "ui/charts/cause_strip.h"
-#include "ui/models/reading_faults.h"
-#include "ui/models/texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/html_table.h"
 #include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/scene_picture.h"
 #include "ui/theme/fonts.h"
+#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 
@@ -32,7 +33,7 @@ constexpr double gap = 14;
 constexpr double title_height = 58;
 constexpr double figures_height = 50;
 constexpr double footer_height = 16;
-constexpr std::size_t most_runs = 12;          // in the table
+constexpr std::size_t max_runs = 12;           // in the table
 constexpr QSizeF enough_for_charts(640, 400);  // smaller ones are laid out larger and shrunk
 
 struct Colours {
@@ -77,7 +78,7 @@ class SheetPainter {
   /// View, charts and texts one above the other.
   void stand(const QRectF& room) {
     constexpr double below_table = 150;
-    const double table = 40 + 22 * static_cast<double>(std::min(input_.runs.size(), most_runs + 1));
+    const double table = 40 + 22 * static_cast<double>(std::min(input_.runs.size(), max_runs + 1));
     const double lower = std::min(table + below_table, 0.36 * room.height());
     const double each = (room.height() - lower - 2 * gap) / 2;
     draw_view({room.left(), room.top(), room.width(), each});
@@ -137,9 +138,10 @@ class SheetPainter {
     const std::pair<QString, QString> figures[] = {
         {QStringLiteral("cycle time"), clock_text(summary.cycle_time)},
         {QStringLiteral("× programmed time"), significant(ratio, 3)},
-        {QStringLiteral("mean feed, mm/min"), fixed(units::to_mm_min(summary.mean_feed), 0)},
-        {QStringLiteral("peak feed, mm/min"), fixed(units::to_mm_min(summary.peak_feed), 0)},
-        {QStringLiteral("contour error, µm"), significant(1000 * summary.max_contour_error, 3)}};
+        {QStringLiteral("mean feed, ") + unit_of(Dimension::feed), fixed(summary.mean_feed, Dimension::feed)},
+        {QStringLiteral("peak feed, ") + unit_of(Dimension::feed), fixed(summary.peak_feed, Dimension::feed)},
+        {QStringLiteral("contour error, ") + unit_of(Dimension::error),
+         significant(summary.max_contour_error, Dimension::error, 3)}};
     const double width = (room.width() - 4 * 8) / 5;
     double left = room.left();
     for (const auto& [name, value] : figures) {
@@ -161,7 +163,7 @@ class SheetPainter {
     constexpr int smallest = 5;  // [1/96 inch]
     int pixels = 9;
     while (pixels > smallest && QFontMetricsF(paper_font(pixels)).horizontalAdvance(command) > room.width()) {
-      --pixels;  // a command with a piece left out could not be run
+      --pixels;  // a command with a piece omitted could not be run
     }
     write(room, paper_font(pixels), colours_.muted, Qt::AlignLeft, command);
     write(room, paper_font(9), colours_.muted, Qt::AlignRight,
@@ -200,18 +202,19 @@ class SheetPainter {
   QString table_html() const {
     HtmlTable table("lrrrr", {40, 17, 13, 15, 15});
     table.add_head({QStringLiteral("Run"), QStringLiteral("Cycle time [s]"), QStringLiteral("To first [%]"),
-                    QStringLiteral("Mean feed [mm/min]"), QStringLiteral("Contour error [µm]")});
+                    with_unit_of(QStringLiteral("Mean feed"), Dimension::feed),
+                    with_unit_of(QStringLiteral("Contour error"), Dimension::error)});
     const double first = input_.runs.front().shown->run.summary.cycle_time;
-    for (std::size_t i = 0; i < std::min(input_.runs.size(), most_runs); ++i) {
+    for (std::size_t i = 0; i < std::min(input_.runs.size(), max_runs); ++i) {
       const Summary& summary = input_.runs[i].shown->run.summary;
       const double change = first > 0 ? summary.cycle_time / first - 1 : 0;
       table.add({run_label(input_.runs[i]), fixed(summary.cycle_time, 3),
                  i == 0 ? QStringLiteral("–") : signed_percent(change),
-                 fixed(units::to_mm_min(summary.mean_feed), 0),
-                 significant(1000 * summary.max_contour_error, 3)});
+                 fixed(summary.mean_feed, Dimension::feed),
+                 significant(summary.max_contour_error, Dimension::error, 3)});
     }
-    if (input_.runs.size() > most_runs) {
-      table.add({QStringLiteral("and %1 more").arg(input_.runs.size() - most_runs)});
+    if (input_.runs.size() > max_runs) {
+      table.add({QStringLiteral("and %1 more").arg(input_.runs.size() - max_runs)});
     }
     return table.html();
   }
@@ -220,20 +223,21 @@ class SheetPainter {
     const Program& program = *input_.program().program;
     const ProgramFacts facts = facts_of(program, *input_.program().toolpath);
     HtmlTable table("ll", {30, 70});
-    table.add(
-        {QStringLiteral("Program"),
-         QStringLiteral("%1 blocks, path %2 mm").arg(program.block_count).arg(fixed(facts.path_length, 1))});
+    table.add({QStringLiteral("Program"),
+               QStringLiteral("%1 blocks, path %2 %3")
+                   .arg(program.block_count)
+                   .arg(fixed(facts.path_length, Dimension::length, 1), unit_of(Dimension::length))});
     if (facts.largest_feed > 0) {
       table.add({QStringLiteral("Programmed feed"),
-                 QStringLiteral("%1 to %2 mm/min")
-                     .arg(significant(units::to_mm_min(facts.least_feed), 6),
-                          significant(units::to_mm_min(facts.largest_feed), 6))});
+                 QStringLiteral("%1 to %2 %3")
+                     .arg(significant(facts.min_feed, Dimension::feed, 6),
+                          significant(facts.largest_feed, Dimension::feed, 6), unit_of(Dimension::feed))});
     }
     const Run& run = input_.run().shown->run;
     const ModelInfo& model = run.setup.model->info();
     table.add({QStringLiteral("Control model"), html_text(model.title)});
     if (const std::string events = describe(run.summary.not_counted); !events.empty()) {
-      table.add({QStringLiteral("Not counted"), html_text(events)});
+      table.add({QStringLiteral("Not in the cycle time"), html_text(events)});
     }
     if (const auto mismatch = control_mismatch(run.setup.machine, program.dialect)) {
       table.add({QStringLiteral("Control"), html_text(describe(*mismatch))});
@@ -298,11 +302,11 @@ class SheetPainter {
 void paint_sheet(QPainter& painter, const QSizeF& size, const ReportInput& input, const SheetLook& look) {
   const double longer = std::max(size.width(), size.height());
   const double shorter = std::min(size.width(), size.height());
-  if (longer < least_sheet.width() || shorter < least_sheet.height()) {
+  if (longer < min_sheet.width() || shorter < min_sheet.height()) {
     throw InputError(
-        fmt::format("a sheet of {:.0f} x {:.0f} units is too small; it needs at least {:.0f} on its "
-                    "longer and {:.0f} on its shorter side: take a larger --size or a smaller --scale",
-                    size.width(), size.height(), least_sheet.width(), least_sheet.height()));
+        fmt::format("a sheet of {:.0f} x {:.0f} units is too small; it needs at least {:.0f} on its longer "
+                    "and {:.0f} on its shorter side: use a larger --size or a smaller --scale",
+                    size.width(), size.height(), min_sheet.width(), min_sheet.height()));
   }
   SheetPainter(painter, size, input, look).paint();
 }

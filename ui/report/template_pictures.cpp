@@ -50,7 +50,7 @@ class PictureReader {
 
   void check_link(const QString& tag) const {
     if (tag.contains(QStringLiteral("stylesheet"), Qt::CaseInsensitive)) {
-      fail(tag, "is a style sheet outside the page; put its rules into <style>");
+      fail(tag, "is an external style sheet; put its rules into <style>");
     }
   }
 
@@ -60,12 +60,12 @@ class PictureReader {
     }
     if (source.startsWith(QStringLiteral("data:"))) {
       if (!InlinePicture::from_url(source)) {
-        fail(source.left(40), "holds no picture; PNG, JPEG, SVG and other formats of Qt are supported");
+        fail(source.left(40), "contains no picture; PNG, JPEG, SVG and other formats of Qt are supported");
       }
       return source;
     }
     if (source.contains(QStringLiteral("://"))) {
-      fail(source, "is an address; save the picture beside the template and name its file");
+      fail(source, "is a URL; save the picture in the template's folder and give its file name");
     }
     const QString path = QFileInfo(name_).absoluteDir().filePath(source);
     QFile file(path);

@@ -1,4 +1,4 @@
-#include "ui/charts/comparison_bars.h"
+#include "ui/runs/comparison_bars.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr std::size_t kind_count = cause_kind_count;
-constexpr double least_share = 0.01;
+constexpr double min_share = 0.01;
 
 using KindFlags = std::array<bool, kind_count>;
 
@@ -42,12 +42,12 @@ KindFlags kinds_told_apart(std::span<const ComparedRun> runs) {
   }
   std::ranges::stable_sort(present, std::greater(), [&](std::size_t k) { return shares[k]; });
   const auto small =
-      std::ranges::find_if(present, [&](std::size_t k) { return shares[k] < least_share; }) - present.begin();
+      std::ranges::find_if(present, [&](std::size_t k) { return shares[k] < min_share; }) - present.begin();
   auto kept = static_cast<std::size_t>(small);
   if (kept + 1 == present.size()) {
     ++kept;
   }
-  present.resize(std::min(kept, most_cause_kinds));
+  present.resize(std::min(kept, max_cause_kinds));
   KindFlags flags{};
   for (const std::size_t k : present) {
     flags[k] = true;

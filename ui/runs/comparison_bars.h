@@ -44,9 +44,9 @@ struct ComparisonBars {
 };
 
 /// Kinds of causes that a legend may hold, the rest not counted.
-inline constexpr std::size_t most_cause_kinds = 11;
+inline constexpr std::size_t max_cause_kinds = 11;
 
-/// Kinds of causes that take less than 1 % of every run, and those beyond most_cause_kinds, become one part;
+/// Kinds of causes that take less than 1 % of every run, and those beyond max_cause_kinds, become one part;
 /// a single such kind keeps its name if there is room.
 ComparisonBars comparison_bars(std::span<const ComparedRun> runs);
 

@@ -1,12 +1,13 @@
-#include "ui/charts/comparison_chart.h"
+#include "ui/runs/comparison_chart.h"
 
 #include <QLocale>
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
 
-#include "ui/charts/chart_colors.h"
+#include "ui/runs/chart_colours.h"
 #include "ui/scene/cause_colour.h"
+#include "ui/shared/plot_grid.h"
 
 namespace feedscope::ui {
 
@@ -16,7 +17,7 @@ constexpr int text_size = 12;
 constexpr int small_text_size = 11;
 constexpr int title_size = 15;
 constexpr double swatch = 12;
-constexpr double least_bar_with_text = 13;
+constexpr double min_bar_with_text = 13;
 constexpr double text_room = 8;  // that a text in a bar needs beside itself
 constexpr double label_gap = 5;
 constexpr double separated = 3;  // a part wider than this is set apart from the one before by a white line
@@ -72,12 +73,11 @@ QRectF clear_side(const QRectF& piece, double x) {
 
 /// "X 35 %" where there is room, else "X" or nothing; no axis where none sets it.
 void draw_share(QPainter& painter, const BarPart& part, double cycle_time, const QRectF& room) {
-  if (room.height() < least_bar_with_text) {
+  if (room.height() < min_bar_with_text) {
     return;
   }
   const bool has_axis = part.cause && part.cause->axis >= 0;
-  const QString axis =
-      has_axis ? QString(QChar(axis_names[static_cast<std::size_t>(part.cause->axis)])) : QString();
+  const QString axis = has_axis ? QString(QChar(axis_name(*part.cause))) : QString();
   const QString share =
       ComparisonChart::tr("%1 %").arg(QLocale().toString(100 * part.time / cycle_time, 'f', 0));
   painter.setPen(part.cause ? text_on(color_of(part.cause->kind)) : text_color);
@@ -123,7 +123,7 @@ QSize ComparisonChart::sizeHint() const {
 }
 
 QSize ComparisonChart::minimumSizeHint() const {
-  return {least_comparison_width, least_comparison_height(bars_, width(), font())};
+  return {min_comparison_width, min_comparison_height(bars_, width(), font())};
 }
 
 void ComparisonChart::paintEvent(QPaintEvent*) {
@@ -202,16 +202,12 @@ void ComparisonChart::draw_axis(QPainter& painter, const ComparisonLayout& layou
   const QRectF& plot = layout.plot;
   painter.setFont(sized(font(), small_text_size));
   const double line = QFontMetricsF(painter.font()).height();
+  PlotGrid grid(painter, plot, {grid_color, axis_color, text_color, 8, 5});
   for (std::size_t i = 0; i < layout.ticks.values.size(); ++i) {
-    const double x = std::round(layout.x_of(layout.ticks.values[i])) + 0.5;
-    painter.setPen(QPen(i == 0 ? axis_color : grid_color, 1));
-    painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom() + 4));
-    painter.setPen(text_color);
-    painter.drawText(
-        QRectF(x - 50, plot.bottom() + 5, 100, line), Qt::AlignHCenter | Qt::AlignTop,
-        QLocale().toString(layout.ticks.values[i], 'f',
-                           QString::fromStdString(layout.ticks.labels[i]).section('.', 1).size()));
+    grid.upright(layout.x_of(layout.ticks.values[i]), tick_text(layout.ticks, i),
+                 i == 0 ? GridLine::strong : GridLine::usual);
   }
+  painter.setPen(text_color);
   painter.drawText(QRectF(plot.left(), plot.bottom() + 5 + line, plot.width(), line),
                    Qt::AlignHCenter | Qt::AlignTop, tr("Time [s]"));
 }

@@ -2,8 +2,8 @@
 
 #include <QWidget>
 
-#include "ui/charts/comparison_bars.h"
-#include "ui/charts/comparison_layout.h"
+#include "ui/runs/comparison_bars.h"
+#include "ui/runs/comparison_layout.h"
 
 namespace feedscope::ui {
 

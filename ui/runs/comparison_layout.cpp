@@ -1,4 +1,4 @@
-#include "ui/charts/comparison_layout.h"
+#include "ui/runs/comparison_layout.h"
 
 #include <QCoreApplication>
 #include <QFontMetricsF>
@@ -8,7 +8,9 @@
 
 #include "core/base/clock_text.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/shown_numbers.h"
 #include "ui/scene/cause_colour.h"
+#include "ui/shared/plot_grid.h"
 
 namespace feedscope::ui {
 
@@ -17,24 +19,24 @@ namespace {
 constexpr double margin = 16;
 constexpr double title_height = 28;
 constexpr double legend_row = 20;
-constexpr double most_legend_width = 240;
+constexpr double max_legend_width = 240;
 constexpr double legend_gap = 10;
 constexpr double headings_height = 34;
 constexpr double axis_height = 40;
-constexpr double least_row = 16;
+constexpr double min_row = 16;
 constexpr double natural_row = 26;
 constexpr double largest_row = 36;
 constexpr double model_gap = 0.35;    // between models of which one has several runs, in rows
 constexpr double machine_gap = 0.35;  // between machines, in rows
 constexpr double bar_share = 0.74;
 constexpr double column_gap = 18;
-constexpr double most_name_width = 160;
+constexpr double max_name_width = 160;
 constexpr double headroom = 1.02;
 constexpr double tick_distance = 65;
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("feedscope::ui::ComparisonChart", text);
-}
+struct Comparison {
+  Q_DECLARE_TR_FUNCTIONS(feedscope::ui::ComparisonChart)
+};
 
 template <typename Visit>
 void for_each_bar(const ComparisonBars& bars, Visit visit) {
@@ -74,32 +76,25 @@ double fixed_height(double legend_rows) {
 std::vector<QString> legend_texts(const ComparisonBars& bars) {
   std::vector<QString> texts;
   for (const CauseKind kind : bars.kinds) {
-    texts.push_back(core_text(cause_kind_title(kind)));
+    texts.push_back(core_text(cause_title({kind, -1})));
   }
   if (bars.rest) {
-    texts.push_back(tr("other causes"));
+    texts.push_back(Comparison::tr("other causes"));
   }
-  texts.push_back(tr("programmed time"));
+  texts.push_back(Comparison::tr("programmed time"));
   return texts;
 }
 
 /// Entries in rows from the left, as many in each as there is room for.
 std::vector<QRectF> lay_legend(const std::vector<QString>& texts, double width,
                                const QFontMetricsF& metrics) {
-  std::vector<QRectF> entries;
-  double x = margin;
-  double y = margin + title_height;
+  std::vector<double> widths;
   for (const QString& text : texts) {
-    const double needed =
-        std::min(most_legend_width, legend_swatch + std::ceil(metrics.horizontalAdvance(text)) + column_gap);
-    if (x > margin && x + needed > width - margin) {
-      x = margin;
-      y += legend_row;
-    }
-    entries.emplace_back(x, y, needed - column_gap, legend_row);
-    x += needed;
+    widths.push_back(
+        std::min(max_legend_width - column_gap, legend_swatch + std::ceil(metrics.horizontalAdvance(text))));
   }
-  return entries;
+  const QRectF area(margin, margin + title_height, width - 2 * margin, legend_row);
+  return entries_in_rows(widths, area, legend_row, legend_row, column_gap);
 }
 
 double legend_rows(const std::vector<QRectF>& entries) {
@@ -107,7 +102,7 @@ double legend_rows(const std::vector<QRectF>& entries) {
 }
 
 TextColumn model_column(const ComparisonBars& bars) {
-  TextColumn column{QString(), tr("model"), {}, Qt::AlignLeft};
+  TextColumn column{QString(), Comparison::tr("model"), {}, Qt::AlignLeft};
   for (const MachineBars& machine : bars.machines) {
     for (std::size_t i = 0; i < machine.bars.size(); ++i) {
       const bool told = i > 0 && machine.bars[i].model == machine.bars[i - 1].model;
@@ -126,33 +121,38 @@ TextColumn column_of(const ComparisonBars& bars, const QString& heading, const Q
 
 std::vector<TextColumn> name_columns(const ComparisonBars& bars) {
   return {model_column(bars),
-          column_of(bars, tr("tolerance"), QStringLiteral("[mm]"), [](const ComparisonBar& bar) {
-            const auto number = [](double mm) {
-              return QLocale().toString(mm, 'g', QLocale::FloatingPointShortest);
-            };
-            return !bar.tolerance ? QStringLiteral("–")
-                   : bar.tolerance->is_range()
-                       ? QStringLiteral("%1 … %2").arg(number(bar.tolerance->min), number(bar.tolerance->max))
-                       : number(bar.tolerance->max);
-          })};
+          column_of(bars, Comparison::tr("tolerance"), with_unit_of({}, Dimension::length).trimmed(),
+                    [](const ComparisonBar& bar) {
+                      const auto number = [](double mm) {
+                        return unit_system() == UnitSystem::metric
+                                   ? QLocale().toString(mm, 'g', QLocale::FloatingPointShortest)
+                                   : QLocale().toString(in_shown_unit(mm, Dimension::length), 'g', 5);
+                      };
+                      return !bar.tolerance ? QStringLiteral("–")
+                             : bar.tolerance->is_range()
+                                 ? QStringLiteral("%1 … %2").arg(number(bar.tolerance->min),
+                                                                 number(bar.tolerance->max))
+                                 : number(bar.tolerance->max);
+                    })};
 }
 
 std::vector<TextColumn> figure_columns(const ComparisonBars& bars) {
   const QLocale locale;
   std::vector<TextColumn> columns{
-      column_of(bars, tr("cycle time"), QStringLiteral("[s]"),
+      column_of(bars, Comparison::tr("cycle time"), QStringLiteral("[s]"),
                 [&](const ComparisonBar& bar) { return seconds_text(bar.cycle_time, bars); })};
   if (bars.longest >= 60) {
     columns.push_back(column_of(bars, QString(), QStringLiteral("h:mm:ss"), [](const ComparisonBar& bar) {
       return QString::fromStdString(clock_text(bar.cycle_time));
     }));
   }
-  columns.push_back(column_of(bars, tr("against"), tr("cam"), [&](const ComparisonBar& bar) {
-    return QStringLiteral("× %1").arg(locale.toString(bar.against_cam, 'f', 3));
-  }));
   columns.push_back(
-      column_of(bars, tr("contour error"), QStringLiteral("[mm]"),
-                [&](const ComparisonBar& bar) { return locale.toString(bar.contour_error, 'f', 4); }));
+      column_of(bars, Comparison::tr("relative to"), QStringLiteral("cam"), [&](const ComparisonBar& bar) {
+        return QStringLiteral("× %1").arg(locale.toString(bar.against_cam, 'f', 3));
+      }));
+  columns.push_back(column_of(
+      bars, Comparison::tr("contour error"), with_unit_of({}, Dimension::length).trimmed(),
+      [&](const ComparisonBar& bar) { return number_text(bar.contour_error, Dimension::length, 4); }));
   return columns;
 }
 
@@ -175,7 +175,7 @@ void fit_texts(TextColumn& column, const QFontMetricsF& metrics) {
 double lay_columns(std::vector<TextColumn>& columns, double left, const QFontMetricsF& metrics) {
   for (TextColumn& column : columns) {
     column.left = left;
-    column.right = left + std::min(most_name_width, width_of(column, metrics));
+    column.right = left + std::min(max_name_width, width_of(column, metrics));
     fit_texts(column, metrics);
     left = column.right + column_gap;
   }
@@ -225,8 +225,8 @@ ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QF
   layout.legend = lay_legend(layout.legend_texts, size.width(), metrics);
 
   const double fixed = fixed_height(legend_rows(layout.legend));
-  const double row = std::clamp(std::floor((size.height() - fixed) / std::max(1.0, row_units(bars))),
-                                least_row, largest_row);
+  const double row =
+      std::clamp(std::floor((size.height() - fixed) / std::max(1.0, row_units(bars))), min_row, largest_row);
   layout.headings = QRectF(margin, fixed - margin - axis_height - headings_height, size.width() - 2 * margin,
                            headings_height);
 
@@ -251,14 +251,14 @@ int natural_comparison_height(const ComparisonBars& bars, int width, const QFont
   return height_with_rows(natural_row, bars, width, font);
 }
 
-int least_comparison_height(const ComparisonBars& bars, int width, const QFont& font) {
-  return height_with_rows(least_row, bars, width, font);
+int min_comparison_height(const ComparisonBars& bars, int width, const QFont& font) {
+  return height_with_rows(min_row, bars, width, font);
 }
 
 int enough_comparison_height(const ComparisonBars& bars, int width) {
-  const double entries_a_row = std::max(1.0, std::floor((width - 2 * margin) / most_legend_width));
-  const double most_rows = std::ceil(static_cast<double>(most_cause_kinds + 2) / entries_a_row);
-  return static_cast<int>(std::ceil(fixed_height(most_rows) + least_row * row_units(bars)));
+  const double entries_a_row = std::max(1.0, std::floor((width - 2 * margin) / max_legend_width));
+  const double max_rows = std::ceil(static_cast<double>(max_cause_kinds + 2) / entries_a_row);
+  return static_cast<int>(std::ceil(fixed_height(max_rows) + min_row * row_units(bars)));
 }
 
 }  // namespace feedscope::ui

@@ -6,8 +6,8 @@
 #include <QString>
 #include <vector>
 
-#include "ui/charts/comparison_bars.h"
-#include "ui/scene/ticks.h"
+#include "core/base/ticks.h"
+#include "ui/runs/comparison_bars.h"
 
 namespace feedscope::ui {
 
@@ -47,16 +47,16 @@ inline constexpr double legend_swatch = 20;
 /// A time of a comparison with as many decimals as its longest leaves sense for.
 QString seconds_text(double seconds, const ComparisonBars& bars);
 
-/// `size` at least least_comparison_size(). Rows grow with the height up to a largest size.
+/// `size` at least min_comparison_size(). Rows grow with the height up to a largest size.
 ComparisonLayout lay_out(const ComparisonBars& bars, const QSize& size, const QFont& font);
 
 /// The height at which rows are easy to read in a picture this wide, and the least at which they fit.
 int natural_comparison_height(const ComparisonBars& bars, int width, const QFont& font);
-int least_comparison_height(const ComparisonBars& bars, int width, const QFont& font);
+int min_comparison_height(const ComparisonBars& bars, int width, const QFont& font);
 
 /// The least width of a comparison [px].
-inline constexpr int least_comparison_width = 640;
-/// least_comparison_height or more of the runs of `bars`, whatever comes to limit them.
+inline constexpr int min_comparison_width = 640;
+/// min_comparison_height or more of the runs of `bars`, whatever comes to limit them.
 int enough_comparison_height(const ComparisonBars& bars, int width);
 
 }  // namespace feedscope::ui

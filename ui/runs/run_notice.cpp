@@ -1,4 +1,4 @@
-#include "ui/views/run_notice.h"
+#include "ui/runs/run_notice.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -6,8 +6,8 @@
 
 namespace feedscope::ui {
 
-RunNotice::RunNotice(Workbench& model, QWidget* parent)
-    : QFrame(parent), model_(model), text_(new QLabel(this)), again_(new QToolButton(this)) {
+RunNotice::RunNotice(Workbench& workbench, QWidget* parent)
+    : QFrame(parent), workbench_(workbench), text_(new QLabel(this)), again_(new QToolButton(this)) {
   setFrameShape(QFrame::StyledPanel);
   setBackgroundRole(QPalette::ToolTipBase);
   setAutoFillBackground(true);
@@ -21,9 +21,10 @@ RunNotice::RunNotice(Workbench& model, QWidget* parent)
   layout->setContentsMargins(8, 3, 8, 3);
   layout->addWidget(text_, 1);
   layout->addWidget(again_);
-  connect(again_, &QToolButton::clicked, this, [this] { model_.simulate_again(model_.runs().current()); });
-  RunList& runs = model_.runs();
-  connect(&model_, &Workbench::program_changed, this, &RunNotice::follow);
+  connect(again_, &QToolButton::clicked, this,
+          [this] { workbench_.simulate_again(workbench_.runs().current()); });
+  RunList& runs = workbench_.runs();
+  connect(&workbench_, &Workbench::program_changed, this, &RunNotice::follow);
   connect(&runs, &RunList::current_changed, this, &RunNotice::follow);
   connect(&runs, &RunList::list_changed, this, &RunNotice::follow);
   for (const auto signal : {&RunList::status_changed, &RunList::result_changed, &RunList::item_changed}) {
@@ -33,7 +34,7 @@ RunNotice::RunNotice(Workbench& model, QWidget* parent)
 }
 
 void RunNotice::follow() {
-  const RunStatus status = model_.runs().status(model_.runs().current());
+  const RunStatus status = workbench_.runs().status(workbench_.runs().current());
   const QString why = reason();
   text_->setText(why);
   again_->setVisible(status == RunStatus::cancelled || status == RunStatus::failed);
@@ -41,26 +42,25 @@ void RunNotice::follow() {
 }
 
 QString RunNotice::reason() const {
-  const RunList& runs = model_.runs();
+  const RunList& runs = workbench_.runs();
   const QString name = runs.title(runs.current_item());
-  const auto program = model_.program();
+  const auto program = workbench_.program();
   switch (runs.status(runs.current())) {
     case RunStatus::cancelled:
-      return tr("The run “%1” was cancelled: there is nothing to show of it.").arg(name);
+      return tr("The run “%1” was cancelled: it has no result.").arg(name);
     case RunStatus::failed:
       return program == nullptr ? tr("No program is shown. %1").arg(runs.failure(runs.current()))
                                 : tr("The run “%1” has failed: %2").arg(name, runs.failure(runs.current()));
     default:
       break;
   }
-  if (program == nullptr || !model_.shown_program().input.toolpath->segments.empty()) {
+  if (program == nullptr || !workbench_.shown_program().input.toolpath->segments.empty()) {
     return {};
   }
-  const QString file = QString::fromStdU16String(model_.file().filename().u16string());
+  const QString file = QString::fromStdU16String(workbench_.file().filename().u16string());
   const QString dialect = QString::fromUtf8(info_of(program->dialect).title.data());
   return tr("Nothing in %1 moves an axis. Check that it is an NC program; it was read as %2, and File › "
-            "Reading "
-            "options chooses another language. The panel Messages lists what was found in it.")
+            "Program import options selects another language. The panel Messages lists what was found in it.")
       .arg(file, dialect);
 }
 

@@ -2,7 +2,7 @@
 
 #include <QFrame>
 
-#include "ui/models/workbench.h"
+#include "ui/workbench/workbench.h"
 
 class QLabel;
 class QToolButton;
@@ -15,8 +15,8 @@ class RunNotice : public QFrame {
   Q_OBJECT
 
  public:
-  /// `model` outlives this.
-  explicit RunNotice(Workbench& model, QWidget* parent = nullptr);
+  /// `workbench` outlives this.
+  explicit RunNotice(Workbench& workbench, QWidget* parent = nullptr);
 
   QString text() const;
   QToolButton* again() { return again_; }
@@ -25,7 +25,7 @@ class RunNotice : public QFrame {
   void follow();
   QString reason() const;
 
-  Workbench& model_;
+  Workbench& workbench_;
   QLabel* text_;
   QToolButton* again_;
 };

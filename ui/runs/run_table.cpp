@@ -1,4 +1,4 @@
-#include "ui/models/run_table.h"
+#include "ui/runs/run_table.h"
 
 #include <QFont>
 #include <QLocale>
@@ -6,9 +6,9 @@
 
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/study_table.h"
-#include "ui/models/texts.h"
-#include "ui/models/tolerance_text.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
+#include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
 
@@ -102,9 +102,9 @@ QString RunTable::figure(std::size_t row, int column) const {
       return QStringLiteral("%1%2").arg(percent < 0 ? "" : "+", number(percent, 1));
     }
     case mean_feed:
-      return number(units::to_mm_min(figures->mean_feed), 0);
+      return number_text(figures->mean_feed, Dimension::feed);
     default:
-      return number(1000 * figures->max_contour_error, 1);
+      return number_text(figures->max_contour_error, Dimension::error);
   }
 }
 
@@ -140,8 +140,9 @@ QString RunTable::explanation(std::size_t row) const {
   }
   const Summary* figures = summary(row);
   if (figures != nullptr && !keeps_bound(*figures)) {
-    lines.append(tr("Its contour error of %1 µm is above the bound of %2 µm.")
-                     .arg(number(1000 * figures->max_contour_error, 1), number(1000 * *bound_, 1)));
+    lines.append(tr("Its contour error of %1 is above the bound of %2.")
+                     .arg(amount_text(figures->max_contour_error, Dimension::error),
+                          amount_text(*bound_, Dimension::error)));
   } else if (figures != nullptr && best() == row && runs_.items().size() > 1) {
     lines.append(tr("★ The fastest of these runs."));
   }
@@ -227,26 +228,24 @@ QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role
   if (orientation != Qt::Horizontal || section < 0 || section >= columns) {
     return {};
   }
-  static const std::array titles{QT_TR_NOOP("Run"),
-                                 QT_TR_NOOP("Machine"),
-                                 QT_TR_NOOP("Model"),
-                                 QT_TR_NOOP("Tolerance [mm]"),
-                                 QT_TR_NOOP("Cycle time"),
-                                 QT_TR_NOOP("Slower [%]"),
-                                 QT_TR_NOOP("Mean feed [mm/min]"),
-                                 QT_TR_NOOP("Error [µm]")};
+  static const std::array titles{QT_TR_NOOP("Run"),       QT_TR_NOOP("Machine"),    QT_TR_NOOP("Model"),
+                                 QT_TR_NOOP("Tolerance"), QT_TR_NOOP("Cycle time"), QT_TR_NOOP("Slower [%]"),
+                                 QT_TR_NOOP("Mean feed"), QT_TR_NOOP("Error")};
   static const std::array tips{
-      QT_TR_NOOP("Name of the run; the box shows its path and feed beside those of the current run"),
-      QT_TR_NOOP("Machine whose axis limits hold"),
+      QT_TR_NOOP("Name of the run; the box shows its path and feed together with those of the current run"),
+      QT_TR_NOOP("Machine whose axis limits apply"),
       QT_TR_NOOP("Control model"),
-      QT_TR_NOOP("Contour tolerance in force, of the program or the setting [mm]"),
-      QT_TR_NOOP("Cycle time [s, or min:s]; the star marks the fastest run that keeps the error bound"),
+      QT_TR_NOOP("Contour tolerance in force, from the program or the setting"),
+      QT_TR_NOOP("Cycle time [s, or min:s]; the star marks the fastest run within the error bound"),
       QT_TR_NOOP("Cycle time above that of the fastest run [%]"),
-      QT_TR_NOOP("Mean feed: executed path over cycle time without dwells [mm/min]"),
-      QT_TR_NOOP("Largest distance of the executed path from the programmed one [µm]")};
+      QT_TR_NOOP("Mean feed: executed path over cycle time without dwells"),
+      QT_TR_NOOP("Largest distance of the executed path from the programmed one")};
   const auto i = static_cast<std::size_t>(section);
   if (role == Qt::DisplayRole) {
-    return tr(titles[i]);
+    return with_unit_of(tr(titles[i]), section == tolerance       ? Dimension::length
+                                       : section == mean_feed     ? Dimension::feed
+                                       : section == contour_error ? Dimension::error
+                                                                  : Dimension::number);
   }
   return role == Qt::ToolTipRole ? QVariant(tr(tips[i])) : QVariant();
 }

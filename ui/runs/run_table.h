@@ -3,7 +3,7 @@
 #include <QAbstractTableModel>
 #include <optional>
 
-#include "ui/models/run_list.h"
+#include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/views/runs_view.h"
+#include "ui/runs/runs_view.h"
 
 #include <QCheckBox>
 #include <QColorDialog>
@@ -15,9 +15,11 @@
 #include "core/machine/contour_tolerance.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/number_text.h"
-#include "ui/models/panel_action.h"
-#include "ui/models/texts.h"
-#include "ui/views/row_copy.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
+#include "ui/shared/panel_action.h"
+#include "ui/shared/row_copy.h"
+#include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
@@ -34,7 +36,7 @@ QList<double> numbers_of(const QString& text) {
   for (const QString& word : text.split(separators, Qt::SkipEmptyParts)) {
     const auto number = number_of(word);
     if (!number) {
-      const QString hint = RunsView::tr("Put spaces or semicolons between the tolerances.");
+      const QString hint = RunsView::tr("Separate the tolerances by spaces or semicolons.");
       throw InputError((number_problem(word) + ' ' + hint).toStdString());
     }
     numbers.append(*number);
@@ -45,11 +47,11 @@ QList<double> numbers_of(const QString& text) {
 }  // namespace
 
 RunsView::RunsView(RunList& runs, QWidget* parent)
-    : QWidget(parent),
+    : Panel({QStringLiteral("runs"), tr("Runs"), Qt::BottomDockWidgetArea}, parent),
       runs_(runs),
       model_(new RunTable(runs, this)),
       table_(new QTableView(this)),
-      bounded_(new QCheckBox(tr("Error at &most"), this)),
+      bounded_(new QCheckBox(tr("Ma&x. error"), this)),
       bound_(new NumberBox(this)),
       verdict_(new QLabel(this)) {
   table_->setModel(model_);
@@ -68,12 +70,12 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
   table_->setContextMenuPolicy(Qt::ActionsContextMenu);
   install_row_copy(*table_);
   table_->setTabKeyNavigation(false);
-  bound_->setRange(0, largest_bound);
-  bound_->setDecimals(1);
-  bound_->setValue(usual_bound);
-  bound_->setSuffix(tr(" µm"));
+  bound_->setRange(0, in_shown_unit(largest_bound / 1000, Dimension::error));
+  bound_->setDecimals(decimals_of(Dimension::error, 1));
+  bound_->setValue(in_shown_unit(usual_bound / 1000, Dimension::error));
+  bound_->setSuffix(' ' + unit_of(Dimension::error));
   bound_->setEnabled(false);
-  bounded_->setToolTip(tr("Only runs whose contour error keeps this bound [µm] compete for the fastest"));
+  bounded_->setToolTip(tr("Only runs with a contour error within this bound are considered for the fastest"));
   bound_->setToolTip(bounded_->toolTip());
   verdict_->setWordWrap(true);
   verdict_->setContentsMargins(6, 0, 6, 4);
@@ -97,7 +99,9 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
 
   const auto set_bound = [this] {
     bound_->setEnabled(bounded_->isChecked());
-    model_->set_error_bound(bounded_->isChecked() ? std::optional(bound_->value() / 1000) : std::nullopt);
+    model_->set_error_bound(bounded_->isChecked()
+                                ? std::optional(from_shown_unit(bound_->value(), Dimension::error))
+                                : std::nullopt);
   };
   connect(bounded_, &QCheckBox::toggled, this, set_bound);
   connect(bound_, &NumberBox::valueChanged, this, set_bound);
@@ -118,15 +122,14 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
 }
 
 void RunsView::make_actions() {
-  add_action(tr("&Duplicate"), tr("A copy of the current run, to be changed"), QKeySequence(tr("Ctrl+D")),
+  add_action(tr("&Duplicate"), tr("Copy the current run to change it"), QKeySequence(tr("Ctrl+D")),
              &RunsView::duplicate);
-  add_action(tr("&Tolerances …"), tr("Copies of the current run with other contour tolerances"),
+  add_action(tr("&Tolerances …"), tr("Create copies of the current run with other contour tolerances"),
              QKeySequence(tr("Ctrl+T")), &RunsView::add_variants);
-  add_action(tr("R&ename"), tr("Type a name for the current run; an empty one is what it runs on"),
+  add_action(tr("R&ename"), tr("Type a name for the current run; empty: named by its machine and settings"),
              QKeySequence(Qt::Key_F2), &RunsView::rename);
   actions_.last()->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-  add_action(tr("&Remove"), tr("Take the current run away"), QKeySequence(tr("Ctrl+Delete")),
-             &RunsView::remove);
+  add_action(tr("&Remove"), tr("Remove the current run"), QKeySequence(tr("Ctrl+Delete")), &RunsView::remove);
   add_action(tr("&Up"), tr("Move the current run up"), QKeySequence(tr("Alt+Up")), &RunsView::move_up);
   add_action(tr("Dow&n"), tr("Move the current run down"), QKeySequence(tr("Alt+Down")),
              &RunsView::move_down);
@@ -149,11 +152,14 @@ void RunsView::duplicate() {
 
 void RunsView::add_variants() {
   if (!runs_.current_item().setup.file().settings.has(contour_tolerance_key)) {
-    verdict_->setText(tr("The model of this run reads no contour tolerance."));
+    verdict_->setText(tr("The model of this run does not use a contour tolerance."));
     return;
   }
-  const QString asked = tr("Contour tolerances [mm], with spaces between them:");
-  QString text = editable_text(0.01) + ' ' + editable_text(0.02) + ' ' + editable_text(0.05);
+  const QString asked = tr("Contour tolerances [%1], separated by spaces:").arg(unit_of(Dimension::length));
+  const bool metric = unit_system() == UnitSystem::metric;
+  const std::array<double, 3> usual =
+      metric ? std::array{0.01, 0.02, 0.05} : std::array{0.0005, 0.001, 0.002};
+  QString text = editable_text(usual[0]) + ' ' + editable_text(usual[1]) + ' ' + editable_text(usual[2]);
   QString problem;
   do {  // what is wrong is said above what was typed, so that it can be mended there
     bool accepted = false;
@@ -172,9 +178,7 @@ QString RunsView::add_tolerances(const QString& text) {
   try {
     for (const double tolerance : numbers_of(text)) {
       setups.push_back(runs_.current_item().setup);
-      for (const auto& [key, value] : settings_for_tolerance(tolerance)) {
-        setups.back().set(key, value);
-      }
+      setups.back().set_tolerance(from_shown_unit(tolerance, Dimension::length));
     }
   } catch (const InputError& error) {
     return QString::fromUtf8(error.what());
@@ -248,17 +252,23 @@ QString RunsView::verdict() const {
           .arg(given_up);
     }
     return done < count ? tr("%1 of %2 runs are simulated.").arg(done).arg(count)
-                        : tr("No run keeps this bound.");
+                        : tr("No run is within this bound.");
   }
-  const QString lead = bounded_->isChecked()
-                           ? tr("Fastest within %1 µm").arg(QLocale().toString(bound_->value(), 'f', 1))
-                           : tr("Fastest");
+  const QString lead =
+      bounded_->isChecked()
+          ? tr("Fastest within %1")
+                .arg(amount_text(from_shown_unit(bound_->value(), Dimension::error), Dimension::error))
+          : tr("Fastest");
   return tr("%1: %2 with %3.")
       .arg(lead, runs_.title(runs_.items()[*best]), clock_text(runs_.result(*best)->run.summary.cycle_time));
 }
 
 void RunsView::show_verdict() {
   verdict_->setText(verdict());
+}
+
+void RunsView::follow(Workbench& workbench) {
+  connect(this, &RunsView::again_wanted, &workbench, &Workbench::simulate_again);
 }
 
 }  // namespace feedscope::ui

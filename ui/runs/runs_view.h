@@ -1,9 +1,9 @@
 #pragma once
 
 #include <QList>
-#include <QWidget>
 
-#include "ui/models/run_table.h"
+#include "ui/runs/run_table.h"
+#include "ui/workbench/panel.h"
 
 class QAction;
 class QCheckBox;
@@ -16,17 +16,18 @@ class NumberBox;
 
 /// The runs of the program with their results: choose the current one, duplicate and change it, hide,
 /// reorder, remove; and which is the fastest within a bound on the contour error.
-class RunsView : public QWidget {
+class RunsView : public Panel {
   Q_OBJECT
 
  public:
   /// `runs` outlives this.
   explicit RunsView(RunList& runs, QWidget* parent = nullptr);
 
+  void follow(Workbench& workbench) override;
   QTableView* table() { return table_; }
   RunTable& results() { return *model_; }
   /// Duplicate, variants, remove, up, down.
-  QList<QAction*> panel_actions() const { return actions_; }
+  QList<QAction*> panel_actions() const override { return actions_; }
   /// Simulates a run again that was cancelled or has failed.
   QAction* again() { return again_; }
   /// Which run is the fastest, in one sentence.

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "core/limits/cause.h"
 #include "ui/scene/colour_map.h"
 
@@ -13,8 +11,5 @@ namespace feedscope::ui {
 /// (Machado 2009, severity 1). Grey is the feed that was asked for; what stops the tool is dark. On a dark
 /// background all are as light as lines there must be, in hues as near as that allows.
 Rgb cause_colour(CauseKind kind, Background background = Background::light);
-
-/// The name of a cause whatever its axis: "axis jerk", "radial jerk on a blend".
-std::string cause_kind_title(CauseKind kind);
 
 }  // namespace feedscope::ui

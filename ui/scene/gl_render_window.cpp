@@ -23,7 +23,7 @@ void GlRenderWindow::OpenGLInitContext() {
   const GLenum result = glewInit();
   this->GlewInitValid = result == GLEW_OK || result == GLEW_ERROR_NO_GLX_DISPLAY;
   if (!this->GlewInitValid || !GLEW_VERSION_3_2) {
-    vtkErrorMacro("OpenGL 3.2 is missing");
+    vtkErrorMacro("OpenGL 3.2 is required");
     return;
   }
   this->Initialized = true;

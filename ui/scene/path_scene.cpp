@@ -287,10 +287,10 @@ void PathScene::set_warning(const std::string& text) {
   impl_->changed();
 }
 
-void PathScene::set_comparison(const std::string& reference, std::shared_ptr<const SampledPath> alike) {
-  if (reference != impl_->look.reference || alike != impl_->look.alike) {
+void PathScene::set_comparison(const std::string& reference, std::shared_ptr<const SampledPath> scale_with) {
+  if (reference != impl_->look.reference || scale_with != impl_->look.scale_with) {
     impl_->look.reference = reference;
-    impl_->look.alike = std::move(alike);
+    impl_->look.scale_with = std::move(scale_with);
     impl_->apply_look();
   }
 }
@@ -474,7 +474,7 @@ std::optional<State> PathScene::state_at(double time) const {
 }
 
 double PathScene::contour_error_at(double time) const {
-  return value_at(impl_->pickable(), Quantity::contour_error, time);
+  return value_at(impl_->pickable(), Colouring::contour_error, time);
 }
 
 Vec3 PathScene::drawn_at(double time) const {

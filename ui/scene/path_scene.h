@@ -63,9 +63,9 @@ class PathScene {
   /// What is wrong with the program, named in the legend; empty: nothing. UTF-8, Latin letters.
   void set_warning(const std::string& text);
   /// `reference`: name of the run that the samples of the executed path are compared with (sample_compared).
-  /// `alike`: a path in another scene whose colours are to mean the same, so that the scale holds both; null:
-  /// none.
-  void set_comparison(const std::string& reference, std::shared_ptr<const SampledPath> alike);
+  /// `scale_with`: a path in another scene whose colours are to mean the same, so that the scale holds both;
+  /// null: none.
+  void set_comparison(const std::string& reference, std::shared_ptr<const SampledPath> scale_with);
   /// How much larger than they are deviations from the programmed path are drawn: 1 to 1000, clamped.
   void set_exaggeration(double factor);
   double exaggeration() const;

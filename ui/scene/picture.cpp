@@ -32,9 +32,9 @@ void copy_rows_upside_down(const unsigned char* from, unsigned char* to, Picture
 }
 
 void check(const char* name, int side) {
-  if (side < least_picture_side || side > largest_picture_side) {
+  if (side < min_picture_side || side > largest_picture_side) {
     throw InputError(fmt::format("{} of the picture is {} pixels; it must be between {} and {}", name, side,
-                                 least_picture_side, largest_picture_side));
+                                 min_picture_side, largest_picture_side));
   }
 }
 
@@ -94,7 +94,7 @@ Picture read_png(const std::string& file) {
   reader->Update();
   vtkImageData& image = *reader->GetOutput();
   if (image.GetScalarType() != VTK_UNSIGNED_CHAR || image.GetNumberOfScalarComponents() != channels) {
-    throw InputError(fmt::format("'{}' is no PNG picture with 8 bits of red, green and blue", file));
+    throw InputError(fmt::format("'{}' is not a PNG picture with 8 bits each of red, green and blue", file));
   }
   const PictureSize size{image.GetDimensions()[0], image.GetDimensions()[1]};
   Picture picture{size, std::vector<unsigned char>(row_bytes(size) * static_cast<std::size_t>(size.height))};

@@ -15,7 +15,7 @@ struct PictureSize {
 };
 
 /// Bounds of a picture: what software OpenGL draws within a gigabyte.
-inline constexpr int least_picture_side = 64;
+inline constexpr int min_picture_side = 64;
 inline constexpr int largest_picture_side = 8192;
 
 /// RGB, rows from the top.

@@ -9,6 +9,7 @@
 #include "core/base/progress.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
+#include "ui/scene/colourings.h"
 
 namespace feedscope::ui {
 
@@ -20,26 +21,11 @@ enum class SpanKind : std::uint8_t {
   gap,  ///< it goes on elsewhere, and how the tool gets there is not known: nothing is drawn
 };
 
-/// What is kept of the motion at every point of an executed path.
-enum class Quantity : std::uint8_t {
-  feed,                     ///< achieved [mm/s]
-  feed_ratio,               ///< achieved over programmed feed
-  tangential_acceleration,  ///< [mm/s2]
-  acceleration,             ///< length of the vector [mm/s2]
-  tangential_jerk,          ///< [mm/s3]
-  jerk,                     ///< length of the vector [mm/s3]
-  contour_error,            ///< distance from the nearest programmed point [mm]
-  time_lost,                ///< against another run, below 0: won [s/mm]
-  path_distance,            ///< from the path that another run executes [mm]
-};
-inline constexpr std::size_t quantity_count = 9;
-inline constexpr std::size_t own_quantity_count = 7;  ///< that need no other run
-
 /// 8 bits of mantissa: what colours can show.
 using Stored = Eigen::bfloat16;
 using StoredVector = std::array<Stored, 3>;
 
-/// Points of a path that are left when those closer than `spacing` [mm] to each other are left out.
+/// Points of a path that are left when those closer than `spacing` [mm] to each other are omitted.
 struct PathLevel {
   double spacing = 0;  ///< 0: all points
   std::size_t count = 0;
@@ -56,7 +42,7 @@ struct SpanBox {
 inline constexpr std::size_t spans_of_box = 64;
 
 /// A path as points close enough that straight spans between them look like the path. Positions are single
-/// precision offsets from `origin`: one part in 10^7 of the path's size. An executed path takes 42 bytes a
+/// precision offsets from `origin`: one part in 10^7 of the path's size. An executed path takes 44 bytes a
 /// point, 8 more while it is compared with another run, its levels and what finds them 4 more.
 struct SampledPath {
   Vec3 origin = Vec3::Zero();              ///< [mm]
@@ -70,8 +56,8 @@ struct SampledPath {
 
   // Empty for a programmed path. Where a value jumps, two points lie in one place.
   std::vector<double> times;  ///< [s]
-  std::array<std::vector<Stored>, quantity_count>
-      values;                            ///< by Quantity; those against another run may be empty
+  /// By sample_index() of a colouring, in inside units; those against another run may be empty.
+  std::array<std::vector<Stored>, sampled_count> values;
   std::vector<CauseKind> causes;         ///< limiting cause
   std::vector<StoredVector> deviations;  ///< PathDeviation::Result::along_bisector [mm]
   std::vector<float> lost;               ///< RunDifference::lost [s]; empty without another run
@@ -84,9 +70,8 @@ struct SampledPath {
     return {double(float(deviations[i][0])), double(float(deviations[i][1])),
             double(float(deviations[i][2]))};
   }
-  double value(Quantity quantity, std::size_t i) const {
-    return double(float(values[static_cast<std::size_t>(quantity)][i]));
-  }
+  const std::vector<Stored>& values_of(Colouring colouring) const { return values[sample_index(colouring)]; }
+  double value(Colouring colouring, std::size_t i) const { return double(float(values_of(colouring)[i])); }
 };
 
 /// A path that needs more points than this leaves out those closer than path length / max_points to each

@@ -36,7 +36,11 @@ const SceneColours& scene_colours(Background kind) {
 }
 
 std::string SceneTexts::name_of(CauseKind kind) const {
-  return cause_kind ? cause_kind(kind) : cause_kind_title(kind);
+  return cause_kind ? cause_kind(kind) : cause_title({kind, -1});
+}
+
+std::string SceneTexts::name_of(const QuantityInfo& info) const {
+  return quantity ? quantity(info) : std::string(info.title);
 }
 
 std::string SceneTexts::localised(std::string number) const {

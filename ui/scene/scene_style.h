@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/limits/cause.h"
+#include "core/trajectory/quantity.h"
 #include "ui/scene/colour_map.h"
 
 namespace feedscope::ui {
@@ -36,26 +37,22 @@ struct SceneTexts {
   std::string assumed = "assumed";                   ///< of a zero point
   std::string exaggerated = "deviation drawn × %1";  ///< %1: the factor
   std::string warning;                               ///< PathScene::set_warning()
-  std::string feed = "Feed";
-  std::string feed_ratio = "Feed / programmed";
-  std::string tangential_acceleration = "Tangential acceleration";
-  std::string acceleration = "Acceleration";
-  std::string tangential_jerk = "Tangential jerk";
-  std::string jerk = "Jerk";
   std::string contour_error = "Contour error";
-  std::string time_lost = "Time lost or won";
+  std::string time_lost = "Time lost or gained";
   std::string path_distance = "Distance to the other run";
-  std::string time_lost_against = "Time lost or won against %1";  ///< %1: the other run
-  std::string path_distance_from = "Distance from %1";            ///< %1: the other run
+  std::string time_lost_against = "Time lost or gained against %1";  ///< %1: the other run
+  std::string path_distance_from = "Distance from %1";               ///< %1: the other run
   std::string lost = "lost";
-  std::string won = "won";
+  std::string won = "gained";
   std::string cause = "Limiting cause";
   /// Short names of the standard views, in the order of StandardView.
   std::array<std::string, 7> views{"iso", "top", "front", "right", "bottom", "back", "left"};
-  std::function<std::string(CauseKind)> cause_kind;  ///< null: cause_kind_title
+  std::function<std::string(CauseKind)> cause_kind;          ///< null: cause_title
+  std::function<std::string(const QuantityInfo&)> quantity;  ///< null: its English title
   std::string decimal_point = ".";
 
   std::string name_of(CauseKind kind) const;
+  std::string name_of(const QuantityInfo& info) const;
   /// A number as tick labels write it, with this decimal point.
   std::string localised(std::string number) const;
 };

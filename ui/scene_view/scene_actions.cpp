@@ -1,4 +1,4 @@
-#include "ui/views/scene_actions.h"
+#include "ui/scene_view/scene_actions.h"
 
 #include <QFormLayout>
 #include <QLocale>
@@ -7,9 +7,10 @@
 #include <QWidgetAction>
 
 #include "ui/fields/number_box.h"
-#include "ui/models/panel_action.h"
-#include "ui/views/scene_texts.h"
-#include "ui/views/scene_view.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/scene_view/scene_texts.h"
+#include "ui/scene_view/scene_view.h"
+#include "ui/shared/panel_action.h"
 
 namespace feedscope::ui {
 
@@ -68,12 +69,12 @@ QAction* SceneActions::add_command(const QString& text, const QString& tip, cons
 }
 
 void SceneActions::make_colourings() {
-  colouring_ = make_choice(tr("What the colour of the executed path shows"));
+  colouring_ = make_choice(tr("Quantity shown by the colour of the executed path"));
   const SceneTexts texts = scene_texts();
-  for (const Colouring colouring : all_colourings) {
+  for (const Colouring colouring : all_colourings()) {
     const QString title =
         colouring == Colouring::run ? tr("Run") : QString::fromStdString(colouring_title(colouring, texts));
-    add_option(colouring_, title, tr("Colour the path by this"), static_cast<int>(colouring),
+    add_option(colouring_, title, tr("Colour the path by this quantity"), static_cast<int>(colouring),
                [this, colouring] { view_.scene().set_colouring(colouring); });
   }
   colouring_.menu->setToolTipsVisible(true);
@@ -84,7 +85,7 @@ void SceneActions::set_comparable(bool comparable) {
   for (QAction* option : colouring_.group->actions()) {
     if (needs_reference(static_cast<Colouring>(option->data().toInt()))) {
       option->setEnabled(comparable);
-      option->setToolTip(comparable ? tr("Colour the path by this, against another run")
+      option->setToolTip(comparable ? tr("Colour the path by the difference from another run")
                                     : tr("There is no other run to compare with: duplicate the run (Ctrl+D) "
                                          "and change the copy"));
     }
@@ -97,12 +98,11 @@ void SceneActions::add_comparison_menu(QMenu& menu) {
 }
 
 void SceneActions::make_exaggerations() {
-  exaggeration_ =
-      make_choice(tr("How much larger than they are deviations from the programmed path are drawn"));
+  exaggeration_ = make_choice(tr("Exaggeration of deviations from the programmed path"));
   for (const int factor : {1, 2, 5, 10, 20, 50, 100, 200, 500, 1000}) {
     add_option(exaggeration_, exaggeration_text(factor),
-               tr("Draw deviations from the programmed path so much larger"), static_cast<double>(factor),
-               [this, factor] { view_.scene().set_exaggeration(factor); });
+               tr("Exaggerate deviations from the programmed path by this factor"),
+               static_cast<double>(factor), [this, factor] { view_.scene().set_exaggeration(factor); });
   }
 }
 
@@ -119,7 +119,7 @@ void SceneActions::make_views() {
     connect(action, &QAction::triggered, this, [this, view] { view_.scene().set_standard_view(view); });
     views_->addAction(action);
   };
-  add(tr("&Isometric"), tr("View from right, front and above"), "Ctrl+1", StandardView::iso);
+  add(tr("&Isometric"), tr("View from the right, front and top"), "Ctrl+1", StandardView::iso);
   add(tr("&Top"), tr("View from above, X to the right"), "Ctrl+2", StandardView::top);
   add(tr("&Front"), tr("View from the front, X to the right"), "Ctrl+3", StandardView::front);
   add(tr("&Right"), tr("View from the right, Y to the right"), "Ctrl+4", StandardView::right);
@@ -127,43 +127,43 @@ void SceneActions::make_views() {
   add(tr("Bac&k"), tr("View from behind, X to the left"), "Ctrl+6", StandardView::back);
   add(tr("&Left"), tr("View from the left, Y to the left"), "Ctrl+7", StandardView::left);
   views_->addSeparator();
-  perspective_ =
-      add_command(tr("&Perspective"), tr("Nearer things look larger; without it lengths can be compared"),
-                  QKeySequence(Qt::Key_P));
+  perspective_ = add_command(tr("&Perspective"),
+                             tr("Perspective: nearer parts look larger; without it lengths can be compared"),
+                             QKeySequence(Qt::Key_P));
   perspective_->setCheckable(true);
   connect(perspective_, &QAction::triggered, this, [this](bool on) { view_.scene().set_perspective(on); });
-  grid_ = add_command(tr("&Grid"), tr("Grid lines behind the path, in mm"), QKeySequence(Qt::Key_G));
+  grid_ = add_command(tr("&Grid"), tr("Grid lines behind the path"), QKeySequence(Qt::Key_G));
   grid_->setCheckable(true);
   connect(grid_, &QAction::triggered, this, [this](bool on) { view_.scene().set_grid(on); });
   views_->addActions({perspective_, grid_});
 }
 
 void SceneActions::make_tools() {
-  tool_ = make_choice(tr("The tool drawn at the cursor"));
+  tool_ = make_choice(tr("Tool drawn at the cursor"));
   tool_.button->setText(tr("Tool"));
   const auto add = [&](const QString& text, const QString& tip, ToolKind kind) {
     add_option(tool_, text, tip, static_cast<int>(kind), [this] { apply_tool(); });
   };
-  add(tr("Marker"), tr("A cone that marks the place, of no size"), ToolKind::marker);
+  add(tr("Marker"), tr("A cone that marks the place, without dimensions"), ToolKind::marker);
   add(tr("Flat end mill"), tr("A cylinder"), ToolKind::flat);
-  add(tr("Ball end mill"), tr("A cylinder with a half ball"), ToolKind::ball);
+  add(tr("Ball end mill"), tr("A cylinder with a hemispherical end"), ToolKind::ball);
   add(tr("Bull nose end mill"), tr("A cylinder with rounded corners"), ToolKind::bull);
-  add(tr("No tool"), tr("Nothing at the cursor"), ToolKind::none);
+  add(tr("No tool"), tr("Show nothing at the cursor"), ToolKind::none);
   const auto make_size = [this](double value, double most) {
     auto* size = new NumberBox;
-    size->setRange(0.01, most);
-    size->setDecimals(2);
-    size->setValue(value);
-    size->setSuffix(tr(" mm"));
+    size->setRange(in_shown_unit(0.01, Dimension::length), in_shown_unit(most, Dimension::length));
+    size->setDecimals(decimals_of(Dimension::length, 2));
+    size->setValue(in_shown_unit(value, Dimension::length));
+    size->setSuffix(' ' + unit_of(Dimension::length));
     connect(size, &NumberBox::valueChanged, this, &SceneActions::apply_tool);
     return size;
   };
   auto* sizes = new QWidget;
   auto* form = new QFormLayout(sizes);
   diameter_ = make_size(view_.scene().tool().diameter, 500);
-  diameter_->setToolTip(tr("Diameter of the cutter in mm"));
+  diameter_->setToolTip(tr("Diameter of the cutter"));
   corner_radius_ = make_size(view_.scene().tool().corner_radius, 250);
-  corner_radius_->setToolTip(tr("Radius of a bull nose's corners in mm"));
+  corner_radius_->setToolTip(tr("Corner radius of a bull nose end mill"));
   form->addRow(tr("Diameter"), diameter_);
   form->addRow(tr("Corner radius"), corner_radius_);
   auto* action = new QWidgetAction(this);
@@ -175,28 +175,31 @@ void SceneActions::make_tools() {
 void SceneActions::apply_tool() {
   const QAction* chosen = tool_.group->checkedAction();
   if (chosen != nullptr) {
-    view_.scene().set_tool(
-        {static_cast<ToolKind>(chosen->data().toInt()), diameter_->value(), corner_radius_->value()});
+    view_.scene().set_tool({static_cast<ToolKind>(chosen->data().toInt()),
+                            from_shown_unit(diameter_->value(), Dimension::length),
+                            from_shown_unit(corner_radius_->value(), Dimension::length)});
   }
 }
 
 void SceneActions::make_modes() {
   bar_->addSeparator();
-  measure_ =
-      add_command(tr("&Measure"), tr("Click two places on the path: distance, path length and time between"),
-                  QKeySequence(Qt::Key_M));
+  measure_ = add_command(
+      tr("&Measure"),
+      tr("Click two points on the path to measure the distance, path length and time between them"),
+      QKeySequence(Qt::Key_M));
   measure_->setCheckable(true);
   connect(measure_, &QAction::toggled, &view_, &SceneView::set_measuring);
   connect(&view_, &SceneView::measuring_changed, measure_, &QAction::setChecked);
-  box_ = add_command(tr("&Box"), tr("Drag a box: the view and the charts show what is in it"),
+  box_ = add_command(tr("&Box"), tr("Drag a box to zoom the view and the charts to it"),
                      QKeySequence(SceneView::tr("Ctrl+B")));
   box_->setCheckable(true);
   connect(box_, &QAction::toggled, &view_, &SceneView::set_boxing);
   connect(&view_, &SceneView::boxing_changed, box_, &QAction::setChecked);
-  QAction* charts = add_command(tr("To &charts"), tr("The charts show the time range of what is in view"),
+  QAction* charts = add_command(tr("To &charts"), tr("Zoom the charts to the time range of the 3D view"),
                                 QKeySequence(Qt::Key_C));
   connect(charts, &QAction::triggered, &view_, &SceneView::choose_visible_times);
-  QAction* fit = add_command(tr("Fit &path"), tr("The whole path in the view"), QKeySequence(tr("Ctrl+0")));
+  QAction* fit =
+      add_command(tr("Fit &path"), tr("Fit the whole path into the view"), QKeySequence(tr("Ctrl+0")));
   connect(fit, &QAction::triggered, this, [this] { view_.scene().fit(); });
   bar_->addActions({measure_, box_, charts, fit});
 }

@@ -1,4 +1,4 @@
-#include "ui/views/scene_canvas.h"
+#include "ui/scene_view/scene_canvas.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>

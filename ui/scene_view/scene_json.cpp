@@ -1,4 +1,4 @@
-#include "ui/models/scene_json.h"
+#include "ui/scene_view/scene_json.h"
 
 #include <QJsonArray>
 
@@ -67,7 +67,7 @@ QJsonObject to_json(const SceneState& state) {
 
 void read_json(const QJsonObject& json, SceneState& state) {
   read_camera(json["camera"].toObject(), state.camera);
-  for (const Colouring colouring : all_colourings) {
+  for (const Colouring colouring : all_colourings()) {
     if (json["colouring"] == key_of(colouring)) {
       state.colouring = colouring;
     }

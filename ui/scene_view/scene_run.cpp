@@ -1,9 +1,9 @@
-#include "ui/views/scene_run.h"
+#include "ui/scene_view/scene_run.h"
 
 #include <QScopedValueRollback>
 
 #include "ui/scene/path/pick.h"
-#include "ui/views/scene_texts.h"
+#include "ui/scene_view/scene_texts.h"
 
 namespace feedscope::ui {
 
@@ -29,9 +29,9 @@ void SceneRun::show(int id) {
   follow();
 }
 
-void SceneRun::set_alike(std::shared_ptr<const SampledPath> samples) {
-  if (samples != alike_) {
-    alike_ = std::move(samples);
+void SceneRun::share_scale_with(std::shared_ptr<const SampledPath> samples) {
+  if (samples != scale_with_) {
+    scale_with_ = std::move(samples);
     show_comparison();
   }
 }
@@ -45,7 +45,7 @@ void SceneRun::set_halves(bool halves) {
 
 void SceneRun::show_comparison() {
   const QString name = halves_ && !reference_name_.isEmpty() ? tr("the other half") : reference_name_;
-  view_.scene().set_comparison(name.toStdString(), alike_);
+  view_.scene().set_comparison(name.toStdString(), scale_with_);
 }
 
 void SceneRun::follow_runs() {
@@ -98,8 +98,8 @@ QString SceneRun::hover_text(double time) const {
   place.reference = reference_name_;
   place.time = time;
   place.lost = lost_at(path, time).value_or(0);
-  place.pace = value_at(path, Quantity::time_lost, time);
-  place.distance = value_at(path, Quantity::path_distance, time);
+  place.pace = value_at(path, Colouring::time_lost, time);
+  place.distance = value_at(path, Colouring::path_distance, time);
   place.feed = shown_->run.trajectory->state(time).speed;
   place.reference_feed = reference_->run.trajectory->state(time - place.lost).speed;
   return comparison_text(place);

@@ -3,8 +3,8 @@
 #include <QObject>
 #include <memory>
 
-#include "ui/models/run_comparison.h"
-#include "ui/views/scene_view.h"
+#include "ui/scene_view/scene_view.h"
+#include "ui/workbench/run_comparison.h"
 
 namespace feedscope::ui {
 
@@ -23,7 +23,7 @@ class SceneRun : public QObject {
   const std::shared_ptr<const ShownRun>& shown() const { return shown_; }
   const std::shared_ptr<const SampledPath>& samples() const { return samples_; }
   /// A path in another view to be coloured by the same scale; may be null.
-  void set_alike(std::shared_ptr<const SampledPath> samples);
+  void share_scale_with(std::shared_ptr<const SampledPath> samples);
   /// Whether the run that is compared with is the other half of this view: the title then holds for both.
   void set_halves(bool halves);
   /// The run that the colours compare with; empty where they compare with none.
@@ -49,7 +49,7 @@ class SceneRun : public QObject {
   std::shared_ptr<const ShownRun> shown_;
   std::shared_ptr<const ShownRun> reference_;
   std::shared_ptr<const SampledPath> samples_;
-  std::shared_ptr<const SampledPath> alike_;
+  std::shared_ptr<const SampledPath> scale_with_;
   QString reference_name_;
 };
 

@@ -1,4 +1,4 @@
-#include "ui/views/scene_view.h"
+#include "ui/scene_view/scene_view.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 
@@ -12,12 +12,12 @@
 #include <chrono>
 #include <cmath>
 
+#include "ui/annotations/annotation_overlay.h"
 #include "ui/fields/focus_outline.h"
+#include "ui/scene_view/scene_actions.h"
+#include "ui/scene_view/scene_canvas.h"
+#include "ui/scene_view/scene_texts.h"
 #include "ui/theme/theme.h"
-#include "ui/views/annotation_overlay.h"
-#include "ui/views/scene_actions.h"
-#include "ui/views/scene_canvas.h"
-#include "ui/views/scene_texts.h"
 
 namespace feedscope::ui {
 

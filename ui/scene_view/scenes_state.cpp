@@ -1,4 +1,4 @@
-#include "ui/models/scenes_state.h"
+#include "ui/scene_view/scenes_state.h"
 
 #include <array>
 #include <cmath>

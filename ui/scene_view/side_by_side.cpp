@@ -1,4 +1,4 @@
-#include "ui/views/side_by_side.h"
+#include "ui/scene_view/side_by_side.h"
 
 #include <QActionGroup>
 #include <QComboBox>
@@ -11,10 +11,10 @@
 #include <utility>
 
 #include "core/analysis/programmed_place.h"
-#include "ui/models/panel_action.h"
-#include "ui/models/reading_faults.h"
-#include "ui/views/annotation_overlay.h"
-#include "ui/views/split_overlay.h"
+#include "ui/annotations/annotation_overlay.h"
+#include "ui/scene_view/split_overlay.h"
+#include "ui/shared/panel_action.h"
+#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 namespace {
@@ -44,13 +44,13 @@ bool same_look(SceneState a, const SceneState& b) {
 
 }  // namespace
 
-SideBySide::SideBySide(Workbench& model, SceneView& first, RenderBackend backend, QWidget* parent)
+SideBySide::SideBySide(Workbench& workbench, SceneView& first, RenderBackend backend, QWidget* parent)
     : QWidget(parent),
-      model_(model),
+      workbench_(workbench),
       first_(first),
       backend_(backend),
-      comparison_(model.runs()),
-      first_run_(first, model.runs(), comparison_),
+      comparison_(workbench.runs()),
+      first_run_(first, workbench.runs(), comparison_),
       splitter_(new QSplitter(this)),
       references_(new QMenu(tr("Compare &with"), this)) {
   splitter_->setChildrenCollapsible(false);
@@ -65,31 +65,61 @@ SideBySide::SideBySide(Workbench& model, SceneView& first, RenderBackend backend
       link(first_);
     }
   });
-  connect(&first_run_, &SceneRun::changed, this, &SideBySide::colour_alike);
+  connect(&first_run_, &SceneRun::changed, this, &SideBySide::share_colour_scale);
   connect(&comparison_, &RunComparison::cancelled, this, [this] {
     SceneState look = first_.state();  // which a second view follows
     look.colouring = Colouring::feed;
     first_.set_state(look);
   });
-  for (const auto signal : {&RunList::list_changed, &RunList::current_changed}) {
-    connect(&model_.runs(), signal, this, &SideBySide::list_runs);
-  }
-  for (const auto signal : {&RunList::item_changed, &RunList::result_changed}) {
-    connect(&model_.runs(), signal, this, &SideBySide::list_runs);
-  }
-  connect(&model_.cursor(), &Cursor::changed, this, &SideBySide::show_cursor);
+  follow_workbench();
+  show_program();
+  show_current();
 }
 
 SideBySide::~SideBySide() {
   close();
 }
 
+void SideBySide::follow_workbench() {
+  const auto show_runs = [this] {
+    list_runs();
+    show_overlays();
+  };
+  RunList& runs = workbench_.runs();
+  for (const auto signal : {&RunList::list_changed, &RunList::current_changed}) {
+    connect(&runs, signal, this, show_runs);
+  }
+  for (const auto signal : {&RunList::item_changed, &RunList::result_changed}) {
+    connect(&runs, signal, this, show_runs);
+  }
+  connect(&runs, &RunList::item_changed, this, &SideBySide::show_run_name);
+  connect(&workbench_, &Workbench::program_changed, this, &SideBySide::show_program);
+  connect(&workbench_, &Workbench::run_changed, this, &SideBySide::show_current);
+  connect(&workbench_.cursor(), &Cursor::changed, this, &SideBySide::show_cursor);
+  ViewRange& range = workbench_.view_range();
+  connect(&range, &ViewRange::changed, &first_,
+          [this, &range] { first_.show_times(range.lower_time(), range.upper_time()); });
+  connect(&first_, &SceneView::times_chosen, &range, &ViewRange::show_times);
+  connect(&first_, &SceneView::picked, &workbench_.cursor(), &Cursor::set_time);
+  first_.annotations().set_annotations(&workbench_.annotations());
+}
+
+void SideBySide::show_program() {
+  const auto program = workbench_.program();
+  PathScene& scene = first_.scene();
+  scene.set_programmed(workbench_.shown_program().samples);
+  scene.set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
+  if (program != nullptr && std::exchange(fitted_to_, workbench_.file()) != workbench_.file()) {
+    scene.fit();  // the place of the program before means nothing in this one
+  }
+}
+
 void SideBySide::make_actions() {
   beside_ = add_mode(ScenesMode::side_by_side, tr("Two views &side by side"),
-                     tr("Another run beside the current one, turned and coloured alike"),
+                     tr("Another run beside the current one, with the same camera and colours"),
                      QKeySequence(tr("Ctrl+8")));
-  across_ = add_mode(ScenesMode::split, tr("One view split in t&wo"),
-                     tr("The current run left of a line that is dragged, another one right of it"),
+  across_ = add_mode(ScenesMode::split, tr("Split vie&w"),
+                     tr("The current run to the left of a draggable line, another one to the right"),
                      QKeySequence(tr("Ctrl+Shift+8")));
   const auto add_step = [this](const QString& text, const QString& tip, const QKeySequence& key, int steps) {
     QAction* action = make_action(this, text, tip, key);
@@ -100,9 +130,9 @@ void SideBySide::make_actions() {
     });
     actions_.append(action);
   };
-  add_step(tr("Line to the &left"), tr("Less of the current run in the split view"),
+  add_step(tr("Dividing line &left"), tr("Move the dividing line to the left"),
            QKeySequence(tr("Ctrl+Shift+Left")), -1);
-  add_step(tr("Line to the ri&ght"), tr("More of the current run in the split view"),
+  add_step(tr("Dividing line ri&ght"), tr("Move the dividing line to the right"),
            QKeySequence(tr("Ctrl+Shift+Right")), 1);
 }
 
@@ -118,7 +148,7 @@ QAction* SideBySide::add_mode(ScenesMode mode, const QString& text, const QStrin
 }
 
 void SideBySide::make_comparison_menu() {
-  references_->setToolTip(tr("The run that time lost and distances are told against"));
+  references_->setToolTip(tr("The reference run for time lost and distances"));
   connect(references_, &QMenu::aboutToShow, this, &SideBySide::list_references);
   first_.add_comparison_menu(*references_);
   list_references();
@@ -136,9 +166,9 @@ void SideBySide::list_references() {
     group->addAction(action);
     connect(action, &QAction::triggered, this, [this, id] { comparison_.choose(id); });
   };
-  add(tr("The run beside it, or the first other one"), 0);
-  for (const RunItem& run : model_.runs().items()) {
-    add(model_.runs().title(run), run.id);
+  add(tr("The run in the second view, or the first other run"), 0);
+  for (const RunItem& run : workbench_.runs().items()) {
+    add(workbench_.runs().title(run), run.id);
   }
 }
 
@@ -149,14 +179,14 @@ void SideBySide::set_mode(ScenesMode mode) {
     if (mode_ != ScenesMode::one) {
       open();
     }
-    emit mode_changed();
+    show_overlays();
   }
   beside_->setChecked(mode_ == ScenesMode::side_by_side);
   across_->setChecked(mode_ == ScenesMode::split);
 }
 
 ScenesState SideBySide::state() const {
-  const RunList& runs = model_.runs();
+  const RunList& runs = workbench_.runs();
   const auto row_of = [&](int id) {
     const std::size_t row = runs.row_of(id);
     return row < runs.items().size() ? std::optional(row) : std::nullopt;
@@ -165,7 +195,7 @@ ScenesState SideBySide::state() const {
 }
 
 void SideBySide::set_state(const ScenesState& state) {
-  const std::vector<RunItem>& items = model_.runs().items();
+  const std::vector<RunItem>& items = workbench_.runs().items();
   const auto id_of = [&](std::optional<std::size_t> row) {
     return row && *row < items.size() ? items[*row].id : 0;
   };
@@ -208,18 +238,18 @@ void SideBySide::open() {
     view->canvas().installEventFilter(this);
   }
   second_->add_comparison_menu(*references_);
-  second_run_ = std::make_unique<SceneRun>(*second_, model_.runs(), comparison_);
-  connect(second_run_.get(), &SceneRun::changed, this, &SideBySide::colour_alike);
+  second_run_ = std::make_unique<SceneRun>(*second_, workbench_.runs(), comparison_);
+  connect(second_run_.get(), &SceneRun::changed, this, &SideBySide::share_colour_scale);
   AnnotationOverlay& annotations = second_->annotations();
-  annotations.set_annotations(&model_.annotations());
+  annotations.set_annotations(&workbench_.annotations());
   connect(&annotations, &AnnotationOverlay::edit_wanted, &first_.annotations(),
           &AnnotationOverlay::edit_wanted);
   connect(second_, &SceneView::changed, this, [this] { link(*second_); });
   connect(second_, &SceneView::picked, this, [this](double time) {
     const auto& shown = second_run_->shown();
-    if (shown != nullptr && model_.cursor().valid()) {
-      model_.cursor().set_time(
-          time_of(*model_.cursor().trajectory(), programmed_place(*shown->run.trajectory, time)));
+    if (shown != nullptr && workbench_.cursor().valid()) {
+      workbench_.cursor().set_time(
+          time_of(*workbench_.cursor().trajectory(), programmed_place(*shown->run.trajectory, time)));
     }
   });
   list_runs();
@@ -249,7 +279,7 @@ void SideBySide::close() {
     delete view;
   }
   comparison_.set_beside(0);
-  first_run_.set_alike(nullptr);
+  first_run_.share_scale_with(nullptr);
   first_run_.set_halves(false);
 }
 
@@ -259,7 +289,7 @@ void SideBySide::list_runs() {
     return;
   }
   choice_->clear();
-  const RunList& runs = model_.runs();
+  const RunList& runs = workbench_.runs();
   for (std::size_t row = 0; row < runs.items().size(); ++row) {
     if (row != runs.current()) {
       const RunItem& run = runs.items()[row];
@@ -276,17 +306,50 @@ void SideBySide::list_runs() {
 }
 
 void SideBySide::show_current() {
-  first_run_.show(model_.runs().current_item().id);
+  const auto shown = workbench_.shown();
+  const auto program = workbench_.program();
+  PathScene& scene = first_.scene();
+  scene.set_programmed(shown != nullptr && shown->programmed != nullptr ? shown->programmed
+                                                                        : workbench_.shown_program().samples);
+  scene.set_warning((shown != nullptr     ? picture_warning(shown->run)
+                     : program != nullptr ? reading_faults_text(*program)
+                                          : QString())
+                        .toStdString());
+  first_run_.show(workbench_.runs().current_item().id);
+  show_run_name();
+  show_cursor();
+}
+
+void SideBySide::show_run_name() {
+  const auto shown = workbench_.shown();
+  first_.annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr,
+                               workbench_.runs().title(workbench_.runs().current_item()));
+}
+
+void SideBySide::show_overlays() {
+  const RunList& runs = workbench_.runs();
+  std::vector<OverlayRun> overlays;
+  const auto rgb = [](const QColor& colour) { return Rgb{colour.redF(), colour.greenF(), colour.blueF()}; };
+  for (std::size_t row = 0; row < runs.items().size(); ++row) {
+    const auto result = runs.result(row);
+    const RunItem& item = runs.items()[row];
+    // In a split view the other run has its half.
+    if (row != runs.current() && item.visible && result != nullptr && mode_ != ScenesMode::split) {
+      overlays.push_back({result->samples, rgb(item.colour), runs.title(item).toStdString()});
+    }
+  }
+  first_.scene().set_run_colour(rgb(runs.current_item().colour));
+  first_.scene().set_overlays(std::move(overlays));
 }
 
 void SideBySide::show_run() {
   const int id = choice_->currentData().toInt();
   comparison_.set_beside(id);
   linking_ = true;
-  const RunList& runs = model_.runs();
+  const RunList& runs = workbench_.runs();
   PathScene& scene = second_->scene();
-  scene.set_programmed(model_.shown_program().samples);
-  const auto program = model_.program();
+  scene.set_programmed(workbench_.shown_program().samples);
+  const auto program = workbench_.program();
   scene.set_warning(program == nullptr ? "" : reading_faults_text(*program).toStdString());
   if (const std::size_t row = runs.row_of(id); row < runs.items().size()) {
     const QColor& colour = runs.items()[row].colour;
@@ -295,28 +358,29 @@ void SideBySide::show_run() {
   second_run_->show(id);
   const auto& shown = second_run_->shown();
   if (shown != nullptr) {
-    scene.set_programmed(shown->programmed != nullptr ? shown->programmed : model_.shown_program().samples);
+    scene.set_programmed(shown->programmed != nullptr ? shown->programmed
+                                                      : workbench_.shown_program().samples);
     scene.set_warning(picture_warning(shown->run).toStdString());
   }
   second_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr, choice_->currentText());
   linking_ = false;
-  colour_alike();
+  share_colour_scale();
   link(first_);
   show_cursor();
 }
 
-void SideBySide::colour_alike() {
+void SideBySide::share_colour_scale() {
   if (second_run_ != nullptr) {
-    first_run_.set_alike(second_run_->samples());
-    second_run_->set_alike(first_run_.samples());
+    first_run_.share_scale_with(second_run_->samples());
+    second_run_->share_scale_with(first_run_.samples());
   }
   show_names();
 }
 
 void SideBySide::show_names() {
-  const bool halves = split_ != nullptr && second_run_ != nullptr &&
-                      first_run_.reference_name() == choice_->currentText() &&
-                      second_run_->reference_name() == model_.runs().title(model_.runs().current_item());
+  const bool halves =
+      split_ != nullptr && second_run_ != nullptr && first_run_.reference_name() == choice_->currentText() &&
+      second_run_->reference_name() == workbench_.runs().title(workbench_.runs().current_item());
   first_run_.set_halves(halves);
   if (second_run_ != nullptr) {
     second_run_->set_halves(halves);
@@ -324,22 +388,24 @@ void SideBySide::show_names() {
   if (split_ == nullptr) {
     return;
   }
-  const RunItem& current = model_.runs().current_item();
-  split_->set_left_name(model_.runs().title(current), current.colour);
+  const RunItem& current = workbench_.runs().current_item();
+  split_->set_left_name(workbench_.runs().title(current), current.colour);
   // That the halves are compared with each other goes without saying.
   const auto against = [&](const SceneRun& run, const QString& beside) {
     const QString& name = run.reference_name();
-    return name.isEmpty() || name == beside ? QString() : tr("against %1").arg(name);
+    return name.isEmpty() || name == beside ? QString() : tr("compared with %1").arg(name);
   };
-  split_->set_notes(against(first_run_, choice_->currentText()),
-                    second_run_ != nullptr ? against(*second_run_, model_.runs().title(current)) : QString());
+  split_->set_notes(
+      against(first_run_, choice_->currentText()),
+      second_run_ != nullptr ? against(*second_run_, workbench_.runs().title(current)) : QString());
 }
 
 void SideBySide::show_cursor() {
+  const Cursor& cursor = workbench_.cursor();
+  cursor.valid() ? first_.scene().set_cursor(cursor.state()) : first_.scene().set_cursor(std::nullopt);
   if (second_ == nullptr || second_run_ == nullptr) {
     return;
   }
-  const Cursor& cursor = model_.cursor();
   const auto& shown = second_run_->shown();
   if (shown == nullptr || !cursor.valid()) {
     second_->scene().set_cursor(std::nullopt);

@@ -2,11 +2,12 @@
 
 #include <QList>
 #include <QWidget>
+#include <filesystem>
 #include <memory>
 
-#include "ui/models/scenes_state.h"
-#include "ui/models/workbench.h"
-#include "ui/views/scene_run.h"
+#include "ui/scene_view/scene_run.h"
+#include "ui/scene_view/scenes_state.h"
+#include "ui/workbench/workbench.h"
 
 class QComboBox;
 class QMenu;
@@ -17,22 +18,22 @@ namespace feedscope::ui {
 class SplitOverlay;
 
 /// The 3D view of the current run and, if wanted, that of another one: beside it, or over the right part of
-/// it behind a line that is dragged. Both are turned, coloured and enlarged alike, the tool of both at the
-/// same place of the program; colours may say how one differs from the other.
+/// it behind a line that is dragged. Both are turned, coloured and enlarged in the same way, the tool of both
+/// at the same place of the program; colours may say how one differs from the other.
 class SideBySide : public QWidget {
   Q_OBJECT
 
  public:
-  /// `first` shows the current run and becomes a part of this. `model` outlives this.
-  SideBySide(Workbench& model, SceneView& first, RenderBackend backend, QWidget* parent = nullptr);
+  /// `first` shows the current run and becomes a part of this. `workbench` outlives this.
+  SideBySide(Workbench& workbench, SceneView& first, RenderBackend backend, QWidget* parent = nullptr);
   ~SideBySide() override;
 
-  /// The current run or its result is another one.
-  void show_current();
   void set_mode(ScenesMode mode);
   ScenesMode mode() const { return mode_; }
   ScenesState state() const;
   void set_state(const ScenesState& state);
+  /// The view of the current run.
+  SceneView& first() { return first_; }
   /// SceneView::rest() of all views.
   void rest();
   /// Null while there is one view alone.
@@ -44,13 +45,18 @@ class SideBySide : public QWidget {
   RunComparison& comparison() { return comparison_; }
   QList<QAction*> panel_actions() const { return actions_; }
 
- signals:
-  void mode_changed();
-
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  void follow_workbench();
+  /// The program is another one.
+  void show_program();
+  /// The current run or its result is another one.
+  void show_current();
+  void show_run_name();
+  /// The other runs, as lines in the view of the current one.
+  void show_overlays();
   void make_actions();
   QAction* add_mode(ScenesMode mode, const QString& text, const QString& tip, const QKeySequence& key);
   void make_comparison_menu();
@@ -62,11 +68,11 @@ class SideBySide : public QWidget {
   void show_run();
   void show_cursor();
   void show_names();
-  void colour_alike();
+  void share_colour_scale();
   void link(SceneView& from);
   void follow_first();
 
-  Workbench& model_;
+  Workbench& workbench_;
   SceneView& first_;
   RenderBackend backend_;
   RunComparison comparison_;
@@ -84,6 +90,7 @@ class SideBySide : public QWidget {
   std::unique_ptr<SplitOverlay> split_;
   int other_ = 0;  ///< id of the run that was chosen to stand beside; 0: the first other one
   bool linking_ = false;
+  std::filesystem::path fitted_to_;  ///< program that the camera was last fitted to
 };
 
 }  // namespace feedscope::ui

@@ -1,4 +1,4 @@
-#include "ui/views/split_overlay.h"
+#include "ui/scene_view/split_overlay.h"
 
 #include <QKeyEvent>
 #include <QLabel>
@@ -33,8 +33,8 @@ QLabel* make_label(QWidget& parent) {
 SplitHandle::SplitHandle(QWidget* parent) : QWidget(parent) {
   setCursor(Qt::SplitHCursor);
   setFocusPolicy(Qt::StrongFocus);
-  setToolTip(tr("Drag to see more of one run or of the other"));
-  setAccessibleName(tr("Line between the two runs"));
+  setToolTip(tr("Drag to show more of one run or the other"));
+  setAccessibleName(tr("Dividing line between the two runs"));
 }
 
 void SplitHandle::paintEvent(QPaintEvent*) {

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "ui/views/scene_view.h"
+#include "ui/scene_view/scene_view.h"
 
 class QLabel;
 

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "core/program/program.h"
-#include "ui/annotations/annotation.h"
 #include "ui/charts/charts_state.h"
-#include "ui/models/run_list.h"
-#include "ui/models/scenes_state.h"
 #include "ui/scene/scene_state.h"
+#include "ui/scene_view/scenes_state.h"
 #include "ui/theme/theme.h"
+#include "ui/workbench/annotation.h"
+#include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
 

@@ -33,7 +33,7 @@ QByteArray read_bytes(const QString& name) {
     fail(QStringLiteral("cannot read session '%1': %2").arg(name, file.errorString()));
   }
   if (file.size() > largest_file) {
-    fail(QStringLiteral("'%1' is larger than 64 MiB; that is no session").arg(name));
+    fail(QStringLiteral("'%1' is larger than 64 MiB and cannot be a session").arg(name));
   }
   return file.readAll();
 }
@@ -62,7 +62,7 @@ ReadSession read_session_file(const std::filesystem::path& file) {
   QJsonParseError error;
   const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
   if (error.error != QJsonParseError::NoError) {
-    fail(QStringLiteral("'%1' is no session: %2 (%3)")
+    fail(QStringLiteral("'%1' is not a session: %2 (%3)")
              .arg(name, error.errorString(), place_of(bytes, error.offset)));
   }
   try {

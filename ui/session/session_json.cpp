@@ -6,7 +6,7 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
-#include "ui/models/scene_json.h"
+#include "ui/scene_view/scene_json.h"
 #include "ui/session/reading_json.h"
 
 namespace feedscope::ui {
@@ -36,7 +36,7 @@ void note_unknown(const QJsonObject& json, const std::vector<std::string>& known
       continue;
     }
     const std::string near = nearest_name(name, known);
-    notes.append(QStringLiteral("%1 has a key \"%2\" that is not known; it is left out%3")
+    notes.append(QStringLiteral("%1 has an unknown key \"%2\"; it is ignored%3")
                      .arg(place, key,
                           near.empty()
                               ? QString()
@@ -206,7 +206,7 @@ Annotation read_annotation(const QJsonObject& json, const QString& place, QStrin
 
 void check_format(const QJsonObject& json) {
   if (json["format"] != QLatin1String(format_name)) {
-    fail(QStringLiteral("it is no session of Feedscope: its \"format\" is not \"%1\"").arg(format_name));
+    fail(QStringLiteral("it is not a Feedscope session: its \"format\" is not \"%1\"").arg(format_name));
   }
   const double version = json["version"].toDouble();
   if (version > session_version) {
@@ -215,7 +215,7 @@ void check_format(const QJsonObject& json) {
              .arg(session_version));
   }
   if (version != session_version) {
-    fail(QStringLiteral("its \"version\" is no whole number from 1 to %1").arg(session_version));
+    fail(QStringLiteral("its \"version\" is not a whole number from 1 to %1").arg(session_version));
   }
 }
 
@@ -292,7 +292,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
         read_run(run.toObject(), QStringLiteral("run %1").arg(++number), machines, read.notes));
   }
   if (session.runs.empty()) {
-    fail(QStringLiteral("it holds no run: \"runs\" is empty or missing"));
+    fail(QStringLiteral("it has no runs: \"runs\" is empty or missing"));
   }
   session.current_run = static_cast<std::size_t>(
       std::clamp(json["current_run"].toInt(), 0, static_cast<int>(session.runs.size()) - 1));

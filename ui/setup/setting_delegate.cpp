@@ -1,8 +1,8 @@
-#include "ui/views/setting_delegate.h"
+#include "ui/setup/setting_delegate.h"
 
 #include <QComboBox>
 
-#include "ui/models/setup_tables.h"
+#include "ui/setup/setup_tables.h"
 
 namespace feedscope::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/views/setup_bar.h"
+#include "ui/setup/setup_bar.h"
 
 #include <QAbstractItemView>
 #include <QComboBox>
@@ -6,7 +6,8 @@
 #include <QSignalBlocker>
 #include "ui/fields/number_box.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/tolerance_text.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
 
@@ -31,18 +32,18 @@ void fix_width(QComboBox* box, int characters) {
 
 }  // namespace
 
-SetupBar::SetupBar(Workbench& model, QWidget* parent)
+SetupBar::SetupBar(Workbench& workbench, QWidget* parent)
     : QToolBar(tr("Setup"), parent),
-      model_(model),
+      workbench_(workbench),
       machine_(new QComboBox(this)),
       control_model_(new QComboBox(this)),
       tolerance_(new NumberBox(this)) {
   setObjectName(QStringLiteral("setup_bar"));
   setMovable(false);
-  for (const MachineChoice& choice : model_.machine_choices()) {
+  for (const MachineChoice& choice : workbench_.machine_choices()) {
     machine_->addItem(choice.name, choice.id);
   }
-  machine_->setToolTip(tr("Machine whose axis limits and control settings hold"));
+  machine_->setToolTip(tr("Machine whose axis limits and control settings apply"));
   for (const ControlModel* control : all_models()) {
     control_model_->addItem(core_text(control->info().title), QString::fromStdString(control->info().id));
     const QString summary = core_text(control->info().summary);
@@ -51,11 +52,11 @@ SetupBar::SetupBar(Workbench& model, QWidget* parent)
   control_model_->setToolTip(tr("Control model: how the control turns the path into motion"));
   fix_width(machine_, 20);
   fix_width(control_model_, 42);
-  tolerance_->setDecimals(4);
-  tolerance_->setRange(0, 10);
+  tolerance_->setDecimals(decimals_of(Dimension::length, 4));
+  tolerance_->setRange(0, in_shown_unit(10, Dimension::length));
   tolerance_->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
   tolerance_->setKeyboardTracking(false);
-  tolerance_->setSuffix(QStringLiteral(" mm"));
+  tolerance_->setSuffix(' ' + unit_of(Dimension::length));
 
   addWidget(make_label(tr("&Machine"), machine_, this));
   addWidget(machine_);
@@ -65,18 +66,18 @@ SetupBar::SetupBar(Workbench& model, QWidget* parent)
   addWidget(tolerance_);
 
   connect(machine_, &QComboBox::activated, this,
-          [this] { model_.choose_machine(machine_->currentData().toString()); });
+          [this] { workbench_.choose_machine(machine_->currentData().toString()); });
   connect(control_model_, &QComboBox::activated, this,
-          [this] { model_.choose_model(control_model_->currentData().toString()); });
+          [this] { workbench_.choose_model(control_model_->currentData().toString()); });
   connect(tolerance_, &NumberBox::valueChanged, this, &SetupBar::set_tolerance);
-  connect(&model_.setup(), &SetupEdit::keys_changed, this, &SetupBar::show_setup);
-  connect(&model_.setup(), &SetupEdit::values_changed, this, &SetupBar::show_tolerance);
-  connect(&model_.runs(), &RunList::item_changed, this, &SetupBar::show_tolerance);
+  connect(&workbench_.setup(), &SetupEdit::keys_changed, this, &SetupBar::show_setup);
+  connect(&workbench_.setup(), &SetupEdit::values_changed, this, &SetupBar::show_tolerance);
+  connect(&workbench_.runs(), &RunList::item_changed, this, &SetupBar::show_tolerance);
   show_setup();
 }
 
 void SetupBar::show_setup() {
-  const Setup& file = model_.setup().file();
+  const Setup& file = workbench_.setup().file();
   const QString id = QString::fromStdString(file.machine.id);
   if (machine_->findData(id) < 0) {
     machine_->addItem(QString::fromStdString(file.machine.name), id);
@@ -88,20 +89,20 @@ void SetupBar::show_setup() {
 
 void SetupBar::show_tolerance() {
   const QSignalBlocker blocker(tolerance_);
-  const auto tolerance = model_.runs().tolerance(model_.runs().current_item());
+  const auto tolerance = workbench_.runs().tolerance(workbench_.runs().current_item());
   const bool is_one = tolerance && !tolerance->is_range();
   tolerance_->setEnabled(tolerance.has_value());
   tolerance_->setMinimum(is_one ? 0 : several);
   tolerance_->setSpecialValueText(is_one      ? QString()
                                   : tolerance ? tolerance_text(*tolerance)
                                               : tolerance_range({}));
-  tolerance_->setValue(is_one ? tolerance->max : several);
+  tolerance_->setValue(is_one ? in_shown_unit(tolerance->max, Dimension::length) : several);
   const QString tip = tr("Contour tolerance: how far the path may leave the programmed corners");
   tolerance_->setToolTip(tolerance ? tip + QStringLiteral("\n") + tolerance_origin(*tolerance) : tip);
 }
 
 void SetupBar::set_tolerance(double tolerance) {
-  if (!model_.set_tolerance(tolerance)) {
+  if (!workbench_.set_tolerance(from_shown_unit(tolerance, Dimension::length))) {
     show_tolerance();  // out of bounds: back to the value that holds
   }
 }

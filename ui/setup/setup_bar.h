@@ -2,7 +2,7 @@
 
 #include <QToolBar>
 
-#include "ui/models/workbench.h"
+#include "ui/workbench/workbench.h"
 
 class QComboBox;
 
@@ -15,15 +15,15 @@ class SetupBar : public QToolBar {
   Q_OBJECT
 
  public:
-  /// `model` outlives this.
-  explicit SetupBar(Workbench& model, QWidget* parent = nullptr);
+  /// `workbench` outlives this.
+  explicit SetupBar(Workbench& workbench, QWidget* parent = nullptr);
 
  private:
   void show_setup();
   void show_tolerance();
   void set_tolerance(double tolerance);
 
-  Workbench& model_;
+  Workbench& workbench_;
   QComboBox* machine_;
   QComboBox* control_model_;
   NumberBox* tolerance_;

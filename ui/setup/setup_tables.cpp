@@ -1,4 +1,4 @@
-#include "ui/models/setup_tables.h"
+#include "ui/setup/setup_tables.h"
 
 #include <QFont>
 #include <QLocale>
@@ -7,37 +7,42 @@
 #include "core/base/error.h"
 #include "ui/fields/number_text.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-QString number_text(double number) {
+/// Converted numbers have fewer digits than those that someone has written.
+QString plain_number(double number, double factor) {
   QLocale locale;
   locale.setNumberOptions(QLocale::OmitGroupSeparator);
-  return locale.toString(number, 'g', 7);
+  return locale.toString(number * factor, 'g', factor == 1 ? 7 : 5);
 }
 
-QString value_text(const SettingValue& value) {
+QString value_text(const SettingValue& value, const SettingSpec& spec) {
   if (const auto* number = std::get_if<double>(&value)) {
-    return number_text(*number);
+    return plain_number(*number, key_unit(spec.unit).factor);
   }
   return core_text(std::get<std::string>(value));
 }
 
 QString range_text(const SettingSpec& spec) {
+  const auto text_of = [factor = key_unit(spec.unit).factor](double bound) {
+    return plain_number(bound, factor);
+  };
   if (!spec.choices.empty()) {
     return SetupTable::tr("choice");
   }
   if (std::isinf(spec.maximum)) {
-    return QStringLiteral("%1 %2").arg(spec.minimum_allowed ? "≥" : ">", number_text(spec.minimum));
+    return QStringLiteral("%1 %2").arg(spec.minimum_allowed ? "≥" : ">", text_of(spec.minimum));
   }
   if (spec.minimum == -spec.maximum && spec.minimum_allowed) {
-    return QStringLiteral("± %1").arg(number_text(spec.maximum));
+    return QStringLiteral("± %1").arg(text_of(spec.maximum));
   }
   return QStringLiteral("%1%2 … %3")
-      .arg(spec.minimum_allowed ? "" : "> ", number_text(spec.minimum), number_text(spec.maximum));
+      .arg(spec.minimum_allowed ? "" : "> ", text_of(spec.minimum), text_of(spec.maximum));
 }
 
 }  // namespace
@@ -47,8 +52,8 @@ QStringList changes_of(const SetupState& state) {
   for (const auto& [key, value] : state.edits()) {
     const SettingSpec spec = state.spec(key);
     lines.append(QStringLiteral("%1: %2 → %3 %4")
-                     .arg(setting_title(key), value_text(state.file_value(key)), value_text(value),
-                          unit_text(spec.unit))
+                     .arg(setting_title(key), value_text(state.file_value(key), spec),
+                          value_text(value, spec), key_unit(spec.unit).text)
                      .trimmed());
   }
   return lines;
@@ -78,7 +83,7 @@ QVariant SetupTable::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
-      return value_text(edit_.state().value(*key));
+      return value_text(edit_.state().value(*key), edit_.state().spec(*key));
     case Qt::TextAlignmentRole:
       return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::FontRole: {
@@ -104,7 +109,7 @@ bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int ro
     return false;
   }
   const std::string key = *key_at(index);
-  if (value.toString() == value_text(edit_.state().value(key))) {
+  if (value.toString() == value_text(edit_.state().value(key), edit_.state().spec(key))) {
     return true;  // not to replace a number by its rounded text
   }
   try {
@@ -112,7 +117,7 @@ bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int ro
     const QString text = value.toString().trimmed();
     const auto choice = std::ranges::find(spec.choices, text, core_text);
     const auto number = spec.choices.empty() ? number_of(text) : std::nullopt;
-    edit_.set(key, number                         ? SettingValue(*number)
+    edit_.set(key, number                         ? SettingValue(*number / key_unit(spec.unit).factor)
                    : choice != spec.choices.end() ? SettingValue(*choice)
                                                   : parse_setting(spec, text.toStdString()));
     return true;
@@ -131,23 +136,29 @@ QString SetupTable::explanation(const std::string& key) const {
   const SettingSpec spec = edit_.state().spec(key);
   const Provenance provenance = edit_.state().provenance(key);
   QStringList lines;
-  lines.append(QStringLiteral("<b>%1</b>%2")
-                   .arg(core_text(spec.title).toHtmlEscaped(),
-                        spec.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(unit_text(spec.unit))));
+  lines.append(
+      QStringLiteral("<b>%1</b>%2")
+          .arg(core_text(spec.title).toHtmlEscaped(),
+               spec.unit.empty() ? QString() : QStringLiteral(" [%1]").arg(key_unit(spec.unit).text)));
   lines.append(core_text(spec.explanation).toHtmlEscaped());
   if (spec.choices.empty()) {
     lines.append(tr("Range: %1").arg(range_text(spec)));
   }
   if (edit_.state().edited(key)) {
-    lines.append(tr("Changed; the file says %1.").arg(value_text(edit_.state().file_value(key))));
+    lines.append(
+        tr("Changed; the machine file has %1.").arg(value_text(edit_.state().file_value(key), spec)));
   }
   const QString source = QString::fromStdString(provenance.source).toHtmlEscaped();
   if (source.isEmpty()) {
-    lines.append(tr("Source: the model's own value; the machine's file gives none."));
+    lines.append(tr("Source: default of the model; the machine file gives none."));
   } else {
     lines.append(provenance.assumed ? tr("Assumed: %1").arg(source) : tr("Source: %1").arg(source));
   }
   return QStringLiteral("<p>%1</p>").arg(lines.join("<br>"));
+}
+
+const AxisList& AxisTable::axes() const {
+  return edit().file().machine.axes.axes();
 }
 
 int AxisTable::rowCount(const QModelIndex& parent) const {
@@ -155,7 +166,7 @@ int AxisTable::rowCount(const QModelIndex& parent) const {
 }
 
 int AxisTable::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(axis_names.size());
+  return parent.isValid() ? 0 : static_cast<int>(axes().size());
 }
 
 QVariant AxisTable::headerData(int section, Qt::Orientation orientation, int role) const {
@@ -164,13 +175,13 @@ QVariant AxisTable::headerData(int section, Qt::Orientation orientation, int rol
   }
   const auto i = static_cast<std::size_t>(section);
   if (orientation == Qt::Horizontal) {
-    return i < axis_names.size() ? QString(QChar(axis_names[i])) : QVariant();
+    return i < axes().size() ? QString(QChar(axes()[i].name)) : QVariant();
   }
   if (i >= axis_limit_specs().size()) {
     return {};
   }
   const SettingSpec& spec = axis_limit_specs()[i];
-  return QStringLiteral("%1 [%2]").arg(core_text(spec.title), unit_text(spec.unit));
+  return QStringLiteral("%1 [%2]").arg(core_text(spec.title), key_unit(spec.unit).text);
 }
 
 std::optional<std::string> AxisTable::key_at(const QModelIndex& index) const {
@@ -178,7 +189,7 @@ std::optional<std::string> AxisTable::key_at(const QModelIndex& index) const {
 }
 
 std::string AxisTable::topic_of(const QModelIndex& index) const {
-  return axis_key(axis_names[static_cast<std::size_t>(index.column())],
+  return axis_key(axes()[static_cast<std::size_t>(index.column())].name,
                   axis_limit_specs()[static_cast<std::size_t>(index.row())].key);
 }
 
@@ -240,7 +251,7 @@ QString SettingsTable::caption(const QModelIndex& index) const {
     case title:
       return core_text(spec.title);
     case unit:
-      return unit_text(spec.unit);
+      return key_unit(spec.unit).text;
     case range:
       return range_text(spec);
     default:

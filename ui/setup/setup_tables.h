@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/models/setup_edit.h"
+#include "ui/workbench/setup_edit.h"
 
 namespace feedscope::ui {
 
@@ -60,6 +60,7 @@ class AxisTable : public SetupTable {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  const AxisList& axes() const;
   std::optional<std::string> key_at(const QModelIndex& index) const override;
   std::string topic_of(const QModelIndex& index) const override;
   QString caption(const QModelIndex&) const override { return {}; }

@@ -1,4 +1,4 @@
-#include "ui/views/setup_view.h"
+#include "ui/setup/setup_view.h"
 
 #include <QAction>
 #include <QHeaderView>
@@ -9,8 +9,10 @@
 #include <algorithm>
 
 #include "ui/language/core_texts.h"
+#include "ui/setup/run_notes_text.h"
+#include "ui/setup/setting_delegate.h"
 #include "ui/theme/theme.h"
-#include "ui/views/setting_delegate.h"
+#include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
@@ -53,12 +55,12 @@ int full_height(const QTableView* table) {
 }  // namespace
 
 SetupView::SetupView(SetupEdit& edit, QWidget* parent)
-    : QWidget(parent),
+    : Panel({QStringLiteral("machine"), tr("Machine and control"), Qt::RightDockWidgetArea}, parent),
       edit_(edit),
       axis_model_(new AxisTable(edit, this)),
       settings_model_(new SettingsTable(edit, this)),
       machine_(new QLabel(this)),
-      unfollowed_(new QLabel(this)),
+      run_notes_(new QLabel(this)),
       axes_(make_table(axis_model_, tr("Axis limits"), this)),
       settings_(make_table(settings_model_, tr("Control settings"), this)),
       unset_(new QToolButton(this)),
@@ -72,18 +74,18 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   // With Fixed, text that its width breaks into more lines than it hints at is cut.
   QSizePolicy as_high_as_its_text(QSizePolicy::Preferred, QSizePolicy::Minimum);
   as_high_as_its_text.setHeightForWidth(true);
-  for (QLabel* label : {machine_, unfollowed_}) {
+  for (QLabel* label : {machine_, run_notes_}) {
     label->setWordWrap(true);
     label->setSizePolicy(as_high_as_its_text);
   }
-  unfollowed_->hide();
+  run_notes_->hide();
   unset_->setCheckable(true);
   unset_->setAutoRaise(true);
   unset_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a panel may be narrow
   unset_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   unset_->setToolTip(
-      tr("Settings that this machine has no value for; without one, what they give a place or "
-         "a time is neither drawn nor timed"));
+      tr("Settings without a value on this machine: motion and times that need them are neither drawn nor "
+         "timed"));
   connect(unset_, &QToolButton::toggled, this, &SetupView::hide_unset);
   help_->setWordWrap(true);
   help_->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -99,7 +101,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->setContentsMargins(6, 6, 6, 6);
   layout->setSpacing(4);
   layout->addWidget(machine_);
-  layout->addWidget(unfollowed_);
+  layout->addWidget(run_notes_);
   layout->addWidget(make_heading(tr("Axis limits"), this));
   layout->addWidget(axes_);
   layout->addWidget(make_heading(tr("Control settings"), this));
@@ -129,9 +131,9 @@ QString SetupView::changes() const {
   return changes_of(edit_.state()).join(QStringLiteral("\n"));
 }
 
-void SetupView::show_unfollowed(const QStringList& sentences) {
-  unfollowed_->setText(sentences.join(QStringLiteral("\n")));
-  unfollowed_->setVisible(!sentences.isEmpty());
+void SetupView::show_run_notes(const QStringList& sentences) {
+  run_notes_->setText(sentences.join(QStringLiteral("\n")));
+  run_notes_->setVisible(!sentences.isEmpty());
 }
 
 void SetupView::show_changes() {
@@ -149,7 +151,7 @@ void SetupView::show_changes() {
   }
   changes_->setText(
       QStringLiteral("<p><b>%1</b> <a href=\"reset\">%2</a><br>%3</p>")
-          .arg(tr("Changed against the file:"), tr("back to the file"), lines.join(QStringLiteral("<br>"))));
+          .arg(tr("Changed from the file:"), tr("back to the file"), lines.join(QStringLiteral("<br>"))));
 }
 
 void SetupView::show_key(const std::string& key) {
@@ -193,8 +195,8 @@ void SetupView::fit_tables() {
   const bool any_settings = settings_model_->rowCount() > 0;
   hide_unset();
   const QString how =
-      tr("Choose a value to see what it means. Bold: changed. Italic: assumed, no source gives it.");
-  help_->setText(any_settings ? how : tr("This model reads no control settings.") + "<br>" + how);
+      tr("Select a value to see what it means. Bold: changed. Italic: assumed, without a source.");
+  help_->setText(any_settings ? how : tr("This model has no control settings.") + "<br>" + how);
 }
 
 /// A row that was shown stays while the button is down.
@@ -224,6 +226,15 @@ void SetupView::refuse(QTableView* table, const QModelIndex& index, const QStrin
   help_->setStyleSheet(QStringLiteral("color: %1;").arg(theme_colours(palette()).error.name()));
   help_->setText(message);
   table->setCurrentIndex(index);
+}
+
+void SetupView::follow(Workbench& workbench) {
+  const auto show_run = [this, &workbench] {
+    const auto shown = workbench.shown();
+    show_run_notes(shown == nullptr ? QStringList() : run_note_texts(shown->run));
+  };
+  connect(&workbench, &Workbench::run_changed, this, show_run);
+  show_run();
 }
 
 }  // namespace feedscope::ui

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <QWidget>
-
-#include "ui/models/setup_tables.h"
+#include "ui/setup/setup_tables.h"
+#include "ui/workbench/panel.h"
 
 class QLabel;
 class QTableView;
@@ -12,13 +11,14 @@ namespace feedscope::ui {
 
 /// The machine editor: axis limits and settings of the chosen model. A wrong entry is refused, with the
 /// reason below the tables; there also stands what the chosen value means and where it comes from.
-class SetupView : public QWidget {
+class SetupView : public Panel {
   Q_OBJECT
 
  public:
   /// `edit` outlives this.
   explicit SetupView(SetupEdit& edit, QWidget* parent = nullptr);
 
+  void follow(Workbench& workbench) override;
   QTableView* axes() { return axes_; }
   QTableView* settings() { return settings_; }
   QToolButton* unset() { return unset_; }
@@ -29,7 +29,7 @@ class SetupView : public QWidget {
   /// What differs from the machine file; empty if nothing does.
   QString changes() const;
   /// What of the program the model does not follow; empty: nothing.
-  void show_unfollowed(const QStringList& sentences);
+  void show_run_notes(const QStringList& sentences);
 
  private:
   void explain(const QModelIndex& index);
@@ -42,7 +42,7 @@ class SetupView : public QWidget {
   AxisTable* axis_model_;
   SettingsTable* settings_model_;
   QLabel* machine_;
-  QLabel* unfollowed_;
+  QLabel* run_notes_;
   QTableView* axes_;
   QTableView* settings_;
   QToolButton* unset_;  ///< shows settings without a value

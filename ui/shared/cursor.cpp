@@ -1,4 +1,4 @@
-#include "ui/models/cursor.h"
+#include "ui/shared/cursor.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,4 +1,4 @@
-#include "ui/models/next_place.h"
+#include "ui/shared/next_place.h"
 
 #include <limits>
 

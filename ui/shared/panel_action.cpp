@@ -1,4 +1,4 @@
-#include "ui/models/panel_action.h"
+#include "ui/shared/panel_action.h"
 
 namespace feedscope::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/views/row_copy.h"
+#include "ui/shared/row_copy.h"
 
 #include <QAbstractItemView>
 #include <QAction>
@@ -33,7 +33,7 @@ QString rows_text(const QAbstractItemModel& table) {
 
 void install_row_copy(QAbstractItemView& table) {
   auto* copy = new QAction(RowCopy::tr("&Copy the table"), &table);
-  copy->setToolTip(RowCopy::tr("All rows to the clipboard, as a spreadsheet takes them"));
+  copy->setToolTip(RowCopy::tr("Copy all rows to the clipboard for pasting into a spreadsheet"));
   copy->setShortcut(QKeySequence::Copy);
   copy->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   QObject::connect(copy, &QAction::triggered, &table,

@@ -1,4 +1,4 @@
-#include "ui/charts/view_range.h"
+#include "ui/shared/view_range.h"
 
 #include <algorithm>
 #include <utility>
@@ -28,11 +28,7 @@ void ViewRange::set_abscissa(Abscissa abscissa) {
   const double from = time_at(lower_);
   const double to = time_at(upper_);
   abscissa_ = abscissa;
-  if (trajectory_ == nullptr) {
-    fit();
-  } else {
-    show(position_of(trajectory_->state(from)), position_of(trajectory_->state(to)));
-  }
+  trajectory_ == nullptr ? fit() : show_times(from, to);
 }
 
 double ViewRange::length() const {
@@ -61,6 +57,12 @@ void ViewRange::show(double lower, double upper) {
   lower_ = std::clamp((lower + upper - width) / 2, 0.0, all - width);
   upper_ = lower_ + width;
   emit changed();
+}
+
+void ViewRange::show_times(double from, double to) {
+  if (trajectory_ != nullptr) {
+    show(position_of(trajectory_->state(from)), position_of(trajectory_->state(to)));
+  }
 }
 
 double ViewRange::position_of(const State& state) const {

@@ -37,6 +37,10 @@ class ViewRange : public QObject {
   void pan(double distance);
   /// Shows from one position to another, moved and cut to what there is.
   void show(double lower, double upper);
+  /// The same from one time to another [s]; nothing without a run.
+  void show_times(double from, double to);
+  double lower_time() const { return time_at(lower_); }  ///< [s]
+  double upper_time() const { return time_at(upper_); }  ///< [s]
 
   double position_of(const State& state) const;
   double time_at(double position) const;  ///< [s]

@@ -1,4 +1,4 @@
-#include "ui/models/slow_places_model.h"
+#include "ui/slow_places/slow_places_model.h"
 
 #include <QLocale>
 #include <algorithm>
@@ -8,14 +8,15 @@
 
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/next_place.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/shared/next_place.h"
 
 namespace feedscope::ui {
 
 namespace {
 
 QString feed_text(double feed) {
-  return QLocale().toString(std::abs(units::to_mm_min(feed)), 'f', 0);  // no minus before a rounded 0
+  return number_text(std::abs(feed), Dimension::feed);  // no minus before a rounded 0
 }
 
 }  // namespace
@@ -85,9 +86,8 @@ QString SlowPlacesModel::text(const SlowPlace& place, int column) const {
 
 QString SlowPlacesModel::tip(const SlowPlace& place) const {
   const QLocale locale;
-  return tr("From %1 s to %2 s, slowest at %3 s in line %4.\n%5 s are lost against the programmed feed, most "
-            "of "
-            "it to: %6.")
+  return tr("From %1 s to %2 s, slowest at %3 s in line %4.\n%5 s lost against the programmed feed, mostly "
+            "due to: %6.")
       .arg(locale.toString(place.from, 'f', 4), locale.toString(place.to, 'f', 4),
            locale.toString(place.slowest, 'f', 4), locale.toString(place.line),
            locale.toString(place.loss, 'f', 4), core_text(cause_title(place.cause)));
@@ -121,7 +121,7 @@ QVariant SlowPlacesModel::headerData(int section, Qt::Orientation orientation, i
     case lines:
       return tr("Lines");
     case feed:
-      return tr("Slowest feed [mm/min]");
+      return with_unit_of(tr("Slowest feed"), Dimension::feed);
     default:
       return tr("Cause");
   }

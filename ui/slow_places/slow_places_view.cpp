@@ -1,4 +1,4 @@
-#include "ui/views/slow_places_view.h"
+#include "ui/slow_places/slow_places_view.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -11,23 +11,24 @@
 #include <utility>
 
 #include "ui/fields/focus_outline.h"
-#include "ui/models/panel_action.h"
-#include "ui/views/row_copy.h"
+#include "ui/shared/panel_action.h"
+#include "ui/shared/row_copy.h"
+#include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
 SlowPlacesView::SlowPlacesView(QWidget* parent)
-    : QWidget(parent),
+    : Panel({QStringLiteral("slow-places"), tr("Slow places"), Qt::BottomDockWidgetArea}, parent),
       model_(new SlowPlacesModel(this)),
       list_(new QTreeView(this)),
       most_(new QComboBox(this)),
       sum_(new QLabel(this)) {
   for (const int count : {10, 100, 1000}) {
-    most_->addItem(tr("The worst %1").arg(QLocale().toString(count)), count);
+    most_->addItem(tr("Worst %1").arg(QLocale().toString(count)), count);
   }
-  most_->addItem(tr("All that are kept"), std::numeric_limits<int>::max());
+  most_->addItem(tr("All"), std::numeric_limits<int>::max());
   most_->setCurrentIndex(most_->findData(static_cast<int>(SlowPlacesModel::default_most)));
-  most_->setToolTip(tr("How many places are listed, and gone to by F7"));
+  most_->setToolTip(tr("Number of places listed and visited by F7"));
   most_->setAccessibleName(tr("Number of places"));
   connect(most_, &QComboBox::currentIndexChanged, this, [this] {
     model_->set_most(static_cast<std::size_t>(most_->currentData().toInt()));
@@ -46,9 +47,9 @@ SlowPlacesView::SlowPlacesView(QWidget* parent)
   connect(list_, &QTreeView::clicked, this, &SlowPlacesView::choose);
   connect(list_, &QTreeView::activated, this, &SlowPlacesView::choose);
 
-  add_step(tr("Next slow place"), tr("Go on to the next listed place that loses time"),
-           QKeySequence(Qt::Key_F7), true);
-  add_step(tr("Previous slow place"), tr("Go back to the listed place before"),
+  add_step(tr("Next slow place"), tr("Go to the next listed place that loses time"), QKeySequence(Qt::Key_F7),
+           true);
+  add_step(tr("Previous slow place"), tr("Go to the previous listed place"),
            QKeySequence(Qt::SHIFT | Qt::Key_F7), false);
 
   auto* bar = new QHBoxLayout;
@@ -67,6 +68,21 @@ void SlowPlacesView::add_step(const QString& text, const QString& tip, const QKe
   QAction* action = make_action(this, text, tip, key, [this, forward] { step(forward); });
   addAction(action);
   actions_.append(action);
+}
+
+void SlowPlacesView::follow(Workbench& workbench) {
+  const auto show_run = [this, &workbench] {
+    const auto shown = workbench.shown();
+    set_places(shown == nullptr ? nullptr : shown->slow_places);
+  };
+  const auto show_cursor = [this, &cursor = workbench.cursor()] {
+    set_time(cursor.valid() ? cursor.state().time : 0);
+  };
+  connect(&workbench, &Workbench::run_changed, this, show_run);
+  connect(&workbench.cursor(), &Cursor::changed, this, show_cursor);
+  connect(this, &SlowPlacesView::place_chosen, &workbench, &Workbench::show_place);
+  show_run();
+  show_cursor();
 }
 
 void SlowPlacesView::set_places(std::shared_ptr<const SlowPlaces> places) {

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <QWidget>
-
-#include "ui/models/slow_places_model.h"
+#include "ui/slow_places/slow_places_model.h"
+#include "ui/workbench/panel.h"
 
 class QAction;
 class QComboBox;
@@ -13,12 +12,13 @@ namespace feedscope::ui {
 
 /// Where a run loses time against its programmed feed, the worst first. Choosing a place, or stepping to the
 /// next one in the order of the program, goes there.
-class SlowPlacesView : public QWidget {
+class SlowPlacesView : public Panel {
   Q_OBJECT
 
  public:
   explicit SlowPlacesView(QWidget* parent = nullptr);
 
+  void follow(Workbench& workbench) override;
   /// Null: none.
   void set_places(std::shared_ptr<const SlowPlaces> places);
   /// Where the run's cursor is [s]: from there the next and the previous one are looked for.
@@ -28,7 +28,7 @@ class SlowPlacesView : public QWidget {
   QTreeView& list() { return *list_; }
   QComboBox& most() { return *most_; }
   QString summary() const;
-  QList<QAction*> panel_actions() const { return actions_; }
+  QList<QAction*> panel_actions() const override { return actions_; }
 
  signals:
   /// `slowest` lies between `from` and `to` [s].

@@ -1,4 +1,4 @@
-#include "ui/charts/study_chart.h"
+#include "ui/study/study_chart.h"
 
 #include <QLocale>
 #include <QMouseEvent>
@@ -9,9 +9,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/ticks.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/texts.h"
-#include "ui/scene/ticks.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
+#include "ui/shared/plot_grid.h"
 #include "ui/theme/theme.h"
 
 namespace feedscope::ui {
@@ -24,7 +26,6 @@ constexpr double tick_room = 58;
 constexpr double gap = 26;
 constexpr double marker = 4.5;
 constexpr double near_marker = 9;
-constexpr double micrometres = 1000;
 
 /// Okabe and Ito's hues that stand out on white, and on dark.
 using Hues = std::array<QColor, 7>;
@@ -85,6 +86,11 @@ bool strikes(const QLineF& line, const QRectF& label) {
   return crosses;
 }
 
+GridLook grid_look(const QPalette& palette) {
+  const ThemeColours& colours = theme_colours(palette);
+  return {colours.grid, colours.frame, colours.text};
+}
+
 /// 1, 2 and 5 times powers of ten in [from, to].
 std::vector<double> log_ticks(double from, double to) {
   std::vector<double> ticks;
@@ -105,7 +111,8 @@ StudyCurves study_curves(const Study& study) {
   }
   const Sweep& first = study.sweeps.front();
   shown.title = setting_title(first.key);
-  shown.unit = unit_text(sweep_unit(first.key));
+  const KeyUnit unit = key_unit(sweep_unit(first.key));
+  shown.unit = unit.text;
   shown.logarithmic = first.logarithmic;
   for (const auto& runs : study.curves()) {
     StudyCurve curve;
@@ -120,7 +127,8 @@ StudyCurves study_curves(const Study& study) {
       if (&run == best) {
         curve.fastest = curve.points.size();
       }
-      curve.points.push_back({run.swept.front(), run.summary.cycle_time, run.summary.max_contour_error});
+      curve.points.push_back(
+          {run.swept.front() * unit.factor, run.summary.cycle_time, run.summary.max_contour_error});
     }
     shown.curves.push_back(std::move(curve));
   }
@@ -136,9 +144,9 @@ struct StudyChart::Layout {
   double from = 0;  ///< of the setting, its logarithm where that is the axis
   double to = 1;
   bool logarithmic = false;
-  double least_time = 0;
-  double most_time = 1;
-  double most_error = 1;  ///< [mm]
+  double min_time = 0;
+  double max_time = 1;
+  double max_error = 1;  ///< [mm]
 
   double x(double value) const {
     const double at = logarithmic ? std::log(value) : value;
@@ -146,8 +154,7 @@ struct StudyChart::Layout {
   }
   QPointF place(const StudyPoint& point, bool is_error) const {
     const QRectF& plot = is_error ? error : time;
-    const double share =
-        is_error ? point.error / most_error : (point.time - least_time) / (most_time - least_time);
+    const double share = is_error ? point.error / max_error : (point.time - min_time) / (max_time - min_time);
     return {x(point.value), plot.bottom() - share * plot.height()};
   }
 };
@@ -192,17 +199,13 @@ StudyChart::Layout StudyChart::lay_out() const {
   const double line = metrics.height();
   layout.head =
       QRectF(margin, margin - 4, width() - 2 * margin, QFontMetricsF(sized(font(), title_size)).height());
-  double x = margin;
-  double y = layout.head.bottom() + 6;
+  std::vector<double> widths;
   for (const StudyCurve& curve : study_.curves) {
-    const double room = metrics.horizontalAdvance(curve.name) + 34;
-    if (x > margin && x + room > width() - margin) {
-      x = margin;
-      y += line + 2;
-    }
-    layout.legend.emplace_back(x, y, room, line);
-    x += room;
+    widths.push_back(metrics.horizontalAdvance(curve.name) + 34);
   }
+  const QRectF legend(margin, layout.head.bottom() + 6, width() - 2 * margin, line);
+  layout.legend = entries_in_rows(widths, legend, line, line + 2, 0);
+  const double y = layout.legend.empty() ? legend.top() : layout.legend.back().top();
   const double top = y + (study_.curves.empty() ? 0 : line) + line + 12;
   const double bottom = height() - margin - 2 * line - 8;
   const double room = std::max(bottom - top - line - gap, 40.0);
@@ -230,17 +233,17 @@ StudyChart::Layout StudyChart::lay_out() const {
     layout.to = to + pad;
   }
   constexpr double head_room = 1.08;
-  layout.most_time = time > 0 ? time * head_room : 1;
+  layout.max_time = time > 0 ? time * head_room : 1;
   constexpr double worth_zero =
       0.5;  // of the longest time: where all are above, an axis from 0 would be flat
   if (time > 0 && least > worth_zero * time) {
-    constexpr double least_span = 1e-3;  // of the time: what differs less is shown as level
-    const double span = std::max(time - least, least_span * time);
+    constexpr double min_span = 1e-3;  // of the time: what differs less is shown as level
+    const double span = std::max(time - least, min_span * time);
     const double middle = (time + least) / 2;
-    layout.least_time = middle - (head_room - 0.5 + 0.1) * span;
-    layout.most_time = middle + (head_room - 0.5 + 0.1) * span;
+    layout.min_time = middle - (head_room - 0.5 + 0.1) * span;
+    layout.max_time = middle + (head_room - 0.5 + 0.1) * span;
   }
-  layout.most_error = error > 0 ? error * head_room : 1e-3;
+  layout.max_error = error > 0 ? error * head_room : 1e-3;
   return layout;
 }
 
@@ -286,42 +289,36 @@ void StudyChart::draw_head(QPainter& painter, const Layout& layout) const {
 }
 
 QString StudyChart::bound_text() const {
-  return tr("bound %1 µm").arg(number(*study_.within * micrometres));
+  return tr("bound %1").arg(significant_text(*study_.within, Dimension::error, 4));
 }
 
 QRectF StudyChart::bound_label(const Layout& layout) const {
   const QFontMetricsF metrics(font());
-  const double y = layout.error.bottom() - *study_.within / layout.most_error * layout.error.height();
+  const double y = layout.error.bottom() - *study_.within / layout.max_error * layout.error.height();
   return {layout.error.left() + 6, y - metrics.height() - 2, metrics.horizontalAdvance(bound_text()) + 4,
           metrics.height()};
 }
 
 void StudyChart::draw_plot(QPainter& painter, const Layout& layout, bool is_error) const {
   const QRectF& plot = is_error ? layout.error : layout.time;
-  const double most = is_error ? layout.most_error * micrometres : layout.most_time;
-  const double least = is_error ? 0 : layout.least_time;
+  const double most = is_error ? in_shown_unit(layout.max_error, Dimension::error) : layout.max_time;
+  const double least = is_error ? 0 : layout.min_time;
   const double line = QFontMetricsF(font()).height();
   painter.setFont(sized(font(), text_size, true));
   painter.setPen(theme_colours(palette()).text);
-  painter.drawText(QRectF(margin, plot.top() - line - 6, plot.right() - margin, line),
-                   Qt::AlignLeft | Qt::AlignVCenter,
-                   is_error ? tr("Largest contour error [µm]") : tr("Cycle time [s]"));
+  painter.drawText(
+      QRectF(margin, plot.top() - line - 6, plot.right() - margin, line), Qt::AlignLeft | Qt::AlignVCenter,
+      is_error ? with_unit_of(tr("Largest contour error"), Dimension::error) : tr("Cycle time [s]"));
   painter.setFont(font());
-  constexpr int most_ticks = 6;
-  const Ticks ticks = round_ticks(least, most, most_ticks);
+  constexpr int max_ticks = 6;
+  const Ticks ticks = round_ticks(least, most, max_ticks);
+  PlotGrid grid(painter, plot, grid_look(palette()));
   for (std::size_t i = 0; i < ticks.values.size(); ++i) {
-    const double y =
-        std::round(plot.bottom() - (ticks.values[i] - least) / (most - least) * plot.height()) + 0.5;
-    painter.setPen(
-        QPen(ticks.values[i] == 0 ? theme_colours(palette()).frame : theme_colours(palette()).grid, 1));
-    painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
-    painter.setPen(theme_colours(palette()).text);
-    painter.drawText(QRectF(margin, y - line / 2, tick_room - 8, line), Qt::AlignRight | Qt::AlignVCenter,
-                     QLocale().toString(ticks.values[i], 'f',
-                                        int(QString::fromStdString(ticks.labels[i]).section('.', 1).size())));
+    grid.level(plot.bottom() - (ticks.values[i] - least) / (most - least) * plot.height(),
+               tick_text(ticks, i), ticks.values[i] == 0 ? GridLine::strong : GridLine::usual);
   }
   if (is_error && study_.within) {
-    const double y = plot.bottom() - *study_.within * micrometres / most * plot.height();
+    const double y = plot.bottom() - in_shown_unit(*study_.within, Dimension::error) / most * plot.height();
     painter.setPen(QPen(theme_colours(palette()).text, 1.4, Qt::DashLine));
     painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
     painter.drawText(bound_label(layout), Qt::AlignLeft | Qt::AlignVCenter, bound_text());
@@ -400,7 +397,7 @@ void StudyChart::draw_labels(QPainter& painter, const Layout& layout, bool is_er
       continue;
     }
     const StudyPoint& best = curve.points[*curve.fastest];
-    const QString text = is_error ? tr("%1 µm").arg(number(best.error * micrometres))
+    const QString text = is_error ? significant_text(best.error, Dimension::error, 4)
                                   : tr("%1 s at %2").arg(number(best.time, 5), number(best.value));
     const QSizeF size(metrics.horizontalAdvance(text) + 4, metrics.height());
     const QRectF label = free_label(layout, layout.place(best, is_error), size, is_error, taken);
@@ -423,19 +420,10 @@ void StudyChart::draw_settings_axis(QPainter& painter, const Layout& layout) con
   } else {
     ticks = round_ticks(layout.from, layout.to, 8).values;
   }
-  double free = plot.left() - 40;
+  PlotGrid grid(painter, plot, grid_look(palette()));
+  grid.share(layout.time);
   for (const double tick : ticks) {
-    const double x = std::round(layout.x(tick)) + 0.5;
-    painter.setPen(QPen(theme_colours(palette()).grid, 1));
-    painter.drawLine(QPointF(x, layout.time.top()), QPointF(x, layout.time.bottom()));
-    painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom() + 4));
-    const QString text = number(tick);
-    const double room = QFontMetricsF(font()).horizontalAdvance(text);
-    if (x - room / 2 > free) {
-      painter.setPen(theme_colours(palette()).text);
-      painter.drawText(QRectF(x - room / 2 - 2, plot.bottom() + 6, room + 4, line), Qt::AlignCenter, text);
-      free = x + room / 2 + 6;
-    }
+    grid.upright(layout.x(tick), number(tick));
   }
   painter.setPen(theme_colours(palette()).text);
   painter.drawText(

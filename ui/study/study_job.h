@@ -1,12 +1,11 @@
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QTimer>
 #include <memory>
 #include <optional>
 
 #include "core/analysis/study/study.h"
+#include "ui/shared/job.h"
 
 namespace feedscope::ui {
 
@@ -19,19 +18,17 @@ struct StudyJobRequest {
 };
 
 /// Simulates a study on other threads, as many runs at a time as there are processors. All signals in the
-/// thread of this object. Destruction while busy cancels.
+/// thread of this object.
 class StudyJob : public QObject {
   Q_OBJECT
 
  public:
   explicit StudyJob(QObject* parent = nullptr);
-  ~StudyJob() override;
 
-  /// Throws InputError naming key, value and bound if the setup cannot take a value. Nothing may be under
-  /// way.
+  /// Throws InputError naming key, value and bound if the setup cannot take a value.
   void start(const StudyJobRequest& request);
-  void cancel();
-  bool busy() const { return progress_ != nullptr; }
+  void cancel() { job_.cancel(); }
+  bool busy() const { return job_.busy(); }
 
  signals:
   /// `fraction` is done, 0 to 1; a few times a second.
@@ -42,15 +39,11 @@ class StudyJob : public QObject {
   void failed(const QString& message);
 
  private:
-  struct Outcome {
-    std::shared_ptr<const Study> study;  ///< null: cancelled or failed
-    QString failure;
-  };
-  void deliver();
+  using Result = std::shared_ptr<const Study>;
 
-  QFutureWatcher<Outcome> watcher_;
-  QTimer poll_;
-  std::shared_ptr<Progress> progress_;  ///< while busy
+  void deliver(const JobOutcome<Result>& outcome);
+
+  Job<Result> job_;
 };
 
 }  // namespace feedscope::ui

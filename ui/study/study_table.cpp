@@ -1,4 +1,4 @@
-#include "ui/models/study_table.h"
+#include "ui/study/study_table.h"
 
 #include <QFont>
 #include <QLocale>
@@ -6,7 +6,8 @@
 
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
 
 namespace feedscope::ui {
 
@@ -16,19 +17,6 @@ QString main_cause_text(const Summary& summary) {
              ? QString()
              : StudyTable::tr("%1 % %2").arg(QLocale().toString(100 * causes.front().share, 'f', 0),
                                              core_text(cause_title(causes.front().cause)));
-}
-
-QString slower_tolerance_text(const SlowerTolerance& slower) {
-  const QLocale locale;
-  const auto seconds = [&](double value) { return locale.toString(value, 'f', 3); };
-  return StudyTable::tr(
-             "A tolerance of %1 mm takes %2 s longer than %3 mm, mostly by %4 (%5 s more): a corner blend "
-             "can take "
-             "longer than a narrower one or an exact stop, because it is passed at a limited speed along its "
-             "whole length.")
-      .arg(locale.toString(slower.wide_value, 'g', 5), seconds(slower.more),
-           locale.toString(slower.narrow_value, 'g', 5), core_text(cause_title(slower.cause)),
-           seconds(slower.cause_more));
 }
 
 void StudyTable::set_study(std::shared_ptr<const Study> study) {
@@ -75,13 +63,14 @@ QString StudyTable::text(const StudyRun& run, int column) const {
   const Summary& summary = run.summary;
   switch (column) {
     case value:
-      return locale.toString(run.swept.front(), 'g', 5);
+      return locale.toString(run.swept.front() * key_unit(sweep_unit(study_->sweeps.front().key)).factor, 'g',
+                             5);
     case cycle_time:
       return clock_text(summary.cycle_time);
     case mean_feed:
-      return locale.toString(units::to_mm_min(summary.mean_feed), 'f', 0);
+      return number_text(summary.mean_feed, Dimension::feed);
     case contour_error:
-      return locale.toString(1000 * summary.max_contour_error, 'f', 1);
+      return number_text(summary.max_contour_error, Dimension::error);
     default:
       return main_cause_text(summary);
   }
@@ -91,18 +80,18 @@ QVariant StudyTable::headerData(int section, Qt::Orientation orientation, int ro
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) {
     return {};
   }
-  const QString unit = study_ == nullptr ? QString() : unit_text(sweep_unit(study_->sweeps.front().key));
+  const QString unit = study_ == nullptr ? QString() : key_unit(sweep_unit(study_->sweeps.front().key)).text;
   switch (section) {
     case value:
       return unit.isEmpty() ? tr("Value") : tr("Value [%1]").arg(unit);
     case cycle_time:
       return tr("Cycle time");
     case mean_feed:
-      return tr("Mean feed [mm/min]");
+      return with_unit_of(tr("Mean feed"), Dimension::feed);
     case contour_error:
-      return tr("Error [µm]");
+      return with_unit_of(tr("Error"), Dimension::error);
     default:
-      return tr("Limited most by");
+      return tr("Mainly limited by");
   }
 }
 

@@ -3,7 +3,6 @@
 #include <QAbstractTableModel>
 #include <memory>
 
-#include "core/analysis/slower_tolerance.h"
 #include "core/analysis/study/study.h"
 
 namespace feedscope::ui {
@@ -33,8 +32,5 @@ class StudyTable : public QAbstractTableModel {
 
 /// What takes most of the time of a run: "49 % jerk of axis X".
 QString main_cause_text(const Summary& summary);
-
-/// That a wider contour tolerance takes longer than a narrower one, and why.
-QString slower_tolerance_text(const SlowerTolerance& slower);
 
 }  // namespace feedscope::ui

@@ -1,4 +1,4 @@
-#include "ui/views/study_view.h"
+#include "ui/study/study_view.h"
 
 #include <QAction>
 #include <QApplication>
@@ -26,9 +26,10 @@
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/panel_action.h"
-#include "ui/models/texts.h"
-#include "ui/views/row_copy.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
+#include "ui/shared/panel_action.h"
+#include "ui/shared/row_copy.h"
 
 namespace feedscope::ui {
 
@@ -45,13 +46,7 @@ std::string setting_of(const std::string& key) {
 }
 
 SetupState with_value(SetupState setup, const std::string& key, double value) {
-  if (key != tolerance) {
-    setup.set(key, value);
-    return setup;
-  }
-  for (const auto& [name, setting] : settings_for_tolerance(value)) {
-    setup.set(name, setting);
-  }
+  key == tolerance ? setup.set_tolerance(value) : setup.set(key, value);
   return setup;
 }
 
@@ -74,20 +69,20 @@ Sweep rounded(Sweep sweep) {
 
 }  // namespace
 
-StudyView::StudyView(Workbench& model, QWidget* parent)
-    : QWidget(parent),
-      model_(model),
-      studied_(model.setup().state()),
+StudyView::StudyView(Workbench& workbench, QWidget* parent)
+    : Panel({QStringLiteral("study"), tr("Study"), Qt::BottomDockWidgetArea, false}, parent),
+      workbench_(workbench),
+      studied_(workbench.setup().state()),
       results_(new StudyTable(this)),
       key_(new QComboBox(this)),
       from_(new NumberBox(this)),
       to_(new NumberBox(this)),
       count_(new WholeNumberBox(this)),
       logarithmic_(new QCheckBox(tr("&Logarithmic"), this)),
-      bounded_(new QCheckBox(tr("Error at &most"), this)),
+      bounded_(new QCheckBox(tr("Ma&x. error"), this)),
       bound_(new NumberBox(this)),
       run_(new QPushButton(tr("&Study"), this)),
-      adopt_(new QPushButton(tr("&Make it a run"), this)),
+      adopt_(new QPushButton(tr("&Create run"), this)),
       progress_(new QProgressBar(this)),
       verdict_(new QLabel(this)),
       chart_(new StudyChart(this)),
@@ -113,8 +108,8 @@ StudyView::StudyView(Workbench& model, QWidget* parent)
     show_idle();
     verdict_->setText(message);
   });
-  connect(&model_.setup(), &SetupEdit::keys_changed, this, &StudyView::list_keys);
-  connect(&model_, &Workbench::program_changed, this, &StudyView::forget);
+  connect(&workbench_.setup(), &SetupEdit::keys_changed, this, &StudyView::list_keys);
+  connect(&workbench_, &Workbench::program_changed, this, &StudyView::forget);
   list_keys();
   show_idle();
 }
@@ -128,20 +123,20 @@ void StudyView::make_fields() {
   }
   from_->setToolTip(tr("First value of the setting, in its unit"));
   to_->setToolTip(tr("Last value of the setting, in its unit"));
-  count_->setRange(2, static_cast<int>(most_sweep_values));
+  count_->setRange(2, static_cast<int>(max_sweep_values));
   count_->setValue(usual_count);
-  count_->setToolTip(tr("How many values"));
+  count_->setToolTip(tr("Number of values"));
   logarithmic_->setChecked(true);
-  logarithmic_->setToolTip(tr("Equal ratios from value to value, not equal steps"));
-  bound_->setRange(0, 1000);
-  bound_->setDecimals(1);
-  bound_->setValue(usual_bound);
-  bound_->setSuffix(tr(" µm"));
+  logarithmic_->setToolTip(tr("Logarithmic steps from value to value"));
+  bound_->setRange(0, in_shown_unit(1, Dimension::error));
+  bound_->setDecimals(decimals_of(Dimension::error, 1));
+  bound_->setValue(in_shown_unit(usual_bound / 1000, Dimension::error));
+  bound_->setSuffix(' ' + unit_of(Dimension::error));
   bounded_->setChecked(true);
-  bounded_->setToolTip(tr("Only runs whose contour error keeps this bound [µm] compete for the fastest"));
+  bounded_->setToolTip(tr("Only runs with a contour error within this bound are considered for the fastest"));
   bound_->setToolTip(bounded_->toolTip());
   connect(bounded_, &QCheckBox::toggled, bound_, &QWidget::setEnabled);
-  key_->setToolTip(tr("The setting that changes from run to run"));
+  key_->setToolTip(tr("Setting to vary"));
   key_->setAccessibleName(tr("Setting"));
   verdict_->setWordWrap(true);
   table_->setModel(results_);
@@ -156,7 +151,7 @@ void StudyView::make_fields() {
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->horizontalHeader()->setStretchLastSection(true);
-  adopt_->setToolTip(tr("Add the run of the chosen value to the runs"));
+  adopt_->setToolTip(tr("Add a run with the selected value"));
 }
 
 void StudyView::make_actions() {
@@ -164,12 +159,12 @@ void StudyView::make_actions() {
                               tr("Cycle time and contour error over a range of a setting"),
                               QKeySequence(tr("Ctrl+Shift+T")), [this] { emit attention_wanted(); }));
   actions_.append(make_action(this, tr("Copy the picture of the study"),
-                              tr("The curves of the study to the clipboard"), {},
+                              tr("Copy the curves of the study to the clipboard"), {},
                               [this] { QApplication::clipboard()->setPixmap(chart_->grab()); }));
   actions_.append(
-      make_action(this, tr("Save the study as CSV …"), tr("The figures, one row a run"), {}, [this] {
+      make_action(this, tr("Save the study as CSV …"), tr("The numbers, one row per run"), {}, [this] {
         if (study_ == nullptr) {
-          verdict_->setText(tr("There is no study to save yet."));
+          verdict_->setText(tr("There is no study to save: run one first."));
           return;
         }
         const QString file =
@@ -218,7 +213,7 @@ void StudyView::make_layout() {
 
 /// Numbers alone: a choice has no range, and what is not known none to propose.
 void StudyView::list_keys() {
-  const SetupState& setup = model_.setup().state();
+  const SetupState& setup = workbench_.setup().state();
   const QString chosen = key_->currentData().toString();
   const QSignalBlocker quiet(key_);
   key_->clear();
@@ -230,7 +225,7 @@ void StudyView::list_keys() {
     const SettingSpec spec = setup.spec(setting_of(key));
     const bool has_value = !spec.optional || setup.value(setting_of(key)) != SettingValue(std::string());
     if (spec.choices.empty() && has_value) {
-      const QString unit = unit_text(sweep_unit(key));
+      const QString unit = key_unit(sweep_unit(key)).text;
       const QString name = setting_title(key);
       key_->addItem(unit.isEmpty() ? name : QStringLiteral("%1 [%2]").arg(name, unit),
                     QString::fromStdString(key));
@@ -244,38 +239,44 @@ void StudyView::list_keys() {
 void StudyView::propose_range() {
   const std::string key = key_->currentData().toString().toStdString();
   if (key == tolerance) {
-    from_->setValue(0.005);
-    to_->setValue(0.1);
+    show_range(0.005, 0.1, tolerance);
     return;
   }
   if (key.empty()) {
     return;
   }
-  const SetupState& setup = model_.setup().state();
+  const SetupState& setup = workbench_.setup().state();
   const SettingSpec spec = setup.spec(key);
   const double value = std::get<double>(setup.value(key));
   const auto bounded = [&](double end) { return std::clamp(end, spec.minimum, spec.maximum); };
   constexpr double each_way = 4;
-  from_->setValue(bounded(value / each_way));
-  to_->setValue(bounded(value * each_way));
+  show_range(bounded(value / each_way), bounded(value * each_way), key);
+}
+
+void StudyView::show_range(double from, double to, const std::string& key) {
+  const double factor = key_unit(sweep_unit(key)).factor;
+  from_->setValue(from * factor);
+  to_->setValue(to * factor);
 }
 
 void StudyView::run() {
-  if (model_.program() == nullptr) {
+  if (workbench_.program() == nullptr) {
     verdict_->setText(tr("Open a program first."));
     return;
   }
   const std::string key = key_->currentData().toString().toStdString();
+  const double factor = key_unit(sweep_unit(key)).factor;
   try {
     StudyJobRequest request{
-        model_.shown_program().input, model_.setup().setup(),
-        rounded(make_sweep(key, from_->value(), to_->value(), static_cast<std::size_t>(count_->value()),
-                           logarithmic_->isChecked())),
-        bounded_->isChecked() ? std::optional(bound_->value() / 1000) : std::nullopt};
+        workbench_.shown_program().input, workbench_.setup().setup(),
+        rounded(make_sweep(key, from_->value() / factor, to_->value() / factor,
+                           static_cast<std::size_t>(count_->value()), logarithmic_->isChecked())),
+        bounded_->isChecked() ? std::optional(from_shown_unit(bound_->value(), Dimension::error))
+                              : std::nullopt};
     job_.start(request);
-    studied_ = model_.setup().state();
+    studied_ = workbench_.setup().state();
     studied_name_ = tr("%1 on %2")
-                        .arg(run_title(model_.runs().current_item(), model_.runs().feed_controls(),
+                        .arg(run_title(workbench_.runs().current_item(), workbench_.runs().feed_controls(),
                                        key == tolerance ? contour_tolerance_key : key),
                              QString::fromStdString(studied_.file().machine.name));
     forget_results();
@@ -309,7 +310,7 @@ void StudyView::take(std::shared_ptr<const Study> study) {
   study_ = std::move(study);
   results_->set_study(study_);
   StudyCurves curves = study_curves(*study_);
-  chart_->set_study(QString::fromStdU16String(model_.file().filename().u16string()), studied_name_,
+  chart_->set_study(QString::fromStdU16String(workbench_.file().filename().u16string()), studied_name_,
                     std::move(curves));
   const StudyRun* best = fastest(study_->runs, study_->within);
   if (best != nullptr) {
@@ -321,22 +322,24 @@ void StudyView::take(std::shared_ptr<const Study> study) {
 
 QString StudyView::verdict() const {
   if (study_ == nullptr) {
-    return tr("Which value of a setting is the fastest, and what does it cost in contour error?");
+    return tr("Which value of a setting is the fastest, and what contour error does it cause?");
   }
   const QLocale locale;
   const StudyRun* best = fastest(study_->runs, study_->within);
   if (best == nullptr) {
-    return tr("No value keeps the bound of %1 µm.").arg(locale.toString(1000 * *study_->within, 'f', 1));
+    return tr("No value keeps the contour error within %1.")
+        .arg(amount_text(*study_->within, Dimension::error));
   }
   const QString key = setting_title(study_->sweeps.front().key);
-  const QString unit = unit_text(sweep_unit(study_->sweeps.front().key));
+  const KeyUnit unit = key_unit(sweep_unit(study_->sweeps.front().key));
   const QString lead = study_->within
-                           ? tr("Fastest within %1 µm").arg(locale.toString(1000 * *study_->within, 'f', 1))
+                           ? tr("Fastest within %1").arg(amount_text(*study_->within, Dimension::error))
                            : tr("Fastest");
-  return tr("%1: %2 %3 with %4, contour error %5 µm. %6")
-      .arg(lead, key, (locale.toString(best->swept.front(), 'g', 5) + ' ' + unit).trimmed(),
+  return tr("%1: %2 %3 with %4, contour error %5. %6")
+      .arg(lead, key,
+           (locale.toString(best->swept.front() * unit.factor, 'g', 5) + ' ' + unit.text).trimmed(),
            clock_text(best->summary.cycle_time),
-           locale.toString(1000 * best->summary.max_contour_error, 'f', 1), ends_text());
+           amount_text(best->summary.max_contour_error, Dimension::error), ends_text());
 }
 
 QString StudyView::ends_text() const {
@@ -358,8 +361,8 @@ void StudyView::make_run(int row) {
     return;
   }
   const double value = study_->runs[static_cast<std::size_t>(row)].swept.front();
-  model_.runs().duplicate_as(model_.runs().current(),
-                             with_value(studied_, study_->sweeps.front().key, value));
+  workbench_.runs().duplicate_as(workbench_.runs().current(),
+                                 with_value(studied_, study_->sweeps.front().key, value));
 }
 
 void StudyView::show_idle() {

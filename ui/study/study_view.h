@@ -1,12 +1,12 @@
 #pragma once
 
 #include <QList>
-#include <QWidget>
 
-#include "ui/charts/study_chart.h"
-#include "ui/models/study_job.h"
-#include "ui/models/study_table.h"
-#include "ui/models/workbench.h"
+#include "ui/study/study_chart.h"
+#include "ui/study/study_job.h"
+#include "ui/study/study_table.h"
+#include "ui/workbench/panel.h"
+#include "ui/workbench/workbench.h"
 
 class QAction;
 class QCheckBox;
@@ -24,18 +24,18 @@ class NumberBox;
 
 /// A setting of the current run over a range: cycle time and contour error against it as curves and table,
 /// the fastest value within a bound, what limits at both ends; any of the values becomes a run.
-class StudyView : public QWidget {
+class StudyView : public Panel {
   Q_OBJECT
 
  public:
-  /// `model` outlives this.
-  explicit StudyView(Workbench& model, QWidget* parent = nullptr);
+  /// `workbench` outlives this.
+  explicit StudyView(Workbench& workbench, QWidget* parent = nullptr);
 
   /// Simulates the study that the fields describe, or says what is wrong with them.
   void run();
   /// Adds the run of a row of the results to the runs, as the current one.
   void make_run(int row);
-  bool busy() const { return job_.busy(); }
+  bool busy() const override { return job_.busy(); }
 
   QComboBox* key() { return key_; }
   NumberBox* from() { return from_; }
@@ -44,10 +44,7 @@ class StudyView : public QWidget {
   StudyChart* chart() { return chart_; }
   QTableView* table() { return table_; }
   QString verdict() const;
-  QList<QAction*> panel_actions() const { return actions_; }
-
- signals:
-  void attention_wanted();
+  QList<QAction*> panel_actions() const override { return actions_; }
 
  private:
   void make_fields();
@@ -55,13 +52,15 @@ class StudyView : public QWidget {
   void make_layout();
   void list_keys();
   void propose_range();
+  /// In the unit shown; both in the unit of `key`.
+  void show_range(double from, double to, const std::string& key);
   void take(std::shared_ptr<const Study> study);
   void forget();
   void forget_results();
   void show_idle();
   QString ends_text() const;
 
-  Workbench& model_;
+  Workbench& workbench_;
   StudyJob job_;
   std::shared_ptr<const Study> study_;
   SetupState studied_;    ///< setup of the run that study_ is of

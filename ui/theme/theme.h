@@ -20,6 +20,7 @@ struct ThemeColours {
   QColor current_line;
   QColor path;        ///< what is along the path: achieved feed, tangential acceleration
   QColor programmed;  ///< what the program asks for
+  QColor across;      ///< what is square to the path
   QColor shared;      ///< what several axes have in common
   std::array<QColor, 3> axes;
   QColor cursor;         ///< where all views point

@@ -1,13 +1,11 @@
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
 #include <QString>
-#include <memory>
-#include <optional>
 #include <vector>
 
 #include "core/analysis/explanation/remedies.h"
+#include "ui/shared/job.h"
 
 namespace feedscope::ui {
 
@@ -26,17 +24,16 @@ struct RemedyTrial {
 };
 
 /// Simulates a run with one change after another on another thread. A new request drops the one under way.
-/// All signals in the thread of this object. Destruction while busy cancels.
+/// All signals in the thread of this object.
 class RemedyJob : public QObject {
   Q_OBJECT
 
  public:
-  explicit RemedyJob(QObject* parent = nullptr);
-  ~RemedyJob() override;
+  using QObject::QObject;
 
   void start(RemedyRequest request);
-  void cancel();
-  bool busy() const { return running_; }
+  void cancel() { job_.cancel(); }
+  bool busy() const { return job_.busy(); }
 
  signals:
   /// The trial of remedy `index` of the last request.
@@ -45,13 +42,9 @@ class RemedyJob : public QObject {
   void finished();
 
  private:
-  void launch();
-  void work(const RemedyRequest& request, const std::shared_ptr<Progress>& progress);
+  struct AllTried {};
 
-  QFutureWatcher<void> watcher_;
-  std::shared_ptr<Progress> progress_;
-  std::optional<RemedyRequest> next_;
-  bool running_ = false;
+  Job<AllTried> job_;
 };
 
 }  // namespace feedscope::ui

@@ -1,12 +1,12 @@
-#include "ui/models/remedy_table.h"
+#include "ui/why/remedy_table.h"
 
 #include <QLocale>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "ui/models/texts.h"
-#include "ui/models/why_text.h"
+#include "ui/language/texts.h"
+#include "ui/why/why_text.h"
 
 namespace feedscope::ui {
 
@@ -123,7 +123,7 @@ QString RemedyTable::explanation(const Row& row) const {
   if (!row.trial) {
     return tr("%1: being simulated").arg(row.title);
   }
-  return tr("%1: the program takes %2 instead of %3, the place about the cursor %4 instead of %5")
+  return tr("%1: the program takes %2 instead of %3, the place at the cursor %4 instead of %5")
       .arg(row.title, clock_text(row.trial->cycle_time), clock_text(before_.cycle_time),
            clock_text(row.trial->passage_time), clock_text(before_.passage_time));
 }
@@ -157,11 +157,11 @@ QVariant RemedyTable::headerData(int section, Qt::Orientation orientation, int r
       case cycle_time:
         return tr("Cycle time with the change");
       case gain:
-        return tr("What the cycle time becomes shorter (−) or longer (+)");
+        return tr("Change in cycle time: shorter (−) or longer (+)");
       case here:
-        return tr("The same of the blocks about the cursor");
+        return tr("The same for the blocks around the cursor");
       default:
-        return tr("What is changed; a double click makes a run of it");
+        return tr("The change; double-click to make it a new run");
     }
   }
   if (role != Qt::DisplayRole) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/models/remedy_job.h"
+#include "ui/why/remedy_job.h"
 
 namespace feedscope::ui {
 

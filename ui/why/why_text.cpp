@@ -1,4 +1,4 @@
-#include "ui/models/why_text.h"
+#include "ui/why/why_text.h"
 
 #include <QLocale>
 #include <QRegularExpression>
@@ -8,6 +8,7 @@
 
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {
 
@@ -35,7 +36,7 @@ double without_noise(double value, Dimension dimension) {
   constexpr double instant = 1e-9;
   switch (dimension) {
     case Dimension::length:
-    case Dimension::speed:
+    case Dimension::feed:
     case Dimension::acceleration:
     case Dimension::jerk:
     case Dimension::angle:
@@ -47,8 +48,8 @@ double without_noise(double value, Dimension dimension) {
   }
 }
 
-QString axis_name(Cause cause) {
-  return cause.axis < 0 ? QString() : QString(QLatin1Char(axis_names[static_cast<std::size_t>(cause.axis)]));
+QString axis_text(Cause cause) {
+  return cause.axis < 0 ? QString() : QString(QLatin1Char(axis_name(cause)));
 }
 
 QString of_symbol(const Reason& reason, Symbol symbol) {
@@ -82,118 +83,60 @@ QString WhyText::number(double asked, Dimension dimension) {
   switch (dimension) {
     case Dimension::number:
       return significant(value, 3);
-    case Dimension::length:
-      return tr("%1 mm").arg(significant(value, 4));
-    case Dimension::inverse_length:
-      return tr("%1 /mm").arg(significant(value, 4));
-    case Dimension::inverse_area:
-      return tr("%1 /mm²").arg(significant(value, 4));
     case Dimension::time:
       return value < 0.1 ? tr("%1 ms").arg(significant(1000 * value, 4))
                          : tr("%1 s").arg(significant(value, 4));
-    case Dimension::speed:
+    case Dimension::feed:
       return speed(value);
-    case Dimension::acceleration:
-      return tr("%1 m/s²").arg(significant(units::to_m(value), 4));
-    case Dimension::jerk:
-      return tr("%1 m/s³").arg(significant(units::to_m(value), 4));
     case Dimension::angle:
       return tr("%1°").arg(significant(units::to_deg(value), 4));
+    default:
+      return QStringLiteral("%1 %2").arg(significant(in_shown_unit(value, dimension), 4), unit_of(dimension));
   }
-  return {};
 }
 
 QString WhyText::speed(double value) {
-  const double feed = units::to_mm_min(without_noise(value, Dimension::speed));
-  return tr("%1 mm/min").arg(feed >= 100 ? QLocale().toString(feed, 'f', 0) : significant(feed, 3));
-}
-
-QString WhyText::of_axis(const QString& title, Cause cause) {
-  return cause.axis < 0 ? title : tr("%1 of axis %2").arg(title, axis_name(cause));
+  const double feed = in_shown_unit(without_noise(value, Dimension::feed), Dimension::feed);
+  return QStringLiteral("%1 %2").arg(feed >= 100 ? QLocale().toString(feed, 'f', 0) : significant(feed, 3),
+                                     unit_of(Dimension::feed));
 }
 
 QString WhyText::cause(Cause cause) {
-  switch (cause.kind) {
-    case CauseKind::programmed_feed:
-      return tr("Programmed feed");
-    case CauseKind::rapid:
-      return tr("Rapid traverse");
-    case CauseKind::axis_velocity:
-      return of_axis(tr("Velocity"), cause);
-    case CauseKind::axis_acceleration:
-      return of_axis(tr("Acceleration"), cause);
-    case CauseKind::axis_jerk:
-      return of_axis(tr("Jerk"), cause);
-    case CauseKind::radial_acceleration:
-      return of_axis(tr("Radial acceleration"), cause);
-    case CauseKind::radial_jerk:
-      return of_axis(tr("Radial jerk"), cause);
-    case CauseKind::blend_velocity:
-      return tr("%1 on a blend").arg(of_axis(tr("Velocity"), cause));
-    case CauseKind::blend_radial_acceleration:
-      return tr("%1 on a blend").arg(of_axis(tr("Radial acceleration"), cause));
-    case CauseKind::blend_radial_jerk:
-      return tr("%1 on a blend").arg(of_axis(tr("Radial jerk"), cause));
-    case CauseKind::blend_tangential_acceleration:
-      return tr("%1 on a blend").arg(of_axis(tr("Tangential acceleration"), cause));
-    case CauseKind::blend_tangential_jerk:
-      return tr("%1 on a blend").arg(of_axis(tr("Tangential jerk"), cause));
-    case CauseKind::curvilinear_jerk:
-      return tr("Curvilinear jerk");
-    case CauseKind::curvature_crossing:
-      return tr("%1 at a change of curvature").arg(of_axis(tr("Jerk"), cause));
-    case CauseKind::interpolation_period:
-      return tr("Interpolation period");
-    case CauseKind::contour_tolerance:
-      return tr("Contour tolerance");
-    case CauseKind::lookahead_horizon:
-      return tr("Look-ahead horizon");
-    case CauseKind::ramp_down:
-      return tr("Slowing for what follows");
-    case CauseKind::exact_stop:
-      return tr("Exact stop");
-    case CauseKind::dwell:
-      return tr("Dwell");
-    case CauseKind::tool_change:
-      return tr("Tool change");
-    case CauseKind::spindle_start:
-      return tr("Spindle start");
-  }
-  return {};
+  QString title = core_text(cause_title(cause));
+  return title.replace(0, 1, title.left(1).toUpper());
 }
 
 QString WhyText::blend_sentence(const Reason& reason) {
-  const QString axis = axis_name(reason.cause);
+  const QString axis = axis_text(reason.cause);
   switch (reason.cause.kind) {
     case CauseKind::blend_velocity:
-      return tr("On the corner blend axis %1 runs at its largest velocity, %2.")
+      return tr("On the corner blend, axis %1 runs at its maximum velocity, %2.")
           .arg(axis, of_symbol(reason, Symbol::axis_velocity));
     case CauseKind::blend_radial_acceleration:
-      return tr("Turning on the corner blend (radius %1) may use %2 of the acceleration of axis %3, %4.")
+      return tr("On the corner blend (radius %1), radial acceleration may use %2 of the acceleration limit "
+                "of axis %3, %4.")
           .arg(of_symbol(reason, Symbol::radius), percent(reason, Symbol::acceleration_share), axis,
                of_symbol(reason, Symbol::axis_acceleration));
     case CauseKind::blend_radial_jerk:
-      return tr("Turning on the corner blend may use %1 of the jerk of axis %2, %3, and its curvature "
-                "changes "
-                "quickly.")
+      return tr("On the corner blend, radial jerk may use %1 of the jerk limit of axis %2, %3, and the "
+                "curvature changes quickly.")
           .arg(percent(reason, Symbol::jerk_share), axis, of_symbol(reason, Symbol::blend_jerk));
     case CauseKind::blend_tangential_acceleration:
-      return tr("Of the acceleration of axis %1, %2, the corner blend keeps %3 for turning; the rest limits "
-                "the "
-                "change of speed.")
+      return tr("The corner blend reserves a share of the acceleration limit of axis %1, %2, for radial "
+                "acceleration: %3; the rest limits the change of speed.")
           .arg(axis, of_symbol(reason, Symbol::axis_acceleration),
                percent(reason, Symbol::acceleration_share));
     default:
-      return tr("Of the jerk of axis %1, %2, the corner blend keeps %3 for turning; the rest limits how fast "
-                "the acceleration changes.")
+      return tr("The corner blend reserves a share of the jerk limit of axis %1, %2, for radial jerk: %3; "
+                "the rest limits how fast the acceleration changes.")
           .arg(axis, of_symbol(reason, Symbol::blend_jerk), percent(reason, Symbol::jerk_share));
   }
 }
 
 QString WhyText::ramp_sentence(const Reason& reason, const State& state) {
-  const QString axis = axis_name(reason.cause);
+  const QString axis = axis_text(reason.cause);
   if (reason.formula.id == FormulaId::filter_delay) {
-    return tr("The filters of the control draw every change of feed out over %1.")
+    return tr("The filters of the control spread every change of feed over %1.")
         .arg(number(reason.formula.value(), Dimension::time));
   }
   const bool by_jerk = reason.cause.kind == CauseKind::axis_jerk;
@@ -201,57 +144,56 @@ QString WhyText::ramp_sentence(const Reason& reason, const State& state) {
       reason.formula.id == FormulaId::whole_acceleration || reason.formula.id == FormulaId::whole_jerk;
   if (whole) {
     const QString limit = number(reason.reached, by_jerk ? Dimension::jerk : Dimension::acceleration);
-    return by_jerk ? tr("Axis %1 is at its largest jerk, %2, along and across the path together.")
+    return by_jerk ? tr("Axis %1 is at its maximum jerk, %2, along and across the path combined.")
                          .arg(axis, limit)
-                   : tr("Axis %1 is at its largest acceleration, %2, along and across the path together.")
+                   : tr("Axis %1 is at its maximum acceleration, %2, along and across the path combined.")
                          .arg(axis, limit);
   }
   const QString limit = number(reason.formula.value(), by_jerk ? Dimension::jerk : Dimension::acceleration);
   if (state.tangential_jerk == 0 && state.tangential_acceleration == 0) {
-    return tr("The tool holds its speed between two changes of speed; a jerk of %1 along the path makes them "
-              "too long to gain more.")
+    return tr("The tool keeps its speed between two speed changes; with a jerk of %1 along the path they "
+              "take too long to gain more.")
         .arg(limit);
   }
-  return by_jerk ? tr("The tool is getting faster; the jerk of axis %1 allows %2 along the path.")
-                       .arg(axis, limit)
-                 : tr("The tool is getting faster; axis %1 allows an acceleration of %2 along the path.")
-                       .arg(axis, limit);
+  return by_jerk ? tr("The tool accelerates; the jerk of axis %1 allows %2 along the path.").arg(axis, limit)
+                 : tr("The tool accelerates; axis %1 allows %2 along the path.").arg(axis, limit);
 }
 
 QString WhyText::tolerance_sentence(const Reason& reason) {
   const QString tolerance = number(reason.reached, Dimension::length);
   const bool used_up = reason.formula.empty() || reason.sets_it();
-  return used_up ? tr("Faster, the filters would take the tool further from the programmed contour than the "
-                      "tolerance of %1 allows.")
+  return used_up ? tr("At a higher feed the filters would deviate from the programmed contour by more than "
+                      "the tolerance of %1.")
                        .arg(tolerance)
-                 : tr("Places closer together than the filters of the control reach: this one alone takes %1 "
-                      "of the contour tolerance, %2, but together they need more of it.")
+                 : tr("These places are closer together than the filters of the control reach: this one "
+                      "alone uses %1 of the contour tolerance, %2; together they need more.")
                        .arg(number(reason.formula.value(), Dimension::length), tolerance);
 }
 
 QString WhyText::limit_sentence(const Reason& reason, const State& state) {
-  const QString axis = axis_name(reason.cause);
+  const QString axis = axis_text(reason.cause);
   const QString radius = of_symbol(reason, Symbol::radius);
   switch (reason.cause.kind) {
     case CauseKind::programmed_feed:
       return reason.formula.empty() || reason.sets_it()
-                 ? tr("The tool runs as fast as programmed: F %1.").arg(of_symbol(reason, Symbol::feed))
-                 : tr("The tool is getting faster, but levels off in time for the programmed F %1.")
+                 ? tr("The tool runs at the programmed feed: F %1.").arg(of_symbol(reason, Symbol::feed))
+                 : tr("The tool accelerates and levels off in time for the programmed F %1.")
                        .arg(of_symbol(reason, Symbol::feed));
     case CauseKind::rapid:
-      return tr("Rapid traverse: axis %1 runs at its largest velocity, %2.")
+      return tr("Rapid traverse: axis %1 runs at its maximum velocity, %2.")
           .arg(axis, of_symbol(reason, Symbol::axis_velocity));
     case CauseKind::axis_velocity:
-      return tr("Axis %1 runs at its largest velocity, %2.")
+      return tr("Axis %1 runs at its maximum velocity, %2.")
           .arg(axis, of_symbol(reason, Symbol::axis_velocity));
     case CauseKind::axis_acceleration:
     case CauseKind::axis_jerk:
+    case CauseKind::velocity_filter:
       return ramp_sentence(reason, state);
     case CauseKind::radial_acceleration:
-      return tr("Turning on the radius of %1 takes all the acceleration of axis %2, %3.")
+      return tr("On the radius of %1, radial acceleration uses the full acceleration of axis %2, %3.")
           .arg(radius, axis, of_symbol(reason, Symbol::axis_acceleration));
     case CauseKind::radial_jerk:
-      return tr("Running round the radius of %1 takes all the jerk of axis %2, %3.")
+      return tr("On the radius of %1, radial jerk uses the full jerk of axis %2, %3.")
           .arg(radius, axis, of_symbol(reason, Symbol::axis_jerk));
     case CauseKind::curvilinear_jerk:
       return tr("On the radius of %1 the control allows a curvilinear jerk of %2, of which %3 along the "
@@ -259,23 +201,23 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
           .arg(radius, of_symbol(reason, Symbol::curvilinear_jerk),
                percent(reason, Symbol::tangential_share));
     case CauseKind::curvature_crossing:
-      return tr("The curvature jumps: axis %1 must take up the change with its jerk of %2 within one "
+      return tr("The curvature jumps: axis %1 must absorb the change with its jerk of %2 within one "
                 "interpolation period, %3.")
           .arg(axis, of_symbol(reason, Symbol::axis_jerk), of_symbol(reason, Symbol::period));
     case CauseKind::interpolation_period:
-      return tr("The block is %1 long, and the control needs one interpolation period, %2, for it.")
+      return tr("The block is %1 long and takes the control at least one interpolation period, %2.")
           .arg(of_symbol(reason, Symbol::block_length), of_symbol(reason, Symbol::period));
     case CauseKind::contour_tolerance:
       return tolerance_sentence(reason);
     case CauseKind::lookahead_horizon:
-      return tr("The control knows the next %1 of its path and must be able to stop within them.")
+      return tr("The control looks ahead over the next %1 of the path and must be able to stop within them.")
           .arg(of_symbol(reason, Symbol::length_ahead));
     case CauseKind::exact_stop:
       return tr("The tool must stop.");
     case CauseKind::dwell:
       return tr("The program waits.");
     case CauseKind::tool_change:
-      return tr("A tool is changed; its time is the machine's tool change time.");
+      return tr("Tool change: it takes the tool change time of the machine.");
     case CauseKind::spindle_start:
       return tr(
           "The axes wait until the spindle has reached its speed; the time is the machine's spindle "
@@ -295,7 +237,7 @@ QString WhyText::sentence(const Explanation& why) {
     return tr("The tool brakes: in %1 (%2) it must stop, line %3.")
         .arg(distance, time, QString::number(why.ahead->reason.line));
   }
-  return tr("The tool brakes: in %1 (%2), line %3, only %4 are possible.")
+  return tr("The tool brakes: in %1 (%2), in line %3, only %4 is possible.")
       .arg(distance, time, QString::number(why.ahead->reason.line), speed(why.ahead->speed));
 }
 
@@ -304,7 +246,7 @@ QString WhyText::sentence(const SlowerPlace& ahead, const State& now) {
   there.tangential_acceleration = there.tangential_jerk = 1;
   const bool stands = ahead.reason.cause.kind == CauseKind::exact_stop || is_pause(ahead.reason.cause.kind);
   if (ahead.reason.formula.empty() && !stands) {
-    return tr("It is this slow for the sake of a place further on.");
+    return tr("It is slowed by a place further ahead.");
   }
   return limit_sentence(ahead.reason, there);
 }
@@ -357,9 +299,11 @@ QString WhyText::remedy(const Remedy& remedy, const Setup& setup) {
       const double before =
           axis ? axis_limit(setup.machine, key[0], name) : remedy.before.value_or(setup.settings.number(key));
       const QString title = core_text(spec.title);
+      const KeyUnit unit = key_unit(spec.unit);
       return tr("%1 %2 → %3 %4")
-          .arg(axis ? tr("%1 of %2").arg(title, QString(QLatin1Char(key[0]))) : title, significant(before, 4),
-               significant(std::get<double>(value), 4), unit_text(spec.unit))
+          .arg(axis ? tr("%1 of %2").arg(title, QString(QLatin1Char(key[0]))) : title,
+               significant(before * unit.factor, 4), significant(std::get<double>(value) * unit.factor, 4),
+               unit.text)
           .trimmed();
     }
   }

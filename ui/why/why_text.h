@@ -37,7 +37,6 @@ class WhyText {
   static QString tolerance_sentence(const Reason& reason);
   static QString blend_sentence(const Reason& reason);
   static QString ramp_sentence(const Reason& reason, const State& state);
-  static QString of_axis(const QString& title, Cause cause);
 };
 
 }  // namespace feedscope::ui

@@ -1,4 +1,4 @@
-#include "ui/views/why_view.h"
+#include "ui/why/why_view.h"
 
 #include <QEvent>
 #include <QFontInfo>
@@ -17,12 +17,13 @@
 #include <chrono>
 
 #include "ui/fields/focus_outline.h"
-#include "ui/models/panel_action.h"
-#include "ui/models/texts.h"
-#include "ui/models/why_text.h"
+#include "ui/language/texts.h"
 #include "ui/scene/cause_colour.h"
+#include "ui/shared/panel_action.h"
+#include "ui/shared/row_copy.h"
 #include "ui/theme/theme.h"
-#include "ui/views/row_copy.h"
+#include "ui/why/why_text.h"
+#include "ui/workbench/workbench.h"
 
 namespace feedscope::ui {
 
@@ -69,12 +70,14 @@ QFrame* make_box(QWidget* parent) {
 }  // namespace
 
 WhyView::WhyView(Cursor& cursor, QWidget* parent)
-    : QWidget(parent), cursor_(cursor), table_model_(new RemedyTable(this)) {
+    : Panel({QStringLiteral("why"), tr("Why here?"), Qt::RightDockWidgetArea}, parent),
+      cursor_(cursor),
+      table_model_(new RemedyTable(this)) {
   rest_.setSingleShot(true);
   rest_.setInterval(resting_time);
   make_actions();
   lay_out();
-  connect(&cursor_, &Cursor::changed, this, &WhyView::follow);
+  connect(&cursor_, &Cursor::changed, this, &WhyView::note_change);
   connect(&rest_, &QTimer::timeout, this, [this] {
     if (is_seen()) {  // not hidden since: only a command may bring the panel up
       try_remedies();
@@ -88,6 +91,16 @@ WhyView::WhyView(Cursor& cursor, QWidget* parent)
   show_nothing();
 }
 
+void WhyView::follow(Workbench& workbench) {
+  const auto show_run = [this, &workbench] { set_run(workbench.shown(), workbench.setup().state()); };
+  connect(&workbench, &Workbench::run_changed, this, show_run);
+  connect(this, &WhyView::time_chosen, &workbench.cursor(), &Cursor::set_time);
+  connect(this, &WhyView::run_wanted, &workbench, [&workbench](const SetupState& setup) {
+    workbench.runs().duplicate_as(workbench.runs().current(), setup);
+  });
+  show_run();
+}
+
 QAction* WhyView::add_action(const QString& text, const QString& tip, const QKeySequence& key,
                              void (WhyView::*call)()) {
   actions_.append(make_action(this, text, tip, key, call));
@@ -95,17 +108,18 @@ QAction* WhyView::add_action(const QString& text, const QString& tip, const QKey
 }
 
 void WhyView::make_actions() {
-  before_action_ = add_action(tr("&Previous cause"), tr("To where the limiting cause before this one begins"),
+  before_action_ = add_action(tr("&Previous cause"), tr("Go to the start of the previous limiting cause"),
                               QKeySequence(tr("Alt+Shift+Left")), &WhyView::go_before);
-  after_action_ = add_action(tr("&Next cause"), tr("To where another limiting cause begins"),
+  after_action_ = add_action(tr("&Next cause"), tr("Go to the start of the next limiting cause"),
                              QKeySequence(tr("Alt+Shift+Right")), &WhyView::go_after);
-  ahead_action_ = add_action(tr("&Slower place ahead"), tr("To the place for which the tool slows down"),
+  ahead_action_ = add_action(tr("&Slower place ahead"), tr("Go to the place that the tool brakes for"),
                              QKeySequence(tr("Alt+Shift+Down")), &WhyView::go_ahead);
-  help_action_ = add_action(tr("&What would help?"),
-                            tr("Simulate changes of machine, control and feed, and show what each gains [s]"),
-                            QKeySequence(tr("Ctrl+Shift+H")), &WhyView::try_remedies);
-  run_action_ = add_action(tr("New &run with this change"),
-                           tr("A run with the selected change beside this one"), {}, &WhyView::want_run);
+  help_action_ =
+      add_action(tr("&What would help?"),
+                 tr("Simulate changes of machine, control and feed, and show the time that each saves [s]"),
+                 QKeySequence(tr("Ctrl+Shift+H")), &WhyView::try_remedies);
+  run_action_ = add_action(tr("New &run with this change"), tr("Create a new run with the selected change"),
+                           {}, &WhyView::want_run);
 }
 
 QLabel* WhyView::add_label(QWidget* parent) {
@@ -130,7 +144,7 @@ QToolButton* WhyView::add_button(QAction* action) {
 void WhyView::make_table() {
   table_ = new QTableView(this);
   table_->setModel(table_model_);
-  table_->setAccessibleName(tr("Changes and what they gain"));
+  table_->setAccessibleName(tr("Changes and the time they save"));
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -216,7 +230,7 @@ void WhyView::set_run(std::shared_ptr<const ShownRun> shown, const SetupState& s
   setup_ = setup;
   stretch_.reset();
   forget_remedies();
-  follow();
+  note_change();
 }
 
 void WhyView::showEvent(QShowEvent* event) {
@@ -240,7 +254,7 @@ void WhyView::set_on_screen(bool on_screen) {
   }
 }
 
-void WhyView::follow() {
+void WhyView::note_change() {
   stale_ = !is_seen();
   if (!stale_) {
     show_place();
@@ -283,8 +297,7 @@ void WhyView::show_nothing() {
   forget_remedies();
   heading_->setText(tr("Why here?"));
   place_->clear();
-  sentence_->setText(
-      tr("Open a program and point at a place: here stands what keeps the tool from being faster."));
+  sentence_->setText(tr("Open a program and point at a place to see what limits the feed there."));
   formula_->parentWidget()->hide();
   ahead_box_->hide();
   ahead_action_->setEnabled(false);
@@ -410,17 +423,16 @@ void WhyView::show_table_state() {
   help_->setVisible(why_.has_value() && !any);
   help_action_->setEnabled(why_.has_value());
   help_state_->setVisible(any);
-  help_state_->setText(job_.busy() ? tr("What would help? Being simulated …")
-                                   : tr("What would help, each simulated by itself:"));
+  help_state_->setText(job_.busy() ? tr("What would help? Simulating …")
+                                   : tr("What would help, each change simulated separately:"));
   table_->setVisible(any);
   const Remedy* chosen = table_model_->remedy(table_->currentIndex().row());
   const bool is_run = chosen != nullptr && !chosen->changes.empty();
   const bool of_program = chosen != nullptr && !is_run;
   run_action_->setEnabled(is_run);
-  run_action_->setToolTip(of_program
-                              ? tr("The feed stands in the program: change its F words. Runs differ in "
-                                   "machine, control and settings only.")
-                              : run_action_->statusTip());
+  run_action_->setToolTip(of_program ? tr("The feed is in the program: change its F words. Runs differ only "
+                                          "in machine, control and settings.")
+                                     : run_action_->statusTip());
   new_run_->setVisible(any);
   new_run_->setEnabled(is_run);
   new_run_->setToolTip(run_action_->toolTip());

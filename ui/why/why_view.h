@@ -2,14 +2,14 @@
 
 #include <QList>
 #include <QTimer>
-#include <QWidget>
 #include <memory>
 #include <optional>
 
-#include "ui/models/cursor.h"
-#include "ui/models/remedy_table.h"
-#include "ui/models/setup_state.h"
-#include "ui/models/shown_run.h"
+#include "ui/shared/cursor.h"
+#include "ui/why/remedy_table.h"
+#include "ui/workbench/panel.h"
+#include "ui/workbench/setup_state.h"
+#include "ui/workbench/shown_run.h"
 
 class QAction;
 class QLabel;
@@ -24,13 +24,14 @@ namespace feedscope::ui {
 ///
 /// Moving the cursor simulates nothing. Changes are tried when asked for, or by themselves once the cursor
 /// rests, where the program is short enough.
-class WhyView : public QWidget {
+class WhyView : public Panel {
   Q_OBJECT
 
  public:
   /// `cursor` outlives this.
   explicit WhyView(Cursor& cursor, QWidget* parent = nullptr);
 
+  void follow(Workbench& workbench) override;
   /// The run that the cursor points into, and the setup that it was made with; null: none.
   void set_run(std::shared_ptr<const ShownRun> shown, const SetupState& setup);
 
@@ -38,15 +39,15 @@ class WhyView : public QWidget {
   const std::shared_ptr<const ShownRun>& shown() const { return shown_; }
 
   /// Whether the panel can be seen when it is shown: not while another one lies on top of it.
-  void set_on_screen(bool on_screen);
+  void set_on_screen(bool on_screen) override;
   bool is_seen() const { return on_screen_ && isVisible(); }
 
   /// Tries what would help at the cursor.
   void try_remedies();
-  bool busy() const { return job_.busy(); }
+  bool busy() const override { return job_.busy(); }
 
   /// To the causes before and after, to the slower place ahead, what would help, a run with the change.
-  QList<QAction*> panel_actions() const { return actions_; }
+  QList<QAction*> panel_actions() const override { return actions_; }
   RemedyTable& remedies() { return *table_model_; }
   QTableView* table() { return table_; }
   /// What is shown, as plain text.
@@ -59,8 +60,6 @@ class WhyView : public QWidget {
   void time_chosen(double time);
   /// A run with this setup is wanted beside the current one.
   void run_wanted(const feedscope::ui::SetupState& setup);
-  /// What was asked for is shown here, and the panel is hidden.
-  void attention_wanted();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -74,7 +73,7 @@ class WhyView : public QWidget {
   void make_actions();
   void make_table();
   void lay_out();
-  void follow();
+  void note_change();
   void catch_up();
   void show_place();
   void show_nothing();

@@ -1,4 +1,4 @@
-#include "ui/models/action_table.h"
+#include "ui/window/action_table.h"
 
 #include <QColor>
 #include <utility>
@@ -66,7 +66,7 @@ QVariant ActionTable::headerData(int section, Qt::Orientation orientation, int r
     case name:
       return tr("Command");
     case keys:
-      return tr("Keys");
+      return tr("Shortcut");
     default:
       return {};
   }

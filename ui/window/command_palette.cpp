@@ -1,4 +1,4 @@
-#include "ui/views/command_palette.h"
+#include "ui/window/command_palette.h"
 
 #include <QDockWidget>
 #include <QHeaderView>
@@ -151,12 +151,11 @@ bool CommandPalette::eventFilter(QObject* watched, QEvent* event) {
 
 KeyList::KeyList(QWidget* window)
     : QWidget(window, Qt::Tool), actions_(new ActionTable(this)), list_(make_list(actions_, this)) {
-  setWindowTitle(tr("Keys and mouse"));
+  setWindowTitle(tr("Keyboard and mouse"));
   auto* mouse = new QLabel(
-      tr("<b>3D view:</b> left drag turns, Shift or middle drag moves, wheel or right drag zooms, a click "
-         "points."
-         "<br><b>Charts:</b> wheel zooms at the pointer, drag pans, a click points, a double click shows all."
-         "<br><b>Program:</b> a click on a line points at it."),
+      tr("<b>3D view:</b> left drag rotates, Shift+drag or middle drag pans, wheel or right drag zooms, a "
+         "click sets the cursor.<br><b>Charts:</b> wheel zooms at the pointer, drag pans, a click sets the "
+         "cursor, a double click shows all.<br><b>Program:</b> a click on a line sets the cursor there."),
       this);
   mouse->setWordWrap(true);
   auto* layout = new QVBoxLayout(this);

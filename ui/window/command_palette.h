@@ -2,7 +2,7 @@
 
 #include <QFrame>
 
-#include "ui/models/action_table.h"
+#include "ui/window/action_table.h"
 
 class QLineEdit;
 class QSortFilterProxyModel;

@@ -1,4 +1,4 @@
-#include "ui/dock_sizes.h"
+#include "ui/window/dock_sizes.h"
 
 #include <QGuiApplication>
 #include <QResizeEvent>

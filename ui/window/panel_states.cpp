@@ -1,10 +1,12 @@
-#include "ui/panel_states.h"
+#include "ui/window/panel_states.h"
 
 #include <QJsonDocument>
 #include <QSettings>
 
-#include "ui/main_window.h"
-#include "ui/models/scene_json.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/program_text/program_panel.h"
+#include "ui/scene_view/scene_json.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 
@@ -15,13 +17,14 @@ const QString settings_key = QStringLiteral("panels");
 }  // namespace
 
 PanelStates panel_states(MainWindow& window) {
-  return {window.scene().state(), window.charts().state(), window.program().font_size()};
+  return {window.scene().state(), window.part<ChartsPanel>().state(),
+          window.part<ProgramPanel>().view().font_size()};
 }
 
 void set_panel_states(MainWindow& window, const PanelStates& states) {
   window.scene().set_state(states.scene);
-  window.charts().set_state(states.charts);
-  window.program().set_font_size(states.program_font_size);
+  window.part<ChartsPanel>().set_state(states.charts);
+  window.part<ProgramPanel>().view().set_font_size(states.program_font_size);
 }
 
 QJsonObject to_json(const PanelStates& states) {

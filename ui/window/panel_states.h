@@ -3,8 +3,8 @@
 #include <QJsonObject>
 
 #include "ui/charts/charts_state.h"
+#include "ui/program_text/program_view.h"
 #include "ui/scene/scene_state.h"
-#include "ui/views/program/program_view.h"
 
 namespace feedscope::ui {
 

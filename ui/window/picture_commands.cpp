@@ -1,4 +1,4 @@
-#include "ui/window_pictures.h"
+#include "ui/window/picture_commands.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -7,9 +7,10 @@
 #include <QPainter>
 
 #include "ui/charts/chart_export.h"
-#include "ui/main_window.h"
-#include "ui/models/panel_action.h"
+#include "ui/charts/charts_panel.h"
 #include "ui/report/picture_file.h"
+#include "ui/shared/panel_action.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 
@@ -22,7 +23,7 @@ PictureFormat format_of(const QString& file) {
 
 }  // namespace
 
-WindowPictures::WindowPictures(MainWindow& window) : QObject(&window), window_(window) {
+PictureCommands::PictureCommands(MainWindow& window) : QObject(&window), window_(window) {
   struct Entry {
     Part part;
     QString name;
@@ -51,15 +52,15 @@ WindowPictures::WindowPictures(MainWindow& window) : QObject(&window), window_(w
   }
 }
 
-QImage WindowPictures::picture(Part part) const {
+QImage PictureCommands::picture(Part part) const {
   QWidget& shown = part == Part::scene    ? window_.scene().canvas()
-                   : part == Part::charts ? static_cast<QWidget&>(window_.charts())
+                   : part == Part::charts ? static_cast<QWidget&>(window_.part<ChartsPanel>())
                                           : static_cast<QWidget&>(window_);
   window_.scenes().rest();
   return shown.grab().toImage();
 }
 
-void WindowPictures::save(Part part, const QString& file) const {
+void PictureCommands::save(Part part, const QString& file) const {
   PictureSpec spec;
   spec.format = format_of(file);
   spec.background = QApplication::palette().color(QPalette::Window);
@@ -67,8 +68,8 @@ void WindowPictures::save(Part part, const QString& file) const {
   spec.scale = window_.devicePixelRatioF();
   std::string bytes;
   if (part == Part::charts) {
-    spec.size = window_.charts().size();
-    bytes = make_picture(spec, [this](QPainter& painter) { window_.charts().draw(painter); });
+    spec.size = window_.part<ChartsPanel>().size();
+    bytes = make_picture(spec, [this](QPainter& painter) { window_.part<ChartsPanel>().draw(painter); });
   } else {
     const QImage image = picture(part);
     spec.size = QSizeF(image.size()) / spec.scale;
@@ -78,13 +79,13 @@ void WindowPictures::save(Part part, const QString& file) const {
   write_whole_file(file, QByteArray::fromStdString(bytes));
 }
 
-void WindowPictures::copy(Part part) const {
+void PictureCommands::copy(Part part) const {
   QApplication::clipboard()->setImage(picture(part));
 }
 
 /// Beside the program, with its name; the next free one, so that no picture takes the place of another.
-QString WindowPictures::proposed_file(Part part) const {
-  const QString program = QString::fromStdU16String(window_.model().file().u16string());
+QString PictureCommands::proposed_file(Part part) const {
+  const QString program = QString::fromStdU16String(window_.workbench().file().u16string());
   const QFileInfo info(program);
   const QString what = part == Part::scene    ? QStringLiteral("3d")
                        : part == Part::charts ? QStringLiteral("charts")
@@ -99,7 +100,7 @@ QString WindowPictures::proposed_file(Part part) const {
   return file;
 }
 
-void WindowPictures::ask_and_save(Part part) {
+void PictureCommands::ask_and_save(Part part) {
   QString file = QFileDialog::getSaveFileName(&window_, tr("Save picture"), proposed_file(part),
                                               tr("Picture (*.png);;Drawing (*.svg);;Document (*.pdf)"));
   if (file.isEmpty()) {

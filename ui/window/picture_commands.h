@@ -10,13 +10,13 @@ namespace feedscope::ui {
 class MainWindow;
 
 /// Saves and copies what the window shows: 3D view with its annotations, charts, or all of it.
-class WindowPictures : public QObject {
+class PictureCommands : public QObject {
   Q_OBJECT
 
  public:
   enum class Part { scene, charts, window };
 
-  explicit WindowPictures(MainWindow& window);
+  explicit PictureCommands(MainWindow& window);
 
   QList<QAction*> save_actions() const { return save_; }
   QList<QAction*> copy_actions() const { return copy_; }

@@ -1,4 +1,4 @@
-#include "ui/window_picture.h"
+#include "ui/window/pictures_of_panels.h"
 
 #include <QApplication>
 #include <QImage>
@@ -9,13 +9,15 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "ui/charts/comparison_chart.h"
-#include "ui/charts/study_chart.h"
-#include "ui/main_window.h"
-#include "ui/models/reading_faults.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/language/shown_numbers.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/picture_file.h"
+#include "ui/runs/comparison_chart.h"
+#include "ui/study/study_chart.h"
 #include "ui/theme/offscreen_application.h"
+#include "ui/window/main_window.h"
+#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 
@@ -45,10 +47,10 @@ std::vector<QRect> places(const QWidget& window) {
 /// bar goes, then its columns widen.
 void settle(const QWidget& window) {
   constexpr int enough_rounds = 3;  // without a change
-  constexpr int most_rounds = 100;  // what comes and goes for ever shall not hang
+  constexpr int max_rounds = 100;   // what comes and goes for ever shall not hang
   std::vector<QRect> before;
   int same = 0;
-  for (int round = 0; round < most_rounds && same < enough_rounds; ++round) {
+  for (int round = 0; round < max_rounds && same < enough_rounds; ++round) {
     QApplication::processEvents();
     std::vector<QRect> now = places(window);
     same = now == before ? same + 1 : 0;
@@ -90,8 +92,8 @@ QString not_counted_details(const Runs& runs) {
 template <class Runs>
 QString comparison_details(const LoadedProgram& program, const Runs& runs,
                            const std::vector<std::string>& assignments) {
-  const QString length = QLocale().toString(program.toolpath->length(), 'f', 3);
-  const QString path = ComparisonChart::tr("path length %1 mm").arg(length);
+  const QString path =
+      ComparisonChart::tr("path length %1").arg(amount_text(program.toolpath->length(), Dimension::length));
   QStringList set;
   for (const std::string& assignment : assignments) {
     set.append(QString::fromStdString(assignment));
@@ -122,7 +124,7 @@ Picture draw_window(const Run& run, PictureSize size, const WindowLook& look) {
     QApplication::processEvents(QEventLoop::WaitForMoreEvents);
   }
   settle(window);
-  window.charts().refresh();
+  window.part<ChartsPanel>().refresh();
   window.scenes().rest();
   return grab(window, size);
 }
@@ -141,7 +143,7 @@ void check_comparison_size(std::span<const Setup> setups, std::optional<PictureS
   for (const Setup& setup : setups) {
     runs.push_back({setup, {}});
   }
-  const QSize least(least_comparison_width, enough_comparison_height(comparison_bars(runs), width));
+  const QSize least(min_comparison_width, enough_comparison_height(comparison_bars(runs), width));
   if (wanted) {
     check_size(*wanted, least);
   } else if (least.height() > largest_picture_side) {

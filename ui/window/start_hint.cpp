@@ -1,12 +1,12 @@
-#include "ui/views/start_hint.h"
+#include "ui/window/start_hint.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
 
 namespace feedscope::ui {
 
-StartHint::StartHint(const Workbench& model, QWidget* parent)
-    : QFrame(parent), model_(model), text_(new QLabel(this)) {
+StartHint::StartHint(const Workbench& workbench, QWidget* parent)
+    : QFrame(parent), workbench_(workbench), text_(new QLabel(this)) {
   setFrameShape(QFrame::StyledPanel);
   setBackgroundRole(QPalette::Base);
   setAutoFillBackground(true);
@@ -20,13 +20,13 @@ StartHint::StartHint(const Workbench& model, QWidget* parent)
   layout->setContentsMargins(8, 3, 8, 3);
   layout->addWidget(text_);
   connect(text_, &QLabel::linkActivated, this, &StartHint::choose);
-  connect(&model_, &Workbench::program_changed, this, &StartHint::follow);
-  connect(&model_, &Workbench::busy_changed, this, &StartHint::follow);
+  connect(&workbench_, &Workbench::program_changed, this, &StartHint::follow);
+  connect(&workbench_, &Workbench::busy_changed, this, &StartHint::follow);
   follow();
 }
 
 void StartHint::follow() {
-  const bool wanted = model_.program() == nullptr && !model_.busy();
+  const bool wanted = workbench_.program() == nullptr && !workbench_.busy();
   setVisible(wanted);
   emit shown(wanted);
 }

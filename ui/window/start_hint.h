@@ -2,7 +2,7 @@
 
 #include <QFrame>
 
-#include "ui/models/workbench.h"
+#include "ui/workbench/workbench.h"
 
 class QLabel;
 
@@ -13,8 +13,8 @@ class StartHint : public QFrame {
   Q_OBJECT
 
  public:
-  /// `model` outlives this.
-  explicit StartHint(const Workbench& model, QWidget* parent = nullptr);
+  /// `workbench` outlives this.
+  explicit StartHint(const Workbench& workbench, QWidget* parent = nullptr);
 
   QLabel* text() { return text_; }
 
@@ -28,7 +28,7 @@ class StartHint : public QFrame {
   void follow();
   void choose(const QString& link);
 
-  const Workbench& model_;
+  const Workbench& workbench_;
   QLabel* text_;
 };
 

@@ -1,4 +1,4 @@
-#include "ui/views/status_panel.h"
+#include "ui/window/status_panel.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -11,6 +11,7 @@
 
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {
 
@@ -21,9 +22,9 @@ constexpr int progress_width = 140;
 
 }  // namespace
 
-StatusPanel::StatusPanel(Workbench& model, RunComparison& comparison, QWidget* parent)
+StatusPanel::StatusPanel(Workbench& workbench, RunComparison& comparison, QWidget* parent)
     : QWidget(parent),
-      model_(model),
+      workbench_(workbench),
       comparison_(comparison),
       activity_(new QLabel(this)),
       progress_(new QProgressBar(this)),
@@ -36,7 +37,7 @@ StatusPanel::StatusPanel(Workbench& model, RunComparison& comparison, QWidget* p
   progress_->setFixedHeight(fontMetrics().height());  // the bar below the window keeps its height
   cancel_->setFixedHeight(progress_->height());
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Stop what is under way (Esc)"));
+  cancel_->setToolTip(tr("Stop the running calculation (Esc)"));
   diagnostics_->setAutoRaise(true);
   diagnostics_->setFixedHeight(progress_->height());
   diagnostics_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -52,19 +53,19 @@ StatusPanel::StatusPanel(Workbench& model, RunComparison& comparison, QWidget* p
 
   connect(cancel_, &QToolButton::clicked, this, &StatusPanel::cancel);
   connect(diagnostics_, &QToolButton::clicked, this, &StatusPanel::diagnostics_clicked);
-  connect(&model_, &Workbench::busy_changed, this, &StatusPanel::show_busy);
-  connect(&model_, &Workbench::progressed, this, &StatusPanel::show_activity);
+  connect(&workbench_, &Workbench::busy_changed, this, &StatusPanel::show_busy);
+  connect(&workbench_, &Workbench::progressed, this, &StatusPanel::show_activity);
   connect(&comparison_, &RunComparison::progressed, this, &StatusPanel::show_comparison);
-  connect(&model_, &Workbench::program_changed, this, &StatusPanel::count_diagnostics);
-  connect(&model_.cursor(), &Cursor::changed, this, &StatusPanel::show_cursor);
+  connect(&workbench_, &Workbench::program_changed, this, &StatusPanel::count_diagnostics);
+  connect(&workbench_.cursor(), &Cursor::changed, this, &StatusPanel::show_cursor);
   show_busy();
   count_diagnostics();
   show_cursor();
 }
 
 void StatusPanel::cancel() {
-  if (model_.busy()) {
-    model_.cancel();
+  if (workbench_.busy()) {
+    workbench_.cancel();
   } else {
     comparison_.cancel();
   }
@@ -76,7 +77,7 @@ void StatusPanel::show_activity(const QString& activity, double fraction) {
 }
 
 void StatusPanel::show_comparison() {
-  if (model_.busy()) {
+  if (workbench_.busy()) {
     return;  // that comes first
   }
   if (!comparison_.busy() || !progress_->isVisibleTo(this)) {
@@ -89,7 +90,7 @@ void StatusPanel::show_comparison() {
 }
 
 void StatusPanel::show_busy() {
-  const bool busy = model_.busy() || comparison_.busy();
+  const bool busy = workbench_.busy() || comparison_.busy();
   progress_->setValue(0);
   activity_->clear();
   activity_->setVisible(busy);
@@ -98,7 +99,7 @@ void StatusPanel::show_busy() {
 }
 
 void StatusPanel::count_diagnostics() {
-  const auto program = model_.program();
+  const auto program = workbench_.program();
   diagnostics_->setVisible(program != nullptr && !program->diagnostics.empty());
   if (program == nullptr) {
     return;
@@ -130,17 +131,17 @@ QString StatusPanel::cause_text(const State& state) {
 }
 
 void StatusPanel::show_cursor() {
-  if (!model_.cursor().valid()) {
+  if (!workbench_.cursor().valid()) {
     cursor_->clear();
     return;
   }
-  const State& state = model_.cursor().state();
+  const State& state = workbench_.cursor().state();
   const QLocale locale;
   const QStringList parts{
       tr("%1 s").arg(locale.toString(state.time, 'f', 3)),
-      tr("%1 mm").arg(locale.toString(state.path_length, 'f', 3)),
+      amount_text(state.path_length, Dimension::length),
       tr("line %1").arg(state.line),
-      tr("%1 mm/min").arg(locale.toString(std::max(0.0, std::round(units::to_mm_min(state.speed))), 'f', 0)),
+      amount_text(std::max(0.0, state.speed), Dimension::feed),
       cause_text(state),
   };
   cursor_->setText(parts.join(QStringLiteral("   ")));

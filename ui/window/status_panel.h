@@ -2,8 +2,8 @@
 
 #include <QWidget>
 
-#include "ui/models/run_comparison.h"
-#include "ui/models/workbench.h"
+#include "ui/workbench/run_comparison.h"
+#include "ui/workbench/workbench.h"
 
 class QLabel;
 class QProgressBar;
@@ -17,7 +17,7 @@ class StatusPanel : public QWidget {
 
  public:
   /// Both outlive this.
-  StatusPanel(Workbench& model, RunComparison& comparison, QWidget* parent = nullptr);
+  StatusPanel(Workbench& workbench, RunComparison& comparison, QWidget* parent = nullptr);
 
   /// Stops reading or simulating; if nothing of that is under way, the comparison of runs.
   void cancel();
@@ -33,7 +33,7 @@ class StatusPanel : public QWidget {
   void count_diagnostics();
   static QString cause_text(const State& state);
 
-  Workbench& model_;
+  Workbench& workbench_;
   RunComparison& comparison_;
   QLabel* activity_;
   QProgressBar* progress_;

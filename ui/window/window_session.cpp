@@ -1,4 +1,4 @@
-#include "ui/window_session.h"
+#include "ui/window/window_session.h"
 
 #include <QApplication>
 #include <QFileDialog>
@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "core/base/error.h"
-#include "ui/main_window.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/program_text/program_panel.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 
@@ -32,51 +34,66 @@ QString message_of(const InputError& error) {
 
 }  // namespace
 
-WindowSession::WindowSession(MainWindow& window, Workbench& model)
-    : QObject(&window), window_(window), model_(model) {
-  connect(&model_, &Workbench::run_changed, this, &WindowSession::apply_to_run);
+WindowSession::WindowSession(MainWindow& window, Workbench& workbench)
+    : QObject(&window), window_(window), workbench_(workbench) {
+  connect(&workbench_, &Workbench::run_changed, this, &WindowSession::apply_to_run);
   keep_timer_.setInterval(between_keeping);
   connect(&keep_timer_, &QTimer::timeout, this, &WindowSession::keep);
 }
 
 Session WindowSession::capture() const {
-  Session session;
-  session.program = std::filesystem::absolute(model_.file()).lexically_normal();
+  Session session = view();
+  session.program = std::filesystem::absolute(workbench_.file()).lexically_normal();
   session.program_hash = program_hash();
-  session.reading = model_.reading();
-  session.runs = model_.runs().items();
-  session.current_run = model_.runs().current();
-  session.cursor = model_.cursor().valid() ? model_.cursor().state().time : 0;
+  session.reading = workbench_.reading();
+  session.runs = workbench_.runs().items();
+  session.current_run = workbench_.runs().current();
+  session.annotations = workbench_.annotations().items();
+  return session;
+}
+
+Session WindowSession::view() const {
+  Session session;
+  session.cursor = workbench_.cursor().valid() ? workbench_.cursor().state().time : 0;
   session.scene = window_.scene().state();
   session.scenes = window_.scenes().state();
-  session.charts = window_.charts().state();
-  session.annotations = model_.annotations().items();
+  session.charts = window_.part<ChartsPanel>().state();
   session.layout = window_.saveState();
   session.theme = theme_of(QApplication::palette());
-  session.program_font_size = window_.program().font_size();
+  session.program_font_size = window_.part<ProgramPanel>().view().font_size();
   return session;
 }
 
 void WindowSession::show(const Session& session) {
-  model_.open(session.program, session.runs, session.current_run, session.reading);
-  model_.annotations().replace(session.annotations);
+  workbench_.open(session.program, session.runs, session.current_run, session.reading);
+  workbench_.annotations().replace(session.annotations);
   window_.restore_layout(session.layout);
   if (session.program_font_size) {
-    window_.program().set_font_size(*session.program_font_size);
+    window_.part<ProgramPanel>().view().set_font_size(*session.program_font_size);
   }
   pending_ = session;
 }
 
+void WindowSession::take_over(const Kept& kept) {
+  file_ = kept.file;
+  saved_ = kept.saved;
+  start_ = kept.start;
+  window_.restore_layout(kept.view.layout);
+  pending_ = kept.view;
+  apply_to_run();
+  emit file_changed();
+}
+
 /// Ranges and camera belong to a path: there must be one before they can be set.
 void WindowSession::apply_to_run() {
-  if (!pending_ || model_.shown() == nullptr) {
+  if (!pending_ || workbench_.shown() == nullptr) {
     return;
   }
   const Session session = *std::exchange(pending_, std::nullopt);
   window_.scene().set_state(session.scene);
   window_.scenes().set_state(session.scenes);
-  window_.charts().set_state(session.charts);
-  model_.cursor().set_time(session.cursor);
+  window_.part<ChartsPanel>().set_state(session.charts);
+  workbench_.cursor().set_time(session.cursor);
 }
 
 void WindowSession::open(const std::filesystem::path& file) {
@@ -107,12 +124,12 @@ bool WindowSession::find_program(Session& session) {
   const QString missing = to_qstring(session.program);
   QMessageBox::information(
       &window_, tr("Program not found"),
-      tr("%1 is not there, on which the session was made. Show where the program is now.").arg(missing));
+      tr("The session's program %1 was not found. Select its new location.").arg(missing));
   const QString found =
       QFileDialog::getOpenFileName(&window_, tr("Where is %1?").arg(to_qstring(session.program.filename())),
                                    to_qstring(session.program.parent_path()));
   if (found.isEmpty()) {
-    emit failed(tr("The session is not opened: its program %1 is not there.").arg(missing));
+    emit failed(tr("The session is not opened: its program %1 was not found.").arg(missing));
     return false;
   }
   session.program = to_path(found);
@@ -124,9 +141,8 @@ bool WindowSession::accept_changed_program(const Session& session) {
     return true;
   }
   return QMessageBox::question(&window_, tr("Program changed"),
-                               tr("%1 has changed since the session was saved. Annotations may stand "
-                                  "elsewhere, and figures may "
-                                  "differ. Open it all the same?")
+                               tr("%1 has changed since the session was saved. Annotations may be at other "
+                                  "places, and numbers may differ. Open it anyway?")
                                    .arg(to_qstring(session.program))) == QMessageBox::Yes;
 }
 
@@ -139,14 +155,14 @@ void WindowSession::forget_file() {
 }
 
 bool WindowSession::save(bool as_new) {
-  if (model_.program() == nullptr) {
-    emit failed(tr("There is nothing to save yet: open a program first."));
+  if (workbench_.program() == nullptr) {
+    emit failed(tr("There is nothing to save: open a program first."));
     return false;
   }
   std::filesystem::path file = file_;
   if (as_new || file.empty()) {
     const std::filesystem::path proposed =
-        file.empty() ? std::filesystem::path(model_.file()).replace_extension(session_suffix) : file;
+        file.empty() ? std::filesystem::path(workbench_.file()).replace_extension(session_suffix) : file;
     file = to_path(QFileDialog::getSaveFileName(&window_, tr("Save session as"), to_qstring(proposed),
                                                 tr("Feedscope sessions (*%1)").arg(session_suffix)));
     if (file.empty()) {
@@ -169,13 +185,13 @@ bool WindowSession::save(bool as_new) {
   return true;
 }
 
-/// Runs, annotations and reading options, without which place is looked at.
+/// Runs, annotations and import options, without which place is looked at.
 QByteArray WindowSession::essence() const {
   Session session;
-  session.program = model_.file();
-  session.reading = model_.reading();
-  session.runs = model_.runs().items();
-  session.annotations = model_.annotations().items();
+  session.program = workbench_.file();
+  session.reading = workbench_.reading();
+  session.runs = workbench_.runs().items();
+  session.annotations = workbench_.annotations().items();
   const QJsonObject json = to_json(session, {});
   return QJsonDocument(QJsonArray{json["runs"], json["annotations"], json["reading"]})
       .toJson(QJsonDocument::Compact);
@@ -186,8 +202,8 @@ bool WindowSession::changed() const {
     return false;
   }
   if (file_.empty()) {
-    return !model_.annotations().items().empty() || model_.runs().items().size() > 1 ||
-           !(model_.reading() == ReadOptions());
+    return !workbench_.annotations().items().empty() || workbench_.runs().items().size() > 1 ||
+           !(workbench_.reading() == ReadOptions());
   }
   return essence() != saved_;
 }
@@ -198,7 +214,7 @@ bool WindowSession::may_go() {
   }
   const QMessageBox::StandardButton answer = QMessageBox::question(
       &window_, tr("Save the session?"),
-      tr("Runs and annotations of %1 are not saved.").arg(to_qstring(model_.file().filename())),
+      tr("Runs and annotations of %1 have not been saved.").arg(to_qstring(workbench_.file().filename())),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, QMessageBox::Save);
   return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;
 }
@@ -209,7 +225,7 @@ void WindowSession::begin_keeping() {
 }
 
 void WindowSession::keep() {
-  if (model_.program() == nullptr || pending_) {
+  if (workbench_.program() == nullptr || pending_) {
     return;
   }
   const QByteArray bytes = session_bytes(capture(), autosave_->folder());
@@ -225,8 +241,8 @@ void WindowSession::offer_left_behind() {
   }
   const QString when = QLocale().toString(left->written, QLocale::ShortFormat);
   const auto answer = QMessageBox::question(
-      &window_, tr("Bring back what was open?"),
-      tr("Feedscope ended unexpectedly. Bring back what was open then (%1)?").arg(when));
+      &window_, tr("Restore the last session?"),
+      tr("Feedscope ended unexpectedly. Restore what was open at that time (%1)?").arg(when));
   if (answer == QMessageBox::Yes) {
     open(left->file);
     file_.clear();  // it is to be saved under a name of the user's
@@ -237,9 +253,9 @@ void WindowSession::offer_left_behind() {
 }
 
 const QByteArray& WindowSession::program_hash() const {
-  if (hashed_ != model_.program()) {
-    hashed_ = model_.program();
-    hash_ = hash_of(model_.file());
+  if (hashed_ != workbench_.program()) {
+    hashed_ = workbench_.program();
+    hash_ = hash_of(workbench_.file());
   }
   return hash_;
 }

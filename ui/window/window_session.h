@@ -20,7 +20,7 @@ class WindowSession : public QObject {
 
  public:
   /// Both outlive this. Nothing is kept before begin_keeping().
-  WindowSession(MainWindow& window, Workbench& model);
+  WindowSession(MainWindow& window, Workbench& workbench);
 
   /// Everything as it is now.
   Session capture() const;
@@ -42,6 +42,16 @@ class WindowSession : public QObject {
   bool may_go();
   const std::filesystem::path& file() const { return file_; }
 
+  /// What another window on the same workbench needs to go on with.
+  struct Kept {
+    Session view;  ///< cursor, panels and layout
+    std::filesystem::path file;
+    QByteArray saved;
+    QByteArray start;
+  };
+  Kept hand_over() const { return {view(), file_, saved_, start_}; }
+  void take_over(const Kept& kept);
+
   void begin_keeping();
   /// What a process that ended unexpectedly has left, if the user wants it back.
   void offer_left_behind();
@@ -53,6 +63,8 @@ class WindowSession : public QObject {
   void failed(const QString& message);
 
  private:
+  /// How everything is shown, without what is shown.
+  Session view() const;
   void apply_to_run();
   void keep();
   bool find_program(Session& session);
@@ -62,7 +74,7 @@ class WindowSession : public QObject {
   void show_file(const std::filesystem::path& file, const ReadSession& read);
 
   MainWindow& window_;
-  Workbench& model_;
+  Workbench& workbench_;
   std::filesystem::path file_;
   std::optional<Session> pending_;  ///< shown, but for what needs its simulated run
   QByteArray saved_;                ///< essence() then; empty: of the program as it was opened

@@ -4,7 +4,7 @@
 #include <QUndoStack>
 #include <vector>
 
-#include "ui/annotations/annotation.h"
+#include "ui/workbench/annotation.h"
 
 namespace feedscope::ui {
 
@@ -31,7 +31,7 @@ class AnnotationList : public QObject {
   void change(const Annotation& changed, const QString& text);
   /// The next change is a step of its own: the mouse has been released, the focus has gone.
   void end_step() { ++step_; }
-  /// Other annotations altogether, their ids given anew; not part of the history.
+  /// Other annotations altogether, their ids given again; not part of the history.
   void replace(std::vector<Annotation> items);
 
  signals:

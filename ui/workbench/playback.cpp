@@ -1,4 +1,4 @@
-#include "ui/models/playback.h"
+#include "ui/workbench/playback.h"
 
 #include <algorithm>
 #include <chrono>

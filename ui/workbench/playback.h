@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <optional>
 
-#include "ui/models/cursor.h"
+#include "ui/shared/cursor.h"
 
 namespace feedscope::ui {
 

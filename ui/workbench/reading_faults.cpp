@@ -1,4 +1,4 @@
-#include "ui/models/reading_faults.h"
+#include "ui/workbench/reading_faults.h"
 
 #include <QCoreApplication>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "ui/models/recent_files.h"
+#include "ui/workbench/recent_files.h"
 
 #include <QFileInfo>
 #include <QSettings>

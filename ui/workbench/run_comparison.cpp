@@ -1,8 +1,7 @@
-#include "ui/models/run_comparison.h"
+#include "ui/workbench/run_comparison.h"
 
-#include <QtConcurrentRun>
 #include <algorithm>
-#include <new>
+#include <stdexcept>
 
 namespace feedscope::ui {
 namespace {
@@ -27,20 +26,6 @@ RunComparison::RunComparison(const RunList& runs, QObject* parent) : QObject(par
     connect(&runs_, signal, this, &RunComparison::forget_gone_results);
   }
   connect(&runs_, &RunList::result_changed, this, &RunComparison::forget_gone_results);
-  poll_.setInterval(std::chrono::milliseconds(50));
-  connect(&poll_, &QTimer::timeout, this, &RunComparison::watch);
-}
-
-RunComparison::~RunComparison() {
-  for (const auto& pair : pairs_) {
-    stop(*pair);
-  }
-}
-
-/// What is under way holds all that it reads, and is not waited for.
-void RunComparison::stop(Pair& pair) {
-  pair.watcher->disconnect(this);
-  pair.progress->cancel();
 }
 
 void RunComparison::choose(int id) {
@@ -81,52 +66,46 @@ Samples RunComparison::samples(std::size_t row) {
   }
   constexpr std::size_t kept = 4;  // two views and what they showed before
   if (pairs_.size() == kept) {
-    stop(*pairs_.front());
     pairs_.erase(pairs_.begin());
   }
   pairs_.push_back(std::make_unique<Pair>());
   pairs_.back()->run = run;
   pairs_.back()->reference = other;
-  pairs_.back()->progress = std::make_shared<Progress>();
   start(*pairs_.back());
   return nullptr;
 }
 
 void RunComparison::start(Pair& pair) {
-  pair.watcher = std::make_unique<QFutureWatcher<Samples>>();
-  connect(pair.watcher.get(), &QFutureWatcher<Samples>::finished, this, [this, &pair] {
-    pair.samples = pair.watcher->result();
-    pair.done = true;
-    watch();
-    emit ready();
-  });
-  poll_.start();
-  pair.watcher->setFuture(
-      QtConcurrent::run([run = pair.run->run.trajectory, reference = pair.reference->run.trajectory,
-                         drawn = pair.reference->samples, progress = pair.progress]() -> Samples {
+  connect(&pair.job, &JobBase::progressed, this, &RunComparison::progressed);
+  pair.job.start(
+      [run = pair.run->run.trajectory, reference = pair.reference->run.trajectory,
+       drawn = pair.reference->samples](JobControl& control) -> Samples {
         try {
           return std::make_shared<const SampledPath>(
-              sample_compared(*run, *reference, drawn->times, progress.get()));
-        } catch (const Cancelled&) {
-          return nullptr;
-        } catch (const std::bad_alloc&) {
-          return nullptr;  // the path stays uncoloured
+              sample_compared(*run, *reference, drawn->times, &control.progress));
         } catch (const std::invalid_argument&) {
           return nullptr;  // one of them does not move
         }
-      }));
+      },
+      [this, &pair](const JobOutcome<Samples>& outcome) {
+        pair.samples = outcome.result.value_or(nullptr);  // none: the path stays uncoloured
+        emit progressed();
+        emit ready();
+      });
 }
 
 bool RunComparison::busy() const {
-  return std::ranges::any_of(pairs_, [](const auto& pair) { return !pair->done; });
+  return std::ranges::any_of(pairs_, [](const auto& pair) { return pair->job.busy(); });
 }
 
 double RunComparison::progress() const {
   double sum = 0;
   std::size_t count = 0;
   for (const auto& pair : pairs_) {
-    sum += pair->done ? 0 : pair->progress->fraction();
-    count += pair->done ? 0 : 1;
+    if (pair->job.busy()) {
+      sum += pair->job.fraction();
+      ++count;
+    }
   }
   return count == 0 ? 1 : sum / static_cast<double>(count);
 }
@@ -135,21 +114,9 @@ void RunComparison::cancel() {
   if (!busy()) {
     return;
   }
-  std::erase_if(pairs_, [&](const auto& pair) {
-    if (!pair->done) {
-      stop(*pair);
-    }
-    return !pair->done;
-  });
-  watch();
-  emit cancelled();
-}
-
-void RunComparison::watch() {
-  if (!busy()) {
-    poll_.stop();
-  }
+  std::erase_if(pairs_, [](const auto& pair) { return pair->job.busy(); });
   emit progressed();
+  emit cancelled();
 }
 
 void RunComparison::forget_gone_results() {
@@ -161,14 +128,8 @@ void RunComparison::forget_gone_results() {
     }
     return true;
   };
-  std::erase_if(pairs_, [&](const auto& pair) {
-    const bool remove = gone(pair->run) || gone(pair->reference);
-    if (remove) {
-      stop(*pair);
-    }
-    return remove;
-  });
-  watch();
+  std::erase_if(pairs_, [&](const auto& pair) { return gone(pair->run) || gone(pair->reference); });
+  emit progressed();
 }
 
 }  // namespace feedscope::ui

@@ -1,13 +1,12 @@
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QTimer>
 #include <memory>
 #include <optional>
 #include <vector>
 
-#include "ui/models/run_list.h"
+#include "ui/shared/job.h"
+#include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
 
@@ -25,8 +24,6 @@ class RunComparison : public QObject {
  public:
   /// `runs` outlives this.
   explicit RunComparison(const RunList& runs, QObject* parent = nullptr);
-  /// Cancels what is being made.
-  ~RunComparison() override;
 
   /// The run that all others are compared with, by its id; 0: none in particular.
   void choose(int id);
@@ -61,20 +58,15 @@ class RunComparison : public QObject {
     std::shared_ptr<const ShownRun> run;
     std::shared_ptr<const ShownRun> reference;
     std::shared_ptr<const SampledPath> samples;
-    std::shared_ptr<Progress> progress;
-    bool done = false;
-    std::unique_ptr<QFutureWatcher<std::shared_ptr<const SampledPath>>> watcher;
+    Job<std::shared_ptr<const SampledPath>> job;
   };
   void start(Pair& pair);
   void forget_gone_results();
-  void stop(Pair& pair);
-  void watch();
 
   const RunList& runs_;
   int chosen_ = 0;
   int beside_ = 0;
   std::vector<std::unique_ptr<Pair>> pairs_;
-  QTimer poll_;
 };
 
 }  // namespace feedscope::ui

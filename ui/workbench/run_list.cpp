@@ -1,4 +1,4 @@
-#include "ui/models/run_list.h"
+#include "ui/workbench/run_list.h"
 
 #include <QLocale>
 #include <QUndoCommand>
@@ -6,8 +6,9 @@
 
 #include "core/machine/contour_tolerance.h"
 #include "ui/language/core_texts.h"
-#include "ui/models/texts.h"
-#include "ui/models/tolerance_text.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
+#include "ui/workbench/tolerance_text.h"
 
 namespace feedscope::ui {
 
@@ -19,9 +20,10 @@ namespace {
 constexpr std::array<QRgb, 8> run_colours{0xff7036c8, 0xff8f4a1e, 0xffe05ab0, 0xff6b8e23,
                                           0xff4a7dff, 0xffa3213f, 0xff12a5c0, 0xff9a8500};
 
-QString value_text(const SettingValue& value) {
+QString value_text(const SettingValue& value, const KeyUnit& unit) {
   const auto* number = std::get_if<double>(&value);
-  return number != nullptr ? QLocale().toString(*number, 'g', 6) : core_text(std::get<std::string>(value));
+  return number != nullptr ? QLocale().toString(*number * unit.factor, 'g', 6)
+                           : core_text(std::get<std::string>(value));
 }
 
 }  // namespace
@@ -47,7 +49,8 @@ QString run_title(const RunItem& item, std::span<const PathControl> feed_control
     const bool is_said = key == contour_tolerance_key || key == program_tolerance_key;
     if (!is_said && key != left_out && ++more <= 0) {
       parts.append(QStringLiteral("%1 %2 %3")
-                       .arg(setting_title(key), value_text(value), unit_text(setup.spec(key).unit))
+                       .arg(setting_title(key), value_text(value, key_unit(setup.spec(key).unit)),
+                            key_unit(setup.spec(key).unit).text)
                        .trimmed());
     }
   }

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "core/analysis/tolerance_in_force.h"
-#include "ui/models/setup_state.h"
-#include "ui/models/shown_run.h"
+#include "ui/workbench/setup_state.h"
+#include "ui/workbench/shown_run.h"
 
 namespace feedscope::ui {
 

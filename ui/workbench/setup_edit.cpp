@@ -1,4 +1,4 @@
-#include "ui/models/setup_edit.h"
+#include "ui/workbench/setup_edit.h"
 
 namespace feedscope::ui {
 
@@ -16,6 +16,11 @@ void SetupEdit::follow(std::size_t row, const SetupState& before) {
   } else {
     emit keys_changed();
   }
+}
+
+std::optional<double> SetupEdit::interpolation_period() const {
+  constexpr const char* key = "interpolation_period_s";
+  return file().settings.has(key) ? std::optional(std::get<double>(state().value(key))) : std::nullopt;
 }
 
 void SetupEdit::set_file(Setup file) {

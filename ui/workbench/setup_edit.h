@@ -2,8 +2,9 @@
 
 #include <QObject>
 #include <QUndoStack>
+#include <optional>
 
-#include "ui/models/run_list.h"
+#include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
 
@@ -20,6 +21,8 @@ class SetupEdit : public QObject {
   const Setup& file() const { return state().file(); }
   /// With all edits.
   Setup setup() const { return state().setup(); }
+  /// Of the control [s]; none if its machine file has none.
+  std::optional<double> interpolation_period() const;
 
   /// Another machine: edits go.
   void set_file(Setup file);

@@ -1,8 +1,9 @@
-#include "ui/models/setup_state.h"
+#include "ui/workbench/setup_state.h"
 
 #include <algorithm>
 
 #include "core/base/error.h"
+#include "core/machine/contour_tolerance.h"
 
 namespace feedscope::ui {
 
@@ -45,6 +46,12 @@ Machine SetupState::machine() const {
     }
   }
   return machine;
+}
+
+void SetupState::set_tolerance(double tolerance) {
+  for (const auto& [key, value] : settings_for_tolerance(tolerance)) {
+    set(key, value);
+  }
 }
 
 SettingSpec SetupState::spec(const std::string& key) const {

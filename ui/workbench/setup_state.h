@@ -32,6 +32,8 @@ class SetupState {
 
   /// Throws InputError naming key, value and bound; the file's own value is no edit.
   void set(const std::string& key, const SettingValue& value);
+  /// Contour tolerance [mm], in place of the program's own too. Throws as set().
+  void set_tolerance(double tolerance);
   /// Another model on the same machine: edits that it reads stay.
   void set_model(const ControlModel& model);
   void reset() { edits_.clear(); }

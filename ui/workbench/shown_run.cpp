@@ -1,11 +1,10 @@
-#include "ui/models/shown_run.h"
-
-#include <tbb/parallel_invoke.h>
+#include "ui/workbench/shown_run.h"
 
 #include <utility>
 
 #include "core/analysis/run_stages.h"
-#include "ui/models/simulate_shown.h"
+#include "core/base/parallel.h"
+#include "ui/workbench/simulate_shown.h"
 
 namespace feedscope::ui {
 
@@ -32,32 +31,31 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
   Progress lines(progress, of.lines * share);
   Progress places(progress, of.places * share);
   // What takes longest first.
-  tbb::parallel_invoke(
-      [&] {
-        shown->samples = std::make_shared<const SampledPath>(
-            sample_executed(*trajectory, default_max_points, {}, &samples));
-      },
-      [&] {
-        const Toolpath& toolpath = *shown->run.input.toolpath;
-        if (input != nullptr) {
-          add_summary(shown->run);
-        }
-        if (input != nullptr && input != &toolpath) {
-          shown->programmed = std::make_shared<const SampledPath>(sample_programmed(toolpath));
-        }
-        summary.report(1);
-      },
-      [&] {
-        shown->envelope = std::make_shared<const Envelope>(trajectory, &envelope);
-        envelope.report(1);
-      },
-      [&] {
-        shown->line_times = std::make_shared<const LineTimes>(*trajectory, &lines);
-        lines.report(1);
-        shown->slow_places =
-            std::make_shared<const SlowPlaces>(find_slow_places(*trajectory, slow_places_kept, &places));
-        places.report(1);
-      });
+  in_parallel({[&] {
+                 shown->samples = std::make_shared<const SampledPath>(
+                     sample_executed(*trajectory, default_max_points, {}, &samples));
+               },
+               [&] {
+                 const Toolpath& toolpath = *shown->run.input.toolpath;
+                 if (input != nullptr) {
+                   add_summary(shown->run);
+                 }
+                 if (input != nullptr && input != &toolpath) {
+                   shown->programmed = std::make_shared<const SampledPath>(sample_programmed(toolpath));
+                 }
+                 summary.report(1);
+               },
+               [&] {
+                 shown->envelope = std::make_shared<const Envelope>(trajectory, &envelope);
+                 envelope.report(1);
+               },
+               [&] {
+                 shown->line_times = std::make_shared<const LineTimes>(*trajectory, &lines);
+                 lines.report(1);
+                 shown->slow_places = std::make_shared<const SlowPlaces>(
+                     find_slow_places(*trajectory, slow_places_kept, &places));
+                 places.report(1);
+               }});
   return shown;
 }
 

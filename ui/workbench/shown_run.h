@@ -2,11 +2,11 @@
 
 #include <memory>
 
+#include "core/analysis/envelope.h"
 #include "core/analysis/line_times.h"
 #include "core/analysis/run.h"
 #include "core/analysis/slow_places.h"
 #include "core/base/progress.h"
-#include "ui/charts/envelope.h"
 #include "ui/scene/sampled_path.h"
 
 namespace feedscope::ui {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/models/shown_run.h"
+#include "ui/workbench/shown_run.h"
 
 namespace feedscope::ui {
 

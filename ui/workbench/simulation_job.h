@@ -1,15 +1,13 @@
 #pragma once
 
-#include <QFutureWatcher>
 #include <QObject>
-#include <QTimer>
 #include <atomic>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <variant>
 
-#include "ui/models/shown_run.h"
+#include "ui/shared/job.h"
+#include "ui/workbench/shown_run.h"
 
 namespace feedscope::ui {
 
@@ -23,17 +21,16 @@ struct JobRequest {
 enum class JobStage { reading, simulating };
 
 /// Reads and simulates on another thread. One request at a time; a newer one cancels the one under way, whose
-/// result is never delivered. All signals in the thread of this object. Destruction while busy cancels.
+/// result is never delivered. All signals in the thread of this object.
 class SimulationJob : public QObject {
   Q_OBJECT
 
  public:
   explicit SimulationJob(QObject* parent = nullptr);
-  ~SimulationJob() override;
 
   void start(JobRequest request);
-  void cancel();
-  bool busy() const { return running_; }
+  void cancel() { job_.cancel(); }
+  bool busy() const { return job_.busy(); }
 
  signals:
   void busy_changed(bool busy);
@@ -46,24 +43,12 @@ class SimulationJob : public QObject {
   void failed(const QString& message);
 
  private:
-  using Outcome = std::variant<std::monostate, std::shared_ptr<const ShownRun>, QString>;
+  using Result = std::shared_ptr<const ShownRun>;
 
-  void launch(JobRequest request);
-  struct Stages {
-    Progress reading;
-    Progress simulation;
-    std::atomic<bool> simulating{false};
+  Result work(const JobRequest& request, JobControl& control, std::atomic<JobStage>& stage);
 
-    void cancel();
-  };
-  Outcome work(const JobRequest& request, const std::shared_ptr<Stages>& stages);
-  void deliver();
-
-  QFutureWatcher<Outcome> watcher_;
-  QTimer poll_;
-  std::shared_ptr<Stages> stages_;
-  std::optional<JobRequest> next_;
-  bool running_ = false;  ///< until the outcome is delivered
+  std::shared_ptr<std::atomic<JobStage>> stage_;  ///< of the request under way
+  Job<Result> job_;
 };
 
 }  // namespace feedscope::ui

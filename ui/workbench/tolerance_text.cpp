@@ -1,7 +1,9 @@
-#include "ui/models/tolerance_text.h"
+#include "ui/workbench/tolerance_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>
+
+#include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {
 
@@ -12,7 +14,8 @@ struct Tolerance {
 };
 
 QString number(double mm) {
-  return QLocale().toString(mm, 'g', 6);
+  return QLocale().toString(in_shown_unit(mm, Dimension::length), 'g',
+                            unit_system() == UnitSystem::metric ? 6 : 4);
 }
 
 }  // namespace
@@ -26,18 +29,18 @@ QString tolerance_range(const std::optional<ToleranceInForce>& tolerance) {
 }
 
 QString tolerance_text(const ToleranceInForce& tolerance) {
-  return Tolerance::tr("%1 mm").arg(tolerance_range(tolerance));
+  return QStringLiteral("%1 %2").arg(tolerance_range(tolerance), unit_of(Dimension::length));
 }
 
 QString tolerance_origin(const ToleranceInForce& tolerance) {
   switch (tolerance.set_by) {
     case ToleranceInForce::Setter::program:
-      return Tolerance::tr("The tolerance is set by the program.");
+      return Tolerance::tr("The tolerance comes from the program.");
     case ToleranceInForce::Setter::both:
       return Tolerance::tr(
-          "The tolerance is set by the program on some blocks, by the setting on the others.");
+          "The tolerance comes from the program for some blocks and from the setting for the others.");
     default:
-      return Tolerance::tr("The tolerance is set by the setting, not by the program.");
+      return Tolerance::tr("The tolerance comes from the setting, not from the program.");
   }
 }
 

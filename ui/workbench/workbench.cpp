@@ -1,4 +1,4 @@
-#include "ui/models/workbench.h"
+#include "ui/workbench/workbench.h"
 
 #include <QFileInfo>
 #include <QLocale>
@@ -48,7 +48,7 @@ Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
   changed_.setInterval(std::chrono::milliseconds(400));
   connect(&changed_, &QTimer::timeout, this, [this] {
     if (reload_on_change_ && QFileInfo::exists(to_qstring(file_))) {
-      emit noticed(tr("%1 has changed and is read again.").arg(to_qstring(file_.filename())));
+      emit noticed(tr("%1 has changed and is reloaded.").arg(to_qstring(file_.filename())));
       reload();
     }
   });
@@ -204,13 +204,18 @@ void Workbench::save_machine(const std::filesystem::path& file, const QString& n
 bool Workbench::set_tolerance(double tolerance) {
   try {
     SetupState changed = setup_.state();
-    for (const auto& [key, value] : settings_for_tolerance(tolerance)) {
-      changed.set(key, value);
-    }
+    changed.set_tolerance(tolerance);
     runs_.set_setup(runs_.current(), changed, tr("contour tolerance"));
     return true;
   } catch (const InputError&) {
     return false;
+  }
+}
+
+void Workbench::show_place(double time, double from, double to) {
+  if (shown() != nullptr) {
+    cursor_.set_time(time);
+    view_range_.show_times(from - (to - from), to + (to - from));
   }
 }
 
@@ -333,7 +338,7 @@ void Workbench::return_to_place() {
   }
 }
 
-/// Editors replace a file as often as they write it anew; a path that was gone must be watched again.
+/// Editors replace a file as often as they write it again; a path that was gone must be watched again.
 void Workbench::watch() {
   const QString file = to_qstring(file_);
   if (!watcher_.files().isEmpty() && !watcher_.files().contains(file)) {

@@ -9,12 +9,13 @@
 #include <optional>
 #include <vector>
 
-#include "ui/annotations/annotation_list.h"
-#include "ui/models/cursor.h"
-#include "ui/models/playback.h"
-#include "ui/models/run_list.h"
-#include "ui/models/setup_edit.h"
-#include "ui/models/simulation_job.h"
+#include "ui/shared/cursor.h"
+#include "ui/shared/view_range.h"
+#include "ui/workbench/annotation_list.h"
+#include "ui/workbench/playback.h"
+#include "ui/workbench/run_list.h"
+#include "ui/workbench/setup_edit.h"
+#include "ui/workbench/simulation_job.h"
 
 namespace feedscope::ui {
 
@@ -25,7 +26,7 @@ struct MachineChoice {
 };
 
 /// What the window works on: one program, its runs, and the place that all views point at. Whatever is not up
-/// to date is simulated anew, the current run first.
+/// to date is simulated again, the current run first.
 class Workbench : public QObject {
   Q_OBJECT
 
@@ -72,6 +73,10 @@ class Workbench : public QObject {
   SetupEdit& setup() { return setup_; }
   Cursor& cursor() { return cursor_; }
   Playback& playback() { return playback_; }
+  /// The stretch of the current run that the charts show.
+  ViewRange& view_range() { return view_range_; }
+  /// Points at a place that lasts from one time to another [s], and shows it with as much before and behind.
+  void show_place(double time, double from, double to);
   /// Their changes stand in the history of the runs.
   AnnotationList& annotations() { return annotations_; }
   const std::filesystem::path& file() const { return file_; }
@@ -116,6 +121,7 @@ class Workbench : public QObject {
   SetupEdit setup_;
   Cursor cursor_;
   Playback playback_;
+  ViewRange view_range_;
   AnnotationList annotations_;
   SimulationJob job_;
   QFileSystemWatcher watcher_;

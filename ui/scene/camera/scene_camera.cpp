@@ -16,7 +16,7 @@ constexpr double scene_radius = 1.5;
 constexpr double view_angle = units::pi / 6;  // of a perspective view, from bottom to top
 constexpr double quarter = units::pi / 2;
 // Half of the view's height: less has no single precision left, more shows a dot.
-constexpr double least_half_height = 1e-6;
+constexpr double min_half_height = 1e-6;
 constexpr double largest_half_height = 100;
 
 struct Angles {
@@ -138,7 +138,7 @@ void SceneCamera::fit_part(int width, int height, const Bounds& box, const Scree
   const Vec2 space = (room.high - room.low).cwiseMax(16);
   const double units_a_pixel = air * content.cwiseQuotient(space).maxCoeff();
   if (units_a_pixel > 0) {
-    half_height_ = std::clamp(units_a_pixel * height / 2, least_half_height, largest_half_height);
+    half_height_ = std::clamp(units_a_pixel * height / 2, min_half_height, largest_half_height);
   }
   fitted_ = false;
   apply();
@@ -176,7 +176,7 @@ void SceneCamera::zoom_to_box(const ScreenRectangle& box, const ScreenRectangle&
 void SceneCamera::zoom(double factor, const Vec2& about, int width, int height) {
   const Projection view = projection(width, height);
   const double before = half_height_;
-  half_height_ = std::clamp(half_height_ / factor, least_half_height, largest_half_height);
+  half_height_ = std::clamp(half_height_ / factor, min_half_height, largest_half_height);
   const Vec2 arm = (about - view.middle) / view.scale * (1 - half_height_ / before);
   focal_ += arm.x() * view.right + arm.y() * view.up;
   fitted_ = false;
@@ -201,7 +201,7 @@ void SceneCamera::set_state(const CameraState& state, const SceneFrame& frame) {
   focal_ = frame.to_scene(state.focal);
   azimuth_ = state.azimuth;
   elevation_ = std::clamp(state.elevation, -quarter, quarter);
-  half_height_ = std::clamp(state.height / frame.unit / 2, least_half_height, largest_half_height);
+  half_height_ = std::clamp(state.height / frame.unit / 2, min_half_height, largest_half_height);
   perspective_ = state.perspective;
   fitted_ = state.fitted;
   apply();

@@ -1,14 +1,17 @@
 #include "ui/scene/draw/axes_box.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
 #include <span>
 
+#include "core/base/ticks.h"
 #include "core/base/units.h"
 #include "ui/scene/camera/view_window.h"
-#include "ui/scene/ticks.h"
+#include "ui/units/unit_system.h"
 
 namespace feedscope::ui {
 namespace {
@@ -99,8 +102,8 @@ class Layouter {
       return std::nullopt;
     }
     const auto along = [axis](const Vec3& p) { return p[axis]; };
-    return Range{frame_.to_mm(axis, along(std::ranges::min(seen, {}, along))),
-                 frame_.to_mm(axis, along(std::ranges::max(seen, {}, along)))};
+    return Range{labelled(axis, along(std::ranges::min(seen, {}, along))),
+                 labelled(axis, along(std::ranges::max(seen, {}, along)))};
   }
 
   void add_stroke(std::vector<AxesLayout::Stroke>& strokes, const Vec3& from, const Vec3& to) const {
@@ -173,8 +176,8 @@ class Layouter {
 
   /// The steps that suit the edge, and the values where it is in view.
   Ticks ticks_along(int axis, const Edge& edge) const {
-    const double from = frame_.to_mm(axis, frame_.box.min[axis]);
-    const double to = frame_.to_mm(axis, frame_.box.max[axis]);
+    const double from = labelled(axis, frame_.box.min[axis]);
+    const double to = labelled(axis, frame_.box.max[axis]);
     const double length = seen_length(edge);
     const Range seen = in_view(std::array{edge.low, edge.high}, axis).value_or(Range{to, from});
     const Vec2 along = edge.along().cwiseAbs();
@@ -187,7 +190,7 @@ class Layouter {
       }
       const Vec2 needed = largest + scale_ * Vec2(label_spacing, line_spacing);
       const double spacing =
-          ticks.step / frame_.unit * length / (frame_.box.max[axis] - frame_.box.min[axis]);
+          ticks.step / (frame_.unit * unit_.factor) * length / (frame_.box.max[axis] - frame_.box.min[axis]);
       const bool apart = spacing * along.x() >= needed.x() || spacing * along.y() >= needed.y();
       if (apart || ticks.count < 2) {
         return ticks;
@@ -196,7 +199,11 @@ class Layouter {
     }
   }
 
-  double tick_position(int axis, double value) const { return (value - frame_.centre[axis]) / frame_.unit; }
+  /// The number at a coordinate of the scene, in the unit of the labels, and the other way.
+  double labelled(int axis, double at) const { return frame_.to_mm(axis, at) * unit_.factor; }
+  double tick_position(int axis, double value) const {
+    return (value / unit_.factor - frame_.centre[axis]) / frame_.unit;
+  }
 
   void add_face(int axis, bool high) {
     const double at = side(frame_.box, axis, high);
@@ -230,7 +237,7 @@ class Layouter {
     if (!seen || !(step > 0)) {
       return;
     }
-    const double slack = 1e-9 * (high - low) * frame_.unit;
+    const double slack = 1e-9 * (high - low) * frame_.unit * unit_.factor;
     for (const double value : multiples(step, seen->low - slack, seen->high + slack)) {
       const auto line = line_at(tick_position(across, value));
       add_stroke(layout_.grid, line[0], line[1]);
@@ -273,8 +280,9 @@ class Layouter {
       title.angle += units::pi;
     }
     const double offset = (2 * label_gap + text_pixels / 2) * scale_ + depth;
-    add_text(std::string(1, axis_names[static_cast<std::size_t>(axis)]) + " (mm)",
-             (edge.from + edge.to) / 2 + offset * edge.outward, title);
+    add_text(
+        std::string(1, coordinate_names[static_cast<std::size_t>(axis)]) + fmt::format(" ({})", unit_.text),
+        (edge.from + edge.to) / 2 + offset * edge.outward, title);
   }
 
   const SceneFrame& frame_;
@@ -282,6 +290,7 @@ class Layouter {
   ViewWindow window_;
   double scale_;
   TextStyle style_;
+  const ShownUnit& unit_ = shown(Dimension::length);
   std::array<Ticks, 3> ticks_;
   AxesLayout layout_;
 };

@@ -96,7 +96,7 @@ void AxesCube::draw_axis(Canvas& canvas, int axis, double scale, const SceneColo
     out = -out;
   }
   const TextStyle style{.size = 12 * scale, .colour = colour, .bold = true};
-  canvas.text(std::string(1, axis_names[static_cast<std::size_t>(axis)]),
+  canvas.text(std::string(1, coordinate_names[static_cast<std::size_t>(axis)]),
               edge->low + 0.8 * along + 9 * scale * out, style);
 }
 

@@ -139,13 +139,13 @@ void Canvas::text(const std::string& text, const Vec2& place, const TextStyle& s
 Vec2 Canvas::text_size(const std::string& text, const TextStyle& style) {
   // Each frame asks for the same few hundred, and measuring a text is slow.
   using Key = std::tuple<std::string, int, bool>;
-  constexpr std::size_t most_kept = 4096;
+  constexpr std::size_t max_kept = 4096;
   thread_local std::map<Key, Vec2> known;
   const Key key(text, static_cast<int>(std::lround(style.size)), style.bold);
   if (const auto found = known.find(key); found != known.end()) {
     return found->second;
   }
-  if (known.size() == most_kept) {
+  if (known.size() == max_kept) {
     known.clear();
   }
   return known.emplace(key, measured(text, style)).first->second;

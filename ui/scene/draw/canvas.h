@@ -28,7 +28,7 @@ struct TextStyle {
   double angle = 0;    ///< anticlockwise [rad]
 };
 
-/// Flat drawing in display coordinates, made anew for each frame between begin() and end().
+/// Flat drawing in display coordinates, made again for each frame between begin() and end().
 class Canvas {
  public:
   explicit Canvas(vtkRenderer& renderer);

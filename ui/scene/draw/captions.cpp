@@ -6,9 +6,10 @@
 #include <functional>
 #include <sstream>
 
+#include "core/base/ticks.h"
 #include "ui/scene/cause_colour.h"
 #include "ui/scene/draw/colour_panel.h"
-#include "ui/scene/ticks.h"
+#include "ui/units/unit_system.h"
 
 namespace feedscope::ui {
 namespace {
@@ -156,13 +157,14 @@ void draw_legend(Canvas& canvas, const ScreenLayout& layout, const Captions& cap
 
 void draw_scale_bar(Canvas& canvas, const Vec2& low, double width, double millimetre, double scale,
                     const Captions& captions) {
-  const double longest = width / millimetre;  // [mm]
+  const ShownUnit& unit = shown(Dimension::length);
+  const double longest = width / millimetre * unit.factor;
   double length = round_up_125(longest);
   if (length > longest * (1 + 1e-9)) {
     length = round_up_125(longest / 2.5);
   }
   const SceneColours& colours = *captions.colours;
-  const double pixels = length * millimetre;
+  const double pixels = length / unit.factor * millimetre;
   const Vec2 left = low;
   const Vec2 right = low + Vec2(pixels, 0);
   const Vec2 tick(0, 4 * scale);
@@ -171,7 +173,8 @@ void draw_scale_bar(Canvas& canvas, const Vec2& low, double width, double millim
   canvas.line(right - tick, right + tick, 2 * scale, colours.text);
   TextStyle style = text_style(scale, colours);
   style.vertical = -1;
-  canvas.text(captions.texts->localised(fmt::format("{:.15g} mm", length)), left + Vec2(0, 7 * scale), style);
+  canvas.text(captions.texts->localised(fmt::format("{:.15g} {}", length, unit.text)),
+              left + Vec2(0, 7 * scale), style);
 }
 
 }  // namespace
@@ -182,7 +185,7 @@ ScreenLayout screen_layout(int width, int height, double scale, const Captions& 
   const double room = width - layout.panel_width;
   const int rows = for_each_cell(legend(captions, room, scale), room, scale, *captions.colours,
                                  [](const Entry&, double, int) {});
-  layout.cube = height - above_cube * scale >= least_colour_panel_height(captions, scale);
+  layout.cube = height - above_cube * scale >= min_colour_panel_height(captions, scale);
   layout.legend_height = rows * row_height * scale + (rows > 0 ? 8 * scale : 0);
   return layout;
 }

@@ -49,7 +49,7 @@ struct ScreenLayout {
 ScreenLayout screen_layout(int width, int height, double scale, const Captions& captions);
 
 /// Draws legend and panel: what the colours mean, and a bar of round length (in a perspective view true in
-/// the middle of the view only, and left out). `millimetre`: pixels a mm.
+/// the middle of the view only, and omitted). `millimetre`: pixels a mm.
 void draw_captions(Canvas& canvas, const ScreenLayout& layout, const Captions& captions,
                    const Projection& projection, double millimetre);
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/base/ticks.h"
 #include "ui/scene/cause_colour.h"
-#include "ui/scene/ticks.h"
 
 namespace feedscope::ui {
 namespace {
@@ -19,7 +19,7 @@ constexpr double cause_gap = 6;
 constexpr double swatch = 11;
 constexpr double bar_width = 16;
 constexpr double longest_bar = 420;
-constexpr double least_bar = 36;
+constexpr double min_bar = 36;
 constexpr double narrowest = 84;  // of what stands in the panel
 constexpr double widest_causes = 128;
 constexpr double largest_share = 0.4;  // of the window's width
@@ -194,9 +194,9 @@ double colour_panel_width(const Captions& captions, int width, double scale) {
   return std::min(content + 2 * panel_margin * scale, largest_share * width);
 }
 
-double least_colour_panel_height(const Captions& captions, double scale) {
+double min_colour_panel_height(const Captions& captions, double scale) {
   const auto lines = static_cast<double>(title_lines(captions, scale).size());
-  return has_panel(captions.key) ? (16 + lines * line_height + least_bar) * scale : 0;
+  return has_panel(captions.key) ? (16 + lines * line_height + min_bar) * scale : 0;
 }
 
 void draw_colour_panel(Canvas& canvas, const Captions& captions, const Vec2& low, const Vec2& high,
@@ -209,7 +209,7 @@ void draw_colour_panel(Canvas& canvas, const Captions& captions, const Vec2& low
   const double title = line_height * scale * static_cast<double>(title_lines(captions, scale).size());
   const bool causes = !captions.key.causes.empty();
   const double room = high.y() - 16 * scale - title - low.y();
-  if (room < least_bar * scale) {
+  if (room < min_bar * scale) {
     return;
   }
   // A scale stands above what is below the panel, causes hang from the top.

@@ -11,9 +11,9 @@ inline constexpr double panel_margin = 12;
 double colour_panel_width(const Captions& captions, int width, double scale);
 
 /// Scale with title, unit and values, or limiting causes with their shares of the time, between two corners
-/// of the window; what does not fit is left out.
+/// of the window; what does not fit is omitted.
 /// Least height of what draw_colour_panel() draws [pixels]; 0 where there is nothing to draw.
-double least_colour_panel_height(const Captions& captions, double scale);
+double min_colour_panel_height(const Captions& captions, double scale);
 
 void draw_colour_panel(Canvas& canvas, const Captions& captions, const Vec2& low, const Vec2& high,
                        double scale);

@@ -22,7 +22,7 @@ namespace {
 constexpr double marker_pixels = 34;
 constexpr double marker_radius = 0.26;  // of its height
 constexpr double cutter_length = 4;     // of its diameter
-constexpr double least_diameter = 1e-3;
+constexpr double min_diameter = 1e-3;
 constexpr double largest_diameter = 1000;
 
 /// Half of the section, from the tip to the top: radius and height.
@@ -99,7 +99,7 @@ double Tool::length() const {
 
 void Tool::set_shape(const ToolShape& shape) {
   shape_ = shape;
-  shape_.diameter = std::clamp(shape.diameter, least_diameter, largest_diameter);
+  shape_.diameter = std::clamp(shape.diameter, min_diameter, largest_diameter);
   shape_.corner_radius = std::clamp(shape.corner_radius, 0.0, shape_.diameter / 2);
   const vtkNew<vtkPolyDataNormals> normals;
   normals->SetInputData(turned(section_of(shape_, length())));

@@ -5,9 +5,10 @@
 #include <limits>
 #include <numeric>
 
+#include "core/base/ticks.h"
 #include "core/base/units.h"
 #include "ui/scene/cause_colour.h"
-#include "ui/scene/ticks.h"
+#include "ui/units/unit_system.h"
 
 namespace feedscope::ui {
 namespace {
@@ -20,49 +21,24 @@ struct Rare {
   double far = 1.6;  ///< times what is usual, from which on a scale leaves the rest out
 };
 
-/// What a colouring that has a scale reads and how it is written.
+/// How a colouring that has a scale is written.
 struct Scaled {
-  double factor = 1;
-  std::string unit;
+  ShownUnit unit;
   bool diverging = false;
 };
 
 Scaled scaled(Colouring colouring) {
-  switch (colouring) {
-    case Colouring::feed:
-      return {units::to_mm_min(1), "mm/min"};
-    case Colouring::feed_ratio:
-      return {100, "%"};
-    case Colouring::tangential_acceleration:
-      return {1e-3, "m/s²", true};
-    case Colouring::acceleration:
-      return {1e-3, "m/s²"};
-    case Colouring::tangential_jerk:
-      return {1e-3, "m/s³", true};
-    case Colouring::jerk:
-      return {1e-3, "m/s³"};
-    case Colouring::contour_error:
-    case Colouring::path_distance:
-      return {1e3, "µm"};
-    case Colouring::time_lost:
-      return {1e3, "ms/mm", true};
-    case Colouring::cause:
-    case Colouring::run:
-      break;
+  if (const QuantityInfo* quantity = quantity_of(colouring)) {
+    return {shown(quantity->dimension), quantity->is_signed};
   }
-  return {};
-}
-
-Quantity quantity_of(Colouring colouring) {
-  static_assert(static_cast<int>(Colouring::contour_error) == static_cast<int>(Quantity::contour_error));
-  static_assert(static_cast<int>(Colouring::path_distance) == static_cast<int>(Quantity::path_distance));
-  return static_cast<Quantity>(colouring);
+  return colouring == Colouring::time_lost ? Scaled{shown(Dimension::pace), true}
+                                           : Scaled{shown(Dimension::error), false};
 }
 
 /// Value at every point in the units of the samples, for colourings that have a scale.
 template <class Use>
 void for_each_value(const SampledPath& path, Colouring colouring, Use use) {
-  const auto& values = path.values[static_cast<std::size_t>(quantity_of(colouring))];
+  const auto& values = path.values_of(colouring);
   for (std::size_t i = 0; i < values.size(); ++i) {
     use(i, static_cast<double>(static_cast<float>(values[i])));
   }
@@ -146,12 +122,12 @@ Rare rare_of(Colouring colouring) {
 
 ColourScale scale_of(const SampledPath& path, Colouring colouring) {
   const Scaled kind = scaled(colouring);
-  ColourScale scale{kind.unit, 0, 0, kind.factor, false, kind.diverging};
+  ColourScale scale{std::string(kind.unit.text), 0, 0, kind.unit.factor, false, kind.diverging};
   if (colouring == Colouring::feed_ratio) {
     scale.high = 100;
     return scale;
   }
-  if (path.values[static_cast<std::size_t>(quantity_of(colouring))].empty()) {
+  if (path.values_of(colouring).empty()) {
     return scale;  // no other run to compare with
   }
   const Rare rare = rare_of(colouring);
@@ -169,9 +145,9 @@ ColourScale scale_of(const SampledPath& path, Colouring colouring) {
   if ((length || colouring == Colouring::time_lost) && scale.high < rounding) {
     scale.high = 1;
   }
-  constexpr double micrometres = 1000;
+  constexpr double micrometres = 1000;  // and thou in an inch
   if (length && scale.high > micrometres) {
-    scale.unit = "mm";
+    scale.unit = shown(Dimension::length).text;
     scale.factor /= micrometres;
     scale.high /= micrometres;
   }
@@ -205,35 +181,11 @@ Rgba to_bytes(const Rgb& colour) {
 
 }  // namespace
 
-std::string colouring_key(Colouring colouring) {
-  constexpr std::array keys{"feed",
-                            "feed_ratio",
-                            "tangential_acceleration",
-                            "acceleration",
-                            "tangential_jerk",
-                            "jerk",
-                            "contour_error",
-                            "time_lost",
-                            "path_distance",
-                            "cause",
-                            "run"};
-  return keys.at(static_cast<std::size_t>(colouring));
-}
-
 std::string colouring_title(Colouring colouring, const SceneTexts& texts) {
+  if (const QuantityInfo* quantity = quantity_of(colouring)) {
+    return texts.name_of(*quantity);
+  }
   switch (colouring) {
-    case Colouring::feed:
-      return texts.feed;
-    case Colouring::feed_ratio:
-      return texts.feed_ratio;
-    case Colouring::tangential_acceleration:
-      return texts.tangential_acceleration;
-    case Colouring::acceleration:
-      return texts.acceleration;
-    case Colouring::tangential_jerk:
-      return texts.tangential_jerk;
-    case Colouring::jerk:
-      return texts.jerk;
     case Colouring::contour_error:
       return texts.contour_error;
     case Colouring::time_lost:
@@ -242,10 +194,9 @@ std::string colouring_title(Colouring colouring, const SceneTexts& texts) {
       return texts.path_distance;
     case Colouring::cause:
       return texts.cause;
-    case Colouring::run:
-      break;
+    default:
+      return texts.executed;
   }
-  return texts.executed;
 }
 
 ColourKey colour_key(const SampledPath& path, Colouring colouring) {

@@ -10,39 +10,6 @@
 
 namespace feedscope::ui {
 
-/// What the colour of the executed path says.
-enum class Colouring : std::uint8_t {
-  feed,
-  feed_ratio,
-  tangential_acceleration,
-  acceleration,
-  tangential_jerk,
-  jerk,
-  contour_error,  ///< distance from the programmed path
-  time_lost,      ///< or won against another run
-  path_distance,  ///< from the path of another run
-  cause,          ///< limiting cause
-  run,            ///< the run's own colour
-};
-inline constexpr std::array all_colourings{Colouring::feed,
-                                           Colouring::feed_ratio,
-                                           Colouring::tangential_acceleration,
-                                           Colouring::acceleration,
-                                           Colouring::tangential_jerk,
-                                           Colouring::jerk,
-                                           Colouring::contour_error,
-                                           Colouring::time_lost,
-                                           Colouring::path_distance,
-                                           Colouring::cause,
-                                           Colouring::run};
-
-/// Whether a colouring needs another run to compare with.
-constexpr bool needs_reference(Colouring colouring) {
-  return colouring == Colouring::time_lost || colouring == Colouring::path_distance;
-}
-
-/// Stable key for sessions: "feed", "contour_error".
-std::string colouring_key(Colouring colouring);
 std::string colouring_title(Colouring colouring, const SceneTexts& texts);
 
 /// Scale of a quantity, in the units that people read.
@@ -76,7 +43,7 @@ struct ColourKey {
 /// Ends at round values. The few thousandths of points with the largest accelerations, jerks and errors do
 /// not stretch the scale where they are far above the others. Linear in the points.
 ColourKey colour_key(const SampledPath& path, Colouring colouring);
-/// The same for two paths that are to be coloured alike: the scale holds both.
+/// The same for two paths that are to be coloured by the same scale: the scale holds both.
 ColourKey colour_key(const SampledPath& path, const SampledPath& other, Colouring colouring);
 
 using Rgba = std::array<unsigned char, 4>;

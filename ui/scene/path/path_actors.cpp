@@ -44,7 +44,7 @@ vtkSmartPointer<vtkCellArray> polylines(const PathPart& part, std::size_t first,
 }
 
 vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part) {
-  constexpr std::size_t most_points = 100'000;
+  constexpr std::size_t max_points = 100'000;
   const auto in_blend = [&](std::size_t k) {
     return part.kind(k) == SpanKind::blend || (k > 0 && part.kind(k - 1) == SpanKind::blend);
   };
@@ -52,7 +52,7 @@ vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part) {
   for (std::size_t k = 0; k < part.size(); ++k) {
     count += in_blend(k) ? 1 : 0;
   }
-  const std::size_t step = 1 + count / most_points;
+  const std::size_t step = 1 + count / max_points;
   auto cells = vtkSmartPointer<vtkCellArray>::New();
   std::size_t seen = 0;
   for (std::size_t k = 0; k < part.size(); ++k) {
@@ -65,14 +65,14 @@ vtkSmartPointer<vtkCellArray> blend_points(const PathPart& part) {
 }
 
 vtkSmartPointer<vtkPolyData> rapid_dashes(const SampledPath& path, double dash) {
-  constexpr double most_dashes = 100'000;
+  constexpr double max_dashes = 100'000;
   double length = 0;
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (path.kinds[i] == SpanKind::rapid) {
       length += static_cast<double>((path.positions[i + 1] - path.positions[i]).norm());
     }
   }
-  const double step = std::max(dash, length / most_dashes / 2);
+  const double step = std::max(dash, length / max_dashes / 2);
 
   auto lines = vtkSmartPointer<vtkPolyData>::New();
   const vtkNew<vtkPoints> points;

@@ -27,7 +27,7 @@ constexpr double blend_width = 4.4;
 constexpr double blend_edge_width = 7;
 constexpr double range_width = 12;
 
-constexpr double most_covered = 0.5;           // of the path by edges of blends
+constexpr double max_covered = 0.5;            // of the path by edges of blends
 constexpr double dashes_across = 90;           // along the largest extent
 constexpr std::size_t points_moving = 30'000;  // drawn of a path while the view moves
 
@@ -186,7 +186,7 @@ void PathLayers::set_look(const PathLook& look) {
     }
   }
   const bool other_colours = look.colouring != before.colouring || look.colours != before.colours ||
-                             look.reference != before.reference || look.alike != before.alike ||
+                             look.reference != before.reference || look.scale_with != before.scale_with ||
                              (look.colouring == Colouring::run && look.run != before.run);
   if (other_colours) {
     colour_executed();
@@ -198,7 +198,8 @@ void PathLayers::colour_executed() {
   key_ = {look_.colouring, {}, {}, {}};
   if (executed_) {
     const SampledPath& path = executed_->samples();
-    key_ = look_.alike ? colour_key(path, *look_.alike, look_.colouring) : colour_key(path, look_.colouring);
+    key_ = look_.scale_with ? colour_key(path, *look_.scale_with, look_.colouring)
+                            : colour_key(path, look_.colouring);
     key_.reference = needs_reference(look_.colouring) ? look_.reference : std::string();
     // While the other run is still compared with, the colours must not say "won".
     const bool missing = needs_reference(look_.colouring) && !key_.has_scale();
@@ -306,9 +307,9 @@ double PathLayers::crowding(const SceneFrame& frame, const Projection& view, dou
   const Vec3 size = frame.box.max - frame.box.min;
   const Vec3 faces(size.y() * size.z(), size.z() * size.x(), size.x() * size.y());
   const Vec2 across(size.dot(view.right.cwiseAbs()), size.dot(view.up.cwiseAbs()));
-  constexpr double least_share = 0.15;  // of the square over its extent, for a box seen from its edge
+  constexpr double min_share = 0.15;  // of the square over its extent, for a box seen from its edge
   const double area = view.scale * view.scale *
-                      std::max(faces.dot(view.towards.cwiseAbs()), least_share * across.squaredNorm());
+                      std::max(faces.dot(view.towards.cwiseAbs()), min_share * across.squaredNorm());
   return drawn * view.scale / frame.unit / std::max(area, 1.0);
 }
 
@@ -388,7 +389,7 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
   const double thinner = std::min(1.0, comfortable / std::max(lines, 1e-9));
   // Deviations drawn larger show blends by themselves.
   const bool edges = thinner > 0.9 && look_.exaggeration == 1 &&
-                     covered_by_edges(view.scale / frame.unit, scale) < most_covered;
+                     covered_by_edges(view.scale / frame.unit, scale) < max_covered;
   entries_.blend = blend_length_ > 0 && edges;
   const double rapids = crowding(frame, view, scale * rapid_length_ * thin_width / 2);
   const double rapid_opacity = std::clamp(comfortable / std::max(rapids, 1e-9), 0.08, 1.0);

@@ -32,8 +32,9 @@ struct PathLook {
   Rgb run{0.0, 0.447, 0.698};  ///< colour of Colouring::run
   double exaggeration = 1;     ///< factor of the deviation from the programmed path
   const SceneColours* colours = &scene_colours(Background::light);
-  std::string reference;                     ///< name of the run that the executed path is compared with
-  std::shared_ptr<const SampledPath> alike;  ///< a path coloured by the same scale, elsewhere; may be null
+  std::string reference;  ///< name of the run that the executed path is compared with
+  std::shared_ptr<const SampledPath>
+      scale_with;  ///< a path coloured by the same scale, elsewhere; may be null
 };
 
 /// The lines of a run: rapids dashed, programmed path thin, executed path coloured, blends wide with an edge,

@@ -241,7 +241,7 @@ std::optional<std::array<double, 2>> times_within(const PickablePath& path, cons
   return range;
 }
 
-double value_at(const PickablePath& path, Quantity quantity, double time) {
+double value_at(const PickablePath& path, Colouring quantity, double time) {
   if (path.samples == nullptr || !path.samples->executed()) {
     return 0;
   }

@@ -53,7 +53,7 @@ std::optional<std::array<double, 2>> times_within(const PickablePath& path, cons
                                                   const Vec2& low, const Vec2& high);
 
 /// What samples hold, at a time; in proportion between two of them.
-double value_at(const PickablePath& path, Quantity quantity, double time);
+double value_at(const PickablePath& path, Colouring quantity, double time);
 /// SampledPath::lost at a time; none where nothing is compared.
 std::optional<double> lost_at(const PickablePath& path, double time);
 Vec3 deviation_at(const PickablePath& path, double time);

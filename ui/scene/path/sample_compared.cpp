@@ -25,8 +25,8 @@ SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& refe
     to.reserve(from.size());
     std::ranges::transform(from, std::back_inserter(to), [](float value) { return Stored(value); });
   };
-  store(path.values[static_cast<std::size_t>(Quantity::time_lost)], difference.pace);
-  store(path.values[static_cast<std::size_t>(Quantity::path_distance)], difference.distance);
+  store(path.values[sample_index(Colouring::time_lost)], difference.pace);
+  store(path.values[sample_index(Colouring::path_distance)], difference.distance);
   path.lost.reserve(difference.lost.size());
   std::ranges::transform(difference.lost, std::back_inserter(path.lost),
                          [](double lost) { return static_cast<float>(lost); });

@@ -1,4 +1,3 @@
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <atomic>
@@ -7,6 +6,7 @@
 #include <utility>
 
 #include "core/analysis/path_deviation.h"
+#include "core/base/parallel.h"
 #include "core/trajectory/part_walk.h"
 #include "ui/scene/path/sampler.h"
 
@@ -23,7 +23,7 @@ void reserve(SampledPath& path, std::size_t points) {
   path.times.reserve(points);
   path.causes.reserve(points);
   path.deviations.reserve(points);
-  for (std::size_t quantity = 0; quantity < own_quantity_count; ++quantity) {
+  for (std::size_t quantity = 0; quantity < own_sampled_count; ++quantity) {
     path.values[quantity].reserve(points);
   }
 }
@@ -34,7 +34,7 @@ constexpr std::size_t pieces_a_chunk = 1024;
 struct Chunk {
   std::size_t piece = 0;   ///< the first
   std::size_t end = 0;     ///< behind the last
-  std::size_t wanted = 0;  ///< points, if none is left out
+  std::size_t wanted = 0;  ///< points, if none is omitted
   std::optional<Part> before;
 };
 
@@ -257,30 +257,26 @@ class ExecutedSampling {
       const double time = part.time + tau;
       path.times.push_back(path.times.empty() ? time : std::max(path.times.back(), time));
       path.causes.push_back(part.cause.kind);
-      add_values(path, at, speed, trajectory_.feed_of(part.element));
+      add_values(path, motion.state_without_length(tau));
       const auto deviation =
           follows_exactly(part) ? PathDeviation::Result() : deviation_(at.position, segment_of(part));
-      store(path, Quantity::contour_error, deviation.nearest.norm());
+      store(path.values[sample_index(Colouring::contour_error)], deviation.nearest.norm());
       const Eigen::Vector3f shift = deviation.along_bisector.cast<float>();
       path.deviations.push_back({Stored(shift.x()), Stored(shift.y()), Stored(shift.z())});
     }
   }
 
-  static void store(SampledPath& path, Quantity quantity, double value) {
-    path.values[static_cast<std::size_t>(quantity)].push_back(Stored(static_cast<float>(value)));
+  static void store(std::vector<Stored>& values, double value) {
+    values.push_back(Stored(static_cast<float>(value)));
   }
 
-  static void add_values(SampledPath& path, const Kinematics& at, double speed, double programmed) {
-    // dv/dt = a t and d2v/dt2 = j t + (a a - (a t)^2) / v, with t the unit tangent; at rest t has no meaning.
-    const Vec3 tangent = speed > 0 ? Vec3(at.velocity / speed) : Vec3(Vec3::Zero());
-    const double acceleration = at.acceleration.dot(tangent);
-    const double across = std::max(0.0, at.acceleration.squaredNorm() - acceleration * acceleration);
-    store(path, Quantity::feed, speed);
-    store(path, Quantity::feed_ratio, programmed > 0 ? speed / programmed : 0);
-    store(path, Quantity::tangential_acceleration, acceleration);
-    store(path, Quantity::acceleration, at.acceleration.norm());
-    store(path, Quantity::tangential_jerk, at.jerk.dot(tangent) + (speed > 0 ? across / speed : 0.0));
-    store(path, Quantity::jerk, at.jerk.norm());
+  static void add_values(SampledPath& path, const State& state) {
+    std::size_t next = 0;
+    for (const QuantityInfo& quantity : all_quantities()) {
+      if (quantity.colours) {
+        store(path.values[next++], quantity.of(state));
+      }
+    }
   }
 
   /// On what the control takes over as it is programmed.
@@ -321,7 +317,7 @@ SampledPath joined(std::vector<SampledPath> parts) {
     move_behind(path.times, part.times);
     move_behind(path.causes, part.causes);
     move_behind(path.deviations, part.deviations);
-    for (std::size_t quantity = 0; quantity < own_quantity_count; ++quantity) {
+    for (std::size_t quantity = 0; quantity < own_sampled_count; ++quantity) {
       move_behind(path.values[quantity], part.values[quantity]);
     }
     path.peak_feed = std::max(path.peak_feed, part.peak_feed);
@@ -349,7 +345,7 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
   Progress unwatched;
   Progress& watched = progress != nullptr ? *progress : unwatched;
   std::atomic<std::size_t> done{0};
-  tbb::parallel_for(std::size_t{0}, chunks.size(), [&](std::size_t i) {
+  in_parallel(chunks.size(), [&](std::size_t i) {
     parts[i] = ExecutedSampling(sampling).run(chunks[i], spacing);
     watched.report(static_cast<double>(++done) / static_cast<double>(chunks.size()));
   });

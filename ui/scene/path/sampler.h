@@ -5,13 +5,13 @@
 
 namespace feedscope::ui {
 
-/// Appends points and keeps the bounds. A point closer than `spacing` to the one before is left out, unless a
+/// Appends points and keeps the bounds. A point closer than `spacing` to the one before is omitted, unless a
 /// longer span begins at it: that one must have its own values.
 class Sampler {
  public:
   Sampler(SampledPath& path, double spacing) : path_(path), spacing_(spacing) {}
 
-  /// `span`: length up to the next point [mm]. False if the point was left out.
+  /// `span`: length up to the next point [mm]. False if the point was omitted.
   bool add(const Vec3& position, SpanKind kind, double span);
 
  private:

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QAction>
+#include <QList>
+#include <QObject>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "ui/charts/chart_spec.h"
+#include "ui/charts/csv_dialog.h"
+#include "ui/shared/job.h"
+
+class QMenu;
+
+namespace feedscope::ui {
+
+class ChartsPanel;
+
+/// Commands of the charts: menu, keys and files. The plain keys hold in the charts alone.
+class ChartCommands : public QObject {
+  Q_OBJECT
+
+ public:
+  /// Becomes a child of `panel`, which has its charts by then.
+  explicit ChartCommands(ChartsPanel& panel);
+
+  const QList<QAction*>& actions() const { return actions_; }
+  QMenu& menu() { return *menu_; }
+  QAction* show_all() { return show_all_; }
+
+  /// Whether there is a view before and one after the one that is shown.
+  void set_steps(bool back, bool forward);
+  void set_second_cursor(bool there);
+  void set_curve_shown(std::size_t chart, std::size_t curve, bool shown);
+  void set_causes_shown(bool shown);
+
+  /// As the file's ending says, png or svg; throws InputError.
+  void save_picture(const QString& file);
+  /// The visible range; `step` of CsvRows::samples [s]. Another thread writes it and one of exported() and
+  /// failed() follows.
+  void save_csv(const QString& file, CsvRows rows, double step = 0);
+
+ signals:
+  void exported(const QString& message);
+  void failed(const QString& message);
+
+ private:
+  QAction* add_action(const QString& text, const QString& tip, const QKeySequence& key = {});
+  void make_zoom_actions();
+  void make_cursor_actions();
+  void make_display_actions();
+  void add_overlay_menu(std::size_t chart, QMenu& menu);
+  void make_export_actions();
+  void ask_for_csv();
+  void ask_for_picture();
+
+  ChartsPanel& panel_;
+  QMenu* menu_;
+  QList<QAction*> actions_;
+  QAction* show_all_ = nullptr;
+  QAction* back_ = nullptr;
+  QAction* forward_ = nullptr;
+  QAction* remove_second_ = nullptr;
+  QAction* show_causes_ = nullptr;
+  std::array<std::vector<QAction*>, chart_count> curve_actions_;
+  Job<QString> export_;
+  QString export_file_;
+};
+
+}  // namespace feedscope::ui

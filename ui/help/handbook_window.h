@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+#include "core/handbook/handbook.h"
+
+class QLineEdit;
+class QListWidget;
+class QListWidgetItem;
+class QTextBrowser;
+class QUrl;
+
+namespace feedscope::ui {
+
+/// The handbook in a window of its own: pages on the left, searchable, the page on the right.
+class HandbookWindow : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit HandbookWindow(QWidget* parent = nullptr);
+
+  /// Shows the window with a page of the handbook in the language in force; an unknown name shows the index.
+  void show_page(const QString& name);
+
+ private:
+  void load();
+  void list_pages();
+  void open(const QString& name, const QString& anchor);
+  void follow(const QUrl& link);
+  /// The next place of the words searched for, on this page and then on those that follow.
+  void find_next();
+  void mark_words();
+
+  std::optional<Handbook> handbook_;
+  QString page_;  ///< shown
+  QLineEdit* search_;
+  QListWidget* list_;
+  QTextBrowser* text_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,44 @@
+#include "ui/setup/run_notes_text.h"
+
+#include <QCoreApplication>
+
+#include "core/analysis/control_dialect.h"
+#include "core/analysis/ignored_path_control.h"
+#include "core/analysis/run_notes.h"
+#include "ui/language/core_texts.h"
+#include "ui/workbench/reading_faults.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+struct RunNotes {
+  Q_DECLARE_TR_FUNCTIONS(RunNotes)
+};
+
+}  // namespace
+
+QStringList run_note_texts(const Run& run) {
+  QStringList sentences;
+  if (const auto mismatch = control_mismatch(run.setup.machine, run.input.program->dialect)) {
+    const QString dialect = QString::fromUtf8(info_of(mismatch->dialect).title.data());
+    sentences.append(
+        RunNotes::tr("The program is written for %1; path and times are those of the %2 of this machine.")
+            .arg(dialect, QString::fromStdString(mismatch->control)));
+  }
+  const std::string offsets = unused_work_offsets(*run.input.program, run.setup.machine);
+  if (!offsets.empty()) {
+    sentences.append(RunNotes::tr("The program was read with work offsets other than those of this machine "
+                                  "(%1); reload it to use those of the machine.")
+                         .arg(QString::fromStdString(offsets)));
+  }
+  for (const std::string& sentence : ignored_path_control(run.input, run.setup)) {
+    sentences.append(core_text(sentence));
+  }
+  if (const QString events = not_counted_text(run.summary.not_counted); !events.isEmpty()) {
+    sentences.append(events + '.');
+  }
+  return sentences;
+}
+
+}  // namespace feedscope::ui

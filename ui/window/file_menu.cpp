@@ -1,0 +1,166 @@
+#include "ui/window/file_menu.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QSettings>
+#include <QStyle>
+#include <filesystem>
+
+#include "core/base/data_folder.h"
+#include "ui/program_text/reading_dialog.h"
+#include "ui/shared/panel_action.h"
+#include "ui/window/main_window.h"
+#include "ui/window/picture_commands.h"
+#include "ui/workbench/recent_files.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+std::filesystem::path to_path(const QString& file) {
+  return std::filesystem::path(file.toStdU16String());
+}
+
+}  // namespace
+
+FileMenu::FileMenu(Workbench& workbench, WindowSession& session, MainWindow& window)
+    : QMenu(tr("&File"), &window), workbench_(workbench), session_(session), window_(window) {
+  add_programs();
+  addSeparator();
+  add_sessions();
+  addSeparator();
+  add_machines();
+  addSeparator();
+  add_pictures();
+  addSeparator();
+  connect(add(tr("&Quit"), QKeySequence::Quit, tr("Quit Feedscope")), &QAction::triggered, &window_,
+          &QWidget::close);
+}
+
+QAction* FileMenu::add(const QString& text, const QKeySequence& key, const QString& tip) {
+  QAction* action = make_action(&window_, text, tip, key);
+  addAction(action);
+  return action;
+}
+
+void FileMenu::add_programs() {
+  QAction* open = add(tr("&Open program …"), QKeySequence::Open, tr("Open an NC program or a session"));
+  open->setIcon(window_.style()->standardIcon(QStyle::SP_DialogOpenButton));
+  connect(open, &QAction::triggered, this, &FileMenu::ask_for_program);
+  connect(add(tr("Open &sample …"), {}, tr("Open one of the sample programs supplied with Feedscope")),
+          &QAction::triggered, this, &FileMenu::ask_for_sample);
+  QMenu* recent = addMenu(tr("Open &recent"));
+  connect(recent, &QMenu::aboutToShow, this, [this, recent] { list_recent_files(recent); });
+  list_recent_files(recent);
+  QAction* reload = add(tr("&Reload program"), QKeySequence::Refresh, tr("Reload the program"));
+  reload->setIcon(window_.style()->standardIcon(QStyle::SP_BrowserReload));
+  connect(reload, &QAction::triggered, &workbench_, &Workbench::reload);
+  QAction* follow =
+      add(tr("Reload when the file &changes"), {}, tr("Reload the program whenever its file is written"));
+  follow->setCheckable(true);
+  follow->setChecked(QSettings().value("reload_on_change", true).toBool());
+  workbench_.set_reload_on_change(follow->isChecked());
+  connect(follow, &QAction::toggled, this, [this](bool on) {
+    workbench_.set_reload_on_change(on);
+    QSettings().setValue("reload_on_change", on);
+  });
+  connect(add(tr("Program import &options …"), QKeySequence(tr("Ctrl+Shift+R")),
+              tr("Dialect of the program, cutter radii, limits of loops and calls")),
+          &QAction::triggered, this, &FileMenu::ask_how_to_read);
+}
+
+void FileMenu::add_sessions() {
+  connect(add(tr("&Save session"), QKeySequence::Save, tr("Save runs, views and annotations in one file")),
+          &QAction::triggered, &session_, [this] { session_.save(); });
+  connect(add(tr("Save session &as …"), QKeySequence::SaveAs,
+              tr("Save runs, views and annotations in another file")),
+          &QAction::triggered, &session_, [this] { session_.save(true); });
+}
+
+void FileMenu::add_machines() {
+  connect(add(tr("Open &machine file …"), QKeySequence(tr("Ctrl+M")), tr("Open a machine file of your own")),
+          &QAction::triggered, this, &FileMenu::ask_for_machine);
+  connect(add(tr("Save machine as …"), QKeySequence(tr("Ctrl+Shift+M")),
+              tr("Save the machine with all changes as a machine file")),
+          &QAction::triggered, this, &FileMenu::save_machine);
+}
+
+void FileMenu::add_pictures() {
+  auto* pictures = new PictureCommands(window_);
+  addMenu(tr("Save &picture"))->addActions(pictures->save_actions());
+  addMenu(tr("&Copy picture"))->addActions(pictures->copy_actions());
+  connect(pictures, &PictureCommands::failed, this, &FileMenu::failed);
+  connect(pictures, &PictureCommands::saved, this, &FileMenu::done);
+}
+
+void FileMenu::list_recent_files(QMenu* menu) {
+  menu->clear();
+  for (const QString& file : RecentFiles::list()) {
+    QAction* action = menu->addAction(QFileInfo(file).fileName());
+    action->setToolTip(file);
+    action->setStatusTip(file);
+    connect(action, &QAction::triggered, this, [this, file] { window_.open(to_path(file)); });
+  }
+  if (menu->isEmpty()) {
+    menu->addAction(tr("No program has been opened yet"))->setEnabled(false);
+    return;
+  }
+  menu->addSeparator();
+  QAction* forget = menu->addAction(tr("Clear list"));
+  forget->setToolTip(tr("Empty this list; the files are kept"));
+  connect(forget, &QAction::triggered, this, &RecentFiles::clear);
+}
+
+void FileMenu::ask_for_program() {
+  ask_for_program_in(QString::fromStdU16String(workbench_.file().parent_path().u16string()));
+}
+
+void FileMenu::ask_for_sample() {
+  ask_for_program_in(QString::fromStdU16String((data_folder() / "resources" / "programs").u16string()));
+}
+
+void FileMenu::ask_for_program_in(const QString& folder) {
+  const QString file = QFileDialog::getOpenFileName(
+      &window_, tr("Open program or session"), folder,
+      tr("NC programs and sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso "
+         "*.txt);;All files (*)"));
+  if (!file.isEmpty()) {
+    window_.open(to_path(file));
+  }
+}
+
+void FileMenu::ask_how_to_read() {
+  ReadingDialog dialog(workbench_.reading(), workbench_.program().get(), &window_);
+  if (dialog.exec() == QDialog::Accepted) {
+    workbench_.set_reading(dialog.options());
+  }
+}
+
+void FileMenu::ask_for_machine() {
+  const QString file =
+      QFileDialog::getOpenFileName(&window_, tr("Open machine file"), {}, tr("Machine files (*.toml)"));
+  if (!file.isEmpty()) {
+    workbench_.choose_machine(file);
+  }
+}
+
+void FileMenu::save_machine() {
+  const QString id = QString::fromStdString(workbench_.setup().file().machine.id);
+  QString file = QFileDialog::getSaveFileName(
+      &window_, tr("Save machine as"), id + QStringLiteral("-changed.toml"), tr("Machine files (*.toml)"));
+  if (!file.isEmpty()) {
+    if (QFileInfo(file).suffix().isEmpty()) {
+      file += QStringLiteral(".toml");
+    }
+    bool accepted = false;
+    const QString name =
+        QInputDialog::getText(&window_, tr("Name of the machine"), tr("Name shown in lists and reports:"),
+                              QLineEdit::Normal, workbench_.name_to_save(to_path(file)), &accepted);
+    if (accepted) {
+      workbench_.save_machine(to_path(file), name);
+    }
+  }
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QMenu>
+
+namespace feedscope::ui {
+
+class MainWindow;
+class WindowSession;
+class Workbench;
+
+/// Programs, sessions, machine files and pictures: opened, saved, and asked for.
+class FileMenu : public QMenu {
+  Q_OBJECT
+
+ public:
+  /// All outlive this. `window` opens the files, and is what pictures show.
+  FileMenu(Workbench& workbench, WindowSession& session, MainWindow& window);
+
+ public slots:
+  /// Where the program is that is open.
+  void ask_for_program();
+  /// Among those supplied with Feedscope.
+  void ask_for_sample();
+
+ signals:
+  /// For the status bar.
+  void done(const QString& message);
+  void failed(const QString& message);
+
+ private:
+  void add_programs();
+  void add_sessions();
+  void add_machines();
+  void add_pictures();
+  QAction* add(const QString& text, const QKeySequence& key, const QString& tip);
+  void list_recent_files(QMenu* menu);
+  /// `folder`: where the search begins.
+  void ask_for_program_in(const QString& folder);
+  void ask_for_machine();
+  void ask_how_to_read();
+  void save_machine();
+
+  Workbench& workbench_;
+  WindowSession& session_;
+  MainWindow& window_;
+};
+
+}  // namespace feedscope::ui

@@ -1,0 +1,61 @@
+#include "ui/window/help_menu.h"
+
+#include <QMainWindow>
+#include <QMenuBar>
+
+#include "ui/help/handbook_window.h"
+#include "ui/shared/panel_action.h"
+#include "ui/workbench/panel.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+void collect(const QMenu& menu, const QString& place, QList<ListedAction>& list) {
+  for (QAction* action : menu.actions()) {
+    if (action->menu() != nullptr) {
+      collect(*action->menu(), QStringLiteral("%1 › %2").arg(place, plain_text(action->text())), list);
+    } else if (!action->isSeparator() && !action->text().isEmpty()) {
+      list.append({place, action});
+    }
+  }
+}
+
+}  // namespace
+
+HelpMenu::HelpMenu(Panel& lessons, QMainWindow& window)
+    : QMenu(tr("&Help"), &window),
+      window_(window),
+      handbook_(new HandbookWindow(&window)),
+      palette_(new CommandPalette(&window)),
+      key_list_(new KeyList(&window)) {
+  connect(add(tr("Hand&book"), QKeySequence::HelpContents, tr("First steps, panels, commands")),
+          &QAction::triggered, this, [this] { handbook_->show_page(QStringLiteral("index")); });
+  connect(add(tr("&Lessons"), {}, tr("Lessons for courses, with questions on the simulation")),
+          &QAction::triggered, &lessons, &Panel::attention_wanted);
+  QMenu* lesson = addMenu(tr("L&esson"));
+  lesson->addActions(lessons.panel_actions());
+  addSeparator();
+  connect(add(tr("&Find a command …"), QKeySequence(tr("Ctrl+K")),
+              tr("Find a command by typing part of its name")),
+          &QAction::triggered, this, [this] { palette_->ask(commands()); });
+  connect(add(tr("&Keyboard and mouse"), QKeySequence(tr("Ctrl+F1")),
+              tr("All keyboard shortcuts and mouse actions")),
+          &QAction::triggered, this, [this] { key_list_->show_keys(commands()); });
+}
+
+QAction* HelpMenu::add(const QString& text, const QKeySequence& key, const QString& tip) {
+  QAction* action = make_action(this, text, tip, key);
+  addAction(action);
+  return action;
+}
+
+QList<ListedAction> HelpMenu::commands() const {
+  QList<ListedAction> list;
+  for (const QAction* menu : window_.menuBar()->actions()) {
+    collect(*menu->menu(), plain_text(menu->text()), list);
+  }
+  return list;
+}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QMenu>
+
+#include "ui/window/command_palette.h"
+
+class QMainWindow;
+
+namespace feedscope::ui {
+
+class HandbookWindow;
+class Panel;
+
+/// Handbook, lessons, and every command by its name and key.
+class HelpMenu : public QMenu {
+  Q_OBJECT
+
+ public:
+  /// Both outlive this.
+  HelpMenu(Panel& lessons, QMainWindow& window);
+
+  /// Every command of the menus, in their order.
+  QList<ListedAction> commands() const;
+
+ private:
+  QAction* add(const QString& text, const QKeySequence& key, const QString& tip);
+
+  QMainWindow& window_;
+  HandbookWindow* handbook_;
+  CommandPalette* palette_;
+  KeyList* key_list_;
+};
+
+}  // namespace feedscope::ui

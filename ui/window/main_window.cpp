@@ -1,0 +1,359 @@
+#include "ui/window/main_window.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QTabBar>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "ui/annotations/annotation_overlay.h"
+#include "ui/annotations/annotations_view.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/contour/contour_view.h"
+#include "ui/language/language.h"
+#include "ui/lessons/lesson_view.h"
+#include "ui/messages/diagnostics_view.h"
+#include "ui/playback/playback_bar.h"
+#include "ui/program_text/program_panel.h"
+#include "ui/runs/run_notice.h"
+#include "ui/runs/runs_view.h"
+#include "ui/setup/setup_bar.h"
+#include "ui/setup/setup_view.h"
+#include "ui/shared/panel_action.h"
+#include "ui/slow_places/slow_places_view.h"
+#include "ui/study/study_view.h"
+#include "ui/theme/icons.h"
+#include "ui/why/why_view.h"
+#include "ui/window/dock_sizes.h"
+#include "ui/window/file_menu.h"
+#include "ui/window/help_menu.h"
+#include "ui/window/start_hint.h"
+#include "ui/window/status_panel.h"
+#include "ui/window/view_menu.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr QSize default_size(1280, 800);
+constexpr int program_width = 320;
+constexpr int setup_width = 371;  // shows every command of the annotations
+constexpr int charts_height = 390;
+
+}  // namespace
+
+MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* parent)
+    : QMainWindow(parent),
+      workbench_(workbench),
+      scenes_(new SideBySide(workbench, *new SceneView(backend, this), backend, this)),
+      playback_(new PlaybackBar(workbench, this)),
+      program_(new ProgramPanel(this)),
+      setup_(new SetupView(workbench.setup(), this)),
+      why_(new WhyView(workbench.cursor(), this)),
+      annotations_(new AnnotationsView(workbench.annotations(), workbench.cursor(), this)),
+      desk_(workbench, chosen_language().toStdString()),
+      lessons_(new LessonView(desk_, this)),
+      charts_(new ChartsPanel(workbench.cursor(), workbench.view_range(), this)),
+      runs_(new RunsView(workbench.runs(), this)),
+      slow_places_(new SlowPlacesView(this)),
+      diagnostics_(new DiagnosticsView(this)),
+      study_(new StudyView(workbench, this)),
+      contour_(new ContourView(workbench, this)),
+      panels_{program_, setup_,       why_,         annotations_, lessons_, charts_,
+              runs_,    slow_places_, diagnostics_, study_,       contour_},
+      session_(new WindowSession(*this, workbench)) {
+  setWindowTitle(tr("Feedscope"));
+  resize(default_size);
+  setAcceptDrops(true);
+  make_centre();
+  make_docks();
+  make_menus();
+  first_layout_ = saveState();
+  dock_sizes_ = new DockSizes(*this, program_width, setup_width, charts_height);
+  make_status();
+  connect_panels();
+  connect_lessons();
+  connect(&workbench_, &Workbench::program_changed, this, &MainWindow::show_program);
+  connect(&workbench_, &Workbench::failed, this, &MainWindow::show_failure);
+  connect(session_, &WindowSession::file_changed, this, &MainWindow::show_title);
+  connect(session_, &WindowSession::failed, this, &MainWindow::show_failure);
+  connect(session_, &WindowSession::noticed, this,
+          [this](const QString& message) { diagnostics_->add_message(Severity::info, message); });
+  for (Panel* panel : panels_) {
+    panel->follow(workbench_);
+  }
+  show_program();
+}
+
+bool MainWindow::busy() const {
+  return std::ranges::any_of(panels_, [](const Panel* panel) { return panel->busy(); }) || desk_.busy() ||
+         scenes_->comparison().busy();
+}
+
+void MainWindow::make_centre() {
+  auto* start_hint = new StartHint(workbench_, this);
+  auto* centre = new QWidget(this);
+  auto* layout = new QVBoxLayout(centre);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(new RunNotice(workbench_, this));
+  layout->addWidget(scenes_, 1);
+  layout->addWidget(start_hint);
+  layout->addWidget(playback_);
+  playback_->setVisible(start_hint->isHidden());
+  connect(start_hint, &StartHint::shown, playback_, &QWidget::setHidden);
+  setCentralWidget(centre);
+}
+
+void MainWindow::make_docks() {
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  for (Panel* panel : panels_) {
+    add_dock(*panel);
+  }
+  dock_of(*setup_).raise();
+  dock_of(*charts_).raise();
+  resizeDocks({&dock_of(*program_), &dock_of(*setup_)}, {program_width, setup_width}, Qt::Horizontal);
+  resizeDocks({&dock_of(*charts_)}, {charts_height}, Qt::Vertical);
+}
+
+/// As a tab of the first one in its area.
+void MainWindow::add_dock(Panel& panel) {
+  const Panel::Place& place = panel.place();
+  auto* dock = new QDockWidget(place.title, this);
+  dock->setObjectName(place.id);
+  dock->setWidget(&panel);
+  addDockWidget(place.area, dock);
+  const auto first = std::ranges::find(panels_, place.area, [](Panel* p) { return p->place().area; });
+  if (*first != &panel) {
+    tabifyDockWidget(&dock_of(**first), dock);
+  }
+  dock->setVisible(place.open);
+  connect(dock, &QDockWidget::visibilityChanged, &panel, &Panel::set_on_screen);
+  connect(&panel, &Panel::attention_wanted, dock, [dock] {
+    dock->show();
+    dock->raise();
+  });
+  connect(&panel, &Panel::failed, this, &MainWindow::show_failure);
+}
+
+QDockWidget& MainWindow::dock_of(const Panel& panel) {
+  return *qobject_cast<QDockWidget*>(panel.parentWidget());
+}
+
+void MainWindow::make_menus() {
+  file_menu_ = new FileMenu(workbench_, *session_, *this);
+  menuBar()->addMenu(file_menu_);
+
+  QMenu* edit = menuBar()->addMenu(tr("&Edit"));
+  QUndoStack& history = workbench_.setup().history();
+  QAction* undo = history.createUndoAction(this, tr("Undo"));
+  undo->setShortcut(QKeySequence::Undo);
+  undo->setToolTip(tr("Undo the last change of runs and settings"));
+  undo->setIcon(edit_icon(EditIcon::undo));
+  QAction* redo = history.createRedoAction(this, tr("Redo"));
+  redo->setShortcut(QKeySequence::Redo);
+  redo->setToolTip(tr("Redo the change that was undone"));
+  redo->setIcon(edit_icon(EditIcon::redo));
+  edit->addActions({undo, redo});
+  edit->addSeparator();
+  edit->addActions(program_->panel_actions());
+
+  QMenu* runs = menuBar()->addMenu(tr("&Runs"));
+  runs->addActions(runs_->panel_actions());
+  for (const QAction* action : runs_->panel_actions()) {
+    connect(action, &QAction::triggered, &dock_of(*runs_), &QDockWidget::raise);
+  }
+  runs->addActions(study_->panel_actions());
+  runs->addActions(contour_->panel_actions());
+  runs->addSeparator();
+  runs->addAction(make_action(this, tr("&Cancel simulation"),
+                              tr("Stop reading, simulating or comparing runs"), Qt::Key_Escape,
+                              &MainWindow::cancel_wanted));
+
+  menuBar()->addMenu(tr("&Charts"))->addActions(charts_->panel_actions());
+  menuBar()->addMenu(tr("&Why here?"))->addActions(why_->panel_actions());
+  menuBar()->addMenu(tr("&Annotations"))->addActions(annotations_->panel_actions());
+  menuBar()->addMenu(tr("&Playback"))->addActions(playback_->panel_actions());
+  QMenu* go = menuBar()->addMenu(tr("&Go"));
+  go->addActions(slow_places_->panel_actions());
+  go->addActions(contour_->step_actions());
+  go->addActions(diagnostics_->panel_actions());
+
+  auto* view = new ViewMenu(*scenes_, workbench_.view_range(), *this);
+  menuBar()->addMenu(view);
+  connect(view, &ViewMenu::remake_wanted, this, &MainWindow::remake_wanted);
+  connect(view, &ViewMenu::first_layout_wanted, this, [this] {
+    restoreState(first_layout_);
+    dock_sizes_->follow_first_layout();
+  });
+  auto* help = new HelpMenu(*lessons_, *this);
+  menuBar()->addMenu(help);
+
+  auto* bar = new SetupBar(workbench_, this);
+  addToolBar(bar);
+  QAction* first = bar->actions().isEmpty() ? nullptr : bar->actions().first();
+  for (QAction* action : file_menu_->actions()) {
+    if (!action->icon().isNull()) {
+      bar->insertAction(first, action);
+    }
+  }
+  bar->insertActions(first, {undo, redo});
+  bar->insertSeparator(first);
+}
+
+void MainWindow::make_status() {
+  auto* status = new StatusPanel(workbench_, scenes_->comparison(), this);
+  statusBar()->addPermanentWidget(status);
+  connect(status, &StatusPanel::diagnostics_clicked, &dock_of(*diagnostics_), &QDockWidget::raise);
+  connect(this, &MainWindow::cancel_wanted, status, &StatusPanel::cancel);
+  const auto say = [this](const QString& message) { statusBar()->showMessage(message); };
+  connect(charts_, &ChartsPanel::exported, this, say);
+  connect(file_menu_, &FileMenu::done, this, say);
+  connect(file_menu_, &FileMenu::failed, this, &MainWindow::show_failure);
+  connect(&workbench_, &Workbench::noticed, this, [this](const QString& message) {
+    constexpr int shown_for = 8000;  // [ms]
+    statusBar()->showMessage(message, shown_for);
+  });
+}
+
+/// What one panel asks of another.
+void MainWindow::connect_panels() {
+  ProgramView& program = program_->view();
+  connect(&program, &ProgramView::caret_moved, this,
+          [this, &program] { diagnostics_->set_place(program.caret()); });
+  connect(diagnostics_, &DiagnosticsView::place_chosen, program_, &ProgramPanel::go_to);
+  connect(contour_, &ContourView::close_up_wanted, &scene(), &SceneView::zoom_to_times);
+  scene().set_place_actions(annotations_->panel_actions());
+  connect(&scene().annotations(), &AnnotationOverlay::edit_wanted, annotations_, &AnnotationsView::edit);
+  annotations_->set_stretch([this] { return chosen_times(); });
+}
+
+void MainWindow::connect_lessons() {
+  connect(&desk_, &LessonDesk::failed, this, &MainWindow::show_failure);
+  connect(&desk_, &LessonDesk::view_wanted, this, &MainWindow::show_lesson);
+  connect(lessons_, &LessonView::setting_wanted, this, [this](const QString& key) {
+    dock_of(*setup_).raise();
+    setup_->show_key(key == QStringLiteral("tolerance") ? "contour_tolerance_mm" : key.toStdString());
+  });
+  auto* start_hint = findChild<StartHint*>();
+  connect(start_hint, &StartHint::program_wanted, file_menu_, &FileMenu::ask_for_program);
+  connect(start_hint, &StartHint::sample_wanted, file_menu_, &FileMenu::ask_for_sample);
+  connect(start_hint, &StartHint::lesson_wanted, lessons_, &Panel::attention_wanted);
+}
+
+void MainWindow::restore_layout(const QByteArray& layout) {
+  if (restoreState(layout)) {
+    dock_sizes_->follow_layout();
+  }
+}
+
+MainWindow::Handover MainWindow::hand_over() {
+  Handover handover{saveGeometry(), session_->hand_over(), panel_states(*this), {}, 0};
+  if (desk_.lesson() != nullptr) {
+    handover.lesson = desk_.lesson()->file;
+    handover.question = desk_.question();
+  }
+  return handover;
+}
+
+void MainWindow::take_over(const Handover& before) {
+  restoreGeometry(before.geometry);
+  set_panel_states(*this, before.panels);
+  session_->take_over(before.session);
+  if (!before.lesson.empty()) {
+    connect(
+        &desk_, &LessonDesk::opened, this,
+        [this, question = before.question] { desk_.choose_question(question); }, Qt::SingleShotConnection);
+    desk_.open(before.lesson);
+  }
+}
+
+void MainWindow::show_program() {
+  if (workbench_.program() == nullptr) {
+    statusBar()->clearMessage();  // it was about the program before
+  }
+  show_title();
+}
+
+void MainWindow::show_title() {
+  const std::filesystem::path& shown = session_->file().empty() ? workbench_.file() : session_->file();
+  const QString name = QString::fromStdU16String(shown.filename().u16string());
+  setWindowTitle(name.isEmpty() ? tr("Feedscope") : tr("%1 – Feedscope").arg(name));
+}
+
+void MainWindow::open(const std::filesystem::path& file) {
+  if (!session_->may_go()) {
+    return;
+  }
+  if (is_session_file(file)) {
+    session_->open(file);
+  } else {
+    session_->forget_file();
+    workbench_.open(file);
+  }
+}
+
+void MainWindow::open_lesson(const std::filesystem::path& file) {
+  emit lessons_->attention_wanted();
+  desk_.open(file, true);
+}
+
+void MainWindow::show_lesson(const LessonWindow& look) {
+  const auto colouring = std::ranges::find(all_colourings(), look.colouring, colouring_key);
+  if (colouring != all_colourings().end()) {
+    SceneState state = scene().state();
+    state.colouring = *colouring;
+    scene().set_state(state);
+  }
+  const auto camera = std::ranges::find(lesson_cameras(), look.camera);
+  scene().scene().set_standard_view(static_cast<StandardView>(camera - lesson_cameras().begin()));
+  ViewRange& range = workbench_.view_range();
+  look.chart_range ? range.show_times(look.chart_range->first, look.chart_range->second) : range.fit();
+  session_->begin_here();
+}
+
+std::array<double, 2> MainWindow::chosen_times() const {
+  if (const auto second = charts_->second_cursor()) {
+    const double first = workbench_.cursor().state().time;
+    return {std::min(first, *second), std::max(first, *second)};
+  }
+  const ViewRange& range = workbench_.view_range();
+  return {range.lower_time(), range.upper_time()};
+}
+
+void MainWindow::show_failure(const QString& message) {
+  diagnostics_->add_message(Severity::error, message);
+  dock_of(*diagnostics_).raise();
+  statusBar()->showMessage(message);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls() && event->mimeData()->urls().first().isLocalFile()) {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  open(std::filesystem::path(event->mimeData()->urls().first().toLocalFile().toStdU16String()));
+  event->acceptProposedAction();
+}
+
+void MainWindow::childEvent(QChildEvent* event) {
+  if (auto* tabs = qobject_cast<QTabBar*>(event->child()); tabs != nullptr && event->polished()) {
+    tabs->setElideMode(Qt::ElideNone);
+    tabs->setUsesScrollButtons(true);
+  }
+  QMainWindow::childEvent(event);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  event->setAccepted(session_->may_go());
+}
+
+}  // namespace feedscope::ui

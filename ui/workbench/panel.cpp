@@ -1,0 +1,7 @@
+#include "ui/workbench/panel.h"
+
+namespace feedscope::ui {
+
+void Panel::follow(Workbench& /*workbench*/) {}
+
+}  // namespace feedscope::ui

@@ -1,0 +1,60 @@
+#include "ui/workbench/simulation_job.h"
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
+
+#include <utility>
+
+#include "ui/workbench/simulate_shown.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+/// What the program before, or a computation, has left, which its allocator would keep.
+void give_back_memory() {
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
+}
+
+}  // namespace
+
+SimulationJob::SimulationJob(QObject* parent) : QObject(parent) {
+  connect(&job_, &JobBase::busy_changed, this, &SimulationJob::busy_changed);
+  connect(&job_, &JobBase::progressed, this, [this](double fraction) { emit progressed(*stage_, fraction); });
+}
+
+void SimulationJob::start(JobRequest request) {
+  stage_ = std::make_shared<std::atomic<JobStage>>(JobStage::reading);
+  job_.start([this, request = std::move(request),
+              stage = stage_](JobControl& control) { return work(request, control, *stage); },
+             [this](const JobOutcome<Result>& outcome) {
+               if (outcome.result) {
+                 emit finished(*outcome.result);
+               } else if (!outcome.cancelled()) {
+                 emit failed(outcome.failure);
+               }
+             });
+}
+
+/// On another thread: `this` is only for what is told in its own.
+SimulationJob::Result SimulationJob::work(const JobRequest& request, JobControl& control,
+                                          std::atomic<JobStage>& stage) {
+  LoadedProgram input;
+  if (const auto* file = std::get_if<std::filesystem::path>(&request.input)) {
+    give_back_memory();
+    input = load_program(*file, &control.progress, reading_on(request.reading, request.setup.machine));
+    control.tell([this, program = make_shown(input)] { emit program_read(program); });
+  } else {
+    input = std::get<LoadedProgram>(request.input);
+  }
+  control.progress.report(0);
+  stage = JobStage::simulating;
+  Result shown = simulate_shown(input, request.setup, &control.progress);
+  give_back_memory();
+  return shown;
+}
+
+}  // namespace feedscope::ui
