@@ -45,14 +45,15 @@ ui::Picture draw_dark_charts(const Run& run, ui::PictureSize size) {
   request.model = "cam";
   const Run promised = simulate_run(run.input, make_setup(request));
   ui::Cursor cursor;
-  ui::ChartsPanel panel(cursor);
+  ui::ViewRange range;
+  ui::ChartsPanel panel(cursor, range);
   panel.setAttribute(Qt::WA_DontShowOnScreen);
   panel.resize(size.width, size.height);
   panel.show();
   cursor.set_trajectory(run.trajectory);
   panel.set_limits(run.setup.machine.axes);
-  panel.set_run(run.trajectory, std::make_shared<const ui::Envelope>(run.trajectory), false);
-  panel.set_overlays({{promised.trajectory, std::make_shared<const ui::Envelope>(promised.trajectory),
+  panel.set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory), false);
+  panel.set_overlays({{promised.trajectory, std::make_shared<const Envelope>(promised.trajectory),
                        QColor(0xff, 0x5c, 0xa8), "promised by CAM", true}});
   panel.show_curve(0, velocity_z, false);
   ui::ChartsState state = panel.state();

@@ -10,9 +10,9 @@
 #include <string>
 
 #include "tests/render/baseline.h"
+#include "ui/contour/contour_view.h"
 #include "ui/report/picture_file.h"
 #include "ui/theme/offscreen_application.h"
-#include "ui/views/contour_view.h"
 
 namespace feedscope::test {
 namespace {

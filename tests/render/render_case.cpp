@@ -17,9 +17,9 @@
 #include "tests/ui/run_fixture.h"
 #include "ui/report/pictures.h"
 #include "ui/scene/picture.h"
+#include "ui/scene_view/scene_texts.h"
 #include "ui/theme/offscreen_application.h"
-#include "ui/views/scene_texts.h"
-#include "ui/window_picture.h"
+#include "ui/window/pictures_of_panels.h"
 
 namespace feedscope::test {
 namespace {

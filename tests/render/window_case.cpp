@@ -14,8 +14,11 @@
 #include "core/base/error.h"
 #include "core/lessons/lesson.h"
 #include "tests/render/baseline.h"
-#include "ui/main_window.h"
-#include "ui/window_picture.h"
+#include "ui/annotations/annotations_view.h"
+#include "ui/study/study_view.h"
+#include "ui/why/why_view.h"
+#include "ui/window/main_window.h"
+#include "ui/window/pictures_of_panels.h"
 
 namespace feedscope::test {
 namespace {
@@ -55,9 +58,11 @@ void raise(ui::MainWindow& window, const std::string& panel) {
 /// A callout at the cursor, and a marked stretch of `duration` before it [s].
 void add_annotations(ui::MainWindow& window, ui::Workbench& bench, double duration) {
   const double time = bench.cursor().state().time;
-  window.annotations().set_stretch([=] { return std::array<double, 2>{time - duration, time}; });
+  window.part<ui::AnnotationsView>().set_stretch([=] {
+    return std::array<double, 2>{time - duration, time};
+  });
   for (const ui::AnnotationKind kind : {ui::AnnotationKind::region, ui::AnnotationKind::callout}) {
-    window.annotations().panel_actions()[static_cast<int>(kind)]->trigger();
+    window.part<ui::AnnotationsView>().panel_actions()[static_cast<int>(kind)]->trigger();
   }
 }
 
@@ -65,9 +70,9 @@ void add_annotations(ui::MainWindow& window, ui::Workbench& bench, double durati
 void use(const std::string& panel, ui::MainWindow& window, ui::Workbench& bench) {
   constexpr double marked = 0.1;  // of the cycle time
   if (panel == "why") {
-    window.why().try_remedies();  // not only once the cursor has rested
+    window.part<ui::WhyView>().try_remedies();  // not only once the cursor has rested
   } else if (panel == "study") {
-    window.study().run();
+    window.part<ui::StudyView>().run();
   } else if (panel == "annotations") {
     add_annotations(window, bench, marked * bench.shown()->run.trajectory->duration());
   } else if (panel == "lesson") {
