@@ -45,6 +45,25 @@ TEST_F(CheckCommand, TellsPathControlByLines) {
   EXPECT_EQ(report["program"]["path_control"][1]["exact_stop"], true);
 }
 
+TEST_F(CheckCommand, ListsPathControlByLinesAlsoWhereTheyRunInAnotherOrder) {
+  write("back.mpf",
+        "GOTOF LATER\nEARLY: G64\nG1 X20\nGOTOF FIN\nLATER: G1 F1000 G60 X10\nGOTOB EARLY\nFIN: M30\n");
+  const std::string out = run("check back.mpf").out;
+  const auto early = out.find("line 3:");
+  ASSERT_NE(early, std::string::npos) << out;
+  EXPECT_LT(early, out.find("line 5:"));
+}
+
+TEST_F(CheckCommand, AsksForTheOffsetThatHasNoValue) {
+  write("offsets.nc", "G21 G90\nG54 G0 X0 Y0\nG1 X10 F1000\nG55 X20\nM30\n");
+  EXPECT_THAT(run("check offsets.nc").err, HasSubstr("--offset G55=X,Y,Z"));
+  EXPECT_THAT(run("check offsets.nc --offset G55=5,5,0").err, HasSubstr("--offset G54=X,Y,Z"));
+  EXPECT_THAT(run("check offsets.nc --offset G54=0,0,0").err, HasSubstr("--offset G55=X,Y,Z"));
+  write("offsets.mpf", "G90 G54\nG1 X10 F1000\nG55 X20\nM30\n");
+  EXPECT_THAT(run("check offsets.mpf --offset G55=5,5,0").err, HasSubstr("--offset G54=X,Y,Z"));
+  EXPECT_THAT(run("check offsets.nc").out, HasSubstr("G55 (line 4): 1 motion, assumed as zero"));
+}
+
 TEST_F(CheckCommand, TakesTheDialectThatIsNamed) {
   write("dwell.nc", "G4 P2\nG1 X1 F100\n");
   const auto dwell = [this](const std::string& options) {
@@ -82,7 +101,7 @@ TEST_F(CheckCommand, RefusesWhatIsNoCutterRadius) {
   expect_wrong_use("check part.nc --tool 7=-1", "-1");
   expect_wrong_use("check part.nc --tools none.tbl", "none.tbl");
   write("bad.tbl", "hello\n");
-  expect_wrong_use("check part.nc --tools bad.tbl", "is no tool table");
+  expect_wrong_use("check part.nc --tools bad.tbl", "is not a supported tool table");
 }
 
 TEST_F(CheckCommand, EndlessLoopsEndAtALimitThatCanBeRaised) {
@@ -147,9 +166,9 @@ TEST_F(CheckCommand, ToleranceReplacesTheProgramsOwnAndSaysSo) {
   EXPECT_EQ(
       own.err,
       "feedscope: note: The program is written for LinuxCNC, but Spinner MVC 850 has a Siemens Sinumerik "
-      "840D: path and times are those of that control. No published machine has a LinuxCNC control; use a "
-      "machine file of your own.\n"
-      "feedscope: note: model 'essid': Compaction that the program asks for is not followed: "
+      "840D: path and times are those of that control. No published machine has a LinuxCNC control; use "
+      "your own machine file.\n"
+      "feedscope: note: model 'essid': Compaction requested by the program is not simulated: "
       "short blocks are not joined.\n");
   EXPECT_NEAR(json::parse(own.out)["max_corner_distance_mm"].get<double>(), 0.16, 1e-9);
   const Result replaced = run("simulate control.ngc --tolerance 0.05 --json -");
@@ -172,7 +191,7 @@ TEST_F(CheckCommand, WorkOffsetsComeFromAnOption) {
   EXPECT_EQ(given["program"]["bounds"]["min"][1], -5.5);
   EXPECT_EQ(given["program"]["work_offsets"][1]["given"], true);
   EXPECT_THAT(run("check two.nc --dialect fanuc").out,
-              AllOf(HasSubstr("work offsets"), HasSubstr("G55 (line 3): 1 motions, assumed as zero")));
+              AllOf(HasSubstr("work offsets"), HasSubstr("G55 (line 3): 1 motion, assumed as zero")));
   for (const char* wrong :
        {"G55", "G55=", "G55=1,2", "G55=1,2,3,4", "55=1,2,3", "G55=1,a,3", "G55=1;2", "G55=1;2;3;4"}) {
     expect_wrong_use("check two.nc --offset '" + std::string(wrong) + "'", "--offset");
@@ -193,10 +212,9 @@ TEST_F(CheckCommand, SaysWhichOffsetsAndRadiiAreNotUsed) {
   EXPECT_THAT(run("check two.nc --offset G56=1,2,3").err,
               HasSubstr("note: work offset 'G56' is not used; the program uses: G54, G55"));
   EXPECT_THAT(run("simulate two.nc --offset g55=1,2,3").err, Not(HasSubstr("is not used")));
-  EXPECT_THAT(
-      run("compare two.nc --tool 7=3").err,
-      HasSubstr("note: the cutter radius of tool '7' is not used; the program asks for no cutter radius "
-                "compensation"));
+  EXPECT_THAT(run("compare two.nc --tool 7=3").err,
+              HasSubstr("note: the cutter radius of tool '7' is not used; the program uses no cutter radius "
+                        "compensation"));
   write("one.nc", "G21 G90\nG1 X10 F100\n");
   EXPECT_THAT(run("simulate one.nc --offset G55=1,2,3").err, HasSubstr("the program uses no work offset"));
 }

@@ -93,16 +93,15 @@ TEST_F(CompareCommand, NamesWhatItDoesNotKnow) {
   expect_wrong_use("compare corner.nc --model cam --model esid", "did you mean 'essid'?");
   expect_wrong_use("compare corner.nc --tolerance wide", "--tolerance");
   expect_wrong_use("compare corner.nc --model cam --model essid --set alhpa=2",
-                   "'alhpa' is known to none of the models cam, essid; did you mean 'alpha'?");
-  expect_wrong_use("compare corner.nc --model cam --set alpha=2",
-                   "'alpha' is known to none of the models cam;");
+                   "'alhpa' is unknown to the models cam, essid; did you mean 'alpha'?");
+  expect_wrong_use("compare corner.nc --model cam --set alpha=2", "'alpha' is unknown to the models cam;");
   expect_wrong_use("compare corner.nc --set alpha=99", "alpha = 99 is out of bounds");
   expect_wrong_use("compare corner.nc --set alpha", "'alpha' has no value");
 }
 
 TEST_F(CompareCommand, NamesAnOutputThatCannotBeWritten) {
   expect_wrong_use("compare corner.nc --csv none/a.csv", "cannot write 'none/a.csv'");
-  expect_wrong_use("compare corner.nc --csv a --json ./a", "two results would go there");
+  expect_wrong_use("compare corner.nc --csv a --json ./a", "two results would be written there");
 }
 
 #ifdef FEEDSCOPE_WITH_UI
@@ -128,7 +127,7 @@ TEST_F(CompareCommand, DrawsInTheSizeAskedForAndToStandardOutput) {
 }
 
 TEST_F(CompareCommand, RefusesAPictureThatCannotBeDrawnBeforeItSimulates) {
-  expect_wrong_use("compare corner.nc --png a.png --size 800", "--size '800' is no size");
+  expect_wrong_use("compare corner.nc --png a.png --size 800", "--size '800' is not a size");
   expect_wrong_use("compare corner.nc --png a.png --size 20x600", "64 to 8192");
   expect_wrong_use("compare corner.nc --png a.png --size 1280x100",
                    "1280 x 100 pixels is too small; it needs at least 640 x ");
@@ -147,8 +146,8 @@ TEST_F(CompareCommand, NamesAPictureThatCannotBeWritten) {
   expect_wrong_use("compare corner.nc --png none/a.png", "cannot write 'none/a.png'");
   expect_wrong_use("compare corner.nc --png .", "cannot write '.': it is a folder");
   expect_wrong_use("compare corner.nc --png corner.nc", "it is the program itself");
-  expect_wrong_use("compare corner.nc --png a --csv ./a", "two results would go there");
-  expect_wrong_use("compare corner.nc --png - --json -", "two results would go there");
+  expect_wrong_use("compare corner.nc --png a --csv ./a", "two results would be written there");
+  expect_wrong_use("compare corner.nc --png - --json -", "two results would be written there");
   write("old.png", "old");
   expect_wrong_use("compare corner.nc --png old.png --size 64x64", "too small");
   EXPECT_EQ(contents(folder_ / "old.png"), "old");

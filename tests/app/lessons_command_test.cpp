@@ -66,6 +66,42 @@ TEST_F(LessonsCommand, NotesNumbersThatNothingChecks) {
   EXPECT_THAT(result.out, HasSubstr("note   nothing checks the number 0.8 in the answer of question 1"));
 }
 
+TEST_F(LessonsCommand, SpeaksFrench) {
+  EXPECT_THAT(run("lessons --language fr").out,
+              HasSubstr("04_small_circle: Pourquoi un petit cercle est lent (25 min)"));
+  const Result result = run("lessons 4 --language fr");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("2,008\u00a0m/min"), HasSubstr("Indice    Les lignes"),
+                                HasSubstr("Observer  avance maximale, ligne 16"), HasSubstr("Réponses"),
+                                Not(HasSubstr("{"))));
+  EXPECT_EQ(run("lessons 8 --language fr --out handout.html").code, 0);
+  EXPECT_THAT(contents(folder_ / "handout.html"),
+              AllOf(HasSubstr("lang=\"fr\""), HasSubstr("0,9489\u00a0s"), HasSubstr(">Réponses</h1>")));
+  expect_wrong_use("lessons 4 --language de", "--language: de not in {en,fr}");
+}
+
+/// A lesson of one's own needs no translation; one that has begun with it is told what is missing.
+TEST_F(LessonsCommand, ALessonWithoutTranslationIsShownInEnglish) {
+  write_lesson("0.9");
+  EXPECT_THAT(run("lessons mine.toml --language fr").out,
+              AllOf(HasSubstr("It is 0.800 s."), HasSubstr("Answers")))
+      << "headings as well";
+  EXPECT_THAT(run("lessons mine.toml --check").out, Not(HasSubstr("note")));
+}
+
+TEST_F(LessonsCommand, ChecksTranslations) {
+  write_lesson("0.9");
+  std::string lesson = contents(folder_ / "mine.toml");
+  lesson.replace(lesson.find("[start]"), 7, "[fr]\ntext = \"Il faut 0,8 s.\"\n[start]");
+  write("mine.toml", lesson);
+  const Result result = run("lessons mine.toml --check");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, AllOf(HasSubstr("note   nothing checks the number 0,8 in the text (fr)"),
+                                HasSubstr("note   no translation of 'title' of the file (fr)"),
+                                HasSubstr("note   no translation of 'answer' of question 1 (fr)"),
+                                Not(HasSubstr("'hint'"))));
+}
+
 TEST_F(LessonsCommand, WritesAHandOut) {
   const Result result = run("lessons 8 --out handout.html");
   EXPECT_EQ(result.code, 0);
@@ -93,10 +129,10 @@ TEST_F(LessonsCommand, SaysWhatIsWrong) {
   expect_wrong_use("lessons nothing_like_it", "unknown lesson 'nothing_like_it': no id and no file");
   expect_wrong_use("lessons smal_circle", "did you mean '04_small_circle'?");
   expect_wrong_use("lessons --out x.html", "--out writes one lesson: give its ID");
-  expect_wrong_use("lessons corner.nc", "no TOML");
+  expect_wrong_use("lessons corner.nc", "not valid TOML");
   expect_wrong_use("lessons 4 --out nowhere/x.html", "nowhere/x.html");
-  expect_wrong_use("lessons 4 --out x.docx", "--out 'x.docx' does not say what to write");
-  expect_wrong_use("lessons 4 --out x", "--out 'x' does not say what to write");
+  expect_wrong_use("lessons 4 --out x.docx", "--out 'x.docx' does not state the format");
+  expect_wrong_use("lessons 4 --out x", "--out 'x' does not state the format");
   expect_wrong_use("lessons 0", "unknown lesson '0': no id and no file; numbers 1 to 11, or ids: ");
   write_lesson("\"x\"");
   expect_wrong_use("lessons mine.toml", "mine.toml:19:13: 'less_than' in claim 1 of question 1 is 'x'");

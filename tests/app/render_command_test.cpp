@@ -90,9 +90,9 @@ TEST_F(RenderCommand, ColoursTheFirstRunAgainstAnother) {
   EXPECT_NE(lost, picture("--colour time_lost --reference 3"));
   EXPECT_NE(lost, picture("--colour path_distance"));
   EXPECT_EQ(picture(""), picture("--colour feed"));
-  expect_wrong_use("corner.nc --colour time_lost --out a.png", "compares two runs, and there is one");
-  expect_wrong_use(runs + "--colour time_lost --reference 4 --out a.png", "--reference 4 is no run");
-  expect_wrong_use("corner.nc --view charts --colour feed --out a.png", "says nothing about --view charts");
+  expect_wrong_use("corner.nc --colour time_lost --out a.png", "compares two runs, but there is only one");
+  expect_wrong_use(runs + "--colour time_lost --reference 4 --out a.png", "--reference 4 is not a run");
+  expect_wrong_use("corner.nc --view charts --colour feed --out a.png", "has no effect with --view charts");
   EXPECT_EQ(run("corner.nc --colour blue --out a.png").code, 2);
 }
 
@@ -125,9 +125,9 @@ TEST_F(RenderCommand, SeveralRunsShareAPictureButNotAWindow) {
 
 TEST_F(RenderCommand, RefusesWhatDoesNotFitTogether) {
   expect_wrong_use("corner.nc --out a.jpg",
-                   "--out 'a.jpg' does not say what to write; end it in .png, .svg, .pdf, or add --format");
-  expect_wrong_use("corner.nc --out picture", "--out 'picture' does not say what to write");
-  expect_wrong_use("corner.nc --size 800x600 --dpi 300 --out a.png", "--dpi says nothing");
+                   "--out 'a.jpg' does not state the format; end it in .png, .svg, .pdf, or add --format");
+  expect_wrong_use("corner.nc --out picture", "--out 'picture' does not state the format");
+  expect_wrong_use("corner.nc --size 800x600 --dpi 300 --out a.png", "--dpi has no effect");
   expect_wrong_use("corner.nc --size A4 --dpi 1000 --out a.png", "smaller --dpi");
   expect_wrong_use("corner.nc --size A4-potrait --out a.png", "did you mean 'A4-portrait'");
   expect_wrong_use("corner.nc --view window --transparent --out a.png", "no transparent background");

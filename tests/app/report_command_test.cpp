@@ -119,7 +119,7 @@ TEST_F(ReportCommand, WrongUseLeavesNothingBehind) {
   const std::vector<std::string> before = files();
   expect_wrong_use("report corner.nc --out r.txt", "end it in .pdf, .html, or add --format");
   expect_wrong_use("report corner.nc --out nowhere/r.pdf", "cannot write 'nowhere/r.pdf'");
-  expect_wrong_use("report corner.nc --date yesterday --out r.pdf", "--date 'yesterday' is no date");
+  expect_wrong_use("report corner.nc --date yesterday --out r.pdf", "--date 'yesterday' is not a date");
   expect_wrong_use("report corner.nc --set alpah=2 --out r.pdf", "did you mean 'alpha'?");
   expect_wrong_use("report corner.nc --format pdf --out /dev/full", "cannot write '/dev/full'");
   expect_wrong_use("report missing.nc --out r.pdf", "missing.nc");

@@ -78,7 +78,7 @@ TEST_F(SessionCommand, TheReportHasItsRunsByName) {
   EXPECT_THAT(html, HasSubstr("feedscope report part.feedscope"));
 }
 
-/// A session gives every command what its program, reading options and runs would give by hand.
+/// A session gives every command what its program, import options and runs would give by hand.
 TEST_F(SessionCommand, EveryCommandTakesOneAndDoesWhatItsOptionsWouldDo) {
   using nlohmann::json;
   std::string text = session("part.nc", "");
@@ -104,7 +104,7 @@ TEST_F(SessionCommand, EveryCommandTakesOneAndDoesWhatItsOptionsWouldDo) {
   same("check part.feedscope", "check" + reading);
   same("simulate part.feedscope", "simulate" + reading + second);
   same("simulate part.feedscope --run 1", "simulate" + reading + first);
-  EXPECT_THAT(quiet("simulate part.feedscope").err, HasSubstr("number 2 is simulated"));
+  EXPECT_THAT(quiet("simulate part.feedscope").err, HasSubstr("run 2 is simulated"));
 
   const json compared = json::parse(quiet("compare part.feedscope --json -").out);
   ASSERT_EQ(compared["runs"].size(), 2U);
@@ -123,10 +123,11 @@ TEST_F(SessionCommand, OptionsThatItHasOfItsOwnAreRefusedByEveryCommand) {
          {"--machine huron-kx10", "--model cam", "--tolerance 0.1", "--set X.jerk=3", "--unit inch",
           "--dialect iso", "--offset G55=1,2,3", "--wear-only", "--tools-unit inch", "--repeat-limit 7",
           "--call-depth 3", "--simulate-cut-off", "--skip-deleted", "--tool 1=5"}) {
-      expect_wrong_use(fmt::format("{} part.feedscope {}", command, option), "does not go with session");
+      expect_wrong_use(fmt::format("{} part.feedscope {}", command, option),
+                       "cannot be combined with session");
     }
   }
-  expect_wrong_use("check part.feedscope --unit mm", "--unit does not go with session");
+  expect_wrong_use("check part.feedscope --unit mm", "--unit cannot be combined with session");
   expect_wrong_use("simulate part.feedscope --run 3", "it has runs 1 to 2");
   expect_wrong_use("simulate corner.nc --run 1", "is not a session");
   expect_wrong_use("simulate part.feedscope --json part.nc", "it is the program itself");
@@ -141,8 +142,9 @@ TEST_F(SessionCommand, AChangedProgramIsSaidAndTheRestGoesOn) {
 }
 
 TEST_F(SessionCommand, WhatCannotBeUsedIsNamedAndWritesNothing) {
-  expect_wrong_use("render part.feedscope --model cam --out a.png", "--model does not go with session");
-  expect_wrong_use("render part.feedscope --tool 1=5 --out a.png", "--tool does not go with session");
+  expect_wrong_use("render part.feedscope --model cam --out a.png",
+                   "--model cannot be combined with session");
+  expect_wrong_use("render part.feedscope --tool 1=5 --out a.png", "--tool cannot be combined with session");
   write("part.feedscope", session("gone.nc", ""));
   expect_wrong_use("render part.feedscope --out a.png", "gone.nc");
   write("part.feedscope", "{\n\"format\" 1}");

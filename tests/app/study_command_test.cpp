@@ -44,7 +44,8 @@ TEST_F(StudyCommand, SaysTheFastestWithinTheBoundAndWhatLimitsAtBothEnds) {
             HasSubstr("; at 0.16 mm to")));
   EXPECT_THAT(
       in_one_line(run("compare corner.nc --model essid --sweep 'tolerance=0.1;0.2' --within 0.001").out),
-      HasSubstr("No setting keeps a contour error of 0.001 mm; the least is 0.0566 mm at tolerance 0.1 mm"));
+      HasSubstr(
+          "No value has a contour error within 0.001 mm; the smallest is 0.0566 mm at tolerance 0.1 mm"));
 }
 
 TEST_F(StudyCommand, WritesJsonWithAllKeysOfCompare) {
@@ -134,10 +135,10 @@ TEST_F(StudyCommand, NamesFileAndKeyOfWhatCannotBeMerged) {
   json wrong = json::parse(contents(folder_ / "good.json"));
   wrong["runs"][0]["cycle_time_s"] = "fast";
   write("wrong.json", wrong.dump());
-  expect_wrong_use("--merge good.json broken.json", {"'broken.json'", "not a JSON text", "line 1, column"});
+  expect_wrong_use("--merge good.json broken.json", {"'broken.json'", "not valid JSON", "line 1, column"});
   expect_wrong_use("--merge simulated.json", {"'simulated.json'", "'runs' is missing"});
   expect_wrong_use("--merge wrong.json", {"'wrong.json'", "runs[0].cycle_time_s", "\"fast\"", "a number"});
-  expect_wrong_use("--merge good.json good.json", {"'corner.nc' is in 'good.json', too"});
+  expect_wrong_use("--merge good.json good.json", {"'corner.nc' is also in 'good.json'"});
   expect_wrong_use("--merge none.json", {"none.json"});
   expect_wrong_use("corner.nc --merge good.json", {"corner.nc"});
 }
@@ -197,7 +198,7 @@ TEST_F(StudyCommand, FindsTheFastestSettingWithinTheBoundOverAllPrograms) {
     }
     EXPECT_EQ(marked, best) << bound;
     const std::string text = run("compare --merge 1.json 2.json --within " + std::to_string(bound)).out;
-    EXPECT_THAT(text, HasSubstr(best.empty() ? "No setting keeps" : best)) << bound;
+    EXPECT_THAT(text, HasSubstr(best.empty() ? "No value has" : best)) << bound;
   }
 }
 

@@ -114,11 +114,12 @@ TEST_F(WindowStartTest, EveryOptionIsRefusedWhereItWouldHaveNoEffect) {
   with("--simulate-cut-off", [](RunOptions& o) { o.simulate_cut_off = true; });
   for (std::size_t i = 0; i < cases.size(); ++i) {
     auto& [name, options] = cases[i];
-    EXPECT_THAT(refusal(options, "3"), testing::HasSubstr(name + " does not go with lesson '3'"));
-    EXPECT_EQ(refusal(options).find(name + " says how a program is read") == 0, i >= of_run)
+    EXPECT_THAT(refusal(options, "3"), testing::HasSubstr(name + " cannot be combined with lesson '3'"));
+    EXPECT_EQ(refusal(options).find(name + " is an option of the program") == 0, i >= of_run)
         << refusal(options);
     options.file = "mine.feedscope";
-    EXPECT_THAT(refusal(options), testing::HasSubstr(name + " does not go with session 'mine.feedscope'"));
+    EXPECT_THAT(refusal(options),
+                testing::HasSubstr(name + " cannot be combined with session 'mine.feedscope'"));
   }
 }
 

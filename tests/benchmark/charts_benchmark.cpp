@@ -18,7 +18,7 @@ using State = ::benchmark::State;
 
 struct Shown {
   Run run;
-  std::shared_ptr<const ui::Envelope> envelope;
+  std::shared_ptr<const Envelope> envelope;
 };
 
 /// A run of so many short lines, made once.
@@ -28,7 +28,7 @@ const Shown& shown_run(std::size_t blocks) {
   if (made != blocks) {
     shown = {};
     shown.run = test::simulate_text(surface_program(blocks));
-    shown.envelope = std::make_shared<const ui::Envelope>(shown.run.trajectory);
+    shown.envelope = std::make_shared<const Envelope>(shown.run.trajectory);
     made = blocks;
   }
   return shown;
@@ -39,7 +39,8 @@ const Shown& shown_run(std::size_t blocks) {
 void pan_frame(State& state) {
   const Shown& shown = shown_run(static_cast<std::size_t>(state.range(0)));
   ui::Cursor cursor;
-  ui::ChartsPanel panel(cursor);
+  ui::ViewRange range;
+  ui::ChartsPanel panel(cursor, range);
   panel.setAttribute(Qt::WA_DontShowOnScreen);
   panel.resize(static_cast<int>(state.range(1)), static_cast<int>(state.range(2)));
   panel.show();

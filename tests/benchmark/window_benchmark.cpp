@@ -8,8 +8,9 @@
 #include <fstream>
 
 #include "tests/benchmark/programs.h"
-#include "ui/main_window.h"
+#include "ui/charts/charts_panel.h"
 #include "ui/theme/theme.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::benchmark {
 namespace {
@@ -39,7 +40,7 @@ class Window {
     while (!condition()) {
       QApplication::processEvents(QEventLoop::WaitForMoreEvents);
     }
-    window_.charts().refresh();
+    window_.part<ui::ChartsPanel>().refresh();
     window_.grab();  // all of it is drawn
   }
 
@@ -135,7 +136,7 @@ void turn_wheel(State& state, WindowWithRuns& shown, QWidget& widget, QWidget& d
                       Qt::NoScrollPhase, false);
     QApplication::sendEvent(&widget, &event);
     QApplication::processEvents();
-    shown.window().charts().refresh();
+    shown.window().part<ui::ChartsPanel>().refresh();
     drawn.grab();
     if (--left == 0) {
       left = 20;
@@ -146,7 +147,8 @@ void turn_wheel(State& state, WindowWithRuns& shown, QWidget& widget, QWidget& d
 
 void wheel_over_chart(State& state) {
   WindowWithRuns shown(state);
-  turn_wheel(state, shown, shown.window().charts().chart(0), shown.window().charts());
+  turn_wheel(state, shown, shown.window().part<ui::ChartsPanel>().chart(0),
+             shown.window().part<ui::ChartsPanel>());
 }
 
 void wheel_over_scene(State& state) {

@@ -56,11 +56,11 @@ Result finding_of(const std::vector<Finding>& findings, const std::string& check
 }
 
 Case smallest(const Case& broken, const std::string& check) {
-  constexpr int most_runs = 2000;
+  constexpr int max_runs = 2000;
   Case best = broken;
   int runs = 0;
   for (std::size_t chunk = best.lines.size(); chunk > 0; chunk /= 2) {
-    for (std::size_t first = 0; first < best.lines.size() && runs < most_runs;) {
+    for (std::size_t first = 0; first < best.lines.size() && runs < max_runs;) {
       Case fewer = best;
       const auto begin = fewer.lines.begin() + static_cast<std::ptrdiff_t>(first);
       const std::size_t count = std::min(chunk, best.lines.size() - first);

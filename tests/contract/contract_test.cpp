@@ -29,8 +29,8 @@ std::vector<std::string> model_ids() {
 struct OpenFinding {
   const char* model;
   const char* check;
-  int most_by_hand;  ///< of the hand-made programs on all machines with all choices
-  int most_random;   ///< of one share of the random programs
+  int max_by_hand;  ///< of the hand-made programs on all machines with all choices
+  int max_random;   ///< of one share of the random programs
 };
 constexpr OpenFinding open_findings[] = {
     // A program begun elsewhere has other roundings of path lengths: on them depend the cells of the grid,
@@ -109,7 +109,7 @@ std::vector<Machine> with_every_choice(const Machine& machine, const ControlMode
 
 class ModelContract : public ::testing::TestWithParam<std::string> {
  protected:
-  Findings found_{GetParam(), &OpenFinding::most_by_hand};
+  Findings found_{GetParam(), &OpenFinding::max_by_hand};
 };
 
 TEST_P(ModelContract, HoldsOnHandCasesOnEveryMachineWithEveryChoice) {
@@ -153,7 +153,7 @@ TEST_P(RandomContract, Holds) {
   constexpr std::uint64_t programs = 510;
   constexpr std::uint64_t seed = 2026;
   const auto& [model, share] = GetParam();
-  Findings found(model, &OpenFinding::most_random);
+  Findings found(model, &OpenFinding::max_random);
   for (std::uint64_t i = 0; i < programs && !HasFailure(); ++i) {
     const std::uint64_t number = static_cast<std::uint64_t>(share) * programs + i;
     found.check(random_case(model, seed, number), std::to_string(number));

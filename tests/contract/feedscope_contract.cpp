@@ -20,7 +20,7 @@ struct Options {
   unsigned threads = 1;
   std::string model;
   std::string out = "contract-findings";
-  std::size_t most_reports = 3;  ///< of one promise of one model
+  std::size_t max_reports = 3;  ///< of one promise of one model
 };
 
 /// A long run: numbered programs taken one by one by all threads.
@@ -74,7 +74,7 @@ class LongRun {
   void note(const Case& example, const Finding& finding, std::uint64_t number) {
     {
       const std::lock_guard lock(mutex_);
-      if (++counts_[example.model + " " + finding.check] > options_.most_reports) {
+      if (++counts_[example.model + " " + finding.check] > options_.max_reports) {
         return;
       }
     }
@@ -106,7 +106,7 @@ int main(int argc, char** argv) {
   app.add_option("--threads", options.threads, "How many at a time")->check(CLI::PositiveNumber);
   app.add_option("--model", options.model, "Only this model");
   app.add_option("--out", options.out, "Folder for programs and machine files that break a promise");
-  app.add_option("--reports", options.most_reports, "How many broken programs of each promise to write");
+  app.add_option("--reports", options.max_reports, "How many broken programs of each promise to write");
   CLI11_PARSE(app, argc, argv);
   return feedscope::contract::LongRun(options).run() == 0 ? 0 : 1;
 }

@@ -75,7 +75,7 @@ Result broken_limit(const Motion& motion, const Part& part, const char* name, co
           fmt::format("part {} at {} s, line {}: {}{} of axis {} on a {} is {}, {} times the limit; "
                       "promised is {}",
                       part.number, part.time, motion.run().line_of(part.element), name, component.name,
-                      axis_names[j], place, value, value / (machine.axes[j].*limit), component.factor)};
+                      coordinate_names[j], place, value, value / (machine.axes[j].*limit), component.factor)};
     }
   }
   return {};

@@ -268,8 +268,8 @@ Result check_displacement(const Motion& motion) {
     Vec3 along = Vec3::Zero();
     for (std::size_t i = 1; i < borders.size(); ++i) {
       const double width = borders[i] - borders[i - 1];
-      constexpr double most_pieces = 300;
-      const double pieces = std::clamp(std::ceil(turn * width), 1.0, most_pieces);
+      constexpr double max_pieces = 300;
+      const double pieces = std::clamp(std::ceil(turn * width), 1.0, max_pieces);
       for (double piece = 0; piece < pieces; ++piece) {
         const double from = borders[i - 1] + piece / pieces * width;
         along += way(motion, part, from, from + width / pieces, allowed * width / pieces, 12);

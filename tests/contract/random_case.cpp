@@ -10,7 +10,7 @@ namespace feedscope::contract {
 namespace {
 
 void set_limit(Machine& machine, std::size_t axis, const char* limit, double value) {
-  set_axis_limit(machine, axis_names[axis], limit, value);
+  set_axis_limit(machine, coordinate_names[axis], limit, value);
 }
 
 Machine made_up_machine(Random& random) {
@@ -43,7 +43,7 @@ Machine random_machine(Random& random) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
       for (const SettingSpec& limit : axis_limit_specs()) {
         set_limit(machine, axis, limit.key.c_str(),
-                  axis_limit(machine, axis_names[axis], limit.key) * random.between(0.3, 1.5));
+                  axis_limit(machine, coordinate_names[axis], limit.key) * random.between(0.3, 1.5));
       }
     }
   }

@@ -11,8 +11,8 @@
 namespace feedscope::contract {
 namespace {
 
-constexpr double farthest = 1000;      ///< from the origin, along every axis [mm]
-constexpr double least_radius = 1e-3;  ///< about that of arcs [mm]
+constexpr double farthest = 1000;    ///< from the origin, along every axis [mm]
+constexpr double min_radius = 1e-3;  ///< about that of arcs [mm]
 
 std::size_t block_count(Random& random) {
   const double choice = random.unit();
@@ -99,7 +99,7 @@ void RandomProgram::add_line(const char* code, const Vec3& target) {
   for (int j = 0; j < 3; ++j) {
     const std::string word = rounded(target[j]);
     if (std::stod(word) != at_[j]) {
-      line += fmt::format(" {}{}", axis_names[static_cast<std::size_t>(j)], word);
+      line += fmt::format(" {}{}", coordinate_names[static_cast<std::size_t>(j)], word);
       at_[j] = std::stod(word);
     }
   }
@@ -115,7 +115,7 @@ void RandomProgram::add_arc() {
   if (random_.chance(0.15)) {
     heading = random_.between(-units::pi, units::pi);
   }
-  const double radius = std::max(size_, least_radius) * random_.spread(0.1, 3);
+  const double radius = std::max(size_, min_radius) * random_.spread(0.1, 3);
   const double from = heading - sense * units::pi / 2;  // of the start, seen from the centre
   const bool full = random_.chance(0.15);
   const double sweep = full ? 2 * units::pi : random_.between(0.05, 6.2);
@@ -127,13 +127,13 @@ void RandomProgram::add_arc() {
     for (const auto& [axis, step] : {std::pair{plane.a, std::cos(from + sense * sweep) - std::cos(from)},
                                      std::pair{plane.b, std::sin(from + sense * sweep) - std::sin(from)}}) {
       const std::string word = rounded(at_[axis] + radius * step);
-      line += fmt::format(" {}{}", axis_names[static_cast<std::size_t>(axis)], word);
+      line += fmt::format(" {}{}", coordinate_names[static_cast<std::size_t>(axis)], word);
       at_[axis] = std::stod(word);
     }
   }
   if (random_.chance(0.2)) {
     const std::string word = rounded(at_[plane.normal] + random_.sign() * radius * random_.spread(0.01, 2));
-    line += fmt::format(" {}{}", axis_names[static_cast<std::size_t>(plane.normal)], word);
+    line += fmt::format(" {}{}", coordinate_names[static_cast<std::size_t>(plane.normal)], word);
     at_[plane.normal] = std::stod(word);
   }
   line += fmt::format(" {}{} {}{}", offsets[plane.a], center_a, offsets[plane.b], center_b);

@@ -62,7 +62,7 @@ Result check_again(const Motion& motion, const Inputs& inputs) {
 }
 
 Result check_split(const Motion& motion, const Guarantees& promised, const Inputs& inputs) {
-  constexpr std::size_t most_cuts = 3;  // of a program
+  constexpr std::size_t max_cuts = 3;  // of a program
   const Toolpath& toolpath = motion.toolpath();
   std::vector<std::size_t> places;
   for (std::size_t i = 1; i < toolpath.segments.size(); ++i) {
@@ -70,7 +70,7 @@ Result check_split(const Motion& motion, const Guarantees& promised, const Input
       places.push_back(i);
     }
   }
-  const std::size_t step = 1 + places.size() / most_cuts;
+  const std::size_t step = 1 + places.size() / max_cuts;
   for (std::size_t k = places.size() % step; k < places.size(); k += step) {
     const std::size_t i = places[k];
     const std::size_t part = motion.first_part_of(i);

@@ -17,13 +17,25 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What may include what: each includes itself and what stands before it.
-const std::vector<std::string> stages{"core/base",    "core/machine",
-                                      "core/program", "core/toolpath",
-                                      "core/blend",   "core/limits",
-                                      "core/feed",    "core/trajectory",
-                                      "core/models",  "core/analysis",
-                                      "core/lessons", "core/export",
-                                      "ui",           "app"};
+const std::vector<std::string> stages{"core/base",      "core/machine",
+                                      "core/program",   "core/toolpath",
+                                      "core/blend",     "core/limits",
+                                      "core/feed",      "core/trajectory",
+                                      "core/models",    "core/analysis",
+                                      "core/lessons",   "core/export",
+                                      "core/handbook",  "ui/units",
+                                      "ui/language",    "ui/theme",
+                                      "ui/fields",      "ui/shared",
+                                      "ui/help",        "ui/scene",
+                                      "ui/workbench",   "ui/annotations",
+                                      "ui/scene_view",  "ui/charts",
+                                      "ui/study",       "ui/runs",
+                                      "ui/contour",     "ui/why",
+                                      "ui/slow_places", "ui/messages",
+                                      "ui/playback",    "ui/program_text",
+                                      "ui/setup",       "ui/lessons",
+                                      "ui/session",     "ui/report",
+                                      "ui/window",      "app"};
 
 struct SourceFile {
   std::string path;  ///< from the project's top level
@@ -76,12 +88,30 @@ std::size_t stage_of(const std::string& path) {
   return static_cast<std::size_t>(std::find_if(stages.begin(), stages.end(), holds) - stages.begin());
 }
 
-TEST(Layering, TheFoldersOfTheCoreAreTheStages) {
-  for (const auto& entry : fs::directory_iterator(fs::path(FEEDSCOPE_SOURCE_DIR) / "core")) {
-    if (entry.is_directory()) {
-      EXPECT_THAT(stages, testing::Contains("core/" + entry.path().filename().string()));
+TEST(Layering, TheFoldersAreTheStages) {
+  for (const std::string room : {"core", "ui"}) {
+    for (const auto& entry : fs::directory_iterator(fs::path(FEEDSCOPE_SOURCE_DIR) / room)) {
+      if (entry.is_directory()) {
+        EXPECT_THAT(stages, testing::Contains(room + "/" + entry.path().filename().string()));
+      }
     }
   }
+}
+
+/// What a panel needs of another one, if anything, is in a folder that both use.
+TEST(Layering, PanelsDoNotKnowEachOther) {
+  const std::vector<std::string> panels{"charts", "study",        "runs",     "contour",
+                                        "why",    "slow_places",  "messages", "playback",
+                                        "setup",  "program_text", "lessons",  "scene_view"};
+  const auto folder_of = [](const std::string& path) {
+    const std::string inside = path.substr(std::min(path.size(), std::string("ui/").size()));
+    return path.starts_with("ui/") ? inside.substr(0, inside.find('/')) : "";
+  };
+  const auto other_panel = [&](const SourceFile& file, const std::string& name) {
+    return std::ranges::count(panels, folder_of(file.path)) > 0 &&
+           std::ranges::count(panels, folder_of(name)) > 0 && folder_of(file.path) != folder_of(name);
+  };
+  EXPECT_THAT(includes_where(sources_under({"ui"}), other_panel), testing::IsEmpty());
 }
 
 TEST(Layering, IncludesRunOneWay) {
@@ -126,7 +156,7 @@ TEST(Layering, SceneKnowsNoWidgets) {
   static const std::regex widget(
       R"(^(QtWidgets/.*|QtCharts/.*|QApplication|Q.*(Widget|Window|Dialog|Action|Button|Layout|View|Chart|Slider|Box|Label|Menu|Edit|Bar))$)");
   const auto is_widget = [](const SourceFile&, const std::string& name) {
-    return std::regex_match(name, widget) || name.starts_with("ui/views/") || name.starts_with("ui/charts/");
+    return std::regex_match(name, widget) || name.starts_with("ui/charts/");
   };
   EXPECT_THAT(includes_where(sources_under({"ui/scene"}), is_widget), testing::IsEmpty());
 }

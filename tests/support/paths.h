@@ -37,7 +37,7 @@ Machine mikron();
 
 /// Points of Essid 2019, table 1 [mm].
 std::vector<Vec3> essid_table1();
-/// The spline of Essid 2019, eq 32, at the parameters of MODELS section 2 [mm].
+/// The spline of Essid 2019, eq 32, at the parameters of models/essid/README.md [mm].
 std::vector<Vec3> essid_spline();
 
 }  // namespace feedscope::testing

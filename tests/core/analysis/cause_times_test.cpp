@@ -1,4 +1,4 @@
-#include "ui/charts/cause_times.h"
+#include "core/analysis/cause_times.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include "tests/support/parts.h"
 #include "tests/ui/run_fixture.h"
 
-namespace feedscope::ui {
+namespace feedscope {
 namespace {
 
 std::vector<double> by_parts(const Trajectory& trajectory, double from, double to) {
@@ -83,4 +83,4 @@ TEST(CauseTimes, OfNothingAreNone) {
 }
 
 }  // namespace
-}  // namespace feedscope::ui
+}  // namespace feedscope

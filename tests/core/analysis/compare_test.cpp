@@ -47,8 +47,8 @@ TEST(SetupsToCompare, RefuseAnAssignmentThatNoModelTakes) {
   const auto message = [](const std::string& assignment) {
     return [assignment] { setups_to_compare({}, {"cam", "tapie"}, {}, {assignment}); };
   };
-  EXPECT_THAT(message("alpha=2"), ::testing::ThrowsMessage<InputError>(::testing::HasSubstr(
-                                      "'alpha' is known to none of the models cam, tapie; ")));
+  EXPECT_THAT(message("alpha=2"), ::testing::ThrowsMessage<InputError>(
+                                      ::testing::HasSubstr("'alpha' is unknown to the models cam, tapie; ")));
   EXPECT_THAT(message("X.jrek=2"),
               ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("did you mean 'X.jerk'?")));
   EXPECT_THAT(message("X.jerk"), ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("has no value")));

@@ -64,7 +64,7 @@ TEST(ControlDialect, AMismatchNamesBothAndWhatToDo) {
                                            HasSubstr("Siemens Sinumerik 840D"), HasSubstr("dmg-mori-evo40")));
   const auto fanuc = control_mismatch(spinner, Dialect::fanuc);
   ASSERT_TRUE(fanuc);
-  EXPECT_THAT(describe(*fanuc), AllOf(HasSubstr("Fanuc"), HasSubstr("machine file of your own")));
+  EXPECT_THAT(describe(*fanuc), AllOf(HasSubstr("Fanuc"), HasSubstr("your own machine file")));
 }
 
 TEST(RunNotes, BeginWithTheControlThenWhatIsNotFollowed) {

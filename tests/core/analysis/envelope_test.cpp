@@ -1,4 +1,4 @@
-#include "ui/charts/envelope.h"
+#include "core/analysis/envelope.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 #include "tests/support/parts.h"
 #include "tests/ui/run_fixture.h"
 
-namespace feedscope::ui {
+namespace feedscope {
 namespace {
 
 constexpr int fine_samples = 400;
@@ -47,14 +47,14 @@ double tolerance_of(const Extent& overall) {
 /// `band` holds all of `least` and nothing beyond `most`.
 void expect_between(const Band& band, const Band& least, const Band& most, const Band& overall,
                     const std::string& place) {
-  for (std::size_t i = 0; i < channel_count; ++i) {
-    const double tolerance = tolerance_of(overall.channels[i]);
-    const Extent& extent = band.channels[i];
+  for (std::size_t i = 0; i < charted_count; ++i) {
+    const double tolerance = tolerance_of(overall.extents[i]);
+    const Extent& extent = band.extents[i];
     const std::string where = place + " channel " + std::to_string(i);
-    EXPECT_LE(double{extent.min}, double{least.channels[i].min} + tolerance) << where;
-    EXPECT_GE(double{extent.max}, double{least.channels[i].max} - tolerance) << where;
-    EXPECT_GE(double{extent.min}, double{most.channels[i].min} - tolerance) << where;
-    EXPECT_LE(double{extent.max}, double{most.channels[i].max} + tolerance) << where;
+    EXPECT_LE(double{extent.min}, double{least.extents[i].min} + tolerance) << where;
+    EXPECT_GE(double{extent.max}, double{least.extents[i].max} - tolerance) << where;
+    EXPECT_GE(double{extent.min}, double{most.extents[i].min} - tolerance) << where;
+    EXPECT_LE(double{extent.max}, double{most.extents[i].max} + tolerance) << where;
   }
 }
 
@@ -100,20 +100,20 @@ TEST(Envelope, StraightBlockAtItsFeedIsExact) {
   const Envelope envelope(run.trajectory);
   const std::vector<double> times{0.2, 0.4};
   const Band column = envelope.columns(times).front();
-  EXPECT_FLOAT_EQ(column[Channel::velocity_x].min, 100);
-  EXPECT_FLOAT_EQ(column[Channel::velocity_x].max, 100);
-  EXPECT_FLOAT_EQ(column[Channel::feed].max, 100);
-  EXPECT_FLOAT_EQ(column[Channel::programmed_feed].max, 100);
-  EXPECT_FLOAT_EQ(column[Channel::velocity_y].max, 0);
-  EXPECT_FLOAT_EQ(column[Channel::acceleration_x].max, 0);
+  EXPECT_FLOAT_EQ(column[QuantityId::velocity_x].min, 100);
+  EXPECT_FLOAT_EQ(column[QuantityId::velocity_x].max, 100);
+  EXPECT_FLOAT_EQ(column[QuantityId::feed].max, 100);
+  EXPECT_FLOAT_EQ(column[QuantityId::programmed_feed].max, 100);
+  EXPECT_FLOAT_EQ(column[QuantityId::velocity_y].max, 0);
+  EXPECT_FLOAT_EQ(column[QuantityId::acceleration_x].max, 0);
 }
 
 TEST(Envelope, FullCircleReachesBothSignsOfTheFeedInOnePiece) {
   const auto run = test::simulate_text("G21 G90 F6000\nG2 X0 Y0 I10 J0\n", "cam");
   const Band band = Envelope(run.trajectory).overall();
-  EXPECT_NEAR(band[Channel::velocity_x].min, -100, 0.4);
-  EXPECT_NEAR(band[Channel::velocity_x].max, 100, 0.4);
-  EXPECT_NEAR(band[Channel::velocity_y].max, 100, 0.4);
+  EXPECT_NEAR(band[QuantityId::velocity_x].min, -100, 0.4);
+  EXPECT_NEAR(band[QuantityId::velocity_x].max, 100, 0.4);
+  EXPECT_NEAR(band[QuantityId::velocity_y].max, 100, 0.4);
 }
 
 TEST(Envelope, ColumnsOutsideTheRunAreEmpty) {
@@ -122,17 +122,17 @@ TEST(Envelope, ColumnsOutsideTheRunAreEmpty) {
   const double end = run.trajectory->duration();
   const std::vector<double> times{-2, -1, 0, end, end + 1, end + 2};
   const std::vector<Band> columns = envelope.columns(times);
-  EXPECT_TRUE(columns[0][Channel::feed].empty());
-  EXPECT_FALSE(columns[2][Channel::feed].empty());
-  EXPECT_TRUE(columns[4][Channel::feed].empty());
+  EXPECT_TRUE(columns[0][QuantityId::feed].empty());
+  EXPECT_FALSE(columns[2][QuantityId::feed].empty());
+  EXPECT_TRUE(columns[4][QuantityId::feed].empty());
 }
 
 TEST(Envelope, OfNothingIsEmpty) {
-  EXPECT_TRUE(Envelope().overall()[Channel::feed].empty());
+  EXPECT_TRUE(Envelope().overall()[QuantityId::feed].empty());
   const Envelope still(std::make_shared<const Trajectory>());
-  EXPECT_TRUE(still.overall()[Channel::feed].empty());
+  EXPECT_TRUE(still.overall()[QuantityId::feed].empty());
   const std::vector<double> times{0, 1};
-  EXPECT_TRUE(still.columns(times).front()[Channel::feed].empty());
+  EXPECT_TRUE(still.columns(times).front()[QuantityId::feed].empty());
 }
 
 TEST(Envelope, StopsWhenCancelled) {
@@ -143,4 +143,4 @@ TEST(Envelope, StopsWhenCancelled) {
 }
 
 }  // namespace
-}  // namespace feedscope::ui
+}  // namespace feedscope

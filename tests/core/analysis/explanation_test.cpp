@@ -169,7 +169,7 @@ TEST_P(ExplanationOfSamples, FormulasGiveWhatTheRunHas) {
                                     state.cause.kind <= CauseKind::blend_tangential_jerk &&
                                     std::abs(state.tangential_jerk) > 0;
       const bool at_constant_speed = state.tangential_acceleration == 0 && state.tangential_jerk == 0;
-      const bool ramp = why.reason.formula.dimension() != Dimension::speed;
+      const bool ramp = why.reason.formula.dimension() != Dimension::feed;
       if (!on_sampled_blend && !(ramp && at_constant_speed)) {
         count(ramp ? ramps : speeds, why.reason);
       }

@@ -1,4 +1,4 @@
-#include "core/analysis/unfollowed.h"
+#include "core/analysis/ignored_path_control.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,45 +13,45 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 
 /// A line under the words of a Sinumerik program.
-std::vector<std::string> unfollowed_of(const std::string& words, const std::string& model,
-                                       std::vector<std::string> assignments = {}) {
+std::vector<std::string> ignored_of(const std::string& words, const std::string& model,
+                                    std::vector<std::string> assignments = {}) {
   const Program program = read_text(words + "\nG1 X10 F1000\nX20 Y5\n", {.dialect = Dialect::sinumerik});
   SetupRequest request;
   request.model = model;
   request.assignments = std::move(assignments);
-  return unfollowed(build_toolpath(program), make_setup(request));
+  return ignored_path_control(build_toolpath(program), make_setup(request));
 }
 
 TEST(Unfollowed, NothingIsSaidOfAProgramThatAsksForNothing) {
   for (const ControlModel* model : all_models()) {
-    EXPECT_THAT(unfollowed_of("G64", model->info().id), IsEmpty()) << model->info().id;
+    EXPECT_THAT(ignored_of("G64", model->info().id), IsEmpty()) << model->info().id;
   }
 }
 
 TEST(Unfollowed, TolerancesNeedAModelWithBlends) {
-  EXPECT_THAT(unfollowed_of("G642 CTOL=0.02", "cam"), ElementsAre(HasSubstr("Tolerances")));
-  EXPECT_THAT(unfollowed_of("G641 ADIS=0.5", "tapie"), ElementsAre(HasSubstr("blend distances")));
-  EXPECT_THAT(unfollowed_of("G642 CTOL=0.02", "essid"), IsEmpty());
+  EXPECT_THAT(ignored_of("G642 CTOL=0.02", "cam"), ElementsAre(HasSubstr("Tolerances")));
+  EXPECT_THAT(ignored_of("G641 ADIS=0.5", "tapie"), ElementsAre(HasSubstr("blend distances")));
+  EXPECT_THAT(ignored_of("G642 CTOL=0.02", "essid"), IsEmpty());
 }
 
 TEST(Unfollowed, CompactionNeedsAModelThatJoinsBlocks) {
-  EXPECT_THAT(unfollowed_of("COMPCAD", "essid"), ElementsAre(HasSubstr("short blocks are not joined")));
-  EXPECT_THAT(unfollowed_of("COMPCAD", "msaddek", {"compaction_mm=5"}), IsEmpty());
-  EXPECT_THAT(unfollowed_of("COMPCAD", "msaddek", {"compaction_mm=0"}), ElementsAre(HasSubstr("Compaction")));
-  EXPECT_THAT(unfollowed_of("COMPOF", "essid"), IsEmpty());
+  EXPECT_THAT(ignored_of("COMPCAD", "essid"), ElementsAre(HasSubstr("short blocks are not joined")));
+  EXPECT_THAT(ignored_of("COMPCAD", "msaddek", {"compaction_mm=5"}), IsEmpty());
+  EXPECT_THAT(ignored_of("COMPCAD", "msaddek", {"compaction_mm=0"}), ElementsAre(HasSubstr("Compaction")));
+  EXPECT_THAT(ignored_of("COMPOF", "essid"), IsEmpty());
 }
 
 TEST(Unfollowed, AccelerationNeedsAModelWithRamps) {
-  EXPECT_THAT(unfollowed_of("BRISK", "essid"), IsEmpty());
-  EXPECT_THAT(unfollowed_of("BRISK", "ward"), ElementsAre(HasSubstr("BRISK")));
-  EXPECT_THAT(unfollowed_of("DRIVE", "essid"), ElementsAre(HasSubstr("run as SOFT")));
-  EXPECT_THAT(unfollowed_of("DRIVE", "cam"), IsEmpty());
-  EXPECT_THAT(unfollowed_of("SOFT", "ward"), IsEmpty());
+  EXPECT_THAT(ignored_of("BRISK", "essid"), IsEmpty());
+  EXPECT_THAT(ignored_of("BRISK", "ward"), ElementsAre(HasSubstr("BRISK")));
+  EXPECT_THAT(ignored_of("DRIVE", "essid"), ElementsAre(HasSubstr("simulated as SOFT")));
+  EXPECT_THAT(ignored_of("DRIVE", "cam"), IsEmpty());
+  EXPECT_THAT(ignored_of("SOFT", "ward"), IsEmpty());
 }
 
 TEST(Unfollowed, NoModelHasFollowingErrors) {
-  EXPECT_THAT(unfollowed_of("FFWOF", "ward"), ElementsAre(HasSubstr("lag")));
-  EXPECT_THAT(unfollowed_of("FFWON", "ward"), IsEmpty());
+  EXPECT_THAT(ignored_of("FFWOF", "ward"), ElementsAre(HasSubstr("lag")));
+  EXPECT_THAT(ignored_of("FFWON", "ward"), IsEmpty());
 }
 
 TEST(Unfollowed, CurvesRunAsArcsInModelsWithRamps) {
@@ -62,7 +62,7 @@ TEST(Unfollowed, CurvesRunAsArcsInModelsWithRamps) {
                      {.dialect = Dialect::sinumerik});
     SetupRequest request;
     request.model = model;
-    return unfollowed(program, make_setup(request));
+    return ignored_path_control(program, make_setup(request));
   };
   for (const ControlModel* model : all_models()) {
     const std::string& id = model->info().id;
@@ -71,19 +71,19 @@ TEST(Unfollowed, CurvesRunAsArcsInModelsWithRamps) {
       EXPECT_THAT(said("CSPLINE", id), IsEmpty());
     } else {
       EXPECT_THAT(said("CSPLINE", id), ElementsAre(HasSubstr("2.4 times"))) << id;
-      EXPECT_THAT(all_unfollowed(), testing::Contains(said("CSPLINE", id).front()));
+      EXPECT_THAT(all_ignored_path_control(), testing::Contains(said("CSPLINE", id).front()));
     }
   }
 }
 
 TEST(Unfollowed, IsSaidOnceInAFixedOrder) {
-  EXPECT_THAT(unfollowed_of("FFWOF DRIVE COMPCAD\nG1 X1 F100\nCOMPCURV\nG1 X2", "essid"),
+  EXPECT_THAT(ignored_of("FFWOF DRIVE COMPCAD\nG1 X1 F100\nCOMPCURV\nG1 X2", "essid"),
               ElementsAre(HasSubstr("Compaction"), HasSubstr("DRIVE"), HasSubstr("Feed-forward")));
 }
 
 TEST(Unfollowed, TranslatorsSeeEverySentence) {
-  const std::vector<std::string> all = all_unfollowed();
-  for (const std::string& sentence : unfollowed_of("FFWOF DRIVE COMPCAD G642 CTOL=0.02", "ward")) {
+  const std::vector<std::string> all = all_ignored_path_control();
+  for (const std::string& sentence : ignored_of("FFWOF DRIVE COMPCAD G642 CTOL=0.02", "ward")) {
     EXPECT_THAT(all, testing::Contains(sentence));
   }
 }

@@ -21,7 +21,7 @@ TEST(ProgramFacts, CountWhatTheProgramHolds) {
   EXPECT_NEAR(facts.path_length, 10 + 10 + 5 * 3.14159265358979 + 10, 1e-9);
   EXPECT_DOUBLE_EQ(facts.rapid_length, 10);
   EXPECT_GT(facts.dwell_time, 0);
-  EXPECT_DOUBLE_EQ(facts.least_feed, 10);
+  EXPECT_DOUBLE_EQ(facts.min_feed, 10);
   EXPECT_DOUBLE_EQ(facts.largest_feed, 20);
   EXPECT_DOUBLE_EQ(facts.bounds.max.x(), 30);
 }

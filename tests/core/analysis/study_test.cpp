@@ -46,15 +46,15 @@ TEST(Sweep, HasEqualRatiosOrSteps) {
 }
 
 TEST(Sweep, SaysWhatIsWrong) {
-  expect_refused("tolerance", {"'tolerance'", "no KEY=", "log12"});
-  expect_refused("=1", {"no KEY="});
-  expect_refused("a=0:1:log3", {"above 0", "here is 0"});
-  expect_refused("a=1:1:lin3", {"from 1 to 1 is no range"});
+  expect_refused("tolerance", {"'tolerance'", "KEY= is missing", "log12"});
+  expect_refused("=1", {"KEY= is missing"});
+  expect_refused("a=0:1:log3", {"above 0", "not 0"});
+  expect_refused("a=1:1:lin3", {"from 1 to 1 is not a range"});
   expect_refused("a=1:2:lin1", {"1 values", "2 to 1000"});
   expect_refused("a=1:2:lin2.5", {"whole number"});
   expect_refused("a=1:2:lin2000", {"2000 values"});
   expect_refused("a=1:2:cub3", {"'cub3' is neither logN nor linN"});
-  expect_refused("a=1:2", {"three parts, here are 2"});
+  expect_refused("a=1:2", {"three parts, not 2"});
   expect_refused("a=1;2;1", {"1 is listed twice"});
   expect_refused("a=1;x", {"'x' is not a number"});
   expect_refused("a=", {"the value is missing"});
@@ -105,15 +105,15 @@ TEST(StudySetups, RefuseWhatNoModelKnowsAndWhatStandsTwice) {
   };
   EXPECT_THAT(message(request_of({"X.jerck=1;2"}, {"essid"})),
               AllOf(HasSubstr("X.jerck"), HasSubstr("X.jerk")));
-  EXPECT_THAT(message(request_of({"tolerance=1;2"}, {"cam"})), HasSubstr("none of the models cam"));
+  EXPECT_THAT(message(request_of({"tolerance=1;2"}, {"cam"})), HasSubstr("unknown to the models cam"));
   EXPECT_THAT(message(request_of({"alpha=1;2", "alpha=3"}, {"essid"})), HasSubstr("swept twice"));
   EXPECT_THAT(message(request_of({"tolerance=0.1;20"}, {"essid"})), HasSubstr("10"));
   StudyRequest set = request_of({"alpha=1;2"}, {"essid"});
   set.assignments = {"alpha=2"};
-  EXPECT_THAT(message(set), HasSubstr("swept and set"));
+  EXPECT_THAT(message(set), HasSubstr("both swept and set"));
   StudyRequest given = request_of({"tolerance=0.1;0.2"}, {"essid"});
   given.tolerances = {0.1};
-  EXPECT_THAT(message(given), HasSubstr("leave --tolerance out"));
+  EXPECT_THAT(message(given), HasSubstr("omit --tolerance"));
   EXPECT_THAT(message(request_of({"alpha=1:3:lin1000", "beta=0.1:1:lin1000"}, {"essid"})),
               HasSubstr("10000"));
 }

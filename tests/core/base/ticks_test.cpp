@@ -1,4 +1,4 @@
-#include "ui/scene/ticks.h"
+#include "core/base/ticks.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-namespace feedscope::ui {
+namespace feedscope {
 namespace {
 
 using testing::ElementsAre;
@@ -99,4 +99,4 @@ TEST(Ticks, AreNeverMoreThanAskedForAndAtLeastAThird) {
 }
 
 }  // namespace
-}  // namespace feedscope::ui
+}  // namespace feedscope

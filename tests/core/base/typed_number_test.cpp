@@ -22,7 +22,7 @@ TEST(TypedNumber, IsRefusedWhereACommaCouldGroupThousands) {
   for (const char* text : {"1,000", "12,345", "999,999", "-1,000", "4,995", "1,000e3"}) {
     const TypedNumber number = typed_number(text);
     EXPECT_FALSE(number.value) << text;
-    EXPECT_THAT(number.problem, HasSubstr("the comma could be a decimal sign or group thousands")) << text;
+    EXPECT_THAT(number.problem, HasSubstr("the comma could be a decimal or a thousands separator")) << text;
   }
   EXPECT_THAT(typed_number("4,995").problem, HasSubstr("write 4.995 or 4995"));
   for (const char* text : {"1,000,000", "1.000,5", "1,000.5"}) {

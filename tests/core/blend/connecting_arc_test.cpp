@@ -18,7 +18,8 @@ Vec3 turned(double degrees) {
 }
 
 TEST(ConnectingArc, OfTheInterpolationToleranceHasTheRadiiOfThePaper) {
-  // Msaddek 2011, section 3.2.3: TIT 4 um gives radii of 1.9 to 11 um (MODELS section 4: 129 to 40 degrees).
+  // Msaddek 2011, section 3.2.3: TIT 4 um gives radii of 1.9 to 11 um (models/msaddek/README.md: 129 to 40
+  // degrees).
   const auto radius = [](double degrees) {
     return connecting_arc({0, 0, 0}, east, turned(degrees), 100, 0.004).arc.radius;
   };

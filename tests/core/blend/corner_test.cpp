@@ -32,7 +32,7 @@ TEST(TurnAngle, IsExactAtAwkwardAngles) {
 }
 
 TEST(Corner, GivesTheTransitionLengthsOfEssidTable1) {
-  // MODELS section 2, 1e-5 relative; beta 0.8 at corner 1, 0.6 where an axis reverses
+  // models/essid/README.md, 1e-5 relative; beta 0.8 at corner 1, 0.6 where an axis reverses
   const auto unit = directions();
   const double expected[] = {.824239, .226274, .320003};
   const double with_full_tolerance[] = {1.030298, .377124, .533339};

@@ -18,7 +18,7 @@ using ::testing::ThrowsMessage;
 
 constexpr const char* csv_header =
     "time_s,path_mm,line,x_mm,y_mm,z_mm,feed_mm_min,programmed_feed_mm_min,vx_mm_min,vy_mm_min,vz_mm_min,"
-    "ax_m_s2,ay_m_s2,az_m_s2,jx_m_s3,jy_m_s3,jz_m_s3,at_m_s2,jt_m_s3,cause\n";
+    "ax_m_s2,ay_m_s2,az_m_s2,jx_m_s3,jy_m_s3,jz_m_s3,at_m_s2,jt_m_s3,cause,an_m_s2\n";
 
 /// 0.02 s up by jerk 1000 mm/s3 times -1 in X and steady after it for 0.03 s, from line 7.
 Trajectory ramp_and_cruise() {
@@ -50,10 +50,10 @@ std::size_t rows(const std::string& text) {
 TEST(Csv, HoldsARowEachStepAndOneForTheEnd) {
   std::string expected = csv_header;
   expected +=
-      "0,0,7,1,2,3,300,600,-300,0,0,0,0,0,-1,0,0,0,1,axis_jerk_x\n"
-      "0.02,1,7,0,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed\n"
-      "0.04,1.2,7,-0.2,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed\n"
-      "0.05,1.3,7,-0.3,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed\n";
+      "0,0,7,1,2,3,300,600,-300,0,0,0,0,0,-1,0,0,0,1,axis_jerk_x,0\n"
+      "0.02,1,7,0,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed,0\n"
+      "0.04,1.2,7,-0.2,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed,0\n"
+      "0.05,1.3,7,-0.3,2,3,600,600,-600,0,0,0,0,0,0,0,0,0,0,programmed_feed,0\n";
   EXPECT_EQ(csv(ramp_and_cruise(), 0.02), expected);
 }
 

@@ -81,7 +81,7 @@ TEST_F(LessonFile, NamesAMissingKey) {
                ":37:", "'about' in claim 2 of question 1 needs one of within");
   expect_error(changed(", source = \"the program\"", ""),
                ":24:", "key 'source' is missing in 'feed' in [given]");
-  expect_error(changed("values = [0.05, 0.1]", ""), ":29:", "no TOML");
+  expect_error(changed("values = [0.05, 0.1]", ""), ":29:", "not valid TOML");
   expect_error(changed(", values = [0.05, 0.1]", ""),
                ":29:", "'control' of question 1 needs one of values = [...] and range = [from, to]");
 }
@@ -163,7 +163,7 @@ TEST_F(LessonFile, TellsWhatIsNoLesson) {
               ThrowsMessage<InputError>(HasSubstr("is a folder; give a lesson")));
   EXPECT_THAT([&] { read_lesson(folder_ / "none.toml"); },
               ThrowsMessage<InputError>(HasSubstr("cannot read lesson")));
-  expect_error(changed("minutes = 10", "minutes = "), ":3:", "no TOML");
+  expect_error(changed("minutes = 10", "minutes = "), ":3:", "not valid TOML");
   expect_error(changed("[[question]]", "[question]"), ":", "");
   EXPECT_THAT([] { find_lesson("tolerence_and_time"); },
               ThrowsMessage<InputError>(HasSubstr("02_tolerance_and_time")));

@@ -4,6 +4,7 @@
 
 #include <regex>
 
+#include "core/base/markdown.h"
 #include "core/lessons/handout.h"
 #include "core/lessons/lesson.h"
 
@@ -41,7 +42,7 @@ std::string letters(const std::string& text) {
 /// What a browser shows of it, without blanks and the marks of lists.
 std::string shown_letters(const std::string& markdown) {
   static const std::regex tags("<[^>]*>");
-  std::string text = std::regex_replace(html_of(markdown), tags, "");
+  std::string text = std::regex_replace(markdown_as_html(markdown), tags, "");
   for (const auto& [entity, sign] :
        {std::pair{"&lt;", "<"}, {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}}) {
     text = std::regex_replace(text, std::regex(entity), sign);

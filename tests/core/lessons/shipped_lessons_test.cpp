@@ -1,10 +1,12 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <gmock/gmock.h>
 
 #include <regex>
 #include <set>
 
 #include "core/lessons/handout.h"
+#include "core/lessons/lesson_language.h"
 #include "core/lessons/lesson_runs.h"
 #include "tests/core/lessons/lesson_folder.h"
 #include "tests/support/folders.h"
@@ -41,8 +43,25 @@ TEST_P(ShippedLesson, EveryClaimHolds) {
   expect_claims(lesson_);
 }
 
-TEST_P(ShippedLesson, EveryNumberOfTheTextsIsHeldBySomething) {
-  EXPECT_THAT(unchecked_numbers(lesson_), testing::IsEmpty());
+/// {names} in a text, sorted.
+std::multiset<std::string> names_in(const std::string& text) {
+  static const std::regex name(R"(\{\w+\})");
+  return {std::sregex_token_iterator(text.begin(), text.end(), name), std::sregex_token_iterator()};
+}
+
+TEST_P(ShippedLesson, IsTranslatedWithTheSameNumbers) {
+  for (const std::string& language : lesson_languages()) {
+    const Lesson other = read_lesson(lesson_.file, language);
+    EXPECT_EQ(other.language, language);
+    EXPECT_THAT(other.untranslated, testing::IsEmpty()) << language;
+    EXPECT_THAT(unchecked_numbers(other), testing::IsEmpty()) << language;
+    EXPECT_EQ(names_in(other.text), names_in(lesson_.text));
+    for (std::size_t i = 0; i < lesson_.questions.size(); ++i) {
+      EXPECT_EQ(names_in(other.questions[i].text), names_in(lesson_.questions[i].text));
+      EXPECT_EQ(names_in(other.questions[i].hint), names_in(lesson_.questions[i].hint));
+      EXPECT_EQ(names_in(other.questions[i].answer), names_in(lesson_.questions[i].answer));
+    }
+  }
 }
 
 TEST_P(ShippedLesson, EveryNumberThatIsNamedIsUsed) {
@@ -82,10 +101,28 @@ TEST_P(ShippedLesson, EveryControlCanBeMovedAndWhatToWatchMeasured) {
 }
 
 TEST_P(ShippedLesson, PrintsWithAllItsNumbers) {
-  LessonRuns runs(lesson_);
-  const std::string html = handout_html(lesson_, runs.numbers());
-  EXPECT_FALSE(std::regex_search(html.substr(html.find("<body>")), std::regex(R"(\{\w+\})")));
-  EXPECT_THAT(html, testing::HasSubstr(lesson_.title));
+  for (const std::string& language : lesson_languages()) {
+    const Lesson lesson = read_lesson(lesson_.file, language);
+    const std::string html = handout_html(lesson, LessonRuns(lesson).numbers());
+    EXPECT_THAT(names_in(html.substr(html.find("<body>"))), testing::IsEmpty());
+    EXPECT_THAT(html, testing::HasSubstr(lesson.title));
+  }
+}
+
+/// A source in the project is a file of it.
+TEST_P(ShippedLesson, ItsSourcesAreThere) {
+  std::string sources = fmt::format("{}", fmt::join(lesson_.sources, " "));
+  for (const auto& [name, given] : lesson_.given) {
+    sources += " " + given.source;
+  }
+  static const std::regex file(R"((core|resources|machines)/[\w/.-]*\w)");
+  for (auto found = std::sregex_iterator(sources.begin(), sources.end(), file);
+       found != std::sregex_iterator(); ++found) {
+    EXPECT_TRUE(std::filesystem::exists(std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / found->str()))
+        << found->str();
+  }
+  EXPECT_THAT(sources, testing::Not(testing::HasSubstr("core/models/README.md")))
+      << "derivations are in the folders of the models";
 }
 
 INSTANTIATE_TEST_SUITE_P(Lessons, ShippedLesson, testing::ValuesIn(shipped_ids()),

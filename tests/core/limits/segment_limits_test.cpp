@@ -82,7 +82,7 @@ struct Crossing {
 class CrossingOfTapie : public ::testing::TestWithParam<Crossing> {};
 
 TEST_P(CrossingOfTapie, IsReproduced) {
-  // MODELS section 3: 0.5 %; t_cy 12 ms. The curvature vectors point to a common centre.
+  // models/tapie/README.md: 0.5 %; t_cy 12 ms. The curvature vectors point to a common centre.
   const auto [r1, r2, degrees, feed] = GetParam();
   const Vec3 inward = -Vec3(std::cos(from_deg(degrees)), std::sin(from_deg(degrees)), 0);
   const SpeedBound bound = crossing_speed(inward * (1 / r2 - 1 / r1), mikron().jerk, 0.012);

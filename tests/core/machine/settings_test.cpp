@@ -73,7 +73,7 @@ TEST(ParseSetting, TakesPointAndComma) {
 TEST(ParseSetting, SaysWhatToWriteInsteadOfAnAmbiguousComma) {
   EXPECT_THAT(
       [] { parse_setting(spec_of("contour_tolerance_mm"), "1,000"); },
-      fails_with("contour_tolerance_mm = '1,000': the comma could be a decimal sign or group thousands; "
+      fails_with("contour_tolerance_mm = '1,000': the comma could be a decimal or a thousands separator; "
                  "write 1.000 or 1000"));
 }
 
@@ -112,8 +112,9 @@ TEST(ParseSetting, KeepsCountsWhole) {
 
 TEST(ParseSetting, NamesTheChoices) {
   EXPECT_EQ(std::get<std::string>(parse_setting(choice_spec(), "published")), "published");
-  EXPECT_THAT([] { parse_setting(choice_spec(), "publishd"); },
-              fails_with("reading = 'publishd' is no choice; it must be one of: corrected, published"));
+  EXPECT_THAT(
+      [] { parse_setting(choice_spec(), "publishd"); },
+      fails_with("reading = 'publishd' is not a valid choice; it must be one of: corrected, published"));
 }
 
 TEST(CheckSetting, PutsThePlaceInFront) {
@@ -121,8 +122,8 @@ TEST(CheckSetting, PutsThePlaceInFront) {
               ThrowsMessage<InputError>(
                   "a.toml:3:4: tangential_share = 2 is out of bounds; it must be above 0 and at most 1"));
   EXPECT_THAT([] { check_setting(spec_of("tangential_share"), std::string("x"), ""); },
-              fails_with("is a text"));
-  EXPECT_THAT([] { check_setting(choice_spec(), 2.0, ""); }, fails_with("'2' is no choice"));
+              fails_with("is text"));
+  EXPECT_THAT([] { check_setting(choice_spec(), 2.0, ""); }, fails_with("'2' is not a valid choice"));
 }
 
 TEST(Settings, NamesKeyOfAbsentValueOrOtherType) {

@@ -30,7 +30,7 @@ std::string row(const Machine& machine, const std::string& name, const std::stri
 std::string readme_section(const Machine& machine) {
   std::string text = fmt::format("\n## {}\n\n{}, {}. {}.\n\n| Number | Value | Source |\n|---|---|---|\n",
                                  machine.id, machine.name, machine.control, machine.reference);
-  for (const char axis : axis_names) {
+  for (const char axis : coordinate_names) {
     for (const SettingSpec& limit : axis_limit_specs()) {
       std::string unit = limit.unit;
       std::replace(unit.begin(), unit.end(), '/', '_');

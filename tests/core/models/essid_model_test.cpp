@@ -26,7 +26,7 @@ Toolpath spline() {
 }
 
 TEST(EssidTable1, BlendsAreThoseOfThePaper) {
-  // MODELS section 2, 1e-5 relative
+  // models/essid/README.md, 1e-5 relative
   const Trajectory trajectory = run(table1());
   ASSERT_EQ(trajectory.blend_count(), 3u);
   const double transition[] = {.824239, .226274, .320003};
@@ -67,7 +67,7 @@ TEST(EssidTable1, WithTheFullToleranceBlendsAreLongerAndFaster) {
 }
 
 TEST(EssidTable1, TimesAreThoseOfTheReadings) {
-  // MODELS section 2: 0.5 % for the same law (strict, which samples nothing), 3 % for another sampled
+  // models/essid/README.md: 0.5 % for the same law (strict, which samples nothing), 3 % for another sampled
   // reading; never below the time-optimal bound 1.179 s. Measured: -0.6 %, -0.5 %, 0.0 %.
   EXPECT_NEAR(run(table1(), "strict").duration(), 1.267, 0.001 * 1.267);
   EXPECT_NEAR(run(table1(), "corrected").duration(), 1.249, 0.01 * 1.249);

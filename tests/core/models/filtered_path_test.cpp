@@ -161,7 +161,7 @@ TEST(FilteredPath, RefusesWhatTurnsAboutTooOftenAndNamesTheLine) {
     FAIL() << "laid";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(),
-                AllOf(HasSubstr("path of ward takes more than 202000 curves"), HasSubstr("up to line 12"),
+                AllOf(HasSubstr("path of ward needs more than 202000 curves"), HasSubstr("up to line 12"),
                       HasSubstr("choose the path of another model")));
   }
 }

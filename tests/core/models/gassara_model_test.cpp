@@ -17,7 +17,7 @@ Trajectory run(const Toolpath& path) {
 }
 
 TEST(GassaraSpline, ReproducesTheComparisonOfEssid2019) {
-  // MODELS section 6: at P_4 R 6.916 mm and 37.19 mm/s, total 2.903 s
+  // models/gassara/README.md: at P_4 R 6.916 mm and 37.19 mm/s, total 2.903 s
   const Trajectory trajectory = run(testing::polyline(testing::essid_spline(), 50));
   ASSERT_EQ(trajectory.blend_count(), 9u);
   const BlendRecord& blend = trajectory.blend(2);
@@ -76,7 +76,7 @@ TEST(GassaraModel, HoldsItsSpeedOnEveryBlendAndSaysWhatLimitsIt) {
 }
 
 TEST(GassaraTable1, TakesTheDerivedTimeAndNamesTheJerkAlongThePath) {
-  // MODELS section 6: v^3/R^2 lies along the path and has the share 1 - R_J of 10 m/s3
+  // models/gassara/README.md: v^3/R^2 lies along the path and has the share 1 - R_J of 10 m/s3
   const Trajectory trajectory = run(testing::polyline(testing::essid_table1(), 50));
   EXPECT_NEAR(trajectory.duration(), 1.2223659, 5e-7);
 }

@@ -41,7 +41,7 @@ SteadyPlace place_on(const Toolpath& path) {
   return steady_place(path.arcs[0], AxisVectors(testing::mikron()), control_jerk);
 }
 
-// Set points: Tapie 2007, table 3 and section 5.3.1; MODELS section 3, 0.5 %.
+// Set points: Tapie 2007, table 3 and section 5.3.1; models/tapie/README.md, 0.5 %.
 
 struct SetPoint {
   double radius, sweep, programmed, expected;  // mm, degrees, m/min, m/min
@@ -130,7 +130,7 @@ TEST(TapieSteadyPlace, AgreesWithASearchAlongHelicesInAnyDirection) {
   }
 }
 
-// Changes of curvature: section 5.4.1; MODELS section 3, 0.5 %.
+// Changes of curvature: section 5.4.1; models/tapie/README.md, 0.5 %.
 
 TEST(TapieModel, CrossesArcsOfASpiralAtTheFeedsOfThePaper) {
   struct Inclined {
@@ -153,7 +153,7 @@ TEST(TapieModel, CrossesAnInflectionByTheSumOfTheCurvatures) {
   EXPECT_NEAR(trajectory.state_at_path(25 * pi).speed, std::sqrt(5000 * 0.012 * 30), 1e-6);
 }
 
-// Bores: section 6, tables 4 and 5; MODELS section 3, 0.5 %.
+// Bores: section 6, tables 4 and 5; models/tapie/README.md, 0.5 %.
 
 struct Bore {
   double radius, approach, programmed, crossing, expected;  // mm, mm, mm/min, m/min, s

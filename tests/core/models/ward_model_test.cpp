@@ -16,7 +16,7 @@
 namespace feedscope {
 namespace {
 
-constexpr double exact = 1e-6;  // relative: MODELS section 5
+constexpr double exact = 1e-6;  // relative: models/ward/README.md
 
 struct Choice {
   int filters = 3;
@@ -98,7 +98,7 @@ TEST(WardCorner, SpeedIsTheRootOfTheErrorOrTheFeed) {
 }
 
 TEST(WardPointToPoint, TimesAndPeaksAreThoseOfThePaper) {
-  // Ward 2021, section 2.2: 6 mm at 3000 mm/min, T_acc = 0.0765 s; MODELS section 5.
+  // Ward 2021, section 2.2: 6 mm at 3000 mm/min, T_acc = 0.0765 s; models/ward/README.md.
   struct Case {
     int filters;
     double t1, acceleration, jerk;
@@ -126,7 +126,7 @@ TEST(WardPointToPoint, FilterTimeIsTheRootOfFeedOverJerk) {
 }
 
 TEST(WardRightAngle, PulsesAndTimesAreThoseDerived) {
-  // MODELS section 5: two 20 mm legs, n = 3, J 76.9 m/s3.
+  // models/ward/README.md: two 20 mm legs, n = 3, J 76.9 m/s3.
   struct Case {
     double feed, tolerance, a, width, time;
   };
@@ -184,7 +184,7 @@ TEST(WardShortBlocks, PulsesCoverTheBlockExactly) {
 
 TEST(WardShortBlocks, PulsesAndFeedSettleWhereTheToleranceIsNotEnforced) {
   // In the middle of a long regular polygon all corners are alike: V_c is that of legs with the feed f of a
-  // short block, and f = 2 c V_c^2/(2 c V_c - L) is that of such corners (MODELS section 5).
+  // short block, and f = 2 c V_c^2/(2 c V_c - L) is that of such corners (models/ward/README.md).
   for (const double radius : {2.0, 4.0, 8.6}) {
     for (const int degrees : {2, 5, 10}) {
       std::vector<Vec3> points;

@@ -25,9 +25,9 @@ TEST(ForeignLanguage, OkumaIsRecognisedAndNotTakenForAnother) {
   EXPECT_EQ(
       format(program.diagnostics.front(), "f"),
       "f:1: error: this is a program for Okuma OSP, which is not supported [unsupported-control] (it is "
-      "read as ISO and the path shown may be wrong: G15 H selects a work offset there, G56 H a tool "
-      "length, VC1 is a variable and CALL a subprogram; name a dialect with --dialect to read it as that "
-      "one)");
+      "interpreted "
+      "as ISO and the path shown may be wrong: G15 H selects a work offset there, G56 H a tool length, VC1 "
+      "is a variable and CALL a subprogram; give --dialect to interpret it as that dialect)");
   for (const char* name : {"PART.MIN", "part.min", "SUB.SSB"}) {
     EXPECT_TRUE(is_foreign(read(name, "G0 X1\nG1 X2 F100\n"))) << name;
   }

@@ -98,14 +98,14 @@ TEST_F(SourceFile, MayBeEmpty) {
 
 TEST_F(SourceFile, ThatIsNoTextOrHasAnEndlessLineIsRefused) {
   EXPECT_THAT(message_of(write("G0 X1" + std::string(40, '\0') + "M30\n")),
-              HasSubstr("is not a text file (it holds 40 control characters)"));
+              HasSubstr("is not a text file (it has 40 control characters)"));
   EXPECT_THAT(message_of(write("\xFF\xFEG")), HasSubstr("is not a text file (it is UTF-16)"));
   EXPECT_THAT(message_of(write("G0 X1\n" + std::string(SourceText::longest_line + 1, ' '))),
               HasSubstr(":2: the line is 10000001 bytes long"));
 }
 
 TEST(SourceText, MissingFileIsRefused) {
-  EXPECT_EQ(message_of("no/such/part.nc"), "no/such/part.nc: there is no such file; check the path");
+  EXPECT_EQ(message_of("no/such/part.nc"), "no/such/part.nc: does not exist; check the path");
 }
 
 TEST(SourceText, DirectoryIsRefused) {

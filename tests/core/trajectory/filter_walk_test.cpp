@@ -35,7 +35,7 @@ Toolpath random_polyline(std::mt19937& random, int blocks) {
   return testing::polyline(points, 100);
 }
 
-/// S_(n,m)(u) of MODELS section 5.
+/// S_(n,m)(u) of models/ward/README.md.
 double response(int n, int m, double u) {
   double sum = 0;
   double sign = 1;
@@ -46,7 +46,7 @@ double response(int n, int m, double u) {
   return sum;
 }
 
-/// The sum of MODELS section 5 over all steps of velocity; arcs as chords, `chords` a pulse.
+/// The sum of models/ward/README.md over all steps of velocity; arcs as chords, `chords` a pulse.
 class DirectSum {
  public:
   DirectSum(const PulseTrain& train, int chords = 1) : train_(train), position_(train.point(0)) {

@@ -1,4 +1,4 @@
-#include "ui/views/annotation_overlay.h"
+#include "ui/annotations/annotation_overlay.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,9 @@
 #include <QTest>
 
 #include "tests/ui/run_fixture.h"
-#include "ui/main_window.h"
+#include "ui/annotations/annotations_view.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
@@ -26,7 +28,7 @@ class AnnotationOverlayTest : public testing::Test {
   }
 
   QAction& action(AnnotationKind kind) {
-    return *window.annotations().panel_actions()[static_cast<qsizetype>(kind)];
+    return *window.part<AnnotationsView>().panel_actions()[static_cast<qsizetype>(kind)];
   }
   const Annotation& only() const { return list.items().at(0); }
   /// The camera is that of the last frame.
@@ -99,8 +101,8 @@ TEST_F(AnnotationOverlayTest, ADoubleClickGoesToTheTextAndTypingChangesIt) {
   action(AnnotationKind::text).trigger();
   const QPoint label = placed().label.center().toPoint();
   QTest::mouseDClick(&window.scene().canvas(), Qt::LeftButton, {}, label);
-  window.annotations().text()->selectAll();
-  QTest::keyClicks(window.annotations().text(), "Hello");
+  window.part<AnnotationsView>().text()->selectAll();
+  QTest::keyClicks(window.part<AnnotationsView>().text(), "Hello");
   EXPECT_EQ(only().text, QStringLiteral("Hello"));
   EXPECT_EQ(placed().lines, QStringList("Hello"));
 }
@@ -122,7 +124,7 @@ TEST_F(AnnotationOverlayTest, LabelsStayInThePicture) {
 
 TEST_F(AnnotationOverlayTest, ADimensionGoesBetweenTheCursors) {
   const double second = model.shown()->run.trajectory->duration() / 2;
-  window.charts().set_second_cursor(second);
+  window.part<ChartsPanel>().set_second_cursor(second);
   action(AnnotationKind::dimension).trigger();
   const Vec3 there = model.shown()->run.trajectory->state(second).position;
   const double distance = (there - model.cursor().state().position).norm();

@@ -37,9 +37,9 @@ TEST_F(AnnotationText, NamesInBracesBecomeValuesWithUnits) {
 
 TEST_F(AnnotationText, EveryFieldHasAValue) {
   for (const AnnotationField& field : annotation_fields()) {
-    const QString name = QStringLiteral("{%1}").arg(QLatin1String(field.name));
-    EXPECT_NE(with_values(name, some_values()), name) << field.name;
-    EXPECT_EQ(unknown_field(name), QString()) << field.name;
+    const QString name = QStringLiteral("{%1}").arg(field.name);
+    EXPECT_NE(with_values(name, some_values()), name) << field.name.toStdString();
+    EXPECT_EQ(unknown_field(name), QString()) << field.name.toStdString();
   }
 }
 

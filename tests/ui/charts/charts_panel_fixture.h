@@ -18,7 +18,7 @@ using feedscope::test::small_program;
 /// The charts of a small program at the size that they have in the window.
 class ChartsPanelTest : public testing::Test {
  protected:
-  ChartsPanelTest() : panel(cursor) {
+  ChartsPanelTest() : panel(cursor, range) {
     panel.resize(940, 390);
     panel.show();
     cursor.set_trajectory(run.trajectory);
@@ -58,6 +58,7 @@ class ChartsPanelTest : public testing::Test {
   feedscope::Run run = simulate_text(small_program);
   std::shared_ptr<const Envelope> envelope = std::make_shared<const Envelope>(run.trajectory);
   Cursor cursor;
+  ViewRange range;
   ChartsPanel panel;
 };
 

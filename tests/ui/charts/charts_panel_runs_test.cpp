@@ -83,7 +83,7 @@ TEST_F(ChartsRuns, TheVisibleRangeIsExported) {
   QSignalSpy exported(&panel, &ChartsPanel::exported);
   QSignalSpy failed(&panel, &ChartsPanel::failed);
   panel.range().show(0.2, 0.4);
-  panel.save_csv(folder.filePath("charts.csv"), CsvRows::pixels);
+  panel.commands().save_csv(folder.filePath("charts.csv"), CsvRows::pixels);
   ASSERT_TRUE(exported.wait());
   QFile file(folder.filePath("charts.csv"));
   ASSERT_TRUE(file.open(QIODevice::ReadOnly));
@@ -91,17 +91,17 @@ TEST_F(ChartsRuns, TheVisibleRangeIsExported) {
   EXPECT_EQ(lines.size(), panel.chart(0).column_count() + 2);
   EXPECT_NEAR(lines[1].split(',')[0].toDouble(), 0.2, 1e-9);
   EXPECT_NEAR(lines.back().split(',')[0].toDouble(), 0.4, 1e-9);
-  panel.save_csv(folder.filePath("missing/charts.csv"), CsvRows::samples, 0.001);
+  panel.commands().save_csv(folder.filePath("missing/charts.csv"), CsvRows::samples, 0.001);
   ASSERT_TRUE(failed.wait());
   EXPECT_TRUE(failed.last().first().toString().contains("charts.csv"));
 }
 
 TEST_F(ChartsRuns, ThePictureHoldsTheChartsButNoControls) {
   const QTemporaryDir folder;
-  panel.save_picture(folder.filePath("charts.png"));
+  panel.commands().save_picture(folder.filePath("charts.png"));
   const QImage image(folder.filePath("charts.png"));
   EXPECT_EQ(image.size(), panel.size() * 2);
-  panel.save_picture(folder.filePath("charts.svg"));
+  panel.commands().save_picture(folder.filePath("charts.svg"));
   QFile svg(folder.filePath("charts.svg"));
   ASSERT_TRUE(svg.open(QIODevice::ReadOnly));
   const QByteArray text = svg.readAll();

@@ -47,8 +47,8 @@ TEST_F(ChartsPanelTest, TheOrdinateFitsWhatIsShown) {
 TEST_F(ChartsPanelTest, RapidsLeaveTheFeedOfCuttingItsRoom) {
   const feedscope::Run slow = test::simulate_text("G0 X200 Y0 Z0\nG1 X210 F300\nY20\nG0 X0\nY0\nM30\n");
   const auto bands = std::make_shared<const Envelope>(slow.trajectory);
-  EXPECT_NEAR(bands->cutting()[Channel::feed].max, 5, 0.1) << "mm/s";
-  EXPECT_GT(bands->overall()[Channel::feed].max, 100);
+  EXPECT_NEAR(bands->cutting()[QuantityId::feed].max, 5, 0.1) << "mm/s";
+  EXPECT_GT(bands->overall()[QuantityId::feed].max, 100);
   cursor.set_trajectory(slow.trajectory);
   panel.set_run(slow.trajectory, bands, false);
   panel.refresh();

@@ -56,7 +56,8 @@ TEST_F(ChartsStateTest, TheFirstStateShowsAllAgain) {
 }
 
 TEST_F(ChartsStateTest, WithoutARunItAwaitsTheNextOne) {
-  ChartsPanel another(cursor);
+  ViewRange other_range;
+  ChartsPanel another(cursor, other_range);
   another.resize(panel.size());
   another.set_state(changed());
   EXPECT_EQ(another.state(), changed());

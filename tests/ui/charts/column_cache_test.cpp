@@ -30,7 +30,7 @@ class ColumnCacheTest : public testing::Test {
     ASSERT_EQ(cache.bands().size(), expected.size());
     for (std::size_t i = 0; i < expected.size(); ++i) {
       EXPECT_NEAR(cache.times()[i], times[i], 1e-9) << i;
-      for (const Channel channel : {Channel::feed, Channel::acceleration_x}) {
+      for (const QuantityId channel : {QuantityId::feed, QuantityId::acceleration_x}) {
         const Extent& found = cache.bands()[i][channel];
         EXPECT_NEAR(found.min, expected[i][channel].min, 0.01F + 1e-3F * std::abs(found.min)) << i;
         EXPECT_NEAR(found.max, expected[i][channel].max, 0.01F + 1e-3F * std::abs(found.max)) << i;

@@ -10,20 +10,15 @@
 namespace feedscope::ui {
 namespace {
 
-double as_it_is(double value) {
-  return value;
-}
-
 /// A chart of jerks in which the tangential one may be cut.
 class JerkChart : public testing::Test {
  protected:
   JerkChart()
       : chart_({"Jerk",
                 "mm/s3",
-                {{Channel::tangential_jerk, "jt", "tangential", CurveRole::path, 1, true},
-                 {Channel::jerk_x, "jx", "X", CurveRole::x},
-                 {Channel::jerk_y, "jy", "Y", CurveRole::y}},
-                as_it_is},
+                {{QuantityId::tangential_jerk, "jt", "tangential", CurveRole::path, 1, true},
+                 {QuantityId::jerk_x, "jx", "X", CurveRole::x},
+                 {QuantityId::jerk_y, "jy", "Y", CurveRole::y}}},
                range_, true) {
     chart_.resize(600, 300);
     chart_.setAttribute(Qt::WA_DontShowOnScreen);
@@ -33,9 +28,9 @@ class JerkChart : public testing::Test {
   /// Shows one column; jerks as tangential, X, Y.
   void show(Extent tangential, Extent x, Extent y) {
     Band band;
-    band.channels[static_cast<std::size_t>(Channel::tangential_jerk)] = tangential;
-    band.channels[static_cast<std::size_t>(Channel::jerk_x)] = x;
-    band.channels[static_cast<std::size_t>(Channel::jerk_y)] = y;
+    band[QuantityId::tangential_jerk] = tangential;
+    band[QuantityId::jerk_x] = x;
+    band[QuantityId::jerk_y] = y;
     chart_.show_bands(std::array{band});
   }
 

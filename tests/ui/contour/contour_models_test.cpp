@@ -8,9 +8,9 @@
 
 #include "tests/ui/locale_in_force.h"
 #include "tests/ui/run_fixture.h"
-#include "ui/models/contour_job.h"
-#include "ui/models/contour_places_model.h"
-#include "ui/models/contour_texts.h"
+#include "ui/contour/contour_job.h"
+#include "ui/contour/contour_places_model.h"
+#include "ui/contour/contour_texts.h"
 
 namespace feedscope::ui {
 namespace {
@@ -43,7 +43,7 @@ TEST_F(ContourModels, ListThePlacesTheWorstFirst) {
   ASSERT_GE(model.rowCount(), 2);
   for (int row = 0; row < model.rowCount(); ++row) {
     const ContourFinding& found = report->worst[static_cast<std::size_t>(row)];
-    EXPECT_EQ(cell(row, ContourPlacesModel::error), micrometres_text(found.place.error));
+    EXPECT_EQ(cell(row, ContourPlacesModel::error), error_text(found.place.error));
     EXPECT_THAT(cell(row, ContourPlacesModel::spot).toStdString(), HasSubstr("inside"));
     EXPECT_FALSE(model.index(row, 0).data(Qt::FontRole).isValid()) << "bold without reason";
   }
@@ -80,17 +80,17 @@ TEST_F(ContourModels, GoFromPlaceToPlaceInTheOrderOfTheProgram) {
 
 TEST_F(ContourModels, SayHowLargeWhereAndAgainstWhat) {
   const std::string kept = verdict_text(*report).toStdString();
-  EXPECT_THAT(kept, HasSubstr("Largest contour error " + micrometres_text(report->largest).toStdString()));
+  EXPECT_THAT(kept, HasSubstr("Largest contour error " + error_text(report->largest).toStdString()));
   EXPECT_THAT(kept, HasSubstr("is kept."));
   ContourReport exceeded = *report;
   exceeded.tolerance = std::array{0.001, 0.001};
   EXPECT_THAT(verdict_text(exceeded).toStdString(), HasSubstr("is exceeded by"));
   exceeded.tolerance.reset();
-  EXPECT_THAT(verdict_text(exceeded).toStdString(), HasSubstr("No contour tolerance rules it."));
-  EXPECT_THAT(share_text(*report, true).toStdString(), testing::Not(HasSubstr("across Z")));
+  EXPECT_THAT(verdict_text(exceeded).toStdString(), HasSubstr("No contour tolerance applies."));
+  EXPECT_THAT(share_text(*report, true).toStdString(), testing::Not(HasSubstr("along Z")));
   exceeded.worst[0].place.side = 0;
-  EXPECT_THAT(share_text(exceeded, true).toStdString(), HasSubstr("across Z"));
-  EXPECT_THAT(share_text(exceeded, false).toStdString(), testing::Not(HasSubstr("across Z")));
+  EXPECT_THAT(share_text(exceeded, true).toStdString(), HasSubstr("along Z"));
+  EXPECT_THAT(share_text(exceeded, false).toStdString(), testing::Not(HasSubstr("along Z")));
   const ContourReport exact = *report_of(test::simulate_text(three_corners, "cam"));
   EXPECT_THAT(verdict_text(exact).toStdString(), HasSubstr("followed exactly"));
   EXPECT_TRUE(share_text(exact, true).isEmpty());
@@ -98,9 +98,9 @@ TEST_F(ContourModels, SayHowLargeWhereAndAgainstWhat) {
 
 TEST_F(ContourModels, WriteNumbersByTheLocale) {
   const test::LocaleInForce locale(QLocale(QLocale::French));
-  EXPECT_EQ(micrometres_text(0.0283), "28,3");
-  EXPECT_EQ(micrometres_text(0.00283), "2,83");
-  EXPECT_EQ(micrometres_text(0.0001), "0,100");
+  EXPECT_EQ(error_text(0.0283), "28,3");
+  EXPECT_EQ(error_text(0.00283), "2,83");
+  EXPECT_EQ(error_text(0.0001), "0,100");
 }
 
 TEST_F(ContourModels, QuantilesAreThoseOfThePathLength) {

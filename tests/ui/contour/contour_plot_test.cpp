@@ -1,4 +1,4 @@
-#include "ui/charts/contour_plot.h"
+#include "ui/contour/contour_plot.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 
 #include "core/analysis/contour/contour_report.h"
 #include "tests/ui/run_fixture.h"
-#include "ui/charts/contour_chart.h"
+#include "ui/contour/contour_chart.h"
 
 namespace feedscope::ui {
 namespace {

@@ -69,9 +69,9 @@ TEST_P(NumberBoxTest, SaysWhyATextIsNotTaken) {
   box.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&box));
   box.setValue(7);
-  for (const auto& [text, reason] : {std::pair{"1,2,3", "“1,2,3” has more than one decimal sign"},
-                                     {"200", "“200” is not within 0 and 100."},
-                                     {"0.00001", "“0.00001” is finer than "},
+  for (const auto& [text, reason] : {std::pair{"1,2,3", "“1,2,3” has more than one decimal separator"},
+                                     {"200", "“200” is not between 0 and 100."},
+                                     {"0.00001", "“0.00001” has too many decimals; the smallest step is "},
                                      {"x", "“x” is not a number."}}) {
     EXPECT_EQ(typed(text), 7);
     EXPECT_TRUE(QToolTip::text().startsWith(reason)) << QToolTip::text().toStdString();

@@ -1,4 +1,4 @@
-#include "ui/models/texts.h"
+#include "ui/language/texts.h"
 
 #include <gtest/gtest.h>
 

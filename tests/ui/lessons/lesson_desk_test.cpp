@@ -1,4 +1,4 @@
-#include "ui/models/lesson_desk.h"
+#include "ui/lessons/lesson_desk.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -133,6 +133,24 @@ TEST_F(LessonDeskTest, QuestionsStayWithinTheLesson) {
   EXPECT_EQ(desk.question(), 2U);
   open("7");
   EXPECT_EQ(desk.question(), 0U);
+}
+
+class FrenchLessonDesk : public LessonDeskTest {
+ protected:
+  LessonDesk french{model, "fr"};
+};
+
+TEST_F(FrenchLessonDesk, ListsOpensAndMeasuresInFrench) {
+  QSignalSpy listed(&french, &LessonDesk::listed);
+  french.list();
+  ASSERT_TRUE(listed.wait(patience));
+  EXPECT_EQ(french.entries()[3].title, "Pourquoi un petit cercle est lent");
+  EXPECT_TRUE(french.entries()[3].learn.startsWith("Pourquoi une avance"));
+  french.open(find_lesson("10"), true);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return french.value() == "1,241\u00a0s"; }, patience))
+      << french.value().toStdString();
+  EXPECT_EQ(french.watched(), "temps de cycle");
+  EXPECT_THAT(french.filled(french.lesson()->text).toStdString(), HasSubstr("met 1,241\u00a0s"));
 }
 
 TEST_F(LessonDeskTest, SaysWhatIsWrongWithAFile) {

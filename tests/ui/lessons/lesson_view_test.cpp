@@ -1,4 +1,4 @@
-#include "ui/views/lesson_view.h"
+#include "ui/lessons/lesson_view.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -118,11 +118,26 @@ TEST_F(LessonViewTest, StepsThroughTheQuestions) {
   EXPECT_THAT(question(), HasSubstr("Switch compaction on."));
 }
 
+TEST_F(LessonViewTest, SpeaksTheLanguageOfItsDesk) {
+  LessonDesk french(model, "fr");
+  LessonView other(french);
+  QSignalSpy listed(&french, &LessonDesk::listed);
+  other.show();
+  ASSERT_TRUE(listed.wait(patience));
+  EXPECT_EQ(other.lessons().itemText(7), "7. L’horizon d’anticipation (15 min)");
+  QSignalSpy opened(&french, &LessonDesk::opened);
+  french.open(find_lesson("7"));
+  ASSERT_TRUE(opened.wait(patience));
+  EXPECT_THAT(other.text().toPlainText().toStdString(), HasSubstr("anticipe 8 blocs"));
+  EXPECT_THAT(other.question().toPlainText().toStdString(), HasSubstr("Quelle avance"));
+  EXPECT_THAT(other.measured().toStdString(), HasSubstr("avance maximale"));
+}
+
 TEST_F(LessonViewTest, ShowsWhereTheControlIs) {
   choose_lesson(3);
   QSignalSpy wanted(&view, &LessonView::setting_wanted);
   for (QToolButton* button : view.findChildren<QToolButton*>()) {
-    if (button->text() == "Show it") {
+    if (button->text() == "Show setting") {
       click(button);
     }
   }

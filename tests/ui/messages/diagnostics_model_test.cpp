@@ -1,11 +1,11 @@
-#include "ui/models/diagnostics_model.h"
+#include "ui/messages/diagnostics_model.h"
 
 #include <gtest/gtest.h>
 
 #include <QAbstractItemModelTester>
 
 #include "tests/ui/program_fixture.h"
-#include "ui/models/diagnostic_marks.h"
+#include "ui/program_text/diagnostic_marks.h"
 
 namespace feedscope::ui {
 namespace {

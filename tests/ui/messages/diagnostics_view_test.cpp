@@ -1,4 +1,4 @@
-#include "ui/views/diagnostics_view.h"
+#include "ui/messages/diagnostics_view.h"
 
 #include <gtest/gtest.h>
 

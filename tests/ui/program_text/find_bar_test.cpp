@@ -1,4 +1,4 @@
-#include "ui/views/program/find_bar.h"
+#include "ui/program_text/find_bar.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,8 +11,8 @@
 
 #include "tests/ui/program_fixture.h"
 #include "ui/fields/whole_number_box.h"
-#include "ui/views/program/go_to_bar.h"
-#include "ui/views/program/program_panel.h"
+#include "ui/program_text/go_to_bar.h"
+#include "ui/program_text/program_panel.h"
 
 namespace feedscope::ui {
 namespace {

@@ -1,4 +1,4 @@
-#include "ui/models/line_cells.h"
+#include "ui/program_text/line_cells.h"
 
 #include <gtest/gtest.h>
 

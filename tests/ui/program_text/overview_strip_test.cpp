@@ -1,4 +1,4 @@
-#include "ui/views/program/overview_strip.h"
+#include "ui/program_text/overview_strip.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,10 +10,10 @@
 #include <QToolTip>
 
 #include "tests/ui/run_fixture.h"
+#include "ui/program_text/line_time_text.h"
+#include "ui/program_text/program_margin.h"
+#include "ui/program_text/program_view.h"
 #include "ui/theme/program_colours.h"
-#include "ui/views/program/line_time_text.h"
-#include "ui/views/program/program_margin.h"
-#include "ui/views/program/program_view.h"
 
 namespace feedscope::ui {
 namespace {
@@ -117,7 +117,7 @@ TEST(LineTimeText, SaysHowOftenALineRan) {
       test::simulate_text("G91 G1 F600\n#1=0\nWHILE [#1 LT 5] DO1\nX1\nY1\n#1=#1+1\nEND1\n", "cam");
   const LineTimes times(*run.trajectory);
   EXPECT_THAT(line_time_text(times, 4, 4).toStdString(),
-              AllOf(HasSubstr("run 5 times"), HasSubstr("0.500 s, 50.00 %"), HasSubstr("600 mm/min")));
+              AllOf(HasSubstr("executed 5 times"), HasSubstr("0.500 s, 50.00 %"), HasSubstr("600 mm/min")));
   EXPECT_EQ(line_time_text(times, 1, 3), "");
   EXPECT_THAT(line_time_text(times, 4, 5).toStdString(), HasSubstr("Lines 4 to 5"));
 }

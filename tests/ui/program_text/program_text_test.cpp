@@ -1,4 +1,4 @@
-#include "ui/models/program_text.h"
+#include "ui/program_text/program_text.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/views/program/program_view.h"
+#include "ui/program_text/program_view.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -207,7 +207,7 @@ TEST_F(ProgramViewTest, CtrlWheelZoomsTheFontWithinBounds) {
   wheel(1000);
   EXPECT_EQ(view.font_size(), ProgramView::largest_font_size);
   wheel(-1000);
-  EXPECT_EQ(view.font_size(), ProgramView::least_font_size);
+  EXPECT_EQ(view.font_size(), ProgramView::min_font_size);
 }
 
 /// Pixels of a colour, give or take what anti-aliasing makes of it.

@@ -1,4 +1,4 @@
-#include "ui/views/reading_dialog.h"
+#include "ui/program_text/reading_dialog.h"
 
 #include <gtest/gtest.h>
 
@@ -58,9 +58,9 @@ TEST(ReadingDialog, ListsTheCuttersThatTheProgramAsksFor) {
   ASSERT_EQ(table.rowCount(), 2);
   EXPECT_EQ(table.item(0, 0)->text(), "4");
   EXPECT_EQ(table.item(0, 1)->text(), "");
-  EXPECT_EQ(table.item(0, 2)->text(), "the program: 3 mm");
+  EXPECT_EQ(table.item(0, 2)->text(), "program: 3 mm");
   EXPECT_EQ(table.item(1, 0)->text(), "4,2");
-  EXPECT_EQ(table.item(1, 2)->text(), "not known: the contour is shown");
+  EXPECT_EQ(table.item(1, 2)->text(), "unknown: the programmed contour is shown");
 }
 
 TEST(ReadingDialog, TakesARadiusWithPointOrComma) {

@@ -1,4 +1,4 @@
-#include "ui/models/syntax.h"
+#include "ui/program_text/syntax.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/models/text_search.h"
+#include "ui/program_text/text_search.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

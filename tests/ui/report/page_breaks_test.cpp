@@ -48,7 +48,7 @@ bool can_be_had(const std::vector<PageGap>& gaps, double top, double bottom, dou
     return true;
   }
   for (std::size_t i = from; i < gaps.size() && gaps[i].above - start <= height; ++i) {
-    const bool full = gaps[i].above - start >= page_cost::least_fill * height;
+    const bool full = gaps[i].above - start >= page_cost::min_fill * height;
     if (full && gaps[i].cost == 0 && can_be_had(gaps, top, bottom, height, i + 1)) {
       return true;
     }
@@ -74,7 +74,7 @@ TEST(PageBreaks, AreFreeAndPagesFullWhereThatCanBeHad) {
     for (const std::size_t index : breaks) {
       const double used = gaps[index].above - start;
       EXPECT_LE(used, 100) << i;
-      kept = kept && gaps[index].cost == 0 && used >= page_cost::least_fill * 100;
+      kept = kept && gaps[index].cost == 0 && used >= page_cost::min_fill * 100;
       start = gaps[index].below;
     }
     EXPECT_LE(bottom - start, 100) << i;

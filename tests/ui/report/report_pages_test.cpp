@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/base/data_folder.h"
+#include "core/lessons/lesson_language.h"
 #include "core/lessons/lesson_runs.h"
 #include "tests/ui/report/page_checks.h"
 #include "ui/report/handout.h"
@@ -51,11 +52,21 @@ INSTANTIATE_TEST_SUITE_P(
 class HandoutPages : public testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(HandoutPages, AreWellFilledAndKeepTogetherWhatBelongsTogether) {
-  const Lesson lesson = read_lesson(GetParam());
+  for (const std::string& language : lesson_languages()) {
+    const Lesson lesson = read_lesson(GetParam(), language);
+    LessonRuns runs(lesson);
+    const ReportPage page = handout_page(lesson, runs);
+    EXPECT_FALSE(page.pictures.all().empty());
+    check(page);
+  }
+}
+
+TEST(Handout, ItsFiguresAreExplainedInTheLanguageOfTheLesson) {
+  const Lesson lesson = read_lesson(find_lesson("1"), "fr");
   LessonRuns runs(lesson);
-  const ReportPage page = handout_page(lesson, runs);
-  EXPECT_FALSE(page.pictures.all().empty());
-  check(page);
+  const QString html = handout_page(lesson, runs).html;
+  EXPECT_TRUE(html.contains("Figure 1. Trajectoires programmée et exécutée"));
+  EXPECT_TRUE(html.contains("Figure 2. Avance et ses causes de limitation"));
 }
 
 INSTANTIATE_TEST_SUITE_P(OfEveryLesson, HandoutPages, testing::ValuesIn(shipped_lessons()),

@@ -51,14 +51,14 @@ TEST(ReportTemplate, AsksForEachBlockOnce) {
 TEST(ReportTemplate, NamesFileLineAndNearestPlaceholder) {
   EXPECT_EQ(refusal("one\ntwo {{comparision_table}}\n"),
             "page.html:2: unknown placeholder '{{comparision_table}}'; did you mean '{{comparison_table}}'?");
-  EXPECT_THAT(refusal("{{qwertyuiop}}"), testing::HasSubstr("there are title, comparison_table, notes"));
+  EXPECT_THAT(refusal("{{qwertyuiop}}"), testing::HasSubstr("known: title, comparison_table, notes"));
   EXPECT_THAT(refusal("{{#titel}}"), testing::HasSubstr("did you mean '{{title}}'?"));
 }
 
 TEST(ReportTemplate, RefusesWhatIsNotClosed) {
   EXPECT_EQ(refusal("\n\n{{title"), "page.html:3: '{{' without '}}'");
   EXPECT_EQ(refusal("{{#notes}}\n"),
-            "page.html:1: section '{{#notes}}' is not closed; write '{{/notes}}' behind it");
+            "page.html:1: section '{{#notes}}' is not closed; write '{{/notes}}' after it");
   EXPECT_EQ(refusal("{{/notes}}"), "page.html:1: '{{/notes}}' closes no section");
   EXPECT_EQ(refusal("{{#notes}}{{/title}}"),
             "page.html:1: '{{/title}}' closes no section; '{{#notes}}' is open");

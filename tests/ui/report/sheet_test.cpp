@@ -8,9 +8,9 @@
 #include "core/base/error.h"
 #include "tests/ui/report/pdf_reading.h"
 #include "tests/ui/report/report_fixture.h"
-#include "ui/models/reading_faults.h"
 #include "ui/report/pictures.h"
 #include "ui/report/scene_picture.h"
+#include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
 namespace {

@@ -81,8 +81,8 @@ TEST_F(TemplatePictures, ThatCannotBeHadAreErrorsWithTheirPlace) {
               AllOf(HasSubstr("page.html:3:"), HasSubstr("'none.png'")));
   EXPECT_THAT(refusal("<img src=\"text.png\"/>"), HasSubstr("is not a picture"));
   EXPECT_THAT(refusal("\n<img src=\"https://a.b/logo.png\"/>"),
-              AllOf(HasSubstr("page.html:2:"), HasSubstr("address")));
-  EXPECT_THAT(refusal("<img src='data:image/png;base64,AAAA'/>"), HasSubstr("holds no picture"));
+              AllOf(HasSubstr("page.html:2:"), HasSubstr("is a URL")));
+  EXPECT_THAT(refusal("<img src='data:image/png;base64,AAAA'/>"), HasSubstr("contains no picture"));
   EXPECT_THAT(refusal("<link rel='stylesheet' href='own.css'/>"), HasSubstr("<style>"));
 }
 

@@ -1,4 +1,4 @@
-#include "ui/charts/comparison_bars.h"
+#include "ui/runs/comparison_bars.h"
 
 #include <gtest/gtest.h>
 
@@ -75,7 +75,7 @@ TEST(ComparisonBars, KeepTheNameOfASmallCauseThatIsAlone) {
 TEST(ComparisonBars, KeepAtMostAsManyKindsAsTheLegendHoldsAndNoTimeIsLost) {
   const auto runs = test::many_compared_runs(40);
   const auto bars = comparison_bars(runs);
-  EXPECT_EQ(bars.kinds.size(), most_cause_kinds);
+  EXPECT_EQ(bars.kinds.size(), max_cause_kinds);
   EXPECT_TRUE(bars.rest);
   std::size_t i = 0;
   for (const MachineBars& machine : bars.machines) {

@@ -1,4 +1,4 @@
-#include "ui/charts/comparison_chart.h"
+#include "ui/runs/comparison_chart.h"
 
 #include <gtest/gtest.h>
 
@@ -49,7 +49,7 @@ TEST(ComparisonChart, ShowsEveryKindThatItTellsApart) {
     }
   }
   for (const CauseKind kind : chart.bars().kinds) {
-    EXPECT_TRUE(seen.contains(color_of(kind))) << cause_kind_title(kind);
+    EXPECT_TRUE(seen.contains(color_of(kind))) << cause_title({kind, -1});
   }
 }
 

@@ -1,4 +1,4 @@
-#include "ui/charts/comparison_layout.h"
+#include "ui/runs/comparison_layout.h"
 
 #include <gtest/gtest.h>
 
@@ -34,7 +34,7 @@ class LaidOut : public testing::TestWithParam<std::pair<std::size_t, int>> {
 TEST_P(LaidOut, NothingOverlapsOrLeavesThePicture) {
   const int width = GetParam().second;
   for (const int height :
-       {least_comparison_height(bars_, width, font_), natural_comparison_height(bars_, width, font_), 3000}) {
+       {min_comparison_height(bars_, width, font_), natural_comparison_height(bars_, width, font_), 3000}) {
     const ComparisonLayout layout = at_height(height);
     const QRectF whole(0, 0, width, height);
     std::vector<QRectF> lines = layout.rows;
@@ -84,7 +84,7 @@ TEST_P(LaidOut, EveryBarEndsInThePlot) {
 
 TEST_P(LaidOut, WhatIsEnoughBeforeTheCausesAreKnownIsEnoughAfter) {
   const int width = GetParam().second;
-  EXPECT_GE(enough_comparison_height(bars_, width), least_comparison_height(bars_, width, font_));
+  EXPECT_GE(enough_comparison_height(bars_, width), min_comparison_height(bars_, width, font_));
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, LaidOut,

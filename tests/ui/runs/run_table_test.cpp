@@ -1,4 +1,4 @@
-#include "ui/models/run_table.h"
+#include "ui/runs/run_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -86,7 +86,8 @@ TEST_F(RunTableTest, TheToleranceIsTheOneInForce) {
   fine.contour_tolerance = 0.03;
   runs.set_feed_controls({fine});
   EXPECT_EQ(text(0, RunTable::tolerance), "0.03");
-  EXPECT_THAT(table.index(0, 0).data(Qt::ToolTipRole).toString().toStdString(), HasSubstr("by the program"));
+  EXPECT_THAT(table.index(0, 0).data(Qt::ToolTipRole).toString().toStdString(),
+              HasSubstr("from the program"));
   SetupState off = runs.items()[1].setup;
   off.set("program_tolerance", std::string("off"));
   runs.set_setup(1, off, "off");

@@ -1,4 +1,4 @@
-#include "ui/views/runs_view.h"
+#include "ui/runs/runs_view.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

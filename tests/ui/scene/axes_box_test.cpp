@@ -142,7 +142,7 @@ TEST(AxesBox, FillsTheRoomItIsGiven) {
 TEST(AxesBox, StaysSmallForEveryCamera) {
   std::mt19937 random(3);
   std::uniform_real_distribution<double> unit(0, 1);
-  std::size_t most_strokes = 0;
+  std::size_t max_strokes = 0;
   std::size_t gridded = 0;
   for (int i = 0; i < 3000; ++i) {
     const Vec3 low(unit(random) - 0.5, unit(random) - 0.5, unit(random) - 0.5);
@@ -176,10 +176,10 @@ TEST(AxesBox, StaysSmallForEveryCamera) {
         }
       }
     }
-    most_strokes = std::max(most_strokes, axes.grid.size());
+    max_strokes = std::max(max_strokes, axes.grid.size());
     gridded += axes.grid.empty() ? 0 : 1;
   }
-  EXPECT_GT(most_strokes, 50U);
+  EXPECT_GT(max_strokes, 50U);
   EXPECT_GT(gridded, 1000U) << "close up there is still a grid";
 }
 

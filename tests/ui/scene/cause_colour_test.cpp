@@ -53,7 +53,7 @@ TEST_P(CauseColour, AnyTwoAreToldApartWithEveryKindOfColourVision) {
         EXPECT_GE(test::lab_distance(seen(cause_colour(kinds[i], GetParam()), vision),
                                      seen(cause_colour(kinds[j], GetParam()), vision)),
                   15)
-            << cause_kind_title(kinds[i]) << " and " << cause_kind_title(kinds[j]);
+            << cause_title({kinds[i], -1}) << " and " << cause_title({kinds[j], -1});
       }
     }
   }
@@ -63,9 +63,9 @@ TEST_P(CauseColour, StandsOutFromTheBackground) {
   const ColourTriple background = seen(scene_colours(GetParam()).background, visions[0]);
   for (const CauseKind kind : all_kinds()) {
     const ColourTriple colour = seen(cause_colour(kind, GetParam()), visions[0]);
-    EXPECT_GE(test::lab_distance(colour, background), 15) << cause_kind_title(kind);
+    EXPECT_GE(test::lab_distance(colour, background), 15) << cause_title({kind, -1});
     if (GetParam() == Background::dark) {
-      EXPECT_GE(colour[0] - background[0], 25) << cause_kind_title(kind);
+      EXPECT_GE(colour[0] - background[0], 25) << cause_title({kind, -1});
     }
   }
 }
@@ -75,11 +75,11 @@ INSTANTIATE_TEST_SUITE_P(LightAndDark, CauseColour, testing::Values(Background::
 TEST(CauseKindTitle, IsOneOfItsOwnForEveryKind) {
   std::set<std::string> titles;
   for (const CauseKind kind : all_kinds()) {
-    titles.insert(cause_kind_title(kind));
+    titles.insert(cause_title({kind, -1}));
   }
   EXPECT_EQ(titles.size(), all_kinds().size());
-  EXPECT_EQ(cause_kind_title(CauseKind::axis_jerk), "axis jerk");
-  EXPECT_EQ(cause_kind_title(CauseKind::blend_radial_jerk), "radial jerk on a blend");
+  EXPECT_EQ(cause_title({CauseKind::axis_jerk, -1}), "axis jerk");
+  EXPECT_EQ(cause_title({CauseKind::blend_radial_jerk, -1}), "radial jerk on a blend");
 }
 
 }  // namespace

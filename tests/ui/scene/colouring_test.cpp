@@ -21,15 +21,15 @@ SampledPath executed(const std::string& model = "essid") {
 }
 
 /// Executed points with one quantity.
-SampledPath with_values(Quantity quantity, const std::vector<double>& values) {
+SampledPath with_values(Colouring quantity, const std::vector<double>& values) {
   SampledPath path;
   for (std::size_t i = 0; i < values.size(); ++i) {
     path.positions.emplace_back(float(i), 0.0F, 0.0F);
     path.kinds.push_back(SpanKind::cut);
     path.times.push_back(double(i));
     path.causes.push_back(CauseKind::programmed_feed);
-    for (std::size_t q = 0; q < quantity_count; ++q) {
-      const bool wanted = q == static_cast<std::size_t>(quantity);
+    for (std::size_t q = 0; q < sampled_count; ++q) {
+      const bool wanted = q == sample_index(quantity);
       path.values[q].push_back(Stored(wanted ? float(values[i]) : 0.0F));
     }
   }
@@ -56,11 +56,11 @@ TEST(ColourKey, OfSignedQuantitiesIsSymmetric) {
 
 TEST(ColourKey, LeavesRarePeaksOutOfTheScaleAndSaysSo) {
   std::vector<double> values(1000, 900);
-  ColourKey key = colour_key(with_values(Quantity::jerk, values), Colouring::jerk);
+  ColourKey key = colour_key(with_values(Colouring::jerk, values), Colouring::jerk);
   EXPECT_FALSE(key.scale.beyond);
   EXPECT_NEAR(key.scale.high, 0.9, 0.011);
   values[500] = 1e6;
-  key = colour_key(with_values(Quantity::jerk, values), Colouring::jerk);
+  key = colour_key(with_values(Colouring::jerk, values), Colouring::jerk);
   EXPECT_TRUE(key.scale.beyond);
   EXPECT_NEAR(key.scale.high, 0.9, 0.011);
 }
@@ -71,14 +71,14 @@ TEST(ColourKey, OfFeedIsThatOfTheTimeAndNotOfOneFastMove) {
   for (std::size_t i = 50; i < 54; ++i) {
     feeds[i] = units::from_mm_min(12000);
   }
-  SampledPath path = with_values(Quantity::feed, feeds);
+  SampledPath path = with_values(Colouring::feed, feeds);
   path.peak_feed = units::from_mm_min(12000);
   const ColourScale cut = colour_key(path, Colouring::feed).scale;
   EXPECT_TRUE(cut.beyond);
   EXPECT_NEAR(cut.high, 300, 15);
   // As fast for half of the time, it is no exception.
   for (std::size_t i = 0; i < 50; ++i) {
-    path.values[static_cast<std::size_t>(Quantity::feed)][i] = Stored(float(path.peak_feed));
+    path.values[sample_index(Colouring::feed)][i] = Stored(float(path.peak_feed));
   }
   const ColourScale whole = colour_key(path, Colouring::feed).scale;
   EXPECT_FALSE(whole.beyond);
@@ -92,7 +92,7 @@ TEST(ColourKey, OfTimeLostIsThatOfThePathOnWhichAnyIsLost) {
     lost[i] = (i % 2 == 0 ? 1 : -1) * 0.005;
   }
   lost[4100] = 0.1;
-  const ColourKey key = colour_key(with_values(Quantity::time_lost, lost), Colouring::time_lost);
+  const ColourKey key = colour_key(with_values(Colouring::time_lost, lost), Colouring::time_lost);
   EXPECT_TRUE(key.scale.beyond);
   EXPECT_NEAR(key.scale.high, 5, 0.5) << "ms/mm";
   EXPECT_EQ(key.scale.low, -key.scale.high);
@@ -103,11 +103,11 @@ TEST(ColourKey, OfTimeLostIsNotThatOfAPlaceWithoutLength) {
   std::vector<double> lost(10'000, 1e-9);
   std::fill(lost.begin() + 4000, lost.begin() + 4200, 0.005);
   lost[4100] = 1e6;
-  SampledPath path = with_values(Quantity::time_lost, lost);
+  SampledPath path = with_values(Colouring::time_lost, lost);
   path.positions[4100] = path.positions[4099];
   EXPECT_NEAR(colour_key(path, Colouring::time_lost).scale.high, 5, 0.5) << "ms/mm";
   // Where no more than rounding is lost, rounding has the scale.
-  for (Stored& value : path.values[static_cast<std::size_t>(Quantity::time_lost)]) {
+  for (Stored& value : path.values[sample_index(Colouring::time_lost)]) {
     value = Stored(1e-5F);
   }
   EXPECT_NEAR(colour_key(path, Colouring::time_lost).scale.high, 0.01, 0.001) << "ms/mm";
@@ -120,9 +120,9 @@ TEST(ColourKey, HoldsAllButWhatIsRareAndSaysWhatItLeavesOut) {
     std::lognormal_distribution<double> spread(-3, 0.2 + 0.1 * round);
     std::vector<double> values(3000);
     std::ranges::generate(values, [&] { return spread(random); });
-    for (const auto& [colouring, quantity] : {std::pair{Colouring::feed, Quantity::feed},
-                                              {Colouring::jerk, Quantity::jerk},
-                                              {Colouring::time_lost, Quantity::time_lost}}) {
+    for (const auto& [colouring, quantity] : {std::pair{Colouring::feed, Colouring::feed},
+                                              {Colouring::jerk, Colouring::jerk},
+                                              {Colouring::time_lost, Colouring::time_lost}}) {
       SampledPath path = with_values(quantity, values);
       path.peak_feed = *std::ranges::max_element(values);
       const ColourScale scale = colour_key(path, colouring).scale;
@@ -135,12 +135,13 @@ TEST(ColourKey, HoldsAllButWhatIsRareAndSaysWhatItLeavesOut) {
 }
 
 TEST(ColourKey, OfContourErrorTakesMicrometresOrMillimetres) {
-  EXPECT_EQ(colour_key(with_values(Quantity::contour_error, {0, 0.004}), Colouring::contour_error).scale.unit,
-            "µm");
-  const ColourKey large = colour_key(with_values(Quantity::contour_error, {0, 4}), Colouring::contour_error);
+  EXPECT_EQ(
+      colour_key(with_values(Colouring::contour_error, {0, 0.004}), Colouring::contour_error).scale.unit,
+      "µm");
+  const ColourKey large = colour_key(with_values(Colouring::contour_error, {0, 4}), Colouring::contour_error);
   EXPECT_EQ(large.scale.unit, "mm");
   EXPECT_NEAR(large.scale.high, 4, 0.2);
-  const ColourKey none = colour_key(with_values(Quantity::contour_error, {0, 0}), Colouring::contour_error);
+  const ColourKey none = colour_key(with_values(Colouring::contour_error, {0, 0}), Colouring::contour_error);
   EXPECT_TRUE(none.has_scale()) << "no error is shown as the lowest of a micrometre";
 }
 
@@ -158,20 +159,20 @@ TEST(ColourKey, AgainstNoOtherRunHasNoScale) {
 
 TEST(ColourKey, OfTimeLostIsNeutralAtZeroAndAsFarOnBothSides) {
   const ColourKey key =
-      colour_key(with_values(Quantity::time_lost, {-0.002, 0, 0.0015}), Colouring::time_lost);
+      colour_key(with_values(Colouring::time_lost, {-0.002, 0, 0.0015}), Colouring::time_lost);
   EXPECT_EQ(key.scale.unit, "ms/mm");
   EXPECT_TRUE(key.scale.diverging);
   EXPECT_DOUBLE_EQ(key.scale.high, 2);
   EXPECT_DOUBLE_EQ(key.scale.low, -2);
   EXPECT_NEAR(key.scale.position(0), 0.5, 1e-12);
-  const ColourKey same = colour_key(with_values(Quantity::time_lost, {0, 1e-12, 0}), Colouring::time_lost);
+  const ColourKey same = colour_key(with_values(Colouring::time_lost, {0, 1e-12, 0}), Colouring::time_lost);
   EXPECT_TRUE(same.has_scale()) << "rounding is drawn as no time lost, not as the ends of a scale";
   EXPECT_NEAR(same.scale.position(1e-12), 0.5, 1e-6);
 }
 
 TEST(ColourKey, OfTwoPathsHoldsBoth) {
-  const SampledPath small = with_values(Quantity::path_distance, {0, 0.004});
-  const SampledPath large = with_values(Quantity::path_distance, {0, 4});
+  const SampledPath small = with_values(Colouring::path_distance, {0, 0.004});
+  const SampledPath large = with_values(Colouring::path_distance, {0, 4});
   for (const auto& key : {colour_key(small, large, Colouring::path_distance),
                           colour_key(large, small, Colouring::path_distance)}) {
     EXPECT_EQ(key.scale.unit, "mm");
@@ -195,7 +196,7 @@ TEST(ColourKey, OfCausesSharesTheTimeOfTheCuts) {
 }
 
 TEST(ColourKey, OfNothingIsEmpty) {
-  for (const Colouring colouring : all_colourings) {
+  for (const Colouring colouring : all_colourings()) {
     const ColourKey key = colour_key(SampledPath(), colouring);
     EXPECT_FALSE(key.has_scale());
     EXPECT_TRUE(key.causes.empty());
@@ -208,7 +209,7 @@ Rgba bytes(const Rgb& colour) {
 }
 
 TEST(PointColours, FollowTheScale) {
-  const SampledPath path = with_values(Quantity::feed_ratio, {0, 0.5, 1, 1.5});
+  const SampledPath path = with_values(Colouring::feed_ratio, {0, 0.5, 1, 1.5});
   for (const Background background : {Background::light, Background::dark}) {
     const auto colours = point_colours(path, colour_key(path, Colouring::feed_ratio), background, {});
     ASSERT_EQ(colours.size(), 4);
@@ -233,10 +234,10 @@ TEST(PointColours, AreThoseOfCausesAndRuns) {
 
 TEST(ColouringKey, IsOneOfItsOwn) {
   std::set<std::string> keys;
-  for (const Colouring colouring : all_colourings) {
+  for (const Colouring colouring : all_colourings()) {
     keys.insert(colouring_key(colouring));
   }
-  EXPECT_EQ(keys.size(), all_colourings.size());
+  EXPECT_EQ(keys.size(), all_colourings().size());
 }
 
 }  // namespace

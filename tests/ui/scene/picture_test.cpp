@@ -46,8 +46,8 @@ TEST(Picture, DiffersByView) {
 
 TEST(Picture, IsDrawnAtTheLeastSizeAndForAnEmptyProgram) {
   const auto empty = test::simulate_text("M30\n");
-  EXPECT_EQ(draw_run(empty, {least_picture_side, least_picture_side}, StandardView::iso).size.width,
-            least_picture_side);
+  EXPECT_EQ(draw_run(empty, {min_picture_side, min_picture_side}, StandardView::iso).size.width,
+            min_picture_side);
 }
 
 TEST(Picture, RefusesASizeOutOfBoundsByName) {

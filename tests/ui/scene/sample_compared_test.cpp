@@ -38,7 +38,7 @@ TEST(SampleCompared, HoldsTheDifferencesAtItsPoints) {
   const RunDifference difference = compare_places(*fine, *coarse, path.times);
   for (std::size_t i = 0; i < path.size(); ++i) {
     EXPECT_NEAR(double{path.lost[i]}, difference.lost[i], 1e-6) << i;
-    EXPECT_NEAR(path.value(Quantity::time_lost, i), double{difference.pace[i]},
+    EXPECT_NEAR(path.value(Colouring::time_lost, i), double{difference.pace[i]},
                 0.004 * std::abs(double{difference.pace[i]}) + 1e-12);
   }
   EXPECT_NEAR(double{path.lost.back()}, fine->duration() - coarse->duration(), 1e-6);

@@ -113,7 +113,7 @@ TEST(SampledExecuted, ColoursChangeInSmallSteps) {
   const SampledPath path = sample_executed(*run.trajectory);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if (path.kinds[i] == SpanKind::cut && (path.positions[i + 1] - path.positions[i]).norm() > 1e-6F) {
-      EXPECT_LT(std::abs(path.value(Quantity::feed, i + 1) - path.value(Quantity::feed, i)),
+      EXPECT_LT(std::abs(path.value(Colouring::feed, i + 1) - path.value(Colouring::feed, i)),
                 path.peak_feed / 12)
           << i;
     }
@@ -140,12 +140,12 @@ TEST(SampledExecuted, FeedThatJumpsDoesNotFlowAlongTheLine) {
   const SampledPath path = sample_executed(*run.trajectory);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) {
     if ((path.positions[i + 1] - path.positions[i]).norm() > 0) {
-      EXPECT_EQ(path.value(Quantity::feed, i), path.value(Quantity::feed, i + 1))
+      EXPECT_EQ(path.value(Colouring::feed, i), path.value(Colouring::feed, i + 1))
           << "from X" << path.position(i).x();
     }
   }
-  EXPECT_EQ(path.value(Quantity::feed, 0), units::from_mm_min(3000));
-  EXPECT_EQ(path.value(Quantity::feed, path.size() - 1), units::from_mm_min(600));
+  EXPECT_EQ(path.value(Colouring::feed, 0), units::from_mm_min(3000));
+  EXPECT_EQ(path.value(Colouring::feed, path.size() - 1), units::from_mm_min(600));
 }
 
 TEST(SampledExecuted, KeepsToItsBudgetAndToThePath) {
@@ -197,8 +197,8 @@ TEST(SampledExecuted, EveryRoundOfALongProgramIsTheSame) {
   EXPECT_EQ(path.times.back(), run.trajectory->duration());
   EXPECT_TRUE(std::ranges::is_sorted(path.times));
   const double time = run.trajectory->duration() / count;
-  const auto errors = largest_by_round(path, time, count,
-                                       [&](std::size_t i) { return path.value(Quantity::contour_error, i); });
+  const auto errors = largest_by_round(
+      path, time, count, [&](std::size_t i) { return path.value(Colouring::contour_error, i); });
   const auto spans = largest_by_round(path, time, count, [&](std::size_t i) {
     return double{(path.positions[i] - path.positions[i - 1]).norm()};
   });
@@ -252,15 +252,15 @@ TEST(SampledExecuted, HoldsTheMotionAtItsTimes) {
       const Around around(*run.trajectory, path.times[i]);
       EXPECT_TRUE(around.any([&](const State& s) { return s.cause.kind == path.causes[i]; }))
           << path.times[i];
-      around.expect(path.value(Quantity::feed, i), speed, speed, "feed");
-      around.expect(path.value(Quantity::feed_ratio, i), ratio, ratio, "ratio");
-      around.expect(path.value(Quantity::acceleration, i), acceleration, acceleration, "acceleration");
-      around.expect(2 * path.value(Quantity::jerk, i), jerk, jerk, "jerk");
-      if (path.value(Quantity::feed, i) > 1) {  // at rest there is no tangent
-        around.expect(path.value(Quantity::tangential_acceleration, i), tangential, acceleration,
+      around.expect(path.value(Colouring::feed, i), speed, speed, "feed");
+      around.expect(path.value(Colouring::feed_ratio, i), ratio, ratio, "ratio");
+      around.expect(path.value(Colouring::acceleration, i), acceleration, acceleration, "acceleration");
+      around.expect(2 * path.value(Colouring::jerk, i), jerk, jerk, "jerk");
+      if (path.value(Colouring::feed, i) > 1) {  // at rest there is no tangent
+        around.expect(path.value(Colouring::tangential_acceleration, i), tangential, acceleration,
                       "tangential acceleration");
         around.expect(
-            path.value(Quantity::tangential_jerk, i), [](const State& s) { return s.tangential_jerk; }, jerk,
+            path.value(Colouring::tangential_jerk, i), [](const State& s) { return s.tangential_jerk; }, jerk,
             "tangential jerk");
       }
     }
@@ -285,7 +285,7 @@ TEST(SampledExecuted, DeviatesInBlendsByAsMuchAsTheyCutTheCorner) {
   const SampledPath path = sample_executed(*run.trajectory);
   double largest = 0;
   for (std::size_t i = 0; i < path.size(); ++i) {
-    const double size = path.value(Quantity::contour_error, i);
+    const double size = path.value(Colouring::contour_error, i);
     largest = std::max(largest, size);
     if (path.kinds[i] == SpanKind::cut && (i == 0 || path.kinds[i - 1] == SpanKind::cut)) {
       EXPECT_EQ(size, 0) << "on the programmed line";

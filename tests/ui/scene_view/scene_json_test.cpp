@@ -1,4 +1,4 @@
-#include "ui/models/scene_json.h"
+#include "ui/scene_view/scene_json.h"
 
 #include <gtest/gtest.h>
 
@@ -24,7 +24,7 @@ TEST(SceneJson, ComesBackAsItWas) {
 }
 
 TEST(SceneJson, EveryColouringAndToolComesBack) {
-  for (const Colouring colouring : all_colourings) {
+  for (const Colouring colouring : all_colourings()) {
     for (const ToolKind kind :
          {ToolKind::none, ToolKind::marker, ToolKind::flat, ToolKind::ball, ToolKind::bull}) {
       const SceneState state{.colouring = colouring, .tool = {.kind = kind}};

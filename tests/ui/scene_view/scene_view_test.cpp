@@ -1,4 +1,4 @@
-#include "ui/views/scene_view.h"
+#include "ui/scene_view/scene_view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/views/side_by_side.h"
+#include "ui/scene_view/side_by_side.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,11 @@
 #include <map>
 
 #include "tests/ui/run_fixture.h"
-#include "ui/main_window.h"
-#include "ui/views/split_overlay.h"
-#include "ui/views/status_panel.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/program_text/program_panel.h"
+#include "ui/scene_view/split_overlay.h"
+#include "ui/window/main_window.h"
+#include "ui/window/status_panel.h"
 
 namespace feedscope::ui {
 namespace {
@@ -114,7 +116,8 @@ TEST_F(SideBySideTest, TheMouseTellsBothRuns) {
     QTest::mouseMove(&canvas, QPointF(pixel[0], pixel[1]).toPoint());
     const auto arrived = [both] {
       const QString text = QToolTip::text();
-      return text.contains(QStringLiteral("Line ")) && text.contains(QStringLiteral("Against ")) == both;
+      return text.contains(QStringLiteral("Line ")) &&
+             text.contains(QStringLiteral("Compared with ")) == both;
     };
     return QTest::qWaitFor(arrived, 3000);
   };
@@ -122,7 +125,7 @@ TEST_F(SideBySideTest, TheMouseTellsBothRuns) {
   const QString text = QToolTip::text();
   EXPECT_TRUE(text.contains(model.runs().title(model.runs().items()[0]))) << text.toStdString();
   for (const QString& part : {QStringLiteral("ms/mm"), QStringLiteral("since the start"),
-                              QStringLiteral("there after"), QStringLiteral("µm apart")}) {
+                              QStringLiteral("by the other run after"), QStringLiteral("µm apart")}) {
     EXPECT_TRUE(text.contains(part)) << text.toStdString();
   }
   scene.set_colouring(Colouring::feed);
@@ -138,7 +141,7 @@ TEST_F(SideBySideTest, WithOneRunTheComparingColoursSayWhatToDo) {
     }
     return nullptr;
   };
-  QAction* lost = option(QStringLiteral("Time lost or won"));
+  QAction* lost = option(QStringLiteral("Time lost or gained"));
   ASSERT_NE(lost, nullptr);
   EXPECT_TRUE(lost->isEnabled());
   lost->trigger();
@@ -230,9 +233,9 @@ TEST_P(TwoViewsTest, NoKeyIsAmbiguous) {
     }
     return false;
   };
-  for (const QWidget* focus :
-       {&window.scene().canvas(), &views.second()->canvas(), static_cast<QWidget*>(&window.charts()),
-        static_cast<QWidget*>(&window.program())}) {
+  for (const QWidget* focus : {&window.scene().canvas(), &views.second()->canvas(),
+                               static_cast<QWidget*>(&window.part<ChartsPanel>()),
+                               static_cast<QWidget*>(&window.part<ProgramPanel>().view())}) {
     std::map<QKeySequence, QString> taken;
     for (const QAction* action : window.findChildren<QAction*>()) {
       for (const QKeySequence& key : action->shortcuts()) {

@@ -51,8 +51,8 @@ TEST_F(SessionFile, TheSameSessionIsTheSameBytes) {
 TEST_F(SessionFile, BrokenJsonIsNamedWithItsPlace) {
   EXPECT_THAT(failure_of("{\n  \"format\": 1,\n  oops\n}"),
               AllOf(HasSubstr("bad.feedscope"), HasSubstr("line 3")));
-  EXPECT_THAT(failure_of(""), HasSubstr("is no session"));
-  EXPECT_THAT(failure_of("[]"), HasSubstr("no session of Feedscope"));
+  EXPECT_THAT(failure_of(""), HasSubstr("is not a session"));
+  EXPECT_THAT(failure_of("[]"), HasSubstr("not a Feedscope session"));
 }
 
 TEST_F(SessionFile, AMissingOneIsNamed) {

@@ -137,11 +137,11 @@ TEST_P(SessionFaults, AreNamedWithThingAndValue) {
 INSTANTIATE_TEST_SUITE_P(
     All, SessionFaults,
     testing::Values(
-        Fault{"format", [](QJsonObject& json) { json.remove("format"); }, "no session of Feedscope"},
+        Fault{"format", [](QJsonObject& json) { json.remove("format"); }, "not a Feedscope session"},
         Fault{"newer", [](QJsonObject& json) { json["version"] = session_version + 1; }, "newer Feedscope"},
         Fault{"version", [](QJsonObject& json) { json["version"] = "x"; }, "\"version\""},
         Fault{"program", [](QJsonObject& json) { json.remove("program"); }, "names no program"},
-        Fault{"runs", [](QJsonObject& json) { json["runs"] = QJsonArray(); }, "holds no run"},
+        Fault{"runs", [](QJsonObject& json) { json["runs"] = QJsonArray(); }, "has no runs"},
         Fault{"machine", [](QJsonObject& json) { set_in_first(json, "runs", "machine", "spinner"); },
               "run 1: "},
         Fault{"model", [](QJsonObject& json) { set_in_first(json, "runs", "model", "esid"); }, "essid"},
@@ -173,7 +173,7 @@ TEST(SessionJson, UnknownKeysAreNotedWithTheNearestOne) {
   const std::string notes = read.notes.join('\n').toStdString();
   EXPECT_EQ(read.notes.size(), 2);
   EXPECT_THAT(notes, HasSubstr("did you mean \"annotations\""));
-  EXPECT_THAT(notes, HasSubstr("run 1 has a key \"color\""));
+  EXPECT_THAT(notes, HasSubstr("run 1 has an unknown key \"color\""));
   EXPECT_THAT(notes, HasSubstr("did you mean \"colour\""));
 }
 

@@ -1,4 +1,4 @@
-#include "ui/models/setup_tables.h"
+#include "ui/setup/setup_tables.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "tests/ui/locale_in_force.h"
+#include "ui/language/shown_numbers.h"
 
 namespace feedscope::ui {
 namespace {
@@ -67,7 +68,8 @@ TEST_F(SetupTablesTest, AnEditChangesTheSetupAndIsMarked) {
   EXPECT_DOUBLE_EQ(axis_limit(edit.setup().machine, 'X', "jerk"), 20);
   EXPECT_DOUBLE_EQ(edit.setup().machine.axes[0].jerk, 20000);
   EXPECT_TRUE(axes.data(jerk_of_x(), Qt::FontRole).value<QFont>().bold());
-  EXPECT_THAT(axes.data(jerk_of_x(), Qt::ToolTipRole).toString().toStdString(), HasSubstr("file says 15"));
+  EXPECT_THAT(axes.data(jerk_of_x(), Qt::ToolTipRole).toString().toStdString(),
+              HasSubstr("machine file has 15"));
 }
 
 TEST_F(SetupTablesTest, APositionThatTheFileDoesNotGiveIsEmptyAndMayBeSetAndEmptied) {
@@ -164,6 +166,19 @@ TEST_F(SetupTablesTest, WhatDiffersFromTheFileIsListedUntilItIsTakenBack) {
 
 TEST_F(SetupTablesTest, AnUnknownKeyIsAnError) {
   EXPECT_THROW(edit.set("X.haste", 1.0), InputError);
+}
+
+TEST_F(SetupTablesTest, ShowAndTakeInchesAndKeepTheUnitOfTheKey) {
+  use_unit_system(UnitSystem::inch);
+  EXPECT_EQ(axes.data(jerk_of_x()).toString(), "590.55");
+  EXPECT_TRUE(axes.setData(jerk_of_x(), "1000"));
+  EXPECT_NEAR(std::get<double>(edit.state().value("X.jerk")), 25.4, 1e-9);
+  EXPECT_TRUE(settings.setData(tolerance(), "0.002"));
+  EXPECT_NEAR(std::get<double>(edit.state().value("contour_tolerance_mm")), 0.0508, 1e-12);
+  EXPECT_TRUE(axes.setData(jerk_of_x(), axes.data(jerk_of_x())));
+  EXPECT_NEAR(std::get<double>(edit.state().value("X.jerk")), 25.4, 1e-9)
+      << "its rounded text changes nothing";
+  use_unit_system(UnitSystem::metric);
 }
 
 }  // namespace

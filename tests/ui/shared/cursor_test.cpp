@@ -1,11 +1,10 @@
-#include "ui/models/cursor.h"
+#include "ui/shared/cursor.h"
 
 #include <gtest/gtest.h>
 
 #include <QSignalSpy>
 
 #include "tests/ui/run_fixture.h"
-#include "ui/models/playback.h"
 
 namespace feedscope::ui {
 namespace {
@@ -91,23 +90,6 @@ TEST_F(CursorTest, PointsNowhereWithoutARunAndThenStartsAtTheBeginning) {
   EXPECT_EQ(cursor.state().time, 0);
 }
 
-TEST_F(CursorTest, PlaybackFollowsTheClockTimesSpeedAndStopsAtTheEnd) {
-  Playback playback(cursor);
-  playback.set_duration(trajectory->duration());
-  playback.play();
-  EXPECT_TRUE(playback.playing());
-  playback.advance(0.1);
-  EXPECT_NEAR(cursor.state().time, 0.1, 1e-9);
-  playback.set_speed(10);
-  playback.advance(0.02);
-  EXPECT_NEAR(cursor.state().time, 0.3, 1e-9);
-  playback.advance(100);
-  EXPECT_DOUBLE_EQ(cursor.state().time, trajectory->duration());
-  EXPECT_FALSE(playback.playing());
-  playback.play();
-  EXPECT_EQ(cursor.state().time, 0);
-}
-
 TEST_F(CursorTest, StepsGoThroughAllBlocksAndBack) {
   std::vector<std::uint32_t> lines{cursor.state().line};
   for (int i = 0; i < 3; ++i) {
@@ -132,33 +114,6 @@ TEST_F(CursorTest, AStepBackWithinABlockGoesToItsStart) {
   ASSERT_EQ(cursor.state().line, 4U);
   cursor.step_block(-1);
   EXPECT_NEAR(cursor.state().time, start, 1e-8);
-}
-
-TEST_F(CursorTest, PlaybackGoesRoundALoop) {
-  Playback playback(cursor);
-  playback.set_duration(trajectory->duration());
-  playback.set_loop(Playback::Loop{0.2, 0.5});
-  playback.play();
-  EXPECT_DOUBLE_EQ(cursor.state().time, 0.2);
-  playback.advance(0.2);
-  EXPECT_DOUBLE_EQ(cursor.state().time, 0.4);
-  playback.advance(0.2);
-  EXPECT_DOUBLE_EQ(cursor.state().time, 0.2);
-  EXPECT_TRUE(playback.playing());
-}
-
-TEST_F(CursorTest, PlaybackSpeedIsClamped) {
-  Playback playback(cursor);
-  playback.set_speed(0);
-  EXPECT_EQ(playback.speed(), Playback::slowest);
-  playback.set_speed(1e9);
-  EXPECT_EQ(playback.speed(), Playback::fastest);
-}
-
-TEST_F(CursorTest, PlaybackOfNothingDoesNotPlay) {
-  Playback playback(cursor);
-  playback.play();
-  EXPECT_FALSE(playback.playing());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "ui/charts/view_range.h"
+#include "ui/shared/view_range.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/models/slow_places_model.h"
+#include "ui/slow_places/slow_places_model.h"
 
 #include <gtest/gtest.h>
 

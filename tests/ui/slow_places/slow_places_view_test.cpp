@@ -1,4 +1,4 @@
-#include "ui/views/slow_places_view.h"
+#include "ui/slow_places/slow_places_view.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

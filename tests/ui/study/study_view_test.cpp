@@ -1,4 +1,4 @@
-#include "ui/views/study_view.h"
+#include "ui/study/study_view.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/models/remedy_table.h"
+#include "ui/why/remedy_table.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "ui/models/why_text.h"
+#include "ui/why/why_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -58,7 +58,8 @@ TEST_F(WhyTextTest, BrakingSaysForWhatAndHowFar) {
   const std::string sentence = WhyText::sentence(why).toStdString();
   EXPECT_THAT(sentence, HasSubstr("The tool brakes: in "));
   EXPECT_THAT(sentence, HasSubstr(QString::number(why.ahead->reason.line).toStdString()));
-  EXPECT_THAT(WhyText::sentence(*why.ahead, why.state).toStdString(), HasSubstr("corner blend may use 20 %"));
+  EXPECT_THAT(WhyText::sentence(*why.ahead, why.state).toStdString(),
+              HasSubstr("radial jerk may use 20 % of the jerk limit of axis X, 10 m/s³"));
 }
 
 TEST_F(WhyTextTest, EveryCauseHasANameAndASentenceOfItsOwn) {

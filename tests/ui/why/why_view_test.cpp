@@ -1,4 +1,4 @@
-#include "ui/views/why_view.h"
+#include "ui/why/why_view.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -87,7 +87,7 @@ TEST_F(WhyViewTest, HiddenItWorksNothingOut) {
   go_to(CauseKind::ramp_down);
   EXPECT_THAT(view.cause_text().toStdString(), HasSubstr("Jerk of axis"));
   view.show();
-  EXPECT_THAT(view.cause_text().toStdString(), HasSubstr("Slowing"));
+  EXPECT_THAT(view.cause_text().toStdString(), HasSubstr("Braking"));
 }
 
 TEST_F(WhyViewTest, NeighboursInTimeAreOneClickAway) {

@@ -1,4 +1,4 @@
-#include "ui/views/command_palette.h"
+#include "ui/window/command_palette.h"
 
 #include <gtest/gtest.h>
 

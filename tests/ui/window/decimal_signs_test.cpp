@@ -14,7 +14,8 @@
 
 #include "tests/ui/locale_in_force.h"
 #include "tests/ui/run_fixture.h"
-#include "ui/main_window.h"
+#include "ui/study/study_view.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
@@ -100,7 +101,7 @@ TEST_F(DecimalSignsTest, NoNumberOfThePanelsHasAPoint) {
     dock->raise();
     wait();
   }
-  window.study().run();
+  window.part<StudyView>().run();
   wait();
   check_all();
   EXPECT_GT(texts, 500);

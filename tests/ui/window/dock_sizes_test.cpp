@@ -1,4 +1,4 @@
-#include "ui/dock_sizes.h"
+#include "ui/window/dock_sizes.h"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,11 @@
 #include <QTest>
 #include <array>
 
-#include "ui/main_window.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/program_text/program_panel.h"
+#include "ui/setup/setup_view.h"
+#include "ui/window/help_menu.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
@@ -30,7 +34,8 @@ class DockSizesTest : public testing::Test {
   }
   /// Sizes of the panels on the left, on the right and below.
   std::array<int, 3> panels() {
-    return {window.program_panel().width(), window.setup().width(), window.charts().height()};
+    return {window.part<ProgramPanel>().width(), window.part<SetupView>().width(),
+            window.part<ChartsPanel>().height()};
   }
 
   Workbench model{shipped_machines(), make_setup({})};
@@ -54,7 +59,7 @@ TEST_F(DockSizesTest, ASmallWindowLeavesRoomForThe3dViewAndPanelsGetTheirsBack) 
 
 TEST_F(DockSizesTest, TheDefaultLayoutOfASmallWindowIsThatOfALargeOne) {
   resize(800, 600);
-  for (const ListedAction& listed : window.commands()) {
+  for (const ListedAction& listed : window.part<HelpMenu>().commands()) {
     if (plain_text(listed.action->text()) == "Default layout") {
       listed.action->trigger();
     }

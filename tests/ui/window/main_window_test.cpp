@@ -1,4 +1,4 @@
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -21,7 +21,17 @@
 #include "tests/support/folders.h"
 #include "tests/ui/own_tip.h"
 #include "tests/ui/run_fixture.h"
-#include "ui/panel_states.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/contour/contour_view.h"
+#include "ui/lessons/lesson_view.h"
+#include "ui/messages/diagnostics_view.h"
+#include "ui/playback/playback_bar.h"
+#include "ui/program_text/program_panel.h"
+#include "ui/runs/runs_view.h"
+#include "ui/setup/setup_view.h"
+#include "ui/why/why_view.h"
+#include "ui/window/help_menu.h"
+#include "ui/window/panel_states.h"
 
 namespace feedscope::ui {
 namespace {
@@ -46,7 +56,7 @@ class MainWindowTest : public testing::Test {
   void wait_until_idle() {
     ASSERT_TRUE(QTest::qWaitFor([this] { return !model.busy(); }, patience));
     QCoreApplication::processEvents();
-    window.charts().refresh();
+    window.part<ChartsPanel>().refresh();
   }
 
   const Trajectory& trajectory() const { return *model.shown()->run.trajectory; }
@@ -57,11 +67,11 @@ class MainWindowTest : public testing::Test {
     return {static_cast<int>(std::lround(chart.pixel_of(time))), chart.viewport()->height() / 2};
   }
   void click_chart(std::size_t i, double time) {
-    KinematicChart& chart = window.charts().chart(i);
+    KinematicChart& chart = window.part<ChartsPanel>().chart(i);
     QTest::mouseClick(chart.viewport(), Qt::LeftButton, {}, point_in(chart, time));
   }
   /// A pixel of a chart in seconds.
-  double pixel_time() { return duration() / window.charts().chart(0).column_count(); }
+  double pixel_time() { return duration() / window.part<ChartsPanel>().chart(0).column_count(); }
 
   QWidget* scene_canvas() { return window.scene().findChild<QWidget*>(); }
   QPoint point_in_scene(const Vec3& position) {
@@ -75,7 +85,7 @@ class MainWindowTest : public testing::Test {
 
   /// Types into the cell of X.jerk, as a user does.
   void type_jerk(const QString& text) {
-    QTableView* table = window.setup().axes();
+    QTableView* table = window.part<SetupView>().axes();
     table->setFocus();
     table->setCurrentIndex(table->model()->index(2, 0));
     QTest::keyClick(table, Qt::Key_F2);
@@ -101,8 +111,8 @@ TEST_F(MainWindowTest, ClickInAChartMovesTextAnd3dMarker) {
     click_chart(i, time);
     const State& state = model.cursor().state();
     EXPECT_NEAR(state.time, time, pixel_time());
-    EXPECT_EQ(window.program().current_line(), state.line);
-    EXPECT_NEAR(*window.charts().chart(0).cursor(), state.time, 1e-12);
+    EXPECT_EQ(window.part<ProgramPanel>().view().current_line(), state.line);
+    EXPECT_NEAR(*window.part<ChartsPanel>().chart(0).cursor(), state.time, 1e-12);
     EXPECT_NE(picture_around(place), before) << "the marker is not at the place";
   }
 }
@@ -112,8 +122,8 @@ TEST_F(MainWindowTest, ClickOnThePathMovesChartsAndText) {
   const State expected = trajectory().state(time);
   QTest::mouseClick(scene_canvas(), Qt::LeftButton, {}, point_in_scene(expected.position));
   EXPECT_NEAR((model.cursor().state().position - expected.position).norm(), 0, 0.5);
-  EXPECT_NEAR(*window.charts().chart(2).cursor(), model.cursor().state().time, 1e-12);
-  EXPECT_EQ(window.program().current_line(), model.cursor().state().line);
+  EXPECT_NEAR(*window.part<ChartsPanel>().chart(2).cursor(), model.cursor().state().time, 1e-12);
+  EXPECT_EQ(window.part<ProgramPanel>().view().current_line(), model.cursor().state().line);
 }
 
 TEST_F(MainWindowTest, ClickBesideThePathLeavesTheCursor) {
@@ -124,38 +134,38 @@ TEST_F(MainWindowTest, ClickBesideThePathLeavesTheCursor) {
 }
 
 TEST_F(MainWindowTest, ClickOnALineMovesChartsAnd3dMarker) {
-  ProgramView& program = window.program();
+  ProgramView& program = window.part<ProgramPanel>().view();
   const QRect line = program.place_rect({4, 0});
   const QPoint place = point_in_scene(trajectory().state(trajectory().time_of_line(4)).position);
   const QImage before = picture_around(place);
   QTest::mouseClick(program.viewport(), Qt::LeftButton, {}, line.center() + QPoint(10, 0));
   EXPECT_EQ(model.cursor().state().line, 4U);
   EXPECT_EQ(program.current_line(), 4U);
-  EXPECT_NEAR(*window.charts().chart(0).cursor(), trajectory().time_of_line(4), 1e-9);
+  EXPECT_NEAR(*window.part<ChartsPanel>().chart(0).cursor(), trajectory().time_of_line(4), 1e-9);
   EXPECT_NE(picture_around(place), before);
 }
 
 TEST_F(MainWindowTest, ArrowKeysInTheTextMoveTheCursor) {
   model.cursor().set_line(3);
-  QTest::keyClick(&window.program(), Qt::Key_Down);
+  QTest::keyClick(&window.part<ProgramPanel>().view(), Qt::Key_Down);
   EXPECT_EQ(model.cursor().state().line, 4U);
 }
 
 TEST_F(MainWindowTest, WhatWouldHelpIsShownAndBecomesARun) {
   model.cursor().set_time(0.3 * duration());
-  EXPECT_FALSE(window.why().is_seen());
-  window.why().try_remedies();
+  EXPECT_FALSE(window.part<WhyView>().is_seen());
+  window.part<WhyView>().try_remedies();
   QCoreApplication::processEvents();
-  EXPECT_TRUE(window.why().is_seen());
-  ASSERT_TRUE(QTest::qWaitFor([this] { return !window.why().busy(); }, patience));
-  const RemedyTable& remedies = window.why().remedies();
+  EXPECT_TRUE(window.part<WhyView>().is_seen());
+  ASSERT_TRUE(QTest::qWaitFor([this] { return !window.part<WhyView>().busy(); }, patience));
+  const RemedyTable& remedies = window.part<WhyView>().remedies();
   int row = 0;
   while (row < remedies.rowCount() && remedies.remedy(row)->changes.empty()) {
     ++row;
   }
   ASSERT_LT(row, remedies.rowCount());
-  window.why().table()->setCurrentIndex(remedies.index(row, 0));
-  window.why().panel_actions().back()->trigger();
+  window.part<WhyView>().table()->setCurrentIndex(remedies.index(row, 0));
+  window.part<WhyView>().panel_actions().back()->trigger();
   wait_until_idle();
   ASSERT_EQ(model.runs().items().size(), 2U);
   EXPECT_EQ(model.runs().current(), 1U);
@@ -187,30 +197,30 @@ TEST_F(MainWindowTest, AWrongMachineValueIsRefusedInPlace) {
   type_jerk("-3");
   EXPECT_FALSE(model.busy());
   EXPECT_EQ(duration(), before);
-  EXPECT_THAT(window.setup().message().toStdString(), testing::HasSubstr("X.jerk"));
-  EXPECT_EQ(window.setup().axes()->model()->index(2, 0).data().toString(), "15");
+  EXPECT_THAT(window.part<SetupView>().message().toStdString(), testing::HasSubstr("X.jerk"));
+  EXPECT_EQ(window.part<SetupView>().axes()->model()->index(2, 0).data().toString(), "15");
 }
 
 TEST_F(MainWindowTest, WheelZoomsAtThePointerInAllCharts) {
-  KinematicChart& chart = window.charts().chart(1);
+  KinematicChart& chart = window.part<ChartsPanel>().chart(1);
   const double time = 0.25 * duration();
   const QPoint point = point_in(chart, time);
   QWheelEvent wheel(point, chart.viewport()->mapToGlobal(point), {}, {0, 480}, Qt::NoButton, {},
                     Qt::NoScrollPhase, false);
   QCoreApplication::sendEvent(chart.viewport(), &wheel);
-  ViewRange& range = window.charts().range();
+  ViewRange& range = window.part<ChartsPanel>().range();
   EXPECT_LT(range.upper() - range.lower(), 0.5 * duration());
-  window.charts().refresh();
+  window.part<ChartsPanel>().refresh();
   for (const std::size_t i : {0U, 1U, 2U}) {
-    EXPECT_NEAR(window.charts().chart(i).pixel_of(time), point.x(), 1.5);
+    EXPECT_NEAR(window.part<ChartsPanel>().chart(i).pixel_of(time), point.x(), 1.5);
   }
 }
 
 TEST_F(MainWindowTest, DragPansAndDoubleClickShowsAll) {
-  KinematicChart& chart = window.charts().chart(0);
-  ViewRange& range = window.charts().range();
+  KinematicChart& chart = window.part<ChartsPanel>().chart(0);
+  ViewRange& range = window.part<ChartsPanel>().range();
   range.zoom(0.25, 0.5 * duration());
-  window.charts().refresh();
+  window.part<ChartsPanel>().refresh();
   const double lower = range.lower();
   const double time = model.cursor().state().time;
   const QPoint from(chart.viewport()->width() / 2, 20);
@@ -228,9 +238,9 @@ TEST_F(MainWindowTest, DragPansAndDoubleClickShowsAll) {
 
 TEST_F(MainWindowTest, PlayMovesTheCursorThroughTheRun) {
   model.playback().set_speed(0.5);
-  QTest::mouseClick(window.playback().play_button(), Qt::LeftButton);
+  QTest::mouseClick(window.part<PlaybackBar>().play_button(), Qt::LeftButton);
   EXPECT_TRUE(QTest::qWaitFor([this] { return model.cursor().state().time > 0.02; }, patience));
-  QTest::mouseClick(window.playback().play_button(), Qt::LeftButton);
+  QTest::mouseClick(window.part<PlaybackBar>().play_button(), Qt::LeftButton);
   const double time = model.cursor().state().time;
   QTest::qWait(60);
   EXPECT_EQ(model.cursor().state().time, time);
@@ -238,7 +248,7 @@ TEST_F(MainWindowTest, PlayMovesTheCursorThroughTheRun) {
 
 TEST_F(MainWindowTest, AnotherProgramReplacesTextAndRun) {
   open("G21 G90 F1000\nG1 X5\n");
-  EXPECT_EQ(window.program().text().line_count(), 2U);
+  EXPECT_EQ(window.part<ProgramPanel>().view().text().line_count(), 2U);
   EXPECT_NEAR(trajectory().path_length(), 5, 1e-9);
   EXPECT_EQ(model.cursor().state().time, 0);
 }
@@ -264,7 +274,7 @@ TEST_F(MainWindowTest, AnotherProgramIsSeenAsAWholeAndTheSameOneWhereTheUserWas)
 
 TEST_F(MainWindowTest, ProblemsOfAProgramAreListedWithTheirLine) {
   open("G21 G90 F1000\nG1 X5\nG1 Xabc\n");
-  const DiagnosticsModel& list = window.diagnostics().model();
+  const DiagnosticsModel& list = window.part<DiagnosticsView>().model();
   ASSERT_GE(list.rowCount(), 1);
   EXPECT_THAT(list.index(0, DiagnosticsModel::place).data().toString().toStdString(),
               testing::StartsWith("3"));
@@ -278,8 +288,8 @@ TEST_F(MainWindowTest, NextSlowPlaceMovesTheCursorAndZoomsTheCharts) {
   QTest::keyClick(&window, Qt::Key_F7);
   const SlowPlace& next = places.places[1];
   EXPECT_NEAR(model.cursor().state().time, next.slowest, 1e-9);
-  EXPECT_EQ(window.program().current_line(), model.cursor().state().line);
-  const ViewRange& range = window.charts().range();
+  EXPECT_EQ(window.part<ProgramPanel>().view().current_line(), model.cursor().state().line);
+  const ViewRange& range = window.part<ChartsPanel>().range();
   EXPECT_LE(range.lower(), next.from);
   EXPECT_GE(range.upper(), next.to);
   EXPECT_LT(range.upper() - range.lower(), duration());
@@ -290,12 +300,12 @@ TEST_F(MainWindowTest, NextContourErrorBringsItsPanelUpAndMovesCursorChartsAndVi
   window.activateWindow();
   QTest::keyClick(&window, Qt::Key_F6);
   ASSERT_TRUE(QTest::qWaitFor([this] { return model.cursor().state().time > 0; }, patience));
-  EXPECT_TRUE(window.contour().isVisible());
-  const ContourPlacesModel& places = window.contour().places();
+  EXPECT_TRUE(window.part<ContourView>().isVisible());
+  const ContourPlacesModel& places = window.part<ContourView>().places();
   const ContourPlace& next = places.finding(places.next_row(0, true)).place;
   EXPECT_NEAR(model.cursor().state().time, next.time, 1e-9);
-  EXPECT_EQ(window.program().current_line(), model.cursor().state().line);
-  const ViewRange& range = window.charts().range();
+  EXPECT_EQ(window.part<ProgramPanel>().view().current_line(), model.cursor().state().line);
+  const ViewRange& range = window.part<ChartsPanel>().range();
   EXPECT_LT(range.upper() - range.lower(), duration());
   const CameraState camera = window.scene().scene().camera();
   EXPECT_LT((camera.focal - next.position).norm(), 30 * next.error);
@@ -306,19 +316,19 @@ TEST_F(MainWindowTest, NextMessageGoesToItsPlace) {
   open("G21 G90 F1000\nG1 X5\nG1 Xabc\nX7\n");
   window.activateWindow();
   QTest::keyClick(&window, Qt::Key_F8);
-  EXPECT_EQ(window.program().caret().line, 3U);
+  EXPECT_EQ(window.part<ProgramPanel>().view().caret().line, 3U);
   EXPECT_EQ(model.cursor().state().line, 4U) << "line 3 does not move";
 }
 
 TEST_F(MainWindowTest, AnUnreadableFileIsToldAndTheWindowIsEmpty) {
   model.open("no/such/part.nc");
   wait_until_idle();
-  const DiagnosticsModel& list = window.diagnostics().model();
+  const DiagnosticsModel& list = window.part<DiagnosticsView>().model();
   ASSERT_EQ(list.rowCount(), 1);
   EXPECT_THAT(list.index(0, DiagnosticsModel::message).data().toString().toStdString(),
               testing::HasSubstr("part.nc"));
-  EXPECT_EQ(window.program().text().line_count(), 0U);
-  EXPECT_FALSE(window.charts().chart(0).cursor().has_value());
+  EXPECT_EQ(window.part<ProgramPanel>().view().text().line_count(), 0U);
+  EXPECT_FALSE(window.part<ChartsPanel>().chart(0).cursor().has_value());
 }
 
 TEST_F(MainWindowTest, ADroppedFileIsOpened) {
@@ -336,8 +346,9 @@ TEST_F(MainWindowTest, ADroppedFileIsOpened) {
 
 TEST_F(MainWindowTest, EverythingStandsWithinTheDefaultWindow) {
   const QRect inside = window.rect();
-  for (QWidget* view : std::initializer_list<QWidget*>{&window.program(), &window.scene(), &window.charts(),
-                                                       &window.setup(), &window.playback()}) {
+  for (QWidget* view : std::initializer_list<QWidget*>{&window.part<ProgramPanel>().view(), &window.scene(),
+                                                       &window.part<ChartsPanel>(), &window.part<SetupView>(),
+                                                       &window.part<PlaybackBar>()}) {
     const QRect place(view->mapTo(&window, QPoint()), view->size());
     EXPECT_TRUE(inside.contains(place)) << view->metaObject()->className();
     EXPECT_GE(place.height(), view->minimumSizeHint().height()) << view->metaObject()->className();
@@ -348,7 +359,7 @@ TEST_F(MainWindowTest, EverythingStandsWithinTheDefaultWindow) {
 
 TEST_F(MainWindowTest, NoTwoCommandsShareKeys) {
   std::map<QKeySequence, QString> taken;
-  for (const ListedAction& listed : window.commands()) {
+  for (const ListedAction& listed : window.part<HelpMenu>().commands()) {
     for (const QKeySequence& key : listed.action->shortcuts()) {
       const auto [at, fresh] = taken.emplace(key, listed.action->text());
       EXPECT_TRUE(fresh) << key.toString().toStdString() << ": " << at->second.toStdString() << " and "
@@ -359,7 +370,7 @@ TEST_F(MainWindowTest, NoTwoCommandsShareKeys) {
 }
 
 TEST_F(MainWindowTest, EveryCommandSaysWhatItDoes) {
-  for (const ListedAction& listed : window.commands()) {
+  for (const ListedAction& listed : window.part<HelpMenu>().commands()) {
     // A thing in a list that is switched on, as a panel or a run, is its name; what is off now may say why
     // not.
     EXPECT_TRUE(test::has_own_tip(*listed.action) || listed.action->isCheckable() ||
@@ -369,15 +380,15 @@ TEST_F(MainWindowTest, EveryCommandSaysWhatItDoes) {
 }
 
 TEST_F(MainWindowTest, DuplicateAndAnotherToleranceShowTwoRunsInChartsAndTable) {
-  for (const ListedAction& listed : window.commands()) {
+  for (const ListedAction& listed : window.part<HelpMenu>().commands()) {
     if (plain_text(listed.action->text()) == "Duplicate") {
       listed.action->trigger();
     }
   }
   ASSERT_TRUE(model.set_tolerance(0.01));
   wait_until_idle();
-  ASSERT_EQ(window.runs().results().rowCount(), 2);
-  EXPECT_EQ(window.runs().results().best(), 0U);
+  ASSERT_EQ(window.part<RunsView>().results().rowCount(), 2);
+  EXPECT_EQ(window.part<RunsView>().results().best(), 0U);
   EXPECT_NE(model.runs().result(1), nullptr);
 }
 
@@ -410,7 +421,7 @@ TEST_F(MainWindowTest, PanelsComeBackAsTheyWereWithAnotherProgram) {
 
 /// The command of the menus with this text.
 QAction* command(const MainWindow& window, const QString& text) {
-  for (const ListedAction& listed : window.commands()) {
+  for (const ListedAction& listed : window.part<HelpMenu>().commands()) {
     if (plain_text(listed.action->text()) == text) {
       return listed.action;
     }
@@ -423,7 +434,7 @@ TEST_F(MainWindowTest, ALessonSetsUpTheWindowAndLeadsToItsControl) {
   EXPECT_FALSE(dock->isVisible());
   command(window, "Lessons")->trigger();
   EXPECT_TRUE(dock->isVisible());
-  LessonView& lesson = window.lessons();
+  LessonView& lesson = window.part<LessonView>();
   QSignalSpy opened(&lesson.desk(), &LessonDesk::opened);
   lesson.desk().open(find_lesson("3"));
   ASSERT_TRUE(opened.wait(patience));
@@ -446,21 +457,21 @@ TEST_F(MainWindowTest, ALessonSetsUpTheWindowAndLeadsToItsControl) {
   wait_until_idle();
   EXPECT_EQ(std::get<double>(model.setup().state().value("X.acceleration")), 2);
   emit lesson.setting_wanted("X.jerk");
-  EXPECT_EQ(window.setup().axes()->currentIndex().data().toString(), "15");
+  EXPECT_EQ(window.part<SetupView>().axes()->currentIndex().data().toString(), "15");
   emit lesson.setting_wanted("lookahead_blocks");
-  EXPECT_EQ(window.setup().settings()->currentIndex().data().toString(), "8");
-  const QModelIndex place = window.setup().settings()->currentIndex();
+  EXPECT_EQ(window.part<SetupView>().settings()->currentIndex().data().toString(), "8");
+  const QModelIndex place = window.part<SetupView>().settings()->currentIndex();
   emit lesson.setting_wanted("model");
-  EXPECT_EQ(window.setup().settings()->currentIndex(), place);
+  EXPECT_EQ(window.part<SetupView>().settings()->currentIndex(), place);
 }
 
 TEST_F(MainWindowTest, TheWindowKnowsWhatLessonsCallItsColouringsAndViews) {
   for (const std::string& name : lesson_colourings()) {
-    EXPECT_NE(std::ranges::find(all_colourings, name, colouring_key), all_colourings.end()) << name;
+    EXPECT_NE(std::ranges::find(all_colourings(), name, colouring_key), all_colourings().end()) << name;
   }
   // A lesson begins with one run: there is none to compare it with.
   EXPECT_EQ(lesson_colourings().size(),
-            all_colourings.size() - std::ranges::count_if(all_colourings, needs_reference));
+            all_colourings().size() - std::ranges::count_if(all_colourings(), needs_reference));
   EXPECT_EQ(lesson_cameras()[static_cast<std::size_t>(StandardView::top)], "top");
   EXPECT_EQ(lesson_cameras()[static_cast<std::size_t>(StandardView::bottom)], "bottom");
   EXPECT_EQ(lesson_cameras()[static_cast<std::size_t>(StandardView::left)], "left");

@@ -19,8 +19,10 @@
 #include "ui/fields/number_box.h"
 #include "ui/fields/number_text.h"
 #include "ui/fields/whole_number_box.h"
-#include "ui/main_window.h"
-#include "ui/views/reading_dialog.h"
+#include "ui/program_text/reading_dialog.h"
+#include "ui/runs/runs_view.h"
+#include "ui/setup/setup_view.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
@@ -125,7 +127,7 @@ TEST_P(NumberFieldsTest, EveryBoxOfADialogTakesBothSigns) {
 
 TEST_P(NumberFieldsTest, EveryNumberOfTheMachineTablesTakesBothSigns) {
   int changed = 0;
-  for (QTableView* table : window->setup().findChildren<QTableView*>()) {
+  for (QTableView* table : window->part<SetupView>().findChildren<QTableView*>()) {
     QAbstractItemModel& cells = *table->model();
     for (int row = 0; row < cells.rowCount(); ++row) {
       for (int column = 0; column < cells.columnCount(); ++column) {
@@ -167,7 +169,7 @@ TEST_P(NumberFieldsTest, TolerancesForNewRunsTakeBothSigns) {
       auto* line = QApplication::activeModalWidget()->findChild<QLineEdit*>();
       type(*line, text);
     });
-    window->runs().panel_actions()[1]->trigger();
+    window->part<RunsView>().panel_actions()[1]->trigger();
     ASSERT_EQ(model.runs().items().size(), runs + 2) << text.toStdString();
     EXPECT_DOUBLE_EQ(*contour_tolerance(model.runs().items()[runs].setup.setup()), 0.013);
     EXPECT_DOUBLE_EQ(*contour_tolerance(model.runs().items()[runs + 1].setup.setup()), 0.017);
@@ -185,7 +187,7 @@ TEST_P(NumberFieldsTest, AToleranceThatIsNoNumberIsAskedForAgain) {
       type(*box->findChild<QLineEdit*>(), QStringLiteral("0.01 0.02"));
     });
   });
-  window->runs().panel_actions()[1]->trigger();
+  window->part<RunsView>().panel_actions()[1]->trigger();
   EXPECT_EQ(model.runs().items().size(), 3U);
 }
 

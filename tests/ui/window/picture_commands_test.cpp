@@ -1,4 +1,4 @@
-#include "ui/window_pictures.h"
+#include "ui/window/picture_commands.h"
 
 #include <gmock/gmock.h>
 
@@ -11,12 +11,12 @@
 
 #include "core/base/error.h"
 #include "tests/ui/run_fixture.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
 
-using Part = WindowPictures::Part;
+using Part = PictureCommands::Part;
 
 class WindowPicturesTest : public testing::Test {
  protected:
@@ -41,7 +41,7 @@ class WindowPicturesTest : public testing::Test {
   QTemporaryDir folder_;
   Workbench model_;
   MainWindow window_;
-  WindowPictures pictures_;
+  PictureCommands pictures_;
 };
 
 TEST_F(WindowPicturesTest, EveryPartIsSavedInEveryFormat) {

@@ -1,4 +1,4 @@
-#include "ui/window_picture.h"
+#include "ui/window/pictures_of_panels.h"
 
 #include <gtest/gtest.h>
 

@@ -13,9 +13,16 @@
 
 #include "core/analysis/contour/contour_report.h"
 #include "tests/ui/run_fixture.h"
-#include "ui/main_window.h"
-#include "ui/models/texts.h"
-#include "ui/views/annotation_overlay.h"
+#include "ui/annotations/annotation_overlay.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/contour/contour_view.h"
+#include "ui/language/texts.h"
+#include "ui/program_text/program_panel.h"
+#include "ui/runs/run_notice.h"
+#include "ui/runs/runs_view.h"
+#include "ui/slow_places/slow_places_view.h"
+#include "ui/why/why_view.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
@@ -33,7 +40,7 @@ class WhoseDataTest : public testing::TestWithParam<unsigned> {
     window.resize(1000, 700);
     window.show();
     open("part.nc", test::small_program);
-    window.contour().panel_actions()[0]->trigger();  // its panel comes up
+    window.part<ContourView>().panel_actions()[0]->trigger();  // its panel comes up
   }
 
   void open(const std::string& name, const std::string& text) {
@@ -149,15 +156,16 @@ class WhoseDataTest : public testing::TestWithParam<unsigned> {
     EXPECT_TRUE(is_of(current, window.scene().scene().trajectory())) << "3D view";
     EXPECT_TRUE(is_of(current, window.scene().annotations().trajectory())) << "annotations";
     EXPECT_EQ(window.scene().annotations().run_name(), name);
-    EXPECT_TRUE(is_of(current, window.charts().trajectory())) << "charts";
-    if (const auto& why = window.why().shown()) {
+    EXPECT_TRUE(is_of(current, window.part<ChartsPanel>().trajectory())) << "charts";
+    if (const auto& why = window.part<WhyView>().shown()) {
       EXPECT_TRUE(is_of(current, why->run.trajectory)) << "why";
     }
-    if (const auto* places = window.slow_places().model().places()) {
+    if (const auto* places = window.part<SlowPlacesView>().model().places()) {
       EXPECT_EQ(places, shown == nullptr ? nullptr : shown->slow_places.get()) << "slow places";
     }
-    EXPECT_EQ(window.program().times(), shown == nullptr ? nullptr : shown->line_times) << "program text";
-    if (const ContourReport* report = window.contour().places().report()) {
+    EXPECT_EQ(window.part<ProgramPanel>().view().times(), shown == nullptr ? nullptr : shown->line_times)
+        << "program text";
+    if (const ContourReport* report = window.part<ContourView>().places().report()) {
       EXPECT_EQ(report->largest, contour_report(expected(current), 1).largest) << "contour error";
     }
     check_others();
@@ -165,10 +173,10 @@ class WhoseDataTest : public testing::TestWithParam<unsigned> {
   }
 
   void check_others() {
-    for (const RunOverlay& overlay : window.charts().overlays()) {
+    for (const RunOverlay& overlay : window.part<ChartsPanel>().overlays()) {
       EXPECT_TRUE(named(overlay.name, overlay.trajectory)) << "charts of " << overlay.name.toStdString();
     }
-    for (const ContourCurve& curve : window.contour().chart().curves().runs) {
+    for (const ContourCurve& curve : window.part<ContourView>().chart().curves().runs) {
       bool found = false;
       for (std::size_t row = 0; row < runs().items().size(); ++row) {
         found = found || (runs().title(runs().items()[row]) == curve.name &&
@@ -196,7 +204,7 @@ class WhoseDataTest : public testing::TestWithParam<unsigned> {
   }
 
   void check_table() {
-    const RunTable& table = window.runs().results();
+    const RunTable& table = window.part<RunsView>().results();
     for (std::size_t row = 0; row < runs().items().size(); ++row) {
       const QString text = table.index(static_cast<int>(row), RunTable::cycle_time).data().toString();
       const QString time = clock_text(expected(row).summary.cycle_time);
@@ -212,17 +220,18 @@ class WhoseDataTest : public testing::TestWithParam<unsigned> {
       }
     }
     const bool offers = runs().status(runs().current()) == RunStatus::cancelled;
-    EXPECT_EQ(!window.notice().isHidden(), offers);
-    EXPECT_EQ(window.runs().again()->isEnabled(), offers);
+    EXPECT_EQ(!window.part<RunNotice>().isHidden(), offers);
+    EXPECT_EQ(window.part<RunsView>().again()->isEnabled(), offers);
   }
 
   void check_export() {
     const QString file = folder.filePath("charts.csv");
     QFile::remove(file);
-    QSignalSpy written(&window.charts(), &ChartsPanel::exported);
-    window.charts().range().fit();
-    window.charts().save_csv(file, random() % 2 == 0 ? CsvRows::pixels : CsvRows::blocks);
-    if (window.charts().trajectory() == nullptr) {
+    QSignalSpy written(&window.part<ChartsPanel>(), &ChartsPanel::exported);
+    window.part<ChartsPanel>().range().fit();
+    window.part<ChartsPanel>().commands().save_csv(file,
+                                                   random() % 2 == 0 ? CsvRows::pixels : CsvRows::blocks);
+    if (window.part<ChartsPanel>().trajectory() == nullptr) {
       EXPECT_FALSE(QFile::exists(file));
       return;
     }

@@ -18,17 +18,21 @@
 
 #include "tests/support/memory.h"
 #include "tests/ui/run_fixture.h"
-#include "ui/main_window.h"
-#include "ui/models/panel_action.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/program_text/program_panel.h"
+#include "ui/runs/runs_view.h"
+#include "ui/shared/panel_action.h"
+#include "ui/window/help_menu.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
 
-constexpr int most_actions = 1000;
+constexpr int max_actions = 1000;
 constexpr std::size_t last_actions = 25;
-constexpr double most_seconds = 10;  // of processor time that one action may take, what it starts included
-constexpr std::size_t most_bytes = 600 * test::megabyte;
-constexpr std::size_t most_runs = 5;
+constexpr double max_seconds = 10;  // of processor time that one action may take, what it starts included
+constexpr std::size_t max_bytes = 600 * test::megabyte;
+constexpr std::size_t max_runs = 5;
 
 /// What was done last, for who has to do it again; a crash says it too.
 class Diary {
@@ -143,8 +147,8 @@ class WindowFuzz : public testing::Test {
       }
     }
     // Half of all on what has most of the window.
-    QList<QWidget*> large{&window.scene().canvas(), window.charts().chart(any(3)).viewport(),
-                          &window.program(), window.runs().table()->viewport()};
+    QList<QWidget*> large{&window.scene().canvas(), window.part<ChartsPanel>().chart(any(3)).viewport(),
+                          &window.part<ProgramPanel>().view(), window.part<RunsView>().table()->viewport()};
     QWidget* chosen = any(2) == 0
                           ? large[static_cast<qsizetype>(any(4))]
                           : shown[static_cast<qsizetype>(any(static_cast<std::size_t>(shown.size())))];
@@ -252,7 +256,7 @@ class WindowFuzz : public testing::Test {
   }
 
   std::string command() {
-    const QList<ListedAction> commands = window.commands();
+    const QList<ListedAction> commands = window.part<HelpMenu>().commands();
     const ListedAction& listed =
         commands[static_cast<qsizetype>(any(static_cast<std::size_t>(commands.size())))];
     const std::string text = plain_text(listed.action->text()).toStdString();
@@ -265,7 +269,7 @@ class WindowFuzz : public testing::Test {
 
   std::string runs() {
     RunList& list = model.runs();
-    while (list.items().size() > most_runs) {
+    while (list.items().size() > max_runs) {
       list.remove(any(list.items().size()));
     }
     switch (any(6)) {
@@ -326,7 +330,7 @@ TEST_F(WindowFuzz, AThousandRandomActionsNeitherFailNorGrow) {
   random.seed(seed);
   Diary diary(seed);
   model.open(programs.front());
-  for (int i = 0; i < most_actions && !HasFailure(); ++i) {
+  for (int i = 0; i < max_actions && !HasFailure(); ++i) {
     const double before = processor_seconds();
     diary.add(act());
     if (!window.isVisible()) {
@@ -334,8 +338,8 @@ TEST_F(WindowFuzz, AThousandRandomActionsNeitherFailNorGrow) {
     }
     QCoreApplication::processEvents(QEventLoop::AllEvents, 50);
     const double used = processor_seconds() - before;
-    EXPECT_LT(used, most_seconds) << diary.text();
-    EXPECT_LT(test::resident_bytes(), most_bytes) << diary.text();
+    EXPECT_LT(used, max_seconds) << diary.text();
+    EXPECT_LT(test::resident_bytes(), max_bytes) << diary.text();
     const auto shown = model.shown();
     EXPECT_TRUE(shown == nullptr || shown->run.setup == model.setup().setup()) << diary.text();
   }

@@ -12,7 +12,8 @@
 
 #include "tests/support/memory.h"
 #include "tests/ui/run_fixture.h"
-#include "ui/main_window.h"
+#include "ui/contour/contour_view.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
@@ -102,10 +103,10 @@ class WindowMemoryTest : public testing::Test {
     }
     window.scene().scene().set_colouring(Colouring::time_lost);
     wait_until_idle();
-    if (!window.contour().isVisible()) {
-      window.contour().panel_actions()[0]->trigger();  // its panel comes up
+    if (!window.part<ContourView>().isVisible()) {
+      window.part<ContourView>().panel_actions()[0]->trigger();  // its panel comes up
     }
-    ASSERT_TRUE(QTest::qWaitFor([this] { return !window.contour().busy(); }, patience));
+    ASSERT_TRUE(QTest::qWaitFor([this] { return !window.part<ContourView>().busy(); }, patience));
     while (model.runs().items().size() > 1) {
       model.runs().remove(0);
     }

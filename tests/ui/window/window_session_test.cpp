@@ -1,4 +1,4 @@
-#include "ui/window_session.h"
+#include "ui/window/window_session.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,9 @@
 #include <fstream>
 
 #include "tests/ui/run_fixture.h"
-#include "ui/main_window.h"
+#include "ui/annotations/annotations_view.h"
+#include "ui/charts/charts_panel.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
@@ -47,8 +49,10 @@ class WindowSessionTest : public testing::Test {
     const double duration = w.model.shown()->run.trajectory->duration();
     w.model.cursor().set_time(duration / 3);
     w.window.scene().scene().set_standard_view(StandardView::top);
-    w.window.charts().range().show(duration / 4, duration / 2);
-    w.window.annotations().panel_actions()[static_cast<qsizetype>(AnnotationKind::callout)]->trigger();
+    w.window.part<ChartsPanel>().range().show(duration / 4, duration / 2);
+    w.window.part<AnnotationsView>()
+        .panel_actions()[static_cast<qsizetype>(AnnotationKind::callout)]
+        ->trigger();
   }
 
   QTemporaryDir folder_;

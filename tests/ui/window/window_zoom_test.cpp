@@ -10,7 +10,7 @@
 #include "tests/support/folders.h"
 #include "tests/support/memory.h"
 #include "tests/ui/run_fixture.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
@@ -18,8 +18,8 @@ namespace {
 constexpr int patience = 120000;  // [ms]
 constexpr int clicks = 60;
 constexpr int clicks_to_rest = 5;
-constexpr double most_seconds = 1;  // of processor time until the view shows what a click asked for
-constexpr std::size_t most_bytes = 600 * test::megabyte;
+constexpr double max_seconds = 1;  // of processor time until the view shows what a click asked for
+constexpr std::size_t max_bytes = 600 * test::megabyte;
 
 double processor_seconds() {
   return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -88,8 +88,8 @@ TEST_F(WindowZoomTest, SixtyClicksIntoAnySampleAreQuickAndSmallInOneAndTwoViews)
       window.scenes().set_mode(mode);
       for (const int way : {1, -1}) {
         const double seconds = turn_wheel(way);
-        EXPECT_LT(seconds, most_seconds);
-        EXPECT_LT(test::resident_bytes(), most_bytes);
+        EXPECT_LT(seconds, max_seconds);
+        EXPECT_LT(test::resident_bytes(), max_bytes);
         longest = std::max(longest, seconds);
         largest = std::max(largest, test::resident_bytes());
       }

@@ -1,4 +1,4 @@
-#include "ui/annotations/annotation_list.h"
+#include "ui/workbench/annotation_list.h"
 
 #include <gtest/gtest.h>
 

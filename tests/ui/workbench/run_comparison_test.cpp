@@ -1,11 +1,10 @@
-#include "ui/models/run_comparison.h"
+#include "ui/workbench/run_comparison.h"
 
 #include <gtest/gtest.h>
 
 #include <QCoreApplication>
 
 #include "tests/ui/run_fixture.h"
-#include "ui/models/scenes_state.h"
 
 namespace feedscope::ui {
 namespace {
@@ -121,20 +120,6 @@ TEST_F(RunComparisonTest, GoesWhileBusy) {
   short_lived->samples(1);
   short_lived.reset();
   QCoreApplication::processEvents();
-}
-
-TEST(ScenesState, SurvivesJsonAndKeepsWhatIsMissingOrWrong) {
-  const ScenesState state{ScenesMode::split, 2, 0.3, 1};
-  ScenesState read;
-  read_json(to_json(state), read);
-  EXPECT_EQ(read, state);
-  read_json({}, read);
-  EXPECT_EQ(read, state);
-  read_json({{"mode", "four"}, {"split", 1.5}, {"other_run", -1}, {"reference_run", 0.5}}, read);
-  EXPECT_EQ(read, state);
-  ScenesState plain;
-  read_json(to_json(ScenesState()), plain);
-  EXPECT_EQ(plain, ScenesState());
 }
 
 }  // namespace

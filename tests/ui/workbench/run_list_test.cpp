@@ -1,4 +1,4 @@
-#include "ui/models/run_list.h"
+#include "ui/workbench/run_list.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -210,9 +210,9 @@ TEST_F(RunListTest, ATitleMayLeaveOutWhatIsStudied) {
   const auto title = [&](const char* left_out) {
     return run_title(runs.items()[0], {}, left_out).toStdString();
   };
-  EXPECT_EQ(title(""), "essid, 0.1 mm, X Jerk 3 m/s³, Look-ahead 3");
-  EXPECT_EQ(title("contour_tolerance_mm"), "essid, X Jerk 3 m/s³, Look-ahead 3");
-  EXPECT_EQ(title("X.jerk"), "essid, 0.1 mm, Look-ahead 3");
+  EXPECT_EQ(title(""), "essid, 0.1 mm, X Jerk 3 m/s³, Look-ahead (blocks) 3");
+  EXPECT_EQ(title("contour_tolerance_mm"), "essid, X Jerk 3 m/s³, Look-ahead (blocks) 3");
+  EXPECT_EQ(title("X.jerk"), "essid, 0.1 mm, Look-ahead (blocks) 3");
 }
 
 /// In the charts curves of other runs lie among those of the axes.

@@ -1,4 +1,4 @@
-#include "ui/models/workbench.h"
+#include "ui/workbench/workbench.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 #include <fstream>
 
 #include "tests/ui/run_fixture.h"
-#include "ui/models/simulate_shown.h"
+#include "ui/workbench/simulate_shown.h"
 
 namespace feedscope::ui {
 namespace {

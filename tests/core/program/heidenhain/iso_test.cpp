@@ -123,24 +123,26 @@ TEST_P(HeidenhainIsoDiagnostic, SaysPlaceThingAndValue) {
 INSTANTIATE_TEST_SUITE_P(
     Words, HeidenhainIsoDiagnostic,
     testing::Values(
-        DinDiagnostic{"N1 X+1*\n", "1:4: warning: coordinates before any of G0 to G16 [motion-mode]"},
-        DinDiagnostic{"G01 G08 X+1 F9*\n", "1:1: error: G8 is not read in this dialect [unknown-g]"},
-        DinDiagnostic{"G75 P01 2*\n", "1:1: error: cycle 75 is not read [unread-cycle]"},
-        DinDiagnostic{"G251 POCKET Q218=5*\n", "1:1: error: cycle 251 (POCKET ) is not read [unread-cycle]"},
-        DinDiagnostic{"G01 E5*\n", "1:5: error: \"E5\" does not belong into a block [unread-word]"},
+        DinDiagnostic{"N1 X+1*\n", "1:4: warning: coordinates before the first of G0 to G16 [motion-mode]"},
+        DinDiagnostic{"G01 G08 X+1 F9*\n", "1:1: error: G8 is not supported in this dialect [unknown-g]"},
+        DinDiagnostic{"G75 P01 2*\n", "1:1: error: cycle 75 is not supported [unread-cycle]"},
+        DinDiagnostic{"G251 POCKET Q218=5*\n",
+                      "1:1: error: cycle 251 (POCKET ) is not supported [unread-cycle]"},
+        DinDiagnostic{"G01 E5*\n", "1:5: error: \"E5\" is not valid in a block [unread-word]"},
         DinDiagnostic{"G X5*\n", "1:1: error: G without a number [malformed-number]"},
         DinDiagnostic{"G25 X5*\n", "1:1: error: G25 without R [corner]"},
         DinDiagnostic{
             "G26 R5*\n",
-            "1:1: error: no line to the contour's first point stands in the block before [approach]"},
+            "1:1: error: the preceding block is not a line to the first point of the contour [approach]"},
         DinDiagnostic{"G62 T-1*\n", "1:1: error: the tolerance T-1 is below zero [tolerance]"},
         DinDiagnostic{"G72 F0*\n",
-                      "1:1: error: the scaling factor 0 is not from 0.000001 to 99.999999 [scale-factor]"},
-        DinDiagnostic{"D00 Q5 X5*\n", "1:8: error: \"X5\" does not belong into D [unread-word]"},
+                      "1:1: error: scaling factor 0 is not from 0.000001 to 99.999999 [scale-factor]"},
+        DinDiagnostic{"D00 Q5 X5*\n", "1:8: error: \"X5\" is not valid in D [unread-word]"},
         DinDiagnostic{"%SUB *\n",
-                      "1:1: error: the program \"SUB\" does not lie beside this one [subprogram]"},
-        DinDiagnostic{"G00 X1*\nG53 P01 3*\n",
-                      "2:1: warning: a line of the datum table changes the datum on the way [work-offset]"}));
+                      "1:1: error: program \"SUB\" was not found in the same folder [subprogram]"},
+        DinDiagnostic{
+            "G00 X1*\nG53 P01 3*\n",
+            "2:1: warning: a line of the datum table changes the datum after a motion [work-offset]"}));
 
 TEST(HeidenhainIso, SoftApproachAndDepartureHaveTheirOwnFeeds) {
   const Program program = read_din(

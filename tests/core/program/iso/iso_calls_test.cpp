@@ -105,7 +105,7 @@ TEST(MCalls, ReturnsToTheSameLineNumberInTheTextCalledFromAndM97RunsBlocks) {
 TEST(MCalls, AMainProgramThatStartsOverIsShownOnce) {
   EXPECT_EQ(way(Dialect::fanuc, "G0 X1\nM99\n"), (Way{1}));
   EXPECT_EQ(said_of(Dialect::fanuc, "N1 G0 X1\nM99 P1"),
-            "f:2:1: info: the program starts over from N1 without end [endless-program] (one pass is shown)");
+            "f:2:1: info: the program repeats from N1 without end [endless-program] (one pass is shown)");
 }
 
 TEST(MCalls, AProgramEndsWhereTheNextOneBegins) {
@@ -157,9 +157,8 @@ TEST(Tools, AreListedInTheOrderOfTheirFirstUse) {
 }
 
 TEST(Grbl, CommandsAndMessagesAreNoBlocks) {
-  EXPECT_EQ(
-      said_of(Dialect::grbl, "$H\nG0 X1\nM117 Layer 3 of X5\n"),
-      "f:1:1: info: \"$H\" is a command to the control [control-command] (it does not change the path)");
+  EXPECT_EQ(said_of(Dialect::grbl, "$H\nG0 X1\nM117 Layer 3 of X5\n"),
+            "f:1:1: info: \"$H\" is a control command [control-command] (it does not change the path)");
   EXPECT_EQ(way(Dialect::grbl, "G0 X1\nM117 X5\nX2"), (Way{1, 2}));
 }
 
@@ -281,8 +280,8 @@ INSTANTIATE_TEST_SUITE_P(
     Texts, CallFaults,
     testing::Values(
         Fault{Dialect::fanuc, "M98 P77",
-              "f:2:5: error: M98 calls program 77, which is neither in the program nor a file in its folder "
-              "[subprogram] (its motion is missing; put it into the program's folder as O0077)"},
+              "f:2:5: error: M98 calls program 77, which is neither in the program nor in a file in its "
+              "folder [subprogram] (its motion is missing; add the file O0077 to the program's folder)"},
         Fault{Dialect::fanuc, "M98",
               "f:2:1: error: M98 without P [subprogram] (nothing is called; write P with the number of the "
               "subprogram)"},
@@ -290,24 +289,20 @@ INSTANTIATE_TEST_SUITE_P(
             Dialect::fanuc, "G65 A1",
             "f:2:1: error: G65 without P [subprogram] (nothing is called; write P with the macro's number)"},
         Fault{Dialect::fanuc, "G65 P9 A1",
-              "f:2:5: error: macro program 9 is called, which is neither in the program nor a file in its "
-              "folder "
-              "[subprogram] (its motion is missing; put it into the program's folder as O0009)"},
+              "f:2:5: error: macro program 9 is called, which is neither in the program nor in a file in its "
+              "folder [subprogram] (its motion is missing; add the file O0009 to the program's folder)"},
         Fault{Dialect::linuxcnc, "o<probe> call [1]",
-              "f:2:1: error: o<probe> is called, which is neither in the program nor a file in its folder "
-              "[subprogram] "
-              "(its motion is missing; put it into the program's folder as probe.ngc)"},
-        Fault{
-            Dialect::fanuc, "M97 P5",
-            "f:2:1: error: M97 has no P with the number of a block in this program [jump-target] (nothing is "
-            "called; write P with the N number of the first block)"},
+              "f:2:1: error: o<probe> is called, which is neither in the program nor in a file in its folder "
+              "[subprogram] (its motion is missing; add the file probe.ngc to the program's folder)"},
+        Fault{Dialect::fanuc, "M97 P5",
+              "f:2:1: error: M97 without P and the number of a block in this program [jump-target] (nothing "
+              "is called; write P with the N number of the first block)"},
         Fault{Dialect::fanuc, "M98 P1 L-1\nM30\nO1\nM99",
               "f:2:8: error: L-1 is not a number of times from 0 to 1000000000 [repeat-count] (it is run "
               "once)"},
         Fault{Dialect::linuxcnc, "o5 return",
-              "f:2:9: error: a return outside of a subprogram [flow-pair] (it is left out; subprograms stand "
-              "between "
-              "sub and endsub)"}));
+              "f:2:9: error: return or endsub outside a subprogram [flow-pair] (it is skipped; a subprogram "
+              "is written between sub and endsub)"}));
 
 TEST(IsoCalls, EndlessRecursionIsStopped) {
   const Program program = read_as(Dialect::linuxcnc, "G0 X1\no1 sub\nX2\no1 call\no1 endsub\no1 call\nX3\n");

@@ -84,15 +84,13 @@ INSTANTIATE_TEST_SUITE_P(
             "G1 G42.1 X10 F100\nX20\nG40 Y10",
             "f:1:4: error: G42.1 without D [tool-radius] (the path shown is the programmed contour; write D "
             "with the tool's diameter)"},
-        FaultCase{
-            "G1 G41.1 D4 X10 F100\nX20\nG3 X21 Y1 R1\nG1 Y20\nG40 Y30",
-            "f:3:4: error: the arc's radius, 1.0000 mm, is smaller than the tool's, 2.0000 mm "
-            "[compensation-gouge] (a straight line to its end is taken instead, which cuts into the contour; "
-            "use a smaller tool)"},
-        FaultCase{
-            "G1 G41.1 D4 X10 F100\nX20\nG18 X30",
-            "f:3: error: the plane changes while cutter radius compensation is on [compensation-plane] (it "
-            "begins anew in the other plane; end it before)"}));
+        FaultCase{"G1 G41.1 D4 X10 F100\nX20\nG3 X21 Y1 R1\nG1 Y20\nG40 Y30",
+                  "f:3:4: error: the arc's radius, 1.0000 mm, is smaller than the tool's, 2.0000 mm "
+                  "[compensation-gouge] (a straight line to its end is used instead, which cuts into the "
+                  "contour; use a smaller tool)"},
+        FaultCase{"G1 G41.1 D4 X10 F100\nX20\nG18 X30",
+                  "f:3: error: the plane changes while cutter radius compensation is on [compensation-plane] "
+                  "(it begins again in the other plane; end it before)"}));
 
 }  // namespace
 }  // namespace feedscope

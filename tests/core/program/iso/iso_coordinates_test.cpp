@@ -119,51 +119,44 @@ TEST_P(IsoCoordinateFault, NamesWordAndWhatToDo) {
 INSTANTIATE_TEST_SUITE_P(
     All, IsoCoordinateFault,
     testing::Values(
-        FaultCase{
-            "G0 X1\nG10 L2 P12 X5",
-            "f:2:8: error: P12 is no number of a work offset from 0 to 9 [offset-number] (the block has no "
-            "effect on the path)"},
+        FaultCase{"G0 X1\nG10 L2 P12 X5",
+                  "f:2:8: error: P12 is not a work offset number from 0 to 9 [offset-number] (the block has "
+                  "no effect on the path)"},
         FaultCase{"G54 G0 X1\nG54.1 P3 X1",
-                  "f:2:1: warning: G54.1 P3 follows G54 on the way [work-offset] (offsets that are not given "
-                  "are assumed as zero, so parts of the path lie over each other; give them as an import "
-                  "option, --offset G54.1P3=X,Y,Z)"},
-        FaultCase{
-            "G0 X1\nG10 L50\nG11",
-            "f:2:1: warning: G10 L50 (setting of data) is not read [unread-g] (the path is shown without "
-            "what it sets)"},
+                  "f:2:1: warning: G54.1 P3 is selected after motion in G54 [work-offset] (offsets without a "
+                  "value are assumed as zero, so parts of the path overlap; give them as an import option, "
+                  "--offset G54.1P3=X,Y,Z)"},
+        FaultCase{"G0 X1\nG10 L50\nG11",
+                  "f:2:1: warning: G10 L50 (data setting) is not supported [unread-g] (the path is shown "
+                  "without it)"},
         FaultCase{
             "G0 X1\nG68 X0 Y0",
             "f:2:1: error: G68 without R [rotation-angle] (the path is shown without it; write R with the "
             "angle)"},
-        FaultCase{
-            "G0 X1\nG68 X0 Y0 Z0 I0 J0 K0 R30",
-            "f:2:1: error: G68 with I0 J0 K0 has no axis to turn about [rotation-angle] (the path is shown "
-            "without it)"},
-        FaultCase{
-            "G0 X1\nG68.2 P2 X0 Y0 Z0",
-            "f:2:7: error: G68.2 P2 (tilted working plane by points, vectors or angles of projection) is not "
-            "read [unread-g] (the path is shown without it)"},
+        FaultCase{"G0 X1\nG68 X0 Y0 Z0 I0 J0 K0 R30",
+                  "f:2:1: error: G68 with I0 J0 K0 has no rotation axis [rotation-angle] (the path is shown "
+                  "without it)"},
+        FaultCase{"G0 X1\nG68.2 P2 X0 Y0 Z0",
+                  "f:2:7: error: G68.2 P2 (tilted working plane by points, vectors or projection angles) is "
+                  "not supported [unread-g] (the path is shown without it)"},
         FaultCase{
             "G0 X1\nG51 X0 Y0",
             "f:2:1: error: G51 without P [scale-factor] (the path is shown without it; write P with the "
             "factor)"},
-        FaultCase{
-            "G0 X1\nG51 X0 Y0 P0",
-            "f:2:11: error: scale factor P0 is zero [scale-factor] (1 is taken; write a factor that is not "
-            "zero)"},
+        FaultCase{"G0 X1\nG51 X0 Y0 P0",
+                  "f:2:11: error: scale factor P0 is zero [scale-factor] (1 is used; write a factor other "
+                  "than zero)"},
         FaultCase{
             "G0 X1\nG53 Z0",
             "f:2:1: warning: G53 moves to a machine position, which the program does not contain "
             "[machine-position] (neither drawn nor timed unless the machine gives positions (home_z_mm, "
             "part_zero_z_mm, ...); the path continues where every axis is programmed again)"},
-        FaultCase{
-            "G93 G1 X1 F2\nX2",
-            "f:2:1: error: a feed move without F under G93 [feed-missing] (the last F is taken; write F in "
-            "every such block)"},
+        FaultCase{"G93 G1 X1 F2\nX2",
+                  "f:2:1: error: a feed move without F under G93 [feed-missing] (the last F is used; write F "
+                  "in every such block)"},
         FaultCase{"G0 X1\nG15 G69 G50 G98 G92.1 G92.2 G92.3 G50.1 G16",
-                  "f:2:41: error: G16 is one G word too many in the block [too-many-g] (it is left out; "
-                  "write it in "
-                  "a block of its own)"}));
+                  "f:2:41: error: G16 exceeds the 8 G words of coordinates that a block can have "
+                  "[too-many-g] (it is skipped; write it in a block of its own)"}));
 
 TEST(IsoTransforms, FeedIsInverseTimeOrPerRevolution) {
   EXPECT_EQ(read_clean_as(linuxcnc, "G93 G1 X10 F6").motions.at(0).feed, 1) << "10 mm in a sixth of a minute";

@@ -125,12 +125,12 @@ TEST(IsoCorners, WhatCannotBeCutStaysSharpAndIsSaid) {
   const std::string start = "G0 X0 Y0\nG1 F600 ";
   EXPECT_THAT(said_of(Dialect::fanuc, start + "X10 ,R20\nY10\n"), HasSubstr("does not fit"));
   EXPECT_THAT(said_of(Dialect::fanuc, start + "X10 ,R2\nZ10\n"), HasSubstr("working plane"));
-  EXPECT_THAT(said_of(Dialect::fanuc, start + "X10 ,R2\nG0 Y10\n"), HasSubstr("a rapid stands next to it"));
+  EXPECT_THAT(said_of(Dialect::fanuc, start + "X10 ,R2\nG0 Y10\n"), HasSubstr("it is adjacent to a rapid"));
   EXPECT_THAT(said_of(Dialect::fanuc, start + "X10 ,R2\nX0\n"), HasSubstr("turns back"));
   EXPECT_THAT(said_of(Dialect::fanuc, start + "X10 ,R2\nM30\n"), HasSubstr("no line or arc follows"));
   EXPECT_THAT(said_of(Dialect::fanuc, start + "X10 ,R0\nY10\n"), HasSubstr("not above zero"));
-  EXPECT_THAT(said_of(Dialect::fanuc, start + "X10\nM8 ,R2\nY10\n"), HasSubstr("no line or arc"));
-  EXPECT_THAT(said_of(Dialect::fanuc, start + "X10 ,C2\nG2 X20 I5\n"), HasSubstr("next to an arc"));
+  EXPECT_THAT(said_of(Dialect::fanuc, start + "X10\nM8 ,R2\nY10\n"), HasSubstr("not a line or an arc"));
+  EXPECT_THAT(said_of(Dialect::fanuc, start + "X10 ,C2\nG2 X20 I5\n"), HasSubstr("adjacent to an arc"));
   EXPECT_THAT(said_of(Dialect::fanuc, start + "X10 ,A2\n"), HasSubstr("[unknown-character]"));
   EXPECT_THAT(said_of(Dialect::linuxcnc, start + "X10 ,R2\n"), HasSubstr("[unknown-character]"));
 }

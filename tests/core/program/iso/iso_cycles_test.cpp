@@ -118,10 +118,9 @@ TEST(IsoCycles, FineAndBackBoringMoveOffTheWall) {
                                   "rapid 10 0 -20 @2", "line 10 0 -5 @2", "rapid 11 0 -5 @2",
                                   "rapid 11 0 9 @2", "rapid 10 0 9 @2"}));
   ASSERT_EQ(fine.diagnostics.size(), 1U);
-  EXPECT_EQ(
-      format(fine.diagnostics[0], "f"),
-      "f:2:9: info: the direction in which G76 moves off the wall is a setting of the control [cycle-aside] "
-      "(the positive direction of the plane's first axis is taken)");
+  EXPECT_EQ(format(fine.diagnostics[0], "f"),
+            "f:2:9: info: the direction in which G76 retracts from the wall is a control setting "
+            "[cycle-aside] (the positive direction of the plane's first axis is used)");
 }
 
 TEST(IsoCycles, FeedRulesTheWayDown) {
@@ -145,33 +144,27 @@ TEST_P(IsoCycleFault, NamesWordAndWhatIsTakenInstead) {
 
 INSTANTIATE_TEST_SUITE_P(
     All, IsoCycleFault,
-    testing::Values(
-        FaultCase{
-            "G0 Z9\nG81 X1 R2 F100",
-            "f:2:5: error: G81 without Z, the bottom of the hole [cycle-words] (the hole is left out; write "
-            "it in the cycle's first block)"},
-        FaultCase{
-            "G0 Z9\nG81 X1 Z-2 F100",
-            "f:2:5: error: G81 without R, the retract plane [cycle-words] (the level before the cycle is "
-            "taken; write it in the cycle's first block)"},
-        FaultCase{"G0 Z9\nG81 X1 Z5 R2 F100",
-                  "f:2:5: error: the bottom of the hole at Z 5.0000 mm lies on the wrong side of R 2.0000 mm "
-                  "[cycle-words] (the hole is left out; correct one of them)"},
-        FaultCase{"G0 Z9\nG81 X1 Z-5 R2 K-1 F100",
-                  "f:2:15: error: K-1 is no number of repeats from 0 to 100000 [cycle-words] (the cycle runs "
-                  "once)"},
-        FaultCase{
-            "G0 Z9\nG83 X1 Z-5 R2 F100",
-            "f:2:5: error: G83 without Q [cycle-words] (the hole is drilled at once; write Q with the depth "
-            "of a peck)"},
-        FaultCase{
-            "G0 Z9\nG83 X1 Z-5 R2 Q0.00001 F100",
-            "f:2:15: error: G83 with pecks of 1e-05 mm [cycle-words] (the hole is drilled at once; write Q "
-            "with the depth of a peck)"},
-        FaultCase{
-            "G0 Z9\nG76 P0.05 Z-1 I-.075 J0.008 K0.045 F100",
-            "f:2:1: error: G76 (threading cycle) is not read [unread-g] (positions are left out up to the "
-            "next G0 to G3)"}));
+    testing::Values(FaultCase{"G0 Z9\nG81 X1 R2 F100",
+                              "f:2:5: error: G81 without Z, the bottom of the hole [cycle-words] (the hole "
+                              "is skipped; program it in the cycle's first block)"},
+                    FaultCase{"G0 Z9\nG81 X1 Z-2 F100",
+                              "f:2:5: error: G81 without R, the retract plane [cycle-words] (the level "
+                              "before the cycle is used; program it in the cycle's first block)"},
+                    FaultCase{"G0 Z9\nG81 X1 Z5 R2 F100",
+                              "f:2:5: error: the bottom of the hole at Z 5.0000 mm is on the wrong side of R "
+                              "2.0000 mm [cycle-words] (the hole is skipped; correct one of them)"},
+                    FaultCase{"G0 Z9\nG81 X1 Z-5 R2 K-1 F100",
+                              "f:2:15: error: K-1 is not a number of repeats from 0 to 100000 [cycle-words] "
+                              "(the cycle runs once)"},
+                    FaultCase{"G0 Z9\nG83 X1 Z-5 R2 F100",
+                              "f:2:5: error: G83 without Q [cycle-words] (the hole is drilled in one infeed; "
+                              "write Q with the depth of a peck)"},
+                    FaultCase{"G0 Z9\nG83 X1 Z-5 R2 Q0.00001 F100",
+                              "f:2:15: error: G83 with pecks of 1e-05 mm [cycle-words] (the hole is drilled "
+                              "in one infeed; write Q with the depth of a peck)"},
+                    FaultCase{"G0 Z9\nG76 P0.05 Z-1 I-.075 J0.008 K0.045 F100",
+                              "f:2:1: error: G76 (threading cycle) is not supported [unread-g] (positions "
+                              "are skipped up to the next G0 to G3)"}));
 
 }  // namespace
 }  // namespace feedscope

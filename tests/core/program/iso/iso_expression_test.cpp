@@ -141,34 +141,32 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         Fault{"G0 X[1+2",
               "f:2:8: error: \"]\" is missing here [expression] (check the brackets of the expression)"},
-        Fault{"G0 X[1/0]",
-              "f:2:7: error: \"/\" has no finite value here [expression-value] (check the values that "
-              "go into it)"},
+        Fault{
+            "G0 X[1/0]",
+            "f:2:7: error: \"/\" has no finite value [expression-value] (check the values that go into it)"},
         Fault{"G0 X[SQRT[-1]]",
-              "f:2:6: error: \"SQRT\" has no finite value here [expression-value] (check the "
-              "values that go into it)"},
+              "f:2:6: error: \"SQRT\" has no finite value [expression-value] (check the values that go into "
+              "it)"},
         Fault{"G0 X[FOO[1]]",
-              "f:2:6: error: \"FOO[1]]\" is no value, variable or function [expression] (write a "
-              "number, a variable or a function here)"},
+              "f:2:6: error: \"FOO[1]]\" is not a value, variable or function [expression] (write a number, "
+              "a variable or a function here)"},
         Fault{"G0 X[1e3]",
               "f:2:7: error: \"]\" is missing here [expression] (check the brackets of the expression)"},
         Fault{"G0 X#1.5",
-              "f:2:6: error: 1.5 is not the number of a variable [variable] (the block does not move; "
-              "variables have whole numbers from 0 on)"},
+              "f:2:6: error: 1.5 is not a variable number [variable] (the block does not move; variable "
+              "numbers are whole and start at 0)"},
         Fault{"G0 X#<a",
               "f:2:6: error: \">\" is missing after the name [expression] (close the name with \">\")"},
         Fault{"G0 X[1000*1000*1001]",
-              "f:2:4: error: X1001000000 is beyond the largest number, 1000000000 "
-              "[number-range] (the block does not move; check the values that go into it)"},
+              "f:2:4: error: X1001000000 is above the largest number, 1000000000 [number-range] (the block "
+              "does not move; check the values that go into it)"},
         Fault{"G0 X[2]]",
               "f:2:8: error: \"]\" does not start a word [unknown-character] (the rest of the line is "
-              "not read and the block does not move; remove the character)"},
-        Fault{"#1 5",
-              "f:2:4: error: \"=\" is missing after the variable [expression] (write the value that it is "
-              "given)"},
+              "skipped and the block does not move; remove the character)"},
+        Fault{"#1 5", "f:2:4: error: \"=\" is missing after the variable [expression] (write its value)"},
         Fault{"G0 X[2] (note",
-              "f:2:9: error: the comment \"(note\" is not closed [unclosed-comment] (the rest of "
-              "the line is taken for the comment; add the closing bracket)"}));
+              "f:2:9: error: the comment \"(note\" is not closed [unclosed-comment] (the rest of the line is "
+              "used as the comment; add the closing bracket)"}));
 
 TEST(IsoExpression, ABlockWithAFaultDoesNotMoveButItsModalWordsCount) {
   const Program program = read_as(Dialect::linuxcnc, "G0 X1\nG91 X[1+\nX5\n");

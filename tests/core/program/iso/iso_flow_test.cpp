@@ -133,16 +133,15 @@ INSTANTIATE_TEST_SUITE_P(
     Texts, FlowFaults,
     testing::Values(
         Fault{Dialect::linuxcnc, "o5 if [1]",
-              "f:2:1: error: \"o5 if\" has no endif [flow-pair] (it is left out; check the labels)"},
+              "f:2:1: error: \"o5 if\" has no endif [flow-pair] (it is skipped; check the labels)"},
         Fault{Dialect::linuxcnc, "o<a> endwhile",
-              "f:2:1: error: \"o<a> endwhile\" has no while [flow-pair] (it is left out; check the labels)"},
-        Fault{Dialect::linuxcnc, "o5 break",
-              "f:2:1: error: \"o5 break\" has no loop around it [flow-pair] (it is left out; check the "
-              "labels)"},
+              "f:2:1: error: \"o<a> endwhile\" has no while [flow-pair] (it is skipped; check the labels)"},
+        Fault{
+            Dialect::linuxcnc, "o5 break",
+            "f:2:1: error: \"o5 break\" has no loop around it [flow-pair] (it is skipped; check the labels)"},
         Fault{Dialect::linuxcnc, "o<a> turn",
-              "f:2:1: error: \"o<a> turn\" is no O word [unread-statement] (the line is left out; O words "
-              "are sub, "
-              "call, if, while, do, repeat and their ends)"},
+              "f:2:1: error: \"o<a> turn\" is not an O word [unread-statement] (the line is skipped; O words "
+              "are sub, call, if, while, do, repeat and their ends)"},
         Fault{Dialect::linuxcnc, "o5 while [#<a>]\nX5\no5 endwhile",
               "f:2:11: error: #<a> has not been set [unset-variable] (the block does not move; set it "
               "before, or "
@@ -155,18 +154,17 @@ INSTANTIATE_TEST_SUITE_P(
               "f:2:8: error: \"X5\" follows a statement [unread-statement] (it is skipped; write it "
               "in a line "
               "of its own)"},
-        Fault{Dialect::fanuc, "END2",
-              "f:2:1: error: \"END2\" has no DO with its number [flow-pair] (it is left out; check the "
-              "labels)"},
+        Fault{
+            Dialect::fanuc, "END2",
+            "f:2:1: error: \"END2\" has no DO with its number [flow-pair] (it is skipped; check the labels)"},
         Fault{Dialect::fanuc, "WHILE [1] DO1",
-              "f:2:1: error: \"WHILE [1] DO1\" has no END with its number [flow-pair] (it is left out; check "
-              "the "
-              "labels)"},
+              "f:2:1: error: \"WHILE [1] DO1\" has no END with its number [flow-pair] (it is skipped; check "
+              "the labels)"},
         Fault{Dialect::fanuc, "IF [1] X5",
-              "f:2:8: error: GOTO or THEN is missing after the condition [expression] (the line is left out; "
+              "f:2:8: error: GOTO or THEN is missing after the condition [expression] (the line is skipped; "
               "complete it)"},
         Fault{Dialect::fanuc, "GOTO 7",
-              "f:2:6: error: there is no block N7 to go to [jump-target] (the jump is left out; correct the "
+              "f:2:6: error: jump target N7 does not exist [jump-target] (the jump is skipped; correct the "
               "number)"}));
 
 TEST(IsoFlow, IfOverManyLinesTakesTheBranchThatHolds) {
@@ -187,7 +185,7 @@ TEST(IsoFlow, TheFirstTwoLettersOfAMacroWordAreEnough) {
 
 TEST(IsoFlow, AnIfOverManyLinesNeedsItsEnd) {
   EXPECT_EQ(said_of(Dialect::fanuc, "G0 X1\nIF[1]THEN\nX2"),
-            "f:2:6: error: \"IF\" has no ENDIF [flow-pair] (it is left out; check the labels)");
+            "f:2:6: error: \"IF\" has no ENDIF [flow-pair] (it is skipped; check the labels)");
 }
 
 TEST(IsoFlow, AnEndlessLoopIsStopped) {
@@ -227,7 +225,7 @@ TEST(IsoFlow, ASubWithinASubIsAnError) {
       read_text("G0\no1 sub\nX1\no2 sub\nX2\no2 endsub\no1 endsub\nX9\n", {.dialect = Dialect::linuxcnc});
   ASSERT_EQ(program.diagnostics.size(), 1U);
   EXPECT_EQ(format(program.diagnostics[0], "f"),
-            "f:4: error: a sub within the sub of line 2 [flow-pair] (LinuxCNC rejects the program; write one "
+            "f:4: error: a sub inside the sub of line 2 [flow-pair] (LinuxCNC rejects the program; write one "
             "subprogram after the other)");
   EXPECT_TRUE(
       read_text("G0\no1 sub\nX1\no1 endsub\no2 sub\nX2\no2 endsub\nX9\n", {.dialect = Dialect::linuxcnc})

@@ -29,9 +29,8 @@ TEST(HaasPatterns, HolesOnACircleAnArcAndALine) {
 
 TEST(HaasPatterns, NeedACycle) {
   EXPECT_EQ(said_of(Dialect::fanuc, "G0 X1\nG70 I10 J90 L4"),
-            "f:2:1: error: G70 drills a pattern of holes: it needs a drilling cycle before it, I and L "
-            "[cycle-words] "
-            "(nothing is drilled; the units inch and mm are G20 and G21)");
+            "f:2:1: error: G70 (hole pattern) needs an active drilling cycle, I and L [cycle-words] (nothing "
+            "is drilled; for the units inch and mm program G20 or G21)");
 }
 
 TEST(HaasPecks, BecomeSmallerFromTheFirstToTheLeast) {
@@ -100,24 +99,22 @@ TEST(Printers, WaitMillisecondsAndSecondsAndDoNotLevelOnTheWay) {
     EXPECT_EQ(waiting.motions.back().dwell, 5) << word;
   }
   EXPECT_EQ(said_of(Dialect::grbl, "G0 X5\nG4 P150"),
-            "f:2:4: info: P150 is taken as 150 seconds, as grbl does [dwell-unit] (for a control that takes "
+            "f:2:4: info: P150 is used as 150 seconds, as in grbl [dwell-unit] (for a control that takes "
             "milliseconds, write P0.15)");
   EXPECT_EQ(read_as(Dialect::grbl, "G0 X5\nG4 P0.5").motions.back().dwell, 0.5) << "grbl itself: seconds";
 }
 
 TEST(Points, ThatAreMissingOnNumbersBeyondAnyTravelAreSaid) {
   EXPECT_EQ(said_of(Dialect::fanuc, "G0 X25000"),
-            "f:1:4: warning: X25000 without a decimal point is taken as 25000 mm [decimal-point] (many "
-            "controls take it "
-            "in units of 0.001 mm; write a point)");
+            "f:1:4: warning: X25000 without a decimal point is used as 25000 mm [decimal-point] (many "
+            "controls use it in units of 0.001 mm; write a decimal point)");
   read_clean_as(Dialect::fanuc, "G0 X25000. Y500");
 }
 
 TEST(Turning, IsSaid) {
   EXPECT_EQ(said_of(Dialect::fanuc, "G50 S3000\nG0 X50. Z2."),
-            "f:1:1: warning: G50 with S is of a turning program [turning-program] (turning is not read: X is "
-            "taken as a "
-            "radius, G98 and G99 as those of drilling cycles)");
+            "f:1:1: warning: G50 with S belongs to a turning program [turning-program] (turning is not "
+            "supported: X is used as a radius, G98 and G99 as those of drilling cycles)");
 }
 
 TEST(FanucCycles, EndInTheMotionBeforeThem) {

@@ -70,10 +70,9 @@ TEST(IsoPathControl, G187NamesATolerance) {
 }
 
 TEST(IsoPathControl, ANegativeToleranceIsRefused) {
-  EXPECT_EQ(
-      said_of(Dialect::linuxcnc, "G0 X1\nG64 P-1\nX2"),
-      "f:2:5: error: tolerance P-1 of G64 is negative [path-tolerance] (it is left out; write a tolerance of "
-      "zero or more)");
+  EXPECT_EQ(said_of(Dialect::linuxcnc, "G0 X1\nG64 P-1\nX2"),
+            "f:2:5: error: tolerance P-1 of G64 is negative [path-tolerance] (it is ignored; write a "
+            "tolerance of zero or more)");
 }
 
 }  // namespace

@@ -53,16 +53,13 @@ TEST(IsoPolarWords, RepeatedHolesGoRound) {
 TEST(IsoPolarWords, WhatHasNoMeaningIsSaid) {
   EXPECT_EQ(
       said_of(Dialect::linuxcnc, "G0 X5\n@3 ^0 X7"),
-      "f:2:1: error: @ stands in a block with X or Y [polar-words] (X and Y are left out; write either of "
-      "them)");
+      "f:2:1: error: @ in a block with X or Y [polar-words] (X and Y are ignored; write either of them)");
   EXPECT_EQ(said_of(Dialect::linuxcnc, "G0 Z5\n@3"),
-            "f:2:1: error: the tool is at X0 Y0, where it has no angle [polar-words] (angle zero is taken; "
-            "write both "
-            "@ and ^ with G90)");
+            "f:2:1: error: the tool is at X0 Y0, where it has no angle [polar-words] (angle zero is used; "
+            "write both @ and ^ with G90)");
   EXPECT_EQ(said_of(Dialect::fanuc, "G0 X5\n@3"),
-            "f:2:1: error: \"@\" does not start a word [unknown-character] (the rest of the line is not read "
-            "and the "
-            "block does not move; remove the character)");
+            "f:2:1: error: \"@\" does not start a word [unknown-character] (the rest of the line is skipped "
+            "and the block does not move; remove the character)");
 }
 
 }  // namespace

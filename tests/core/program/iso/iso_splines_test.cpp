@@ -164,10 +164,10 @@ TEST(FanucNurbs, OfOrderFourIsABezierCurveInSpaceAndMayFollowAnother) {
 TEST(FanucNurbs, SayWhatDoesNotMakeACurve) {
   const Program program = read_as(Dialect::fanuc, "G6.2 P4 K0 X0 Y0 F60\nK0 X0 Y10\nK1 X10 Y10\nG0 X9");
   ASSERT_EQ(program.diagnostics.size(), 1U);
-  EXPECT_EQ(format(program.diagnostics[0], "f"),
-            "f:3: error: G6.2 of order 4 with 3 control points and 3 knots K [spline-words] (a straight line "
-            "to the "
-            "last point is taken instead; write as many K that do not fall as points and order together)");
+  EXPECT_EQ(
+      format(program.diagnostics[0], "f"),
+      "f:3: error: G6.2 of order 4 with 3 control points and 3 knots K [spline-words] (a straight line to "
+      "the last point is used instead; write as many non-decreasing K as points and order together)");
   EXPECT_EQ(text_of(program), (Lines{"line 10 10 0 @3", "rapid 9 10 0 @4"}));
 }
 
@@ -201,23 +201,20 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         FaultCase{
             "G5 I1 J1 X9 F60",
-            "f:1:10: error: G5 without P and Q [spline-words] (a straight line to the end is taken instead)"},
+            "f:1:10: error: G5 without P and Q [spline-words] (a straight line to its end is used instead)"},
         FaultCase{
             "G5 P1 Q1 X9 F60",
-            "f:1:10: error: G5 without I and J [spline-words] (a straight line to the end is taken instead)"},
-        FaultCase{"G5.1 X9 F60",
-                  "f:1:6: error: G5.1 without I and J [spline-words] (a straight line to the end is taken "
-                  "instead)"},
-        FaultCase{"G0 X9\nG5.3",
-                  "f:2:1: error: G5.3 without a G5.2 before it [spline-words] (it is left out)"},
+            "f:1:10: error: G5 without I and J [spline-words] (a straight line to its end is used instead)"},
         FaultCase{
-            "F60\nG5.2 X1 Y1 P-1\nX9 Y0 P1\nG5.3",
-            "f:2:12: error: a control point of G5.2 without a weight above zero [spline-words] (1 is taken; "
-            "write P with the weight)"},
-        FaultCase{
-            "F60\nG5.2 X9 Y0 P1\nG5.3",
-            "f:3: error: G5.2 with 2 control points is too short for order 3 [spline-words] (a straight line "
-            "to the last one is taken instead)"},
+            "G5.1 X9 F60",
+            "f:1:6: error: G5.1 without I and J [spline-words] (a straight line to its end is used instead)"},
+        FaultCase{"G0 X9\nG5.3", "f:2:1: error: G5.3 without G5.2 [spline-words] (it is skipped)"},
+        FaultCase{"F60\nG5.2 X1 Y1 P-1\nX9 Y0 P1\nG5.3",
+                  "f:2:12: error: a control point of G5.2 without a weight above zero [spline-words] (1 is "
+                  "used; write P with the weight)"},
+        FaultCase{"F60\nG5.2 X9 Y0 P1\nG5.3",
+                  "f:3: error: G5.2 with 2 control points is too short for order 3 [spline-words] (a "
+                  "straight line to the last one is used instead)"},
         FaultCase{"F60\nG5.2 X1 Y1 P1 L9\nX9 Y0 P1\nG5.3",
                   "f:2:15: error: order L9 of G5.2 is above 8 [spline-words] (8 is taken)"},
         FaultCase{

@@ -69,27 +69,23 @@ TEST(IsoVariables, WorkOffsetsAreThoseThatTheProgramSets) {
   EXPECT_EQ(
       way(Dialect::fanuc, "#5221=10\n#7002=4\nG54 G0 X1\nX#5221\nX#7002\n#5221=#5221+1\nX1\nX[#4014/54]"),
       (Way{11, 20, 14, 12, 12}));
-  EXPECT_EQ(
-      said_of(Dialect::fanuc, "G0 X1\nX#5241"),
-      "f:2:2: warning: #5241 holds a value of the control that is not known [control-variable] (it is taken "
-      "as zero; the path may differ from what the control does)");
+  EXPECT_EQ(said_of(Dialect::fanuc, "G0 X1\nX#5241"),
+            "f:2:2: warning: #5241 is a control-internal value [control-variable] (0 is used; the control "
+            "may run another path)");
   EXPECT_EQ(said_of(Dialect::linuxcnc, "G0 X1\n#5221=3"),
-            "f:2:1: error: #5221 cannot be given a value [variable] (it is left out; use another variable)");
+            "f:2:1: error: #5221 is read-only [variable] (the assignment is skipped; use another variable)");
 }
 
 TEST(IsoVariables, WhatTheControlKeepsIsSaid) {
-  EXPECT_EQ(
-      said_of(Dialect::linuxcnc, "G0 X1\nX#500"),
-      "f:2:2: warning: #500 has not been set by the program [unset-variable] (it counts as zero; on the "
-      "control it keeps the last value it had)");
-  EXPECT_EQ(
-      said_of(Dialect::fanuc, "G0 X1\nX[#500]"),
-      "f:2:3: warning: #500 has not been set by the program [unset-variable] (it counts as zero; on the "
-      "control it keeps the last value it had)");
-  EXPECT_EQ(
-      said_of(Dialect::fanuc, "G0 X1\nX#5021"),
-      "f:2:2: warning: #5021 holds a value of the control that is not known [control-variable] (it is taken "
-      "as zero; the path may differ from what the control does)");
+  EXPECT_EQ(said_of(Dialect::linuxcnc, "G0 X1\nX#500"),
+            "f:2:2: warning: #500 has not been set by the program [unset-variable] (0 is used; on the "
+            "control it keeps its last value)");
+  EXPECT_EQ(said_of(Dialect::fanuc, "G0 X1\nX[#500]"),
+            "f:2:3: warning: #500 has not been set by the program [unset-variable] (0 is used; on the "
+            "control it keeps its last value)");
+  EXPECT_EQ(said_of(Dialect::fanuc, "G0 X1\nX#5021"),
+            "f:2:2: warning: #5021 is a control-internal value [control-variable] (0 is used; the control "
+            "may run another path)");
   EXPECT_EQ(
       said_of(Dialect::linuxcnc, "G0 X1\nX#<depth>"),
       "f:2:2: error: #<depth> has not been set [unset-variable] (the block does not move; set it before, or "
@@ -98,9 +94,9 @@ TEST(IsoVariables, WhatTheControlKeepsIsSaid) {
 
 TEST(IsoVariables, ThoseOfTheControlCannotBeSet) {
   EXPECT_EQ(said_of(Dialect::linuxcnc, "G0 X1\n#5420=3"),
-            "f:2:1: error: #5420 cannot be given a value [variable] (it is left out; use another variable)");
+            "f:2:1: error: #5420 is read-only [variable] (the assignment is skipped; use another variable)");
   EXPECT_EQ(said_of(Dialect::fanuc, "G0 X1\n#0=3"),
-            "f:2:1: error: #0 cannot be given a value [variable] (it is left out; use another variable)");
+            "f:2:1: error: #0 is read-only [variable] (the assignment is skipped; use another variable)");
 }
 
 TEST(IsoVariables, AnAlarmEndsTheProgram) {

@@ -38,11 +38,9 @@ TEST(CompensationGouge, ANeckNarrowerThanTheToolIsSeenFromFarBehind) {
   writer.rapid({30, 0, 0}).on(ToolSide::left, 5).line({30, -20, 0});
   const std::vector<Diagnostic> found = said(through(writer, rooms(9.9)).off().line({30, 0, 0}));
   ASSERT_FALSE(found.empty());
-  EXPECT_EQ(
-      format(found[0], "f"),
-      "f:5: error: beside this block a tool of radius 5.0000 mm cuts 0.1000 mm into the contour of line "
-      "10 [compensation-gouge] (use a smaller tool, or begin the contour elsewhere than in an inside "
-      "corner)");
+  EXPECT_EQ(format(found[0], "f"),
+            "f:5: error: at this block a tool of radius 5.0000 mm cuts 0.1000 mm into the contour of line 10 "
+            "[compensation-gouge] (use a smaller tool, or do not begin the contour in an inside corner)");
 }
 
 TEST(CompensationGouge, ANeckThatIsWideEnoughIsNotSaid) {

@@ -11,6 +11,12 @@
 namespace feedscope {
 namespace {
 
+using heidenhain::approach_path;
+using heidenhain::ApproachKind;
+using heidenhain::ApproachPath;
+using heidenhain::ApproachShape;
+using heidenhain::departure_path;
+
 PlaneElement line(Vec2 from, Vec2 to) {
   return PlaneElement::line(from, to);
 }

@@ -245,7 +245,7 @@ TEST(CurveArcs, RandomRationalCurvesOfAllDegreesStayClose) {
   std::mt19937 random(6);
   std::uniform_real_distribution<double> unit(-1, 1);
   for (int round = 0; round < 200; ++round) {
-    const std::size_t degree = 1 + random() % most_spline_degree;
+    const std::size_t degree = 1 + random() % max_spline_degree;
     const std::size_t count = degree + 1 + random() % 4;
     std::vector<Eigen::Vector4d> points;
     for (std::size_t i = 0; i < count; ++i) {

@@ -35,10 +35,9 @@ TEST(CutterCompensation, RunsInsideASquareFromMeetingPointToMeetingPoint) {
                                      "line 3 17 0 @5", "line 3 0 0 @6", "line -10 0 0 @7"}))
       << "entry and exit are square beside the ends";
   ASSERT_EQ(program.diagnostics.size(), 1U);
-  EXPECT_EQ(
-      format(program.diagnostics[0], "f"),
-      "f:3: error: beside this block a tool of radius 3.0000 mm cuts 3.0000 mm into the contour of line 6 "
-      "[compensation-gouge] (use a smaller tool, or begin the contour elsewhere than in an inside corner)")
+  EXPECT_EQ(format(program.diagnostics[0], "f"),
+            "f:3: error: at this block a tool of radius 3.0000 mm cuts 3.0000 mm into the contour of line 6 "
+            "[compensation-gouge] (use a smaller tool, or do not begin the contour in an inside corner)")
       << "at the corner where it begins";
 }
 
@@ -248,7 +247,7 @@ INSTANTIATE_TEST_SUITE_P(
                     writer.arc({23, 3, 0}, {20, 3, 0}, Vec3::UnitZ()).line({23, 30, 0});
                   },
                   "f:3: error: the arc's radius, 3.0000 mm, is smaller than the tool's, 5.0000 mm "
-                  "[compensation-gouge] (a straight line to its end is taken instead, which cuts into the "
+                  "[compensation-gouge] (a straight line to its end is used instead, which cuts into the "
                   "contour; use a smaller tool)"},
         FaultCase{"circle",
                   [](LineWriter& writer) {
@@ -256,7 +255,7 @@ INSTANTIATE_TEST_SUITE_P(
                     writer.arc({10, 0, 0}, {13, 0, 0}, Vec3::UnitZ()).line({20, 0, 0});
                   },
                   "f:2: error: the arc's radius, 3.0000 mm, is smaller than the tool's, 5.0000 mm "
-                  "[compensation-gouge] (a straight line to its end is taken instead, which cuts into the "
+                  "[compensation-gouge] (a straight line to its end is used instead, which cuts into the "
                   "contour; use a smaller tool)"},
         FaultCase{"step",
                   [](LineWriter& writer) {
@@ -277,7 +276,7 @@ INSTANTIATE_TEST_SUITE_P(
                     writer.on(ToolSide::left, 1).arc({10, 10, 0}, {10, 0, 0}, -Vec3::UnitZ());
                   },
                   "f:1: error: cutter radius compensation begins on an arc [compensation-entry] (a straight "
-                  "line leads to the arc beside its start; begin it on a line)"},
+                  "line leads to the start of the offset arc; begin it on a line)"},
         FaultCase{
             "exit",
             [](LineWriter& writer) {
@@ -292,7 +291,7 @@ INSTANTIATE_TEST_SUITE_P(
                     writer.on(ToolSide::left, 1, Plane::zx).line({20, 0, 10});
                   },
                   "f:2:1: error: the plane changes while cutter radius compensation is on "
-                  "[compensation-plane] (it begins anew in the other plane; end it before)"}),
+                  "[compensation-plane] (it begins again in the other plane; end it before)"}),
     [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace

@@ -62,7 +62,7 @@ TEST(SinumerikCorners, OwnFeed) {
 TEST(SinumerikCorners, WhatDoesNotFitIsMadeSmaller) {
   const Program program = read_sinumerik("G0 X0 Y0\nG1 X10 F600 RND=50\nY4\n");
   ASSERT_EQ(program.diagnostics.size(), 1U);
-  EXPECT_THAT(format(program.diagnostics[0], "f"), HasSubstr("4.000 mm are taken"));
+  EXPECT_THAT(format(program.diagnostics[0], "f"), HasSubstr("4.000 mm are used"));
   EXPECT_EQ(program.diagnostics[0].severity, Severity::warning);
   ASSERT_EQ(program.arcs.size(), 1U);
   expect_near(program.arcs[0].center, {6, 4, 0}, 1e-5);
@@ -77,7 +77,7 @@ TEST(SinumerikCorners, WhatCannotBeCutIsSaid) {
   EXPECT_THAT(said("G0 X0 Y0\nM8 RND=2\nG1 X4 F600\n"), HasSubstr("without a line or arc"));
   EXPECT_THAT(said("G0 X0 Y0\nG1 X10 F600 RND=-2\nY4\n"), HasSubstr("negative"));
   EXPECT_THAT(said("G0 X0 Y0\nG1 X10 F600 RNDM=-2\nY4\n"), HasSubstr("negative"));
-  EXPECT_THAT(said("G0 X0 Y0\nG1 X10 F600 CHR=2\nG2 X20 I5\n"), HasSubstr("next to an arc"));
+  EXPECT_THAT(said("G0 X0 Y0\nG1 X10 F600 CHR=2\nG2 X20 I5\n"), HasSubstr("adjacent to an arc"));
 }
 
 TEST(SinumerikDiameters, XIsADiameter) {

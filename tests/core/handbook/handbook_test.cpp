@@ -1,0 +1,126 @@
+#include "core/handbook/handbook.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <regex>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::vector<std::string> matches(const std::string& text, const std::string& pattern) {
+  const std::regex regex(pattern, std::regex::multiline);
+  std::vector<std::string> found;
+  for (auto match = std::sregex_iterator(text.begin(), text.end(), regex); match != std::sregex_iterator();
+       ++match) {
+    found.push_back((*match)[1].str());
+  }
+  return found;
+}
+
+/// "%C3%A9" in a link is a byte each.
+std::string decoded(const std::string& link) {
+  std::string text;
+  for (std::size_t i = 0; i < link.size(); ++i) {
+    if (link[i] == '%') {
+      text += static_cast<char>(std::stoi(link.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    } else {
+      text += link[i];
+    }
+  }
+  return text;
+}
+
+class HandbookOf : public testing::TestWithParam<std::string> {
+ protected:
+  const Handbook handbook{GetParam()};
+};
+
+TEST_P(HandbookOf, BeginsWithTheIndexAndEveryPageHasATitle) {
+  ASSERT_GT(handbook.pages().size(), 10U);
+  EXPECT_EQ(handbook.pages().front().name, "index");
+  for (const HandbookPage& page : handbook.pages()) {
+    EXPECT_FALSE(page.title.empty()) << page.name;
+    EXPECT_EQ(matches(page.markdown, "^# (.+)$").size(), 1U) << page.name;
+  }
+}
+
+TEST_P(HandbookOf, EveryLinkLeadsToAPageAndAHeading) {
+  for (const HandbookPage& page : handbook.pages()) {
+    const std::string html = page_html(page, ".html");
+    for (const std::string& link : matches(html, "href=\"([^\"]*)\"")) {
+      if (link.starts_with("http")) {
+        continue;
+      }
+      const std::size_t hash = link.find('#');
+      const std::string file = link.substr(0, hash);
+      const std::string name = file.empty() ? page.name : file.substr(0, file.find(".html"));
+      const HandbookPage* const target = handbook.find(name);
+      ASSERT_NE(target, nullptr) << page.name << ": " << link;
+      if (hash != std::string::npos) {
+        const std::string anchor = "name=\"" + decoded(link.substr(hash + 1)) + "\"";
+        EXPECT_THAT(page_html(*target, ".html"), HasSubstr(anchor)) << page.name << ": " << link;
+      }
+    }
+  }
+}
+
+TEST_P(HandbookOf, HasTheSamePagesAndChaptersAsTheEnglishOne) {
+  const Handbook english("en");
+  ASSERT_EQ(handbook.pages().size(), english.pages().size());
+  for (std::size_t i = 0; i < english.pages().size(); ++i) {
+    EXPECT_EQ(handbook.pages()[i].name, english.pages()[i].name);
+    EXPECT_EQ(matches(handbook.pages()[i].markdown, "^(##) ").size(),
+              matches(english.pages()[i].markdown, "^(##) ").size())
+        << english.pages()[i].name;
+  }
+}
+
+TEST_P(HandbookOf, IsWrittenAsPagesThatLinkEachOther) {
+  const std::filesystem::path folder =
+      std::filesystem::path(testing::TempDir()) / ("handbook_" + GetParam()) / "inside";
+  std::filesystem::remove_all(folder.parent_path());
+  const auto files = write_handbook(handbook, GetParam(), folder);
+  ASSERT_EQ(files.size(), handbook.pages().size());
+  std::ifstream in(files.front());
+  const std::string index{std::istreambuf_iterator<char>(in), {}};
+  EXPECT_THAT(index, HasSubstr("<html lang=\"" + GetParam() + "\">"));
+  EXPECT_THAT(index, HasSubstr("href=\"first-steps.html\""));
+  for (const std::string& link : matches(index, "href=\"([^\"#]+)\"")) {
+    EXPECT_TRUE(std::filesystem::exists(folder / link)) << link;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Languages, HandbookOf, testing::Values("en", "fr"),
+                         [](const auto& tested) { return tested.param; });
+
+TEST(Handbook, ALanguageThatItDoesNotHaveIsEnglish) {
+  EXPECT_EQ(Handbook("xx").pages().front().title, Handbook("en").pages().front().title);
+}
+
+TEST(Handbook, SearchFindsPagesThatHoldEveryWord) {
+  const Handbook handbook("en");
+  EXPECT_EQ(handbook.search("").size(), handbook.pages().size());
+  const auto found = handbook.search("  EXIT codes ");
+  EXPECT_THAT(found, testing::Contains(handbook.find("command-line")));
+  EXPECT_LT(found.size(), handbook.pages().size());
+  EXPECT_TRUE(handbook.search("exit zzzzqq").empty());
+}
+
+TEST(Handbook, AFolderThatCannotBeWrittenIsNamed) {
+  EXPECT_THAT(
+      [] { write_handbook(Handbook("en"), "en", "/dev/null/handbook"); },
+      testing::ThrowsMessage<InputError>(HasSubstr("/dev/null/handbook/index.html: cannot be written")));
+}
+
+}  // namespace
+}  // namespace feedscope
