@@ -10,10 +10,16 @@ fail() {
   exit 1
 }
 
-# The packages of debian-packages.txt that are not installed.
+# missing_packages [program|tests|checks]: the packages of debian-packages.txt that are not installed, for the program
+# alone, for its tests (if nothing is said) or for packaging/check too.
 missing_packages() {
-  local wanted
-  mapfile -t wanted < <(sed 's/#.*//' "$project_dir/packaging/debian-packages.txt" | awk 'NF { print $1 }')
+  local wanted end
+  case ${1:-tests} in
+  program) end='/^# Tests/,$d' ;;
+  tests) end='/^# Checks/,$d' ;;
+  *) end='' ;;
+  esac
+  mapfile -t wanted < <(sed -e "$end" "$project_dir/packaging/debian-packages.txt" | sed 's/#.*//' | awk 'NF { print $1 }')
   comm -23 <(printf '%s\n' "${wanted[@]}" | sort -u) \
     <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | awk '$1 == "installed" { print $2 }' | sort -u)
 }
@@ -23,7 +29,7 @@ check_system() {
   [[ -r /etc/os-release ]] && . /etc/os-release
   if ! command -v dpkg-query >/dev/null || [[ " $ID $ID_LIKE " != *' debian '* ]]; then
     fail "this is ${PRETTY_NAME:-$ID}; the set-up is for Debian 12. Elsewhere, install what" \
-      "packaging/debian-packages.txt names and run: cmake --preset release && cmake --build --preset release"
+      "packaging/debian-packages.txt names and run: cmake --preset program && cmake --build --preset program"
   fi
   if [[ $ID != debian || $VERSION_ID != 12 ]]; then
     echo "Note: this is ${PRETTY_NAME:-$ID}; the package names are those of Debian 12."
@@ -54,11 +60,11 @@ count_packages() {
     END { if (every == 1) print "" }'
 }
 
-# Installs what is missing of debian-packages.txt; asks nothing and does nothing where all is there.
+# install_packages [program|tests|checks]: installs what is missing_packages; asks nothing and does nothing where all is there.
 install_packages() {
   check_system
   local missing
-  mapfile -t missing < <(missing_packages)
+  mapfile -t missing < <(missing_packages "$@")
   if ((${#missing[@]} == 0)); then
     say 'Packages: all there'
     return

@@ -1,4 +1,4 @@
-# What every target is compiled with: C++20, warnings, sanitizers, ccache, a fast linker.
+# What every target is compiled with: C++20, warnings, sanitizers; the presets also use ccache and mold.
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
@@ -6,14 +6,17 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
-find_program(CCACHE ccache)
-if(CCACHE)
+option(FEEDSCOPE_FAST_TOOLS "Compile with ccache and link with mold where they are installed" OFF)
+if(FEEDSCOPE_FAST_TOOLS)
+  find_program(CCACHE ccache)
+  find_program(MOLD mold)
+endif()
+if(FEEDSCOPE_FAST_TOOLS AND CCACHE)
   set(CMAKE_CXX_COMPILER_LAUNCHER
     ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
     CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_mtime,include_file_ctime ${CCACHE})
 endif()
-find_program(MOLD mold)
-if(MOLD)
+if(FEEDSCOPE_FAST_TOOLS AND MOLD)
   add_link_options(-fuse-ld=mold)
 endif()
 

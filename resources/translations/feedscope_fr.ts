@@ -4,18 +4,6 @@
 <context>
     <name>Annotations</name>
     <message>
-        <source>%1 mm/min</source>
-        <translation>%1 mm/min</translation>
-    </message>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1 mm</translation>
-    </message>
-    <message>
-        <source>achieved feed</source>
-        <translation>avance réelle</translation>
-    </message>
-    <message>
         <source>programmed feed</source>
         <translation>avance programmée</translation>
     </message>
@@ -24,56 +12,8 @@
         <translation>erreur de contour</translation>
     </message>
     <message>
-        <source>%1 µm</source>
-        <translation>%1 µm</translation>
-    </message>
-    <message>
         <source>limiting cause</source>
         <translation>cause limitante</translation>
-    </message>
-    <message>
-        <source>acceleration, length of the vector</source>
-        <translation>accélération, norme du vecteur</translation>
-    </message>
-    <message>
-        <source>%1 m/s²</source>
-        <translation>%1 m/s²</translation>
-    </message>
-    <message>
-        <source>jerk, length of the vector</source>
-        <translation>jerk, norme du vecteur</translation>
-    </message>
-    <message>
-        <source>%1 m/s³</source>
-        <translation>%1 m/s³</translation>
-    </message>
-    <message>
-        <source>line of the program</source>
-        <translation>ligne du programme</translation>
-    </message>
-    <message>
-        <source>time since the start</source>
-        <translation>temps depuis le début</translation>
-    </message>
-    <message>
-        <source>%1 s</source>
-        <translation>%1 s</translation>
-    </message>
-    <message>
-        <source>position along X</source>
-        <translation>position selon X</translation>
-    </message>
-    <message>
-        <source>position along Y</source>
-        <translation>position selon Y</translation>
-    </message>
-    <message>
-        <source>position along Z</source>
-        <translation>position selon Z</translation>
-    </message>
-    <message>
-        <source>straight distance between the two places</source>
-        <translation>distance en ligne droite entre les deux endroits</translation>
     </message>
     <message>
         <source>time between the two places</source>
@@ -107,6 +47,10 @@
         <source>Line %1</source>
         <translation>Ligne %1</translation>
     </message>
+    <message>
+        <source>straight-line distance between the two places</source>
+        <translation>distance en ligne droite entre les deux endroits</translation>
+    </message>
 </context>
 <context>
     <name>Contour</name>
@@ -117,22 +61,6 @@
     <message>
         <source>outside</source>
         <translation>extérieur</translation>
-    </message>
-    <message>
-        <source>The tolerances of the program, %1 to %2 µm, are kept at all listed places.</source>
-        <translation>Les tolérances du programme, de %1 à %2&#xa0;µm, sont tenues à tous les endroits de la liste.</translation>
-    </message>
-    <message>
-        <source>The tolerances of the program, %1 to %2 µm, are exceeded at listed places.</source>
-        <translation>Les tolérances du programme, de %1 à %2&#xa0;µm, sont dépassées à des endroits de la liste.</translation>
-    </message>
-    <message>
-        <source>The contour tolerance of %1 µm is kept.</source>
-        <translation>La tolérance de contour de %1&#xa0;µm est tenue.</translation>
-    </message>
-    <message>
-        <source>The contour tolerance of %1 µm is exceeded by %2 µm.</source>
-        <translation>La tolérance de contour de %1&#xa0;µm est dépassée de %2&#xa0;µm.</translation>
     </message>
     <message>
         <source>left</source>
@@ -147,48 +75,52 @@
         <translation>Angle de %1°, %2</translation>
     </message>
     <message>
-        <source>Arc R %1 mm, %2</source>
-        <translation>Arc R %1&#xa0;mm, %2</translation>
-    </message>
-    <message>
-        <source>Line of %1 mm</source>
-        <translation>Droite de %1&#xa0;mm</translation>
-    </message>
-    <message>
         <source>The programmed path is followed exactly: no contour error.</source>
         <translation>La trajectoire programmée est suivie exactement&#xa0;: aucune erreur de contour.</translation>
     </message>
     <message>
-        <source>Largest contour error %1 µm, in line %2 at %3.</source>
-        <translation>Plus grande erreur de contour %1&#xa0;µm, à la ligne %2, à %3.</translation>
+        <source>No contour tolerance applies.</source>
+        <translation>Aucune tolérance de contour ne s&apos;applique.</translation>
     </message>
     <message>
-        <source>No contour tolerance rules it.</source>
-        <translation>Aucune tolérance de contour ne la borne.</translation>
-    </message>
-    <message>
-        <source>90 % of the path is within %1 µm, 99 % within %2 µm.</source>
-        <translation>90&#xa0;% de la trajectoire à moins de %1&#xa0;µm, 99&#xa0;% à moins de %2&#xa0;µm.</translation>
-    </message>
-    <message>
-        <source>The largest error lies across Z, so that left and right do not show it.</source>
+        <source>The largest error is along Z, so left and right do not show it.</source>
         <translation>La plus grande erreur est selon Z&#xa0;: gauche et droite ne la montrent pas.</translation>
+    </message>
+    <message>
+        <source>The tolerances of the program, %1 to %2, are kept at all listed places.</source>
+        <translation>Les tolérances du programme, de %1 à %2, sont tenues à tous les endroits de la liste.</translation>
+    </message>
+    <message>
+        <source>The tolerances of the program, %1 to %2, are exceeded at listed places.</source>
+        <translation>Les tolérances du programme, de %1 à %2, sont dépassées à des endroits de la liste.</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of %1 is kept.</source>
+        <translation>La tolérance de contour de %1 est tenue.</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of %1 is exceeded by %2.</source>
+        <translation>La tolérance de contour de %1 est dépassée de %2.</translation>
+    </message>
+    <message>
+        <source>Arc R %1, %2</source>
+        <translation>Arc R %1, %2</translation>
+    </message>
+    <message>
+        <source>Line of %1</source>
+        <translation>Droite de %1</translation>
+    </message>
+    <message>
+        <source>Largest contour error %1, in line %2 at %3.</source>
+        <translation>Plus grande erreur de contour %1, à la ligne %2, à %3.</translation>
+    </message>
+    <message>
+        <source>90 % of the path is within %1, 99 % within %2.</source>
+        <translation>90&#xa0;% de la trajectoire à moins de %1, 99&#xa0;% à moins de %2.</translation>
     </message>
 </context>
 <context>
     <name>ContourPlot</name>
-    <message>
-        <source>: %1 µm</source>
-        <translation>&#xa0;: %1&#xa0;µm</translation>
-    </message>
-    <message>
-        <source>Path length [mm]</source>
-        <translation>Longueur de trajectoire [mm]</translation>
-    </message>
-    <message>
-        <source>Contour error [µm]</source>
-        <translation>Erreur de contour [µm]</translation>
-    </message>
     <message>
         <source>◂ left of the path</source>
         <translation>◂ à gauche de la trajectoire</translation>
@@ -198,16 +130,28 @@
         <translation>à droite de la trajectoire ▸</translation>
     </message>
     <message>
-        <source>tolerance %1 µm ▸</source>
-        <translation>tolérance %1&#xa0;µm ▸</translation>
+        <source>: %1, in XY %2</source>
+        <translation>&#xa0;: %1, en XY %2</translation>
     </message>
     <message>
-        <source>tolerance %1 µm</source>
-        <translation>tolérance %1&#xa0;µm</translation>
+        <source>: %1</source>
+        <translation>&#xa0;: %1</translation>
     </message>
     <message>
-        <source>: %1 µm, in XY %2 µm</source>
-        <translation>&#xa0;: %1 µm, en XY %2 µm</translation>
+        <source>Path length</source>
+        <translation>Longueur de trajectoire</translation>
+    </message>
+    <message>
+        <source>Contour error</source>
+        <translation>Erreur de contour</translation>
+    </message>
+    <message>
+        <source>tolerance %1 ▸</source>
+        <translation>tolérance %1 ▸</translation>
+    </message>
+    <message>
+        <source>tolerance %1</source>
+        <translation>tolérance %1</translation>
     </message>
 </context>
 <context>
@@ -291,12 +235,12 @@
         <translation>« %1 » n’est pas un nombre.</translation>
     </message>
     <message>
-        <source>“%1” has more than one decimal sign or groups thousands; type %2.</source>
-        <translation>« %1 » a plus d’un signe décimal ou sépare les milliers ; saisissez %2.</translation>
-    </message>
-    <message>
         <source>“%1” could be %2 or %3; type one of these.</source>
         <translation>« %1 » pourrait être %2 ou %3 ; saisissez l’un des deux.</translation>
+    </message>
+    <message>
+        <source>“%1” has more than one decimal separator or uses thousands separators; type %2.</source>
+        <translation>«&#xa0;%1&#xa0;» a plus d’un séparateur décimal ou des séparateurs de milliers&#xa0;; saisissez %2.</translation>
     </message>
 </context>
 <context>
@@ -306,8 +250,19 @@
         <translation>&amp;Copier le tableau</translation>
     </message>
     <message>
-        <source>All rows to the clipboard, as a spreadsheet takes them</source>
-        <translation>Toutes les lignes dans le presse-papiers, comme un tableur les prend</translation>
+        <source>Copy all rows to the clipboard for pasting into a spreadsheet</source>
+        <translation>Copier toutes les lignes dans le presse-papiers, à coller dans un tableur</translation>
+    </message>
+</context>
+<context>
+    <name>RunNotes</name>
+    <message>
+        <source>The program is written for %1; path and times are those of the %2 of this machine.</source>
+        <translation>Le programme est écrit pour %1 ; cette machine a une %2, dont la trajectoire et les temps sont affichés.</translation>
+    </message>
+    <message>
+        <source>The program was read with work offsets other than those of this machine (%1); reload it to use those of the machine.</source>
+        <translation>Le programme a été lu avec d&apos;autres décalages d&apos;origine que ceux de cette machine (%1)&#xa0;; rechargez-le pour utiliser ceux de la machine.</translation>
     </message>
 </context>
 <context>
@@ -331,30 +286,6 @@
     <message>
         <source>deviation drawn × %1</source>
         <translation>écart dessiné × %1</translation>
-    </message>
-    <message>
-        <source>Feed</source>
-        <translation>Avance</translation>
-    </message>
-    <message>
-        <source>Feed / programmed</source>
-        <translation>Avance / programmée</translation>
-    </message>
-    <message>
-        <source>Tangential acceleration</source>
-        <translation>Accélération tangentielle</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>Accélération</translation>
-    </message>
-    <message>
-        <source>Tangential jerk</source>
-        <translation>Jerk tangentiel</translation>
-    </message>
-    <message>
-        <source>Jerk</source>
-        <translation>Jerk</translation>
     </message>
     <message>
         <source>Contour error</source>
@@ -397,44 +328,16 @@
         <translation>Ligne %1</translation>
     </message>
     <message>
-        <source>Feed %1 of %2 mm/min</source>
-        <translation>Avance %1 sur %2&#xa0;mm/min</translation>
-    </message>
-    <message>
         <source>Limited by: %1</source>
         <translation>Limité par&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Contour error %1 µm</source>
-        <translation>Erreur de contour %1&#xa0;µm</translation>
-    </message>
-    <message>
-        <source>Distance %1 mm</source>
-        <translation>Distance %1&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>dX %1   dY %2   dZ %3 mm</source>
-        <translation>dX %1   dY %2   dZ %3&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>Path length %1 mm</source>
-        <translation>Longueur de trajectoire %1&#xa0;mm</translation>
     </message>
     <message>
         <source>Time %1 s</source>
         <translation>Temps %1&#xa0;s</translation>
     </message>
     <message>
-        <source>Time lost or won</source>
-        <translation>Temps perdu ou gagné</translation>
-    </message>
-    <message>
         <source>Distance to the other run</source>
         <translation>Distance à l&apos;autre simulation</translation>
-    </message>
-    <message>
-        <source>Time lost or won against %1</source>
-        <translation>Temps perdu ou gagné face à %1</translation>
     </message>
     <message>
         <source>Distance from %1</source>
@@ -445,80 +348,92 @@
         <translation>perdu</translation>
     </message>
     <message>
-        <source>won</source>
-        <translation>gagné</translation>
-    </message>
-    <message>
-        <source>Against %1:</source>
-        <translation>Face à %1&#xa0;:</translation>
-    </message>
-    <message>
-        <source>lost here: %1 ms/mm</source>
-        <translation>perdu ici&#xa0;: %1&#xa0;ms/mm</translation>
-    </message>
-    <message>
-        <source>won here: %1 ms/mm</source>
-        <translation>gagné ici&#xa0;: %1&#xa0;ms/mm</translation>
-    </message>
-    <message>
-        <source>feed %1, there %2 mm/min</source>
-        <translation>avance %1, là-bas %2&#xa0;mm/min</translation>
-    </message>
-    <message>
-        <source>lost since the start: %1 s</source>
-        <translation>perdu depuis le début&#xa0;: %1&#xa0;s</translation>
-    </message>
-    <message>
-        <source>won since the start: %1 s</source>
-        <translation>gagné depuis le début&#xa0;: %1&#xa0;s</translation>
-    </message>
-    <message>
-        <source>here after %1 s, there after %2 s</source>
-        <translation>ici après %1&#xa0;s, là-bas après %2&#xa0;s</translation>
-    </message>
-    <message>
-        <source>paths %1 µm apart</source>
-        <translation>trajectoires écartées de %1&#xa0;µm</translation>
-    </message>
-    <message>
         <source>assumed</source>
         <comment>zero point of a work offset</comment>
         <translation>supposé</translation>
+    </message>
+    <message>
+        <source>Feed %1 of %2</source>
+        <translation>Avance %1 sur %2</translation>
+    </message>
+    <message>
+        <source>Contour error %1</source>
+        <translation>Erreur de contour %1</translation>
+    </message>
+    <message>
+        <source>lost here: %1</source>
+        <translation>perdu ici&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>lost since the start: %1</source>
+        <translation>perdu depuis le début&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>paths %1 apart</source>
+        <translation>trajectoires écartées de %1</translation>
+    </message>
+    <message>
+        <source>Distance %1</source>
+        <translation>Distance %1</translation>
+    </message>
+    <message>
+        <source>dX %1   dY %2   dZ %3</source>
+        <translation>dX %1   dY %2   dZ %3</translation>
+    </message>
+    <message>
+        <source>Path length %1</source>
+        <translation>Longueur de trajectoire %1</translation>
+    </message>
+    <message>
+        <source>Compared with %1:</source>
+        <translation>Par rapport à %1&#xa0;:</translation>
+    </message>
+    <message>
+        <source>feed %1, other run %2</source>
+        <translation>avance %1, autre simulation %2</translation>
+    </message>
+    <message>
+        <source>reached after %1 s, by the other run after %2 s</source>
+        <translation>atteint après %1 s, par l&apos;autre simulation après %2 s</translation>
+    </message>
+    <message>
+        <source>Time lost or gained</source>
+        <translation>Temps perdu ou gagné</translation>
+    </message>
+    <message>
+        <source>Time lost or gained against %1</source>
+        <translation>Temps perdu ou gagné par rapport à %1</translation>
+    </message>
+    <message>
+        <source>gained</source>
+        <translation>gagné</translation>
+    </message>
+    <message>
+        <source>gained here: %1</source>
+        <translation>gagné ici&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>gained since the start: %1</source>
+        <translation>gagné depuis le début&#xa0;: %1</translation>
     </message>
 </context>
 <context>
     <name>Tolerance</name>
     <message>
-        <source>%1 mm</source>
-        <translation>%1&#xa0;mm</translation>
+        <source>The tolerance comes from the program.</source>
+        <translation>La tolérance vient du programme.</translation>
     </message>
     <message>
-        <source>The tolerance is set by the program.</source>
-        <translation>La tolérance est fixée par le programme.</translation>
+        <source>The tolerance comes from the program for some blocks and from the setting for the others.</source>
+        <translation>La tolérance vient du programme pour certains blocs et du réglage pour les autres.</translation>
     </message>
     <message>
-        <source>The tolerance is set by the program on some blocks, by the setting on the others.</source>
-        <translation>La tolérance est fixée par le programme sur certains blocs, par le réglage sur les autres.</translation>
-    </message>
-    <message>
-        <source>The tolerance is set by the setting, not by the program.</source>
-        <translation>La tolérance est fixée par le réglage, pas par le programme.</translation>
+        <source>The tolerance comes from the setting, not from the program.</source>
+        <translation>La tolérance vient du réglage, et non du programme.</translation>
     </message>
 </context>
 <context>
     <name>WhyText</name>
-    <message>
-        <source>%1 mm</source>
-        <translation>%1&#xa0;mm</translation>
-    </message>
-    <message>
-        <source>%1 /mm</source>
-        <translation>%1&#xa0;/mm</translation>
-    </message>
-    <message>
-        <source>%1 /mm²</source>
-        <translation>%1&#xa0;/mm²</translation>
-    </message>
     <message>
         <source>%1 ms</source>
         <translation>%1&#xa0;ms</translation>
@@ -528,188 +443,56 @@
         <translation>%1&#xa0;s</translation>
     </message>
     <message>
-        <source>%1 m/s²</source>
-        <translation>%1&#xa0;m/s²</translation>
-    </message>
-    <message>
-        <source>%1 m/s³</source>
-        <translation>%1&#xa0;m/s³</translation>
-    </message>
-    <message>
         <source>%1°</source>
         <translation>%1°</translation>
     </message>
     <message>
-        <source>%1 mm/min</source>
-        <translation>%1&#xa0;mm/min</translation>
-    </message>
-    <message>
-        <source>%1 of axis %2</source>
-        <translation>%1 de l&apos;axe %2</translation>
-    </message>
-    <message>
-        <source>Programmed feed</source>
-        <translation>Avance programmée</translation>
-    </message>
-    <message>
-        <source>Rapid traverse</source>
-        <translation>Déplacement rapide</translation>
-    </message>
-    <message>
-        <source>Velocity</source>
-        <translation>Vitesse</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>Accélération</translation>
-    </message>
-    <message>
-        <source>Jerk</source>
-        <translation>Jerk</translation>
-    </message>
-    <message>
-        <source>Radial acceleration</source>
-        <translation>Accélération radiale</translation>
-    </message>
-    <message>
-        <source>Radial jerk</source>
-        <translation>Jerk radial</translation>
-    </message>
-    <message>
-        <source>%1 on a blend</source>
-        <translation>%1 sur un raccord</translation>
-    </message>
-    <message>
-        <source>Tangential acceleration</source>
-        <translation>Accélération tangentielle</translation>
-    </message>
-    <message>
-        <source>Tangential jerk</source>
-        <translation>Jerk tangentiel</translation>
-    </message>
-    <message>
-        <source>Curvilinear jerk</source>
-        <translation>Jerk curviligne</translation>
-    </message>
-    <message>
-        <source>%1 at a change of curvature</source>
-        <translation>%1 à un changement de courbure</translation>
-    </message>
-    <message>
-        <source>Interpolation period</source>
-        <translation>Période d&apos;interpolation</translation>
-    </message>
-    <message>
-        <source>Contour tolerance</source>
-        <translation>Tolérance de contour</translation>
-    </message>
-    <message>
-        <source>Look-ahead horizon</source>
-        <translation>Horizon d&apos;anticipation</translation>
-    </message>
-    <message>
-        <source>Slowing for what follows</source>
-        <translation>Ralentissement pour la suite</translation>
-    </message>
-    <message>
-        <source>Exact stop</source>
-        <translation>Arrêt précis</translation>
-    </message>
-    <message>
-        <source>Dwell</source>
-        <translation>Temporisation</translation>
-    </message>
-    <message>
-        <source>Tool change</source>
-        <translation>Changement d&apos;outil</translation>
-    </message>
-    <message>
-        <source>Spindle start</source>
-        <translation>Démarrage de la broche</translation>
-    </message>
-    <message>
-        <source>On the corner blend axis %1 runs at its largest velocity, %2.</source>
+        <source>On the corner blend, axis %1 runs at its maximum velocity, %2.</source>
         <translation>Sur le raccord d&apos;angle, l&apos;axe %1 est à sa vitesse maximale, %2.</translation>
     </message>
     <message>
-        <source>Turning on the corner blend (radius %1) may use %2 of the acceleration of axis %3, %4.</source>
-        <translation>Le virage sur le raccord d&apos;angle (rayon %1) peut prendre %2 de l&apos;accélération de l&apos;axe %3, %4.</translation>
-    </message>
-    <message>
-        <source>Turning on the corner blend may use %1 of the jerk of axis %2, %3, and its curvature changes quickly.</source>
-        <translation>Le virage sur le raccord d&apos;angle peut prendre %1 du jerk de l&apos;axe %2, %3, et sa courbure change vite.</translation>
-    </message>
-    <message>
-        <source>Of the acceleration of axis %1, %2, the corner blend keeps %3 for turning; the rest limits the change of speed.</source>
-        <translation>De l&apos;accélération de l&apos;axe %1, %2, le raccord d&apos;angle réserve %3 au virage&#xa0;; le reste limite le changement de vitesse.</translation>
-    </message>
-    <message>
-        <source>Of the jerk of axis %1, %2, the corner blend keeps %3 for turning; the rest limits how fast the acceleration changes.</source>
-        <translation>Du jerk de l&apos;axe %1, %2, le raccord d&apos;angle réserve %3 au virage&#xa0;; le reste limite la variation de l&apos;accélération.</translation>
-    </message>
-    <message>
-        <source>The filters of the control draw every change of feed out over %1.</source>
+        <source>The filters of the control spread every change of feed over %1.</source>
         <translation>Les filtres de la commande étalent chaque changement d&apos;avance sur %1.</translation>
     </message>
     <message>
-        <source>Axis %1 is at its largest jerk, %2, along and across the path together.</source>
+        <source>Axis %1 is at its maximum jerk, %2, along and across the path combined.</source>
         <translation>L&apos;axe %1 est à son jerk maximal, %2, le long de la trajectoire et en travers réunis.</translation>
     </message>
     <message>
-        <source>Axis %1 is at its largest acceleration, %2, along and across the path together.</source>
+        <source>Axis %1 is at its maximum acceleration, %2, along and across the path combined.</source>
         <translation>L&apos;axe %1 est à son accélération maximale, %2, le long de la trajectoire et en travers réunis.</translation>
     </message>
     <message>
-        <source>The tool holds its speed between two changes of speed; a jerk of %1 along the path makes them too long to gain more.</source>
+        <source>The tool keeps its speed between two speed changes; with a jerk of %1 along the path they take too long to gain more.</source>
         <translation>L&apos;outil tient sa vitesse entre deux changements de vitesse&#xa0;; avec un jerk de %1 le long de la trajectoire, ils sont trop longs pour gagner plus.</translation>
     </message>
     <message>
-        <source>The tool is getting faster; the jerk of axis %1 allows %2 along the path.</source>
+        <source>The tool accelerates; the jerk of axis %1 allows %2 along the path.</source>
         <translation>L&apos;outil accélère&#xa0;; le jerk de l&apos;axe %1 permet %2 le long de la trajectoire.</translation>
     </message>
     <message>
-        <source>The tool is getting faster; axis %1 allows an acceleration of %2 along the path.</source>
+        <source>The tool accelerates; axis %1 allows %2 along the path.</source>
         <translation>L&apos;outil accélère&#xa0;; l&apos;axe %1 permet une accélération de %2 le long de la trajectoire.</translation>
     </message>
     <message>
-        <source>The tool runs as fast as programmed: F %1.</source>
-        <translation>L&apos;outil va aussi vite que programmé&#xa0;: F %1.</translation>
-    </message>
-    <message>
-        <source>Rapid traverse: axis %1 runs at its largest velocity, %2.</source>
+        <source>Rapid traverse: axis %1 runs at its maximum velocity, %2.</source>
         <translation>Déplacement rapide&#xa0;: l&apos;axe %1 est à sa vitesse maximale, %2.</translation>
     </message>
     <message>
-        <source>Axis %1 runs at its largest velocity, %2.</source>
+        <source>Axis %1 runs at its maximum velocity, %2.</source>
         <translation>L&apos;axe %1 est à sa vitesse maximale, %2.</translation>
-    </message>
-    <message>
-        <source>Turning on the radius of %1 takes all the acceleration of axis %2, %3.</source>
-        <translation>Le virage au rayon de %1 prend toute l&apos;accélération de l&apos;axe %2, %3.</translation>
-    </message>
-    <message>
-        <source>Running round the radius of %1 takes all the jerk of axis %2, %3.</source>
-        <translation>Le parcours du rayon de %1 prend tout le jerk de l&apos;axe %2, %3.</translation>
     </message>
     <message>
         <source>On the radius of %1 the control allows a curvilinear jerk of %2, of which %3 along the path.</source>
         <translation>Au rayon de %1, la commande permet un jerk curviligne de %2, dont %3 le long de la trajectoire.</translation>
     </message>
     <message>
-        <source>The curvature jumps: axis %1 must take up the change with its jerk of %2 within one interpolation period, %3.</source>
+        <source>The curvature jumps: axis %1 must absorb the change with its jerk of %2 within one interpolation period, %3.</source>
         <translation>La courbure saute&#xa0;: l&apos;axe %1 doit absorber le changement avec son jerk de %2 en une période d&apos;interpolation, %3.</translation>
     </message>
     <message>
-        <source>The block is %1 long, and the control needs one interpolation period, %2, for it.</source>
-        <translation>Le bloc est long de %1, et la commande y passe une période d&apos;interpolation, %2.</translation>
-    </message>
-    <message>
-        <source>Faster, the filters would take the tool further from the programmed contour than the tolerance of %1 allows.</source>
+        <source>At a higher feed the filters would deviate from the programmed contour by more than the tolerance of %1.</source>
         <translation>Plus vite, les filtres écarteraient l&apos;outil du contour programmé plus que la tolérance de %1 ne le permet.</translation>
-    </message>
-    <message>
-        <source>The control knows the next %1 of its path and must be able to stop within them.</source>
-        <translation>La commande connaît les prochains %1 de sa trajectoire et doit pouvoir s&apos;y arrêter.</translation>
     </message>
     <message>
         <source>The tool must stop.</source>
@@ -720,10 +503,6 @@
         <translation>Le programme attend.</translation>
     </message>
     <message>
-        <source>A tool is changed; its time is the machine&apos;s tool change time.</source>
-        <translation>Un outil est changé ; le temps est le temps de changement d&apos;outil de la machine.</translation>
-    </message>
-    <message>
         <source>The axes wait until the spindle has reached its speed; the time is the machine&apos;s spindle start time.</source>
         <translation>Les axes attendent que la broche ait atteint sa vitesse ; le temps est le temps de démarrage de la broche de la machine.</translation>
     </message>
@@ -732,7 +511,7 @@
         <translation>L&apos;outil freine&#xa0;: dans %1 (%2), il doit s&apos;arrêter, ligne %3.</translation>
     </message>
     <message>
-        <source>The tool brakes: in %1 (%2), line %3, only %4 are possible.</source>
+        <source>The tool brakes: in %1 (%2), in line %3, only %4 is possible.</source>
         <translation>L&apos;outil freine&#xa0;: dans %1 (%2), ligne %3, seuls %4 sont possibles.</translation>
     </message>
     <message>
@@ -764,16 +543,56 @@
         <translation>%1 de %2</translation>
     </message>
     <message>
-        <source>Places closer together than the filters of the control reach: this one alone takes %1 of the contour tolerance, %2, but together they need more of it.</source>
+        <source>These places are closer together than the filters of the control reach: this one alone uses %1 of the contour tolerance, %2; together they need more.</source>
         <translation>Des endroits plus rapprochés que la portée des filtres de la commande : celui-ci prend à lui seul %1 de la tolérance de contour, %2, mais ensemble ils en demandent davantage.</translation>
     </message>
     <message>
-        <source>The tool is getting faster, but levels off in time for the programmed F %1.</source>
+        <source>The tool accelerates and levels off in time for the programmed F %1.</source>
         <translation>L’outil accélère encore, mais se stabilise à temps pour l’avance programmée F %1.</translation>
     </message>
     <message>
-        <source>It is this slow for the sake of a place further on.</source>
-        <translation>Il est aussi lent à cause d’un endroit plus loin.</translation>
+        <source>It is slowed by a place further ahead.</source>
+        <translation>Elle est ralentie par un endroit plus loin.</translation>
+    </message>
+    <message>
+        <source>The block is %1 long and takes the control at least one interpolation period, %2.</source>
+        <translation>Le bloc mesure %1 et demande à la commande au moins une période d&apos;interpolation, %2.</translation>
+    </message>
+    <message>
+        <source>The control looks ahead over the next %1 of the path and must be able to stop within them.</source>
+        <translation>La commande anticipe sur les prochains %1 de la trajectoire et doit pouvoir s&apos;y arrêter.</translation>
+    </message>
+    <message>
+        <source>Tool change: it takes the tool change time of the machine.</source>
+        <translation>Changement d&apos;outil&#xa0;: il dure le temps de changement d&apos;outil de la machine.</translation>
+    </message>
+    <message>
+        <source>On the corner blend (radius %1), radial acceleration may use %2 of the acceleration limit of axis %3, %4.</source>
+        <translation>Sur le raccord d&apos;angle (rayon %1), l&apos;accélération radiale peut utiliser %2 de l&apos;accélération limite de l&apos;axe %3, %4.</translation>
+    </message>
+    <message>
+        <source>On the corner blend, radial jerk may use %1 of the jerk limit of axis %2, %3, and the curvature changes quickly.</source>
+        <translation>Sur le raccord d&apos;angle, le jerk radial peut utiliser %1 du jerk limite de l&apos;axe %2, %3, et la courbure change vite.</translation>
+    </message>
+    <message>
+        <source>The corner blend reserves a share of the acceleration limit of axis %1, %2, for radial acceleration: %3; the rest limits the change of speed.</source>
+        <translation>Le raccord d&apos;angle réserve une part de l&apos;accélération limite de l&apos;axe %1, %2, à l&apos;accélération radiale&#xa0;: %3&#xa0;; le reste limite le changement de vitesse.</translation>
+    </message>
+    <message>
+        <source>The corner blend reserves a share of the jerk limit of axis %1, %2, for radial jerk: %3; the rest limits how fast the acceleration changes.</source>
+        <translation>Le raccord d&apos;angle réserve une part du jerk limite de l&apos;axe %1, %2, au jerk radial&#xa0;: %3&#xa0;; le reste limite la variation de l&apos;accélération.</translation>
+    </message>
+    <message>
+        <source>The tool runs at the programmed feed: F %1.</source>
+        <translation>L&apos;outil va à l&apos;avance programmée&#xa0;: F %1.</translation>
+    </message>
+    <message>
+        <source>On the radius of %1, radial acceleration uses the full acceleration of axis %2, %3.</source>
+        <translation>Au rayon de %1, l&apos;accélération radiale utilise toute l&apos;accélération de l&apos;axe %2, %3.</translation>
+    </message>
+    <message>
+        <source>On the radius of %1, radial jerk uses the full jerk of axis %2, %3.</source>
+        <translation>Au rayon de %1, le jerk radial utilise tout le jerk de l&apos;axe %2, %3.</translation>
     </message>
 </context>
 <context>
@@ -799,164 +618,72 @@
         <translation>déplacement rapide</translation>
     </message>
     <message>
-        <source>velocity</source>
-        <translation>vitesse</translation>
+        <source>velocity of axis %1</source>
+        <translation>vitesse de l&apos;axe %1</translation>
     </message>
     <message>
-        <source>velocity of axis X</source>
-        <translation>vitesse de l&apos;axe X</translation>
+        <source>acceleration of axis %1</source>
+        <translation>accélération de l&apos;axe %1</translation>
     </message>
     <message>
-        <source>velocity of axis Y</source>
-        <translation>vitesse de l&apos;axe Y</translation>
-    </message>
-    <message>
-        <source>velocity of axis Z</source>
-        <translation>vitesse de l&apos;axe Z</translation>
-    </message>
-    <message>
-        <source>acceleration</source>
-        <translation>accélération</translation>
-    </message>
-    <message>
-        <source>acceleration of axis X</source>
-        <translation>accélération de l&apos;axe X</translation>
-    </message>
-    <message>
-        <source>acceleration of axis Y</source>
-        <translation>accélération de l&apos;axe Y</translation>
-    </message>
-    <message>
-        <source>acceleration of axis Z</source>
-        <translation>accélération de l&apos;axe Z</translation>
-    </message>
-    <message>
-        <source>jerk</source>
-        <translation>jerk</translation>
-    </message>
-    <message>
-        <source>jerk of axis X</source>
-        <translation>jerk de l&apos;axe X</translation>
-    </message>
-    <message>
-        <source>jerk of axis Y</source>
-        <translation>jerk de l&apos;axe Y</translation>
-    </message>
-    <message>
-        <source>jerk of axis Z</source>
-        <translation>jerk de l&apos;axe Z</translation>
+        <source>jerk of axis %1</source>
+        <translation>jerk de l&apos;axe %1</translation>
     </message>
     <message>
         <source>radial acceleration</source>
         <translation>accélération radiale</translation>
     </message>
     <message>
-        <source>radial acceleration of axis X</source>
-        <translation>accélération radiale de l&apos;axe X</translation>
-    </message>
-    <message>
-        <source>radial acceleration of axis Y</source>
-        <translation>accélération radiale de l&apos;axe Y</translation>
-    </message>
-    <message>
-        <source>radial acceleration of axis Z</source>
-        <translation>accélération radiale de l&apos;axe Z</translation>
+        <source>radial acceleration of axis %1</source>
+        <translation>accélération radiale de l&apos;axe %1</translation>
     </message>
     <message>
         <source>radial jerk</source>
         <translation>jerk radial</translation>
     </message>
     <message>
-        <source>radial jerk of axis X</source>
-        <translation>jerk radial de l&apos;axe X</translation>
-    </message>
-    <message>
-        <source>radial jerk of axis Y</source>
-        <translation>jerk radial de l&apos;axe Y</translation>
-    </message>
-    <message>
-        <source>radial jerk of axis Z</source>
-        <translation>jerk radial de l&apos;axe Z</translation>
+        <source>radial jerk of axis %1</source>
+        <translation>jerk radial de l&apos;axe %1</translation>
     </message>
     <message>
         <source>velocity on a blend</source>
         <translation>vitesse sur un raccord</translation>
     </message>
     <message>
-        <source>velocity of axis X on a blend</source>
-        <translation>vitesse de l&apos;axe X sur un raccord</translation>
-    </message>
-    <message>
-        <source>velocity of axis Y on a blend</source>
-        <translation>vitesse de l&apos;axe Y sur un raccord</translation>
-    </message>
-    <message>
-        <source>velocity of axis Z on a blend</source>
-        <translation>vitesse de l&apos;axe Z sur un raccord</translation>
+        <source>velocity of axis %1 on a blend</source>
+        <translation>vitesse de l&apos;axe %1 sur un raccord</translation>
     </message>
     <message>
         <source>radial acceleration on a blend</source>
         <translation>accélération radiale sur un raccord</translation>
     </message>
     <message>
-        <source>radial acceleration of axis X on a blend</source>
-        <translation>accélération radiale de l&apos;axe X sur un raccord</translation>
-    </message>
-    <message>
-        <source>radial acceleration of axis Y on a blend</source>
-        <translation>accélération radiale de l&apos;axe Y sur un raccord</translation>
-    </message>
-    <message>
-        <source>radial acceleration of axis Z on a blend</source>
-        <translation>accélération radiale de l&apos;axe Z sur un raccord</translation>
+        <source>radial acceleration of axis %1 on a blend</source>
+        <translation>accélération radiale de l&apos;axe %1 sur un raccord</translation>
     </message>
     <message>
         <source>radial jerk on a blend</source>
         <translation>jerk radial sur un raccord</translation>
     </message>
     <message>
-        <source>radial jerk of axis X on a blend</source>
-        <translation>jerk radial de l&apos;axe X sur un raccord</translation>
-    </message>
-    <message>
-        <source>radial jerk of axis Y on a blend</source>
-        <translation>jerk radial de l&apos;axe Y sur un raccord</translation>
-    </message>
-    <message>
-        <source>radial jerk of axis Z on a blend</source>
-        <translation>jerk radial de l&apos;axe Z sur un raccord</translation>
+        <source>radial jerk of axis %1 on a blend</source>
+        <translation>jerk radial de l&apos;axe %1 sur un raccord</translation>
     </message>
     <message>
         <source>tangential acceleration on a blend</source>
         <translation>accélération tangentielle sur un raccord</translation>
     </message>
     <message>
-        <source>tangential acceleration of axis X on a blend</source>
-        <translation>accélération tangentielle de l&apos;axe X sur un raccord</translation>
-    </message>
-    <message>
-        <source>tangential acceleration of axis Y on a blend</source>
-        <translation>accélération tangentielle de l&apos;axe Y sur un raccord</translation>
-    </message>
-    <message>
-        <source>tangential acceleration of axis Z on a blend</source>
-        <translation>accélération tangentielle de l&apos;axe Z sur un raccord</translation>
+        <source>tangential acceleration of axis %1 on a blend</source>
+        <translation>accélération tangentielle de l&apos;axe %1 sur un raccord</translation>
     </message>
     <message>
         <source>tangential jerk on a blend</source>
         <translation>jerk tangentiel sur un raccord</translation>
     </message>
     <message>
-        <source>tangential jerk of axis X on a blend</source>
-        <translation>jerk tangentiel de l&apos;axe X sur un raccord</translation>
-    </message>
-    <message>
-        <source>tangential jerk of axis Y on a blend</source>
-        <translation>jerk tangentiel de l&apos;axe Y sur un raccord</translation>
-    </message>
-    <message>
-        <source>tangential jerk of axis Z on a blend</source>
-        <translation>jerk tangentiel de l&apos;axe Z sur un raccord</translation>
+        <source>tangential jerk of axis %1 on a blend</source>
+        <translation>jerk tangentiel de l&apos;axe %1 sur un raccord</translation>
     </message>
     <message>
         <source>curvilinear jerk</source>
@@ -967,16 +694,8 @@
         <translation>jerk à un changement de courbure</translation>
     </message>
     <message>
-        <source>jerk of axis X at a change of curvature</source>
-        <translation>jerk de l&apos;axe X à un changement de courbure</translation>
-    </message>
-    <message>
-        <source>jerk of axis Y at a change of curvature</source>
-        <translation>jerk de l&apos;axe Y à un changement de courbure</translation>
-    </message>
-    <message>
-        <source>jerk of axis Z at a change of curvature</source>
-        <translation>jerk de l&apos;axe Z à un changement de courbure</translation>
+        <source>jerk of axis %1 at a change of curvature</source>
+        <translation>jerk de l&apos;axe %1 à un changement de courbure</translation>
     </message>
     <message>
         <source>interpolation period</source>
@@ -991,7 +710,7 @@
         <translation>horizon d&apos;anticipation</translation>
     </message>
     <message>
-        <source>slowing for what follows</source>
+        <source>braking for a slower place ahead</source>
         <translation>ralentissement pour la suite</translation>
     </message>
     <message>
@@ -1015,7 +734,7 @@
         <translation>Temps de changement d&apos;outil</translation>
     </message>
     <message>
-        <source>Time of a tool change, from the end of the last motion to the begin of the next one; without it tool changes are not counted in the cycle time.</source>
+        <source>Time of a tool change, from the end of the last motion to the start of the next one; without it tool changes are not included in the cycle time.</source>
         <translation>Temps d&apos;un changement d&apos;outil, de la fin du dernier mouvement au début du suivant ; sans lui, les changements d&apos;outil ne sont pas comptés dans le temps de cycle.</translation>
     </message>
     <message>
@@ -1023,52 +742,28 @@
         <translation>Temps de démarrage de la broche</translation>
     </message>
     <message>
-        <source>Time until the spindle has reached its speed, during which the axes wait; without it spindle starts are not counted in the cycle time.</source>
+        <source>Time until the spindle has reached its speed, during which the axes wait; without it spindle starts are not included in the cycle time.</source>
         <translation>Temps jusqu&apos;à ce que la broche ait atteint sa vitesse, pendant lequel les axes attendent ; sans lui, les démarrages de broche ne sont pas comptés dans le temps de cycle.</translation>
     </message>
     <message>
-        <source>Home position X</source>
-        <translation>Position d&apos;origine X</translation>
-    </message>
-    <message>
-        <source>Home position Y</source>
-        <translation>Position d&apos;origine Y</translation>
-    </message>
-    <message>
-        <source>Home position Z</source>
-        <translation>Position d&apos;origine Z</translation>
+        <source>Home position %1</source>
+        <translation>Position d&apos;origine %1</translation>
     </message>
     <message>
         <source>Machine coordinate of the reference point that G28 and G74 move to; without it such a move is neither drawn nor timed.</source>
         <translation>Coordonnée machine du point de référence que rejoignent G28 et G74 ; sans elle, un tel déplacement n&apos;est ni dessiné ni chronométré.</translation>
     </message>
     <message>
-        <source>Tool change position X</source>
-        <translation>Position de changement d&apos;outil X</translation>
-    </message>
-    <message>
-        <source>Tool change position Y</source>
-        <translation>Position de changement d&apos;outil Y</translation>
-    </message>
-    <message>
-        <source>Tool change position Z</source>
-        <translation>Position de changement d&apos;outil Z</translation>
+        <source>Tool change position %1</source>
+        <translation>Position de changement d&apos;outil %1</translation>
     </message>
     <message>
         <source>Machine coordinate of the position that G30 and G75 move to; without it such a move is neither drawn nor timed.</source>
         <translation>Coordonnée machine de la position que rejoignent G30 et G75 ; sans elle, un tel déplacement n&apos;est ni dessiné ni chronométré.</translation>
     </message>
     <message>
-        <source>Part zero X</source>
-        <translation>Origine pièce X</translation>
-    </message>
-    <message>
-        <source>Part zero Y</source>
-        <translation>Origine pièce Y</translation>
-    </message>
-    <message>
-        <source>Part zero Z</source>
-        <translation>Origine pièce Z</translation>
+        <source>Part zero %1</source>
+        <translation>Origine pièce %1</translation>
     </message>
     <message>
         <source>Machine coordinate of the zero point of the coordinates shown, 0 where work offsets are given in machine coordinates; without it moves to machine positions are neither drawn nor timed.</source>
@@ -1079,7 +774,7 @@
         <translation>Vitesse</translation>
     </message>
     <message>
-        <source>Fastest this axis may go; rapids run at the speed at which the first axis reaches it.</source>
+        <source>Maximum velocity of this axis; rapids run at the speed at which the first axis reaches it.</source>
         <translation>Vitesse maximale de cet axe&#xa0;; les rapides se font à la vitesse à laquelle le premier axe l&apos;atteint.</translation>
     </message>
     <message>
@@ -1087,7 +782,7 @@
         <translation>Accélération</translation>
     </message>
     <message>
-        <source>Largest acceleration of this axis, along the path and across it together.</source>
+        <source>Maximum acceleration of this axis, along and across the path combined.</source>
         <translation>Accélération maximale de cet axe, le long de la trajectoire et en travers réunis.</translation>
     </message>
     <message>
@@ -1095,23 +790,15 @@
         <translation>Jerk</translation>
     </message>
     <message>
-        <source>Fastest change of acceleration on programmed lines and arcs; small values spare the machine and cost most of the time on short blocks.</source>
-        <translation>Variation maximale de l&apos;accélération sur les droites et arcs programmés&#xa0;; de petites valeurs ménagent la machine et coûtent l&apos;essentiel du temps sur les blocs courts.</translation>
-    </message>
-    <message>
         <source>Jerk on blends</source>
         <translation>Jerk sur les raccords</translation>
-    </message>
-    <message>
-        <source>Fastest change of acceleration on the corner blends that the control inserts.</source>
-        <translation>Variation maximale de l&apos;accélération sur les raccords d&apos;angle insérés par la commande.</translation>
     </message>
     <message>
         <source>Contour tolerance</source>
         <translation>Tolérance de contour</translation>
     </message>
     <message>
-        <source>How far the control may leave the programmed corners; the larger, the less it slows down there. 0: it stops in every corner.</source>
+        <source>Maximum distance of the path from the programmed corners; with larger values the control slows down less there. 0: it stops in every corner.</source>
         <translation>Écart permis à la commande par rapport aux angles programmés&#xa0;; plus il est grand, moins elle y ralentit. 0&#xa0;: elle s&apos;arrête à chaque angle.</translation>
     </message>
     <message>
@@ -1119,7 +806,7 @@
         <translation>Tolérance du programme</translation>
     </message>
     <message>
-        <source>on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance (ADIS), it counts; off: the contour tolerance counts everywhere. Exact stops are obeyed in any case.</source>
+        <source>on: where the program asks for a tolerance (CTOL, CYCLE832, G64 P, cycle 32) or a blend distance (ADIS), it is used; off: the contour tolerance is used everywhere. Exact stops are always used.</source>
         <translation>oui&#xa0;: là où le programme demande une tolérance (CTOL, CYCLE832, G64 P, cycle 32) ou une distance de raccord (ADIS), c&apos;est elle qui vaut&#xa0;; non&#xa0;: la tolérance de contour vaut partout. Les arrêts précis sont toujours respectés.</translation>
     </message>
     <message>
@@ -1127,64 +814,28 @@
         <translation>Période d&apos;interpolation</translation>
     </message>
     <message>
-        <source>Time between two set points of the control; a block shorter than the feed covers in one period is run slower.</source>
-        <translation>Temps entre deux consignes de la commande&#xa0;; un bloc plus court que le chemin parcouru en une période est exécuté plus lentement.</translation>
-    </message>
-    <message>
-        <source>Look-ahead</source>
-        <translation>Anticipation (look-ahead)</translation>
-    </message>
-    <message>
-        <source>How many blocks ahead the control plans; it must be able to stop within them, so on short blocks a small number keeps the feed low.</source>
-        <translation>Nombre de blocs que la commande prévoit à l&apos;avance&#xa0;; elle doit pouvoir s&apos;arrêter dans ces blocs&#xa0;: sur des blocs courts, un petit nombre maintient l&apos;avance basse.</translation>
-    </message>
-    <message>
         <source>Radial share of acceleration</source>
         <translation>Part radiale de l&apos;accélération</translation>
-    </message>
-    <message>
-        <source>Share of every axis acceleration that turning on a corner blend may use; the rest is left for speeding up and slowing down.</source>
-        <translation>Part de l&apos;accélération de chaque axe que peut prendre le virage sur un raccord d&apos;angle&#xa0;; le reste sert à accélérer et à ralentir.</translation>
     </message>
     <message>
         <source>Radial share of jerk</source>
         <translation>Part radiale du jerk</translation>
     </message>
     <message>
-        <source>Share of every axis jerk that turning on a corner blend may use; the rest is left for speeding up and slowing down.</source>
-        <translation>Part du jerk de chaque axe que peut prendre le virage sur un raccord d&apos;angle&#xa0;; le reste sert à accélérer et à ralentir.</translation>
-    </message>
-    <message>
         <source>Curvilinear jerk</source>
         <translation>Jerk curviligne</translation>
-    </message>
-    <message>
-        <source>Jerk allowed along the path; it bounds the feed on arcs by the cube root of jerk times radius squared.</source>
-        <translation>Jerk permis le long de la trajectoire&#xa0;; il borne l&apos;avance sur les arcs par la racine cubique du jerk multiplié par le carré du rayon.</translation>
     </message>
     <message>
         <source>Tangential share of curvilinear jerk</source>
         <translation>Part tangentielle du jerk curviligne</translation>
     </message>
     <message>
-        <source>Share of the curvilinear jerk given to the tangential direction, the rest to the central one.</source>
-        <translation>Part du jerk curviligne donnée à la direction tangentielle, le reste à la direction centrale.</translation>
-    </message>
-    <message>
         <source>CAM baseline</source>
         <translation>Référence FAO</translation>
     </message>
     <message>
-        <source>Path length over programmed feed, block by block; rapids at the speed of the axes; dwells as programmed. What a CAM system promises.</source>
-        <translation>Longueur de trajectoire divisée par l&apos;avance programmée, bloc par bloc&#xa0;; rapides à la vitesse des axes&#xa0;; temporisations telles que programmées. Ce que promet un logiciel de FAO.</translation>
-    </message>
-    <message>
         <source>Local smoothing by cubic blends (Sinumerik 840D)</source>
         <translation>Lissage local par raccords cubiques (Sinumerik 840D)</translation>
-    </message>
-    <message>
-        <source>Corners between lines are blended by cubic Hermite curves within the contour tolerance; jerk-limited ramps on the lines, per-axis limits with radial shares on the blends, look-ahead over some blocks. Arcs and tangent junctions keep the static limits of Tapie 2007, which the paper does not cover.</source>
-        <translation>Les angles entre droites sont raccordés par des courbes cubiques d&apos;Hermite dans la tolérance de contour&#xa0;; rampes à jerk limité sur les droites, limites par axe avec parts radiales sur les raccords, anticipation sur quelques blocs. Les arcs et les jonctions tangentes, que l&apos;article ne traite pas, gardent les limites statiques de Tapie 2007.</translation>
     </message>
     <message>
         <source>Tangent weight alpha</source>
@@ -1195,35 +846,23 @@
         <translation>Poids des tangentes aux extrémités d&apos;un raccord&#xa0;; 2,5 a été identifié sur une Sinumerik 840D.</translation>
     </message>
     <message>
-        <source>Used share of the tolerance beta</source>
-        <translation>Part utilisée bêta de la tolérance</translation>
-    </message>
-    <message>
         <source>Share of the contour tolerance that the control uses; 0 for the identified rule: 0.6 where an axis reverses in the corner, else 0.8.</source>
         <translation>Part de la tolérance de contour que la commande utilise&#xa0;; 0 pour la règle identifiée&#xa0;: 0,6 là où un axe s&apos;inverse dans l&apos;angle, sinon 0,8.</translation>
     </message>
     <message>
-        <source>Reading of the paper</source>
+        <source>Interpretation of the paper</source>
         <translation>Lecture de l&apos;article</translation>
     </message>
     <message>
-        <source>corrected: acceleration carried on from a blend; published: dropped at its end, as in the paper&apos;s figures; strict: constant du/dt on a blend, where blends meet ramps of it, every limit kept.</source>
+        <source>corrected: the acceleration continues after a blend; published: it drops to zero there, as in the figures of the paper; strict: constant du/dt on a blend, ramps where blends meet, every limit kept.</source>
         <translation>corrigée&#xa0;: l&apos;accélération se poursuit après un raccord&#xa0;; publiée&#xa0;: elle est abandonnée à sa fin, comme dans les figures de l&apos;article&#xa0;; stricte&#xa0;: du/dt constant sur un raccord, en rampe là où des raccords se touchent, toutes les limites respectées.</translation>
-    </message>
-    <message>
-        <source>Circle-arc blends at constant speed</source>
-        <translation>Raccords en arc de cercle à vitesse constante</translation>
-    </message>
-    <message>
-        <source>Corners between lines are blended by circle arcs within the contour tolerance and passed at constant speed, those that meet within ramps; limits taken along tangent and normal instead of per axis; jerk-limited ramps on the lines, look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007.</source>
-        <translation>Les angles entre droites sont raccordés par des arcs de cercle dans la tolérance de contour et passés à vitesse constante, avec des rampes là où ils se touchent&#xa0;; limites prises selon la tangente et la normale au lieu de chaque axe&#xa0;; rampes à jerk limité sur les droites, anticipation. Les arcs et les jonctions tangentes gardent les limites statiques de Tapie 2007.</translation>
     </message>
     <message>
         <source>Circular interpolation (Sinumerik 840D)</source>
         <translation>Interpolation circulaire (Sinumerik 840D)</translation>
     </message>
     <message>
-        <source>One feed for every arc, from the curvilinear jerk of the control and from what the axes allow where it is reached; speed lost at every change of curvature; jerk-limited ramps in between. Corners are exact stops: the paper says that the control rounds them, but not how.</source>
+        <source>One feed for each arc, from the curvilinear jerk of the control and from what the axes allow where it is reached; speed is lost at every change of curvature; jerk-limited ramps in between. Corners are exact stops: the paper states that the control rounds them, but not how.</source>
         <translation>Une seule avance par arc, d&apos;après le jerk curviligne de la commande et ce que les axes permettent là où il est atteint&#xa0;; perte de vitesse à chaque changement de courbure&#xa0;; rampes à jerk limité entre les deux. Les angles sont des arrêts précis&#xa0;: l&apos;article dit que la commande les arrondit, mais pas comment.</translation>
     </message>
     <message>
@@ -1231,67 +870,35 @@
         <translation>Arcs de raccordement, anticipation statique et dynamique (Sinumerik 840D, TNC 430)</translation>
     </message>
     <message>
-        <source>Corners between lines get connecting arcs within the contour tolerance (TIT), small blocks are merged. Static look-ahead gives every block and arc one feed; dynamic look-ahead ramps below it. Helices, dwells, rapids and corners that touch an arc, which the paper does not cover, keep the static limits of arcs and lines or are exact stops.</source>
-        <translation>Les angles entre droites reçoivent des arcs de raccordement dans la tolérance de contour (TIT), les petits blocs sont réunis. L&apos;anticipation statique donne une avance à chaque bloc et à chaque arc&#xa0;; l&apos;anticipation dynamique trace les rampes au-dessous. Hélices, temporisations, rapides et angles touchant un arc, que l&apos;article ne traite pas, gardent les limites statiques des arcs et des droites ou sont des arrêts précis.</translation>
-    </message>
-    <message>
         <source>Compaction length</source>
         <translation>Longueur de compactage</translation>
-    </message>
-    <message>
-        <source>Blocks shorter than this are merged into segments of at most this length where the tolerance allows it; 0 merges none.</source>
-        <translation>Les blocs plus courts sont réunis en segments ne dépassant pas cette longueur, là où la tolérance le permet&#xa0;; 0&#xa0;: aucun n&apos;est réuni.</translation>
-    </message>
-    <message>
-        <source>dynamic: ramps that know the blocks ahead; static: every block at its own feed, as if feed changes took no time.</source>
-        <translation>dynamique&#xa0;: rampes qui tiennent compte des blocs à venir&#xa0;; statique&#xa0;: chaque bloc à sa propre avance, comme si les changements d&apos;avance ne prenaient pas de temps.</translation>
     </message>
     <message>
         <source>Velocity pulses through FIR filters (Heidenhain TNC 640)</source>
         <translation>Impulsions de vitesse et filtres RIF (Heidenhain TNC 640)</translation>
     </message>
     <message>
-        <source>Every block is a velocity pulse, lowered around corners so far that the contour tolerance is kept; two or three equal moving averages smooth the pulses of each axis. On arcs, which the paper does not cover, the pulses turn; they keep the static limits of Tapie 2007, and the tolerance as corners do.</source>
-        <translation>Chaque bloc est une impulsion de vitesse, abaissée autour des angles autant que la tolérance de contour l&apos;exige&#xa0;; deux ou trois moyennes glissantes égales lissent les impulsions de chaque axe. Sur les arcs, que l&apos;article ne traite pas, les impulsions tournent&#xa0;; elles gardent les limites statiques de Tapie 2007, et la tolérance comme aux angles.</translation>
-    </message>
-    <message>
         <source>Number of filters</source>
         <translation>Nombre de filtres</translation>
-    </message>
-    <message>
-        <source>Moving averages in a row; 3 come closer to the control of the paper, 2 are simpler.</source>
-        <translation>Moyennes glissantes en série&#xa0;; 3 s&apos;approchent mieux de la commande de l&apos;article, 2 sont plus simples.</translation>
     </message>
     <message>
         <source>Jerk of the filters</source>
         <translation>Jerk des filtres</translation>
     </message>
     <message>
-        <source>Only where the filter time is 0: jerk of a ramp to the largest programmed feed of a stretch, from which the filter time follows as the square root of feed over jerk. 0: the smallest jerk of the axes.</source>
-        <translation>Seulement si le temps de filtrage est 0&#xa0;: jerk d&apos;une rampe jusqu&apos;à la plus grande avance programmée d&apos;un tronçon, dont le temps de filtrage est la racine carrée de l&apos;avance divisée par le jerk. 0&#xa0;: le plus petit jerk des axes.</translation>
-    </message>
-    <message>
         <source>Filter time</source>
         <translation>Temps de filtrage</translation>
-    </message>
-    <message>
-        <source>Length of one moving average, the same for all feeds. 0: from the largest programmed feed and the jerk of the filters, stop by stop; a higher programmed feed can then slow the program down.</source>
-        <translation>Durée d&apos;une moyenne glissante, la même pour toutes les avances. 0&#xa0;: d&apos;après la plus grande avance programmée et le jerk des filtres, d&apos;arrêt en arrêt&#xa0;; une avance programmée plus élevée peut alors ralentir le programme.</translation>
     </message>
     <message>
         <source>Keep the tolerance where corners are close</source>
         <translation>Tenir la tolérance aux angles proches</translation>
     </message>
     <message>
-        <source>on: corners are slowed until the true contour error keeps the tolerance; off: every corner as if it were alone, as in the paper.</source>
-        <translation>oui&#xa0;: les angles sont ralentis jusqu&apos;à ce que l&apos;erreur de contour réelle tienne la tolérance&#xa0;; non&#xa0;: chaque angle comme s&apos;il était seul, comme dans l&apos;article.</translation>
-    </message>
-    <message>
         <source>Time-optimal bound</source>
         <translation>Borne en temps optimal</translation>
     </message>
     <message>
-        <source>The least time that any law could take on the path that another model runs, its blends included, under the limits of the axes and the programmed feed: what a better control could still win. The settings of the other model shape the path.</source>
+        <source>The shortest time in which any control could run the path of another model, including its blends, within the axis limits and the programmed feed: what a better control could still gain. The settings of the other model shape the path.</source>
         <translation>Le temps minimal que pourrait mettre une loi de vitesse sur la trajectoire parcourue par un autre modèle, raccords compris, sous les limites des axes et l&apos;avance programmée&#xa0;: ce qu&apos;une meilleure commande pourrait encore gagner. Les réglages de l&apos;autre modèle déterminent la trajectoire.</translation>
     </message>
     <message>
@@ -1299,7 +906,7 @@
         <translation>Trajectoire du modèle</translation>
     </message>
     <message>
-        <source>Model whose path is run, corner blends included; of ward the path that its filters draw.</source>
+        <source>Model whose path is run, including corner blends; for ward the path that its filters produce.</source>
         <translation>Modèle dont la trajectoire est parcourue, raccords d&apos;angle compris ; pour ward, celle que tracent ses filtres.</translation>
     </message>
     <message>
@@ -1307,36 +914,32 @@
         <translation>Limites de jerk</translation>
     </message>
     <message>
-        <source>off: the fastest under velocity and acceleration limits, which no law can beat; on: a law that keeps the jerk of every axis too, close to the fastest, and slow to compute.</source>
+        <source>off: the fastest within velocity and acceleration limits, which no control can beat; on: also within the jerk of every axis, close to the fastest and slow to compute.</source>
         <translation>non&#xa0;: la loi la plus rapide sous les limites de vitesse et d&apos;accélération, qu&apos;aucune autre ne peut battre&#xa0;; oui&#xa0;: une loi qui respecte aussi le jerk de chaque axe, proche de la plus rapide, et longue à calculer.</translation>
     </message>
     <message>
-        <source>Tolerances and blend distances of the program are not followed: the model has no blends.</source>
+        <source>Tolerances and blend distances of the program are not used: the model has no blends.</source>
         <translation>Les tolérances et distances de raccordement du programme ne sont pas suivies : le modèle n’a pas de raccordements.</translation>
     </message>
     <message>
-        <source>Compaction that the program asks for is not followed: short blocks are not joined.</source>
+        <source>Compaction requested by the program is not simulated: short blocks are not joined.</source>
         <translation>La compression demandée par le programme n’est pas suivie : les blocs courts ne sont pas réunis.</translation>
     </message>
     <message>
-        <source>BRISK of the program is not followed: the jerk along the path stays limited.</source>
+        <source>BRISK of the program is not simulated: the jerk along the path stays limited.</source>
         <translation>BRISK du programme n’est pas suivi : le jerk le long de la trajectoire reste limité.</translation>
     </message>
     <message>
-        <source>DRIVE of the program is run as SOFT: the speed above which it lowers the acceleration is in the control&apos;s machine data.</source>
+        <source>DRIVE of the program is simulated as SOFT: the speed above which it reduces the acceleration is in the machine data of the control.</source>
         <translation>DRIVE du programme est exécuté comme SOFT : la vitesse au-dessus de laquelle il réduit l’accélération se trouve dans les données machine de la commande.</translation>
     </message>
     <message>
-        <source>Feed-forward that the program switches off is not followed: the axes are taken to follow without lag.</source>
+        <source>Feed-forward switched off by the program is not simulated: the axes are assumed to follow without lag.</source>
         <translation>La commande anticipatrice (feed-forward) que le programme désactive n’est pas suivie : les axes sont supposés suivre sans retard.</translation>
     </message>
     <message>
-        <source>Look-ahead that the program switches off is not followed.</source>
+        <source>Look-ahead switched off by the program is not simulated.</source>
         <translation>L’anticipation de blocs (look-ahead) que le programme désactive n’est pas suivie.</translation>
-    </message>
-    <message>
-        <source>Curves of the program run as arcs that touch each other: where the curvature jumps, a control that limits the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.</source>
-        <translation>Les courbes du programme sont parcourues comme des arcs tangents : là où la courbure saute, une commande qui limite le jerk ralentit, et le temps indiqué atteint 2,4 fois celui de la courbe elle-même.</translation>
     </message>
     <message>
         <source>on</source>
@@ -1366,20 +969,61 @@
         <source>static</source>
         <translation>statique</translation>
     </message>
-</context>
-<context>
-    <name>feedscope::ui</name>
     <message>
-        <source>tangential</source>
-        <translation>tangentielle</translation>
+        <source>Look-ahead (blocks)</source>
+        <translation>Anticipation (blocs)</translation>
+    </message>
+    <message>
+        <source>Look-ahead law</source>
+        <translation>Loi d&apos;anticipation</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Longueur de trajectoire</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
     </message>
     <message>
         <source>Feed</source>
         <translation>Avance</translation>
     </message>
     <message>
-        <source>mm/min</source>
-        <translation>mm/min</translation>
+        <source>Programmed feed</source>
+        <translation>Avance programmée</translation>
+    </message>
+    <message>
+        <source>Tangential acceleration</source>
+        <translation>Accélération tangentielle</translation>
+    </message>
+    <message>
+        <source>Tangential jerk</source>
+        <translation>Jerk tangentiel</translation>
+    </message>
+    <message>
+        <source>Feed / programmed</source>
+        <translation>Avance / programmée</translation>
+    </message>
+    <message>
+        <source>Position of %1</source>
+        <translation>Position de %1</translation>
+    </message>
+    <message>
+        <source>Velocity of %1</source>
+        <translation>Vitesse de %1</translation>
+    </message>
+    <message>
+        <source>Acceleration of %1</source>
+        <translation>Accélération de %1</translation>
+    </message>
+    <message>
+        <source>Jerk of %1</source>
+        <translation>Jerk de %1</translation>
     </message>
     <message>
         <source>achieved</source>
@@ -1390,52 +1034,111 @@
         <translation>programmée</translation>
     </message>
     <message>
+        <source>tangential</source>
+        <translation>tangentielle</translation>
+    </message>
+    <message>
+        <source>Curves of the program are simulated as tangent arcs: where the curvature jumps, a control that limits the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.</source>
+        <translation>Les courbes du programme sont simulées comme des arcs tangents&#xa0;: là où la courbure saute, une commande qui limite le jerk ralentit, et le temps indiqué atteint 2,4 fois celui de la courbe elle-même.</translation>
+    </message>
+    <message>
+        <source>Maximum rate of change of acceleration on programmed lines and arcs; small values are gentle on the machine and cost most time on short blocks.</source>
+        <translation>Taux maximal de variation de l&apos;accélération sur les droites et arcs programmés&#xa0;; de petites valeurs ménagent la machine et coûtent surtout du temps sur les blocs courts.</translation>
+    </message>
+    <message>
+        <source>Maximum rate of change of acceleration on the corner blends that the control inserts.</source>
+        <translation>Taux maximal de variation de l&apos;accélération sur les raccords d&apos;angle insérés par la commande.</translation>
+    </message>
+    <message>
+        <source>Time between two set points of the control; a block shorter than the distance that the feed covers in one period is run more slowly.</source>
+        <translation>Temps entre deux consignes de la commande&#xa0;; un bloc plus court que la distance parcourue en une période à l&apos;avance programmée est exécuté plus lentement.</translation>
+    </message>
+    <message>
+        <source>Number of blocks the control plans ahead; it must be able to stop within them, so a small number keeps the feed low on short blocks.</source>
+        <translation>Nombre de blocs que la commande planifie à l&apos;avance&#xa0;; elle doit pouvoir s&apos;arrêter dans ces blocs&#xa0;: un petit nombre maintient donc l&apos;avance basse sur des blocs courts.</translation>
+    </message>
+    <message>
+        <source>Share of the acceleration of every axis that is available for radial acceleration on a corner blend; the rest is left for accelerating and braking along the path.</source>
+        <translation>Part de l&apos;accélération de chaque axe disponible pour l&apos;accélération radiale sur un raccord d&apos;angle&#xa0;; le reste sert à accélérer et à freiner le long de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Share of the jerk of every axis that is available for radial jerk on a corner blend; the rest is left for accelerating and braking along the path.</source>
+        <translation>Part du jerk de chaque axe disponible pour le jerk radial sur un raccord d&apos;angle&#xa0;; le reste sert à accélérer et à freiner le long de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Maximum jerk along the path; it limits the feed on arcs to the cube root of jerk times radius squared.</source>
+        <translation>Jerk maximal le long de la trajectoire&#xa0;; il limite l&apos;avance sur les arcs à la racine cubique du jerk multiplié par le carré du rayon.</translation>
+    </message>
+    <message>
+        <source>Share of the curvilinear jerk used in the tangential direction; the rest is used in the normal direction.</source>
+        <translation>Part du jerk curviligne utilisée dans la direction tangentielle&#xa0;; le reste l&apos;est dans la direction normale.</translation>
+    </message>
+    <message>
+        <source>Path length divided by programmed feed, block by block; rapids at axis speed; dwells as programmed: the time that a CAM system predicts.</source>
+        <translation>Longueur de trajectoire divisée par l&apos;avance programmée, bloc par bloc&#xa0;; rapides à la vitesse des axes&#xa0;; temporisations telles que programmées&#xa0;: le temps qu&apos;annonce un logiciel de FAO.</translation>
+    </message>
+    <message>
+        <source>Corners between lines are blended by cubic Hermite curves within the contour tolerance; jerk-limited ramps on the lines, per-axis limits with radial shares on the blends, look-ahead over a number of blocks. Arcs and tangent junctions, which the paper does not cover, keep the static limits of Tapie 2007.</source>
+        <translation>Les angles entre droites sont raccordés par des courbes cubiques d&apos;Hermite dans la tolérance de contour&#xa0;; rampes à jerk limité sur les droites, limites par axe avec parts radiales sur les raccords, anticipation sur un certain nombre de blocs. Les arcs et les jonctions tangentes, que l&apos;article ne traite pas, gardent les limites statiques de Tapie 2007.</translation>
+    </message>
+    <message>
+        <source>Corners between lines are blended by circular arcs within the contour tolerance and passed at constant speed; where blends meet, they are passed within ramps. Limits apply along tangent and normal instead of per axis; jerk-limited ramps on the lines, look-ahead. Arcs and tangent junctions keep the static limits of Tapie 2007.</source>
+        <translation>Les angles entre droites sont raccordés par des arcs de cercle dans la tolérance de contour et passés à vitesse constante&#xa0;; là où des raccords se touchent, ils sont passés dans des rampes. Limites prises selon la tangente et la normale au lieu de chaque axe&#xa0;; rampes à jerk limité sur les droites, anticipation. Les arcs et les jonctions tangentes gardent les limites statiques de Tapie 2007.</translation>
+    </message>
+    <message>
+        <source>Blocks shorter than this are merged into segments of at most this length where the tolerance allows it; 0: no compaction.</source>
+        <translation>Les blocs plus courts sont réunis en segments ne dépassant pas cette longueur, là où la tolérance le permet&#xa0;; 0&#xa0;: pas de compactage.</translation>
+    </message>
+    <message>
+        <source>dynamic: ramps planned over the blocks ahead; static: every block at its own feed, as if feed changes took no time.</source>
+        <translation>dynamique&#xa0;: rampes planifiées sur les blocs à venir&#xa0;; statique&#xa0;: chaque bloc à sa propre avance, comme si les changements d&apos;avance ne prenaient pas de temps.</translation>
+    </message>
+    <message>
+        <source>Connecting arcs are inserted at corners between lines within the contour tolerance (TIT); short blocks are merged. Static look-ahead assigns one feed to every block and arc; dynamic look-ahead plans ramps below it. Helices, dwells, rapids and corners at an arc, which the paper does not cover, keep the static limits of arcs and lines or are exact stops.</source>
+        <translation>Des arcs de raccordement sont insérés aux angles entre droites dans la tolérance de contour (TIT)&#xa0;; les blocs courts sont réunis. L&apos;anticipation statique attribue une avance à chaque bloc et à chaque arc&#xa0;; l&apos;anticipation dynamique planifie des rampes au-dessous. Hélices, temporisations, rapides et angles touchant un arc, que l&apos;article ne traite pas, gardent les limites statiques des arcs et des droites ou sont des arrêts précis.</translation>
+    </message>
+    <message>
+        <source>Number of moving averages in series; 3 are closer to the control in the paper, 2 are simpler.</source>
+        <translation>Nombre de moyennes glissantes en série&#xa0;; 3 s&apos;approchent mieux de la commande de l&apos;article, 2 sont plus simples.</translation>
+    </message>
+    <message>
+        <source>Used only if the filter time is 0: jerk of a ramp to the highest programmed feed between two stops; the filter time is the square root of this feed over the jerk. 0: the smallest axis jerk.</source>
+        <translation>Utilisé seulement si le temps de filtrage est 0&#xa0;: jerk d&apos;une rampe jusqu&apos;à la plus grande avance programmée entre deux arrêts&#xa0;; le temps de filtrage est la racine carrée de cette avance divisée par le jerk. 0&#xa0;: le plus petit jerk des axes.</translation>
+    </message>
+    <message>
+        <source>Length of one moving average, the same for all feeds. 0: computed from the highest programmed feed between two stops and the jerk of the filters; a higher programmed feed can then slow the program down.</source>
+        <translation>Durée d&apos;une moyenne glissante, la même pour toutes les avances. 0&#xa0;: calculée d&apos;après la plus grande avance programmée entre deux arrêts et le jerk des filtres&#xa0;; une avance programmée plus élevée peut alors ralentir le programme.</translation>
+    </message>
+    <message>
+        <source>on: corners are slowed down until the actual contour error is within the tolerance; off: every corner is treated as if it were alone, as in the paper.</source>
+        <translation>oui&#xa0;: les angles sont ralentis jusqu&apos;à ce que l&apos;erreur de contour réelle soit dans la tolérance&#xa0;; non&#xa0;: chaque angle est traité comme s&apos;il était seul, comme dans l&apos;article.</translation>
+    </message>
+    <message>
+        <source>Every block is a velocity pulse, reduced around corners until the contour tolerance is kept; two or three equal moving averages smooth the pulses of each axis. On arcs, which the paper does not cover, the pulses follow the tangent; they keep the static limits of Tapie 2007 and, as at corners, the tolerance.</source>
+        <translation>Chaque bloc est une impulsion de vitesse, réduite autour des angles jusqu&apos;à ce que la tolérance de contour soit tenue&#xa0;; deux ou trois moyennes glissantes égales lissent les impulsions de chaque axe. Sur les arcs, que l&apos;article ne traite pas, les impulsions suivent la tangente&#xa0;; elles gardent les limites statiques de Tapie 2007 et, comme aux angles, la tolérance.</translation>
+    </message>
+    <message>
+        <source>Circular-arc blends at constant speed</source>
+        <translation>Raccords en arc de cercle à vitesse constante</translation>
+    </message>
+    <message>
+        <source>Tolerance share beta</source>
+        <translation>Part bêta de la tolérance</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui</name>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
         <source>Acceleration</source>
         <translation>Accélération</translation>
     </message>
     <message>
-        <source>m/s²</source>
-        <translation>m/s²</translation>
-    </message>
-    <message>
         <source>Jerk</source>
         <translation>Jerk</translation>
-    </message>
-    <message>
-        <source>m/s³</source>
-        <translation>m/s³</translation>
-    </message>
-    <message>
-        <source>other causes</source>
-        <translation>autres causes</translation>
-    </message>
-    <message>
-        <source>programmed time</source>
-        <translation>temps programmé</translation>
-    </message>
-    <message>
-        <source>model</source>
-        <translation>modèle</translation>
-    </message>
-    <message>
-        <source>tolerance</source>
-        <translation>tolérance</translation>
-    </message>
-    <message>
-        <source>cycle time</source>
-        <translation>temps de cycle</translation>
-    </message>
-    <message>
-        <source>against</source>
-        <translation>rapport à</translation>
-    </message>
-    <message>
-        <source>cam</source>
-        <translation>cam</translation>
-    </message>
-    <message>
-        <source>contour error</source>
-        <translation>erreur de contour</translation>
     </message>
     <message>
         <source>%1 ms</source>
@@ -1454,20 +1157,20 @@
         <translation>%1, %2&#xa0;% du temps de cycle</translation>
     </message>
     <message>
-        <source>run %1 times, %2 each on average</source>
-        <translation>exécutée %1 fois, %2 chacune en moyenne</translation>
-    </message>
-    <message>
-        <source>mean feed %1 mm/min</source>
-        <translation>avance moyenne %1&#xa0;mm/min</translation>
-    </message>
-    <message>
         <source>cannot write %1: %2</source>
         <translation>impossible d&apos;écrire %1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>a row each %1 s would be more than 20 million rows; show a shorter range, or choose a larger step</source>
+        <source>mean feed %1</source>
+        <translation>avance moyenne %1</translation>
+    </message>
+    <message>
+        <source>a row every %1 s gives more than 20 million rows; show a shorter range or choose a larger step</source>
         <translation>une ligne toutes les %1&#xa0;s ferait plus de 20 millions de lignes&#xa0;; afficher une plage plus courte, ou choisir un pas plus grand</translation>
+    </message>
+    <message>
+        <source>executed %1 times, %2 each on average</source>
+        <translation>exécutée %1 fois, %2 chacune en moyenne</translation>
     </message>
 </context>
 <context>
@@ -1481,8 +1184,8 @@
         <translation>Commande</translation>
     </message>
     <message>
-        <source>Keys</source>
-        <translation>Touches</translation>
+        <source>Shortcut</source>
+        <translation>Raccourci</translation>
     </message>
 </context>
 <context>
@@ -1529,20 +1232,12 @@
         <translation>Texte de l’annotation</translation>
     </message>
     <message>
-        <source>Names in braces become the values at the place:</source>
-        <translation>Les noms entre accolades deviennent les valeurs à cet endroit :</translation>
-    </message>
-    <message>
         <source>Colour of the annotation</source>
         <translation>Couleur de l’annotation</translation>
     </message>
     <message>
         <source> pt</source>
         <translation> pt</translation>
-    </message>
-    <message>
-        <source>Size of the text [points]</source>
-        <translation>Taille du texte [points]</translation>
     </message>
     <message>
         <source>text of annotation</source>
@@ -1557,7 +1252,7 @@
         <translation>Ajouter un &amp;texte</translation>
     </message>
     <message>
-        <source>Put words beside the path at the cursor</source>
+        <source>Place text beside the path at the cursor</source>
         <translation>Placer des mots à côté de la trajectoire, au curseur</translation>
     </message>
     <message>
@@ -1565,16 +1260,12 @@
         <translation>Ajouter une &amp;flèche</translation>
     </message>
     <message>
-        <source>Point an arrow at the place of the cursor</source>
+        <source>Point an arrow at the cursor</source>
         <translation>Diriger une flèche vers l’endroit du curseur</translation>
     </message>
     <message>
         <source>Add &amp;callout</source>
         <translation>Ajouter une é&amp;tiquette</translation>
-    </message>
-    <message>
-        <source>Put a label with feed, contour error and limiting cause at the cursor</source>
-        <translation>Placer au curseur une étiquette avec avance, erreur de contour et cause limitante</translation>
     </message>
     <message>
         <source>Ctrl+Shift+C</source>
@@ -1585,23 +1276,15 @@
         <translation>Ajouter une &amp;cote</translation>
     </message>
     <message>
-        <source>Show the distance between the cursors A and B of the charts, or the ends of what the charts show</source>
-        <translation>Montrer la distance entre les curseurs A et B des courbes, ou entre les extrémités de ce que montrent les courbes</translation>
-    </message>
-    <message>
         <source>Add &amp;region</source>
         <translation>Ajouter une &amp;zone</translation>
-    </message>
-    <message>
-        <source>Mark the path between the cursors A and B of the charts, or all that the charts show</source>
-        <translation>Marquer la trajectoire entre les curseurs A et B des courbes, ou tout ce que montrent les courbes</translation>
     </message>
     <message>
         <source>&amp;Remove annotation</source>
         <translation>&amp;Supprimer l’annotation</translation>
     </message>
     <message>
-        <source>Take the selected annotation away</source>
+        <source>Delete the selected annotation</source>
         <translation>Enlever l’annotation choisie</translation>
     </message>
     <message>
@@ -1613,15 +1296,15 @@
         <translation>%1 (%2)</translation>
     </message>
     <message>
-        <source>Open a program first: an annotation stands at a place of its path.</source>
+        <source>Open a program first: an annotation belongs to a place on its path.</source>
         <translation>Ouvrez d’abord un programme : une annotation se tient à un endroit de sa trajectoire.</translation>
     </message>
     <message>
-        <source>%1 is no value; the tooltip of the text lists them.</source>
+        <source>%1 is not a value name; the tooltip of the text lists them.</source>
         <translation>%1 n’est pas une valeur ; l’infobulle du texte les énumère.</translation>
     </message>
     <message>
-        <source>Click the path, then add what it is to say there.</source>
+        <source>Click the path, then add an annotation there.</source>
         <translation>Cliquez la trajectoire, puis ajoutez ce qui doit y être dit.</translation>
     </message>
     <message>
@@ -1631,6 +1314,26 @@
     <message>
         <source>colour of annotation</source>
         <translation>couleur de l’annotation</translation>
+    </message>
+    <message>
+        <source>Names in braces are replaced by the values at the place:</source>
+        <translation>Les noms entre accolades sont remplacés par les valeurs à cet endroit&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Text size [points]</source>
+        <translation>Taille du texte [points]</translation>
+    </message>
+    <message>
+        <source>Place a label with feed, contour error and limiting cause at the cursor</source>
+        <translation>Placer au curseur une étiquette avec avance, erreur de contour et cause limitante</translation>
+    </message>
+    <message>
+        <source>Show the distance between cursors A and B of the charts, or between the ends of the visible range</source>
+        <translation>Montrer la distance entre les curseurs A et B des graphiques, ou entre les extrémités de la plage visible</translation>
+    </message>
+    <message>
+        <source>Mark the path between cursors A and B of the charts, or over the whole visible range</source>
+        <translation>Marquer la trajectoire entre les curseurs A et B des graphiques, ou sur toute la plage visible</translation>
     </message>
 </context>
 <context>
@@ -1661,67 +1364,26 @@
     </message>
 </context>
 <context>
-    <name>feedscope::ui::ChartHeader</name>
-    <message>
-        <source>%1, %2 [%3]
-Click: hide or show. Ctrl+click: only this one.</source>
-        <translation>%1, %2 [%3]
-Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
-    </message>
-    <message>
-        <source>+ %1</source>
-        <translation>+ %1</translation>
-    </message>
-</context>
-<context>
-    <name>feedscope::ui::ChartsPanel</name>
-    <message>
-        <source>over time</source>
-        <translation>selon le temps</translation>
-    </message>
-    <message>
-        <source>over path length</source>
-        <translation>selon la longueur</translation>
-    </message>
-    <message>
-        <source>What runs along the charts</source>
-        <translation>Grandeur en abscisse des graphiques</translation>
-    </message>
-    <message>
-        <source>Time [s]</source>
-        <translation>Temps [s]</translation>
-    </message>
-    <message>
-        <source>limit of %1</source>
-        <translation>limite de %1</translation>
-    </message>
-    <message>
-        <source>A → B:   Δt %1 s   ·   Δs %2 mm   ·   mean feed %3 mm/min   ·   Δfeed %4 mm/min</source>
-        <translation>A → B&#xa0;:   Δt %1&#xa0;s   ·   Δs %2&#xa0;mm   ·   avance moyenne %3&#xa0;mm/min   ·   Δavance %4&#xa0;mm/min</translation>
-    </message>
-    <message>
-        <source>Path length [mm]</source>
-        <translation>Longueur de trajectoire [mm]</translation>
-    </message>
-    <message>
-        <source>Commands of the charts</source>
-        <translation>Commandes des graphiques</translation>
-    </message>
+    <name>feedscope::ui::ChartCommands</name>
     <message>
         <source>Show &amp;all</source>
         <translation>&amp;Tout afficher</translation>
     </message>
     <message>
-        <source>Show the whole run, and all values; as a double click does</source>
+        <source>Show the whole run and all values (double click)</source>
         <translation>Afficher toute la simulation et toutes les valeurs, comme un double-clic</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+0</source>
+        <translation>Ctrl+Shift+0</translation>
     </message>
     <message>
         <source>&amp;Back</source>
         <translation>&amp;Précédent</translation>
     </message>
     <message>
-        <source>The range and values shown before</source>
-        <translation>La plage et les valeurs affichées avant</translation>
+        <source>Show the previous range and values</source>
+        <translation>Afficher la plage et les valeurs précédentes</translation>
     </message>
     <message>
         <source>Alt+Left</source>
@@ -1732,8 +1394,8 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>&amp;Suivant</translation>
     </message>
     <message>
-        <source>The range and values shown after</source>
-        <translation>La plage et les valeurs affichées ensuite</translation>
+        <source>Show the next range and values</source>
+        <translation>Afficher la plage et les valeurs suivantes</translation>
     </message>
     <message>
         <source>Alt+Right</source>
@@ -1744,7 +1406,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Zoom a&amp;vant</translation>
     </message>
     <message>
-        <source>Half the range, around the cursor</source>
+        <source>Zoom in around the cursor</source>
         <translation>La moitié de la plage, autour du curseur</translation>
     </message>
     <message>
@@ -1752,7 +1414,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Zoom a&amp;rrière</translation>
     </message>
     <message>
-        <source>Twice the range, around the cursor</source>
+        <source>Zoom out around the cursor</source>
         <translation>Le double de la plage, autour du curseur</translation>
     </message>
     <message>
@@ -1760,24 +1422,24 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Curseur à &amp;gauche</translation>
     </message>
     <message>
-        <source>Cursor one pixel to the left</source>
-        <translation>Curseur un pixel à gauche</translation>
+        <source>Move the cursor one pixel to the left</source>
+        <translation>Déplacer le curseur d&apos;un pixel à gauche</translation>
     </message>
     <message>
         <source>Cursor &amp;right</source>
         <translation>Curseur à &amp;droite</translation>
     </message>
     <message>
-        <source>Cursor one pixel to the right</source>
-        <translation>Curseur un pixel à droite</translation>
+        <source>Move the cursor one pixel to the right</source>
+        <translation>Déplacer le curseur d&apos;un pixel à droite</translation>
     </message>
     <message>
         <source>Cursor far left</source>
         <translation>Curseur loin à gauche</translation>
     </message>
     <message>
-        <source>Cursor ten pixels to the left</source>
-        <translation>Curseur dix pixels à gauche</translation>
+        <source>Move the cursor ten pixels to the left</source>
+        <translation>Déplacer le curseur de dix pixels à gauche</translation>
     </message>
     <message>
         <source>Shift+Left</source>
@@ -1788,8 +1450,8 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Curseur loin à droite</translation>
     </message>
     <message>
-        <source>Cursor ten pixels to the right</source>
-        <translation>Curseur dix pixels à droite</translation>
+        <source>Move the cursor ten pixels to the right</source>
+        <translation>Déplacer le curseur de dix pixels à droite</translation>
     </message>
     <message>
         <source>Shift+Right</source>
@@ -1800,36 +1462,40 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Poser le curseur &amp;B</translation>
     </message>
     <message>
-        <source>Second cursor where the cursor is; differences between both</source>
-        <translation>Second curseur à la place du curseur&#xa0;; différences entre les deux</translation>
+        <source>Set a second cursor at the cursor and show the differences</source>
+        <translation>Poser un second curseur à l&apos;endroit du curseur et afficher les différences</translation>
     </message>
     <message>
         <source>Remove c&amp;ursor B</source>
         <translation>Enlever le c&amp;urseur B</translation>
     </message>
     <message>
-        <source>No second cursor (Esc)</source>
-        <translation>Pas de second curseur (Esc)</translation>
+        <source>Remove the second cursor (Esc)</source>
+        <translation>Enlever le second curseur (Esc)</translation>
     </message>
     <message>
         <source>&amp;Zoom to A–B</source>
         <translation>&amp;Zoom sur A–B</translation>
     </message>
     <message>
-        <source>The range between both cursors</source>
-        <translation>La plage entre les deux curseurs</translation>
+        <source>Zoom to the range between the cursors</source>
+        <translation>Zoomer sur la plage entre les curseurs</translation>
     </message>
     <message>
         <source>Over time or &amp;path length</source>
         <translation>Selon le temps ou la &amp;longueur</translation>
     </message>
     <message>
+        <source>Horizontal axis of the charts</source>
+        <translation>Axe horizontal des graphiques</translation>
+    </message>
+    <message>
         <source>Limiting &amp;causes</source>
         <translation>&amp;Causes limitantes</translation>
     </message>
     <message>
-        <source>What limits the feed, below the feed</source>
-        <translation>Ce qui limite l&apos;avance, sous l&apos;avance</translation>
+        <source>Show the limiting causes below the feed</source>
+        <translation>Afficher les causes limitantes sous l&apos;avance</translation>
     </message>
     <message>
         <source>Cur&amp;ves</source>
@@ -1856,24 +1522,28 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>&amp;Exporter la plage visible en CSV …</translation>
     </message>
     <message>
-        <source>Values of the visible range as a table</source>
-        <translation>Valeurs de la plage visible sous forme de tableau</translation>
+        <source>Export the values of the visible range as a table</source>
+        <translation>Exporter les valeurs de la plage visible sous forme de tableau</translation>
     </message>
     <message>
         <source>Export pict&amp;ure …</source>
         <translation>Exporter une i&amp;mage …</translation>
     </message>
     <message>
-        <source>The charts as they are, as PNG or SVG</source>
-        <translation>Les graphiques tels quels, en PNG ou SVG</translation>
+        <source>Export the charts as shown, as PNG or SVG</source>
+        <translation>Exporter les graphiques tels quels, en PNG ou SVG</translation>
     </message>
     <message>
-        <source>%1 has been written</source>
-        <translation>%1 a été écrit</translation>
+        <source>No run to export yet.</source>
+        <translation>Il n&apos;y a pas encore de simulation à exporter.</translation>
     </message>
     <message>
         <source>Export visible range</source>
         <translation>Exporter la plage visible</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
     </message>
     <message>
         <source>Export picture</source>
@@ -1884,24 +1554,64 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Image (*.png);;Dessin (*.svg)</translation>
     </message>
     <message>
-        <source>Feed, acceleration and jerk</source>
-        <translation>Avance, accélération et jerk</translation>
+        <source>%1 has been written</source>
+        <translation>%1 a été écrit</translation>
     </message>
     <message>
-        <source>No run to export yet.</source>
-        <translation>Il n&apos;y a pas encore de simulation à exporter.</translation>
+        <source>Feed, acceleration and jerk</source>
+        <translation>Avance, accélération et jerk</translation>
     </message>
     <message>
         <source>%1 is still being written.</source>
         <translation>%1 est encore en cours d&apos;écriture.</translation>
     </message>
+</context>
+<context>
+    <name>feedscope::ui::ChartHeader</name>
     <message>
-        <source>Ctrl+Shift+0</source>
-        <translation>Ctrl+Shift+0</translation>
+        <source>%1, %2 [%3]
+Click: hide or show. Ctrl+click: only this one.</source>
+        <translation>%1, %2 [%3]
+Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
     <message>
-        <source>Tables (*.csv)</source>
-        <translation>Tableaux (*.csv)</translation>
+        <source>+ %1</source>
+        <translation>+ %1</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ChartsPanel</name>
+    <message>
+        <source>over time</source>
+        <translation>selon le temps</translation>
+    </message>
+    <message>
+        <source>over path length</source>
+        <translation>selon la longueur</translation>
+    </message>
+    <message>
+        <source>Horizontal axis of the charts</source>
+        <translation>Axe horizontal des graphiques</translation>
+    </message>
+    <message>
+        <source>Time [s]</source>
+        <translation>Temps [s]</translation>
+    </message>
+    <message>
+        <source>A → B:   Δt %1 s   ·   Δs %2   ·   mean feed %3   ·   Δfeed %4</source>
+        <translation>A → B&#xa0;:   Δt %1&#xa0;s   ·   Δs %2   ·   avance moyenne %3   ·   Δavance %4</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Longueur de trajectoire</translation>
+    </message>
+    <message>
+        <source>Chart commands</source>
+        <translation>Commandes des graphiques</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
     </message>
 </context>
 <context>
@@ -1930,12 +1640,40 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>temps programmé %1&#xa0;s</translation>
     </message>
     <message>
-        <source>path length %1 mm</source>
-        <translation>longueur de trajectoire %1&#xa0;mm</translation>
-    </message>
-    <message>
         <source>%1, with %2</source>
         <translation>%1, avec %2</translation>
+    </message>
+    <message>
+        <source>path length %1</source>
+        <translation>longueur de trajectoire %1</translation>
+    </message>
+    <message>
+        <source>other causes</source>
+        <translation>autres causes</translation>
+    </message>
+    <message>
+        <source>programmed time</source>
+        <translation>temps programmé</translation>
+    </message>
+    <message>
+        <source>model</source>
+        <translation>modèle</translation>
+    </message>
+    <message>
+        <source>tolerance</source>
+        <translation>tolérance</translation>
+    </message>
+    <message>
+        <source>cycle time</source>
+        <translation>temps de cycle</translation>
+    </message>
+    <message>
+        <source>relative to</source>
+        <translation>par rapport à</translation>
+    </message>
+    <message>
+        <source>contour error</source>
+        <translation>erreur de contour</translation>
     </message>
 </context>
 <context>
@@ -1945,24 +1683,24 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Histogramme de l&apos;erreur de contour</translation>
     </message>
     <message>
-        <source>%1 to %2 µm from the programmed path</source>
-        <translation>De %1 à %2&#xa0;µm de la trajectoire programmée</translation>
+        <source>%1 to %2 from the programmed path</source>
+        <translation>De %1 à %2 de la trajectoire programmée</translation>
     </message>
     <message>
-        <source>At most %1 µm left or right of the programmed path</source>
-        <translation>Au plus %1&#xa0;µm à gauche ou à droite de la trajectoire programmée</translation>
+        <source>At most %1 left or right of the programmed path</source>
+        <translation>Au plus %1 à gauche ou à droite de la trajectoire programmée</translation>
     </message>
     <message>
-        <source>%1 to %2 µm left of the programmed path</source>
-        <translation>De %1 à %2&#xa0;µm à gauche de la trajectoire programmée</translation>
+        <source>%1 to %2 left of the programmed path</source>
+        <translation>De %1 à %2 à gauche de la trajectoire programmée</translation>
     </message>
     <message>
-        <source>%1 to %2 µm right of the programmed path</source>
-        <translation>De %1 à %2&#xa0;µm à droite de la trajectoire programmée</translation>
+        <source>%1 to %2 right of the programmed path</source>
+        <translation>De %1 à %2 à droite de la trajectoire programmée</translation>
     </message>
     <message>
-        <source>%1: %2 mm of the path</source>
-        <translation>%1&#xa0;: %2&#xa0;mm de la trajectoire</translation>
+        <source>%1: %2 of the path</source>
+        <translation>%1&#xa0;: %2 de la trajectoire</translation>
     </message>
 </context>
 <context>
@@ -1970,18 +1708,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 sur %2</translation>
-    </message>
-    <message>
-        <source>%1 µm from the programmed path at %2, X %3 Y %4 Z %5 mm.</source>
-        <translation>À %1&#xa0;µm de la trajectoire programmée à %2, X %3 Y %4 Z %5&#xa0;mm.</translation>
-    </message>
-    <message>
-        <source>The contour tolerance of %1 µm is exceeded here.</source>
-        <translation>La tolérance de contour de %1&#xa0;µm est dépassée ici.</translation>
-    </message>
-    <message>
-        <source>The contour tolerance of %1 µm is kept here.</source>
-        <translation>La tolérance de contour de %1&#xa0;µm est tenue ici.</translation>
     </message>
     <message>
         <source>Rank by contour error</source>
@@ -1992,10 +1718,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>N°</translation>
     </message>
     <message>
-        <source>Line of the program, and the block&apos;s number</source>
-        <translation>Ligne du programme, et numéro du bloc</translation>
-    </message>
-    <message>
         <source>Line</source>
         <translation>Ligne</translation>
     </message>
@@ -2004,11 +1726,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Distance de la trajectoire exécutée à la trajectoire programmée</translation>
     </message>
     <message>
-        <source>Error [µm]</source>
-        <translation>Erreur [µm]</translation>
-    </message>
-    <message>
-        <source>Share of the contour tolerance that rules there</source>
+        <source>Share of the contour tolerance that applies there</source>
         <translation>Part de la tolérance de contour en vigueur à cet endroit</translation>
     </message>
     <message>
@@ -2016,7 +1734,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Utilisé [%]</translation>
     </message>
     <message>
-        <source>Side of the programmed path in XY, seen in its direction: left is where G41 puts the tool</source>
+        <source>Side of the programmed path in XY, in its direction: left is the G41 side</source>
         <translation>Côté de la trajectoire programmée dans XY, vu dans son sens&#xa0;: la gauche est là où G41 met l&apos;outil</translation>
     </message>
     <message>
@@ -2024,7 +1742,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Côté</translation>
     </message>
     <message>
-        <source>What the programmed path is there</source>
+        <source>Shape of the programmed path there</source>
         <translation>Ce qu&apos;est la trajectoire programmée à cet endroit</translation>
     </message>
     <message>
@@ -2036,16 +1754,36 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Avance atteinte et programmée à cet endroit</translation>
     </message>
     <message>
-        <source>Feed [mm/min]</source>
-        <translation>Avance [mm/min]</translation>
-    </message>
-    <message>
         <source>What limits the feed there</source>
         <translation>Ce qui limite l&apos;avance à cet endroit</translation>
     </message>
     <message>
         <source>Limited by</source>
         <translation>Limité par</translation>
+    </message>
+    <message>
+        <source>%1 from the programmed path at %2, X %3 Y %4 Z %5.</source>
+        <translation>À %1 de la trajectoire programmée à %2, X %3 Y %4 Z %5.</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of %1 is exceeded here.</source>
+        <translation>La tolérance de contour de %1 est dépassée ici.</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of %1 is kept here.</source>
+        <translation>La tolérance de contour de %1 est tenue ici.</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Program line and block number</source>
+        <translation>Ligne du programme et numéro du bloc</translation>
     </message>
 </context>
 <context>
@@ -2059,11 +1797,11 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Gros &amp;plan</translation>
     </message>
     <message>
-        <source>Tell the sides of the path in XY apart; else the distance alone</source>
+        <source>Distinguish the sides of the path in XY; otherwise only the distance</source>
         <translation>Distinguer les côtés de la trajectoire dans XY&#xa0;; sinon la distance seule</translation>
     </message>
     <message>
-        <source>The 3D view shows the chosen place from near</source>
+        <source>Zoom the 3D view to the selected place</source>
         <translation>La vue 3D montre de près l&apos;endroit choisi</translation>
     </message>
     <message>
@@ -2075,10 +1813,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>&amp;Erreur de contour …</translation>
     </message>
     <message>
-        <source>How far the executed path is from the programmed one, and where</source>
-        <translation>De combien la trajectoire exécutée s&apos;écarte de la trajectoire programmée, et où</translation>
-    </message>
-    <message>
         <source>Ctrl+Shift+E</source>
         <translation>Ctrl+Shift+E</translation>
     </message>
@@ -2087,23 +1821,15 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Copier l&apos;image de l&apos;erreur de contour</translation>
     </message>
     <message>
-        <source>The histogram to the clipboard</source>
-        <translation>L&apos;histogramme dans le presse-papiers</translation>
-    </message>
-    <message>
         <source>Copy the worst contour errors</source>
         <translation>Copier les plus grandes erreurs de contour</translation>
-    </message>
-    <message>
-        <source>The list to the clipboard, as CSV with units</source>
-        <translation>La liste dans le presse-papiers, en CSV avec unités</translation>
     </message>
     <message>
         <source>Save the worst contour errors as CSV …</source>
         <translation>Enregistrer les plus grandes erreurs de contour en CSV …</translation>
     </message>
     <message>
-        <source>One row a place, with units</source>
+        <source>One row per place, with units</source>
         <translation>Une ligne par endroit, avec unités</translation>
     </message>
     <message>
@@ -2115,7 +1841,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Enregistrer l&apos;histogramme de l&apos;erreur de contour en CSV …</translation>
     </message>
     <message>
-        <source>Path length by contour error, one column a run, with units</source>
+        <source>Path length by contour error, one column per run, with units</source>
         <translation>Longueur de trajectoire par erreur de contour, une colonne par simulation, avec unités</translation>
     </message>
     <message>
@@ -2127,7 +1853,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Erreur de contour suivante</translation>
     </message>
     <message>
-        <source>Go on to the next listed place that is far from the programmed path</source>
+        <source>Go to the next listed place far from the programmed path</source>
         <translation>Aller au prochain endroit de la liste qui s&apos;écarte de la trajectoire programmée</translation>
     </message>
     <message>
@@ -2135,11 +1861,11 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Erreur de contour précédente</translation>
     </message>
     <message>
-        <source>Go back to the listed place before</source>
+        <source>Go to the previous listed place</source>
         <translation>Revenir à l&apos;endroit précédent de la liste</translation>
     </message>
     <message>
-        <source>How far the executed path is from the programmed one: open a program.</source>
+        <source>Open a program to see how far the executed path is from the programmed one.</source>
         <translation>De combien la trajectoire exécutée s&apos;écarte de la trajectoire programmée&#xa0;: ouvrir un programme.</translation>
     </message>
     <message>
@@ -2147,11 +1873,11 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Comparaison de la trajectoire exécutée avec la trajectoire programmée …</translation>
     </message>
     <message>
-        <source>The program needs more memory than there is.</source>
+        <source>The program needs more memory than is available.</source>
         <translation>Le programme demande plus de mémoire qu&apos;il n&apos;y en a.</translation>
     </message>
     <message>
-        <source>There is no contour error to save yet: open the panel with a program.</source>
+        <source>There is no contour error to save: open a program and this panel.</source>
         <translation>Il n&apos;y a pas encore d&apos;erreur de contour à enregistrer&#xa0;: ouvrir le panneau avec un programme.</translation>
     </message>
     <message>
@@ -2166,16 +1892,28 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>This run has not been simulated.</source>
         <translation>Cette simulation n’a pas été faite.</translation>
     </message>
+    <message>
+        <source>Show how far and where the executed path deviates from the programmed one</source>
+        <translation>Montrer de combien et où la trajectoire exécutée s&apos;écarte de la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>Copy the histogram to the clipboard</source>
+        <translation>Copier l&apos;histogramme dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Copy the list to the clipboard as CSV with units</source>
+        <translation>Copier la liste dans le presse-papiers, en CSV avec unités</translation>
+    </message>
+    <message>
+        <source>Contour error</source>
+        <translation>Erreur de contour</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::CsvDialog</name>
     <message>
         <source>One row every</source>
         <translation>Une ligne toutes les</translation>
-    </message>
-    <message>
-        <source>One row where each block begins</source>
-        <translation>Une ligne au début de chaque bloc</translation>
     </message>
     <message>
         <source>One row per pixel of the charts</source>
@@ -2194,16 +1932,20 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation> s</translation>
     </message>
     <message>
-        <source>Time from row to row</source>
-        <translation>Temps d’une ligne à la suivante</translation>
-    </message>
-    <message>
-        <source>What happens between two pixels is not in the table</source>
+        <source>Values between two pixels are not in the table</source>
         <translation>Ce qui se passe entre deux pixels n’est pas dans le tableau</translation>
     </message>
     <message>
         <source>%1 rows</source>
         <translation>%1 lignes</translation>
+    </message>
+    <message>
+        <source>One row at the start of each block</source>
+        <translation>Une ligne au début de chaque bloc</translation>
+    </message>
+    <message>
+        <source>Time between rows</source>
+        <translation>Temps entre deux lignes</translation>
     </message>
 </context>
 <context>
@@ -2224,20 +1966,12 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
 <context>
     <name>feedscope::ui::DiagnosticsView</name>
     <message>
-        <source>Everything</source>
-        <translation>Tout</translation>
-    </message>
-    <message>
         <source>Warnings and errors</source>
         <translation>Avertissements et erreurs</translation>
     </message>
     <message>
         <source>Errors</source>
         <translation>Erreurs</translation>
-    </message>
-    <message>
-        <source>Which messages are listed, and gone to by F8</source>
-        <translation>Messages affichés dans la liste et parcourus par F8</translation>
     </message>
     <message>
         <source>Severity</source>
@@ -2260,8 +1994,167 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Aller au message suivant du programme</translation>
     </message>
     <message>
-        <source>Go to the message before</source>
+        <source>Go to the previous message</source>
         <translation>Aller au message précédent</translation>
+    </message>
+    <message>
+        <source>Messages listed and visited by F8</source>
+        <translation>Messages affichés dans la liste et parcourus par F8</translation>
+    </message>
+    <message>
+        <source>All messages</source>
+        <translation>Tous les messages</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::FileMenu</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Fichier</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Quitter</translation>
+    </message>
+    <message>
+        <source>Quit Feedscope</source>
+        <translation>Quitter Feedscope</translation>
+    </message>
+    <message>
+        <source>&amp;Open program …</source>
+        <translation>&amp;Ouvrir un programme …</translation>
+    </message>
+    <message>
+        <source>Open an NC program or a session</source>
+        <translation>Ouvrir un programme CN ou une session</translation>
+    </message>
+    <message>
+        <source>Open &amp;sample …</source>
+        <translation>Ouvrir un &amp;exemple …</translation>
+    </message>
+    <message>
+        <source>Open one of the sample programs supplied with Feedscope</source>
+        <translation>Ouvrir un des programmes d&apos;exemple fournis avec Feedscope</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Programmes &amp;récents</translation>
+    </message>
+    <message>
+        <source>&amp;Reload program</source>
+        <translation>Re&amp;charger le programme</translation>
+    </message>
+    <message>
+        <source>Reload the program</source>
+        <translation>Relire le programme</translation>
+    </message>
+    <message>
+        <source>Reload when the file &amp;changes</source>
+        <translation>Recharger &amp;si le fichier change</translation>
+    </message>
+    <message>
+        <source>Reload the program whenever its file is written</source>
+        <translation>Relire le programme chaque fois que son fichier est écrit</translation>
+    </message>
+    <message>
+        <source>Program import &amp;options …</source>
+        <translation>&amp;Options d&apos;importation du programme …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>&amp;Save session</source>
+        <translation>&amp;Enregistrer la session</translation>
+    </message>
+    <message>
+        <source>Save runs, views and annotations in one file</source>
+        <translation>Garder simulations, vues et annotations dans un fichier</translation>
+    </message>
+    <message>
+        <source>Save session &amp;as …</source>
+        <translation>Enregistrer la session &amp;sous …</translation>
+    </message>
+    <message>
+        <source>Save runs, views and annotations in another file</source>
+        <translation>Garder simulations, vues et annotations dans un autre fichier</translation>
+    </message>
+    <message>
+        <source>Open &amp;machine file …</source>
+        <translation>Ouvrir un fichier &amp;machine …</translation>
+    </message>
+    <message>
+        <source>Ctrl+M</source>
+        <translation>Ctrl+M</translation>
+    </message>
+    <message>
+        <source>Open a machine file of your own</source>
+        <translation>Utiliser sa propre machine</translation>
+    </message>
+    <message>
+        <source>Save machine as …</source>
+        <translation>Enregistrer la machine sous …</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+M</source>
+        <translation>Ctrl+Shift+M</translation>
+    </message>
+    <message>
+        <source>Save the machine with all changes as a machine file</source>
+        <translation>Enregistrer la machine et toutes ses modifications dans un fichier machine</translation>
+    </message>
+    <message>
+        <source>Save &amp;picture</source>
+        <translation>Enregistrer l’&amp;image</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>&amp;Copier l’image</translation>
+    </message>
+    <message>
+        <source>No program has been opened yet</source>
+        <translation>Aucun programme ouvert jusqu&apos;ici</translation>
+    </message>
+    <message>
+        <source>Clear list</source>
+        <translation>Vider la liste</translation>
+    </message>
+    <message>
+        <source>Empty this list; the files are kept</source>
+        <translation>Vider cette liste sans toucher aux fichiers</translation>
+    </message>
+    <message>
+        <source>Open program or session</source>
+        <translation>Ouvrir un programme ou une session</translation>
+    </message>
+    <message>
+        <source>NC programs and sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)</source>
+        <translation>Programmes CN et sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Open machine file</source>
+        <translation>Ouvrir un fichier machine</translation>
+    </message>
+    <message>
+        <source>Machine files (*.toml)</source>
+        <translation>Fichiers machine (*.toml)</translation>
+    </message>
+    <message>
+        <source>Save machine as</source>
+        <translation>Enregistrer la machine sous</translation>
+    </message>
+    <message>
+        <source>Name of the machine</source>
+        <translation>Nom de la machine</translation>
+    </message>
+    <message>
+        <source>Name shown in lists and reports:</source>
+        <translation>Nom affiché dans les listes et les rapports&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Dialect of the program, cutter radii, limits of loops and calls</source>
+        <translation>Dialecte du programme, rayons des fraises, limites des boucles et des appels</translation>
     </message>
 </context>
 <context>
@@ -2291,24 +2184,12 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Expression régulière</translation>
     </message>
     <message>
-        <source>Next hit (F3)</source>
-        <translation>Résultat suivant (F3)</translation>
-    </message>
-    <message>
-        <source>Previous hit (Shift+F3)</source>
-        <translation>Résultat précédent (Shift+F3)</translation>
-    </message>
-    <message>
         <source>Close (Esc)</source>
         <translation>Fermer (Esc)</translation>
     </message>
     <message>
         <source>Find in the program</source>
         <translation>Rechercher dans le programme</translation>
-    </message>
-    <message>
-        <source>Result of the search</source>
-        <translation>Résultat de la recherche</translation>
     </message>
     <message>
         <source>searching …</source>
@@ -2325,6 +2206,18 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>%1 of %2</source>
         <translation>%1 sur %2</translation>
+    </message>
+    <message>
+        <source>Next match (F3)</source>
+        <translation>Résultat suivant (F3)</translation>
+    </message>
+    <message>
+        <source>Previous match (Shift+F3)</source>
+        <translation>Résultat précédent (Shift+F3)</translation>
+    </message>
+    <message>
+        <source>Search result</source>
+        <translation>Résultat de la recherche</translation>
     </message>
 </context>
 <context>
@@ -2347,14 +2240,95 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::HandbookWindow</name>
+    <message>
+        <source>Feedscope handbook</source>
+        <translation>Manuel de Feedscope</translation>
+    </message>
+    <message>
+        <source>Search the handbook</source>
+        <translation>Chercher dans le manuel</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Pages</translation>
+    </message>
+    <message>
+        <source>Page</source>
+        <translation>Page</translation>
+    </message>
+    <message>
+        <source>Lists the pages that contain all words; Enter goes to the next match</source>
+        <translation>Affiche les pages qui contiennent tous les mots&#xa0;; Entrée va à l&apos;endroit suivant</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::HelpMenu</name>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Aide</translation>
+    </message>
+    <message>
+        <source>Hand&amp;book</source>
+        <translation>&amp;Manuel</translation>
+    </message>
+    <message>
+        <source>First steps, panels, commands</source>
+        <translation>Premiers pas, panneaux, commandes</translation>
+    </message>
+    <message>
+        <source>&amp;Lessons</source>
+        <translation>&amp;Leçons</translation>
+    </message>
+    <message>
+        <source>Lessons for courses, with questions on the simulation</source>
+        <translation>Leçons pour les cours, avec des questions sur la simulation</translation>
+    </message>
+    <message>
+        <source>L&amp;esson</source>
+        <translation>L&amp;eçon</translation>
+    </message>
+    <message>
+        <source>&amp;Find a command …</source>
+        <translation>&amp;Rechercher une commande …</translation>
+    </message>
+    <message>
+        <source>Ctrl+K</source>
+        <translation>Ctrl+K</translation>
+    </message>
+    <message>
+        <source>Find a command by typing part of its name</source>
+        <translation>Trouver une commande en saisissant une partie de son nom</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard and mouse</source>
+        <translation>&amp;Clavier et souris</translation>
+    </message>
+    <message>
+        <source>Ctrl+F1</source>
+        <translation>Ctrl+F1</translation>
+    </message>
+    <message>
+        <source>All keyboard shortcuts and mouse actions</source>
+        <translation>Tous les raccourcis clavier et actions de la souris</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::JobBase</name>
+    <message>
+        <source>The program needs more memory than is available.</source>
+        <translation>Le programme demande plus de mémoire qu&apos;il n&apos;y en a.</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::KeyList</name>
     <message>
-        <source>Keys and mouse</source>
+        <source>Keyboard and mouse</source>
         <translation>Clavier et souris</translation>
     </message>
     <message>
-        <source>&lt;b&gt;3D view:&lt;/b&gt; left drag turns, Shift or middle drag moves, wheel or right drag zooms, a click points.&lt;br&gt;&lt;b&gt;Charts:&lt;/b&gt; wheel zooms at the pointer, drag pans, a click points, a double click shows all.&lt;br&gt;&lt;b&gt;Program:&lt;/b&gt; a click on a line points at it.</source>
-        <translation>&lt;b&gt;Vue 3D&#xa0;:&lt;/b&gt; glisser au bouton gauche tourne, avec Shift ou au bouton du milieu déplace, la molette ou glisser au bouton droit zoome, un clic désigne.&lt;br&gt;&lt;b&gt;Graphiques&#xa0;:&lt;/b&gt; la molette zoome au pointeur, glisser déplace, un clic désigne, un double-clic montre tout.&lt;br&gt;&lt;b&gt;Programme&#xa0;:&lt;/b&gt; un clic sur une ligne la désigne.</translation>
+        <source>&lt;b&gt;3D view:&lt;/b&gt; left drag rotates, Shift+drag or middle drag pans, wheel or right drag zooms, a click sets the cursor.&lt;br&gt;&lt;b&gt;Charts:&lt;/b&gt; wheel zooms at the pointer, drag pans, a click sets the cursor, a double click shows all.&lt;br&gt;&lt;b&gt;Program:&lt;/b&gt; a click on a line sets the cursor there.</source>
+        <translation>&lt;b&gt;Vue 3D&#xa0;:&lt;/b&gt; glisser au bouton gauche tourne, avec Shift ou au bouton du milieu déplace, la molette ou glisser au bouton droit zoome, un clic place le curseur.&lt;br&gt;&lt;b&gt;Graphiques&#xa0;:&lt;/b&gt; la molette zoome au pointeur, glisser déplace, un clic place le curseur, un double-clic montre tout.&lt;br&gt;&lt;b&gt;Programme&#xa0;:&lt;/b&gt; un clic sur une ligne y place le curseur.</translation>
     </message>
 </context>
 <context>
@@ -2368,6 +2342,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>▴ rapids up to %1</source>
         <translation>▴ rapides jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>limit of %1</source>
+        <translation>limite de %1</translation>
     </message>
 </context>
 <context>
@@ -2389,36 +2367,16 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Choisir une leçon</translation>
     </message>
     <message>
-        <source>Show it</source>
-        <translation>Le montrer</translation>
-    </message>
-    <message>
-        <source>Show the control in the table of axis limits and settings</source>
-        <translation>Montrer le réglage dans les tables des limites d’axes et des réglages</translation>
-    </message>
-    <message>
         <source>Set up the window</source>
         <translation>Préparer la fenêtre</translation>
-    </message>
-    <message>
-        <source>Open the program of the lesson with its machine, settings and view; the runs are replaced</source>
-        <translation>Ouvrir le programme de la leçon avec sa machine, ses réglages et sa vue ; les simulations sont remplacées</translation>
     </message>
     <message>
         <source>Previous question</source>
         <translation>Question précédente</translation>
     </message>
     <message>
-        <source>To the question before</source>
-        <translation>Aller à la question précédente</translation>
-    </message>
-    <message>
         <source>Next question</source>
         <translation>Question suivante</translation>
-    </message>
-    <message>
-        <source>To the question after</source>
-        <translation>Aller à la question suivante</translation>
     </message>
     <message>
         <source>Hint</source>
@@ -2431,14 +2389,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Show answer</source>
         <translation>Montrer la réponse</translation>
-    </message>
-    <message>
-        <source>Show or hide the answer of the question</source>
-        <translation>Montrer ou cacher la réponse à la question</translation>
-    </message>
-    <message>
-        <source>Reading the lessons …</source>
-        <translation>Lecture des leçons …</translation>
     </message>
     <message>
         <source>%1. %2 (%3 min)</source>
@@ -2457,67 +2407,55 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Réponse :</translation>
     </message>
     <message>
-        <source>Move &lt;b&gt;%1&lt;/b&gt; between</source>
-        <translation>Faire varier &lt;b&gt;%1&lt;/b&gt; entre</translation>
+        <source>In the current run: %1 &lt;b&gt;%2&lt;/b&gt;</source>
+        <translation>Dans la simulation courante : %1 &lt;b&gt;%2&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>Move &lt;b&gt;%1&lt;/b&gt; to</source>
-        <translation>Mettre &lt;b&gt;%1&lt;/b&gt; à</translation>
+        <source>Show the setting in the tables of axis limits and control settings</source>
+        <translation>Montrer le réglage dans les tables des limites d’axes et des réglages</translation>
     </message>
     <message>
-        <source>Give %1 this value in the current run</source>
+        <source>Open the program of the lesson with its machine, settings and view; this replaces the runs</source>
+        <translation>Ouvrir le programme de la leçon avec sa machine, ses réglages et sa vue&#xa0;; les simulations sont remplacées</translation>
+    </message>
+    <message>
+        <source>Go to the previous question</source>
+        <translation>Aller à la question précédente</translation>
+    </message>
+    <message>
+        <source>Go to the next question</source>
+        <translation>Aller à la question suivante</translation>
+    </message>
+    <message>
+        <source>Show or hide the answer to the question</source>
+        <translation>Montrer ou cacher la réponse à la question</translation>
+    </message>
+    <message>
+        <source>Loading lessons …</source>
+        <translation>Chargement des leçons …</translation>
+    </message>
+    <message>
+        <source>Set %1 to this value in the current run</source>
         <translation>Donner cette valeur à %1 dans la simulation courante</translation>
     </message>
     <message>
-        <source>In the current run: %1 &lt;b&gt;%2&lt;/b&gt;</source>
-        <translation>Dans la simulation courante : %1 &lt;b&gt;%2&lt;/b&gt;</translation>
+        <source>Show setting</source>
+        <translation>Montrer le réglage</translation>
+    </message>
+    <message>
+        <source>Vary &lt;b&gt;%1&lt;/b&gt; between</source>
+        <translation>Faire varier &lt;b&gt;%1&lt;/b&gt; entre</translation>
+    </message>
+    <message>
+        <source>Set &lt;b&gt;%1&lt;/b&gt; to</source>
+        <translation>Mettre &lt;b&gt;%1&lt;/b&gt; à</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::MainWindow</name>
     <message>
-        <source>Open &amp;sample …</source>
-        <translation>Ouvrir un &amp;exemple …</translation>
-    </message>
-    <message>
-        <source>Open one of the programs that come with Feedscope</source>
-        <translation>Ouvrir un des programmes fournis avec Feedscope</translation>
-    </message>
-    <message>
-        <source>The program was read with other work offsets than those of this machine (%1); reload it to use them.</source>
-        <translation>Le programme a été lu avec d&apos;autres décalages d&apos;origine que ceux de cette machine (%1)&#xa0;; rechargez-le pour les utiliser.</translation>
-    </message>
-    <message>
         <source>Feedscope</source>
         <translation>Feedscope</translation>
-    </message>
-    <message>
-        <source>Program</source>
-        <translation>Programme</translation>
-    </message>
-    <message>
-        <source>Machine and control</source>
-        <translation>Machine et commande</translation>
-    </message>
-    <message>
-        <source>Why here?</source>
-        <translation>Pourquoi ici&#xa0;?</translation>
-    </message>
-    <message>
-        <source>Charts</source>
-        <translation>Graphiques</translation>
-    </message>
-    <message>
-        <source>Messages</source>
-        <translation>Messages</translation>
-    </message>
-    <message>
-        <source>Runs</source>
-        <translation>Simulations</translation>
-    </message>
-    <message>
-        <source>Slow places</source>
-        <translation>Ralentissements</translation>
     </message>
     <message>
         <source>%1 – Feedscope</source>
@@ -2560,299 +2498,90 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>&amp;Lecture</translation>
     </message>
     <message>
-        <source>To the s&amp;tart</source>
-        <translation>Au &amp;début</translation>
-    </message>
-    <message>
-        <source>To the start of the run</source>
-        <translation>Aller au début de la simulation</translation>
-    </message>
-    <message>
-        <source>To the &amp;end</source>
-        <translation>À la &amp;fin</translation>
-    </message>
-    <message>
-        <source>To the end of the run</source>
-        <translation>Aller à la fin de la simulation</translation>
-    </message>
-    <message>
         <source>&amp;Go</source>
         <translation>Alle&amp;r</translation>
     </message>
     <message>
-        <source>&amp;File</source>
-        <translation>&amp;Fichier</translation>
-    </message>
-    <message>
-        <source>&amp;Open program …</source>
-        <translation>&amp;Ouvrir un programme …</translation>
-    </message>
-    <message>
-        <source>Open &amp;recent</source>
-        <translation>Programmes &amp;récents</translation>
-    </message>
-    <message>
-        <source>&amp;Reload program</source>
-        <translation>Re&amp;charger le programme</translation>
-    </message>
-    <message>
-        <source>Read the program again</source>
-        <translation>Relire le programme</translation>
-    </message>
-    <message>
-        <source>Reload when the file &amp;changes</source>
-        <translation>Recharger &amp;si le fichier change</translation>
-    </message>
-    <message>
-        <source>Read the program again whenever its file is written</source>
-        <translation>Relire le programme chaque fois que son fichier est écrit</translation>
-    </message>
-    <message>
-        <source>Open &amp;machine file …</source>
-        <translation>Ouvrir un fichier &amp;machine …</translation>
-    </message>
-    <message>
-        <source>Ctrl+M</source>
-        <translation>Ctrl+M</translation>
-    </message>
-    <message>
-        <source>Use a machine of your own</source>
-        <translation>Utiliser sa propre machine</translation>
-    </message>
-    <message>
-        <source>Write the machine with all changes to a machine file</source>
-        <translation>Écrire la machine et toutes ses modifications dans un fichier machine</translation>
-    </message>
-    <message>
-        <source>&amp;Quit</source>
-        <translation>&amp;Quitter</translation>
-    </message>
-    <message>
-        <source>Leave Feedscope</source>
-        <translation>Quitter Feedscope</translation>
-    </message>
-    <message>
-        <source>No program has been opened yet</source>
-        <translation>Aucun programme ouvert jusqu&apos;ici</translation>
-    </message>
-    <message>
-        <source>Forget these files</source>
-        <translation>Oublier ces fichiers</translation>
-    </message>
-    <message>
-        <source>&amp;View</source>
-        <translation>Affic&amp;hage</translation>
-    </message>
-    <message>
-        <source>Path of the c&amp;harts</source>
-        <translation>Trajectoire des grap&amp;hiques</translation>
-    </message>
-    <message>
-        <source>Ctrl+9</source>
-        <translation>Ctrl+9</translation>
-    </message>
-    <message>
-        <source>The 3D view shows the path between the ends of the charts</source>
-        <translation>La vue 3D montre la trajectoire entre les bords des graphiques</translation>
-    </message>
-    <message>
-        <source>&amp;Panels</source>
-        <translation>Pa&amp;nneaux</translation>
-    </message>
-    <message>
-        <source>&amp;Default layout</source>
-        <translation>&amp;Disposition par défaut</translation>
-    </message>
-    <message>
-        <source>Empty this list and leave the files as they are</source>
-        <translation>Vider cette liste sans toucher aux fichiers</translation>
-    </message>
-    <message>
-        <source>Take back the last change of runs and settings</source>
+        <source>Undo the last change of runs and settings</source>
         <translation>Annuler la dernière modification des simulations et des réglages</translation>
     </message>
     <message>
-        <source>Make the change again that was taken back</source>
+        <source>Redo the change that was undone</source>
         <translation>Refaire la modification annulée</translation>
-    </message>
-    <message>
-        <source>All panels where and as large as they were at first</source>
-        <translation>Tous les panneaux à leur place et à leur taille de départ</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>Som&amp;bre</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+D</source>
-        <translation>Ctrl+Shift+D</translation>
-    </message>
-    <message>
-        <source>Light or dark colours</source>
-        <translation>Couleurs claires ou sombres</translation>
-    </message>
-    <message>
-        <source>&amp;Language</source>
-        <translation>Lang&amp;ue</translation>
-    </message>
-    <message>
-        <source>&amp;Help</source>
-        <translation>&amp;Aide</translation>
-    </message>
-    <message>
-        <source>&amp;Find a command …</source>
-        <translation>&amp;Rechercher une commande …</translation>
-    </message>
-    <message>
-        <source>Ctrl+K</source>
-        <translation>Ctrl+K</translation>
-    </message>
-    <message>
-        <source>Type what you want to do</source>
-        <translation>Écrire ce qu&apos;on veut faire</translation>
-    </message>
-    <message>
-        <source>&amp;Keys and mouse</source>
-        <translation>&amp;Clavier et souris</translation>
-    </message>
-    <message>
-        <source>All keys, and what the mouse does</source>
-        <translation>Toutes les touches, et ce que fait la souris</translation>
-    </message>
-    <message>
-        <source>Open machine file</source>
-        <translation>Ouvrir un fichier machine</translation>
-    </message>
-    <message>
-        <source>Machine files (*.toml)</source>
-        <translation>Fichiers machine (*.toml)</translation>
-    </message>
-    <message>
-        <source>Save machine as</source>
-        <translation>Enregistrer la machine sous</translation>
-    </message>
-    <message>
-        <source>Annotations</source>
-        <translation>Annotations</translation>
     </message>
     <message>
         <source>&amp;Annotations</source>
         <translation>A&amp;nnotations</translation>
     </message>
-    <message>
-        <source>Lesson</source>
-        <translation>Leçon</translation>
-    </message>
-    <message>
-        <source>&amp;Lessons</source>
-        <translation>&amp;Leçons</translation>
-    </message>
-    <message>
-        <source>Lessons for courses, with questions about what is shown</source>
-        <translation>Leçons pour les cours, avec des questions sur ce qui est montré</translation>
-    </message>
-    <message>
-        <source>L&amp;esson</source>
-        <translation>L&amp;eçon</translation>
-    </message>
-    <message>
-        <source>Open an NC program or a session</source>
-        <translation>Ouvrir un programme CN ou une session</translation>
-    </message>
-    <message>
-        <source>&amp;Save session</source>
-        <translation>&amp;Enregistrer la session</translation>
-    </message>
-    <message>
-        <source>Keep runs, views and annotations in one file</source>
-        <translation>Garder simulations, vues et annotations dans un fichier</translation>
-    </message>
-    <message>
-        <source>Save session &amp;as …</source>
-        <translation>Enregistrer la session &amp;sous …</translation>
-    </message>
-    <message>
-        <source>Keep runs, views and annotations in another file</source>
-        <translation>Garder simulations, vues et annotations dans un autre fichier</translation>
-    </message>
-    <message>
-        <source>Save machine as …</source>
-        <translation>Enregistrer la machine sous …</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+M</source>
-        <translation>Ctrl+Shift+M</translation>
-    </message>
-    <message>
-        <source>Open program or session</source>
-        <translation>Ouvrir un programme ou une session</translation>
-    </message>
-    <message>
-        <source>NC programs and sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;All files (*)</source>
-        <translation>Programmes CN et sessions (*.feedscope *.nc *.ngc *.gcode *.tap *.mpf *.spf *.h *.i *.cnc *.iso *.txt);;Tous les fichiers (*)</translation>
-    </message>
-    <message>
-        <source>Save &amp;picture</source>
-        <translation>Enregistrer l’&amp;image</translation>
-    </message>
-    <message>
-        <source>&amp;Copy picture</source>
-        <translation>&amp;Copier l’image</translation>
-    </message>
-    <message>
-        <source>Study</source>
-        <translation>Étude</translation>
-    </message>
-    <message>
-        <source>Contour error</source>
-        <translation>Erreur de contour</translation>
-    </message>
-    <message>
-        <source>Reading &amp;options …</source>
-        <translation>O&amp;ptions de lecture …</translation>
-    </message>
-    <message>
-        <source>Ctrl+Shift+R</source>
-        <translation>Ctrl+Shift+R</translation>
-    </message>
-    <message>
-        <source>Language of the program, cutter radii, limits of loops and calls</source>
-        <translation>Langage du programme, rayons des fraises, limites des boucles et des appels</translation>
-    </message>
-    <message>
-        <source>The program is written for %1; this machine has a %2, whose path and times are shown.</source>
-        <translation>Le programme est écrit pour %1 ; cette machine a une %2, dont la trajectoire et les temps sont affichés.</translation>
-    </message>
-    <message>
-        <source>Name of the machine</source>
-        <translation>Nom de la machine</translation>
-    </message>
-    <message>
-        <source>Name that lists and reports show:</source>
-        <translation>Nom affiché par les listes et les rapports :</translation>
-    </message>
-    <message>
-        <source>Language</source>
-        <translation>Langue</translation>
-    </message>
-    <message>
-        <source>The language changes when Feedscope starts again. Restart it now? What is open is opened again.</source>
-        <translation>La langue change au prochain démarrage de Feedscope. Le redémarrer maintenant ? Ce qui est ouvert sera rouvert.</translation>
-    </message>
-    <message>
-        <source>Feedscope cannot be started again; start it by hand.</source>
-        <translation>Feedscope ne peut pas être redémarré ; démarrez-le à la main.</translation>
-    </message>
 </context>
 <context>
     <name>feedscope::ui::NumberBox</name>
     <message>
-        <source>“%1” is not within %2 and %3.</source>
-        <translation>« %1 » n’est pas entre %2 et %3.</translation>
+        <source>“%1” is not between %2 and %3.</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas entre %2 et %3.</translation>
     </message>
     <message>
-        <source>“%1” is finer than %2.</source>
-        <translation>« %1 » est plus fin que %2.</translation>
+        <source>“%1” has too many decimals; the smallest step is %2.</source>
+        <translation>«&#xa0;%1&#xa0;» a trop de décimales&#xa0;; le plus petit pas est %2.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::PictureCommands</name>
+    <message>
+        <source>&amp;3D view</source>
+        <translation>Vue &amp;3D</translation>
+    </message>
+    <message>
+        <source>Save the 3D view with its annotations as PNG, SVG or PDF</source>
+        <translation>Enregistrer la vue 3D et ses annotations en PNG, SVG ou PDF</translation>
+    </message>
+    <message>
+        <source>Copy the 3D view with its annotations to the clipboard</source>
+        <translation>Copier la vue 3D et ses annotations dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+P</source>
+        <translation>Ctrl+Shift+P</translation>
+    </message>
+    <message>
+        <source>&amp;Charts</source>
+        <translation>&amp;Graphiques</translation>
+    </message>
+    <message>
+        <source>Save the charts as PNG, SVG or PDF</source>
+        <translation>Enregistrer les graphiques en PNG, SVG ou PDF</translation>
+    </message>
+    <message>
+        <source>Copy the charts to the clipboard</source>
+        <translation>Copier les graphiques dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenêtre</translation>
+    </message>
+    <message>
+        <source>Save all of the window as PNG, SVG or PDF</source>
+        <translation>Enregistrer toute la fenêtre en PNG, SVG ou PDF</translation>
+    </message>
+    <message>
+        <source>Copy all of the window to the clipboard</source>
+        <translation>Copier toute la fenêtre dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>%1 …</source>
+        <translation>%1 …</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Enregistrer l’image</translation>
+    </message>
+    <message>
+        <source>Picture (*.png);;Drawing (*.svg);;Document (*.pdf)</source>
+        <translation>Image (*.png);;Dessin (*.svg);;Document (*.pdf)</translation>
+    </message>
+    <message>
+        <source>%1 has been written</source>
+        <translation>%1 a été écrit</translation>
     </message>
 </context>
 <context>
@@ -2862,7 +2591,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Temps dans le cycle</translation>
     </message>
     <message>
-        <source>Playback speed; 1 is true time</source>
+        <source>Playback speed; 1 is real time</source>
         <translation>Vitesse de lecture&#xa0;; 1 = temps réel</translation>
     </message>
     <message>
@@ -2874,44 +2603,12 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>Lecture ou pause</translation>
     </message>
     <message>
-        <source>Block b&amp;ack</source>
-        <translation>Bloc &amp;précédent</translation>
-    </message>
-    <message>
-        <source>To the start of this or the previous block</source>
-        <translation>Aller au début de ce bloc ou du précédent</translation>
-    </message>
-    <message>
         <source>Ctrl+Left</source>
         <translation>Ctrl+Left</translation>
     </message>
     <message>
-        <source>Block &amp;on</source>
-        <translation>Bloc &amp;suivant</translation>
-    </message>
-    <message>
-        <source>To the start of the next block</source>
-        <translation>Aller au début du bloc suivant</translation>
-    </message>
-    <message>
         <source>Ctrl+Right</source>
         <translation>Ctrl+Right</translation>
-    </message>
-    <message>
-        <source>Sample &amp;back</source>
-        <translation>Échantillon p&amp;récédent</translation>
-    </message>
-    <message>
-        <source>One interpolation period back</source>
-        <translation>Une période d&apos;interpolation en arrière</translation>
-    </message>
-    <message>
-        <source>Sample o&amp;n</source>
-        <translation>Échantillon s&amp;uivant</translation>
-    </message>
-    <message>
-        <source>One interpolation period on</source>
-        <translation>Une période d&apos;interpolation en avant</translation>
     </message>
     <message>
         <source>&amp;Faster</source>
@@ -2942,7 +2639,7 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>En &amp;boucle</translation>
     </message>
     <message>
-        <source>Play what the charts show over and over</source>
+        <source>Repeat the time range of the charts</source>
         <translation>Lire en boucle ce que montrent les graphiques</translation>
     </message>
     <message>
@@ -2953,23 +2650,71 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>%1 / %2</source>
         <translation>%1 / %2</translation>
     </message>
+    <message>
+        <source>Pre&amp;vious block</source>
+        <translation>Bloc &amp;précédent</translation>
+    </message>
+    <message>
+        <source>Go to the start of this or the previous block</source>
+        <translation>Aller au début de ce bloc ou du précédent</translation>
+    </message>
+    <message>
+        <source>Ne&amp;xt block</source>
+        <translation>Bloc &amp;suivant</translation>
+    </message>
+    <message>
+        <source>Go to the start of the next block</source>
+        <translation>Aller au début du bloc suivant</translation>
+    </message>
+    <message>
+        <source>P&amp;revious sample</source>
+        <translation>Échantillon p&amp;récédent</translation>
+    </message>
+    <message>
+        <source>Go back one interpolation period</source>
+        <translation>Reculer d&apos;une période d&apos;interpolation</translation>
+    </message>
+    <message>
+        <source>&amp;Next sample</source>
+        <translation>Échantillon s&amp;uivant</translation>
+    </message>
+    <message>
+        <source>Go forward one interpolation period</source>
+        <translation>Avancer d&apos;une période d&apos;interpolation</translation>
+    </message>
+    <message>
+        <source>Go to s&amp;tart</source>
+        <translation>Aller au &amp;début</translation>
+    </message>
+    <message>
+        <source>Go to the start of the run</source>
+        <translation>Aller au début de la simulation</translation>
+    </message>
+    <message>
+        <source>Go to &amp;end</source>
+        <translation>Aller à la &amp;fin</translation>
+    </message>
+    <message>
+        <source>Go to the end of the run</source>
+        <translation>Aller à la fin de la simulation</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ProgramMargin</name>
     <message>
-        <source>Not counted: tool change; the machine&apos;s tool change time gives it</source>
+        <source>Not in the cycle time: tool change; give the tool change time of the machine</source>
         <translation>Non compté&#xa0;: changement d&apos;outil&#xa0;; le temps de changement d&apos;outil de la machine le donne</translation>
     </message>
     <message>
-        <source>Not counted: spindle start; the machine&apos;s spindle start time gives it</source>
+        <source>Not in the cycle time: spindle start; give the spindle start time of the machine</source>
         <translation>Non compté&#xa0;: démarrage de la broche&#xa0;; le temps de démarrage de la broche de la machine le donne</translation>
     </message>
     <message>
-        <source>Not counted: program stop</source>
+        <source>Not in the cycle time: program stop</source>
         <translation>Non compté&#xa0;: arrêt programmé</translation>
     </message>
     <message>
-        <source>Neither drawn nor counted: move to or from a machine position; the machine&apos;s positions give it</source>
+        <source>Neither drawn nor in the cycle time: move to or from a machine position; give the positions of the machine</source>
         <translation>Ni tracé ni compté&#xa0;: déplacement vers ou depuis une position machine&#xa0;; les positions de la machine le donnent</translation>
     </message>
     <message>
@@ -2986,20 +2731,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>none</source>
         <translation>aucune</translation>
-    </message>
-    <message>
-        <source>Cutting [mm]: %1</source>
-        <translation>Usinage [mm] : %1</translation>
-    </message>
-    <message>
-        <source>Extents in mm, arcs in full
-Cutting: %1
-Rapid: %2
-All: %3</source>
-        <translation>Étendue en mm, arcs compris
-Usinage : %1
-Rapide : %2
-Ensemble : %3</translation>
     </message>
     <message>
         <source>Find …</source>
@@ -3058,14 +2789,6 @@ Ensemble : %3</translation>
         <translation>Rechercher dans le programme</translation>
     </message>
     <message>
-        <source>Go to the next hit</source>
-        <translation>Aller à l&apos;occurrence suivante</translation>
-    </message>
-    <message>
-        <source>Go to the hit before</source>
-        <translation>Aller à l&apos;occurrence précédente</translation>
-    </message>
-    <message>
         <source>Go to a line of the program</source>
         <translation>Aller à une ligne du programme</translation>
     </message>
@@ -3076,6 +2799,32 @@ Ensemble : %3</translation>
     <message>
         <source>Smaller program text; Ctrl and the wheel do the same</source>
         <translation>Réduire le texte du programme&#xa0;; Ctrl et la molette font de même</translation>
+    </message>
+    <message>
+        <source>Cutting [%1]: %2</source>
+        <translation>Usinage [%1] : %2</translation>
+    </message>
+    <message>
+        <source>Go to the next match</source>
+        <translation>Aller à l&apos;occurrence suivante</translation>
+    </message>
+    <message>
+        <source>Go to the previous match</source>
+        <translation>Aller à l&apos;occurrence précédente</translation>
+    </message>
+    <message>
+        <source>Extents [%1], including arcs
+Cutting: %2
+Rapid: %3
+All: %4</source>
+        <translation>Étendue [%1], arcs compris
+Usinage&#xa0;: %2
+Rapide&#xa0;: %3
+Ensemble&#xa0;: %4</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
     </message>
 </context>
 <context>
@@ -3104,11 +2853,7 @@ Ensemble : %3</translation>
         <translation>Simuler un programme interrompu à cette limite</translation>
     </message>
     <message>
-        <source>The path is already compensated (wear only): radius 0</source>
-        <translation>La trajectoire est déjà compensée (usure seule) : rayon 0</translation>
-    </message>
-    <message>
-        <source>For programs whose CAM system has put the tool&apos;s radius into the path; a radius that is set here still applies</source>
+        <source>For programs whose CAM system has already compensated the tool radius; a radius that is set here still applies</source>
         <translation>Pour les programmes dont la FAO a déjà intégré le rayon de l’outil à la trajectoire ; un rayon saisi ici reste appliqué</translation>
     </message>
     <message>
@@ -3120,36 +2865,12 @@ Ensemble : %3</translation>
         <translation>saisi ici</translation>
     </message>
     <message>
-        <source>the program</source>
-        <translation>le programme</translation>
-    </message>
-    <message>
-        <source>the tool table</source>
-        <translation>la table d’outils</translation>
-    </message>
-    <message>
-        <source>not known: the contour is shown</source>
-        <translation>inconnu : le contour est affiché</translation>
-    </message>
-    <message>
-        <source>Leave out blocks that begin with /</source>
+        <source>Skip blocks that begin with /</source>
         <translation>Omettre les blocs qui commencent par /</translation>
     </message>
     <message>
-        <source>Reading options</source>
-        <translation>Options de lecture</translation>
-    </message>
-    <message>
-        <source>Language of the program</source>
-        <translation>Langage du programme</translation>
-    </message>
-    <message>
-        <source>recognised</source>
-        <translation>reconnu</translation>
-    </message>
-    <message>
-        <source>recognised (now %1)</source>
-        <translation>reconnu (ici %1)</translation>
+        <source>Program import options</source>
+        <translation>Options d&apos;importation du programme</translation>
     </message>
     <message>
         <source>Cutter radii</source>
@@ -3160,36 +2881,16 @@ Ensemble : %3</translation>
         <translation>Outil</translation>
     </message>
     <message>
-        <source>Radius [mm]</source>
-        <translation>Rayon [mm]</translation>
-    </message>
-    <message>
-        <source>Given by</source>
-        <translation>Donné par</translation>
-    </message>
-    <message>
-        <source>%1: %2 mm</source>
-        <translation>%1 : %2 mm</translation>
-    </message>
-    <message>
         <source>set here, not used by the program</source>
         <translation>saisi ici, non utilisé par le programme</translation>
     </message>
     <message>
-        <source>Empty: as the program or the tool table says</source>
+        <source>Empty: the radius of the program or the tool table</source>
         <translation>Vide : selon le programme ou la table d’outils</translation>
     </message>
     <message>
-        <source>A loop that does not end is cut off there</source>
-        <translation>Une boucle sans fin y est coupée</translation>
-    </message>
-    <message>
-        <source>one beside the program, if there is any</source>
+        <source>a table in the folder of the program, if there is one</source>
         <translation>celle à côté du programme, s’il y en a une</translation>
-    </message>
-    <message>
-        <source>Of LinuxCNC, Sinumerik, Fanuc (G10), Heidenhain (TOOL.T), or a list with headings T and R</source>
-        <translation>De LinuxCNC, Sinumerik, Fanuc (G10), Heidenhain (TOOL.T), ou une liste avec les en-têtes T et R</translation>
     </message>
     <message>
         <source>mm</source>
@@ -3200,7 +2901,7 @@ Ensemble : %3</translation>
         <translation>pouce</translation>
     </message>
     <message>
-        <source>Unit of a tool table that does not name it</source>
+        <source>Unit of a tool table that does not state it</source>
         <translation>Unité d’une table d’outils qui ne la nomme pas</translation>
     </message>
     <message>
@@ -3208,28 +2909,20 @@ Ensemble : %3</translation>
         <translation>Choisir …</translation>
     </message>
     <message>
-        <source>Language</source>
-        <translation>Langage</translation>
+        <source>Maximum lines executed by loops and calls</source>
+        <translation>Nombre maximal de lignes exécutées par les boucles et les appels</translation>
     </message>
     <message>
-        <source>Lines that loops and calls may run</source>
-        <translation>Lignes que boucles et appels peuvent exécuter</translation>
-    </message>
-    <message>
-        <source>Calls inside each other</source>
-        <translation>Appels imbriqués</translation>
+        <source>Maximum call depth</source>
+        <translation>Profondeur maximale des appels</translation>
     </message>
     <message>
         <source>Tool table</source>
         <translation>Table d’outils</translation>
     </message>
     <message>
-        <source>The program compensates for no cutter.</source>
+        <source>The program uses no cutter radius compensation.</source>
         <translation>Le programme n’active aucune correction de rayon.</translation>
-    </message>
-    <message>
-        <source>The radius of tool %1, &quot;%2&quot;, is no length of 0 mm or more.</source>
-        <translation>Le rayon de l’outil %1, « %2 », n’est pas une longueur de 0 mm ou plus.</translation>
     </message>
     <message>
         <source>Choose a tool table</source>
@@ -3244,23 +2937,72 @@ Ensemble : %3</translation>
         <translation>Unité du programme</translation>
     </message>
     <message>
-        <source>the program&apos;s (now %1)</source>
+        <source>as programmed (now %1)</source>
         <translation>celle du programme (actuellement %1)</translation>
     </message>
     <message>
-        <source>the program&apos;s, or else mm</source>
+        <source>as programmed, otherwise mm</source>
         <translation>celle du programme, sinon mm</translation>
     </message>
     <message>
-        <source>Unit of lengths and feeds until the program says one: G20, G21, G70, G71, BEGIN PGM ... MM</source>
+        <source>Unit of lengths and feeds until the program sets one: G20, G21, G70, G71, BEGIN PGM ... MM</source>
         <translation>Unité des longueurs et des avances tant que le programme n&apos;en indique pas : G20, G21, G70, G71, BEGIN PGM ... MM</translation>
     </message>
-</context>
-<context>
-    <name>feedscope::ui::RemedyJob</name>
     <message>
-        <source>The program needs more memory than there is.</source>
-        <translation>Le programme demande plus de mémoire qu&apos;il n&apos;y en a.</translation>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>The radius of tool %1, &quot;%2&quot;, is not a length of 0 or more.</source>
+        <translation>Le rayon de l&apos;outil %1, « %2 », n&apos;est pas une longueur de 0 ou plus.</translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation>programme</translation>
+    </message>
+    <message>
+        <source>tool table</source>
+        <translation>table d’outils</translation>
+    </message>
+    <message>
+        <source>unknown: the programmed contour is shown</source>
+        <translation>inconnu&#xa0;: le contour programmé est affiché</translation>
+    </message>
+    <message>
+        <source>Path already compensated (wear only): radius 0</source>
+        <translation>La trajectoire est déjà compensée (usure seule)&#xa0;: rayon 0</translation>
+    </message>
+    <message>
+        <source>auto-detected</source>
+        <translation>détecté automatiquement</translation>
+    </message>
+    <message>
+        <source>auto-detected (now %1)</source>
+        <translation>détecté automatiquement (ici %1)</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Endless loops are cut off at this limit</source>
+        <translation>Les boucles sans fin sont coupées à cette limite</translation>
+    </message>
+    <message>
+        <source>LinuxCNC, Sinumerik, Fanuc (G10) or Heidenhain (TOOL.T) format, or a list with the headings T and R</source>
+        <translation>Format LinuxCNC, Sinumerik, Fanuc (G10) ou Heidenhain (TOOL.T), ou une liste avec les en-têtes T et R</translation>
+    </message>
+    <message>
+        <source>Dialect of the program</source>
+        <translation>Dialecte du programme</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialecte</translation>
     </message>
 </context>
 <context>
@@ -3274,7 +3016,7 @@ Ensemble : %3</translation>
         <translation>%1&#xa0;: simulation en cours</translation>
     </message>
     <message>
-        <source>%1: the program takes %2 instead of %3, the place about the cursor %4 instead of %5</source>
+        <source>%1: the program takes %2 instead of %3, the place at the cursor %4 instead of %5</source>
         <translation>%1&#xa0;: le programme prend %2 au lieu de %3, l&apos;endroit autour du curseur %4 au lieu de %5</translation>
     </message>
     <message>
@@ -3282,15 +3024,15 @@ Ensemble : %3</translation>
         <translation>Temps de cycle avec le changement</translation>
     </message>
     <message>
-        <source>What the cycle time becomes shorter (−) or longer (+)</source>
+        <source>Change in cycle time: shorter (−) or longer (+)</source>
         <translation>Temps de cycle plus court (−) ou plus long (+) d&apos;autant</translation>
     </message>
     <message>
-        <source>The same of the blocks about the cursor</source>
+        <source>The same for the blocks around the cursor</source>
         <translation>De même pour les blocs autour du curseur</translation>
     </message>
     <message>
-        <source>What is changed; a double click makes a run of it</source>
+        <source>The change; double-click to make it a new run</source>
         <translation>Ce qui est changé&#xa0;; un double-clic en fait une simulation</translation>
     </message>
     <message>
@@ -3360,7 +3102,7 @@ Ensemble : %3</translation>
         <translation>Simuler la simulation courante (F9)</translation>
     </message>
     <message>
-        <source>The run “%1” was cancelled: there is nothing to show of it.</source>
+        <source>The run “%1” was cancelled: it has no result.</source>
         <translation>La simulation « %1 » a été annulée : il n’y a rien à en montrer.</translation>
     </message>
     <message>
@@ -3372,16 +3114,12 @@ Ensemble : %3</translation>
         <translation>Aucun programme n’est affiché. %1</translation>
     </message>
     <message>
-        <source>Nothing in %1 moves an axis. Check that it is an NC program; it was read as %2, and File › Reading options chooses another language. The panel Messages lists what was found in it.</source>
+        <source>Nothing in %1 moves an axis. Check that it is an NC program; it was read as %2, and File › Program import options selects another language. The panel Messages lists what was found in it.</source>
         <translation>Rien dans %1 ne déplace un axe. Vérifiez qu’il s’agit d’un programme CN ; il a été lu comme %2, et Fichier › Options de lecture permet de choisir un autre langage. Le panneau Messages dit ce qu’on y a trouvé.</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::RunTable</name>
-    <message>
-        <source>Its contour error of %1 µm is above the bound of %2 µm.</source>
-        <translation>Son erreur de contour de %1&#xa0;µm dépasse la borne de %2&#xa0;µm.</translation>
-    </message>
     <message>
         <source>★ The fastest of these runs.</source>
         <translation>★ La plus rapide de ces simulations.</translation>
@@ -3399,10 +3137,6 @@ Ensemble : %3</translation>
         <translation>Modèle</translation>
     </message>
     <message>
-        <source>Tolerance [mm]</source>
-        <translation>Tolérance [mm]</translation>
-    </message>
-    <message>
         <source>Cycle time</source>
         <translation>Temps de cycle</translation>
     </message>
@@ -3411,15 +3145,11 @@ Ensemble : %3</translation>
         <translation>Plus lent [%]</translation>
     </message>
     <message>
-        <source>Error [µm]</source>
-        <translation>Erreur [µm]</translation>
-    </message>
-    <message>
-        <source>Name of the run; the box shows its path and feed beside those of the current run</source>
+        <source>Name of the run; the box shows its path and feed together with those of the current run</source>
         <translation>Nom de la simulation&#xa0;; la case affiche sa trajectoire et son avance à côté de celles de la simulation actuelle</translation>
     </message>
     <message>
-        <source>Machine whose axis limits hold</source>
+        <source>Machine whose axis limits apply</source>
         <translation>Machine dont les limites d&apos;axe s&apos;appliquent</translation>
     </message>
     <message>
@@ -3427,24 +3157,12 @@ Ensemble : %3</translation>
         <translation>Modèle de commande</translation>
     </message>
     <message>
-        <source>Cycle time [s, or min:s]; the star marks the fastest run that keeps the error bound</source>
+        <source>Cycle time [s, or min:s]; the star marks the fastest run within the error bound</source>
         <translation>Temps de cycle [s, ou min:s]&#xa0;; l&apos;étoile marque la simulation la plus rapide qui respecte la borne d&apos;erreur</translation>
     </message>
     <message>
         <source>Cycle time above that of the fastest run [%]</source>
         <translation>Temps de cycle au-dessus de celui de la simulation la plus rapide [%]</translation>
-    </message>
-    <message>
-        <source>Mean feed: executed path over cycle time without dwells [mm/min]</source>
-        <translation>Avance moyenne&#xa0;: trajectoire exécutée divisée par le temps de cycle sans temporisations [mm/min]</translation>
-    </message>
-    <message>
-        <source>Largest distance of the executed path from the programmed one [µm]</source>
-        <translation>Plus grande distance entre la trajectoire exécutée et la trajectoire programmée [µm]</translation>
-    </message>
-    <message>
-        <source>Contour tolerance in force, of the program or the setting [mm]</source>
-        <translation>Tolérance de contour en vigueur, du programme ou du réglage [mm]</translation>
     </message>
     <message>
         <source>cancelled</source>
@@ -3463,35 +3181,43 @@ Ensemble : %3</translation>
         <translation>Elle a échoué : %1</translation>
     </message>
     <message>
-        <source>Mean feed [mm/min]</source>
-        <translation>Avance moyenne [mm/min]</translation>
+        <source>Its contour error of %1 is above the bound of %2.</source>
+        <translation>Son erreur de contour de %1 dépasse la borne de %2.</translation>
+    </message>
+    <message>
+        <source>Tolerance</source>
+        <translation>Tolérance</translation>
+    </message>
+    <message>
+        <source>Mean feed</source>
+        <translation>Avance moyenne</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Mean feed: executed path over cycle time without dwells</source>
+        <translation>Avance moyenne&#xa0;: trajectoire exécutée divisée par le temps de cycle sans temporisations</translation>
+    </message>
+    <message>
+        <source>Largest distance of the executed path from the programmed one</source>
+        <translation>Plus grande distance entre la trajectoire exécutée et la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>Contour tolerance in force, from the program or the setting</source>
+        <translation>Tolérance de contour en vigueur, du programme ou du réglage</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::RunsView</name>
     <message>
-        <source>Error at &amp;most</source>
-        <translation>Erreur ma&amp;x.</translation>
-    </message>
-    <message>
         <source>Runs and their results</source>
         <translation>Simulations et leurs résultats</translation>
     </message>
     <message>
-        <source> µm</source>
-        <translation> µm</translation>
-    </message>
-    <message>
-        <source>Only runs whose contour error keeps this bound [µm] compete for the fastest</source>
-        <translation>Seules les simulations dont l&apos;erreur de contour respecte cette borne [µm] comptent pour la plus rapide</translation>
-    </message>
-    <message>
         <source>&amp;Duplicate</source>
         <translation>&amp;Dupliquer</translation>
-    </message>
-    <message>
-        <source>A copy of the current run, to be changed</source>
-        <translation>Une copie de la simulation actuelle, à modifier</translation>
     </message>
     <message>
         <source>Ctrl+D</source>
@@ -3502,10 +3228,6 @@ Ensemble : %3</translation>
         <translation>&amp;Tolérances …</translation>
     </message>
     <message>
-        <source>Copies of the current run with other contour tolerances</source>
-        <translation>Copies de la simulation actuelle avec d&apos;autres tolérances de contour</translation>
-    </message>
-    <message>
         <source>Ctrl+T</source>
         <translation>Ctrl+T</translation>
     </message>
@@ -3514,7 +3236,7 @@ Ensemble : %3</translation>
         <translation>&amp;Supprimer</translation>
     </message>
     <message>
-        <source>Take the current run away</source>
+        <source>Remove the current run</source>
         <translation>Supprimer la simulation actuelle</translation>
     </message>
     <message>
@@ -3554,16 +3276,12 @@ Ensemble : %3</translation>
         <translation>Couleur de la simulation actuelle dans les graphiques et la vue 3D</translation>
     </message>
     <message>
-        <source>The model of this run reads no contour tolerance.</source>
+        <source>The model of this run does not use a contour tolerance.</source>
         <translation>Le modèle de cette simulation ne lit pas de tolérance de contour.</translation>
     </message>
     <message>
         <source>Runs with other tolerances</source>
         <translation>Simulations à d&apos;autres tolérances</translation>
-    </message>
-    <message>
-        <source>Contour tolerances [mm], with spaces between them:</source>
-        <translation>Tolérances de contour [mm], séparées par des espaces&#xa0;:</translation>
     </message>
     <message>
         <source>runs with other tolerances</source>
@@ -3582,7 +3300,7 @@ Ensemble : %3</translation>
         <translation>%1 simulations calculées sur %2.</translation>
     </message>
     <message>
-        <source>No run keeps this bound.</source>
+        <source>No run is within this bound.</source>
         <translation>Aucune simulation ne respecte cette borne.</translation>
     </message>
     <message>
@@ -3602,16 +3320,8 @@ Ensemble : %3</translation>
         <translation>R&amp;enommer</translation>
     </message>
     <message>
-        <source>Type a name for the current run; an empty one is what it runs on</source>
+        <source>Type a name for the current run; empty: named by its machine and settings</source>
         <translation>Saisir un nom pour la simulation courante ; sans nom, elle porte celui de ses réglages</translation>
-    </message>
-    <message>
-        <source>Put spaces or semicolons between the tolerances.</source>
-        <translation>Séparez les tolérances par des espaces ou des points-virgules.</translation>
-    </message>
-    <message>
-        <source>Fastest within %1 µm</source>
-        <translation>La plus rapide à %1&#xa0;µm près</translation>
     </message>
     <message>
         <source>Fastest</source>
@@ -3621,31 +3331,55 @@ Ensemble : %3</translation>
         <source>%1: %2 with %3.</source>
         <translation>%1&#xa0;: %2 en %3.</translation>
     </message>
+    <message>
+        <source>Fastest within %1</source>
+        <translation>La plus rapide à %1 près</translation>
+    </message>
+    <message>
+        <source>Separate the tolerances by spaces or semicolons.</source>
+        <translation>Séparez les tolérances par des espaces ou des points-virgules.</translation>
+    </message>
+    <message>
+        <source>Only runs with a contour error within this bound are considered for the fastest</source>
+        <translation>Seules les simulations dont l&apos;erreur de contour respecte cette borne sont prises en compte pour la plus rapide</translation>
+    </message>
+    <message>
+        <source>Copy the current run to change it</source>
+        <translation>Copier la simulation courante pour la modifier</translation>
+    </message>
+    <message>
+        <source>Create copies of the current run with other contour tolerances</source>
+        <translation>Créer des copies de la simulation courante avec d&apos;autres tolérances de contour</translation>
+    </message>
+    <message>
+        <source>Contour tolerances [%1], separated by spaces:</source>
+        <translation>Tolérances de contour [%1], séparées par des espaces&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Ma&amp;x. error</source>
+        <translation>Erreur ma&amp;x.</translation>
+    </message>
+    <message>
+        <source>Runs</source>
+        <translation>Simulations</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SceneActions</name>
     <message>
-        <source>What the colour of the executed path shows</source>
-        <translation>Ce que montre la couleur de la trajectoire exécutée</translation>
-    </message>
-    <message>
         <source>Run</source>
         <translation>Simulation</translation>
-    </message>
-    <message>
-        <source>Colour the path by this</source>
-        <translation>Colorer la trajectoire selon cette grandeur</translation>
     </message>
     <message>
         <source>Colour: %1</source>
         <translation>Couleur&#xa0;: %1</translation>
     </message>
     <message>
-        <source>How much larger than they are deviations from the programmed path are drawn</source>
-        <translation>Facteur d&apos;agrandissement des écarts à la trajectoire programmée</translation>
+        <source>Exaggeration of deviations from the programmed path</source>
+        <translation>Amplification des écarts à la trajectoire programmée</translation>
     </message>
     <message>
-        <source>Draw deviations from the programmed path so much larger</source>
+        <source>Exaggerate deviations from the programmed path by this factor</source>
         <translation>Dessiner les écarts à la trajectoire programmée agrandis d&apos;autant</translation>
     </message>
     <message>
@@ -3663,10 +3397,6 @@ Ensemble : %3</translation>
     <message>
         <source>&amp;Isometric</source>
         <translation>&amp;Isométrique</translation>
-    </message>
-    <message>
-        <source>View from right, front and above</source>
-        <translation>Vue de droite, de face et de dessus</translation>
     </message>
     <message>
         <source>&amp;Top</source>
@@ -3721,20 +3451,12 @@ Ensemble : %3</translation>
         <translation>&amp;Perspective</translation>
     </message>
     <message>
-        <source>Nearer things look larger; without it lengths can be compared</source>
+        <source>Perspective: nearer parts look larger; without it lengths can be compared</source>
         <translation>Ce qui est proche paraît plus grand&#xa0;; sans elle, les longueurs se comparent</translation>
     </message>
     <message>
         <source>&amp;Grid</source>
         <translation>Gri&amp;lle</translation>
-    </message>
-    <message>
-        <source>Grid lines behind the path, in mm</source>
-        <translation>Quadrillage derrière la trajectoire, en mm</translation>
-    </message>
-    <message>
-        <source>The tool drawn at the cursor</source>
-        <translation>L&apos;outil dessiné au curseur</translation>
     </message>
     <message>
         <source>Tool</source>
@@ -3743,10 +3465,6 @@ Ensemble : %3</translation>
     <message>
         <source>Marker</source>
         <translation>Repère</translation>
-    </message>
-    <message>
-        <source>A cone that marks the place, of no size</source>
-        <translation>Un cône qui marque l&apos;endroit, sans dimension</translation>
     </message>
     <message>
         <source>Flat end mill</source>
@@ -3761,10 +3479,6 @@ Ensemble : %3</translation>
         <translation>Fraise hémisphérique</translation>
     </message>
     <message>
-        <source>A cylinder with a half ball</source>
-        <translation>Un cylindre à bout hémisphérique</translation>
-    </message>
-    <message>
         <source>Bull nose end mill</source>
         <translation>Fraise torique</translation>
     </message>
@@ -3775,22 +3489,6 @@ Ensemble : %3</translation>
     <message>
         <source>No tool</source>
         <translation>Aucun outil</translation>
-    </message>
-    <message>
-        <source>Nothing at the cursor</source>
-        <translation>Rien au curseur</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Diameter of the cutter in mm</source>
-        <translation>Diamètre de la fraise en mm</translation>
-    </message>
-    <message>
-        <source>Radius of a bull nose&apos;s corners in mm</source>
-        <translation>Rayon de coin d&apos;une fraise torique en mm</translation>
     </message>
     <message>
         <source>Diameter</source>
@@ -3805,32 +3503,20 @@ Ensemble : %3</translation>
         <translation>&amp;Mesurer</translation>
     </message>
     <message>
-        <source>Click two places on the path: distance, path length and time between</source>
-        <translation>Cliquer deux points de la trajectoire&#xa0;: distance, longueur de trajectoire et temps entre eux</translation>
-    </message>
-    <message>
         <source>&amp;Box</source>
         <translation>&amp;Zone</translation>
-    </message>
-    <message>
-        <source>Drag a box: the view and the charts show what is in it</source>
-        <translation>Tracer une zone&#xa0;: la vue et les graphiques montrent ce qu&apos;elle contient</translation>
     </message>
     <message>
         <source>To &amp;charts</source>
         <translation>&amp;Vers graphiques</translation>
     </message>
     <message>
-        <source>The charts show the time range of what is in view</source>
+        <source>Zoom the charts to the time range of the 3D view</source>
         <translation>Les graphiques montrent la plage de temps de ce qui est visible</translation>
     </message>
     <message>
         <source>Fit &amp;path</source>
         <translation>Cadrer la &amp;trajectoire</translation>
-    </message>
-    <message>
-        <source>The whole path in the view</source>
-        <translation>Toute la trajectoire dans la vue</translation>
     </message>
     <message>
         <source>Ctrl+0</source>
@@ -3845,12 +3531,64 @@ Ensemble : %3</translation>
         <translation>Écart</translation>
     </message>
     <message>
-        <source>Colour the path by this, against another run</source>
-        <translation>Colorer la trajectoire selon cela, face à une autre simulation</translation>
-    </message>
-    <message>
         <source>There is no other run to compare with: duplicate the run (Ctrl+D) and change the copy</source>
         <translation>Il n&apos;y a pas d&apos;autre simulation à comparer&#xa0;: dupliquez la simulation (Ctrl+D) et modifiez la copie</translation>
+    </message>
+    <message>
+        <source>Grid lines behind the path</source>
+        <translation>Quadrillage derrière la trajectoire</translation>
+    </message>
+    <message>
+        <source>Diameter of the cutter</source>
+        <translation>Diamètre de la fraise</translation>
+    </message>
+    <message>
+        <source>Corner radius of a bull nose end mill</source>
+        <translation>Rayon de coin d&apos;une fraise torique</translation>
+    </message>
+    <message>
+        <source>Quantity shown by the colour of the executed path</source>
+        <translation>Grandeur représentée par la couleur de la trajectoire exécutée</translation>
+    </message>
+    <message>
+        <source>Colour the path by this quantity</source>
+        <translation>Colorer la trajectoire selon cette grandeur</translation>
+    </message>
+    <message>
+        <source>Colour the path by the difference from another run</source>
+        <translation>Colorer la trajectoire selon la différence avec une autre simulation</translation>
+    </message>
+    <message>
+        <source>View from the right, front and top</source>
+        <translation>Vue de droite, de face et de dessus</translation>
+    </message>
+    <message>
+        <source>Tool drawn at the cursor</source>
+        <translation>L&apos;outil dessiné au curseur</translation>
+    </message>
+    <message>
+        <source>A cone that marks the place, without dimensions</source>
+        <translation>Un cône qui marque l&apos;endroit, sans dimension</translation>
+    </message>
+    <message>
+        <source>A cylinder with a hemispherical end</source>
+        <translation>Un cylindre à bout hémisphérique</translation>
+    </message>
+    <message>
+        <source>Show nothing at the cursor</source>
+        <translation>Ne rien afficher au curseur</translation>
+    </message>
+    <message>
+        <source>Click two points on the path to measure the distance, path length and time between them</source>
+        <translation>Cliquer deux points de la trajectoire pour mesurer la distance, la longueur de trajectoire et le temps entre eux</translation>
+    </message>
+    <message>
+        <source>Drag a box to zoom the view and the charts to it</source>
+        <translation>Tracer une zone pour y zoomer la vue et les graphiques</translation>
+    </message>
+    <message>
+        <source>Fit the whole path into the view</source>
+        <translation>Cadrer toute la trajectoire dans la vue</translation>
     </message>
 </context>
 <context>
@@ -3893,7 +3631,7 @@ Ensemble : %3</translation>
         <translation>Configuration</translation>
     </message>
     <message>
-        <source>Machine whose axis limits and control settings hold</source>
+        <source>Machine whose axis limits and control settings apply</source>
         <translation>Machine dont les limites d&apos;axe et les réglages de commande s&apos;appliquent</translation>
     </message>
     <message>
@@ -3943,11 +3681,11 @@ Ensemble : %3</translation>
         <translation>Plage&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Changed; the file says %1.</source>
+        <source>Changed; the machine file has %1.</source>
         <translation>Modifié&#xa0;; le fichier indique %1.</translation>
     </message>
     <message>
-        <source>Source: the model&apos;s own value; the machine&apos;s file gives none.</source>
+        <source>Source: default of the model; the machine file gives none.</source>
         <translation>Source&#xa0;: valeur propre au modèle&#xa0;; le fichier machine n&apos;en donne pas.</translation>
     </message>
     <message>
@@ -3969,7 +3707,7 @@ Ensemble : %3</translation>
         </translation>
     </message>
     <message>
-        <source>Settings that this machine has no value for; without one, what they give a place or a time is neither drawn nor timed</source>
+        <source>Settings without a value on this machine: motion and times that need them are neither drawn nor timed</source>
         <translation>Réglages sans valeur pour cette machine&#xa0;; sans elle, ce dont ils donnent le lieu ou la durée n&apos;est ni tracé ni compté</translation>
     </message>
     <message>
@@ -3988,20 +3726,24 @@ Ensemble : %3</translation>
         </translation>
     </message>
     <message>
-        <source>Changed against the file:</source>
-        <translation>Modifié par rapport au fichier&#xa0;:</translation>
-    </message>
-    <message>
         <source>back to the file</source>
         <translation>revenir au fichier</translation>
     </message>
     <message>
-        <source>Choose a value to see what it means. Bold: changed. Italic: assumed, no source gives it.</source>
+        <source>Select a value to see what it means. Bold: changed. Italic: assumed, without a source.</source>
         <translation>Choisir une valeur pour voir ce qu&apos;elle signifie. Gras&#xa0;: modifiée. Italique&#xa0;: supposée, aucune source ne la donne.</translation>
     </message>
     <message>
-        <source>This model reads no control settings.</source>
+        <source>This model has no control settings.</source>
         <translation>Ce modèle ne lit aucun réglage de commande.</translation>
+    </message>
+    <message>
+        <source>Changed from the file:</source>
+        <translation>Modifié par rapport au fichier&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Machine and control</source>
+        <translation>Machine et commande</translation>
     </message>
 </context>
 <context>
@@ -4011,7 +3753,7 @@ Ensemble : %3</translation>
         <translation>Deux vues &amp;côte à côte</translation>
     </message>
     <message>
-        <source>Another run beside the current one, turned and coloured alike</source>
+        <source>Another run beside the current one, with the same camera and colours</source>
         <translation>Une autre simulation à côté de la simulation courante, tournée et colorée de même</translation>
     </message>
     <message>
@@ -4035,11 +3777,7 @@ Ensemble : %3</translation>
         <translation>Comparer &amp;avec</translation>
     </message>
     <message>
-        <source>One view split in t&amp;wo</source>
-        <translation>Une vue partagée en &amp;deux</translation>
-    </message>
-    <message>
-        <source>The current run left of a line that is dragged, another one right of it</source>
+        <source>The current run to the left of a draggable line, another one to the right</source>
         <translation>La simulation courante à gauche d&apos;une ligne que l&apos;on déplace, une autre à droite</translation>
     </message>
     <message>
@@ -4047,11 +3785,7 @@ Ensemble : %3</translation>
         <translation>Ctrl+Shift+8</translation>
     </message>
     <message>
-        <source>Line to the &amp;left</source>
-        <translation>Ligne vers la &amp;gauche</translation>
-    </message>
-    <message>
-        <source>Less of the current run in the split view</source>
+        <source>Move the dividing line to the left</source>
         <translation>Moins de la simulation courante dans la vue partagée</translation>
     </message>
     <message>
@@ -4059,11 +3793,7 @@ Ensemble : %3</translation>
         <translation>Ctrl+Shift+Left</translation>
     </message>
     <message>
-        <source>Line to the ri&amp;ght</source>
-        <translation>Ligne vers la d&amp;roite</translation>
-    </message>
-    <message>
-        <source>More of the current run in the split view</source>
+        <source>Move the dividing line to the right</source>
         <translation>Plus de la simulation courante dans la vue partagée</translation>
     </message>
     <message>
@@ -4071,23 +3801,28 @@ Ensemble : %3</translation>
         <translation>Ctrl+Shift+Right</translation>
     </message>
     <message>
-        <source>The run that time lost and distances are told against</source>
+        <source>The reference run for time lost and distances</source>
         <translation>La simulation à laquelle se rapportent temps perdu et distances</translation>
     </message>
     <message>
-        <source>The run beside it, or the first other one</source>
+        <source>The run in the second view, or the first other run</source>
         <translation>La simulation voisine, ou la première autre</translation>
     </message>
     <message>
-        <source>against %1</source>
-        <translation>face à %1</translation>
+        <source>Split vie&amp;w</source>
+        <translation>&amp;Vue partagée</translation>
     </message>
-</context>
-<context>
-    <name>feedscope::ui::SimulationJob</name>
     <message>
-        <source>The program needs more memory than there is.</source>
-        <translation>Le programme demande plus de mémoire qu&apos;il n&apos;y en a.</translation>
+        <source>Dividing line &amp;left</source>
+        <translation>Ligne de partage à &amp;gauche</translation>
+    </message>
+    <message>
+        <source>Dividing line ri&amp;ght</source>
+        <translation>Ligne de partage à d&amp;roite</translation>
+    </message>
+    <message>
+        <source>compared with %1</source>
+        <translation>comparé à %1</translation>
     </message>
 </context>
 <context>
@@ -4102,7 +3837,7 @@ Ensemble : %3</translation>
     </message>
     <message>
         <source>From %1 s to %2 s, slowest at %3 s in line %4.
-%5 s are lost against the programmed feed, most of it to: %6.</source>
+%5 s lost against the programmed feed, mostly due to: %6.</source>
         <translation>De %1&#xa0;s à %2&#xa0;s, le plus lent à %3&#xa0;s, ligne %4.
 %5&#xa0;s perdues par rapport à l&apos;avance programmée, surtout par&#xa0;: %6.</translation>
     </message>
@@ -4119,28 +3854,16 @@ Ensemble : %3</translation>
         <translation>Lignes</translation>
     </message>
     <message>
-        <source>Slowest feed [mm/min]</source>
-        <translation>Avance min. [mm/min]</translation>
-    </message>
-    <message>
         <source>Cause</source>
         <translation>Cause</translation>
+    </message>
+    <message>
+        <source>Slowest feed</source>
+        <translation>Avance min.</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::SlowPlacesView</name>
-    <message>
-        <source>The worst %1</source>
-        <translation>Les %1 pires</translation>
-    </message>
-    <message>
-        <source>All that are kept</source>
-        <translation>Tous les conservés</translation>
-    </message>
-    <message>
-        <source>How many places are listed, and gone to by F7</source>
-        <translation>Nombre de ralentissements affichés et parcourus par F7</translation>
-    </message>
     <message>
         <source>Number of places</source>
         <translation>Nombre de ralentissements</translation>
@@ -4162,23 +3885,35 @@ Ensemble : %3</translation>
         <translation>%1&#xa0;s sur %2&#xa0;s perdues par rapport à l&apos;avance programmée, en %3 endroits</translation>
     </message>
     <message>
-        <source>Go on to the next listed place that loses time</source>
+        <source>Go to the next listed place that loses time</source>
         <translation>Aller au prochain endroit de la liste qui perd du temps</translation>
     </message>
     <message>
-        <source>Go back to the listed place before</source>
+        <source>Go to the previous listed place</source>
         <translation>Revenir à l&apos;endroit précédent de la liste</translation>
+    </message>
+    <message>
+        <source>Number of places listed and visited by F7</source>
+        <translation>Nombre de ralentissements affichés et parcourus par F7</translation>
+    </message>
+    <message>
+        <source>Worst %1</source>
+        <translation>Les %1 pires</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Tous</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::SplitHandle</name>
     <message>
-        <source>Drag to see more of one run or of the other</source>
+        <source>Drag to show more of one run or the other</source>
         <translation>Déplacer pour voir plus d&apos;une simulation ou de l&apos;autre</translation>
     </message>
     <message>
-        <source>Line between the two runs</source>
-        <translation>Ligne entre les deux simulations</translation>
+        <source>Dividing line between the two runs</source>
+        <translation>Ligne de partage entre les deux simulations</translation>
     </message>
 </context>
 <context>
@@ -4195,7 +3930,7 @@ Ensemble : %3</translation>
         <translation>Arrêter</translation>
     </message>
     <message>
-        <source>Stop what is under way (Esc)</source>
+        <source>Stop the running calculation (Esc)</source>
         <translation>Arrêter ce qui est en cours (Esc)</translation>
     </message>
     <message>
@@ -4243,35 +3978,15 @@ Ensemble : %3</translation>
         <translation>%1&#xa0;s</translation>
     </message>
     <message>
-        <source>%1 mm</source>
-        <translation>%1&#xa0;mm</translation>
-    </message>
-    <message>
         <source>line %1</source>
         <translation>ligne %1</translation>
-    </message>
-    <message>
-        <source>%1 mm/min</source>
-        <translation>%1&#xa0;mm/min</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::StudyChart</name>
     <message>
-        <source>Largest contour error [µm]</source>
-        <translation>Plus grande erreur de contour [µm]</translation>
-    </message>
-    <message>
         <source>Cycle time [s]</source>
         <translation>Temps de cycle [s]</translation>
-    </message>
-    <message>
-        <source>bound %1 µm</source>
-        <translation>borne %1 µm</translation>
-    </message>
-    <message>
-        <source>%1 µm</source>
-        <translation>%1&#xa0;µm</translation>
     </message>
     <message>
         <source>%1 s at %2</source>
@@ -4281,20 +3996,17 @@ Ensemble : %3</translation>
         <source>Cycle time and contour error over a setting: choose it and its range, then press Study.</source>
         <translation>Temps de cycle et erreur de contour en fonction d’un réglage : choisissez-le avec sa plage, puis pressez Étudier.</translation>
     </message>
-</context>
-<context>
-    <name>feedscope::ui::StudyJob</name>
     <message>
-        <source>The program needs more memory than there is.</source>
-        <translation>Le programme demande plus de mémoire qu’il n’y en a.</translation>
+        <source>bound %1</source>
+        <translation>borne %1</translation>
+    </message>
+    <message>
+        <source>Largest contour error</source>
+        <translation>Plus grande erreur de contour</translation>
     </message>
 </context>
 <context>
     <name>feedscope::ui::StudyTable</name>
-    <message>
-        <source>A tolerance of %1 mm takes %2 s longer than %3 mm, mostly by %4 (%5 s more): a corner blend can take longer than a narrower one or an exact stop, because it is passed at a limited speed along its whole length.</source>
-        <translation>Une tolérance de %1 mm demande %2 s de plus que %3 mm, surtout par %4 (%5 s de plus) : un raccordement de coin peut durer plus longtemps qu’un plus étroit ou qu’un arrêt exact, car il est parcouru à vitesse limitée sur toute sa longueur.</translation>
-    </message>
     <message>
         <source>%1 % %2</source>
         <translation>%1 % %2</translation>
@@ -4316,16 +4028,16 @@ Ensemble : %3</translation>
         <translation>Temps de cycle</translation>
     </message>
     <message>
-        <source>Error [µm]</source>
-        <translation>Erreur [µm]</translation>
+        <source>Mean feed</source>
+        <translation>Avance moyenne</translation>
     </message>
     <message>
-        <source>Limited most by</source>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Mainly limited by</source>
         <translation>Limitée surtout par</translation>
-    </message>
-    <message>
-        <source>Mean feed [mm/min]</source>
-        <translation>Avance moyenne [mm/min]</translation>
     </message>
 </context>
 <context>
@@ -4335,16 +4047,8 @@ Ensemble : %3</translation>
         <translation>&amp;Logarithmique</translation>
     </message>
     <message>
-        <source>Error at &amp;most</source>
-        <translation>Erreur d’au &amp;plus</translation>
-    </message>
-    <message>
         <source>&amp;Study</source>
         <translation>É&amp;tudier</translation>
-    </message>
-    <message>
-        <source>&amp;Make it a run</source>
-        <translation>En &amp;faire une simulation</translation>
     </message>
     <message>
         <source>Cancelled.</source>
@@ -4359,24 +4063,8 @@ Ensemble : %3</translation>
         <translation>Dernière valeur du réglage, dans son unité</translation>
     </message>
     <message>
-        <source>How many values</source>
-        <translation>Combien de valeurs</translation>
-    </message>
-    <message>
-        <source>Equal ratios from value to value, not equal steps</source>
+        <source>Logarithmic steps from value to value</source>
         <translation>Rapports égaux d’une valeur à l’autre, et non des pas égaux</translation>
-    </message>
-    <message>
-        <source> µm</source>
-        <translation> µm</translation>
-    </message>
-    <message>
-        <source>Only runs whose contour error keeps this bound [µm] compete for the fastest</source>
-        <translation>Seules les simulations dont l’erreur de contour respecte cette limite [µm] concourent pour la plus rapide</translation>
-    </message>
-    <message>
-        <source>The setting that changes from run to run</source>
-        <translation>Le réglage qui change d’une simulation à l’autre</translation>
     </message>
     <message>
         <source>Setting</source>
@@ -4385,10 +4073,6 @@ Ensemble : %3</translation>
     <message>
         <source>Results of the study</source>
         <translation>Résultats de l’étude</translation>
-    </message>
-    <message>
-        <source>Add the run of the chosen value to the runs</source>
-        <translation>Ajouter aux simulations celle de la valeur choisie</translation>
     </message>
     <message>
         <source>&amp;Study a setting …</source>
@@ -4407,19 +4091,15 @@ Ensemble : %3</translation>
         <translation>Copier l’image de l’étude</translation>
     </message>
     <message>
-        <source>The curves of the study to the clipboard</source>
-        <translation>Les courbes de l’étude dans le presse-papiers</translation>
-    </message>
-    <message>
         <source>Save the study as CSV …</source>
         <translation>Enregistrer l’étude en CSV …</translation>
     </message>
     <message>
-        <source>The figures, one row a run</source>
+        <source>The numbers, one row per run</source>
         <translation>Les valeurs, une ligne par simulation</translation>
     </message>
     <message>
-        <source>There is no study to save yet.</source>
+        <source>There is no study to save: run one first.</source>
         <translation>Il n’y a pas encore d’étude à enregistrer.</translation>
     </message>
     <message>
@@ -4455,12 +4135,8 @@ Ensemble : %3</translation>
         <translation>Simulation de %1 valeurs …</translation>
     </message>
     <message>
-        <source>Which value of a setting is the fastest, and what does it cost in contour error?</source>
+        <source>Which value of a setting is the fastest, and what contour error does it cause?</source>
         <translation>Quelle valeur d’un réglage est la plus rapide, et que coûte-t-elle en erreur de contour ?</translation>
-    </message>
-    <message>
-        <source>No value keeps the bound of %1 µm.</source>
-        <translation>Aucune valeur ne respecte la limite de %1 µm.</translation>
     </message>
     <message>
         <source>At the first value %1, at the last %2.</source>
@@ -4471,16 +4147,119 @@ Ensemble : %3</translation>
         <translation>%1 sur %2</translation>
     </message>
     <message>
-        <source>Fastest within %1 µm</source>
-        <translation>La plus rapide à %1&#xa0;µm près</translation>
-    </message>
-    <message>
         <source>Fastest</source>
         <translation>La plus rapide</translation>
     </message>
     <message>
-        <source>%1: %2 %3 with %4, contour error %5 µm. %6</source>
-        <translation>%1&#xa0;: %2 %3 avec %4, erreur de contour %5&#xa0;µm. %6</translation>
+        <source>No value keeps the contour error within %1.</source>
+        <translation>Aucune valeur ne respecte la limite de %1.</translation>
+    </message>
+    <message>
+        <source>Fastest within %1</source>
+        <translation>La plus rapide à %1 près</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3 with %4, contour error %5. %6</source>
+        <translation>%1&#xa0;: %2 %3 avec %4, erreur de contour %5. %6</translation>
+    </message>
+    <message>
+        <source>Number of values</source>
+        <translation>Nombre de valeurs</translation>
+    </message>
+    <message>
+        <source>Only runs with a contour error within this bound are considered for the fastest</source>
+        <translation>Seules les simulations dont l&apos;erreur de contour respecte cette borne sont prises en compte pour la plus rapide</translation>
+    </message>
+    <message>
+        <source>Setting to vary</source>
+        <translation>Réglage à faire varier</translation>
+    </message>
+    <message>
+        <source>Add a run with the selected value</source>
+        <translation>Ajouter une simulation avec la valeur choisie</translation>
+    </message>
+    <message>
+        <source>Copy the curves of the study to the clipboard</source>
+        <translation>Copier les courbes de l’étude dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>Ma&amp;x. error</source>
+        <translation>Erreur ma&amp;x.</translation>
+    </message>
+    <message>
+        <source>&amp;Create run</source>
+        <translation>&amp;Créer une simulation</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Étude</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ViewMenu</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>Affic&amp;hage</translation>
+    </message>
+    <message>
+        <source>C&amp;hart range only</source>
+        <translation>Plage des grap&amp;hiques seulement</translation>
+    </message>
+    <message>
+        <source>Ctrl+9</source>
+        <translation>Ctrl+9</translation>
+    </message>
+    <message>
+        <source>Zoom the 3D view to the time range of the charts</source>
+        <translation>La vue 3D montre la trajectoire entre les bords des graphiques</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Pa&amp;nneaux</translation>
+    </message>
+    <message>
+        <source>&amp;Default layout</source>
+        <translation>&amp;Disposition par défaut</translation>
+    </message>
+    <message>
+        <source>Original places and sizes of all panels</source>
+        <translation>Tous les panneaux à leur place et à leur taille de départ</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>Som&amp;bre</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+D</source>
+        <translation>Ctrl+Shift+D</translation>
+    </message>
+    <message>
+        <source>Switch between light and dark colours</source>
+        <translation>Basculer entre couleurs claires et sombres</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>Lang&amp;ue</translation>
+    </message>
+    <message>
+        <source>&amp;Units</source>
+        <translation>&amp;Unités</translation>
+    </message>
+    <message>
+        <source>&amp;Millimetres</source>
+        <translation>&amp;Millimètres</translation>
+    </message>
+    <message>
+        <source>Show numbers in mm, mm/min and m/s²</source>
+        <translation>Afficher les nombres en mm, mm/min et m/s²</translation>
+    </message>
+    <message>
+        <source>&amp;Inches</source>
+        <translation>&amp;Pouces</translation>
+    </message>
+    <message>
+        <source>Show numbers in inches; files keep their units</source>
+        <translation>Afficher les nombres en pouces ; les fichiers gardent leurs unités</translation>
     </message>
 </context>
 <context>
@@ -4490,8 +4269,8 @@ Ensemble : %3</translation>
         <translation>« %1 » n’est pas un nombre entier.</translation>
     </message>
     <message>
-        <source>“%1” is not within %2 and %3.</source>
-        <translation>« %1 » n’est pas entre %2 et %3.</translation>
+        <source>“%1” is not between %2 and %3.</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas entre %2 et %3.</translation>
     </message>
 </context>
 <context>
@@ -4499,10 +4278,6 @@ Ensemble : %3</translation>
     <message>
         <source>&amp;Previous cause</source>
         <translation>Cause &amp;précédente</translation>
-    </message>
-    <message>
-        <source>To where the limiting cause before this one begins</source>
-        <translation>Aller au début de la cause limitante précédente</translation>
     </message>
     <message>
         <source>Alt+Shift+Left</source>
@@ -4513,20 +4288,12 @@ Ensemble : %3</translation>
         <translation>Cause &amp;suivante</translation>
     </message>
     <message>
-        <source>To where another limiting cause begins</source>
-        <translation>Aller au début de la cause limitante suivante</translation>
-    </message>
-    <message>
         <source>Alt+Shift+Right</source>
         <translation>Alt+Shift+Right</translation>
     </message>
     <message>
         <source>&amp;Slower place ahead</source>
         <translation>Endroit plus &amp;lent à venir</translation>
-    </message>
-    <message>
-        <source>To the place for which the tool slows down</source>
-        <translation>Aller à l&apos;endroit pour lequel l&apos;outil ralentit</translation>
     </message>
     <message>
         <source>Alt+Shift+Down</source>
@@ -4537,7 +4304,7 @@ Ensemble : %3</translation>
         <translation>&amp;Quel remède&#xa0;?</translation>
     </message>
     <message>
-        <source>Simulate changes of machine, control and feed, and show what each gains [s]</source>
+        <source>Simulate changes of machine, control and feed, and show the time that each saves [s]</source>
         <translation>Simuler des changements de machine, de commande et d&apos;avance, et montrer ce que chacun gagne [s]</translation>
     </message>
     <message>
@@ -4549,11 +4316,7 @@ Ensemble : %3</translation>
         <translation>&amp;Nouvelle simulation ainsi</translation>
     </message>
     <message>
-        <source>A run with the selected change beside this one</source>
-        <translation>Une simulation avec le changement sélectionné, à côté de celle-ci</translation>
-    </message>
-    <message>
-        <source>Changes and what they gain</source>
+        <source>Changes and the time they save</source>
         <translation>Changements et ce qu&apos;ils gagnent</translation>
     </message>
     <message>
@@ -4561,7 +4324,7 @@ Ensemble : %3</translation>
         <translation>Pourquoi ici&#xa0;?</translation>
     </message>
     <message>
-        <source>Open a program and point at a place: here stands what keeps the tool from being faster.</source>
+        <source>Open a program and point at a place to see what limits the feed there.</source>
         <translation>Ouvrir un programme et désigner un endroit&#xa0;: ici s&apos;affiche ce qui empêche l&apos;outil d&apos;aller plus vite.</translation>
     </message>
     <message>
@@ -4585,75 +4348,32 @@ Ensemble : %3</translation>
         <translation>▸ %1, ligne %2, %3</translation>
     </message>
     <message>
-        <source>What would help? Being simulated …</source>
+        <source>What would help? Simulating …</source>
         <translation>Quel remède&#xa0;? Simulation en cours …</translation>
     </message>
     <message>
-        <source>What would help, each simulated by itself:</source>
+        <source>What would help, each change simulated separately:</source>
         <translation>Remèdes possibles, chacun simulé seul&#xa0;:</translation>
     </message>
     <message>
-        <source>The feed stands in the program: change its F words. Runs differ in machine, control and settings only.</source>
+        <source>The feed is in the program: change its F words. Runs differ only in machine, control and settings.</source>
         <translation>L&apos;avance est dans le programme&#xa0;: modifier ses mots F. Les simulations ne diffèrent que par la machine, la commande et les réglages.</translation>
     </message>
-</context>
-<context>
-    <name>feedscope::ui::WindowPictures</name>
     <message>
-        <source>&amp;3D view</source>
-        <translation>Vue &amp;3D</translation>
+        <source>Go to the start of the previous limiting cause</source>
+        <translation>Aller au début de la cause limitante précédente</translation>
     </message>
     <message>
-        <source>Save the 3D view with its annotations as PNG, SVG or PDF</source>
-        <translation>Enregistrer la vue 3D et ses annotations en PNG, SVG ou PDF</translation>
+        <source>Go to the start of the next limiting cause</source>
+        <translation>Aller au début de la cause limitante suivante</translation>
     </message>
     <message>
-        <source>Copy the 3D view with its annotations to the clipboard</source>
-        <translation>Copier la vue 3D et ses annotations dans le presse-papiers</translation>
+        <source>Go to the place that the tool brakes for</source>
+        <translation>Aller à l&apos;endroit pour lequel l&apos;outil freine</translation>
     </message>
     <message>
-        <source>Ctrl+Shift+P</source>
-        <translation>Ctrl+Shift+P</translation>
-    </message>
-    <message>
-        <source>&amp;Charts</source>
-        <translation>&amp;Graphiques</translation>
-    </message>
-    <message>
-        <source>Save the charts as PNG, SVG or PDF</source>
-        <translation>Enregistrer les graphiques en PNG, SVG ou PDF</translation>
-    </message>
-    <message>
-        <source>Copy the charts to the clipboard</source>
-        <translation>Copier les graphiques dans le presse-papiers</translation>
-    </message>
-    <message>
-        <source>&amp;Window</source>
-        <translation>&amp;Fenêtre</translation>
-    </message>
-    <message>
-        <source>Save all of the window as PNG, SVG or PDF</source>
-        <translation>Enregistrer toute la fenêtre en PNG, SVG ou PDF</translation>
-    </message>
-    <message>
-        <source>Copy all of the window to the clipboard</source>
-        <translation>Copier toute la fenêtre dans le presse-papiers</translation>
-    </message>
-    <message>
-        <source>%1 …</source>
-        <translation>%1 …</translation>
-    </message>
-    <message>
-        <source>Save picture</source>
-        <translation>Enregistrer l’image</translation>
-    </message>
-    <message>
-        <source>Picture (*.png);;Drawing (*.svg);;Document (*.pdf)</source>
-        <translation>Image (*.png);;Dessin (*.svg);;Document (*.pdf)</translation>
-    </message>
-    <message>
-        <source>%1 has been written</source>
-        <translation>%1 a été écrit</translation>
+        <source>Create a new run with the selected change</source>
+        <translation>Créer une simulation avec le changement sélectionné</translation>
     </message>
 </context>
 <context>
@@ -4663,15 +4383,15 @@ Ensemble : %3</translation>
         <translation>Programme introuvable</translation>
     </message>
     <message>
-        <source>%1 is not there, on which the session was made. Show where the program is now.</source>
-        <translation>%1, sur lequel la session a été faite, n’est plus là. Indiquez où se trouve le programme maintenant.</translation>
+        <source>The session&apos;s program %1 was not found. Select its new location.</source>
+        <translation>Le programme %1 de la session est introuvable. Indiquez où il se trouve.</translation>
     </message>
     <message>
         <source>Where is %1?</source>
         <translation>Où est %1 ?</translation>
     </message>
     <message>
-        <source>The session is not opened: its program %1 is not there.</source>
+        <source>The session is not opened: its program %1 was not found.</source>
         <translation>La session n’est pas ouverte : son programme %1 n’est pas là.</translation>
     </message>
     <message>
@@ -4679,11 +4399,11 @@ Ensemble : %3</translation>
         <translation>Programme modifié</translation>
     </message>
     <message>
-        <source>%1 has changed since the session was saved. Annotations may stand elsewhere, and figures may differ. Open it all the same?</source>
+        <source>%1 has changed since the session was saved. Annotations may be at other places, and numbers may differ. Open it anyway?</source>
         <translation>%1 a changé depuis l’enregistrement de la session. Les annotations peuvent se trouver ailleurs et les valeurs différer. Ouvrir quand même ?</translation>
     </message>
     <message>
-        <source>There is nothing to save yet: open a program first.</source>
+        <source>There is nothing to save: open a program first.</source>
         <translation>Il n’y a encore rien à enregistrer : ouvrez d’abord un programme.</translation>
     </message>
     <message>
@@ -4703,15 +4423,15 @@ Ensemble : %3</translation>
         <translation>Enregistrer la session ?</translation>
     </message>
     <message>
-        <source>Runs and annotations of %1 are not saved.</source>
+        <source>Runs and annotations of %1 have not been saved.</source>
         <translation>Les simulations et annotations de %1 ne sont pas enregistrées.</translation>
     </message>
     <message>
-        <source>Bring back what was open?</source>
+        <source>Restore the last session?</source>
         <translation>Rétablir ce qui était ouvert ?</translation>
     </message>
     <message>
-        <source>Feedscope ended unexpectedly. Bring back what was open then (%1)?</source>
+        <source>Feedscope ended unexpectedly. Restore what was open at that time (%1)?</source>
         <translation>Feedscope s’est arrêté de façon inattendue. Rétablir ce qui était ouvert alors (%1) ?</translation>
     </message>
 </context>
@@ -4724,18 +4444,6 @@ Ensemble : %3</translation>
     <message>
         <source>Offset</source>
         <translation>Décalage</translation>
-    </message>
-    <message>
-        <source>X [mm]</source>
-        <translation>X [mm]</translation>
-    </message>
-    <message>
-        <source>Y [mm]</source>
-        <translation>Y [mm]</translation>
-    </message>
-    <message>
-        <source>Z [mm]</source>
-        <translation>Z [mm]</translation>
     </message>
     <message>
         <source>Use</source>
@@ -4754,7 +4462,7 @@ Ensemble : %3</translation>
         <translation>défini ici, non utilisé par le programme</translation>
     </message>
     <message>
-        <source>Zero point of the offset in the coordinates shown; empty: as the program says, else 0</source>
+        <source>Zero point of the offset in the coordinates shown; empty: as programmed, otherwise 0</source>
         <translation>Origine du décalage dans les coordonnées affichées ; vide : selon le programme, sinon 0</translation>
     </message>
     <message>
@@ -4765,7 +4473,7 @@ Ensemble : %3</translation>
 <context>
     <name>feedscope::ui::Workbench</name>
     <message>
-        <source>%1 has changed and is read again.</source>
+        <source>%1 has changed and is reloaded.</source>
         <translation>%1 a changé et est relu.</translation>
     </message>
     <message>
@@ -4823,6 +4531,10 @@ Ensemble : %3</translation>
         <source>%1 %2</source>
         <comment>an axis and its limit: X Jerk</comment>
         <translation>%2 %1</translation>
+    </message>
+    <message>
+        <source>A tolerance of %1 takes %2 s longer than %3, mostly due to %4 (%5 s more): a corner blend can take longer than a narrower one or an exact stop, because it is passed at a limited speed along its whole length.</source>
+        <translation>Une tolérance de %1 demande %2 s de plus que %3, surtout par %4 (%5 s de plus)&#xa0;: un raccord d’angle peut durer plus longtemps qu’un raccord plus étroit ou qu’un arrêt précis, car il est parcouru à vitesse limitée sur toute sa longueur.</translation>
     </message>
 </context>
 </TS>
