@@ -13,6 +13,11 @@ using enum Dimension;
 using Id = QuantityId;
 using Chart = QuantityChart;
 
+double across(const State& s) {
+  return std::sqrt(
+      std::max(0.0, s.acceleration.squaredNorm() - s.tangential_acceleration * s.tangential_acceleration));
+}
+
 constexpr std::array<QuantityInfo, quantity_count> quantities{{
     {Id::time, "time", "time_s", QT_TRANSLATE_NOOP("core", "Time"), time, -1, Chart::none, "", false, false,
      [](const State& s) { return s.time; }},
@@ -56,6 +61,9 @@ constexpr std::array<QuantityInfo, quantity_count> quantities{{
     {Id::tangential_jerk, "tangential_jerk", "jt_m_s3", QT_TRANSLATE_NOOP("core", "Tangential jerk"), jerk,
      -1, Chart::jerk, QT_TRANSLATE_NOOP("core", "tangential"), true, true,
      [](const State& s) { return s.tangential_jerk; }},
+    {Id::acceleration_across, "acceleration_across", "an_m_s2",
+     QT_TRANSLATE_NOOP("core", "Acceleration across the path"), acceleration, -1, Chart::acceleration,
+     QT_TRANSLATE_NOOP("core", "across"), true, false, across},
     {Id::acceleration, "acceleration", "", QT_TRANSLATE_NOOP("core", "Acceleration"), acceleration, -1,
      Chart::none, "", true, false, [](const State& s) { return s.acceleration.norm(); }},
     {Id::jerk, "jerk", "", QT_TRANSLATE_NOOP("core", "Jerk"), jerk, -1, Chart::none, "", true, false,

@@ -30,6 +30,7 @@ enum class QuantityId : std::uint8_t {
   jerk_z,
   tangential_acceleration,
   tangential_jerk,
+  acceleration_across,  ///< square to the path: speed squared times curvature
   acceleration,         ///< length of the vector
   jerk,                 ///< length of the vector
   feed_ratio,           ///< achieved over programmed feed
@@ -39,7 +40,7 @@ inline constexpr std::size_t quantity_count = static_cast<std::size_t>(QuantityI
 /// Those that are drawn over time, one behind the other.
 inline constexpr QuantityId first_charted = QuantityId::feed;
 inline constexpr std::size_t charted_count =
-    static_cast<std::size_t>(QuantityId::tangential_jerk) - static_cast<std::size_t>(first_charted) + 1;
+    static_cast<std::size_t>(QuantityId::acceleration_across) - static_cast<std::size_t>(first_charted) + 1;
 /// How many colour the executed path.
 inline constexpr std::size_t coloured_count = 7;
 

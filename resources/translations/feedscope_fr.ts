@@ -1006,6 +1006,10 @@
         <translation>Jerk tangentiel</translation>
     </message>
     <message>
+        <source>Acceleration across the path</source>
+        <translation>Accélération normale à la trajectoire</translation>
+    </message>
+    <message>
         <source>Feed / programmed</source>
         <translation>Avance / programmée</translation>
     </message>
@@ -1036,6 +1040,10 @@
     <message>
         <source>tangential</source>
         <translation>tangentielle</translation>
+    </message>
+    <message>
+        <source>across</source>
+        <translation>normale</translation>
     </message>
     <message>
         <source>Curves of the program are simulated as tangent arcs: where the curvature jumps, a control that limits the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.</source>

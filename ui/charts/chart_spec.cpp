@@ -34,7 +34,9 @@ CurveRole role_of(const QuantityInfo& quantity) {
   if (quantity.axis >= 0) {
     return axis_roles[static_cast<std::size_t>(quantity.axis)];
   }
-  return quantity.id == QuantityId::programmed_feed ? CurveRole::programmed : CurveRole::path;
+  return quantity.id == QuantityId::programmed_feed       ? CurveRole::programmed
+         : quantity.id == QuantityId::acceleration_across ? CurveRole::across
+                                                          : CurveRole::path;
 }
 
 CurveSpec curve_of(const QuantityInfo& quantity) {
@@ -43,6 +45,7 @@ CurveSpec curve_of(const QuantityInfo& quantity) {
                                : text_of(quantity.curve);
   CurveSpec curve{quantity.id, key_of(quantity), name, role_of(quantity), of_axis ? axis_width : path_width};
   curve.may_be_cut = quantity.id == QuantityId::programmed_feed || quantity.id == QuantityId::tangential_jerk;
+  curve.on_demand = quantity.id == QuantityId::acceleration_across;
   return curve;
 }
 

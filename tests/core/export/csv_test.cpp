@@ -18,7 +18,7 @@ using ::testing::ThrowsMessage;
 
 constexpr const char* csv_header =
     "time_s,path_mm,line,x_mm,y_mm,z_mm,feed_mm_min,programmed_feed_mm_min,vx_mm_min,vy_mm_min,vz_mm_min,"
-    "ax_m_s2,ay_m_s2,az_m_s2,jx_m_s3,jy_m_s3,jz_m_s3,at_m_s2,jt_m_s3,cause\n";
+    "ax_m_s2,ay_m_s2,az_m_s2,jx_m_s3,jy_m_s3,jz_m_s3,at_m_s2,jt_m_s3,cause,an_m_s2\n";
 
 /// 0.02 s up by jerk 1000 mm/s3 times -1 in X and steady after it for 0.03 s, from line 7.
 Trajectory ramp_and_cruise() {

@@ -31,6 +31,16 @@ TEST(Quantities, HaveKeysAndColumnsOfTheirOwn) {
   }
 }
 
+TEST(Quantities, AccelerationAcrossIsSpeedSquaredOverRadius) {
+  const auto across = info_of(QuantityId::acceleration_across).of;
+  EXPECT_DOUBLE_EQ(across(on_circle(100, 5)), 2000);
+  State faster = on_circle(100, 5);
+  faster.acceleration += Vec3(0, 1500, 0);
+  faster.tangential_acceleration = 1500;
+  EXPECT_NEAR(across(faster), 2000, 1e-9);
+  EXPECT_EQ(across(on_circle(0, 5)), 0);
+}
+
 TEST(Quantities, AreShownInTheUnitsOfBothSystems) {
   EXPECT_DOUBLE_EQ(shown_unit(Dimension::feed).factor * units::from_mm_min(3000), 3000);
   EXPECT_DOUBLE_EQ(shown_unit(Dimension::feed, UnitSystem::inch).factor * units::from_mm_min(2540), 100);
