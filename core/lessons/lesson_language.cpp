@@ -93,6 +93,7 @@ const std::map<std::string, std::string>& french_words() {
       {"interpolation period", "période d’interpolation"},
       {"contour tolerance", "tolérance de contour"},
       {"look-ahead horizon", "horizon d’anticipation"},
+      {"velocity filters", "filtres de vitesse"},
       {"braking for a slower place ahead", "ralentissement pour la suite"},
       {"exact stop", "arrêt précis"},
       {"dwell", "temporisation"},

@@ -54,6 +54,8 @@ constexpr std::array kinds{
               QT_TRANSLATE_NOOP("core", "contour tolerance"), "", 0x009e73, 0x008c65},
     CauseInfo{CauseKind::lookahead_horizon, "lookahead_horizon",
               QT_TRANSLATE_NOOP("core", "look-ahead horizon"), "", 0x145536, 0x98ffd1},
+    CauseInfo{CauseKind::velocity_filter, "velocity_filter", QT_TRANSLATE_NOOP("core", "velocity filters"),
+              "", 0x6cfca8, 0x6cd848},
     CauseInfo{CauseKind::ramp_down, "ramp_down",
               QT_TRANSLATE_NOOP("core", "braking for a slower place ahead"), "", 0xf0b429, 0xa86e01},
     CauseInfo{CauseKind::exact_stop, "exact_stop", QT_TRANSLATE_NOOP("core", "exact stop"), "", 0x22262a,

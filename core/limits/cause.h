@@ -27,6 +27,7 @@ enum class CauseKind : std::uint8_t {
   interpolation_period,
   contour_tolerance,
   lookahead_horizon,
+  velocity_filter,  ///< filters of the control that spread every change of feed
   ramp_down,        ///< slowing towards a slower place
   exact_stop,
   dwell,

@@ -1046,6 +1046,10 @@
         <translation>normale</translation>
     </message>
     <message>
+        <source>velocity filters</source>
+        <translation>filtres de vitesse</translation>
+    </message>
+    <message>
         <source>Curves of the program are simulated as tangent arcs: where the curvature jumps, a control that limits the jerk slows down, and the time shown is up to 2.4 times that on the curve itself.</source>
         <translation>Les courbes du programme sont simulées comme des arcs tangents&#xa0;: là où la courbure saute, une commande qui limite le jerk ralentit, et le temps indiqué atteint 2,4 fois celui de la courbe elle-même.</translation>
     </message>

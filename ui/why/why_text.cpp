@@ -187,6 +187,7 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
           .arg(axis, of_symbol(reason, Symbol::axis_velocity));
     case CauseKind::axis_acceleration:
     case CauseKind::axis_jerk:
+    case CauseKind::velocity_filter:
       return ramp_sentence(reason, state);
     case CauseKind::radial_acceleration:
       return tr("On the radius of %1, radial acceleration uses the full acceleration of axis %2, %3.")

@@ -14,7 +14,7 @@ Reason ReasonFinder::filtered(const State& state, Cause cause) const {
   const PulseTrain& train = motion.train();
   const std::size_t block = run_.path().segment(state.element) - train.first;
   switch (cause.kind) {
-    case CauseKind::axis_jerk:
+    case CauseKind::velocity_filter:
     case CauseKind::ramp_down:
       return made(cause,
                   {FormulaId::filter_delay,

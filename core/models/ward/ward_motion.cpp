@@ -92,7 +92,7 @@ Cause WardRunner::cause_at(const SpeedSample& at, std::size_t block,
   if (train_.blocks[block].feed < reached * limit || (corner && slowed_by_tolerance(*corner))) {
     return {CauseKind::contour_tolerance};
   }
-  return at.slope >= 0 ? Cause{CauseKind::axis_jerk} : Cause{CauseKind::ramp_down};
+  return at.slope >= 0 ? Cause{CauseKind::velocity_filter} : Cause{CauseKind::ramp_down};
 }
 
 double WardRunner::arc_gain(std::size_t block) const {
