@@ -27,20 +27,20 @@ std::vector<std::string> taken_by_any(const std::vector<std::string>& models,
 
 std::string options_of(const SeveralRunsOptions& asked, const std::string& machine, const Setup& setup) {
   const std::string& model = setup.model->info().id;
-  std::string text = fmt::format("--machine {} --model {}", quoted(machine), model);
+  std::string text = fmt::format("--machine {} --model {}", in_quotes(machine), model);
   const std::optional<double> tolerance = contour_tolerance(setup);
   if (!asked.tolerances.empty() && tolerance) {
     text += fmt::format(" --tolerance {}", *tolerance);
   }
   for (const std::string& assignment : taken_by_any({model}, asked.set)) {
-    text += fmt::format(" --set {}", quoted(assignment));
+    text += fmt::format(" --set {}", in_quotes(assignment));
   }
   return text;
 }
 
 void add_asked(std::string& text, const char* option, const std::vector<std::string>& values) {
   for (const std::string& value : values) {
-    text += fmt::format(" {} {}", option, quoted(value));
+    text += fmt::format(" {} {}", option, in_quotes(value));
   }
 }
 
@@ -83,7 +83,7 @@ std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options, Dialect dial
   return runs;
 }
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   const bool plain = !text.empty() && std::ranges::all_of(text, [](char c) {
     return std::isalnum(static_cast<unsigned char>(c)) != 0 ||
            std::string_view("-_./=,+:@%").find(c) != std::string_view::npos;
@@ -99,7 +99,7 @@ std::string quoted(const std::string& text) {
 }
 
 std::string program_text(const ProgramOptions& options) {
-  std::string text = quoted(options.file);
+  std::string text = in_quotes(options.file);
   if (!options.dialect.empty()) {
     text += " --dialect " + options.dialect;
   }
@@ -118,7 +118,7 @@ std::string program_text(const ProgramOptions& options) {
   }
   add_asked(text, "--tool", options.radii);
   if (!options.tool_table.empty()) {
-    text += " --tools " + quoted(options.tool_table);
+    text += " --tools " + in_quotes(options.tool_table);
   }
   if (options.table_unit != usual.table_unit) {
     text += " --tools-unit " + options.table_unit;

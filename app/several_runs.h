@@ -35,7 +35,7 @@ std::string program_text(const ProgramOptions& options);
 /// The options of all of them as they were given, quoted for a shell; the program in front.
 std::string options_text(const SeveralRunsOptions& options);
 /// `text` as one word of a shell line.
-std::string quoted(const std::string& text);
+std::string in_quotes(const std::string& text);
 
 /// Tells on standard error what note_runs() says of them.
 void note_shown_runs(const ui::ReportInput& input);

@@ -46,7 +46,7 @@ const std::map<std::string, View> views{
     {"3d", View::scene}, {"charts", View::charts}, {"window", View::window}, {"sheet", View::sheet}};
 const std::map<std::string, ui::ThemeKind> themes{{"light", ui::ThemeKind::light},
                                                   {"dark", ui::ThemeKind::dark}};
-const std::map<std::string, ui::PictureFormat> formats{
+const std::map<std::string, ui::PictureFormat> picture_formats{
     {"png", ui::PictureFormat::png}, {"svg", ui::PictureFormat::svg}, {"pdf", ui::PictureFormat::pdf}};
 
 constexpr double default_dpi = 300;
@@ -59,7 +59,7 @@ std::vector<std::string> colouring_keys() {
 }
 
 ui::PictureFormat format_of(const RenderOptions& options) {
-  return formats.at(output_format(options.out, options.format, {"png", "svg", "pdf"}));
+  return picture_formats.at(output_format(options.out, options.format, {"png", "svg", "pdf"}));
 }
 
 ui::ThemeKind theme_of(const RenderOptions& options, const std::optional<ui::Session>& session) {
@@ -171,7 +171,7 @@ void set_colours(const RenderOptions& options, ui::ReportInput& input) {
 QString command_of(const RenderOptions& options) {
   std::string text = fmt::format("feedscope render {} --view {}", options_text(options.runs), options.view);
   const auto add = [&](const char* name, const std::string& value) {
-    text += value.empty() ? "" : fmt::format(" {} {}", name, quoted(value));
+    text += value.empty() ? "" : fmt::format(" {} {}", name, in_quotes(value));
   };
   add("--size", options.size);
   add("--title", options.title);
@@ -286,7 +286,7 @@ Command add_render_command(CLI::App& app) {
       ->type_name("THEME");
   add_display_units_option(*command);
   command->add_option("--format", options->format, "png, svg or pdf [the ending of --out]")
-      ->check(CLI::IsMember(formats))
+      ->check(CLI::IsMember(picture_formats))
       ->type_name("FORMAT");
   command->add_flag("--transparent", options->transparent, "Transparent background");
   command->add_option("--title", options->title, "Title of a sheet [the program's name]")->type_name("TEXT");

@@ -30,11 +30,11 @@ struct ReportOptions {
   std::string camera;  ///< "": iso, or the session's
 };
 
-const std::map<std::string, ui::ReportFormat> formats{{"pdf", ui::ReportFormat::pdf},
-                                                      {"html", ui::ReportFormat::html}};
+const std::map<std::string, ui::ReportFormat> report_formats{{"pdf", ui::ReportFormat::pdf},
+                                                             {"html", ui::ReportFormat::html}};
 
 ui::ReportFormat format_of(const ReportOptions& options) {
-  return formats.at(output_format(options.out, options.format, {"pdf", "html"}));
+  return report_formats.at(output_format(options.out, options.format, {"pdf", "html"}));
 }
 
 QDateTime date_of(const std::string& text) {
@@ -53,7 +53,7 @@ QDateTime date_of(const std::string& text) {
 QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun>& runs) {
   std::string whole = "feedscope report " + options_text(options.runs);
   const auto add = [&](const char* name, const std::string& value) {
-    whole += value.empty() ? "" : fmt::format(" {} {}", name, quoted(value));
+    whole += value.empty() ? "" : fmt::format(" {} {}", name, in_quotes(value));
   };
   add("--title", options.title);
   add("--author", options.author);
@@ -121,7 +121,7 @@ Command add_report_command(CLI::App& app) {
       ->required();
   add_display_units_option(*command);
   command->add_option("--format", options->format, "pdf or html [the ending of --out]")
-      ->check(CLI::IsMember(formats))
+      ->check(CLI::IsMember(report_formats))
       ->type_name("FORMAT");
   command
       ->add_option("--template", options->page, "HTML template of your own; see resources/report/README.md")

@@ -13,7 +13,7 @@ namespace {
 constexpr double min_depth = 0.1;        // of the programmed feed
 constexpr double as_programmed = 0.999;  // of the programmed feed; what is faster is not slow
 constexpr double min_loss = 1e-6;        // [s]
-constexpr double filtered_per_filter_time = 4;
+constexpr double spans_per_filter_time = 4;
 
 /// Achieved feed at one instant.
 struct Level {
@@ -198,7 +198,7 @@ class PartLevels {
       add_polynomial(part);
     } else {
       const int spans =
-          part.law == Law::filtered ? trajectory_.filtered_spans(part, filtered_per_filter_time) : 2;
+          part.law == Law::filtered ? trajectory_.filtered_spans(part, spans_per_filter_time) : 2;
       PartMotion motion = walk.motion();
       for (int i = 0; i <= spans; ++i) {
         const State state = motion.state(part.duration * i / spans);

@@ -13,7 +13,7 @@ namespace {
 constexpr double turn_per_sample = 0.02;          // rad of an arc
 constexpr double blend_per_sample = 0.05;         // share of a blend's parameter range
 constexpr double blend_length_per_sample = 0.25;  // share of a blend's length
-constexpr double filtered_per_filter_time = 16;
+constexpr double peak_spans_per_filter_time = 16;
 constexpr int arc_time_samples = 64;
 
 /// Sum with a running correction, so that a million small times add up as exactly as ten (Neumaier).
@@ -118,7 +118,7 @@ class Peaks {
 
   int samples(const Part& part, const ElementCurve& curve) const {
     if (part.law == Law::filtered) {
-      return trajectory_.filtered_spans(part, filtered_per_filter_time);
+      return trajectory_.filtered_spans(part, peak_spans_per_filter_time);
     }
     const double travel = advance({0, part.v, part.a, part.j}, part.duration).q;
     double share = travel / blend_per_sample;

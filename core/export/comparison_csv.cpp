@@ -18,10 +18,6 @@ namespace {
 constexpr std::array<const char*, 6> axis_columns{"v{}_mm_min", "a{}_m_s2",  "j{}_m_s3",
                                                   "v{}_share",  "a{}_share", "j{}_share"};
 
-std::string number(double value) {
-  return fmt::format("{:.11g}", value + 0.0);
-}
-
 /// Positions in all_causes() of the causes that any of the runs has.
 template <typename Runs>
 std::vector<std::size_t> causes_of(const Runs& runs) {
@@ -68,16 +64,16 @@ std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::s
   const std::optional<ToleranceInForce>& tolerance = run.tolerance;
   std::vector<std::string> row{csv_field(run.setup.machine.id),
                                run.setup.model->info().id,
-                               tolerance && !tolerance->is_range() ? number(tolerance->max) : "",
-                               number(summary.cycle_time),
-                               number(summary.programmed_time),
-                               number(run.against_cam()),
-                               number(units::to_mm_min(summary.mean_feed)),
-                               number(units::to_mm_min(summary.peak_feed)),
-                               number(rounded_error(summary.max_contour_error)),
+                               tolerance && !tolerance->is_range() ? csv_number(tolerance->max) : "",
+                               csv_number(summary.cycle_time),
+                               csv_number(summary.programmed_time),
+                               csv_number(run.against_cam()),
+                               csv_number(units::to_mm_min(summary.mean_feed)),
+                               csv_number(units::to_mm_min(summary.peak_feed)),
+                               csv_number(rounded_error(summary.max_contour_error)),
                                fmt::format("{}", run.blends),
-                               tolerance ? number(tolerance->min) : "",
-                               tolerance ? number(tolerance->max) : "",
+                               tolerance ? csv_number(tolerance->min) : "",
+                               tolerance ? csv_number(tolerance->max) : "",
                                std::string(tolerance ? to_string(tolerance->set_by) : "")};
   for (const AxisInfo& axis : known_axes) {
     const AxisPeaks* const found = summary.axes.find(axis.name);
@@ -87,15 +83,15 @@ std::vector<std::string> row_of(const ComparedRun& run, const std::vector<std::s
     }
     const AxisPeaks& peak = *found;
     const AxisLimits& limit = *run.setup.machine.axes.find(axis.name);
-    row.push_back(number(units::to_mm_min(peak.velocity)));
-    row.push_back(number(units::to_m(peak.acceleration)));
-    row.push_back(number(units::to_m(peak.jerk)));
-    row.push_back(number(peak.velocity / limit.velocity));
-    row.push_back(number(peak.acceleration / limit.acceleration));
-    row.push_back(number(peak.jerk / limit.jerk));
+    row.push_back(csv_number(units::to_mm_min(peak.velocity)));
+    row.push_back(csv_number(units::to_m(peak.acceleration)));
+    row.push_back(csv_number(units::to_m(peak.jerk)));
+    row.push_back(csv_number(peak.velocity / limit.velocity));
+    row.push_back(csv_number(peak.acceleration / limit.acceleration));
+    row.push_back(csv_number(peak.jerk / limit.jerk));
   }
   for (const std::size_t cause : causes) {
-    row.push_back(number(summary.time_by_cause[cause]));
+    row.push_back(csv_number(summary.time_by_cause[cause]));
   }
   return row;
 }
@@ -125,13 +121,13 @@ std::string bound_text(std::optional<double> within, double error) {
 std::vector<std::string> study_cells(const Study& study, const StudyRun& run, bool is_fastest) {
   std::vector<std::string> cells;
   for (const double value : run.swept) {
-    cells.push_back(number(value));
+    cells.push_back(csv_number(value));
   }
   cells.push_back(bound_text(study.within, run.summary.max_contour_error));
   cells.emplace_back(is_fastest ? "1" : "0");
   const std::vector<CauseShare> causes = limiting_causes(run.summary);
   cells.push_back(causes.empty() ? "" : cause_key(causes.front().cause));
-  cells.push_back(causes.empty() ? "" : number(causes.front().share));
+  cells.push_back(causes.empty() ? "" : csv_number(causes.front().share));
   return cells;
 }
 
@@ -149,15 +145,15 @@ std::vector<std::string> operation_row(const Study& study, const StudyRun& run, 
       row[column].clear();
     }
   }
-  put("cycle_time_s", number(figures.time));
-  put("mean_feed_mm_min", number(units::to_mm_min(figures.mean_feed())));
-  put("max_contour_error_mm", number(rounded_error(figures.contour_error)));
+  put("cycle_time_s", csv_number(figures.time));
+  put("mean_feed_mm_min", csv_number(units::to_mm_min(figures.mean_feed())));
+  put("max_contour_error_mm", csv_number(rounded_error(figures.contour_error)));
   put("within_bound", bound_text(study.within, figures.contour_error));
   put("limiting_cause", cause_key(figures.cause));
-  put("limiting_share", figures.time > 0 ? number(figures.cause_time / figures.time) : "");
+  put("limiting_share", figures.time > 0 ? csv_number(figures.cause_time / figures.time) : "");
   put("operation", csv_field(operation.title));
   put("operation_line", fmt::format("{}", operation.line));
-  put("cutting_length_mm", number(figures.cutting_length));
+  put("cutting_length_mm", csv_number(figures.cutting_length));
   return row;
 }
 

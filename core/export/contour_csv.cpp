@@ -8,31 +8,26 @@
 namespace feedscope {
 namespace {
 
-/// No minus before zero.
-std::string number(double value) {
-  return fmt::format("{:.11g}", value + 0.0);
-}
-
 std::string numbers(const Vec3& v) {
-  return number(v.x()) + "," + number(v.y()) + "," + number(v.z());
+  return csv_number(v.x()) + "," + csv_number(v.y()) + "," + csv_number(v.z());
 }
 
 std::string row_of(std::size_t rank, const ContourFinding& finding) {
   using Kind = ContourSpot::Kind;
   const ContourPlace& place = finding.place;
   const ContourSpot& spot = finding.spot;
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", rank, place.line,
-                     csv_field(finding.block), number(place.time), number(place.path_length),
-                     number(rounded_error(place.error)), number(rounded_error(place.side)),
-                     finding.tolerance ? number(*finding.tolerance) : "", contour_word(spot.kind),
-                     number(spot.length), spot.kind == Kind::corner ? number(units::to_deg(spot.turn)) : "",
-                     spot.kind == Kind::arc ? number(spot.radius) : "",
-                     spot.kind == Kind::line ? ""
-                     : spot.inside           ? "1"
-                                             : "0",
-                     numbers(place.position), numbers(place.programmed),
-                     number(units::to_mm_min(finding.feed)),
-                     number(units::to_mm_min(finding.programmed_feed)), cause_key(finding.cause));
+  return fmt::format(
+      "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", rank, place.line, csv_field(finding.block),
+      csv_number(place.time), csv_number(place.path_length), csv_number(rounded_error(place.error)),
+      csv_number(rounded_error(place.side)), finding.tolerance ? csv_number(*finding.tolerance) : "",
+      contour_word(spot.kind), csv_number(spot.length),
+      spot.kind == Kind::corner ? csv_number(units::to_deg(spot.turn)) : "",
+      spot.kind == Kind::arc ? csv_number(spot.radius) : "",
+      spot.kind == Kind::line ? ""
+      : spot.inside           ? "1"
+                              : "0",
+      numbers(place.position), numbers(place.programmed), csv_number(units::to_mm_min(finding.feed)),
+      csv_number(units::to_mm_min(finding.programmed_feed)), cause_key(finding.cause));
 }
 
 }  // namespace
@@ -59,9 +54,9 @@ std::string contour_histogram_csv(std::span<const NamedHistogram> histograms) {
   }
   const std::vector<double>& edges = histograms.front().histogram.edges;
   for (std::size_t i = 0; i + 1 < edges.size(); ++i) {
-    text += number(edges[i]) + "," + number(edges[i + 1]);
+    text += csv_number(edges[i]) + "," + csv_number(edges[i + 1]);
     for (const NamedHistogram& named : histograms) {
-      text += "," + number(named.histogram.length[i]);
+      text += "," + csv_number(named.histogram.length[i]);
     }
     text += "\n";
   }

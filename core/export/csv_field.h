@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/format.h>
+
 #include <string>
 
 namespace feedscope {
@@ -17,6 +19,11 @@ inline std::string csv_field(const std::string& text) {
     }
   }
   return quoted + '"';
+}
+
+/// Eleven digits, and no minus before zero.
+inline std::string csv_number(double value) {
+  return fmt::format("{:.11g}", value + 0.0);
 }
 
 }  // namespace feedscope

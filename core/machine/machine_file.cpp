@@ -172,7 +172,7 @@ class MachineReader {
   Machine machine_;
 };
 
-std::string quoted(const std::string& text) {
+std::string in_quotes(const std::string& text) {
   std::ostringstream out;
   out << toml::toml_formatter{toml::value<std::string>(text), toml::format_flags::allow_unicode_strings};
   return out.str();
@@ -183,14 +183,14 @@ std::string provenance_text(const Machine& machine, const std::string& key) {
   const auto found = machine.provenance.find(key);
   const Provenance provenance =
       found != machine.provenance.end() ? found->second : Provenance{"set by hand", false};
-  return fmt::format("{} = {}", provenance.assumed ? "assumed" : "source", quoted(provenance.source));
+  return fmt::format("{} = {}", provenance.assumed ? "assumed" : "source", in_quotes(provenance.source));
 }
 
 std::string entry(const Machine& machine, const std::string& key, const std::string& provenance_key,
                   const SettingValue& value) {
   const double* number = std::get_if<double>(&value);
   return fmt::format("{} = {{ value = {}, {} }}\n", key,
-                     number != nullptr ? fmt::format("{}", *number) : quoted(std::get<std::string>(value)),
+                     number != nullptr ? fmt::format("{}", *number) : in_quotes(std::get<std::string>(value)),
                      provenance_text(machine, provenance_key));
 }
 
@@ -207,9 +207,9 @@ Machine parse_machine(const std::string& text, const std::string& name,
 
 std::string write_machine(const Machine& machine) {
   std::string out;
-  out += fmt::format("id = {}\nname = {}\ncontrol = {}\nreference = {}\nmodel = {}\n", quoted(machine.id),
-                     quoted(machine.name), quoted(machine.control), quoted(machine.reference),
-                     quoted(machine.model));
+  out += fmt::format("id = {}\nname = {}\ncontrol = {}\nreference = {}\nmodel = {}\n", in_quotes(machine.id),
+                     in_quotes(machine.name), in_quotes(machine.control), in_quotes(machine.reference),
+                     in_quotes(machine.model));
   for (const auto& [axis, kind] : machine.axes.axes()) {
     out += fmt::format("\n[axes.{}]\n", axis);
     for (const SettingSpec& limit : axis_limit_specs()) {
@@ -223,8 +223,8 @@ std::string write_machine(const Machine& machine) {
   }
   out += machine.work_offsets.empty() ? "" : "\n[work_offsets]\n";
   for (const auto& [name, zero] : machine.work_offsets.all()) {
-    out += fmt::format("{} = {{ x_mm = {}, y_mm = {}, z_mm = {}, {} }}\n", quoted(name), zero.x(), zero.y(),
-                       zero.z(), provenance_text(machine, name));
+    out += fmt::format("{} = {{ x_mm = {}, y_mm = {}, z_mm = {}, {} }}\n", in_quotes(name), zero.x(),
+                       zero.y(), zero.z(), provenance_text(machine, name));
   }
   return out;
 }

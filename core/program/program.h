@@ -25,14 +25,15 @@ enum class Motion : std::uint8_t { rapid, line, arc, dwell };
 
 /// How an arc block turns; centre and axis are resolved from I J K, R, plane and modes.
 struct ArcWords {
-  Vec3 center;       ///< at equal distances from both ends, along the axis as the start point [mm]
-  Vec3 axis;         ///< unit vector; the motion is counter-clockwise seen against it
+  Vec3 center = Vec3::Zero();  ///< at equal distances from both ends, along the axis as the start point [mm]
+  Vec3 axis = Vec3::UnitZ();   ///< unit vector; the motion is counter-clockwise seen against it
   double turns = 0;  ///< whole turns on top of the partial one; 1 for a full circle, whose ends coincide
 };
 
 /// A block that moves or waits, modal state resolved: absolute, metric, modal words filled in.
 struct MotionBlock {
-  Vec3 target;       ///< position at the block's end; of axes whose place is not known the last one [mm]
+  Vec3 target =
+      Vec3::Zero();  ///< position at the block's end; of axes whose place is not known the last one [mm]
   double feed = 0;   ///< programmed feed [mm/s]; 0: as fast as the axes allow (rapids, missing feed)
   double dwell = 0;  ///< [s], dwells only
   std::uint32_t line = 0;  ///< 1-based line in the source

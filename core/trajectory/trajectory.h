@@ -53,9 +53,9 @@ class Trajectory {
   /// What a TrajectoryBuilder collects.
   struct Content {
     BlendedPath path;
-    std::vector<Piece> pieces;  ///< in order of time and of elements
-    double duration = 0;        ///< [s]
-    Vec3 axis_velocity;         ///< of rapids and of blocks without feed [mm/s]
+    std::vector<Piece> pieces;          ///< in order of time and of elements
+    double duration = 0;                ///< [s]
+    Vec3 axis_velocity = Vec3::Zero();  ///< of rapids and of blocks without feed [mm/s]
     double compaction_error = 0;
     std::vector<FilteredMotion> motions;
     std::vector<std::uint32_t> filtered_corners;  ///< elements that end at one

@@ -53,6 +53,17 @@
     </message>
 </context>
 <context>
+    <name>ChartExport</name>
+    <message>
+        <source>cannot write %1: %2</source>
+        <translation>impossible d&apos;écrire %1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>a row every %1 s gives more than 20 million rows; show a shorter range or choose a larger step</source>
+        <translation>une ligne toutes les %1&#xa0;s ferait plus de 20 millions de lignes&#xa0;; afficher une plage plus courte, ou choisir un pas plus grand</translation>
+    </message>
+</context>
+<context>
     <name>Contour</name>
     <message>
         <source>inside</source>
@@ -222,10 +233,52 @@
     </message>
 </context>
 <context>
+    <name>KinematicCharts</name>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Acceleration</source>
+        <translation>Accélération</translation>
+    </message>
+    <message>
+        <source>Jerk</source>
+        <translation>Jerk</translation>
+    </message>
+</context>
+<context>
     <name>LineFinder</name>
     <message>
         <source>At character %1: %2</source>
         <translation>Au caractère %1&#xa0;: %2</translation>
+    </message>
+</context>
+<context>
+    <name>LineTimes</name>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1&#xa0;ms</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Ligne %1</translation>
+    </message>
+    <message>
+        <source>Lines %1 to %2</source>
+        <translation>Lignes %1 à %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 % of the cycle time</source>
+        <translation>%1, %2&#xa0;% du temps de cycle</translation>
+    </message>
+    <message>
+        <source>executed %1 times, %2 each on average</source>
+        <translation>exécutée %1 fois, %2 chacune en moyenne</translation>
+    </message>
+    <message>
+        <source>mean feed %1</source>
+        <translation>avance moyenne %1</translation>
     </message>
 </context>
 <context>
@@ -1136,53 +1189,6 @@
     <message>
         <source>Tolerance share beta</source>
         <translation>Part bêta de la tolérance</translation>
-    </message>
-</context>
-<context>
-    <name>feedscope::ui</name>
-    <message>
-        <source>Feed</source>
-        <translation>Avance</translation>
-    </message>
-    <message>
-        <source>Acceleration</source>
-        <translation>Accélération</translation>
-    </message>
-    <message>
-        <source>Jerk</source>
-        <translation>Jerk</translation>
-    </message>
-    <message>
-        <source>%1 ms</source>
-        <translation>%1&#xa0;ms</translation>
-    </message>
-    <message>
-        <source>Line %1</source>
-        <translation>Ligne %1</translation>
-    </message>
-    <message>
-        <source>Lines %1 to %2</source>
-        <translation>Lignes %1 à %2</translation>
-    </message>
-    <message>
-        <source>%1, %2 % of the cycle time</source>
-        <translation>%1, %2&#xa0;% du temps de cycle</translation>
-    </message>
-    <message>
-        <source>cannot write %1: %2</source>
-        <translation>impossible d&apos;écrire %1&#xa0;: %2</translation>
-    </message>
-    <message>
-        <source>mean feed %1</source>
-        <translation>avance moyenne %1</translation>
-    </message>
-    <message>
-        <source>a row every %1 s gives more than 20 million rows; show a shorter range or choose a larger step</source>
-        <translation>une ligne toutes les %1&#xa0;s ferait plus de 20 millions de lignes&#xa0;; afficher une plage plus courte, ou choisir un pas plus grand</translation>
-    </message>
-    <message>
-        <source>executed %1 times, %2 each on average</source>
-        <translation>exécutée %1 fois, %2 chacune en moyenne</translation>
     </message>
 </context>
 <context>

@@ -21,7 +21,7 @@ namespace {
 
 constexpr int strip_height = 10;
 constexpr int swatch = 9;
-constexpr int gap = 4;
+constexpr int swatch_gap = 4;
 constexpr int item_gap = 14;
 constexpr double min_named_share = 0.0005;  // of the visible time; below, 0.0 % would stand there
 
@@ -92,7 +92,7 @@ void CauseStrip::lay_out() {
   int x = 8 + QFontMetrics(bold).horizontalAdvance(tr("Limited by")) + item_gap;
   listed_ = 0;
   for (Share& share : shares_) {
-    const int end = x + swatch + gap + metrics.horizontalAdvance(share.text);
+    const int end = x + swatch + swatch_gap + metrics.horizontalAdvance(share.text);
     const bool last = listed_ + 1 == shares_.size();
     if (end + (last ? 0 : item_gap + more) > width() - plot_right_margin) {
       break;
@@ -221,7 +221,7 @@ void CauseStrip::draw_legend(QPainter& painter) const {
     painter.setPen(theme_colours(palette()).frame);
     painter.drawRect(box.adjusted(0, 0, -1, -1));
     painter.setPen(shown ? text : faint);
-    painter.drawText(share.place.adjusted(swatch + gap, 0, 4, 0), Qt::AlignLeft | Qt::AlignVCenter,
+    painter.drawText(share.place.adjusted(swatch + swatch_gap, 0, 4, 0), Qt::AlignLeft | Qt::AlignVCenter,
                      share.text);
     end = share.place.right() + item_gap;
   }

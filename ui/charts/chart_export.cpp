@@ -21,12 +21,12 @@ namespace {
 
 constexpr double max_samples = 2e7;  // some 5 GB
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("ChartExport", text);
-}
+struct ChartExport {
+  Q_DECLARE_TR_FUNCTIONS(ChartExport)
+};
 
 [[noreturn]] void fail(const QSaveFile& file) {
-  throw InputError(tr("cannot write %1: %2")
+  throw InputError(ChartExport::tr("cannot write %1: %2")
                        .arg(QDir::toNativeSeparators(file.fileName()), file.errorString())
                        .toStdString());
 }
@@ -88,7 +88,8 @@ std::vector<double> sample_times(const Interval& range, double step) {
   const double count = std::ceil(range.width() / step * (1 - 1e-12));
   if (!(count <= max_samples)) {
     throw InputError(
-        tr("a row every %1 s gives more than 20 million rows; show a shorter range or choose a larger step")
+        ChartExport::tr(
+            "a row every %1 s gives more than 20 million rows; show a shorter range or choose a larger step")
             .arg(step)
             .toStdString());
   }

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int left = 8;
 constexpr int swatch_width = 18;
-constexpr int gap = 5;
+constexpr int name_gap = 5;
 constexpr int curve_gap = 10;
 constexpr int longest_run_name = 160;  // [px]
 constexpr int max_run_rows = 2;
@@ -70,7 +70,7 @@ int ChartHeader::value_width() const {
 }
 
 int ChartHeader::item_width(const QString& name) const {
-  return swatch_width + gap + QFontMetrics(font()).horizontalAdvance(name) + value_width();
+  return swatch_width + name_gap + QFontMetrics(font()).horizontalAdvance(name) + value_width();
 }
 
 QString ChartHeader::unit_text() const {
@@ -103,7 +103,7 @@ int ChartHeader::heightForWidth(int width) const {
 ChartHeader::Layout ChartHeader::lay_out(int width) const {
   const QFontMetrics metrics(font());
   Layout layout;
-  int x = left + QFontMetrics(bold(font())).horizontalAdvance(spec_.title) + gap +
+  int x = left + QFontMetrics(bold(font())).horizontalAdvance(spec_.title) + name_gap +
           metrics.horizontalAdvance(unit_text()) + curve_gap;
   int y = 0;
   for (const CurveSpec& curve : spec_.curves) {
@@ -217,9 +217,9 @@ void ChartHeader::draw_title(QPainter& painter) const {
   painter.setPen(palette().color(QPalette::WindowText));
   painter.setFont(bold(font()));
   const int title = QFontMetrics(painter.font()).horizontalAdvance(spec_.title);
-  painter.drawText(QRect(left, 0, title + gap, row_height()), Qt::AlignVCenter, spec_.title);
+  painter.drawText(QRect(left, 0, title + name_gap, row_height()), Qt::AlignVCenter, spec_.title);
   painter.setFont(font());
-  painter.drawText(QRect(left + title + gap, 0, width(), row_height()), Qt::AlignVCenter, unit_text());
+  painter.drawText(QRect(left + title + name_gap, 0, width(), row_height()), Qt::AlignVCenter, unit_text());
 }
 
 void ChartHeader::draw_curve(QPainter& painter, std::size_t curve, const QRect& place) const {
@@ -231,7 +231,7 @@ void ChartHeader::draw_curve(QPainter& painter, std::size_t curve, const QRect& 
   painter.setPen(QPen(color, shown ? spec.width + 1 : 1));
   painter.drawLine(place.left(), middle, place.left() + swatch_width, middle);
   painter.setPen(shown ? palette().color(QPalette::WindowText) : faint);
-  const QRect words = place.adjusted(swatch_width + gap, 0, 0, 0);
+  const QRect words = place.adjusted(swatch_width + name_gap, 0, 0, 0);
   painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, spec.name);
   if (state_.has_value() && shown) {
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
@@ -247,7 +247,7 @@ void ChartHeader::draw_runs(QPainter& painter, const Layout& layout) const {
     painter.setPen(QPen(run.color, 2, run.dashed ? Qt::DashLine : Qt::SolidLine, Qt::FlatCap));
     painter.drawLine(place.left(), place.center().y(), place.left() + swatch_width, place.center().y());
     painter.setPen(palette().color(QPalette::WindowText));
-    const QRect words = place.adjusted(swatch_width + gap, 0, 0, 0);
+    const QRect words = place.adjusted(swatch_width + name_gap, 0, 0, 0);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter,
                      metrics.elidedText(run.name, Qt::ElideMiddle, longest_run_name));
     if (run.value.has_value()) {

@@ -15,9 +15,9 @@ constexpr double path_width = 1.8;
 constexpr double axis_width = 1.1;
 constexpr std::array axis_roles{CurveRole::x, CurveRole::y, CurveRole::z};
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("KinematicCharts", text);
-}
+struct KinematicCharts {
+  Q_DECLARE_TR_FUNCTIONS(KinematicCharts)
+};
 
 QString text_of(std::string_view text) {
   return core_text(std::string(text));
@@ -86,9 +86,9 @@ QColor curve_colour(CurveRole role, const ThemeColours& colours) {
 }
 
 std::array<ChartSpec, chart_count> kinematic_chart_specs() {
-  return {chart_of(QuantityChart::feed, tr("Feed")),
-          chart_of(QuantityChart::acceleration, tr("Acceleration")),
-          chart_of(QuantityChart::jerk, tr("Jerk"))};
+  return {chart_of(QuantityChart::feed, KinematicCharts::tr("Feed")),
+          chart_of(QuantityChart::acceleration, KinematicCharts::tr("Acceleration")),
+          chart_of(QuantityChart::jerk, KinematicCharts::tr("Jerk"))};
 }
 
 }  // namespace feedscope::ui

@@ -14,9 +14,9 @@ namespace feedscope::ui {
 
 namespace {
 
-QString tr(const char* text) {
-  return QCoreApplication::translate("LineTimes", text);
-}
+struct LineTimeText {
+  Q_DECLARE_TR_FUNCTIONS(LineTimeText)
+};
 
 }  // namespace
 
@@ -30,7 +30,7 @@ QString time_text(double seconds) {
     return clock_text(seconds);
   }
   constexpr double milli = 1e3;
-  return tr("%1 ms").arg(QLocale().toString(seconds * milli, 'f', seconds * milli < 1 ? 3 : 2));
+  return LineTimeText::tr("%1 ms").arg(QLocale().toString(seconds * milli, 'f', seconds * milli < 1 ? 3 : 2));
 }
 
 QString line_time_text(const LineTimes& times, std::uint32_t first, std::uint32_t last) {
@@ -41,17 +41,18 @@ QString line_time_text(const LineTimes& times, std::uint32_t first, std::uint32_
   const QLocale locale;
   constexpr double percent = 100;
   QStringList text;
-  text.append(first == last ? tr("Line %1").arg(locale.toString(first))
-                            : tr("Lines %1 to %2").arg(locale.toString(first), locale.toString(last)));
-  text.append(tr("%1, %2 % of the cycle time")
+  text.append(first == last
+                  ? LineTimeText::tr("Line %1").arg(locale.toString(first))
+                  : LineTimeText::tr("Lines %1 to %2").arg(locale.toString(first), locale.toString(last)));
+  text.append(LineTimeText::tr("%1, %2 % of the cycle time")
                   .arg(time_text(cost.time), locale.toString(percent * cost.time / times.total(), 'f', 2)));
   if (first == last && cost.runs > 1) {
-    text.append(tr("executed %1 times, %2 each on average")
+    text.append(LineTimeText::tr("executed %1 times, %2 each on average")
                     .arg(locale.toString(static_cast<qulonglong>(cost.runs)),
                          time_text(cost.time / static_cast<double>(cost.runs))));
   }
   if (cost.mean_feed() > 0) {
-    text.append(tr("mean feed %1").arg(amount_text(cost.mean_feed(), Dimension::feed)));
+    text.append(LineTimeText::tr("mean feed %1").arg(amount_text(cost.mean_feed(), Dimension::feed)));
   }
   return text.join('\n');
 }

@@ -19,7 +19,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr int strip_width = 18;  // [pixels]
-constexpr int mark_width = 4;
+constexpr int strip_mark_width = 4;
 
 }  // namespace
 
@@ -86,14 +86,14 @@ void OverviewStrip::paint_times(QPainter& painter) const {
   }
   const double largest = times.empty() ? 0 : *std::ranges::max_element(times);
   const QColor ground = theme_colours(view_.palette()).gutter;
-  const int room = width() - mark_width - 1;
+  const int room = width() - strip_mark_width - 1;
   for (int y = 0; y < height(); ++y) {
     const double time = times[static_cast<std::size_t>(y)];
     if (time > 0) {
       const int bar = std::max(1, static_cast<int>(std::lround(room * time / largest)));
-      painter.fillRect(QRect(mark_width + 1, y, room, 1),
+      painter.fillRect(QRect(strip_mark_width + 1, y, room, 1),
                        heat_colour(heat_of(time, largest) / 3, ground, view_.palette()));
-      painter.fillRect(QRect(mark_width + 1, y, bar, 1),
+      painter.fillRect(QRect(strip_mark_width + 1, y, bar, 1),
                        heat_colour(heat_of(time, largest), ground, view_.palette()));
     }
   }
@@ -105,14 +105,14 @@ void OverviewStrip::paint_marks(QPainter& painter) const {
     for (int y = 0; y < height(); ++y) {
       const Lines lines = lines_of(y);
       if (lines.first > 0 && search->found()->any(lines.first, lines.last)) {
-        painter.fillRect(QRect(0, y, mark_width, 1), program_colours(view_.palette()).found_mark);
+        painter.fillRect(QRect(0, y, strip_mark_width, 1), program_colours(view_.palette()).found_mark);
       }
     }
   }
   for (const Severity severity : {Severity::info, Severity::warning, Severity::error}) {
     for (const Diagnostic* diagnostic : view_.marks().all()) {
       if (diagnostic->severity == severity) {
-        painter.fillRect(QRectF(0, std::floor(top_of(diagnostic->line)), mark_width, 3),
+        painter.fillRect(QRectF(0, std::floor(top_of(diagnostic->line)), strip_mark_width, 3),
                          colour_of(severity, view_.palette()));
       }
     }

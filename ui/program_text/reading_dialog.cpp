@@ -17,6 +17,7 @@
 #include "ui/fields/number_text.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/shared/table_items.h"
 
 namespace feedscope::ui {
 
@@ -29,7 +30,7 @@ constexpr int recognised = -1;
 constexpr int unit_of_program = -1;
 constexpr double largest_radius = 1e6;  // [mm]
 
-enum Column { tool_column, radius_column, source_column, column_count };
+enum CutterColumn { tool_column, radius_column, source_column, column_count };
 
 QString source_text(CutterSource source) {
   switch (source) {
@@ -48,12 +49,6 @@ QString source_text(CutterSource source) {
 std::optional<double> length_of(const QString& text) {
   const auto length = number_of(text);
   return length && *length >= 0 && *length <= largest_radius ? length : std::nullopt;
-}
-
-QTableWidgetItem* fixed_item(const QString& text) {
-  auto* item = new QTableWidgetItem(text);
-  item->setFlags(item->flags() & ~Qt::ItemIsEditable);
-  return item;
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "ui/fields/number_text.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/shared/table_items.h"
 
 namespace feedscope::ui {
 
@@ -13,7 +14,7 @@ namespace {
 
 constexpr double farthest = 1e6;  // [mm]
 
-enum Column { name_column, first_axis_column, use_column = first_axis_column + 3, column_count };
+enum OffsetColumn { name_column, first_axis_column, use_column = first_axis_column + 3, offset_column_count };
 
 /// None for anything else.
 std::optional<double> coordinate_of(const QString& text) {
@@ -21,18 +22,12 @@ std::optional<double> coordinate_of(const QString& text) {
   return value && std::abs(*value) <= farthest ? value : std::nullopt;
 }
 
-QTableWidgetItem* fixed_item(const QString& text) {
-  auto* item = new QTableWidgetItem(text);
-  item->setFlags(item->flags() & ~Qt::ItemIsEditable);
-  return item;
-}
-
 }  // namespace
 
 WorkOffsetsTable::WorkOffsetsTable(const WorkOffsets& given, const Program* program, QWidget* parent)
     : QTableWidget(parent) {
   setAccessibleName(tr("Work offsets"));
-  setColumnCount(column_count);
+  setColumnCount(offset_column_count);
   setHorizontalHeaderLabels({tr("Offset"), with_unit_of("X", Dimension::length),
                              with_unit_of("Y", Dimension::length), with_unit_of("Z", Dimension::length),
                              tr("Use")});

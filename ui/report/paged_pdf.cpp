@@ -20,7 +20,7 @@ constexpr double page_width = 210 / 25.4 * 96;
 constexpr double margin_side = (page_width - report_width) / 2;
 constexpr double margin_top = page_margin_top;
 constexpr double margin_bottom = page_margin_bottom;
-constexpr int resolution = 1200;
+constexpr int page_resolution = 1200;
 constexpr double points_a_unit = 0.75;
 
 void draw_margins(QPainter& painter, const PageTexts& texts, int page, int pages) {
@@ -69,13 +69,13 @@ std::string paged_pdf(const QString& html, const ReportPictures& pictures, const
   QBuffer buffer;
   buffer.open(QIODevice::WriteOnly);
   QPdfWriter writer(&buffer);
-  writer.setResolution(resolution);
+  writer.setResolution(page_resolution);
   writer.setPageSize(QPageSize(QPageSize::A4));
   writer.setPageMargins({});
   QPainter painter(&writer);
   painter.setRenderHints(QPainter::Antialiasing | QPainter::TextAntialiasing |
                          QPainter::LosslessImageRendering);
-  constexpr double unit = resolution / 96.0;
+  constexpr double unit = page_resolution / 96.0;
   painter.scale(unit, unit);
   const int pages = static_cast<int>(document.pages().size());
   for (int page = 0; page < pages; ++page) {

@@ -21,9 +21,9 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr std::size_t max_places = 8;
-constexpr std::size_t max_close_ups = 4;
-constexpr std::size_t max_runs = 6;
+constexpr std::size_t max_error_places = 8;
+constexpr std::size_t max_error_close_ups = 4;
+constexpr std::size_t max_curves = 6;
 
 /// Places as far from paths of the same shape, as the corners of a pocket are.
 struct SimilarErrors {
@@ -123,7 +123,7 @@ QString contour_histogram_block(const ReportInput& input, ReportPictures& pictur
   curves->sides = true;
   add(input.run());
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
-    if (i != input.current && curves->runs.size() < max_runs) {
+    if (i != input.current && curves->runs.size() < max_curves) {
       add(input.runs[i]);
     }
   }
@@ -148,7 +148,7 @@ QString contour_places_block(const ReportInput& input) {
                   with_unit_of(QStringLiteral("Feed"), Dimension::feed),
                   with_unit_of(QStringLiteral("At X, Y, Z"), Dimension::length)});
   int number = 0;
-  for (const SimilarErrors& errors : worst_errors(input, max_places)) {
+  for (const SimilarErrors& errors : worst_errors(input, max_error_places)) {
     const ContourFinding& found = errors.worst;
     const Vec3& at = found.place.position;
     constexpr double percent = 100;
@@ -167,7 +167,7 @@ QString contour_places_block(const ReportInput& input) {
 
 QString contour_place_views_block(const ReportInput& input, ReportPictures& pictures) {
   std::vector<std::pair<QString, QString>> shown;
-  for (const SimilarErrors& errors : worst_errors(input, max_close_ups)) {
+  for (const SimilarErrors& errors : worst_errors(input, max_error_close_ups)) {
     const QString number = QString::number(shown.size() + 1);
     const double factor = enlargement(errors.worst.place);
     QString caption = QStringLiteral("Place %1: line %2, %3")

@@ -16,8 +16,6 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr std::size_t runs_a_table = 4;
-
 /// Digits that numbers in the unit of their key have, and converted ones.
 int digits_of(const KeyUnit& unit) {
   return unit.factor == 1 ? 8 : 5;

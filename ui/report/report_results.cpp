@@ -18,7 +18,6 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr std::size_t runs_a_table = 4;
 constexpr double min_named_share = 0.0005;  // of a cycle time; below, 0.0 % would stand there
 
 const Summary& summary_of(const ReportRun& run) {

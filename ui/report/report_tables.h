@@ -10,6 +10,9 @@ namespace feedscope::ui {
 
 // Blocks of a report as HTML. Numbers have a decimal point and the units of people; all texts are escaped.
 
+/// Runs side by side in a table; further ones follow in another.
+inline constexpr std::size_t runs_a_table = 4;
+
 /// What the program holds: dialect, blocks, path, extents, feeds, tools, path control by lines.
 QString program_facts_block(const ReportInput& input);
 /// Messages of the reader; empty if there are none.

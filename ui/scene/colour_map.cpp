@@ -12,10 +12,10 @@ struct Lab {
 
 // All inside sRGB, and straight between them too; lightness evenly spaced.
 using ControlPoints = std::array<Lab, 5>;
-constexpr ControlPoints on_light{Lab{20, 36, -50}, Lab{35, 4, -40}, Lab{50, -26, -12}, Lab{65, -36, 30},
-                                 Lab{80, 4, 74}};
-constexpr ControlPoints on_dark{Lab{38, 36, -58}, Lab{51, 0, -44}, Lab{64, -26, -14}, Lab{77, -36, 34},
-                                Lab{90, -6, 64}};
+constexpr ControlPoints ramp_on_light{Lab{20, 36, -50}, Lab{35, 4, -40}, Lab{50, -26, -12}, Lab{65, -36, 30},
+                                      Lab{80, 4, 74}};
+constexpr ControlPoints ramp_on_dark{Lab{38, 36, -58}, Lab{51, 0, -44}, Lab{64, -26, -14}, Lab{77, -36, 34},
+                                     Lab{90, -6, 64}};
 constexpr ControlPoints diverging_on_light{Lab{28, 14, -46}, Lab{52, -6, -30}, Lab{76, 0, 0}, Lab{52, 34, 40},
                                            Lab{28, 38, 36}};
 constexpr ControlPoints diverging_on_dark{Lab{76, -14, -34}, Lab{60, -8, -24}, Lab{44, 0, 0}, Lab{60, 24, 34},
@@ -56,7 +56,7 @@ Rgb colour_along(const ControlPoints& points, double value) {
 }  // namespace
 
 Rgb map_colour(double value, Background background) {
-  return colour_along(background == Background::dark ? on_dark : on_light, value);
+  return colour_along(background == Background::dark ? ramp_on_dark : ramp_on_light, value);
 }
 
 Rgb diverging_colour(double value, Background background) {

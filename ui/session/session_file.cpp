@@ -6,19 +6,12 @@
 #include <QSaveFile>
 
 #include "core/base/error.h"
+#include "ui/session/session_json.h"
 
 namespace feedscope::ui {
 namespace {
 
 constexpr qint64 largest_file = 64LL << 20;  // bytes; a session of a thousand annotations is a few hundred KB
-
-[[noreturn]] void fail(const QString& message) {
-  throw InputError(message.toStdString());
-}
-
-QString to_qstring(const std::filesystem::path& path) {
-  return QString::fromStdU16String(path.u16string());
-}
 
 /// "line 3, column 7" of a place in a text.
 QString place_of(const QByteArray& text, qsizetype offset) {
@@ -30,10 +23,10 @@ QString place_of(const QByteArray& text, qsizetype offset) {
 QByteArray read_bytes(const QString& name) {
   QFile file(name);
   if (!file.open(QIODevice::ReadOnly)) {
-    fail(QStringLiteral("cannot read session '%1': %2").arg(name, file.errorString()));
+    throw input_error(QStringLiteral("cannot read session '%1': %2").arg(name, file.errorString()));
   }
   if (file.size() > largest_file) {
-    fail(QStringLiteral("'%1' is larger than 64 MiB and cannot be a session").arg(name));
+    throw input_error(QStringLiteral("'%1' is larger than 64 MiB and cannot be a session").arg(name));
   }
   return file.readAll();
 }
@@ -52,7 +45,8 @@ void write_session(const Session& session, const std::filesystem::path& file) {
   const QByteArray bytes = session_bytes(session, std::filesystem::absolute(file).parent_path());
   QSaveFile out(to_qstring(file));
   if (!out.open(QIODevice::WriteOnly) || out.write(bytes) != bytes.size() || !out.commit()) {
-    fail(QStringLiteral("cannot write session '%1': %2").arg(to_qstring(file), out.errorString()));
+    throw input_error(
+        QStringLiteral("cannot write session '%1': %2").arg(to_qstring(file), out.errorString()));
   }
 }
 
@@ -62,13 +56,14 @@ ReadSession read_session_file(const std::filesystem::path& file) {
   QJsonParseError error;
   const QJsonDocument document = QJsonDocument::fromJson(bytes, &error);
   if (error.error != QJsonParseError::NoError) {
-    fail(QStringLiteral("'%1' is not a session: %2 (%3)")
-             .arg(name, error.errorString(), place_of(bytes, error.offset)));
+    throw input_error(QStringLiteral("'%1' is not a session: %2 (%3)")
+                          .arg(name, error.errorString(), place_of(bytes, error.offset)));
   }
   try {
     return read_session(document.object(), std::filesystem::absolute(file).parent_path(), shipped_machines());
   } catch (const InputError& reason) {
-    fail(QStringLiteral("cannot use session '%1': %2").arg(name, QString::fromUtf8(reason.what())));
+    throw input_error(
+        QStringLiteral("cannot use session '%1': %2").arg(name, QString::fromUtf8(reason.what())));
   }
 }
 

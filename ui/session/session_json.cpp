@@ -15,16 +15,9 @@ namespace {
 constexpr const char* format_name = "feedscope-session";
 constexpr int largest_text_size = 200;  // [points]
 
-[[noreturn]] void fail(const QString& message) {
-  throw InputError(message.toStdString());
-}
-
-QString to_qstring(const std::filesystem::path& path) {
+/// The same on every system.
+QString portable_name(const std::filesystem::path& path) {
   return QString::fromStdU16String(path.generic_u16string());
-}
-
-std::filesystem::path to_path(const QString& text) {
-  return std::filesystem::path(text.toStdU16String());
 }
 
 /// Notes the keys of `json` that are not in `known`, with the nearest one that is.
@@ -121,7 +114,7 @@ RunItem read_run(const QJsonObject& json, const QString& place, const MachineLib
     }
     return run;
   } catch (const InputError& error) {
-    fail(QStringLiteral("%1: %2").arg(place, QString::fromUtf8(error.what())));
+    throw input_error(QStringLiteral("%1: %2").arg(place, QString::fromUtf8(error.what())));
   }
 }
 
@@ -135,10 +128,10 @@ ProgrammedPlace read_place(const QJsonObject& json, const QString& place) {
   const double segment = json["segment"].toDouble(-1);
   const double share = json["share"].toDouble();
   if (!(segment >= 0 && segment <= 4294967295.0 && segment == std::floor(segment))) {
-    fail(QStringLiteral("%1: \"segment\" must be a whole number from 0").arg(place));
+    throw input_error(QStringLiteral("%1: \"segment\" must be a whole number from 0").arg(place));
   }
   if (!(share >= 0 && share <= 1)) {
-    fail(QStringLiteral("%1: \"share\" is %2; it must be from 0 to 1").arg(place).arg(share));
+    throw input_error(QStringLiteral("%1: \"share\" is %2; it must be from 0 to 1").arg(place).arg(share));
   }
   return {static_cast<std::uint32_t>(segment), share};
 }
@@ -167,8 +160,8 @@ AnnotationKind read_kind(const QJsonValue& json, const QString& place) {
     }
     known.append(annotation_key(kind));
   }
-  fail(QStringLiteral("%1: \"kind\" is \"%2\"; it must be one of %3")
-           .arg(place, json.toString(), known.join(QStringLiteral(", "))));
+  throw input_error(QStringLiteral("%1: \"kind\" is \"%2\"; it must be one of %3")
+                        .arg(place, json.toString(), known.join(QStringLiteral(", "))));
 }
 
 Annotation read_annotation(const QJsonObject& json, const QString& place, QStringList& notes) {
@@ -194,10 +187,10 @@ Annotation read_annotation(const QJsonObject& json, const QString& place, QStrin
   }
   annotation.size = json["size_pt"].toDouble(annotation.size);
   if (!(annotation.size > 0 && annotation.size <= largest_text_size)) {
-    fail(QStringLiteral("%1: \"size_pt\" is %2; it must be above 0 and at most %3")
-             .arg(place)
-             .arg(annotation.size)
-             .arg(largest_text_size));
+    throw input_error(QStringLiteral("%1: \"size_pt\" is %2; it must be above 0 and at most %3")
+                          .arg(place)
+                          .arg(annotation.size)
+                          .arg(largest_text_size));
   }
   return annotation;
 }
@@ -206,16 +199,19 @@ Annotation read_annotation(const QJsonObject& json, const QString& place, QStrin
 
 void check_format(const QJsonObject& json) {
   if (json["format"] != QLatin1String(format_name)) {
-    fail(QStringLiteral("it is not a Feedscope session: its \"format\" is not \"%1\"").arg(format_name));
+    throw input_error(
+        QStringLiteral("it is not a Feedscope session: its \"format\" is not \"%1\"").arg(format_name));
   }
   const double version = json["version"].toDouble();
   if (version > session_version) {
-    fail(QStringLiteral("it is of version %1, written by a newer Feedscope; this one reads up to version %2")
-             .arg(version)
-             .arg(session_version));
+    throw input_error(
+        QStringLiteral("it is of version %1, written by a newer Feedscope; this one reads up to version %2")
+            .arg(version)
+            .arg(session_version));
   }
   if (version != session_version) {
-    fail(QStringLiteral("its \"version\" is not a whole number from 1 to %1").arg(session_version));
+    throw input_error(
+        QStringLiteral("its \"version\" is not a whole number from 1 to %1").arg(session_version));
   }
 }
 
@@ -255,7 +251,7 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
   }
   return {{"format", format_name},
           {"version", session_version},
-          {"program", QJsonObject{{"file", to_qstring(relative.empty() ? session.program : relative)},
+          {"program", QJsonObject{{"file", portable_name(relative.empty() ? session.program : relative)},
                                   {"sha256", QString::fromLatin1(session.program_hash)}}},
           {"reading", to_json(session.reading, folder)},
           {"runs", runs},
@@ -280,7 +276,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   const QJsonObject program = json["program"].toObject();
   note_unknown(program, {"file", "sha256"}, QStringLiteral("\"program\""), read.notes);
   if (program["file"].toString().isEmpty()) {
-    fail(QStringLiteral("it names no program: \"program\" has no \"file\""));
+    throw input_error(QStringLiteral("it names no program: \"program\" has no \"file\""));
   }
   session.program = (folder / to_path(program["file"].toString())).lexically_normal();
   session.program_hash = program["sha256"].toString().toLatin1();
@@ -292,7 +288,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
         read_run(run.toObject(), QStringLiteral("run %1").arg(++number), machines, read.notes));
   }
   if (session.runs.empty()) {
-    fail(QStringLiteral("it has no runs: \"runs\" is empty or missing"));
+    throw input_error(QStringLiteral("it has no runs: \"runs\" is empty or missing"));
   }
   session.current_run = static_cast<std::size_t>(
       std::clamp(json["current_run"].toInt(), 0, static_cast<int>(session.runs.size()) - 1));

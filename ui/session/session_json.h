@@ -3,13 +3,19 @@
 #include <QJsonObject>
 #include <QStringList>
 
+#include "core/base/error.h"
 #include "ui/session/session.h"
+#include "ui/shared/paths.h"
 
 namespace feedscope::ui {
 
 /// Of the files written now. One with a higher version is refused; a key that is missing has the value of a
 /// new session, so that a version lasts as long as no key changes its meaning.
 inline constexpr int session_version = 1;
+
+inline InputError input_error(const QString& message) {
+  return InputError(message.toStdString());
+}
 
 /// Paths relative to `folder`, where the session file is.
 QJsonObject to_json(const Session& session, const std::filesystem::path& folder);

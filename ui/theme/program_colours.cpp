@@ -9,7 +9,7 @@ namespace feedscope::ui {
 
 namespace {
 
-const ProgramColours light_colours{.comment = QColor(0x5b, 0x75, 0x5b),
+const ProgramColours light_program{.comment = QColor(0x5b, 0x75, 0x5b),
                                    .label = QColor(0x6c, 0x73, 0x7a),
                                    .block_delete = QColor(0xb0, 0x00, 0x20),
                                    .g_code = QColor(0x1f, 0x5f, 0xa8),
@@ -28,7 +28,7 @@ const ProgramColours light_colours{.comment = QColor(0x5b, 0x75, 0x5b),
                                    .found = QColor(0xff, 0xd8, 0x6b),
                                    .found_mark = QColor(0x8a, 0x6d, 0x00),
                                    .slow = QColor(0xb8, 0x32, 0x00)};
-const ProgramColours dark_colours{.comment = QColor(0x8a, 0xa3, 0x8a),
+const ProgramColours dark_program{.comment = QColor(0x8a, 0xa3, 0x8a),
                                   .label = QColor(0x8d, 0x94, 0x9b),
                                   .block_delete = QColor(0xff, 0x7b, 0x7b),
                                   .g_code = QColor(0x7f, 0xb8, 0xf0),
@@ -51,7 +51,7 @@ const ProgramColours dark_colours{.comment = QColor(0x8a, 0xa3, 0x8a),
 }  // namespace
 
 const ProgramColours& program_colours(const QPalette& palette) {
-  return theme_of(palette) == ThemeKind::dark ? dark_colours : light_colours;
+  return theme_of(palette) == ThemeKind::dark ? dark_program : light_program;
 }
 
 QColor heat_colour(double heat, const QColor& ground, const QPalette& palette) {

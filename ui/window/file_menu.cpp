@@ -10,19 +10,12 @@
 #include "core/base/data_folder.h"
 #include "ui/program_text/reading_dialog.h"
 #include "ui/shared/panel_action.h"
+#include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
 #include "ui/window/picture_commands.h"
 #include "ui/workbench/recent_files.h"
 
 namespace feedscope::ui {
-
-namespace {
-
-std::filesystem::path to_path(const QString& file) {
-  return std::filesystem::path(file.toStdU16String());
-}
-
-}  // namespace
 
 FileMenu::FileMenu(Workbench& workbench, WindowSession& session, MainWindow& window)
     : QMenu(tr("&File"), &window), workbench_(workbench), session_(session), window_(window) {

@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/program_text/program_panel.h"
+#include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
 
 namespace feedscope::ui {
@@ -19,14 +20,6 @@ namespace feedscope::ui {
 namespace {
 
 constexpr std::chrono::seconds between_keeping(60);
-
-QString to_qstring(const std::filesystem::path& path) {
-  return QString::fromStdU16String(path.u16string());
-}
-
-std::filesystem::path to_path(const QString& file) {
-  return std::filesystem::path(file.toStdU16String());
-}
 
 QString message_of(const InputError& error) {
   return QString::fromUtf8(error.what());

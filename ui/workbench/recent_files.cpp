@@ -7,10 +7,10 @@ namespace feedscope::ui {
 
 namespace {
 
-const QString key = QStringLiteral("recent_files");
+const QString recent_key = QStringLiteral("recent_files");
 
 QStringList stored() {
-  return QSettings().value(key).toStringList();
+  return QSettings().value(recent_key).toStringList();
 }
 
 }  // namespace
@@ -30,11 +30,11 @@ void RecentFiles::add(const QString& file) {
   const QString absolute = QFileInfo(file).absoluteFilePath();
   files.removeAll(absolute);
   files.prepend(absolute);
-  QSettings().setValue(key, files.mid(0, most));
+  QSettings().setValue(recent_key, files.mid(0, most));
 }
 
 void RecentFiles::clear() {
-  QSettings().remove(key);
+  QSettings().remove(recent_key);
 }
 
 }  // namespace feedscope::ui

@@ -9,16 +9,9 @@
 #include "core/analysis/control_dialect.h"
 #include "core/base/error.h"
 #include "core/machine/contour_tolerance.h"
+#include "ui/shared/paths.h"
 
 namespace feedscope::ui {
-
-namespace {
-
-QString to_qstring(const std::filesystem::path& path) {
-  return QString::fromStdU16String(path.u16string());
-}
-
-}  // namespace
 
 Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
     : QObject(parent),

@@ -84,7 +84,7 @@ ContourSpot contour_spot(const Toolpath& programmed, const ContourPlace& place) 
   spot.length = block.length;
   const Vec3 offset = place.position - place.programmed;
   const double along = distance_along(programmed, place.segment, place.programmed);
-  Junction junction{std::numeric_limits<double>::infinity(), {}, {}};
+  Junction junction{.distance = std::numeric_limits<double>::infinity()};
   if (moves(programmed, place.segment + 1)) {
     junction = {block.length - along, programmed.tangent_at_end(place.segment),
                 programmed.tangent_at_start(place.segment + 1)};

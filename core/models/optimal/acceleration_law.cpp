@@ -7,8 +7,6 @@ namespace feedscope {
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /// Cells that are looked at together; doubled where braking takes longer.
 constexpr std::size_t window_cells = 4096;
 

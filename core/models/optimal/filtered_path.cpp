@@ -15,8 +15,8 @@ constexpr std::size_t curves_a_block = 2000;
 
 /// Between two looks at the motion passes at least and at most this share of a filter time, unless one pulse
 /// fills the filters: then it turns by this at most [rad].
-constexpr double min_share = 0.25;
-constexpr double max_share = 0.5;
+constexpr double min_filter_share = 0.25;
+constexpr double max_filter_share = 0.5;
 constexpr double max_turn = 0.5;
 /// Shorter blocks are no elements of their own: of so near places rounding would make the curvature [mm].
 constexpr double min_block = 1e-4;
@@ -115,7 +115,7 @@ void FilteredPath::follow(double from, double to) {
   const double filter_time = motion_->filter_time();
   for (double t = from; t < to;) {
     const double knot = walk_.next_knot(motion_->train(), t);
-    double end = std::clamp(knot, t + min_share * filter_time, t + max_share * filter_time);
+    double end = std::clamp(knot, t + min_filter_share * filter_time, t + max_filter_share * filter_time);
     double count = 1;
     if (walk_.is_settled()) {
       end = std::min(knot, to);

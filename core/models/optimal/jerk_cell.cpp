@@ -8,8 +8,6 @@ namespace {
 
 using Eigen::Vector4d;
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /// Speed, acceleration and jerk at a place of a cell.
 struct PlaceMotion {
   double v;

@@ -17,7 +17,7 @@ constexpr double level_after = 2;  ///< ramp times within which they stay short
 /// The law is passed slower in such steps, which do not hang on the rounding of path lengths.
 constexpr double excess_step = 1e-4;
 constexpr double cell_turn = 0.15;  ///< [rad]
-constexpr std::size_t window_cells = 256;
+constexpr std::size_t jerk_window_cells = 256;
 constexpr double window_ramps = 8;  ///< a window lasts so many ramps at least
 
 /// What the cells that begin in [from, to) turn by [rad].
@@ -52,8 +52,8 @@ void JerkLaw::run(std::uint32_t first, std::uint32_t last, ProgressSteps& steps)
     add_planned(first, last);
     return;
   }
-  for (std::size_t i = 0; i < cells_.size(); i += window_cells) {
-    const std::size_t end = std::min(i + window_cells, cells_.size());
+  for (std::size_t i = 0; i < cells_.size(); i += jerk_window_cells) {
+    const std::size_t end = std::min(i + jerk_window_cells, cells_.size());
     fill_places(i, end);
     add_pieces(i, end);
   }
@@ -240,8 +240,8 @@ bool JerkLaw::lower_exceeded() {
   bool any = false;
   double begin = 0;
   double last_lowered = -1;
-  for (std::size_t i = 0; i < cells_.size(); i += window_cells) {
-    const std::size_t end = std::min(i + window_cells, cells_.size());
+  for (std::size_t i = 0; i < cells_.size(); i += jerk_window_cells) {
+    const std::size_t end = std::min(i + jerk_window_cells, cells_.size());
     fill_places(i, end);
     for (std::size_t k = i; k < end; begin += cells_[k++].length) {
       if (!JerkSolver::keeps_limits(solver_cells_[k - i], places_, &nodes_[k])) {
@@ -257,7 +257,8 @@ void JerkLaw::improve(ProgressSteps& steps) {
   for (std::size_t i = 0; i < cells_.size();) {
     std::size_t end = i;
     double time = 0;
-    while (end < cells_.size() && (end < i + window_cells || time < window_ramps * static_law_.ramp_time())) {
+    while (end < cells_.size() &&
+           (end < i + jerk_window_cells || time < window_ramps * static_law_.ramp_time())) {
       time += CellMotion::through(cells_[end].length, nodes_[end].v, nodes_[end].a, nodes_[end + 1].v,
                                   nodes_[end + 1].a)
                   .time;

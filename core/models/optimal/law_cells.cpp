@@ -7,10 +7,8 @@
 namespace feedscope {
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
-
 /// As of CellRule: with four, one node of which lies on the crest of a blend's curvature, laws are no faster.
-constexpr int min_cells = 3;
+constexpr int min_cells_a_piece = 3;
 
 Vec3 inverse_of(const Vec3& limits) {
   return limits.unaryExpr([](double limit) { return limit > 0 ? 1 / limit : 0; });
@@ -29,7 +27,7 @@ LawCells::LawCells(const Toolpath& toolpath, const AxisVectors& axes, int finene
       share_of_velocity_(inverse_of(axes.velocity)) {
   rule_.fineness = fineness;
   rule_.acceleration = axes.acceleration;
-  rule_.least = min_cells;
+  rule_.least = min_cells_a_piece;
 }
 
 void LawCells::add_element(const BlendedPath& path, std::uint32_t index) {

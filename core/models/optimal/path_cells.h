@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -8,6 +9,9 @@
 #include "core/limits/segment_limits.h"
 
 namespace feedscope {
+
+/// A speed, share or time without a bound.
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// Derivatives of the path by path length at one place: unit tangent T, curvature vector c = p'' [1/mm] and
 /// d = p''' [1/mm2].

@@ -94,7 +94,7 @@ void Calls::call_program(std::string_view written, std::uint32_t column) {
   const auto called = name.empty() ? nullptr : files_.find({file, file + ".h", file + ".i"});
   if (called == nullptr) {
     report(Severity::error, "subprogram", 0, column, [&] {
-      return Text{fmt::format("program {} was not found in the same folder", quoted(name)),
+      return Text{fmt::format("program {} was not found in the same folder", in_quotes(name)),
                   "its motion is skipped; copy the file into this folder"};
     });
     return;
@@ -102,7 +102,7 @@ void Calls::call_program(std::string_view written, std::uint32_t column) {
   const Dialect found = recognise(*called);
   if (found != Dialect::iso && found != context_.dialect) {
     report(Severity::error, "subprogram", 1, column, [&] {
-      return Text{fmt::format("program {} is in another dialect, {}", quoted(name), info_of(found).title),
+      return Text{fmt::format("program {} is in another dialect, {}", in_quotes(name), info_of(found).title),
                   "its motion is skipped"};
     });
     return;

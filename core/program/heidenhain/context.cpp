@@ -71,7 +71,8 @@ double Context::unset_value(const QName& name) const {
 
 void throw_unread_words(Scanner& scanner, std::string_view where) {
   const std::uint32_t column = scanner.column();
-  throw ReadFault{"unread-word", column, fmt::format("{} is not valid in {}", quoted(scanner.rest()), where),
+  throw ReadFault{"unread-word", column,
+                  fmt::format("{} is not valid in {}", in_quotes(scanner.rest()), where),
                   "the block is skipped; correct it"};
 }
 

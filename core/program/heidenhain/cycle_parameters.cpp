@@ -37,7 +37,7 @@ void CycleParameters::read_into(QParameters& into, Scanner& scanner) {
     if (!name || !scanner.take('=')) {
       if (began) {
         throw ReadFault{"cycle-parameter", column,
-                        fmt::format("{} is not a parameter", quoted(scanner.rest())),
+                        fmt::format("{} is not a parameter", in_quotes(scanner.rest())),
                         "write parameters as Q200=2"};
       }
       // The title.

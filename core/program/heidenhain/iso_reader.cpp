@@ -8,7 +8,7 @@ namespace feedscope::heidenhain {
 namespace {
 
 /// Behind "N20"; true if the block is hidden by "/".
-bool skip_number(Scanner& scanner) {
+bool skip_block_number(Scanner& scanner) {
   const bool hidden = scanner.take('/');
   if (letters::to_upper(scanner.peek()) == 'N' && letters::is_digit(scanner.peek_at(1))) {
     scanner.take('N');
@@ -37,7 +37,7 @@ void HeidenhainIsoReader::run_statement(std::string_view statement) {
     statement = statement.substr(0, last);
   }
   Scanner scanner(statement);
-  const bool hidden = skip_number(scanner);
+  const bool hidden = skip_block_number(scanner);
   if (scanner.at_end() || scanner.peek() == '*' || (hidden && options().skip_deleted_blocks)) {
     return;
   }
@@ -62,14 +62,14 @@ void HeidenhainIsoReader::run_statement(std::string_view statement) {
 
 std::uint32_t HeidenhainIsoReader::first_word(std::string_view line) {
   Scanner scanner(line.substr(0, line.find(';')));
-  skip_number(scanner);
+  skip_block_number(scanner);
   const std::uint32_t column = scanner.column();
   return scanner.at_end() || scanner.peek() == '*' || scanner.peek() == '%' ? 0 : column;
 }
 
 std::string HeidenhainIsoReader::label_on(std::string_view line) {
   Scanner scanner(line.substr(0, line.find(';')));
-  skip_number(scanner);
+  skip_block_number(scanner);
   if (!scanner.take("G98") || !scanner.take('L')) {
     return {};
   }

@@ -13,7 +13,6 @@ namespace feedscope::heidenhain {
 
 namespace {
 
-constexpr std::string_view straight_instead = "a straight line to its end is used instead";
 constexpr std::string_view other_axis_letters = "ABCUVW";
 
 }  // namespace

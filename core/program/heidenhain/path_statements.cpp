@@ -24,7 +24,7 @@ std::pair<ApproachKind, bool> approach_name(Scanner& scanner) {
       return {static_cast<ApproachKind>(i), polar};
     }
   }
-  throw ReadFault{"approach", column, fmt::format("{} is not an approach or departure", quoted(name)),
+  throw ReadFault{"approach", column, fmt::format("{} is not an approach or departure", in_quotes(name)),
                   "it is skipped; write LT, LN, CT, LCT or the polar forms with P before them"};
 }
 

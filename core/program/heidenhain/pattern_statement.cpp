@@ -99,7 +99,7 @@ void PatternStatement::run(Scanner& scanner, std::uint32_t column) {
                                    [kind](std::string_view name) { return letters::same(name, kind); });
     if (!known || !scanner.take('(')) {
       throw ReadFault{"pattern", at,
-                      fmt::format("{} is not a pattern", quoted(scanner.text().substr(at - 1))),
+                      fmt::format("{} is not a pattern", in_quotes(scanner.text().substr(at - 1))),
                       "the pattern is skipped; write POS, ROW, PAT, FRAME, CIRC or PITCHCIRC"};
     }
     const PatternWords words = read_words(scanner);

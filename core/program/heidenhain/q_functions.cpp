@@ -25,7 +25,7 @@ std::string text_value(Scanner& scanner, const QParameters& parameters) {
     } else if (const auto name = take_parameter(scanner); name && name->kind == QName::Kind::text) {
       text += parameters.text(name->number);
     } else {
-      throw ReadFault{"unread-statement", column, fmt::format("{} is not a text", quoted(scanner.rest())),
+      throw ReadFault{"unread-statement", column, fmt::format("{} is not a text", in_quotes(scanner.rest())),
                       "the assignment is skipped; write \"...\" or QS parameters, joined by ||"};
     }
   } while (scanner.take("||"));
@@ -44,7 +44,7 @@ void QFunctions::assign(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   if (!name || !scanner.take('=')) {
     throw ReadFault{"unread-statement", column,
-                    fmt::format("{} is not an assignment", quoted(scanner.text())),
+                    fmt::format("{} is not an assignment", in_quotes(scanner.text())),
                     "it is skipped; write Q1 = 5"};
   }
   if (name->kind == QName::Kind::text) {
@@ -54,7 +54,7 @@ void QFunctions::assign(Scanner& scanner) {
   }
   if (!scanner.at_end()) {
     throw ReadFault{"expression", scanner.column(),
-                    fmt::format("{} does not belong to the formula", quoted(scanner.rest())),
+                    fmt::format("{} does not belong to the formula", in_quotes(scanner.rest())),
                     "the value before it is assigned; correct the formula"};
   }
 }

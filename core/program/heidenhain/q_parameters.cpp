@@ -109,7 +109,7 @@ std::optional<QName> take_parameter(Scanner& scanner) {
   scanner.move_to(scanner.at() + digits);
   if (name.number > most_of(name.kind)) {
     throw ReadFault{"parameter-number", name.column,
-                    fmt::format("parameter {} does not exist", quoted(name.text())),
+                    fmt::format("parameter {} does not exist", in_quotes(name.text())),
                     fmt::format("the last one is {}{}", letters_of(name.kind), most_of(name.kind))};
   }
   return name;
@@ -176,8 +176,9 @@ double QFormulas::read_value(Scanner& scanner) {
     return sign * *value;
   }
   throw ReadFault{"malformed-number", column,
-                  scanner.at_end() ? "a number is missing at the end of the block"
-                                   : fmt::format("{} is not a number or parameter", quoted(scanner.rest())),
+                  scanner.at_end()
+                      ? "a number is missing at the end of the block"
+                      : fmt::format("{} is not a number or parameter", in_quotes(scanner.rest())),
                   "the block is skipped; write a number or a Q parameter here"};
 }
 

@@ -5,7 +5,7 @@ namespace feedscope::heidenhain {
 namespace {
 
 /// Behind the number of the block and the sign that hides it; true if it is hidden.
-bool skip_number(Scanner& scanner) {
+bool skip_line_number(Scanner& scanner) {
   const bool before = scanner.take('/');
   if (letters::to_upper(scanner.peek()) == 'N' && letters::is_digit(scanner.peek_at(1))) {
     scanner.take('N');
@@ -58,7 +58,7 @@ HeidenhainReader::HeidenhainReader(std::shared_ptr<const SourceText> source, con
 
 void HeidenhainReader::run_statement(std::string_view statement) {
   Scanner scanner(statement);
-  const bool hidden = skip_number(scanner);
+  const bool hidden = skip_line_number(scanner);
   if (is_no_block(scanner) || (hidden && options().skip_deleted_blocks)) {
     return;
   }
@@ -93,7 +93,7 @@ void HeidenhainReader::run_words(std::string_view name, std::size_t start, Scann
 
 std::uint32_t HeidenhainReader::first_word(std::string_view line) {
   Scanner scanner(line.substr(0, line.find(';')));
-  skip_number(scanner);
+  skip_line_number(scanner);
   const std::uint32_t column = scanner.column();
   const bool counts = !is_no_block(scanner) && !letters::same(keyword(scanner), "END");
   return counts ? column : 0;
@@ -101,7 +101,7 @@ std::uint32_t HeidenhainReader::first_word(std::string_view line) {
 
 std::string HeidenhainReader::label_on(std::string_view line) {
   Scanner scanner(line.substr(0, line.find(';')));
-  skip_number(scanner);
+  skip_line_number(scanner);
   if (!letters::same(keyword(scanner), "LBL") || scanner.at_end()) {
     return {};
   }

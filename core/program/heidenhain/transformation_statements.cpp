@@ -17,7 +17,7 @@ int axis_letter(Scanner& scanner) {
   const char letter = letters::to_upper(scanner.peek());
   if (letter < 'X' || letter > 'Z') {
     throw ReadFault{"unread-word", scanner.column(),
-                    fmt::format("{} is not X, Y or Z", quoted(scanner.rest())),
+                    fmt::format("{} is not X, Y or Z", in_quotes(scanner.rest())),
                     "the transformation is ignored"};
   }
   scanner.take(letter);

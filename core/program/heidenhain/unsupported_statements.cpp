@@ -66,7 +66,7 @@ bool UnsupportedStatements::report_known(std::string_view name, std::uint32_t co
 
 void UnsupportedStatements::report_unknown(std::string_view statement, std::uint32_t column) {
   report(Severity::error, "unknown-statement", 0, column, [&] {
-    return Text{fmt::format("{} is not a statement of this dialect", quoted(statement.substr(column - 1))),
+    return Text{fmt::format("{} is not a statement of this dialect", in_quotes(statement.substr(column - 1))),
                 "it is skipped; if the program has another dialect, give it with --dialect"};
   });
 }

@@ -16,7 +16,7 @@ namespace {
 [[noreturn]] void throw_unread_word(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   throw ReadFault{"unread-word", column,
-                  fmt::format("{} is not a word of this block", quoted(scanner.rest())),
+                  fmt::format("{} is not a word of this block", in_quotes(scanner.rest())),
                   "the block is skipped; correct it"};
 }
 

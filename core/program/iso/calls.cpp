@@ -80,7 +80,7 @@ void Calls::call_named_file(const Word& word) {
   const std::string name = std::filesystem::path(line.substr(from + 1, to - from - 1)).filename().string();
   const Subprogram found = subprograms_.file(name);
   if (found.text == nullptr) {
-    report_missing(fmt::format("M{} calls file {}", word.value, quoted(std::string_view(name))), name,
+    report_missing(fmt::format("M{} calls file {}", word.value, in_quotes(std::string_view(name))), name,
                    static_cast<std::uint32_t>(from + 1));
     return;
   }

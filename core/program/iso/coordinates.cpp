@@ -13,7 +13,6 @@ namespace feedscope::iso {
 
 namespace {
 
-constexpr std::array offset_keys{540, 550, 560, 570, 580, 590, 591, 592, 593};
 constexpr int numbered = 541;           ///< G54.1 P
 constexpr int numbered_of_haas = 1540;  ///< G154 P
 
@@ -78,7 +77,7 @@ bool Coordinates::run_frame_code(int code, std::uint32_t column) {
 void Coordinates::use_given_offsets() {
   const WorkOffsets& offsets = machining_.options.offsets;
   for (const auto& [name, zero] : offsets.all()) {
-    for (const int key : offset_keys) {
+    for (const int key : Frames::work_offset_keys) {
       if (WorkOffsets::key(g_name(key)) == name) {
         frames_.set_work_offset(key, {zero, 0});
       }
@@ -136,7 +135,7 @@ void Coordinates::restore_work_offset(int key) {
 std::optional<int> Coordinates::offset_key(std::uint32_t column, bool further) const {
   constexpr double max_further = 300;
   const double number = words_.value_or('P', 0);
-  const double most = further ? max_further : static_cast<double>(offset_keys.size());
+  const double most = further ? max_further : static_cast<double>(Frames::work_offset_keys.size());
   const double least = further ? 1 : 0;
   if (!(number >= least && number <= most && number == std::floor(number))) {
     report(Severity::error, "offset-number", 0, words_.column_or('P', column), [&] {
@@ -149,7 +148,7 @@ std::optional<int> Coordinates::offset_key(std::uint32_t column, bool further) c
   if (further) {
     return Frames::further_work_offset(whole);
   }
-  return whole == 0 ? frames_.key_in_force() : offset_keys[static_cast<std::size_t>(whole - 1)];
+  return whole == 0 ? frames_.key_in_force() : Frames::work_offset_keys[static_cast<std::size_t>(whole - 1)];
 }
 
 Frames::WorkOffset Coordinates::offset_or_zero(int key) const {

@@ -100,7 +100,7 @@ void Flow::report_rest(Scanner& scan) const {
     return;
   }
   report(Severity::error, "unread-statement", 1, scan.column(), [&] {
-    return Text{fmt::format("{} follows a statement", quoted(scan.rest())),
+    return Text{fmt::format("{} follows a statement", in_quotes(scan.rest())),
                 "it is skipped; write it in a line of its own"};
   });
   skip_rest(scan);
@@ -130,7 +130,7 @@ bool Flow::run_o_word(const Block& line, Scanner& scan) {
   const FlowWord word = o_word_named(after.name());
   if (word == FlowWord::none) {
     throw ReadFault{"unread-statement", column,
-                    fmt::format("{} is not an O word", quoted(scan.text().substr(column - 1))),
+                    fmt::format("{} is not an O word", in_quotes(scan.text().substr(column - 1))),
                     "the line is skipped; O words are sub, call, if, while, do, repeat and their ends"};
   }
   scan = after;
@@ -305,7 +305,7 @@ const FlowIndex::Statement& Flow::paired_statement(std::string_view written, std
                                                    std::uint32_t column) {
   const Statement* const found = index().at(lines().line());
   if (found == nullptr || !is_paired(*found)) {
-    throw ReadFault{"flow-pair", column, fmt::format("{} has no {}", quoted(written), missing),
+    throw ReadFault{"flow-pair", column, fmt::format("{} has no {}", in_quotes(written), missing),
                     "it is skipped; check the labels"};
   }
   return *found;

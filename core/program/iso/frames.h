@@ -17,6 +17,8 @@ namespace feedscope::iso {
 class Frames {
  public:
   static constexpr int first_work_offset = 540;  ///< key of G54
+  /// Of G54 to G59 and G59.1 to G59.3.
+  static constexpr std::array work_offset_keys{540, 550, 560, 570, 580, 590, 591, 592, 593};
   /// Key of G54.1 Pn.
   static constexpr int further_work_offset(int n) { return 10000 + n; }
   /// "G55", "G54.1 P3".

@@ -26,7 +26,7 @@ void ModalWords::apply_g(const Block& block, const Word& word) {
   if (code == nullptr) {
     words_.other_codes = true;
     report(Severity::error, "unknown-g", number, word.column, [&] {
-      return Text{fmt::format("{} is not a known G word", quoted(block.text_of(word))),
+      return Text{fmt::format("{} is not a known G word", in_quotes(block.text_of(word))),
                   "it is ignored; the control may run another path"};
     });
     return;

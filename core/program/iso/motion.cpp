@@ -11,9 +11,6 @@ namespace feedscope::iso {
 
 namespace {
 
-constexpr std::string_view center_letters = "IJK";
-constexpr std::string_view straight_instead = "a straight line to its end is used instead";
-
 /// Its interpreter takes 2 sqrt(2) of 0.01 mm or 0.001 inch, or 0.1 %, but not a hundred times the former.
 ArcTolerance linuxcnc_tolerance(bool inch) {
   const double least = 2 * std::numbers::sqrt2 * (inch ? units::from_inch(0.001) : 0.01);

@@ -173,7 +173,7 @@ void IsoReader::gather(const Block& block) {
     if (words.has(word.letter) && !words.macro_call) {
       report(Severity::error, "duplicate-word", 0, word.column, [&] {
         return Text{fmt::format("{} is programmed twice in this block", word.letter),
-                    fmt::format("{} is used; remove the other", quoted(block.text_of(word)))};
+                    fmt::format("{} is used; remove the other", in_quotes(block.text_of(word)))};
       });
     }
     words.set(word);
@@ -277,7 +277,8 @@ bool IsoReader::is_grbl_command(const Block& block) {
                        commands.find(block.text_of(block.faults.front())) != std::string_view::npos;
   if (command) {
     report(Severity::info, "control-command", 0, block.faults.front().column, [&] {
-      return Text{fmt::format("{} is a control command", quoted(block.text)), "it does not change the path"};
+      return Text{fmt::format("{} is a control command", in_quotes(block.text)),
+                  "it does not change the path"};
     });
   }
   return command;

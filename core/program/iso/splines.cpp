@@ -18,7 +18,6 @@ constexpr int fanuc_nurbs = 62;
 constexpr int nurbs = 52;
 constexpr int nurbs_end = 53;
 constexpr std::size_t min_nurbs_order = 3;
-constexpr std::string_view straight_instead = "a straight line to its end is used instead";
 
 }  // namespace
 

@@ -46,7 +46,7 @@ std::string_view Statements::without_comments(const Block& line) {
       const std::optional<std::size_t> end = ends.find(line.text, at);
       if (!end) {
         report(Severity::error, "unclosed-comment", 0, static_cast<std::uint32_t>(at + 1), [&] {
-          return Text{fmt::format("the comment {} is not closed", quoted(line.text.substr(at))),
+          return Text{fmt::format("the comment {} is not closed", in_quotes(line.text.substr(at))),
                       "the rest of the line is used as the comment; add the closing bracket"};
         });
       }
@@ -94,13 +94,14 @@ void Statements::read_word(Scanner& scan) {
   const bool polar = (letter == '@' || letter == '^') && is_linuxcnc();
   if (!letters::is_letter(letter) && !polar) {
     throw ReadFault{"unknown-character", column,
-                    fmt::format("{} does not start a word", quoted({&letter, 1})),
+                    fmt::format("{} does not start a word", in_quotes({&letter, 1})),
                     "the rest of the line is skipped and the block does not move; remove the character"};
   }
   if (const std::string_view name = foreign_name(scan); !name.empty()) {
-    throw ReadFault{"unread-statement", column,
-                    fmt::format("{} is not a word of ISO programs", quoted(block_.text.substr(column - 1))),
-                    "the block does not move; if the program has another dialect, give it with --dialect"};
+    throw ReadFault{
+        "unread-statement", column,
+        fmt::format("{} is not a word of ISO programs", in_quotes(block_.text.substr(column - 1))),
+        "the block does not move; if the program has another dialect, give it with --dialect"};
   }
   scan.take(letter);
   expression_.set_rounding_step(axis_words.find(letter) == std::string_view::npos ? 1

@@ -65,8 +65,6 @@ double feed_mode_number(FeedMode mode) {
   return 94;
 }
 
-constexpr std::array offset_keys{540, 550, 560, 570, 580, 590, 591, 592, 593};
-
 }  // namespace
 
 std::optional<SystemVariables::OffsetVariable> SystemVariables::offset_variable(std::uint32_t number) const {
@@ -75,12 +73,13 @@ std::optional<SystemVariables::OffsetVariable> SystemVariables::offset_variable(
   constexpr std::uint32_t max_further = 48;
   constexpr std::uint32_t apart = 20;
   const bool linuxcnc = is_linuxcnc();
-  const std::uint32_t count = linuxcnc ? offset_keys.size() : 6;
+  const std::uint32_t count = linuxcnc ? Frames::work_offset_keys.size() : 6;
   const auto in_table = [&](std::uint32_t start, std::uint32_t entries) {
     return number >= start && number < start + apart * entries && (number - start) % apart < 3;
   };
   if (in_table(first, count)) {
-    return OffsetVariable{offset_keys[(number - first) / apart], static_cast<int>((number - first) % apart)};
+    return OffsetVariable{Frames::work_offset_keys[(number - first) / apart],
+                          static_cast<int>((number - first) % apart)};
   }
   if (!linuxcnc && in_table(further, max_further)) {
     const auto entry = static_cast<int>((number - further) / apart + 1);
@@ -133,8 +132,11 @@ std::optional<double> SystemVariables::built_in(std::uint32_t number) const {
       return axis_of(5420);
     }
     if (number == 5220) {
-      const auto* const key = std::find(offset_keys.begin(), offset_keys.end(), modal_.work_offset);
-      return key == offset_keys.end() ? 1.0 : static_cast<double>(key - offset_keys.begin() + 1);
+      const auto* const key =
+          std::find(Frames::work_offset_keys.begin(), Frames::work_offset_keys.end(), modal_.work_offset);
+      return key == Frames::work_offset_keys.end()
+                 ? 1.0
+                 : static_cast<double>(key - Frames::work_offset_keys.begin() + 1);
     }
     return number == 5400 ? std::optional(modal_.tool) : std::nullopt;
   }

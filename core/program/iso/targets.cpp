@@ -8,12 +8,6 @@
 
 namespace feedscope::iso {
 
-namespace {
-
-constexpr std::string_view center_letters = "IJK";
-
-}  // namespace
-
 Vec3 Targets::target() {
   const Vec3 position = path().position();
   if (!words_.has_any("XYZ") && !words_.has_polar()) {

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 
 #include "core/base/geometry.h"
 #include "core/program/iso/context.h"
 
 namespace feedscope::iso {
+
+/// Letters of an arc's centre along X, Y and Z.
+inline constexpr std::string_view center_letters = "IJK";
 
 /// Places that the words of the block name: in Cartesian coordinates, or by radius and angle (G16, "@" and
 /// "^" of LinuxCNC). Programmed coordinates, mm.

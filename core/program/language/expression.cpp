@@ -16,7 +16,7 @@ constexpr int deepest = 200;
 
 double finite(double value, std::string_view text, std::uint32_t column) {
   if (!std::isfinite(value)) {
-    throw ReadFault{"expression-value", column, fmt::format("{} has no finite value", quoted(text)),
+    throw ReadFault{"expression-value", column, fmt::format("{} has no finite value", in_quotes(text)),
                     "check the values that go into it"};
   }
   return value;
@@ -97,7 +97,7 @@ double ExpressionReader::primary(Scanner& scanner) {
   const std::string_view rest = scanner.rest();
   throw ReadFault{"expression", column,
                   rest.empty() ? "a value is missing at the end of the expression"
-                               : fmt::format("{} is not a value, variable or function", quoted(rest)),
+                               : fmt::format("{} is not a value, variable or function", in_quotes(rest)),
                   "write a number, a variable or a function here"};
 }
 

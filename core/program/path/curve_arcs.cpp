@@ -10,7 +10,6 @@ namespace feedscope {
 
 namespace {
 
-constexpr int max_halvings = 16;
 /// Looked at inside a part, evenly; a curve of degree 7 cannot meet its biarc at all of them by chance.
 constexpr int looks = 7;
 /// Of the way over all places looked at, at most this share lies between two of them. Where a curve rushes,
@@ -160,7 +159,7 @@ void Fitter::divide(const End& from, const End& to, int halvings) {
   if (longest <= max_share * way && take_biarc(from, to, between)) {
     return;
   }
-  if (is_speck || halvings >= max_halvings) {
+  if (is_speck || halvings >= max_curve_halvings) {
     take({.end = to.point, .length = (to.point - from.point).norm()});
     return;
   }

@@ -9,7 +9,6 @@ namespace {
 
 /// Halvings of the parameter's range. The first ones are made in any case, so that no bend is overlooked
 /// where the curve crosses its chord at the places looked at.
-constexpr int max_halvings = 16;
 constexpr int min_halvings = 2;
 
 struct Place {
@@ -36,7 +35,7 @@ class Divider {
     const bool close = halvings >= min_halvings && is_close(from, to, middle.point) &&
                        is_close(from, to, curve_(from.parameter + half / 2).point) &&
                        is_close(from, to, curve_(to.parameter - half / 2).point);
-    if (close || halvings >= max_halvings) {
+    if (close || halvings >= max_curve_halvings) {
       ends.push_back(to.point);
       return;
     }

@@ -12,8 +12,6 @@ namespace feedscope {
 
 namespace {
 
-using Text = DiagnosticLog::Text;
-
 /// Paths whose ends are this close run on into each other: what the rounding of coordinates leaves between
 /// elements that touch with one tangent [mm].
 constexpr double join_gap = 1e-3;
@@ -165,8 +163,8 @@ void CutterCompensation::enter(const PathMotion& motion, const PlaneElement& con
     return;
   }
   log_.add(Severity::error, "compensation-entry", 0, motion.place, [] {
-    return Text{"cutter radius compensation begins on an arc",
-                "a straight line leads to the start of the offset arc; begin it on a line"};
+    return DiagnosticLog::Text{"cutter radius compensation begins on an arc",
+                               "a straight line leads to the start of the offset arc; begin it on a line"};
   });
   write(as_line(motion), in_space(path_beside(contour).start, contour_));
   hold(motion, contour, false);
@@ -176,8 +174,8 @@ void CutterCompensation::leave(const PathMotion& motion) {
   watches_ = false;
   if (motion.block.motion == Motion::arc) {
     log_.add(Severity::error, "compensation-exit", 0, motion.place, [] {
-      return Text{"cutter radius compensation ends on an arc",
-                  "a straight line leads to its end instead; end it on a line"};
+      return DiagnosticLog::Text{"cutter radius compensation ends on an arc",
+                                 "a straight line leads to its end instead; end it on a line"};
     });
   }
   write(as_line(motion), motion.block.target);
@@ -205,7 +203,7 @@ void CutterCompensation::watch_contour(const PathMotion& motion, const PlaneElem
   for (const ContourWatch::Cut& cut : watch_.add_contour(contour, {std::min(from, to), std::max(from, to)},
                                                          std::abs(left_), allowed_cut_further_on)) {
     log_.add(Severity::error, "compensation-gouge", 2, cut.beside, [&] {
-      return Text{
+      return DiagnosticLog::Text{
           fmt::format("at this block a tool of radius {:.4f} mm cuts {:.4f} mm into the contour of line {}",
                       std::abs(left_), cut.depth, motion.place.line),
           "use a smaller tool, or do not begin the contour in an inside corner"};
@@ -374,15 +372,15 @@ void CutterCompensation::write_beside(const PathMotion& motion) {
 
 void CutterCompensation::report_plane(const DiagnosticLog::Place& place) {
   log_.add(Severity::error, "compensation-plane", 0, place, [] {
-    return Text{"the plane changes while cutter radius compensation is on",
-                "it begins again in the other plane; end it before"};
+    return DiagnosticLog::Text{"the plane changes while cutter radius compensation is on",
+                               "it begins again in the other plane; end it before"};
   });
 }
 
 void CutterCompensation::report_radius(const PathMotion& motion, double radius) {
   gouges_ = true;
   log_.add(Severity::error, "compensation-gouge", 0, motion.place, [&] {
-    return Text{
+    return DiagnosticLog::Text{
         fmt::format("the arc's radius, {:.4f} mm, is smaller than the tool's, {:.4f} mm", radius,
                     std::abs(left_)),
         "a straight line to its end is used instead, which cuts into the contour; use a smaller tool"};
@@ -392,9 +390,10 @@ void CutterCompensation::report_radius(const PathMotion& motion, double radius) 
 void CutterCompensation::report_swallowed() {
   gouges_ = true;
   log_.add(Severity::error, "compensation-gouge", 1, held_->motion.place, [&] {
-    return Text{fmt::format("a tool of radius {:.4f} mm does not fit between this block and its neighbours",
-                            std::abs(left_)),
-                "the path shown cuts into the contour here; use a smaller tool"};
+    return DiagnosticLog::Text{
+        fmt::format("a tool of radius {:.4f} mm does not fit between this block and its neighbours",
+                    std::abs(left_)),
+        "the path shown cuts into the contour here; use a smaller tool"};
   });
 }
 

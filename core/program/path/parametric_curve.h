@@ -17,5 +17,7 @@ using ParametricCurve = std::function<CurvePlace(double)>;
 
 /// Largest distance from a curve of the lines or arcs that it is read as [mm].
 inline constexpr double curve_tolerance = 1e-3;
+/// How often a stretch of a curve is halved at most to get there.
+inline constexpr int max_curve_halvings = 16;
 
 }  // namespace feedscope

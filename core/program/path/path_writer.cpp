@@ -15,10 +15,6 @@ namespace feedscope {
 
 namespace {
 
-using Text = DiagnosticLog::Text;
-
-constexpr std::string_view straight_instead = "a straight line to its end is used instead";
-
 struct ArcShape {
   Vec3 from;  ///< from the centre to the start, in the plane
   double sweep = 0;
@@ -106,8 +102,8 @@ void PathWriter::cut_next_corner(CornerCut cut, Plane plane) {
   const double scale = frame_.is_shift() ? 1 : frame_.scale_across(normal_of(plane));
   if (scale == 0) {
     log_.add(Severity::error, "corner", 1, cut.place, [] {
-      return Text{"a rounding or chamfer of a non-uniformly scaled contour is not supported",
-                  "the corner stays sharp"};
+      return DiagnosticLog::Text{"a rounding or chamfer of a non-uniformly scaled contour is not supported",
+                                 "the corner stays sharp"};
     });
     return;
   }
@@ -194,8 +190,8 @@ void PathWriter::straight_arc(const ArcRequest& request, const ArcSolution::Piec
   constexpr double chord_error = 1e-3;
   constexpr double max_chords = 1e5;
   log_.add(Severity::info, "scaled-arc", 0, {place_.line, request.column, place_.file}, [] {
-    return Text{"the arc is scaled non-uniformly and becomes an ellipse",
-                "it is approximated by lines within 0.001 mm"};
+    return DiagnosticLog::Text{"the arc is scaled non-uniformly and becomes an ellipse",
+                               "it is approximated by lines within 0.001 mm"};
   });
   const ArcShape shape = shape_of(programmed_, piece);
   const Vec3 start = programmed_;
@@ -255,8 +251,9 @@ bool PathWriter::starts_at_known_place(Motion motion, double feed, const Vec3& p
                                      : fmt::format("{}{}", axes.empty() ? "" : ", ",
                                                    coordinate_names[static_cast<std::size_t>(axis)]);
     }
-    return Text{fmt::format("a feed move while the position of {} is not known", axes),
-                "the axis is assumed where it was before the move to the machine position; program it first"};
+    return DiagnosticLog::Text{
+        fmt::format("a feed move while the position of {} is not known", axes),
+        "the axis is assumed where it was before the move to the machine position; program it first"};
   });
   bool only_unknown_axes_stay = true;
   for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -307,8 +304,8 @@ Vec3 PathWriter::curve(const ParametricCurve& curve, double from, double to, std
   const bool as_arcs = compensation_.is_off() && corners_.is_idle();
   const MessageCode code = as_arcs ? MessageCode("curve-as-arcs") : MessageCode("curve-as-lines");
   log_.add(Severity::info, code, 0, {place_.line, column, place_.file}, [&] {
-    return as_arcs ? Text{"a curve is approximated by tangent arcs within 0.001 mm of it", ""}
-                   : Text{
+    return as_arcs ? DiagnosticLog::Text{"a curve is approximated by tangent arcs within 0.001 mm of it", ""}
+                   : DiagnosticLog::Text{
                          "a curve under cutter compensation or at a rounded corner is approximated by lines "
                          "within 0.001 mm",
                          ""};
@@ -449,8 +446,8 @@ std::uint16_t PathWriter::path_control_index() {
       all.push_back(path_control_);
     } else {
       log_.add(Severity::error, "path-controls", 0, place_, [] {
-        return Text{"the program has more than 65536 different path control settings",
-                    "the last one stays in force; split the program"};
+        return DiagnosticLog::Text{"the program has more than 65536 different path control settings",
+                                   "the last one stays in force; split the program"};
       });
     }
   }
@@ -464,7 +461,7 @@ void PathWriter::report_arc_fault(const ArcRequest& request, const ArcSolution& 
       break;
     case ArcFault::center_at_start:
       log_.add(Severity::error, "arc-center", 2, place, [] {
-        return Text{"the arc's centre is its start point", std::string(straight_instead)};
+        return DiagnosticLog::Text{"the arc's centre is its start point", std::string(straight_instead)};
       });
       break;
     case ArcFault::radius_mismatch:
@@ -476,22 +473,24 @@ void PathWriter::report_arc_fault(const ArcRequest& request, const ArcSolution& 
         const std::string advice = other_fits
                                        ? fmt::format("the centre would fit as {}", request.other_reading)
                                        : "check the centre";
-        return Text{fmt::format("the arc's radius is {:.4f} mm at its start but {:.4f} mm at its end",
-                                solution.start_radius, solution.end_radius),
-                    fmt::format("{}; {}", advice, straight_instead)};
+        return DiagnosticLog::Text{
+            fmt::format("the arc's radius is {:.4f} mm at its start but {:.4f} mm at its end",
+                        solution.start_radius, solution.end_radius),
+            fmt::format("{}; {}", advice, straight_instead)};
       });
       break;
     case ArcFault::radius_too_small:
       log_.add(Severity::error, "arc-radius", 1, place, [&] {
-        return Text{fmt::format("radius {:.4f} mm is too small for ends {:.4f} mm apart",
-                                solution.start_radius, 2 * solution.end_radius),
-                    fmt::format("the radius must be at least half the distance; {}", straight_instead)};
+        return DiagnosticLog::Text{
+            fmt::format("radius {:.4f} mm is too small for ends {:.4f} mm apart", solution.start_radius,
+                        2 * solution.end_radius),
+            fmt::format("the radius must be at least half the distance; {}", straight_instead)};
       });
       break;
     case ArcFault::same_ends:
       log_.add(Severity::error, "arc-ends", 0, place, [] {
-        return Text{"an arc given by its radius must not end where it starts",
-                    "write a full circle with its centre"};
+        return DiagnosticLog::Text{"an arc given by its radius must not end where it starts",
+                                   "write a full circle with its centre"};
       });
       break;
   }

@@ -20,12 +20,15 @@
 
 namespace feedscope {
 
+/// What the messages say of an arc that cannot be.
+inline constexpr std::string_view straight_instead = "a straight line to its end is used instead";
+
 /// An arc to be, in programmed coordinates.
 struct ArcRequest {
-  Vec3 target;
-  Vec3 center;                  ///< used by arc_by_center()
+  Vec3 target = Vec3::Zero();
+  Vec3 center = Vec3::Zero();   ///< used by arc_by_center()
   double radius = 0;            ///< used by arc_by_radius(); negative for the larger arc [mm]
-  Vec3 axis;                    ///< unit; counter-clockwise seen against it
+  Vec3 axis = Vec3::UnitZ();    ///< unit; counter-clockwise seen against it
   double extra_turns = 0;       ///< whole turns more
   std::uint32_t column = 0;     ///< of centre or radius, for messages
   ArcTolerance tolerance = {};  ///< used by arc_by_center()

@@ -53,7 +53,7 @@ void Addresses::set(char letter, const BlockWords::Value& value, std::string_vie
   if (words_.has(letter)) {
     report(Severity::error, "duplicate-word", letter, value.column, [&] {
       return Text{fmt::format("{} is programmed twice in this block", letter),
-                  fmt::format("{} is used; remove the other", quoted(written))};
+                  fmt::format("{} is used; remove the other", in_quotes(written))};
     });
   }
   words_.set(letter, value);
@@ -65,7 +65,7 @@ void Addresses::set_call(const BlockWords::Value& value, std::string_view writte
       written.substr(std::min(written.find_first_not_of(" \t", 1), written.size()));
   if (digits.empty() || digits.find_first_not_of("0123456789") != std::string_view::npos) {
     report(Severity::error, "subprogram-name", 'L', value.column, [&] {
-      return Text{fmt::format("{} does not name a subprogram", quoted(written)),
+      return Text{fmt::format("{} does not name a subprogram", in_quotes(written)),
                   "write its number with digits only, as in L12; nothing is called"};
     });
     return;

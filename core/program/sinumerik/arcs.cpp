@@ -11,7 +11,6 @@ namespace feedscope::sinumerik {
 
 namespace {
 
-constexpr std::string_view straight_instead = "a straight line to its end is used instead";
 constexpr double straight_share = 1e-9;
 
 }  // namespace

@@ -102,7 +102,7 @@ LoopCounter Assignments::read_counter(Scanner& scanner) {
   const std::string_view name = scanner.name();
   Variable* const found = values_.variables().find(name);
   if (found == nullptr || found->is_text()) {
-    throw ReadFault{"syntax", column, fmt::format("FOR cannot count with {}", quoted(name)),
+    throw ReadFault{"syntax", column, fmt::format("FOR cannot count with {}", in_quotes(name)),
                     "use an R parameter or a variable defined by DEF INT"};
   }
   return {.r = -1, .variable = found, .element = values_.element(scanner, *found, name)};

@@ -93,7 +93,7 @@ SubprogramCall Calls::read_call(Scanner& scanner) {
   call.column = scanner.column();
   call.name = std::string(scanner.name());
   if (call.name.empty()) {
-    throw ReadFault{"syntax", call.column, fmt::format("{} is not a subprogram", quoted(scanner.rest())),
+    throw ReadFault{"syntax", call.column, fmt::format("{} is not a subprogram", in_quotes(scanner.rest())),
                     "write the name of a subprogram"};
   }
   if (scanner.peek() == '(') {
@@ -183,7 +183,7 @@ void Calls::run_subprogram(const SubprogramCall& call, std::uint32_t times) {
          kind_of(name), call.column, [&] {
            return cycle ? Text{fmt::format("cycle {} is not supported", name), "its motion is skipped"}
                         : Text{fmt::format("subprogram {} is neither in the program nor a file in its folder",
-                                           feedscope::quoted(call.name)),
+                                           feedscope::in_quotes(call.name)),
                                "its motion is skipped; add it to the program or to its folder"};
          });
 }

@@ -58,7 +58,8 @@ void Definitions::run_def(Scanner& scanner) {
   }
   const std::optional<Type> type = take_type(scanner);
   if (!type) {
-    throw ReadFault{"definition", column, fmt::format("{} is not a supported type", quoted(scanner.rest())),
+    throw ReadFault{"definition", column,
+                    fmt::format("{} is not a supported type", in_quotes(scanner.rest())),
                     "write REAL, INT, BOOL, CHAR, STRING, AXIS or FRAME; the variables are not defined"};
   }
   do {
@@ -112,7 +113,7 @@ void Definitions::run_proc(Scanner& scanner) {
     const std::string_view attribute = scanner.name();
     if (attribute.empty()) {
       throw ReadFault{"syntax", scanner.column(),
-                      fmt::format("{} after PROC is not an attribute", quoted(scanner.rest())),
+                      fmt::format("{} after PROC is not an attribute", in_quotes(scanner.rest())),
                       "write the parameters in brackets, then attributes such as SAVE"};
     }
     if (letters::same(attribute, "SAVE") && parameters != nullptr) {
@@ -135,7 +136,7 @@ void Definitions::read_parameter(Scanner& scanner, std::size_t position) {
   const std::optional<Type> type = take_type(scanner);
   const std::string_view name = scanner.name();
   if (!type || name.empty()) {
-    throw ReadFault{"definition", column, fmt::format("{} is not a parameter", quoted(scanner.rest())),
+    throw ReadFault{"definition", column, fmt::format("{} is not a parameter", in_quotes(scanner.rest())),
                     "write a type and a name"};
   }
   const Argument* const passed = argument(position);
@@ -157,7 +158,7 @@ void Definitions::read_parameter(Scanner& scanner, std::size_t position) {
   }
   if (!given && calls_.parameters() == nullptr) {
     report(Severity::warning, "unset-parameter", -1, column, [&] {
-      return Text{fmt::format("parameter {} has no value", quoted(name)),
+      return Text{fmt::format("parameter {} has no value", in_quotes(name)),
                   "0 is used; call the program with a value"};
     });
   }
@@ -185,7 +186,7 @@ Variable Definitions::parameter_variable(Scanner& scanner, Type type, std::strin
   const Variable& array = *passed->array;
   if (array.is_text() != variable.is_text() || (!open && array.count() != variable.count())) {
     throw ReadFault{"definition", column,
-                    fmt::format("array parameter {} has {} elements, the argument has {}", quoted(name),
+                    fmt::format("array parameter {} has {} elements, the argument has {}", in_quotes(name),
                                 variable.count(), array.count()),
                     "pass an array of the same type and size"};
   }

@@ -41,7 +41,7 @@ void Flow::run_if(Scanner& scanner) {
   if (!scanner.at_end()) {
     if (!jumps_.jump_if(scanner, holds)) {
       throw ReadFault{"syntax", scanner.column(),
-                      fmt::format("{} after a condition is not a jump", quoted(scanner.rest())),
+                      fmt::format("{} after a condition is not a jump", in_quotes(scanner.rest())),
                       "write GOTOF, GOTOB or GOTO with a label, or nothing, after the condition"};
     }
     return;

@@ -92,7 +92,7 @@ void FrameVariables::assign(Scanner& scanner, FrameValue& value, bool one_part) 
   require(scanner, '=');
   const double number = values_.read_bounded(scanner);
   if (!part) {
-    throw_frame(column, fmt::format("{} is not a part of a frame (TR, FI, RT, SC, MI)", quoted(name)));
+    throw_frame(column, fmt::format("{} is not a part of a frame (TR, FI, RT, SC, MI)", in_quotes(name)));
   }
   set_part(value, *part, axis, number, column);
 }
@@ -151,7 +151,7 @@ FrameValue FrameVariables::operand(Scanner& scanner) {
   const auto constructor = std::find_if(constructors.begin(), constructors.end(),
                                         [&](const auto& entry) { return letters::same(entry.first, name); });
   if (constructor == constructors.end()) {
-    throw_frame(column, fmt::format("{} is not a supported frame", feedscope::quoted(std::string(name))));
+    throw_frame(column, fmt::format("{} is not a supported frame", feedscope::in_quotes(std::string(name))));
   }
   return frame_of_list(scanner, constructor->second);
 }
@@ -171,7 +171,7 @@ FrameValue FrameVariables::system_operand(Scanner& scanner, std::uint32_t column
     require(scanner, ']');
     return coordinates_.settable(number);
   }
-  throw_frame(column, fmt::format("{} is a control-internal value", feedscope::quoted("$" + name)));
+  throw_frame(column, fmt::format("{} is a control-internal value", feedscope::in_quotes("$" + name)));
 }
 
 /// "(X,10,Y,5)"; of a mirror image the axes alone.

@@ -11,10 +11,6 @@ namespace feedscope::sinumerik {
 
 namespace {
 
-using Infix = ExpressionGrammar::Infix;
-using Prefix = ExpressionGrammar::Prefix;
-using Function = ExpressionGrammar::Function;
-
 std::int64_t bits(double value) {
   return static_cast<std::int64_t>(std::clamp(std::trunc(value), -9e15, 9e15));
 }
@@ -38,7 +34,7 @@ constexpr int sign = 10;
 
 constexpr int ends_expression = -1;
 
-constexpr auto infixes = std::to_array<Infix>({
+constexpr auto infixes = std::to_array<ExpressionGrammar::Infix>({
     {"<<", ends_expression, nullptr},  // joins texts; Values reads them
     {"==", compare, [](double a, double b) { return same(a, b) ? 1.0 : 0.0; }},
     {"<>", compare, [](double a, double b) { return same(a, b) ? 0.0 : 1.0; }},
@@ -60,14 +56,14 @@ constexpr auto infixes = std::to_array<Infix>({
     {"MOD", product, [](double a, double b) { return std::fmod(a, b); }},
 });
 
-constexpr auto prefixes = std::to_array<Prefix>({
+constexpr auto prefixes = std::to_array<ExpressionGrammar::Prefix>({
     {"-", sign, [](double a) { return -a; }},
     {"+", sign, [](double a) { return a; }},
     {"NOT", sign, [](double a) { return a == 0 ? 1.0 : 0.0; }},
     {"B_NOT", sign, [](double a) { return static_cast<double>(~bits(a)); }},
 });
 
-constexpr auto functions = std::to_array<Function>({
+constexpr auto math_functions = std::to_array<ExpressionGrammar::Function>({
     {"SIN", 1, [](double a, double) { return std::sin(units::from_deg(a)); }},
     {"COS", 1, [](double a, double) { return std::cos(units::from_deg(a)); }},
     {"TAN", 1, [](double a, double) { return std::tan(units::from_deg(a)); }},
@@ -93,7 +89,7 @@ const ExpressionGrammar& grammar() {
     ExpressionGrammar made;
     made.infixes = infixes;
     made.prefixes = prefixes;
-    made.functions = functions;
+    made.functions = math_functions;
     made.scale = "EX";
     return made;
   }();

@@ -52,7 +52,7 @@ void Jumps::go(const Jump& jump, Scanner& scanner) {
     lines().jump_to(target);
   } else if (jump.must) {
     throw ReadFault{"unknown-label", column,
-                    fmt::format("label {} does not exist {}", feedscope::quoted(to),
+                    fmt::format("label {} does not exist {}", feedscope::in_quotes(to),
                                 jump.forward && jump.backward ? "in the program"
                                 : jump.forward                ? "after this line"
                                                               : "before this line"),

@@ -14,7 +14,7 @@ void ModalWords::apply_g(double number, std::uint32_t column, std::string_view w
   const Function* const function = find_g(g);
   if (function == nullptr) {
     report(Severity::error, "unknown-g", g, column, [&] {
-      return Text{fmt::format("{} is not a known G word", quoted(written)),
+      return Text{fmt::format("{} is not a known G word", in_quotes(written)),
                   "it is ignored; the control may run another path"};
     });
     return;

@@ -35,7 +35,7 @@ void Polynomials::read(Scanner& scanner) {
   if (axis.size() != 1 || letter < 'X' || letter > 'Z') {
     report(Severity::error, "polynomial", 0, column, [&] {
       return Text{axis.empty() ? "a denominator of polynomials is not supported"
-                               : fmt::format("a polynomial of axis {} is not supported", quoted(axis)),
+                               : fmt::format("a polynomial of axis {} is not supported", in_quotes(axis)),
                   "X, Y and Z are shown without it"};
     });
     if (scanner.peek() == '(') {

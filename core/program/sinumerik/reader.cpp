@@ -122,8 +122,8 @@ bool SinumerikReader::report_faults(const Block& block) const {
     const bool range = fault.kind == FaultKind::number_range;
     report(Severity::error, range ? MessageCode("number-range") : MessageCode("malformed-number"), 0,
            fault.column, [&] {
-             return Text{range ? fmt::format("{} is above the largest number, 1000000000", quoted(written))
-                               : fmt::format("{} has no valid number", quoted(written)),
+             return Text{range ? fmt::format("{} is above the largest number, 1000000000", in_quotes(written))
+                               : fmt::format("{} has no valid number", in_quotes(written)),
                          "the block does not move; correct the number"};
            });
   }

@@ -58,7 +58,7 @@ std::uint32_t Repeats::label_line(Scanner& scanner, std::uint32_t column) {
   const std::uint32_t found = before > 0 ? before : index.forward(label, line);
   if (found == 0 || found == line) {
     throw ReadFault{"unknown-label", column,
-                    fmt::format("label {} does not exist in the program", feedscope::quoted(label)),
+                    fmt::format("label {} does not exist in the program", feedscope::in_quotes(label)),
                     "nothing is repeated; check the label"};
   }
   return found;

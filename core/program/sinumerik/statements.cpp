@@ -19,7 +19,7 @@ namespace {
 [[noreturn]] void throw_unknown(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   throw ReadFault{"syntax", column,
-                  fmt::format("{} does not start a word or statement", quoted(scanner.rest())),
+                  fmt::format("{} does not start a word or statement", in_quotes(scanner.rest())),
                   "the rest of the line is skipped and the block does not move; correct it"};
 }
 
@@ -67,7 +67,7 @@ void Statements::run_system_variable(Scanner& scanner) {
   }
   const bool frame = name.find("FR") != std::string::npos || name == "TC_DP15";
   report(frame ? Severity::error : Severity::info, "system-variable", kind_of(name), column, [&] {
-    return Text{fmt::format("assignment to {} is not supported", feedscope::quoted("$" + name)),
+    return Text{fmt::format("assignment to {} is not supported", feedscope::in_quotes("$" + name)),
                 frame ? "the path is shown without it" : "the path does not change"};
   });
   parts_.values.skip(scanner);
@@ -185,7 +185,7 @@ bool Statements::run_value(std::string_view name, std::uint32_t column, Scanner&
     parts_.other_axes.move(name, column, read_coordinate(parts_.values, scanner, column).value);
   } else {
     report(Severity::error, "unknown-name", kind_of(name), column, [&] {
-      return Text{fmt::format("{} is not a known variable, address or axis", quoted(name)),
+      return Text{fmt::format("{} is not a known variable, address or axis", in_quotes(name)),
                   "its value is ignored; define a variable by DEF before it is used"};
     });
     parts_.values.skip(scanner);

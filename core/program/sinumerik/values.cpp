@@ -97,7 +97,7 @@ std::optional<double> Values::named(Scanner& scanner) {
   scanner.move_to(before);
   if (!is_function) {
     throw ReadFault{"unknown-name", scanner.column(),
-                    fmt::format("the program does not define {}", feedscope::quoted(std::string(name))),
+                    fmt::format("the program does not define {}", feedscope::in_quotes(std::string(name))),
                     "the block does not move; define data of the machine (GUD) at the "
                     "program's top, DEF REAL " +
                         std::string(name) + "="};
@@ -161,7 +161,7 @@ double Values::quoted_number(Scanner& scanner) {
   if ((kind != 'H' && kind != 'B') || status != std::errc() || stop == rest.data() + rest.size() ||
       *stop != '\'') {
     throw ReadFault{"malformed-number", column,
-                    fmt::format("{} has no valid number", quoted(scanner.text().substr(column - 1))),
+                    fmt::format("{} has no valid number", in_quotes(scanner.text().substr(column - 1))),
                     "write 'H1F' or 'B101'"};
   }
   scanner.move_to(static_cast<std::size_t>(stop - scanner.text().data()) + 1);
@@ -187,7 +187,7 @@ double Values::system_variable(Scanner& scanner) {
     }
   }
   warn_("system-variable", kind_of(name), column,
-        {fmt::format("{} is a control-internal value", feedscope::quoted("$" + std::string(name))),
+        {fmt::format("{} is a control-internal value", feedscope::in_quotes("$" + std::string(name))),
          "0 is used; the control may run another path"});
   return 0;
 }
@@ -207,7 +207,7 @@ std::optional<double> Values::text_comparison(Scanner& scanner) {
   const std::uint32_t column = scanner.column();
   const bool equal = scanner.take("==");
   if (!equal && !scanner.take("<>")) {
-    throw ReadFault{"expression", column, fmt::format("text {} is not a number", feedscope::quoted(first)),
+    throw ReadFault{"expression", column, fmt::format("text {} is not a number", feedscope::in_quotes(first)),
                     "compare texts with == or <>"};
   }
   return (first == read_text(scanner)) == equal ? 1 : 0;

@@ -66,9 +66,10 @@ Variable& Variables::define(std::string_view name, Variable variable) {
 }
 
 void throw_no_element(std::string_view name, std::uint32_t column, double index, std::size_t size) {
-  throw ReadFault{"array-index", column,
-                  fmt::format("{} has no element {}, its largest index is {}", quoted(name), index, size - 1),
-                  "correct the index or the size in DEF"};
+  throw ReadFault{
+      "array-index", column,
+      fmt::format("{} has no element {}, its largest index is {}", in_quotes(name), index, size - 1),
+      "correct the index or the size in DEF"};
 }
 
 }  // namespace feedscope::sinumerik

@@ -6,7 +6,7 @@
 namespace feedscope {
 
 /// Program text fit for a message: quoted, short, plain characters only.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// "G1", "G90.1"; `number` is ten times the G number.
 std::string g_name(int number);

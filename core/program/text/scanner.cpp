@@ -133,13 +133,13 @@ std::optional<double> Scanner::number(bool comma) {
                                                   : long_number(text_.substr(from, at_ - from));
   if (at_ < text_.size() && text_[at_] == '.') {
     throw ReadFault{"malformed-number", static_cast<std::uint32_t>(from + 1),
-                    fmt::format("{} has no valid number", quoted(text_.substr(from, at_ - from + 1))),
+                    fmt::format("{} has no valid number", in_quotes(text_.substr(from, at_ - from + 1))),
                     "correct the number"};
   }
   if (!(value <= number_limit)) {
     throw ReadFault{
         "number-range", static_cast<std::uint32_t>(from + 1),
-        fmt::format("{} is above the largest number, 1000000000", quoted(text_.substr(from, at_ - from))),
+        fmt::format("{} is above the largest number, 1000000000", in_quotes(text_.substr(from, at_ - from))),
         "write a smaller number"};
   }
   return value;

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/base/error.h"
+#include "core/base/units.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
 #include "core/program/text/scanner.h"
@@ -17,7 +18,6 @@ namespace feedscope {
 namespace {
 
 constexpr std::uint32_t max_lines_before_headings = 20;
-constexpr double mm_per_inch = 25.4;
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view around = " \t\"";
@@ -55,7 +55,7 @@ std::optional<ToolColumns> ToolColumns::find(const SourceText& text, double unit
   for (std::uint32_t line = 1; line <= last; ++line) {
     const std::string_view words = trimmed(text.line(line));
     if (words.starts_with("BEGIN ")) {
-      columns.unit_ = words.ends_with("INCH") ? mm_per_inch : 1;
+      columns.unit_ = words.ends_with("INCH") ? units::from_inch(1) : 1;
     } else if (columns.read_headings(text.line(line))) {
       columns.heads_ = line;
       return columns;
@@ -128,7 +128,7 @@ double ToolColumns::number(std::string_view cell, std::uint32_t line) const {
     // Said below, with the line.
   }
   throw InputError(
-      fmt::format("tool table '{}', line {}: {} is no number", text_->name(), line, quoted(cell)));
+      fmt::format("tool table '{}', line {}: {} is no number", text_->name(), line, in_quotes(cell)));
 }
 
 CutterRadii ToolColumns::read() const {

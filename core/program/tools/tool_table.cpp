@@ -6,6 +6,7 @@
 #include <array>
 
 #include "core/base/error.h"
+#include "core/base/units.h"
 #include "core/program/text/message.h"
 #include "core/program/text/read_fault.h"
 #include "core/program/text/scanner.h"
@@ -14,8 +15,6 @@
 namespace feedscope {
 
 namespace {
-
-constexpr double mm_per_inch = 25.4;
 
 double signed_number(Scanner& scanner) {
   const double sign = scanner.take('-') ? -1 : (scanner.take('+'), 1);
@@ -125,7 +124,7 @@ class OffsetLines : public LineReader {
       const double value = signed_number(scanner);
       words[static_cast<std::size_t>(letter - 'A')] = value;
       if (letter == 'G' && (value == 20 || value == 21)) {
-        unit_ = value == 20 ? mm_per_inch : 1;
+        unit_ = value == 20 ? units::from_inch(1) : 1;
       }
     }
     const auto word = [&](char letter) { return words[static_cast<std::size_t>(letter - 'A')]; };
@@ -150,7 +149,7 @@ class LinuxcncLines : public LineReader {
       const char letter = letters::to_upper(scanner.peek());
       if (!letters::is_letter(letter)) {
         throw ReadFault{"tool-table", scanner.column(),
-                        fmt::format("{} is not a letter with a number", quoted(scanner.rest())), ""};
+                        fmt::format("{} is not a letter with a number", in_quotes(scanner.rest())), ""};
       }
       scanner.take(letter);
       const double value = signed_number(scanner);

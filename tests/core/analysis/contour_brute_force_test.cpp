@@ -6,6 +6,7 @@
 
 #include "core/analysis/contour/contour_errors.h"
 #include "core/analysis/run.h"
+#include "core/base/units.h"
 #include "core/trajectory/part_walk.h"
 #include "tests/support/brute_force.h"
 #include "tests/support/folders.h"
@@ -20,7 +21,7 @@ using testing::brute_force_distance;
 using testing::polyline;
 
 constexpr double nanometre = 1e-6;  // [mm]
-constexpr double pi = 3.14159265358979323846;
+using units::pi;
 
 class RandomCourse {
  public:

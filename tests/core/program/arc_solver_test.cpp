@@ -1,10 +1,10 @@
 #include "core/program/path/arc_solver.h"
+#include "core/base/units.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "tests/core/program/read_text.h"
@@ -12,7 +12,7 @@
 namespace feedscope {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using units::pi;
 const Vec3 up = Vec3::UnitZ();
 
 Vec3 on_circle(double radius, double angle) {

@@ -1,9 +1,9 @@
 #include "core/toolpath/curve.h"
+#include "core/base/units.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "core/toolpath/blend_length.h"
@@ -11,7 +11,7 @@
 namespace feedscope {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using units::pi;
 
 /// Each derivative is the slope of the one below, by central differences with one Richardson step.
 template <typename Curve>

@@ -1,18 +1,18 @@
 #include "core/toolpath/toolpath.h"
+#include "core/base/units.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <iomanip>
 #include <memory>
-#include <numbers>
 #include <sstream>
 #include <string>
 
 namespace feedscope {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using units::pi;
 
 Toolpath path_of(std::string text) {
   return build_toolpath(read_program(std::make_shared<const SourceText>("test.nc", std::move(text))));

@@ -7,6 +7,7 @@
 #include <QTest>
 
 #include "tests/ui/locale_in_force.h"
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/contour/contour_job.h"
 #include "ui/contour/contour_places_model.h"
@@ -16,8 +17,6 @@ namespace feedscope::ui {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr int patience = 60000;  // [ms]
 
 const std::string three_corners = "G21 G90 G94 F3000\nG1 X20 Y0\nG1 X40 Y15\nG1 X60 Y0\nG1 X60 Y30\n";
 

@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QTreeView>
 
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 
 namespace feedscope::ui {
@@ -19,8 +20,6 @@ namespace {
 
 using testing::HasSubstr;
 using testing::StartsWith;
-
-constexpr int patience = 60000;  // [ms]
 
 const std::string three_corners = "G21 G90 G94 F3000\nG1 X20 Y0\nG1 X40 Y15\nG1 X60 Y0\nG1 X60 Y30\n";
 

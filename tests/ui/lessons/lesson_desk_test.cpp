@@ -1,4 +1,5 @@
 #include "ui/lessons/lesson_desk.h"
+#include "tests/ui/patience.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -13,8 +14,6 @@ namespace feedscope::ui {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr int patience = 120000;  // [ms]
 
 class LessonDeskTest : public testing::Test {
  protected:

@@ -13,14 +13,13 @@
 #include <QToolButton>
 
 #include "tests/ui/own_tip.h"
+#include "tests/ui/patience.h"
 
 namespace feedscope::ui {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-constexpr int patience = 120000;  // [ms]
 
 class LessonViewTest : public testing::Test {
  protected:

@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "tests/ui/patience.h"
 #include "tests/ui/program_fixture.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/program_text/go_to_bar.h"
@@ -19,8 +20,6 @@ namespace {
 
 using test::program_of;
 using testing::HasSubstr;
-
-constexpr int patience = 60000;  // [ms]
 
 class ProgramPanelTest : public testing::Test {
  protected:

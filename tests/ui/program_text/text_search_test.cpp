@@ -7,6 +7,7 @@
 #include <QTest>
 #include <random>
 
+#include "tests/ui/patience.h"
 #include "tests/ui/program_fixture.h"
 
 namespace feedscope::ui {
@@ -14,8 +15,6 @@ namespace {
 
 using test::program_of;
 using testing::HasSubstr;
-
-constexpr int patience = 60000;  // [ms]
 
 std::vector<std::string> hits(const std::string& line, const SearchQuery& query) {
   const ProgramText text(program_of(line));

@@ -9,6 +9,7 @@
 #include <QTableView>
 #include <QTest>
 
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/whole_number_box.h"
@@ -17,8 +18,6 @@ namespace feedscope::ui {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr int patience = 60000;  // [ms]
 
 class StudyViewTest : public testing::Test {
  protected:

@@ -9,14 +9,13 @@
 #include <QTest>
 
 #include "tests/ui/locale_in_force.h"
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 
 namespace feedscope::ui {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr int patience = 60000;  // [ms]
 
 class RemedyTableTest : public testing::Test {
  protected:

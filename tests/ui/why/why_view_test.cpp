@@ -14,6 +14,7 @@
 #include <filesystem>
 
 #include "tests/support/folders.h"
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/theme/theme.h"
 
@@ -21,8 +22,6 @@ namespace feedscope::ui {
 namespace {
 
 using testing::HasSubstr;
-
-constexpr int patience = 60000;  // [ms]
 
 class WhyViewTest : public testing::Test {
  protected:

@@ -13,14 +13,13 @@
 #include <fstream>
 
 #include "tests/ui/locale_in_force.h"
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/study/study_view.h"
 #include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
-
-constexpr int patience = 60000;  // [ms]
 
 /// Where the locale has a decimal comma, no number that the window shows has a point.
 class DecimalSignsTest : public testing::Test {

@@ -20,6 +20,7 @@
 
 #include "tests/support/folders.h"
 #include "tests/ui/own_tip.h"
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/contour/contour_view.h"
@@ -35,8 +36,6 @@
 
 namespace feedscope::ui {
 namespace {
-
-constexpr int patience = 60000;  // [ms]
 
 class MainWindowTest : public testing::Test {
  protected:

@@ -14,6 +14,7 @@
 #include <fstream>
 #include <memory>
 
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/charts/csv_dialog.h"
 #include "ui/fields/number_box.h"
@@ -26,8 +27,6 @@
 
 namespace feedscope::ui {
 namespace {
-
-constexpr int patience = 60000;  // [ms]
 
 /// Types into a line, as a user does who replaces what is in it.
 void type(QLineEdit& line, const QString& text) {

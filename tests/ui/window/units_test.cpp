@@ -13,6 +13,7 @@
 #include <fstream>
 #include <memory>
 
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/fields/number_box.h"
@@ -25,8 +26,6 @@
 
 namespace feedscope::ui {
 namespace {
-
-constexpr int patience = 60000;  // [ms]
 
 class WindowUnits : public testing::Test {
  protected:

@@ -12,6 +12,7 @@
 #include <random>
 
 #include "core/analysis/contour/contour_report.h"
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/annotations/annotation_overlay.h"
 #include "ui/charts/charts_panel.h"
@@ -27,7 +28,6 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr int patience = 60000;  // [ms]
 constexpr int actions = 250;
 constexpr std::array tolerances{0.01, 0.02, 0.05};
 constexpr std::array jerks{5.0, 10.0, 20.0};

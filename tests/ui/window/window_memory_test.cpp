@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/support/memory.h"
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/contour/contour_view.h"
 #include "ui/window/main_window.h"
@@ -20,8 +21,6 @@ namespace {
 
 using test::bytes_in_use;
 using test::megabyte;
-
-constexpr int patience = 120000;  // [ms]
 
 /// A spiral of short blocks and rapids, of about `bytes`.
 std::string spiral(std::size_t bytes) {

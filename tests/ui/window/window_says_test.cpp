@@ -21,6 +21,7 @@
 #include <fstream>
 #include <set>
 
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/annotations/annotations_view.h"
 #include "ui/charts/charts_panel.h"
@@ -41,8 +42,6 @@
 
 namespace feedscope::ui {
 namespace {
-
-constexpr int patience = 60000;  // [ms]
 
 class WindowSaysTest : public testing::Test {
  protected:

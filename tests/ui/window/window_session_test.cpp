@@ -7,6 +7,7 @@
 #include <QTest>
 #include <fstream>
 
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/annotations/annotations_view.h"
 #include "ui/charts/charts_panel.h"
@@ -14,8 +15,6 @@
 
 namespace feedscope::ui {
 namespace {
-
-constexpr int patience = 60000;  // [ms]
 
 struct Window {
   Workbench model{shipped_machines(), make_setup({})};

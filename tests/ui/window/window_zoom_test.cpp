@@ -9,13 +9,13 @@
 
 #include "tests/support/folders.h"
 #include "tests/support/memory.h"
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/window/main_window.h"
 
 namespace feedscope::ui {
 namespace {
 
-constexpr int patience = 120000;  // [ms]
 constexpr int clicks = 60;
 constexpr int clicks_to_rest = 5;
 constexpr double max_seconds = 1;  // of processor time until the view shows what a click asked for

@@ -7,13 +7,12 @@
 #include <QTemporaryDir>
 #include <fstream>
 
+#include "tests/ui/patience.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/workbench/simulate_shown.h"
 
 namespace feedscope::ui {
 namespace {
-
-constexpr int patience = 120000;  // [ms]
 
 class WorkbenchTest : public testing::Test {
  protected:

@@ -16,7 +16,7 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr double text_pixels = 13;
+constexpr double axis_text_pixels = 13;
 constexpr double tick_length = 5;
 constexpr double label_gap = 9;       // from the edge
 constexpr double label_spacing = 14;  // between labels beside each other
@@ -49,7 +49,7 @@ class Layouter {
         projection_(projection),
         window_(projection, shown_around),
         scale_(scale),
-        style_{.size = text_pixels * scale} {
+        style_{.size = axis_text_pixels * scale} {
     layout_.low = layout_.high = projection.to_display(Vec3::Zero());
   }
 
@@ -279,7 +279,7 @@ class Layouter {
     } else if (title.angle < -units::pi / 2 + 1e-6) {
       title.angle += units::pi;
     }
-    const double offset = (2 * label_gap + text_pixels / 2) * scale_ + depth;
+    const double offset = (2 * label_gap + axis_text_pixels / 2) * scale_ + depth;
     add_text(
         std::string(1, coordinate_names[static_cast<std::size_t>(axis)]) + fmt::format(" ({})", unit_.text),
         (edge.from + edge.to) / 2 + offset * edge.outward, title);

@@ -12,7 +12,7 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr double line_height = 17;
+constexpr double panel_line_height = 17;
 constexpr double cause_text_pixels = 12;
 constexpr double cause_line_height = 14.5;
 constexpr double cause_gap = 6;
@@ -105,7 +105,7 @@ double draw_title(Canvas& canvas, const Captions& captions, Vec2 place, double s
   const TextStyle style = title_style(scale, *captions.colours);
   for (const std::string& line : title_lines(captions, scale)) {
     canvas.text(line, place, style);
-    place.y() -= line_height * scale;
+    place.y() -= panel_line_height * scale;
   }
   return place.y();
 }
@@ -196,7 +196,7 @@ double colour_panel_width(const Captions& captions, int width, double scale) {
 
 double min_colour_panel_height(const Captions& captions, double scale) {
   const auto lines = static_cast<double>(title_lines(captions, scale).size());
-  return has_panel(captions.key) ? (16 + lines * line_height + min_bar) * scale : 0;
+  return has_panel(captions.key) ? (16 + lines * panel_line_height + min_bar) * scale : 0;
 }
 
 void draw_colour_panel(Canvas& canvas, const Captions& captions, const Vec2& low, const Vec2& high,
@@ -206,7 +206,7 @@ void draw_colour_panel(Canvas& canvas, const Captions& captions, const Vec2& low
   }
   const double left = low.x() + panel_margin * scale;
   const double width = high.x() - low.x() - 2 * panel_margin * scale;
-  const double title = line_height * scale * static_cast<double>(title_lines(captions, scale).size());
+  const double title = panel_line_height * scale * static_cast<double>(title_lines(captions, scale).size());
   const bool causes = !captions.key.causes.empty();
   const double room = high.y() - 16 * scale - title - low.y();
   if (room < min_bar * scale) {

@@ -11,7 +11,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr double zero_radius = 9;  // wider than the mark of the start, which is often in the same place
-constexpr double text_pixels = 12;
+constexpr double mark_text_pixels = 12;
 
 /// A disc of which two quarters are filled, as drawings have it.
 void draw_zero_mark(Canvas& canvas, const Vec2& place, double scale, const SceneColours& colours) {
@@ -59,10 +59,12 @@ void draw_zero_points(Canvas& canvas, const std::vector<ZeroPoint>& points, cons
     if (!is_named[i]) {
       const Vec2 place = place_of(points[i].place);
       draw_zero_mark(canvas, place, style.scale, style.colours);
-      canvas.text(
-          names_at(points, i, is_named, style.texts),
-          place + Vec2(zero_radius + 4, -zero_radius) * style.scale,
-          {.size = text_pixels * style.scale, .colour = style.colours.text, .horizontal = -1, .vertical = 1});
+      canvas.text(names_at(points, i, is_named, style.texts),
+                  place + Vec2(zero_radius + 4, -zero_radius) * style.scale,
+                  {.size = mark_text_pixels * style.scale,
+                   .colour = style.colours.text,
+                   .horizontal = -1,
+                   .vertical = 1});
     }
   }
 }

@@ -8,16 +8,16 @@
 namespace feedscope::ui {
 namespace {
 
-constexpr double text_pixels = 13;
-constexpr double line_height = 18;
+constexpr double value_text_pixels = 13;
+constexpr double value_line_height = 18;
 
 void draw_text_box(Canvas& canvas, const Vec2& beside, const std::vector<std::string>& lines,
                    const ScreenRectangle& room, double k, const SceneColours& colours) {
   if (lines.empty()) {
     return;
   }
-  TextStyle style{.size = text_pixels * k, .colour = colours.text, .horizontal = -1};
-  Vec2 size(0, (static_cast<double>(lines.size()) * line_height + 8) * k);
+  TextStyle style{.size = value_text_pixels * k, .colour = colours.text, .horizontal = -1};
+  Vec2 size(0, (static_cast<double>(lines.size()) * value_line_height + 8) * k);
   for (const std::string& line : lines) {
     size.x() = std::max(size.x(), Canvas::text_size(line, style).x() + 16 * k);
   }
@@ -27,11 +27,11 @@ void draw_text_box(Canvas& canvas, const Vec2& beside, const std::vector<std::st
   const Vec2 border = Vec2::Constant(k);
   canvas.rectangle(low - border, high + border, colours.frame);
   canvas.rectangle(low, high, colours.background);
-  double y = high.y() - (4 + line_height / 2) * k;
+  double y = high.y() - (4 + value_line_height / 2) * k;
   for (const std::string& line : lines) {
     canvas.text(line, {low.x() + 8 * k, y}, style);
     style.bold = false;
-    y -= line_height * k;
+    y -= value_line_height * k;
   }
 }
 

@@ -2,17 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
+#include "core/base/units.h"
 #include "core/program/path/plane_distance.h"
 #include "tests/core/program/path/line_writer.h"
 
 namespace feedscope {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using units::pi;
 
 std::vector<Diagnostic> said(LineWriter& writer) {
   return writer.finish().diagnostics;

@@ -1,11 +1,11 @@
 #include "core/program/path/curve_arcs.h"
+#include "core/base/units.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <random>
 
 #include "core/program/path/b_spline.h"
@@ -13,7 +13,7 @@
 namespace feedscope {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using units::pi;
 
 using Bezier = std::array<Vec3, 4>;
 

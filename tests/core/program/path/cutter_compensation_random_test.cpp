@@ -2,16 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <vector>
 
+#include "core/base/units.h"
 #include "tests/core/program/path/line_writer.h"
 
 namespace feedscope {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using units::pi;
 
 /// One element of a random contour; `center` of arcs.
 struct Element {

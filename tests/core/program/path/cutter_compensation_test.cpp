@@ -3,17 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
+#include "core/base/units.h"
 #include "tests/core/program/motion_text.h"
 #include "tests/core/program/path/line_writer.h"
 
 namespace feedscope {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using units::pi;
 
 /// Once around the square from (0, 0) to (20, 20), counter-clockwise, in from and out to (-10, 0).
 LineWriter& around_square(LineWriter& writer, ToolSide side, double radius) {

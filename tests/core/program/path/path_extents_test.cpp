@@ -1,10 +1,10 @@
 #include "core/program/path/path_extents.h"
+#include "core/base/units.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 
@@ -15,7 +15,7 @@
 namespace feedscope {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using units::pi;
 
 /// `exact` holds all of `sampled`, and not more than what lies between two samples beyond it.
 void expect_tight(const Bounds& exact, const Bounds& sampled, double between) {

@@ -2,14 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
+#include "core/base/units.h"
 #include "tests/core/program/sinumerik/read_sinumerik.h"
 
 namespace feedscope {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using units::pi;
 
 struct EndCase {
   const char* text;

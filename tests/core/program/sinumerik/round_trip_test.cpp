@@ -2,18 +2,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
 
+#include "core/base/units.h"
 #include "tests/core/program/random_path.h"
 #include "tests/core/program/sinumerik/read_sinumerik.h"
 
 namespace feedscope {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using units::pi;
 
 /// How arcs are written.
 enum class ArcStyle { offset, position, radius, angle_and_end, angle_and_center, through };
