@@ -255,7 +255,7 @@
     </message>
 </context>
 <context>
-    <name>LineTimes</name>
+    <name>LineTimeText</name>
     <message>
         <source>%1 ms</source>
         <translation>%1&#xa0;ms</translation>
