@@ -1,10 +1,12 @@
 #include "ui/scene/render_window.h"
 
+#include <memory>
 #include <optional>
 #include <stdexcept>
+#include <utility>
 
 #include "ui/scene/gl_render_window.h"
-#include "ui/scene/osmesa_render_window.h"
+#include "ui/scene/offscreen/offscreen_render_window.h"
 
 namespace feedscope::ui {
 namespace {
@@ -22,7 +24,10 @@ vtkSmartPointer<vtkGenericOpenGLRenderWindow> make_render_window(RenderBackend b
   }
   vtkSmartPointer<vtkGenericOpenGLRenderWindow> window;
   if (backend == RenderBackend::software) {
-    window = vtkSmartPointer<OsmesaRenderWindow>::New();
+    std::unique_ptr<OffscreenContext> context = make_offscreen_context();
+    auto offscreen = vtkSmartPointer<OffscreenRenderWindow>::New();
+    offscreen->use(std::move(context));
+    window = offscreen;
   } else {
     window = vtkSmartPointer<GlRenderWindow>::New();
     window->SetReadyForRendering(false);
