@@ -1,7 +1,6 @@
 #include "app/output_file.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cerrno>
 #include <iostream>
@@ -9,6 +8,7 @@
 
 #include "app/part_files.h"
 #include "core/base/error.h"
+#include "core/base/process.h"
 
 namespace feedscope {
 namespace fs = std::filesystem;
@@ -41,11 +41,11 @@ OutputFile::OutputFile(const std::string& name) : name_(name) {
   if (fs::is_directory(status)) {
     fail(name, "it is a folder");
   }
-  if (fs::exists(status) && access(target_.c_str(), W_OK) != 0) {
+  if (fs::exists(status) && !may_write(target_)) {
     fail(name, last_error());
   }
   const bool device = fs::exists(status) && !fs::is_regular_file(status);
-  written_ = device ? target_ : fs::path(fmt::format("{}.{}.part", target_.string(), getpid()));
+  written_ = device ? target_ : fs::path(fmt::format("{}.{}.part", target_.string(), process_id()));
   if (!device) {
     part_files::remember(written_);
   }

@@ -1,40 +1,22 @@
 #include "app/part_files.h"
 
-#include <unistd.h>
-
 #include <array>
 #include <atomic>
-#include <csignal>
 #include <mutex>
+
+#include "app/stop_signals.h"
 
 namespace feedscope::part_files {
 namespace {
 
-constexpr std::array ending_signals{SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM};
-
-// The handler reads what stands here; lock-free, so that it may.
+// A signal handler reads what stands here; lock-free, so that it may.
 std::array<std::atomic<const char*>, 16> files;
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
-/// Calls only what is safe in a signal handler; then the signal ends the process as it would have.
-void remove_and_end(int signal) {
+void remove_all() {
   for (const auto& file : files) {
     if (const char* name = file.load()) {
-      unlink(name);
-    }
-  }
-  std::signal(signal, SIG_DFL);
-  raise(signal);
-}
-
-/// A signal that is ignored (nohup, a job in the background) stays ignored.
-void install_handlers() {
-  for (const int signal : ending_signals) {
-    struct sigaction action {};
-    sigaction(signal, nullptr, &action);
-    if (action.sa_handler == SIG_DFL) {
-      action.sa_handler = remove_and_end;
-      sigaction(signal, &action, nullptr);
+      remove_in_handler(name);
     }
   }
 }
@@ -52,7 +34,7 @@ void replace(const char* now, const char* then) {
 
 void remember(const std::filesystem::path& file) {
   static std::once_flag installed;
-  std::call_once(installed, install_handlers);
+  std::call_once(installed, [] { StopSignals::run_before_end(remove_all); });
   replace(nullptr, file.c_str());
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 #include <thread>
 
+#include "app/stop_signals.h"
 #include "core/base/progress.h"
 
 namespace feedscope {
@@ -29,8 +30,7 @@ class Watch {
 
   Progress progress_;
   std::atomic<const char*> title_{""};
-  int signals_ = -1;  ///< file descriptor that the signals arrive at
-  int stop_ = -1;     ///< file descriptor that ends the thread
+  StopSignals signals_;
   bool drawn_ = false;
   std::thread thread_;
 };

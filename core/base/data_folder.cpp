@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
+#include "core/base/process.h"
 
 namespace feedscope {
 namespace fs = std::filesystem;
@@ -25,21 +26,19 @@ fs::path data_folder() {
     }
     return given;
   }
-  std::error_code error;
-  const fs::path executable = fs::read_symlink("/proc/self/exe", error);
-  if (!error) {
+  if (const fs::path executable = executable_path(); !executable.empty()) {
     fs::path installed = executable.parent_path().parent_path() / "share" / "feedscope";
     if (holds_data(installed)) {
       return installed;
     }
   }
-  if (holds_data(FEEDSCOPE_SOURCE_DIR)) {
-    return FEEDSCOPE_SOURCE_DIR;
+  if (holds_data(FEEDSCOPE_DATA_DIR)) {
+    return FEEDSCOPE_DATA_DIR;
   }
   throw InputError(
       fmt::format("data folder not found: neither ../share/feedscope next to the executable nor '{}' "
                   "contains machines/; set FEEDSCOPE_DATA to the folder that does",
-                  FEEDSCOPE_SOURCE_DIR));
+                  FEEDSCOPE_DATA_DIR));
 }
 
 }  // namespace feedscope

@@ -1,11 +1,11 @@
 #include "ui/session/autosave.h"
 
-#include <QCoreApplication>
 #include <QDir>
 #include <QSaveFile>
 #include <QStandardPaths>
 #include <utility>
 
+#include "core/base/process.h"
 #include "ui/session/session_file.h"
 
 namespace feedscope::ui {
@@ -29,10 +29,7 @@ QString Autosave::usual_folder() {
 }
 
 Autosave::Autosave(QString folder) : folder_(std::move(folder)) {
-  file_ = QStringLiteral("%1/%2%3")
-              .arg(folder_)
-              .arg(QCoreApplication::applicationPid())
-              .arg(QLatin1String(session_suffix));
+  file_ = QStringLiteral("%1/%2%3").arg(folder_).arg(process_id()).arg(QLatin1String(session_suffix));
 }
 
 Autosave::~Autosave() {
