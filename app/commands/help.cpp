@@ -6,7 +6,10 @@
 #include <vector>
 
 #include "app/commands/command.h"
+#include "app/completion.h"
 #include "app/exit_codes.h"
+#include "app/man_page.h"
+#include "app/output_file.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/handbook/handbook.h"
@@ -18,6 +21,9 @@ struct HelpOptions {
   std::string command;
   std::string html;
   std::string language = "en";
+  std::string shell;
+  std::string out = "-";
+  bool man = false;
 };
 
 void show_help(CLI::App& app, const std::string& name) {
@@ -41,12 +47,18 @@ void write_html(const HelpOptions& options) {
   fmt::print("{} pages; open {}\n", files.size(), files.front().string());
 }
 
+void write_text(const std::string& out, const std::string& text) {
+  OutputFile file(out);
+  file.stream() << text;
+  file.commit();
+}
+
 }  // namespace
 
 Command add_help_command(CLI::App& app) {
   const auto options = std::make_shared<HelpOptions>();
   CLI::App* command =
-      app.add_subcommand("help", "Show the options of a command, or write the handbook as HTML");
+      app.add_subcommand("help", "Show the options of a command, or write handbook, man page or completion");
   command->add_option("COMMAND", options->command, "Command to explain [all commands]");
   command->add_option("--html", options->html, "Write the handbook as HTML pages into this folder")
       ->type_name("DIR");
@@ -54,8 +66,19 @@ Command add_help_command(CLI::App& app) {
       ->check(CLI::IsMember({"en", "fr"}))
       ->type_name("LANGUAGE")
       ->needs("--html");
+  CLI::Option* man = command->add_flag("--man", options->man, "Write the man page");
+  command->add_option("--completion", options->shell, "Write what has a shell complete commands and options")
+      ->check(CLI::IsMember(completed_shells()))
+      ->type_name("SHELL")
+      ->excludes(man);
+  command->add_option("--out", options->out, "File for --man and --completion [standard output]")
+      ->type_name("FILE");
   return {command, [&app, options] {
-            if (!options->html.empty()) {
+            if (options->man) {
+              write_text(options->out, man_page(command_table(app)));
+            } else if (!options->shell.empty()) {
+              write_text(options->out, completion(command_table(app), options->shell));
+            } else if (!options->html.empty()) {
               write_html(*options);
             } else if (!options->command.empty()) {
               show_help(app, options->command);

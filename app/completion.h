@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "app/command_table.h"
+
+namespace feedscope {
+
+/// Names that completion() takes.
+std::vector<std::string> completed_shells();
+
+/// What has a shell (bash, zsh, fish) complete commands, options and values. Throws InputError for another
+/// one.
+std::string completion(const std::vector<CommandRow>& commands, const std::string& shell);
+
+}  // namespace feedscope
