@@ -7,8 +7,8 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
-#include "core/trajectory/part_walk.h"
 #include "core/trajectory/quantity.h"
+#include "core/trajectory/state_walk.h"
 
 namespace feedscope {
 namespace {
@@ -91,12 +91,7 @@ class SampleRows {
   /// `from`: the first instant [s].
   SampleRows(std::ostream& out, const Trajectory& trajectory, double from, std::size_t rows,
              Progress* progress)
-      : sink_(out),
-        trajectory_(trajectory),
-        walk_(trajectory, trajectory.pieces().empty() ? 0 : trajectory.piece_at(from)),
-        causes_(cause_keys()),
-        rows_(rows),
-        progress_(progress) {
+      : sink_(out), walk_(trajectory, from), causes_(cause_keys()), rows_(rows), progress_(progress) {
     for (const Column& column : columns_.before_cause) {
       sink_.text(column.name);
       sink_.text(",");
@@ -111,12 +106,7 @@ class SampleRows {
   SampleRows(const SampleRows&) = delete;
   SampleRows& operator=(const SampleRows&) = delete;
 
-  void add(double time) {
-    while (!walk_.done() && walk_.part().time + walk_.part().duration <= time) {
-      walk_.next();
-    }
-    add(walk_.done() ? trajectory_.state(time) : walk_.motion().state(time - walk_.part().time));
-  }
+  void add(double time) { add(walk_.at(time)); }
   void add(const State& state) {
     write_row(state);
     if (progress_ != nullptr && row_ % rows_per_report == 0) {
@@ -145,8 +135,7 @@ class SampleRows {
 
   const Columns columns_ = motion_columns();
   TextSink sink_;
-  const Trajectory& trajectory_;
-  PartWalk walk_;
+  StateWalk walk_;
   std::vector<std::string> causes_;
   std::size_t rows_;
   std::size_t row_ = 0;
