@@ -7,7 +7,9 @@
 #include <fstream>
 
 #include "core/base/error.h"
+#include "tests/support/folders.h"
 #include "tests/ui/session/some_session.h"
+#include "ui/session/session_json.h"
 
 namespace feedscope::ui {
 namespace {
@@ -78,6 +80,18 @@ TEST_F(SessionFile, HashesBytes) {
   EXPECT_EQ(hash_of(in_folder("a.nc")),
             "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");  // FIPS 180-2, B.1
   EXPECT_TRUE(hash_of(in_folder("none.nc")).isEmpty());
+}
+
+/// One file for each version is kept as it was written then.
+TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
+  const std::filesystem::path folder = FEEDSCOPE_SOURCE_DIR "/tests/ui/session/versions";
+  const Session expected = test::some_session(folder / "part.nc");
+  for (int version = 1; version <= session_version; ++version) {
+    const ReadSession read =
+        read_session_file(folder / ("version_" + std::to_string(version) + ".feedscope"));
+    EXPECT_TRUE(read.notes.isEmpty()) << version;
+    EXPECT_EQ(session_bytes(read.session, folder), session_bytes(expected, folder)) << version;
+  }
 }
 
 }  // namespace

@@ -1,0 +1,100 @@
+"""Validates what feedscope writes, and the shipped files, against resources/schema: validate.py FEEDSCOPE SOURCE_DIR"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import tomllib
+
+try:
+    import jsonschema
+except ImportError:
+    print("python3-jsonschema is not installed: skipped")
+    sys.exit(77)
+
+feedscope, source = sys.argv[1], pathlib.Path(sys.argv[2])
+programs = source / "resources" / "programs"
+schemas = {
+    file.name.removesuffix(".schema.json"): json.loads(file.read_text())
+    for file in sorted((source / "resources" / "schema").glob("*.json"))
+}
+faults = []
+
+
+def closed(schema):
+    """The schema without room for keys that it does not name: what we write ourselves is described whole."""
+    if isinstance(schema, dict):
+        schema = {key: closed(value) for key, value in schema.items()}
+        if "properties" in schema and "additionalProperties" not in schema and "$ref" not in schema:
+            schema["additionalProperties"] = False
+    elif isinstance(schema, list):
+        schema = [closed(value) for value in schema]
+    return schema
+
+
+def validate(name, data, what, strict=True):
+    schema = closed(schemas[name]) if strict else schemas[name]
+    for error in jsonschema.Draft202012Validator(schema).iter_errors(data):
+        faults.append(f"{what}: {'/'.join(map(str, error.absolute_path))}: {error.message[:200]}")
+
+
+def written(*arguments):
+    result = subprocess.run([feedscope, *map(str, arguments), "--json", "-"], capture_output=True, text=True)
+    if result.returncode not in (0, 1):
+        faults.append(f"{' '.join(map(str, arguments))}: ended with {result.returncode}: {result.stderr}")
+        return None
+    return json.loads(result.stdout)
+
+
+def check_command(*arguments):
+    data = written(*arguments)
+    if data is not None:
+        validate(data["format"]["name"], data, " ".join(map(str, arguments)))
+    return data
+
+
+for name, schema in schemas.items():
+    jsonschema.Draft202012Validator.check_schema(schema)
+
+with tempfile.TemporaryDirectory() as folder:
+    work = pathlib.Path(folder)
+    (work / "wrong.nc").write_text("G21 G1 X1 F100\nfoo\n")
+    (work / "empty.nc").write_text("%\n")
+    (work / "control.mpf").write_text("G64 G1 X10 F1000\nCYCLE832(0.02,3)\nY10\nG60 G601 X0\nG641 ADIS=0.5\nY0\nM30\n")
+    (work / "offset.nc").write_text("G21 G55 G0 X1\nT3 M6\nG41 D5 G1 X10 F500\nY10\nG40 X0\nG28 Z0\n")
+    (work / "O100.nc").write_text("O100 G1 X1 F100\nfoo\nM99\n")
+    (work / "calls.nc").write_text("O1 G21\nM98 P100\nM30\n")
+    own = sorted(work.iterdir())
+    samples = [programs / name for name in ("essid_table1.nc", "heidenhain_plate.h", "sinumerik_plate.mpf", "trochoidal_slot.nc")]
+    for program in own + samples:
+        check_command("check", program)
+        check_command("simulate", program, "--contour", work / "contour.csv")
+        check_command("compare", program, "--model", "essid", "--model", "cam", "--tolerance", "0.01", "--tolerance", "0.05")
+    studies = []
+    for program in samples[:2]:
+        data = check_command("compare", program, "--sweep", "tolerance=0.01 0.05", "--within", "0.03", "--operations", "tool")
+        studies.append(work / f"{program.stem}.json")
+        studies[-1].write_text(json.dumps(data))
+    check_command("compare", "--within", "0.03", "--merge", *studies)
+    check_command("compare", "--merge", *studies)
+
+    wrong = written("check", samples[0])
+    del wrong["program"]["path_mm"]
+    wrong["program"]["lines"] = "many"
+    before = len(faults)
+    validate("feedscope-check", wrong, "a wrong file")
+    if len(faults) != before + 2:
+        faults.append("a wrong file is not found wrong")
+    else:
+        del faults[before:]
+
+for file in sorted((source / "machines").glob("*.toml")):
+    validate("feedscope-machine", tomllib.loads(file.read_text()), file.name, strict=False)
+for file in sorted((source / "resources" / "lessons").glob("*.toml")):
+    validate("feedscope-lesson", tomllib.loads(file.read_text()), file.name, strict=False)
+for file in sorted((source / "tests").glob("**/*.feedscope")):
+    validate("feedscope-session", json.loads(file.read_text()), file.name, strict=False)
+
+print("\n".join(faults) if faults else "all files are as their schemas say")
+sys.exit(1 if faults else 0)
