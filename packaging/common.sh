@@ -19,7 +19,10 @@ missing_packages() {
   tests) end='/^# Checks/,$d' ;;
   *) end='' ;;
   esac
-  mapfile -t wanted < <(sed -e "$end" "$project_dir/packaging/debian-packages.txt" | sed 's/#.*//' | awk 'NF { print $1 }')
+  local VERSION_ID=12
+  [[ -r /etc/os-release ]] && . /etc/os-release
+  mapfile -t wanted < <(sed -e "$end" "$project_dir/packaging/debian-packages.txt" | sed 's/#.*//' |
+    awk -v here="[$VERSION_ID]" 'NF && (!$2 || $2 == here) { print $1 }')
   comm -23 <(printf '%s\n' "${wanted[@]}" | sort -u) \
     <(dpkg-query -W -f '${db:Status-Status} ${Package}\n' | awk '$1 == "installed" { print $2 }' | sort -u)
 }
@@ -28,11 +31,11 @@ check_system() {
   local ID='an unknown system' ID_LIKE='' VERSION_ID='' PRETTY_NAME=''
   [[ -r /etc/os-release ]] && . /etc/os-release
   if ! command -v dpkg-query >/dev/null || [[ " $ID $ID_LIKE " != *' debian '* ]]; then
-    fail "this is ${PRETTY_NAME:-$ID}; the set-up is for Debian 12. Elsewhere, install what" \
+    fail "this is ${PRETTY_NAME:-$ID}; the set-up is for Debian 12 and 13. Elsewhere, install what" \
       "packaging/debian-packages.txt names and run: cmake --preset program && cmake --build --preset program"
   fi
-  if [[ $ID != debian || $VERSION_ID != 12 ]]; then
-    echo "Note: this is ${PRETTY_NAME:-$ID}; the package names are those of Debian 12."
+  if [[ $ID != debian || ! $VERSION_ID =~ ^1[23]$ ]]; then
+    echo "Note: this is ${PRETTY_NAME:-$ID}; the package names are those of Debian 12 and 13."
   fi
 }
 

@@ -1,6 +1,6 @@
 # The simulation library for other programs: find_package(Feedscope) gives Feedscope::core and the folder FEEDSCOPE_DATA
 # with the shipped machines. A component of its own, which a plain installation leaves out:
-# cmake --install build/program --component development
+# cmake --install build/program --component development, and --component machines where Feedscope itself is not installed
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -11,7 +11,7 @@ install(TARGETS feedscope_core EXPORT FeedscopeTargets
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/feedscope
   COMPONENT development EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.h")
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/machines DESTINATION ${CMAKE_INSTALL_DATADIR}/feedscope
-  COMPONENT development EXCLUDE_FROM_ALL)
+  COMPONENT machines EXCLUDE_FROM_ALL)
 install(EXPORT FeedscopeTargets NAMESPACE Feedscope:: DESTINATION ${package}
   COMPONENT development EXCLUDE_FROM_ALL)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/FeedscopeConfig.cmake.in ${PROJECT_BINARY_DIR}/FeedscopeConfig.cmake

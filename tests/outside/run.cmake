@@ -11,7 +11,9 @@ function(run)
   set(output "${out}" PARENT_SCOPE)
 endfunction()
 
-run(${CMAKE_COMMAND} --install ${BUILD} --component development --prefix ${work}/prefix)
+foreach(component development machines)
+  run(${CMAKE_COMMAND} --install ${BUILD} --component ${component} --prefix ${work}/prefix)
+endforeach()
 run(${CMAKE_COMMAND} -S ${SOURCE}/resources/examples/library -B ${work}/build -DCMAKE_PREFIX_PATH=${work}/prefix
   -DCMAKE_CXX_COMPILER=${COMPILER} "-DCMAKE_CXX_FLAGS=${FLAGS}" -DCMAKE_BUILD_TYPE=Debug)
 run(${CMAKE_COMMAND} --build ${work}/build)
