@@ -8,7 +8,7 @@
 
 #include "app/part_files.h"
 #include "core/base/error.h"
-#include "core/base/process.h"
+#include "core/base/this_process.h"
 
 namespace feedscope {
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstdio>
 
-#include "core/base/process.h"
+#include "core/base/this_process.h"
 
 namespace feedscope {
 namespace {

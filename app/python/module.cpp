@@ -219,7 +219,7 @@ PYBIND11_MODULE(_native, module) {
     try {
       std::rethrow_exception(std::move(pointer));
     } catch (const InputError& reason) {
-      error(reason.what());
+      PyErr_SetString(error.ptr(), reason.what());
     } catch (const Cancelled&) {
       PyErr_SetNone(PyExc_KeyboardInterrupt);
     }

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "core/base/error.h"
-#include "core/base/process.h"
+#include "core/base/this_process.h"
 
 namespace feedscope {
 namespace fs = std::filesystem;

@@ -244,7 +244,7 @@ class LessonReader {
     }
     if (const ConfigNode* as = table.find("as")) {
       const Names names{"ratio", "difference", "percent more", "percent less"};
-      const std::string& name = one_of(table, "as", names, where);
+      const std::string name = one_of(table, "as", names, where);
       if (!quantity.against) {
         as->fail(fmt::format("'as' in {} says how to compare; 'against' is missing", where));
       }

@@ -60,6 +60,7 @@ const std::set<std::string> other_types{"Excludes",
                                         "FILE.png|svg|pdf",
                                         "FILE.pdf|FILE.html",
                                         "FILE.html",
+                                        "SHELL",
                                         "YYYY-MM-DD"};
 
 /// Every option with a number of every command, as the commands' own help lists them, so that none is

@@ -5,7 +5,7 @@
 #include <QStandardPaths>
 #include <utility>
 
-#include "core/base/process.h"
+#include "core/base/this_process.h"
 #include "ui/session/session_file.h"
 
 namespace feedscope::ui {

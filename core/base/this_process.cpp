@@ -1,4 +1,4 @@
-#include "core/base/process.h"
+#include "core/base/this_process.h"
 
 #include <array>
 #include <cstdint>
