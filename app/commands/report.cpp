@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <QTimeZone>
+
 #include <map>
 #include <memory>
 #include <string>
@@ -46,7 +48,7 @@ QDateTime date_of(const std::string& text) {
     throw InputError(
         fmt::format("--date '{}' is not a date; give year, month and day, such as 2025-01-31", text));
   }
-  return {date, QTime(0, 0), Qt::UTC};
+  return {date, QTime(0, 0), QTimeZone::utc()};
 }
 
 /// The command of the report, then one for each run alone.

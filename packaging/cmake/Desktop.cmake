@@ -12,15 +12,17 @@ install(FILES ${PROJECT_SOURCE_DIR}/resources/icons/feedscope.svg
 
 # Written by the program itself, from the options that its parser knows.
 set(shell_dir ${PROJECT_BINARY_DIR}/shell)
-set(man_page ${shell_dir}/feedscope.1)
+set(man_page ${shell_dir}/feedscope.1.gz)
+set(run ${CMAKE_COMMAND} -E env FEEDSCOPE_DATA=${PROJECT_SOURCE_DIR} $<TARGET_FILE:feedscope>)
 set(completions)
 foreach(shell bash zsh fish)
   list(APPEND completions ${shell_dir}/completion.${shell})
-  list(APPEND write_completions COMMAND feedscope help --completion ${shell} --out ${shell_dir}/completion.${shell})
+  list(APPEND write_completions COMMAND ${run} help --completion ${shell} --out ${shell_dir}/completion.${shell})
 endforeach()
 add_custom_command(OUTPUT ${man_page} ${completions}
   COMMAND ${CMAKE_COMMAND} -E make_directory ${shell_dir}
-  COMMAND feedscope help --man --out ${man_page}
+  COMMAND ${run} help --man --out ${shell_dir}/feedscope.1
+  COMMAND gzip -9nf ${shell_dir}/feedscope.1
   ${write_completions}
   DEPENDS feedscope
   COMMENT "Writing man page and completions")

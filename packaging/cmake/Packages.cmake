@@ -22,20 +22,22 @@ set(CPACK_DEBIAN_APPLICATION_PACKAGE_DEPENDS "libosmesa6 | libegl-mesa0, qt6-qpa
 set(CPACK_DEBIAN_APPLICATION_PACKAGE_RECOMMENDS "libgl1-mesa-dri, qt6-wayland, qt6-translations-l10n")
 set(CPACK_COMPONENT_APPLICATION_DESCRIPTION
   "show what a CNC control does with an NC program
- Feedscope shows the path with the corner blends that a control inserts, the
- feed, acceleration and jerk of every axis, and what limits the feed where an
- NC program is slow. It simulates published models of real controls on
- published machines, in a window and on the command line, and writes tables,
- pictures and reports.")
+Feedscope shows the path with the corner blends that a control inserts, the
+feed, acceleration and jerk of every axis, and what limits the feed where an
+NC program is slow. It simulates published models of real controls on
+published machines, in a window and on the command line, and writes tables,
+pictures and reports.")
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-feedscope)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "feedscope (= ${PROJECT_VERSION}-${FEEDSCOPE_DEBIAN_RELEASE}), python3, python3-numpy")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  ${PROJECT_SOURCE_DIR}/packaging/debian/python/postinst ${PROJECT_SOURCE_DIR}/packaging/debian/python/prerm)
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
   "simulate NC programs from Python
- The simulation library of Feedscope as a Python module: programs are read and
- simulated on published control models and machines; the motion comes as numpy
- arrays.")
+The simulation library of Feedscope as a Python module: programs are read and
+simulated on published control models and machines; the motion comes as numpy
+arrays.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfeedscope-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
@@ -43,8 +45,8 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
   "feedscope (= ${PROJECT_VERSION}-${FEEDSCOPE_DEBIAN_RELEASE}), libeigen3-dev, libfmt-dev, libtbb-dev, libtomlplusplus-dev, libcmark-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "simulate NC programs from C++
- The simulation library of Feedscope with headers and a CMake package, to be
- found by find_package(Feedscope).")
+The simulation library of Feedscope with headers and a CMake package, to be
+found by find_package(Feedscope).")
 
 # Changelog and copyright, where Debian has them.
 foreach(component application python development)

@@ -3,6 +3,8 @@
 #include <vtkObjectFactory.h>
 #include <vtkVersionMacros.h>
 
+#include <algorithm>
+
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 4, 0)
 #error \
     "VTK 9.4 and later draw without a display by vtkOSOpenGLRenderWindow: make_render_window() should use it"
@@ -36,6 +38,12 @@ void OffscreenRenderWindow::MakeCurrent() {
 
 void OffscreenRenderWindow::ReleaseCurrent() {
   context_->release();
+}
+
+int OffscreenRenderWindow::GetColorBufferSizes(int* rgba) {
+  constexpr int bits = 8;
+  std::fill_n(rgba, 4, bits);
+  return 4 * bits;
 }
 
 bool OffscreenRenderWindow::IsCurrent() {

@@ -21,6 +21,8 @@ class OffscreenRenderWindow : public GlRenderWindow {
   void ReleaseCurrent() override;
   bool IsCurrent() override;
   int SupportsOpenGL() override { return 1; }
+  /// Of the frame buffers that are drawn into; EGL has no other that VTK could ask.
+  int GetColorBufferSizes(int* rgba) override;
 
  protected:
   OffscreenRenderWindow();
