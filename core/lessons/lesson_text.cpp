@@ -24,7 +24,7 @@ std::string changes_text(const Changes& changes) {
   return changes.empty() ? "as the lesson begins" : fmt::format("with {}", fmt::join(changes, ", "));
 }
 
-/// Calls `found` for every number in `text` that is no part of a word, with what follows it.
+/// Calls `found` for every number in `text` that is not part of a word, with what follows it.
 template <typename Found>
 void each_number(const std::string& text, Found found) {
   static const std::regex pattern(

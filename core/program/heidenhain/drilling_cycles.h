@@ -56,7 +56,7 @@ struct CycleParameter {
   std::optional<double> otherwise;  ///< value of an older program that lacks it; none: needed
 };
 
-/// What the cycle `number` is given; empty for one that is no drilling cycle that is read.
+/// What the cycle `number` is given; empty if it is not a supported drilling cycle.
 std::span<const CycleParameter> parameters_of_drilling(int number);
 
 /// Where holes are drilled.

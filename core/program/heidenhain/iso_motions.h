@@ -14,7 +14,7 @@ class IsoMotions : private Part {
   IsoMotions(Context& context, Targets& targets, Motions& motions, Approaches& approaches)
       : Part(context), targets_(targets), motions_(motions), approaches_(approaches) {}
 
-  /// False for a code that is no motion.
+  /// False if the code is not a motion.
   bool set_motion(int code);
   void set_incremental(bool incremental) { incremental_ = incremental; }
   bool is_incremental() const { return incremental_; }

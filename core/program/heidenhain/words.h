@@ -16,7 +16,7 @@ class Words : private Part {
   MotionWords read(Scanner& scanner);
 
  private:
-  /// False, and nothing taken, for a letter that is no word.
+  /// False, and nothing is consumed, if the letter is not a word.
   bool read_word(Scanner& scanner, char letter, std::uint32_t column, MotionWords& words);
   bool read_axis(Scanner& scanner, char letter, bool incremental, std::uint32_t column, MotionWords& words);
   bool read_normal(Scanner& scanner, std::uint32_t column);

@@ -66,7 +66,7 @@ void Calls::call_program(const Word& word) {
 }
 
 void Calls::call_named_file(const Word& word) {
-  // The name stands in brackets, which to the lexer are a comment.
+  // The name is in brackets, which the lexer takes for a comment.
   const std::string_view line = lines().text().line(lines().line());
   const std::size_t from = line.find('(', word.column);
   const std::size_t to = line.find(')', from == std::string_view::npos ? 0 : from);

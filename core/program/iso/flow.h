@@ -28,8 +28,8 @@ class Flow : private Part {
         indexes_(indexes),
         run_words_(std::move(run_words)) {}
 
-  /// True if the line is a statement that rules the flow. `line`: its plain words, `scan` what stands behind
-  /// them. Throws ReadFault.
+  /// True if the line is a statement of program flow (GOTO, IF, WHILE, O words). `line`: its plain words,
+  /// `scan` what stands behind them. Throws ReadFault.
   bool run(const Block& line, Scanner& scan);
 
  private:
@@ -47,7 +47,7 @@ class Flow : private Part {
   void go_to(Scanner& scan);
   /// A condition that cannot be read is reported and does not hold.
   bool condition(Scanner& scan);
-  /// Reports what stands behind a statement that has been read.
+  /// Reports words that are left after a statement.
   void report_rest(Scanner& scan) const;
   void report_nested_subs(const Statement& statement) const;
   /// That of the line in force, as `written` in column `column`. Throws ReadFault if its counterpart is

@@ -15,7 +15,7 @@ namespace {
 constexpr double value_limit = 1e9;
 constexpr std::string_view axis_words = "ABCIJKRUVWXYZ";
 
-/// A name of two letters and more that is no function: "CYCLE832", "SETVN"; empty for a word such as "X#1".
+/// A name of two or more letters that is not a function: "CYCLE832", "SETVN"; empty for a word such as "X#1".
 std::string_view foreign_name(Scanner scan) {
   const std::string_view name = scan.name();
   const bool is_name = name.size() > 1 && !letters::is_digit(name[1]) && scan.peek() != '[';

@@ -55,7 +55,7 @@ class Statements : private Part {
   bool has_assigned_ = false;
 };
 
-/// What stands in the rest of the line has no effect.
+/// The rest of the line is ignored.
 inline void skip_rest(Scanner& scan) {
   scan.move_to(scan.text().size());
 }

@@ -17,7 +17,7 @@ class LastMotion {
   void set_arc_by_center(const ArcRequest& arc) { set_arc(arc, false); }
   void set_arc_by_radius(const ArcRequest& arc) { set_arc(arc, true); }
 
-  /// Unit vector along the end of the motion, which is the end of `path`; zero if there is no motion.
+  /// Unit vector along the end of the motion, which is the end of `path`; zero before the first motion.
   Vec3 direction(const PathWriter& path) const;
 
  private:

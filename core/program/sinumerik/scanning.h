@@ -11,7 +11,7 @@ void require(Scanner& scanner, char c);
 /// ReadFault "syntax" if it is not closed.
 void skip_brackets(Scanner& scanner);
 
-/// What is in the rest of the line has no effect.
+/// The rest of the line is ignored.
 inline void skip_rest(Scanner& scanner) {
   scanner.move_to(scanner.text().size());
 }

@@ -30,7 +30,7 @@ class SourceText {
 
   const std::string& name() const { return name_; }
   const std::string& text() const { return text_; }
-  /// Where the file lies, for what it calls; empty for a text that is no file.
+  /// Where the file lies, for what it calls; empty if the text did not come from a file.
   const std::filesystem::path& folder() const { return folder_; }
   /// The same as UTF-8, for display.
   std::string utf8_text() const { return to_utf8(text_); }

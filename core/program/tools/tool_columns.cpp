@@ -128,7 +128,7 @@ double ToolColumns::number(std::string_view cell, std::uint32_t line) const {
     // Said below, with the line.
   }
   throw InputError(
-      fmt::format("tool table '{}', line {}: {} is no number", text_->name(), line, in_quotes(cell)));
+      fmt::format("tool table '{}', line {}: {} is not a number", text_->name(), line, in_quotes(cell)));
 }
 
 CutterRadii ToolColumns::read() const {

@@ -17,7 +17,7 @@ namespace feedscope {
 ///    D (DIAMETER), in columns of fixed width or with semicolons, commas or tabs between them.
 /// `unit`: millimetres of a length, where the table does not say it itself (TOOL.T: MM or INCH; G20, G21).
 /// A tool whose radius comes out below zero is omitted: one odd row does not make the others useless.
-/// Throws InputError naming the file, and the line of a value that is no number.
+/// Throws InputError naming the file, and the line of a value that is not a number.
 CutterRadii read_tool_table(const SourceText& text, double unit = 1);
 
 /// Names that a table beside a program goes by, in the order of preference.

@@ -69,7 +69,7 @@ TEST(ToolTable, LeavesOutRadiiBelowZero) {
 
 TEST(ToolTable, FaultsNameTheirPlace) {
   EXPECT_THAT(fault_of("T1 P1 D1..0\n"), HasSubstr("line 1, column"));
-  EXPECT_THAT(fault_of("nr;radius\n1;5\n2;x\n"), HasSubstr("line 3: \"x\" is no number"));
+  EXPECT_THAT(fault_of("nr;radius\n1;5\n2;x\n"), HasSubstr("line 3: \"x\" is not a number"));
   EXPECT_THAT(fault_of("$TC_DP6[1,1\n"), HasSubstr("line 1"));
   EXPECT_THAT(fault_of("G1 X5\n"), HasSubstr("'tools' is not a supported tool table"));
   EXPECT_THAT(fault_of(""), HasSubstr("not a supported tool table"));
