@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <span>
 
 #include "core/base/error.h"
 #include "core/base/parallel.h"
@@ -23,7 +24,7 @@ namespace py = pybind11;
 namespace feedscope {
 namespace {
 
-using Doubles = py::array_t<double>;
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// Runs `work(progress)` beside Python, so that other threads go on and Ctrl-C cancels it.
 template <typename Work>
@@ -101,13 +102,14 @@ py::list cause_names() {
 }
 
 /// Columns of the CSV at instants that never fall, and `cause` as an index into cause_names().
-py::dict samples(const Run& run, const std::vector<double>& times) {
+py::dict samples(const Run& run, const Doubles& instants) {
   const Trajectory& trajectory = *run.trajectory;
   struct Column {
     const QuantityInfo* quantity;
     Doubles values;
   };
   std::vector<Column> columns;
+  const std::span<const double> times(instants.data(), static_cast<std::size_t>(instants.size()));
   const std::size_t count = trajectory.pieces().empty() ? 0 : times.size();
   for (const QuantityInfo& quantity : all_quantities()) {
     if (!quantity.column.empty()) {
@@ -143,7 +145,7 @@ py::dict samples(const Run& run, const std::vector<double>& times) {
 }
 
 /// Every step [s], and the very end.
-std::vector<double> times_of(const Run& run, double step) {
+Doubles times_of(const Run& run, double step) {
   constexpr double max_samples = 1e9;
   const double duration = run.trajectory->duration();
   if (!(step > 0) || duration / step > max_samples) {
@@ -157,7 +159,7 @@ std::vector<double> times_of(const Run& run, double step) {
     times.push_back(static_cast<double>(i) * step);
   }
   times.push_back(duration);
-  return times;
+  return Doubles(static_cast<py::ssize_t>(times.size()), times.data());
 }
 
 /// The exact motion: parts of constant jerk on one element each.

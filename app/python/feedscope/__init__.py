@@ -167,8 +167,8 @@ class Run:
 
         The keys are the columns of `feedscope simulate --csv`; `cause` holds their keys as text.
         """
-        instants = self._native.times(step) if times is None else [float(time) for time in times]
-        if any(later < earlier for earlier, later in zip(instants, instants[1:])):
+        instants = self._native.times(step) if times is None else np.array([*times], dtype=float)
+        if (np.diff(instants) < 0).any():
             raise Error("times fall; sort them")
         return _with_causes(self._native.samples(instants))
 
