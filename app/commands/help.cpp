@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -41,16 +42,21 @@ void show_help(CLI::App& app, const std::string& name) {
                                                : fmt::format("did you mean '{}'?", nearest)));
 }
 
-void write_html(const HelpOptions& options) {
-  const Handbook handbook(options.language);
-  const auto files = write_handbook(handbook, options.language, options.html);
-  fmt::print("{} pages; open {}\n", files.size(), files.front().string());
-}
-
 void write_text(const std::string& out, const std::string& text) {
   OutputFile file(out);
   file.stream() << text;
   file.commit();
+}
+
+void write_html(const HelpOptions& options) {
+  const std::filesystem::path folder = options.html;
+  std::error_code ignored;  // a folder that cannot be made shows in the first file
+  std::filesystem::create_directories(folder, ignored);
+  const Handbook handbook(options.language);
+  for (const HandbookPage& page : handbook.pages()) {
+    write_text((folder / (page.name + ".html")).string(), whole_page_html(page, options.language));
+  }
+  fmt::print("{} pages; open {}\n", handbook.pages().size(), (folder / "index.html").string());
 }
 
 }  // namespace

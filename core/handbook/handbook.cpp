@@ -146,29 +146,13 @@ std::string page_html(const HandbookPage& page, std::string_view ending) {
       std::regex_replace(markdown_as_html(page.markdown), link, fmt::format("href=\"$1{}$2\"", ending)));
 }
 
-std::vector<std::filesystem::path> write_handbook(const Handbook& handbook, const std::string& language,
-                                                  const std::filesystem::path& folder) {
-  std::error_code ignored;  // a folder that cannot be made shows in the first file
-  std::filesystem::create_directories(folder, ignored);
-  std::vector<std::filesystem::path> files;
-  for (const HandbookPage& page : handbook.pages()) {
-    const std::filesystem::path file = folder / (page.name + ".html");
-    const std::string_view up =
-        page.name == "index" ? "" : "<nav><a href=\"index.html\">Feedscope</a></nav>\n";
-    std::ofstream out(file, std::ios::binary);
-    out << "<!DOCTYPE html>\n<html lang=\"" << language << "\">\n<head>\n<meta charset=\"utf-8\">\n"
-        << "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>" << page.title
-        << "</title>\n<style>\n"
-        << style << "</style>\n</head>\n<body>\n"
-        << up << page_html(page, ".html") << "</body>\n</html>\n";
-    out.close();
-    if (!out) {
-      throw InputError(
-          fmt::format("{}: cannot be written; check the folder and its permissions", file.string()));
-    }
-    files.push_back(file);
-  }
-  return files;
+std::string whole_page_html(const HandbookPage& page, std::string_view language) {
+  const std::string_view up = page.name == "index" ? "" : "<nav><a href=\"index.html\">Feedscope</a></nav>\n";
+  return fmt::format(
+      "<!DOCTYPE html>\n<html lang=\"{}\">\n<head>\n<meta charset=\"utf-8\">\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n<title>{}</title>\n"
+      "<style>\n{}</style>\n</head>\n<body>\n{}{}</body>\n</html>\n",
+      language, page.title, style, up, page_html(page, ".html"));
 }
 
 }  // namespace feedscope

@@ -40,9 +40,8 @@ std::vector<std::string> linked_pages(const std::string& markdown);
 /// The inside of a body. Links to pages end with `ending`; headings have anchors, as GitHub makes them.
 std::string page_html(const HandbookPage& page, std::string_view ending);
 
-/// Writes every page as HTML into `folder`, which is made if it does not exist, and returns the files.
-/// Throws InputError naming a file that cannot be written.
-std::vector<std::filesystem::path> write_handbook(const Handbook& handbook, const std::string& language,
-                                                  const std::filesystem::path& folder);
+/// A page as a file of its own, with head, style and the way back to the index; links lead to NAME.html.
+/// `language` is that of its text: "en", "fr".
+std::string whole_page_html(const HandbookPage& page, std::string_view language);
 
 }  // namespace feedscope

@@ -25,6 +25,7 @@ TEST_F(HelpCommand, ExplainsOneCommandAsItsOwnHelpDoes) {
 TEST_F(HelpCommand, WritesTheHandbook) {
   EXPECT_THAT(run("help --html pages --language fr").out, HasSubstr("index.html"));
   EXPECT_TRUE(fs::exists(folder_ / "pages" / "trust.html"));
+  EXPECT_THAT(run("help --html /dev/null/pages").err, HasSubstr("/dev/null/pages/index.html"));
   expect_wrong_use("help --language fr", "--html");
   expect_wrong_use("help --html pages --language xx", "xx");
 }
