@@ -67,6 +67,10 @@ TypedNumber typed_list_number(std::string_view text) {
   if (text.find(',') == std::string_view::npos) {
     return typed_number(text);
   }
+  if (text.find('.') != std::string_view::npos) {
+    return {std::nullopt, fmt::format("a comma does not separate values here; write \"{}\" in quotes",
+                                      replaced(text, ";"))};
+  }
   return {std::nullopt, fmt::format("the comma could be a decimal separator or separate values; write {} for "
                                     "one value, \"{}\" in quotes for several",
                                     replaced(text, "."), replaced(text, ";"))};

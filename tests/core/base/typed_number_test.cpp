@@ -65,5 +65,10 @@ TEST(TypedListNumber, RefusesEveryComma) {
   EXPECT_FALSE(typed_list_number("2,").value);
 }
 
+TEST(TypedListNumber, WithAPointTheCommaCanOnlySeparate) {
+  EXPECT_EQ(typed_list_number("0.01,0.05").problem,
+            "a comma does not separate values here; write \"0.01;0.05\" in quotes");
+}
+
 }  // namespace
 }  // namespace feedscope
