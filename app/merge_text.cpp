@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "app/print.h"
@@ -39,6 +40,15 @@ std::string fastest_text(const MergedComparison& merged) {
     return "";
   }
   const MergedSum* best = merged.fastest_sum();
+  if (best == nullptr && std::ranges::none_of(merged.sums, [&](const MergedSum& sum) {
+        return sum.programs == merged.programs.size();
+      })) {
+    return fmt::format(
+        "\nNo setting ran in all {} programs, so that none can be the fastest of all; run them on one "
+        "machine "
+        "with one model (--machine, --model).\n",
+        merged.programs.size());
+  }
   if (best == nullptr) {
     return fmt::format("\nNo value has a contour error within {} mm in all {} programs.\n", *merged.within,
                        merged.programs.size());
