@@ -31,8 +31,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   target_compile_options(feedscope_settings INTERFACE -Wno-array-bounds -Wno-restrict -Wno-stringop-overflow)
 endif()
 if(FEEDSCOPE_SANITIZE)
-  add_compile_options(-fsanitize=address,undefined -fno-omit-frame-pointer)
-  add_link_options(-fsanitize=address,undefined)
+  add_compile_options(-fsanitize=${FEEDSCOPE_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${FEEDSCOPE_SANITIZE})
   if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     # Of std::regex and std::function, where there is nothing: GCC bug 105562.
     target_compile_options(feedscope_settings INTERFACE -Wno-maybe-uninitialized)

@@ -10,13 +10,15 @@ set(widget_headers ${gui_headers} <QAction> <QApplication> <QComboBox> <QFileDia
   <QMainWindow> <QMenu> <QMouseEvent> <QPushButton> <QSettings> <QTableView> <QToolBar> <QToolButton> <QVBoxLayout> <QWidget>)
 set(test_headers ${standard_headers} <gmock/gmock.h> <gtest/gtest.h>)
 
-# A target that only compiles headers, for those that feedscope_use_precompiled() names.
+# A target that only compiles headers, for those that feedscope_use_precompiled() names; OPTIONS: of the compiler, the
+# same as theirs.
 function(feedscope_precompile name)
-  cmake_parse_arguments(arg "" "" "HEADERS;LIBRARIES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "HEADERS;LIBRARIES;OPTIONS" ${ARGN})
   if(FEEDSCOPE_PRECOMPILE)
     file(CONFIGURE OUTPUT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp CONTENT "")
     add_library(${name} OBJECT ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
     target_link_libraries(${name} PRIVATE feedscope_settings ${arg_LIBRARIES})
+    target_compile_options(${name} PRIVATE ${arg_OPTIONS})
     target_precompile_headers(${name} PRIVATE ${arg_HEADERS})
   endif()
 endfunction()

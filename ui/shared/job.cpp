@@ -4,7 +4,15 @@
 #include <chrono>
 #include <new>
 
+#include "core/base/happens_before.h"
+
 namespace feedscope::ui {
+namespace {
+
+/// Work and what it tells go to another thread and back through queues of Qt.
+HappensBefore handed_over;
+
+}  // namespace
 
 QString failure_of(const std::function<void()>& work) {
   try {
@@ -23,9 +31,11 @@ void JobControl::tell(std::function<void()> what) {
   if (receiver_ == nullptr) {
     return;
   }
+  handed_over.before();
   QMetaObject::invokeMethod(
       receiver_,
       [self = shared_from_this(), what = std::move(what)] {
+        handed_over.after();
         if (!self->progress.cancelled()) {
           what();
         }
@@ -71,11 +81,17 @@ void JobBase::start_task(Task task) {
 void JobBase::launch(Task task) {
   control_ = std::make_shared<JobControl>(*this);
   poll_.start();
-  watcher_.setFuture(
-      QtConcurrent::run([task = std::move(task), control = control_] { return task(*control); }));
+  handed_over.before();
+  watcher_.setFuture(QtConcurrent::run([task = std::move(task), control = control_] {
+    handed_over.after();
+    Deliver deliver = task(*control);
+    handed_over.before();
+    return deliver;
+  }));
 }
 
 void JobBase::finish() {
+  handed_over.after();
   poll_.stop();
   if (next_ != nullptr) {
     launch(std::exchange(next_, nullptr));
