@@ -4409,10 +4409,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>Où est %1 ?</translation>
     </message>
     <message>
-        <source>The session is not opened: its program %1 was not found.</source>
-        <translation>La session n’est pas ouverte : son programme %1 n’est pas là.</translation>
-    </message>
-    <message>
         <source>Program changed</source>
         <translation>Programme modifié</translation>
     </message>
@@ -4451,6 +4447,30 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Feedscope ended unexpectedly. Restore what was open at that time (%1)?</source>
         <translation>Feedscope s’est arrêté de façon inattendue. Rétablir ce qui était ouvert alors (%1) ?</translation>
+    </message>
+    <message>
+        <source>Session %1 is not opened: its program %2 was not found.</source>
+        <translation>La session %1 n’est pas ouverte&#xa0;: son programme %2 est introuvable.</translation>
+    </message>
+    <message>
+        <source>Session changed</source>
+        <translation>Session modifiée</translation>
+    </message>
+    <message>
+        <source>Save &amp;as …</source>
+        <translation>Enregistrer &amp;sous …</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>É&amp;craser</translation>
+    </message>
+    <message>
+        <source>%1 has been written by another window or program since this window opened or saved it. Save this session under another name, or overwrite what is in the file now?</source>
+        <translation>%1 a été écrit par une autre fenêtre ou un autre programme depuis son ouverture ou son enregistrement ici. Enregistrer cette session sous un autre nom ou écraser le contenu actuel du fichier&#xa0;?</translation>
+    </message>
+    <message>
+        <source>What is open cannot be kept in %1 and will be lost if Feedscope ends unexpectedly. Save the session, or make that folder writable.</source>
+        <translation>Impossible de conserver ce qui est ouvert dans %1&#xa0;: ce sera perdu si Feedscope s’arrête de façon inattendue. Enregistrez la session ou autorisez l’écriture dans ce dossier.</translation>
     </message>
 </context>
 <context>

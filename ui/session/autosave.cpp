@@ -3,21 +3,18 @@
 #include <QDir>
 #include <QSaveFile>
 #include <QStandardPaths>
+#include <QUuid>
 #include <utility>
 
-#include "core/base/this_process.h"
 #include "ui/session/session_file.h"
+#include "ui/shared/paths.h"
 
 namespace feedscope::ui {
 namespace {
 
-QString lock_of(const QString& file) {
-  return file + QStringLiteral(".lock");
-}
-
 /// A lock that holds however long its process lives, and not a moment longer.
 std::unique_ptr<QLockFile> make_lock(const QString& file) {
-  auto lock = std::make_unique<QLockFile>(lock_of(file));
+  auto lock = std::make_unique<QLockFile>(file + QStringLiteral(".lock"));
   lock->setStaleLockTime(0);
   return lock;
 }
@@ -29,7 +26,9 @@ QString Autosave::usual_folder() {
 }
 
 Autosave::Autosave(QString folder) : folder_(std::move(folder)) {
-  file_ = QStringLiteral("%1/%2%3").arg(folder_).arg(process_id()).arg(QLatin1String(session_suffix));
+  // Not the number of the process, which one that is gone may have had.
+  const QString name = QUuid::createUuid().toString(QUuid::WithoutBraces);
+  file_ = QStringLiteral("%1/%2%3").arg(folder_, name, QLatin1String(session_suffix));
 }
 
 Autosave::~Autosave() {
@@ -39,7 +38,7 @@ Autosave::~Autosave() {
 }
 
 std::filesystem::path Autosave::folder() const {
-  return std::filesystem::path(folder_.toStdU16String());
+  return to_path(folder_);
 }
 
 bool Autosave::keep(const QByteArray& session) {
@@ -59,18 +58,21 @@ std::optional<Autosave::LeftBehind> Autosave::left_behind() const {
   const QDir folder(folder_);
   const QString pattern = QStringLiteral("*") + QLatin1String(session_suffix);
   for (const QFileInfo& info : folder.entryInfoList({pattern}, QDir::Files, QDir::Time)) {
-    const auto lock = make_lock(info.filePath());
-    if (info.filePath() != file_ && lock->tryLock(0)) {
-      return LeftBehind{std::filesystem::path(info.filePath().toStdU16String()), info.lastModified()};
+    if (info.filePath() == file_) {
+      continue;
+    }
+    std::shared_ptr<QLockFile> lock = make_lock(info.filePath());
+    // Whoever had the lock may have discarded the file since the folder was listed.
+    if (lock->tryLock(0) && QFile::exists(info.filePath())) {
+      return LeftBehind{to_path(info.filePath()), info.lastModified(), std::move(lock)};
     }
   }
   return std::nullopt;
 }
 
 void Autosave::discard(const LeftBehind& left) {
-  const QString file = QString::fromStdU16String(left.file.u16string());
-  QFile::remove(file);
-  QFile::remove(lock_of(file));
+  QFile::remove(to_qstring(left.file));
+  left.lock->unlock();  // removes its file too
 }
 
 }  // namespace feedscope::ui

@@ -32,8 +32,9 @@ class Autosave {
   struct LeftBehind {
     std::filesystem::path file;
     QDateTime written;
+    std::shared_ptr<QLockFile> lock;  ///< while it is held, no other process finds the file
   };
-  /// The newest that a process which is gone has left in the folder.
+  /// The newest that a process which is gone has left in the folder, and that no other process has found.
   std::optional<LeftBehind> left_behind() const;
   static void discard(const LeftBehind& left);
 

@@ -6,7 +6,7 @@
 #include <QJsonDocument>
 #include <QLocale>
 #include <QMessageBox>
-#include <chrono>
+#include <QPushButton>
 #include <utility>
 
 #include "core/base/error.h"
@@ -19,7 +19,11 @@ namespace feedscope::ui {
 
 namespace {
 
-constexpr std::chrono::seconds between_keeping(60);
+/// Also of a name that the system does not take.
+bool is_there(const std::filesystem::path& file) {
+  std::error_code none;
+  return std::filesystem::exists(file, none);
+}
 
 QString message_of(const InputError& error) {
   return QString::fromUtf8(error.what());
@@ -30,8 +34,11 @@ QString message_of(const InputError& error) {
 WindowSession::WindowSession(MainWindow& window, Workbench& workbench)
     : QObject(&window), window_(window), workbench_(workbench) {
   connect(&workbench_, &Workbench::run_changed, this, &WindowSession::apply_to_run);
-  keep_timer_.setInterval(between_keeping);
   connect(&keep_timer_, &QTimer::timeout, this, &WindowSession::keep);
+}
+
+WindowSession::~WindowSession() {
+  forget_restored();
 }
 
 Session WindowSession::capture() const {
@@ -47,10 +54,17 @@ Session WindowSession::capture() const {
 
 Session WindowSession::view() const {
   Session session;
-  session.cursor = workbench_.cursor().valid() ? workbench_.cursor().state().time : 0;
-  session.scene = window_.scene().state();
-  session.scenes = window_.scenes().state();
-  session.charts = window_.part<ChartsPanel>().state();
+  if (pending_) {
+    session.cursor = pending_->cursor;
+    session.scene = pending_->scene;
+    session.scenes = pending_->scenes;
+    session.charts = pending_->charts;
+  } else {
+    session.cursor = workbench_.cursor().valid() ? workbench_.cursor().state().time : 0;
+    session.scene = window_.scene().state();
+    session.scenes = window_.scenes().state();
+    session.charts = window_.part<ChartsPanel>().state();
+  }
   session.layout = window_.saveState();
   session.theme = theme_of(QApplication::palette());
   session.program_font_size = window_.part<ProgramPanel>().view().font_size();
@@ -71,6 +85,7 @@ void WindowSession::take_over(const Kept& kept) {
   file_ = kept.file;
   saved_ = kept.saved;
   start_ = kept.start;
+  on_disk_ = kept.on_disk;
   window_.restore_layout(kept.view.layout);
   pending_ = kept.view;
   apply_to_run();
@@ -89,29 +104,38 @@ void WindowSession::apply_to_run() {
   workbench_.cursor().set_time(session.cursor);
 }
 
-void WindowSession::open(const std::filesystem::path& file) {
+bool WindowSession::open(const std::filesystem::path& file) {
   try {
+    const QByteArray on_disk = hash_of(file);  // first: what is written from here on is another's
     ReadSession read = read_session_file(file);
-    if (find_program(read.session) && accept_changed_program(read.session)) {
-      show_file(file, read);
+    if (find_program(file, read.session) && accept_changed_program(read.session)) {
+      show_file(file, read, on_disk);
+      return true;
     }
   } catch (const InputError& error) {
     emit failed(message_of(error));
   }
+  return false;
 }
 
-void WindowSession::show_file(const std::filesystem::path& file, const ReadSession& read) {
+void WindowSession::show_file(const std::filesystem::path& file, const ReadSession& read,
+                              const QByteArray& on_disk) {
   show(read.session);
-  file_ = file;
-  saved_ = essence();
   for (const QString& note : read.notes) {
     emit noticed(note);
   }
+  now_in(file, on_disk);
+}
+
+void WindowSession::now_in(const std::filesystem::path& file, const QByteArray& on_disk) {
+  file_ = file;
+  on_disk_ = on_disk;
+  saved_ = essence();
   emit file_changed();
 }
 
-bool WindowSession::find_program(Session& session) {
-  if (std::filesystem::exists(session.program)) {
+bool WindowSession::find_program(const std::filesystem::path& file, Session& session) {
+  if (is_there(session.program)) {
     return true;
   }
   const QString missing = to_qstring(session.program);
@@ -122,7 +146,7 @@ bool WindowSession::find_program(Session& session) {
       QFileDialog::getOpenFileName(&window_, tr("Where is %1?").arg(to_qstring(session.program.filename())),
                                    to_qstring(session.program.parent_path()));
   if (found.isEmpty()) {
-    emit failed(tr("The session is not opened: its program %1 was not found.").arg(missing));
+    emit failed(tr("Session %1 is not opened: its program %2 was not found.").arg(to_qstring(file), missing));
     return false;
   }
   session.program = to_path(found);
@@ -142,6 +166,7 @@ bool WindowSession::accept_changed_program(const Session& session) {
 void WindowSession::forget_file() {
   pending_.reset();
   file_.clear();
+  on_disk_.clear();
   saved_.clear();
   start_.clear();
   emit file_changed();
@@ -152,18 +177,9 @@ bool WindowSession::save(bool as_new) {
     emit failed(tr("There is nothing to save: open a program first."));
     return false;
   }
-  std::filesystem::path file = file_;
-  if (as_new || file.empty()) {
-    const std::filesystem::path proposed =
-        file.empty() ? std::filesystem::path(workbench_.file()).replace_extension(session_suffix) : file;
-    file = to_path(QFileDialog::getSaveFileName(&window_, tr("Save session as"), to_qstring(proposed),
-                                                tr("Feedscope sessions (*%1)").arg(session_suffix)));
-    if (file.empty()) {
-      return false;
-    }
-    if (!file.has_extension()) {
-      file += session_suffix;
-    }
+  const std::filesystem::path file = as_new || file_.empty() ? ask_for_name() : file_after_conflict();
+  if (file.empty()) {
+    return false;
   }
   try {
     write_session(capture(), file);
@@ -171,11 +187,41 @@ bool WindowSession::save(bool as_new) {
     emit failed(message_of(error));
     return false;
   }
-  file_ = file;
-  saved_ = essence();
-  emit file_changed();
+  now_in(file, hash_of(file));
   emit noticed(tr("Saved as %1.").arg(to_qstring(file)));
   return true;
+}
+
+std::filesystem::path WindowSession::ask_for_name() {
+  const std::filesystem::path proposed =
+      file_.empty() ? std::filesystem::path(workbench_.file()).replace_extension(session_suffix) : file_;
+  QFileDialog dialog(&window_, tr("Save session as"), to_qstring(proposed.parent_path()),
+                     tr("Feedscope sessions (*%1)").arg(session_suffix));
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(session_suffix);  // so that it asks before a file is overwritten
+  dialog.selectFile(to_qstring(proposed.filename()));
+  return dialog.exec() == QDialog::Accepted ? to_path(dialog.selectedFiles().first())
+                                            : std::filesystem::path();
+}
+
+std::filesystem::path WindowSession::file_after_conflict() {
+  if (!is_there(file_) || hash_of(file_) == on_disk_) {
+    return file_;
+  }
+  QMessageBox box(
+      QMessageBox::Warning, tr("Session changed"),
+      tr("%1 has been written by another window or program since this window opened or saved it. Save this "
+         "session under another name, or overwrite what is in the file now?")
+          .arg(to_qstring(file_)),
+      QMessageBox::Cancel, &window_);
+  QPushButton* save_as = box.addButton(tr("Save &as …"), QMessageBox::AcceptRole);
+  const QPushButton* overwrite = box.addButton(tr("&Overwrite"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(save_as);
+  box.exec();
+  if (box.clickedButton() == save_as) {
+    return ask_for_name();
+  }
+  return box.clickedButton() == overwrite ? file_ : std::filesystem::path();
 }
 
 /// Runs, annotations and import options, without which place is looked at.
@@ -212,23 +258,41 @@ bool WindowSession::may_go() {
   return answer == QMessageBox::Save ? save() : answer == QMessageBox::Discard;
 }
 
-void WindowSession::begin_keeping() {
+void WindowSession::begin_keeping(std::chrono::milliseconds pause) {
   autosave_.emplace(Autosave::usual_folder());
-  keep_timer_.start();
+  keep_timer_.start(pause);
+  keep();
 }
 
 void WindowSession::keep() {
-  if (workbench_.program() == nullptr || pending_) {
+  if (workbench_.program() == nullptr) {
     return;
   }
   const QByteArray bytes = session_bytes(capture(), autosave_->folder());
-  if (bytes != kept_ && autosave_->keep(bytes)) {
+  if (bytes == kept_) {
+    return;
+  }
+  if (autosave_->keep(bytes)) {
     kept_ = bytes;
+    said_not_kept_ = false;
+    forget_restored();
+  } else if (!std::exchange(said_not_kept_, true)) {
+    emit failed(
+        tr("What is open cannot be kept in %1 and will be lost if Feedscope ends unexpectedly. Save the "
+           "session, or make that folder writable.")
+            .arg(to_qstring(autosave_->folder())));
+  }
+}
+
+void WindowSession::forget_restored() {
+  if (restored_) {
+    Autosave::discard(*restored_);
+    restored_.reset();
   }
 }
 
 void WindowSession::offer_left_behind() {
-  const auto left = autosave_->left_behind();
+  auto left = autosave_->left_behind();
   if (!left) {
     return;
   }
@@ -236,13 +300,15 @@ void WindowSession::offer_left_behind() {
   const auto answer = QMessageBox::question(
       &window_, tr("Restore the last session?"),
       tr("Feedscope ended unexpectedly. Restore what was open at that time (%1)?").arg(when));
-  if (answer == QMessageBox::Yes) {
-    open(left->file);
+  if (answer != QMessageBox::Yes) {
+    Autosave::discard(*left);
+  } else if (open(left->file)) {
     file_.clear();  // it is to be saved under a name of the user's
+    on_disk_.clear();
     saved_.clear();
+    restored_ = std::move(left);
     emit file_changed();
   }
-  Autosave::discard(*left);
 }
 
 const QByteArray& WindowSession::program_hash() const {

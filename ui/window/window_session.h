@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QTimer>
+#include <chrono>
 #include <filesystem>
 #include <optional>
 
@@ -21,6 +22,7 @@ class WindowSession : public QObject {
  public:
   /// Both outlive this. Nothing is kept before begin_keeping().
   WindowSession(MainWindow& window, Workbench& workbench);
+  ~WindowSession() override;
 
   /// Everything as it is now.
   Session capture() const;
@@ -29,10 +31,12 @@ class WindowSession : public QObject {
 
   /// Reads and shows a session file. Asks for a program that is not where the session says, and whether to go
   /// on with one that has changed since. What cannot be used goes to failed().
-  void open(const std::filesystem::path& file);
+  /// Returns whether the session is shown.
+  bool open(const std::filesystem::path& file);
   /// A program opened by itself: there is no session file any more.
   void forget_file();
-  /// Asks for a name if there is none yet, or if `as_new`. False if nothing was written.
+  /// Asks for a name if there is none yet, or if `as_new`; asks too if the file has changed since this window
+  /// read or wrote it. False if nothing was written.
   bool save(bool as_new = false);
   /// True if runs or annotations differ from what was saved, or from the program as it was opened.
   bool changed() const;
@@ -48,11 +52,13 @@ class WindowSession : public QObject {
     std::filesystem::path file;
     QByteArray saved;
     QByteArray start;
+    QByteArray on_disk;
   };
-  Kept hand_over() const { return {view(), file_, saved_, start_}; }
+  Kept hand_over() const { return {view(), file_, saved_, start_, on_disk_}; }
   void take_over(const Kept& kept);
 
-  void begin_keeping();
+  /// From now on, and again after each `pause`. A folder that cannot be written is reported once.
+  void begin_keeping(std::chrono::milliseconds pause = std::chrono::minutes(1));
   /// What a process that ended unexpectedly has left, if the user wants it back.
   void offer_left_behind();
 
@@ -67,15 +73,23 @@ class WindowSession : public QObject {
   Session view() const;
   void apply_to_run();
   void keep();
-  bool find_program(Session& session);
+  void forget_restored();
+  bool find_program(const std::filesystem::path& file, Session& session);
   bool accept_changed_program(const Session& session);
   QByteArray essence() const;
   const QByteArray& program_hash() const;
-  void show_file(const std::filesystem::path& file, const ReadSession& read);
+  void show_file(const std::filesystem::path& file, const ReadSession& read, const QByteArray& on_disk);
+  /// What is shown is what the file holds, whose hash is `on_disk`.
+  void now_in(const std::filesystem::path& file, const QByteArray& on_disk);
+  /// Empty if the user gives none.
+  std::filesystem::path ask_for_name();
+  /// The file to save to: this one, or what the user says if someone else has written to it. Empty: none.
+  std::filesystem::path file_after_conflict();
 
   MainWindow& window_;
   Workbench& workbench_;
   std::filesystem::path file_;
+  QByteArray on_disk_;              ///< hash of file_ when this window read or wrote it
   std::optional<Session> pending_;  ///< shown, but for what needs its simulated run
   QByteArray saved_;                ///< essence() then; empty: of the program as it was opened
   QByteArray start_;                ///< what begin_here() found, as saved_
@@ -83,6 +97,8 @@ class WindowSession : public QObject {
   mutable QByteArray hash_;
   std::optional<Autosave> autosave_;
   QByteArray kept_;
+  bool said_not_kept_ = false;
+  std::optional<Autosave::LeftBehind> restored_;  ///< shown, and not yet among what this process keeps
   QTimer keep_timer_;
 };
 

@@ -6,6 +6,8 @@
 #include <QFile>
 #include <QTemporaryDir>
 
+#include "core/base/this_process.h"
+
 namespace feedscope::ui {
 namespace {
 
@@ -42,6 +44,34 @@ TEST_F(AutosaveTest, AnothersIsFoundOnceItIsGone) {
   Autosave::discard(*left);
   EXPECT_FALSE(autosave.left_behind());
   EXPECT_EQ(files(), 0);
+}
+
+/// Of several that start together one restores it.
+TEST_F(AutosaveTest, WhatOneHasFoundNoOtherFinds) {
+  leave("older.feedscope");
+  const Autosave first(folder_.path());
+  const Autosave second(folder_.path());
+  auto found = first.left_behind();
+  ASSERT_TRUE(found);
+  EXPECT_FALSE(second.left_behind());
+  found.reset();
+  auto given_back = second.left_behind();
+  ASSERT_TRUE(given_back);
+  EXPECT_FALSE(first.left_behind());
+  Autosave::discard(*given_back);
+  EXPECT_FALSE(first.left_behind());
+  given_back.reset();
+  EXPECT_EQ(files(), 0);
+}
+
+TEST_F(AutosaveTest, WhatAProcessOfTheSameNumberLeftIsNotOverwritten) {
+  const QString name = QStringLiteral("%1.feedscope").arg(process_id());
+  leave(name);
+  Autosave autosave(folder_.path());
+  ASSERT_TRUE(autosave.keep("mine"));
+  const auto left = autosave.left_behind();
+  ASSERT_TRUE(left);
+  EXPECT_EQ(left->file.filename(), name.toStdString());
 }
 
 TEST_F(AutosaveTest, ItsOwnIsNotLeftBehind) {

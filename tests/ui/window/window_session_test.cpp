@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <QDir>
+#include <QFileDialog>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 #include <fstream>
 
 #include "tests/ui/patience.h"
@@ -30,12 +35,49 @@ struct Window {
   }
 };
 
+/// Clicks the button of `role` in the question that is asked next, and counts it.
+void answer_next(QMessageBox::ButtonRole role, int& asked) {
+  QTimer::singleShot(0, [role, &asked] {
+    const auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+    if (box == nullptr) {
+      return;
+    }
+    ++asked;
+    for (QAbstractButton* button : box->buttons()) {
+      if (box->buttonRole(button) == role) {
+        button->click();
+        return;
+      }
+    }
+    ADD_FAILURE() << "no such answer to: " << box->text().toStdString();
+  });
+}
+
+/// Gives a name without its suffix where a file is to be named next; an empty one: gives up.
+void name_next_file(const QString& name) {
+  QTimer::singleShot(0, [name] {
+    if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+      dialog->selectFile(name);
+      QMetaObject::invokeMethod(dialog, name.isEmpty() ? "reject" : "accept");
+    } else {
+      name_next_file(name);
+    }
+  });
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
 class WindowSessionTest : public testing::Test {
  protected:
   WindowSessionTest() {
     QLocale::setDefault(QLocale::c());
     std::ofstream(program_) << test::small_program;
+    qputenv("XDG_DATA_HOME", folder_.filePath("data").toUtf8());
   }
+  ~WindowSessionTest() override { qunsetenv("XDG_DATA_HOME"); }
 
   /// As a user would set it up.
   void set_up(Window& w) {
@@ -52,6 +94,24 @@ class WindowSessionTest : public testing::Test {
     w.window.part<AnnotationsView>()
         .panel_actions()[static_cast<qsizetype>(AnnotationKind::callout)]
         ->trigger();
+  }
+
+  /// With what was set up, as it is in file_.
+  void open_saved(Window& w) {
+    set_up(w);
+    write_session(w.window.session().capture(), file_);
+    w.model.annotations().replace({});
+    w.model.runs().remove(1);
+    w.window.open(file_);
+    w.wait();
+  }
+
+  /// As another window saves it: without annotations. What the file holds then.
+  static std::string save_elsewhere(Window& w, const std::filesystem::path& file) {
+    Session session = w.window.session().capture();
+    session.annotations.clear();
+    write_session(session, file);
+    return text_of(file);
   }
 
   QTemporaryDir folder_;
@@ -112,6 +172,24 @@ TEST_F(WindowSessionTest, ASessionThatCannotBeUsedChangesNothingAndIsReported) {
   EXPECT_EQ(w.model.file(), program_);
 }
 
+TEST_F(WindowSessionTest, AProgramOfANameThatTheSystemDoesNotTakeIsNotFound) {
+  Window w;
+  w.window.open(program_);
+  w.wait();
+  Session session = w.window.session().capture();
+  session.program = folder_.filePath(QString(5000, 'x')).toStdString();
+  write_session(session, file_);
+  QSignalSpy failed(&w.window.session(), &WindowSession::failed);
+  int asked = 0;
+  answer_next(QMessageBox::AcceptRole, asked);
+  name_next_file({});
+  w.window.open(file_);
+  EXPECT_EQ(asked, 1);
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed[0][0].toString().contains("part.feedscope is not opened"));
+  EXPECT_EQ(w.model.file(), program_);
+}
+
 TEST_F(WindowSessionTest, AProgramOpenedByItselfLeavesTheSession) {
   Window w;
   set_up(w);
@@ -123,6 +201,135 @@ TEST_F(WindowSessionTest, AProgramOpenedByItselfLeavesTheSession) {
   w.window.open(program_);
   w.wait();
   EXPECT_TRUE(w.window.session().file().empty());
+}
+
+TEST_F(WindowSessionTest, WhatAnotherWindowSavedIsNotOverwrittenUnasked) {
+  Window w;
+  open_saved(w);
+  WindowSession& session = w.window.session();
+  int asked = 0;
+
+  std::string of_another = save_elsewhere(w, file_);
+  answer_next(QMessageBox::RejectRole, asked);
+  EXPECT_FALSE(session.save());
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(text_of(file_), of_another);
+
+  answer_next(QMessageBox::AcceptRole, asked);
+  name_next_file("mine");
+  EXPECT_TRUE(session.save());
+  EXPECT_EQ(asked, 2);
+  EXPECT_EQ(text_of(file_), of_another);
+  const std::filesystem::path mine = file_.parent_path() / "mine.feedscope";
+  ASSERT_EQ(session.file(), mine);
+  EXPECT_EQ(read_session_file(mine).session.annotations.size(), 1U);
+
+  of_another = save_elsewhere(w, mine);
+  answer_next(QMessageBox::DestructiveRole, asked);
+  EXPECT_TRUE(session.save());
+  EXPECT_EQ(asked, 3);
+  EXPECT_NE(text_of(mine), of_another);
+  EXPECT_EQ(read_session_file(mine).session.annotations.size(), 1U);
+}
+
+TEST_F(WindowSessionTest, WhatThisWindowReadOrWroteIsOverwrittenUnasked) {
+  Window w;
+  open_saved(w);
+  int asked = 0;
+  const auto saves_unasked = [&asked](WindowSession& session) {
+    answer_next(QMessageBox::RejectRole, asked);
+    const bool saved = session.save();
+    QCoreApplication::processEvents();
+    return saved && asked == 0;
+  };
+  EXPECT_TRUE(saves_unasked(w.window.session())) << "as it was read";
+  w.model.annotations().replace({});
+  EXPECT_TRUE(saves_unasked(w.window.session())) << "as it was written";
+  std::filesystem::remove(file_);
+  EXPECT_TRUE(saves_unasked(w.window.session())) << "nothing is there any more";
+  MainWindow again(w.model, RenderBackend::software);
+  again.take_over(w.window.hand_over());
+  EXPECT_TRUE(saves_unasked(again.session())) << "in another language or other units";
+}
+
+/// The view of a session belongs to a simulated run; until that is there it is not on the screen.
+TEST_F(WindowSessionTest, ASessionSavedBeforeItIsSimulatedKeepsItsView) {
+  Session saved;
+  {
+    Window first;
+    set_up(first);
+    saved = first.window.session().capture();
+    write_session(saved, file_);
+  }
+  Window w;
+  w.window.open(file_);
+  ASSERT_EQ(w.model.shown(), nullptr);
+  const Session soon = w.window.session().capture();
+  EXPECT_EQ(soon.cursor, saved.cursor);
+  EXPECT_EQ(to_json(soon, {})["view"], to_json(saved, {})["view"]);
+  EXPECT_EQ(to_json(soon, {})["charts"], to_json(saved, {})["charts"]);
+  w.wait();
+}
+
+TEST_F(WindowSessionTest, WhatCannotBeKeptIsSaidOnce) {
+  Window w;
+  set_up(w);
+  std::ofstream(folder_.filePath("data").toStdString()) << "a file where the folder is to be";
+  QSignalSpy failed(&w.window.session(), &WindowSession::failed);
+  w.window.session().begin_keeping(std::chrono::milliseconds(1));
+  ASSERT_EQ(failed.count(), 1);
+  EXPECT_TRUE(failed[0][0].toString().contains(Autosave::usual_folder())) << "names the folder";
+  int turns = 0;
+  QTimer each;
+  QObject::connect(&each, &QTimer::timeout, [&turns] { ++turns; });
+  each.start(1);
+  ASSERT_TRUE(QTest::qWaitFor([&turns] { return turns > 10; }, patience));
+  EXPECT_EQ(failed.count(), 1);
+  ASSERT_TRUE(QFile::remove(folder_.filePath("data")));
+  const QDir kept(Autosave::usual_folder());
+  ASSERT_TRUE(
+      QTest::qWaitFor([&kept] { return !kept.entryList({"*.feedscope"}, QDir::Files).isEmpty(); }, patience));
+  EXPECT_EQ(failed.count(), 1);
+}
+
+TEST_F(WindowSessionTest, WhatWasLeftBehindGoesWhenItIsKeptAgain) {
+  const QDir kept(Autosave::usual_folder());
+  const QString left = kept.filePath("left.feedscope");
+  ASSERT_TRUE(kept.mkpath("."));
+  const auto files = [&kept] { return kept.entryList({"*.feedscope"}, QDir::Files); };
+  {
+    Window first;
+    set_up(first);
+    write_session(first.window.session().capture(), left.toStdString());
+  }
+  Window w;
+  w.window.session().begin_keeping(std::chrono::hours(1));
+  int asked = 0;
+  answer_next(QMessageBox::YesRole, asked);
+  w.window.session().offer_left_behind();
+  EXPECT_EQ(asked, 1);
+  w.wait();
+  EXPECT_EQ(w.model.annotations().items().size(), 1U);
+  EXPECT_TRUE(w.window.session().file().empty()) << "the user names it";
+  EXPECT_EQ(files(), QStringList("left.feedscope"));
+  w.window.session().begin_keeping(std::chrono::hours(1));  // keeps it at once
+  EXPECT_EQ(files().size(), 1);
+  EXPECT_FALSE(QFile::exists(left));
+}
+
+TEST_F(WindowSessionTest, WhatWasLeftBehindAndCannotBeOpenedStays) {
+  const QDir kept(Autosave::usual_folder());
+  ASSERT_TRUE(kept.mkpath("."));
+  std::ofstream(kept.filePath("left.feedscope").toStdString()) << "{";
+  Window w;
+  w.window.session().begin_keeping(std::chrono::hours(1));
+  QSignalSpy failed(&w.window.session(), &WindowSession::failed);
+  int asked = 0;
+  answer_next(QMessageBox::YesRole, asked);
+  w.window.session().offer_left_behind();
+  EXPECT_EQ(asked, 1);
+  EXPECT_EQ(failed.count(), 1);
+  EXPECT_TRUE(QFile::exists(kept.filePath("left.feedscope")));
 }
 
 }  // namespace
