@@ -16,6 +16,7 @@
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
+#include "app/stop_signals.h"
 #include "app/watch.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
@@ -23,6 +24,8 @@
 
 namespace feedscope {
 namespace {
+
+constexpr const char* out_of_memory = "feedscope: out of memory; the program is too large for this machine\n";
 
 std::vector<std::string> command_names(const CLI::App& app) {
   std::vector<std::string> names;
@@ -198,7 +201,8 @@ int run_reported(int argc, char** argv) {
   } catch (const Cancelled&) {
     return report("cancelled; no file was written", exit_code::stopped_by(Watch::stopped_by()));
   } catch (const std::bad_alloc&) {
-    return report("out of memory; the program is too large for this machine", exit_code::failed);
+    fmt::print(stderr, "{}", out_of_memory);
+    return exit_code::failed;
   } catch (const std::filesystem::filesystem_error& error) {
     return report(fmt::format("'{}': {}", error.path1().string(), error.code().message()),
                   exit_code::wrong_use);
@@ -212,6 +216,8 @@ int run_reported(int argc, char** argv) {
 }  // namespace
 
 int run_command_line(int argc, char** argv) {
+  report_file_limits();
+  report_memory_limits(out_of_memory);
   const int code = run_reported(argc, argv);
   return code == exit_code::done || code == exit_code::program_errors ? flushed(code) : code;
 }

@@ -1,6 +1,8 @@
 #include "app/output_file.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <iostream>
@@ -18,8 +20,26 @@ namespace {
   throw InputError(fmt::format("cannot write '{}': {}", name, reason));
 }
 
-std::string last_error() {
-  return std::generic_category().message(errno);
+std::string message(int error) {
+  return error != 0 ? std::generic_category().message(error) : "not everything could be written";
+}
+
+/// What was written is on the disk before its name is, so that it is whole after a power cut too. Not every
+/// file system knows how to, and a file that its own user may not read is moved without.
+void reach_disk(const fs::path& file, const std::string& name) {
+  const int descriptor = open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    return;
+  }
+  int result = 0;
+  do {
+    result = fsync(descriptor);
+  } while (result != 0 && errno == EINTR);
+  const int error = result == 0 || errno == EINVAL || errno == ENOTSUP ? 0 : errno;
+  close(descriptor);
+  if (error != 0) {
+    fail(name, message(error));
+  }
 }
 
 /// Where links and "." are resolved, the file itself need not be there.
@@ -31,7 +51,38 @@ fs::path place_of(const std::string& name) {
 
 }  // namespace
 
-OutputFile::OutputFile(const std::string& name) : name_(name) {
+WatchedBuffer::int_type WatchedBuffer::overflow(int_type character) {
+  if (traits_type::eq_int_type(character, traits_type::eof())) {
+    return traits_type::not_eof(character);
+  }
+  errno = 0;
+  const int_type written = inner_.sputc(traits_type::to_char_type(character));
+  keep_error(!traits_type::eq_int_type(written, traits_type::eof()));
+  return written;
+}
+
+std::streamsize WatchedBuffer::xsputn(const char* text, std::streamsize size) {
+  errno = 0;
+  const std::streamsize written = inner_.sputn(text, size);
+  keep_error(written == size);
+  return written;
+}
+
+int WatchedBuffer::sync() {
+  errno = 0;
+  const int result = inner_.pubsync();
+  keep_error(result == 0);
+  return result;
+}
+
+void WatchedBuffer::keep_error(bool arrived) {
+  if (!arrived && error_ == 0) {
+    error_ = errno;
+  }
+}
+
+OutputFile::OutputFile(const std::string& name)
+    : name_(name), buffer_(name == "-" ? *std::cout.rdbuf() : file_), stream_(&buffer_) {
   if (name == "-") {
     return;
   }
@@ -42,16 +93,15 @@ OutputFile::OutputFile(const std::string& name) : name_(name) {
     fail(name, "it is a folder");
   }
   if (fs::exists(status) && !may_write(target_)) {
-    fail(name, last_error());
+    fail(name, message(errno));
   }
   const bool device = fs::exists(status) && !fs::is_regular_file(status);
   written_ = device ? target_ : fs::path(fmt::format("{}.{}.part", target_.string(), process_id()));
   if (!device) {
     part_files::remember(written_);
   }
-  file_.open(written_, std::ios::binary);
-  if (!file_) {
-    const std::string reason = last_error();
+  if (file_.open(written_, std::ios::out | std::ios::binary) == nullptr) {
+    const std::string reason = message(errno);
     part_files::forget(written_);
     fail(name, reason);
   }
@@ -68,17 +118,25 @@ OutputFile::~OutputFile() {
   part_files::forget(written_);
 }
 
-std::ostream& OutputFile::stream() {
-  return written_.empty() ? std::cout : file_;
+void OutputFile::finish() {
+  stream_.flush();
+  if (!stream_) {
+    fail(name_, message(buffer_.error()));
+  }
+  errno = 0;
+  if (!written_.empty() && file_.close() == nullptr) {  // a network drive or a quota may refuse only now
+    fail(name_, message(errno));
+  }
+  if (!written_.empty() && written_ != target_) {
+    reach_disk(written_, name_);
+  }
+  finished_ = true;
 }
 
 void OutputFile::commit() {
-  errno = 0;
-  stream().flush();
-  if (!stream()) {
-    fail(name_, errno != 0 ? last_error() : "not everything could be written");
+  if (!finished_) {
+    finish();
   }
-  file_.close();
   if (!written_.empty() && written_ != target_) {
     std::error_code error;
     fs::rename(written_, target_, error);

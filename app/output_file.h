@@ -3,10 +3,31 @@
 #include <filesystem>
 #include <fstream>
 #include <ostream>
+#include <streambuf>
 #include <string>
 #include <vector>
 
 namespace feedscope {
+
+/// Passes text on to another buffer, and keeps why the first of it did not arrive.
+class WatchedBuffer : public std::streambuf {
+ public:
+  /// `inner` must outlive it.
+  explicit WatchedBuffer(std::streambuf& inner) : inner_(inner) {}
+  /// Of errno; 0 where all arrived, or the system gave no reason.
+  int error() const { return error_; }
+
+ protected:
+  int_type overflow(int_type character) override;
+  std::streamsize xsputn(const char* text, std::streamsize size) override;
+  int sync() override;
+
+ private:
+  void keep_error(bool arrived);
+
+  std::streambuf& inner_;
+  int error_ = 0;
+};
 
 /// A result file that is there whole or not at all: written beside its place and moved there by commit(),
 /// and removed if a signal ends the process before.
@@ -19,15 +40,23 @@ class OutputFile {
   OutputFile(const OutputFile&) = delete;
   OutputFile& operator=(const OutputFile&) = delete;
 
-  std::ostream& stream();
-  /// Throws InputError naming the file if not everything could be written (disk full).
+  std::ostream& stream() { return stream_; }
+  /// Everything is on the disk, but not at its place: call it for each of several files before the first
+  /// commit() to have all of them or none. Throws InputError naming the file if not everything could be
+  /// written (disk full).
+  void finish();
+  /// Finishes the file and moves it to its place, where it is whole after a power cut too. Throws as
+  /// finish().
   void commit();
 
  private:
   std::string name_;
   std::filesystem::path target_;
   std::filesystem::path written_;  ///< temporary file, or target_ for devices; empty for standard output
-  std::ofstream file_;
+  std::filebuf file_;
+  WatchedBuffer buffer_;
+  std::ostream stream_;
+  bool finished_ = false;
   bool committed_ = false;
 };
 

@@ -2,27 +2,51 @@
 
 #include <fcntl.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <unistd.h>
 
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <cstddef>
+#include <cstring>
+#include <exception>
+#include <new>
 #include <system_error>
+
+#include "app/exit_codes.h"
 
 namespace feedscope {
 namespace {
 
 constexpr std::array ending_signals{SIGHUP, SIGINT, SIGQUIT, SIGPIPE, SIGTERM};
+constexpr std::array crash_signals{SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGSEGV};
 
 // What the handler reads; lock-free, so that it may.
 std::atomic<int> told_end{-1};  // of the pipe of the living StopSignals
 std::atomic<void (*)()> last_action{nullptr};
 std::atomic<int> latest_signal{0};
-static_assert(std::atomic<int>::is_always_lock_free && std::atomic<void (*)()>::is_always_lock_free);
+std::atomic<const char*> memory_message{""};
+static_assert(std::atomic<int>::is_always_lock_free && std::atomic<void (*)()>::is_always_lock_free &&
+              std::atomic<const char*>::is_always_lock_free);
+
+std::terminate_handler usual_end = nullptr;
 
 bool is_told(int signal) {
   return signal == SIGHUP || signal == SIGINT || signal == SIGTERM;
+}
+
+void run_last_action() {
+  if (auto* const action = last_action.load()) {
+    action();
+  }
+}
+
+/// Does what the signal would have done without us.
+void end_by(int signal) {
+  std::signal(signal, SIG_DFL);
+  raise(signal);
 }
 
 /// The signal ends the process as it would have without us, unless it is told to a StopSignals.
@@ -35,22 +59,63 @@ void on_signal(int signal) {
     errno = saved_error;
     return;
   }
-  if (auto* const action = last_action.load()) {
-    action();
+  run_last_action();
+  end_by(signal);
+}
+
+/// Whether a small part of what a picture takes can still be had.
+bool has_memory() {
+  constexpr std::size_t bytes = std::size_t{64} << 20U;
+  void* const found = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (found == MAP_FAILED) {
+    return false;
   }
-  std::signal(signal, SIG_DFL);
-  raise(signal);
+  munmap(found, bytes);
+  return true;
+}
+
+[[noreturn]] void end_without_memory() {
+  const char* const message = memory_message;
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, message, std::strlen(message));
+  _exit(exit_code::failed);
+}
+
+void on_crash(int signal) {
+  run_last_action();
+  if (!has_memory()) {
+    end_without_memory();
+  }
+  end_by(signal);
+}
+
+/// Memory that runs out in a destructor is thrown where nothing may be.
+void on_terminate() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) {
+      std::rethrow_exception(thrown);
+    }
+  } catch (const std::bad_alloc&) {
+    run_last_action();
+    end_without_memory();
+  } catch (...) {
+  }
+  usual_end();
+}
+
+/// Those that are ignored stay so, and those of a sanitizer too.
+void handle(int signal, void (*handler)(int)) {
+  struct sigaction action {};
+  sigaction(signal, nullptr, &action);
+  if (action.sa_handler == SIG_DFL) {
+    action.sa_handler = handler;
+    action.sa_flags = SA_RESTART;
+    sigaction(signal, &action, nullptr);
+  }
 }
 
 void install_handlers() {
   for (const int signal : ending_signals) {
-    struct sigaction action {};
-    sigaction(signal, nullptr, &action);
-    if (action.sa_handler == SIG_DFL) {
-      action.sa_handler = on_signal;
-      action.sa_flags = SA_RESTART;
-      sigaction(signal, &action, nullptr);
-    }
+    handle(signal, on_signal);
   }
 }
 
@@ -100,6 +165,18 @@ int StopSignals::latest() {
 void StopSignals::run_before_end(void (*action)()) {
   last_action = action;
   install_handlers();
+}
+
+void report_file_limits() {
+  handle(SIGXFSZ, [](int) {});  // not ignored: programs that we start would inherit that
+}
+
+void report_memory_limits(const char* message) {
+  memory_message = message;
+  usual_end = std::set_terminate(on_terminate);
+  for (const int signal : crash_signals) {
+    handle(signal, on_crash);
+  }
 }
 
 void remove_in_handler(const char* file) {

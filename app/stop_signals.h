@@ -29,6 +29,15 @@ class StopSignals {
   int pipe_[2] = {-1, -1};
 };
 
+/// Has a write beyond the limit of a file's size (ulimit -f) fail with its reason instead of ending the
+/// process.
+void report_file_limits();
+
+/// Has a process that crashes run what run_before_end() named. Where it crashes because memory ran out, as
+/// libraries that draw do that do not check what they allocate, `message` goes to standard error and the exit
+/// code is that of a failure (exit_codes.h). `message` must stay where it is.
+void report_memory_limits(const char* message);
+
 /// Removes a file; safe in a signal handler.
 void remove_in_handler(const char* file);
 

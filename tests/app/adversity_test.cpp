@@ -1,0 +1,298 @@
+#include "tests/app/command_line.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#ifdef __has_feature
+#if __has_feature(address_sanitizer) || __has_feature(thread_sanitizer)
+#define FEEDSCOPE_SANITIZED
+#endif
+#endif
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+#define FEEDSCOPE_SANITIZED
+#endif
+
+namespace feedscope::test {
+namespace {
+
+using testing::AnyOf;
+using testing::HasSubstr;
+using testing::UnorderedElementsAreArray;
+
+/// What the machine may do to a program that writes a file: the old file or the new one is there, never a
+/// part.
+class Adversity : public CommandLine {
+ protected:
+  Adversity() {
+    std::string zigzag = "G21 G1 F3000\n";
+    for (int i = 1; i <= 40; ++i) {
+      zigzag += "X" + std::to_string(i) + " Y" + std::to_string(i % 2 * 5) + "\n";
+    }
+    write("zigzag.nc", zigzag);
+    EXPECT_EQ(run("compare zigzag.nc --model essid --sweep tolerance=0.01:0.1:log5 --json study.json").code,
+              0);  // leaves 'stderr' too
+    fs::permissions(folder_, fs::perms::owner_all | fs::perms::group_read | fs::perms::group_exec |
+                                 fs::perms::others_read | fs::perms::others_exec);
+  }
+
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      names.push_back(entry.path().filename().string());
+    }
+    return names;
+  }
+
+  /// The file is refused with a message that names it and `reason`, the old one stays and nothing is left
+  /// behind.
+  void expect_refused(const std::string& call, const std::string& before, const std::string& reason) const {
+    write("out", "old");
+    const std::vector<std::string> files_before = files();
+    const Result result = run(call + " out", before);
+    EXPECT_EQ(result.code, 2) << call << "\n" << result.err;
+    EXPECT_THAT(result.err, HasSubstr("feedscope: cannot write 'out': " + reason)) << call;
+    EXPECT_EQ(contents(folder_ / "out"), "old") << call;
+    EXPECT_THAT(files(), UnorderedElementsAreArray(files_before)) << call;
+  }
+
+  fs::path part_of(const std::string& name, pid_t process) const {
+    return folder_ / (name + "." + std::to_string(process) + ".part");
+  }
+
+  /// Starts the program and kills it as soon as what it writes for `name` has `size` bytes; the bytes that it
+  /// then had, none if the program ended before.
+  std::optional<std::uintmax_t> killed_at(std::uintmax_t size, const std::string& call,
+                                          const std::string& name) const {
+    const std::string line = std::string("exec ") + no_display + " '" FEEDSCOPE_EXECUTABLE "' " + call + name;
+    const pid_t process = fork();
+    if (process == 0) {
+      const int nowhere = open("/dev/null", O_WRONLY);
+      const bool ready = dup2(nowhere, STDOUT_FILENO) >= 0 && dup2(nowhere, STDERR_FILENO) >= 0 &&
+                         chdir(folder_.c_str()) == 0;
+      if (ready) {
+        execl("/bin/sh", "sh", "-c", line.c_str(), nullptr);
+      }
+      _exit(125);
+    }
+    const fs::path part = part_of(name, process);
+    std::error_code none;
+    while (waitpid(process, nullptr, WNOHANG) == 0) {
+      const std::uintmax_t written = fs::file_size(part, none);
+      if (!none && written >= size) {
+        kill(process, SIGKILL);
+        waitpid(process, nullptr, 0);
+        const std::uintmax_t left = fs::file_size(part, none);
+        fs::remove(part);
+        return none ? std::optional<std::uintmax_t>() : left;
+      }
+      std::this_thread::yield();
+    }
+    return {};
+  }
+};
+
+/// Calls that write a file, whose name comes behind: those that need no window, then the others.
+const std::vector<std::string> text_outputs{"simulate zigzag.nc --csv",
+                                            "simulate zigzag.nc --json",
+                                            "simulate zigzag.nc --blends",
+                                            "simulate zigzag.nc --contour",
+                                            "compare zigzag.nc --model essid --csv",
+                                            "compare zigzag.nc --model essid --json",
+                                            "compare --merge study.json --csv",
+                                            "compare --merge study.json --json",
+                                            "check zigzag.nc --json",
+                                            "help --man --out",
+                                            "help --completion bash --out",
+                                            "lessons 1 --format html --out"};
+#ifdef FEEDSCOPE_WITH_UI
+const std::vector<std::string> drawn_outputs{"compare zigzag.nc --model essid --png",
+                                             "render zigzag.nc --size 200x150 --format png --out",
+                                             "render zigzag.nc --view charts --format svg --out",
+                                             "render zigzag.nc --view window --format png --out",
+                                             "render zigzag.nc --view sheet --format pdf --out",
+                                             "report zigzag.nc --format pdf --out",
+                                             "report zigzag.nc --format html --out",
+                                             "lessons 1 --format pdf --out"};
+#else
+const std::vector<std::string> drawn_outputs;
+#endif
+
+std::vector<std::string> all_outputs() {
+  std::vector<std::string> all = text_outputs;
+  all.insert(all.end(), drawn_outputs.begin(), drawn_outputs.end());
+  return all;
+}
+
+bool is_root() {
+  return geteuid() == 0;
+}
+
+bool may_mount() {
+  return is_root() && std::system("unshare -m mount -t tmpfs disk /mnt > /dev/null 2>&1") == 0;
+}
+
+/// The kinds that ReportCommand.LeavesNothingHalfWrittenOnAFullDisk does not try, on a disk that is really
+/// full.
+TEST_F(Adversity, KeepsTheOldFileOnAFullDisk) {
+  if (!may_mount()) {
+    GTEST_SKIP() << "only root may mount a small disk";
+  }
+  fs::create_directory(folder_ / "disk");
+  const std::string full =
+      "unshare -m sh -c 'mount -t tmpfs -o size=64k disk disk && printf old > disk/out && "
+      "cat /dev/zero 2>/dev/null > disk/filler; \"$@\"; code=$?; ls -A disk > left; cp disk/out kept; "
+      "exit $code' sh ";
+  for (const std::string call : {"simulate zigzag.nc --blends", "simulate zigzag.nc --contour",
+                                 "compare zigzag.nc --model essid --json", "compare --merge study.json --csv",
+                                 "compare --merge study.json --json", "check zigzag.nc --json",
+                                 "help --man --out", "help --completion bash --out",
+#ifdef FEEDSCOPE_WITH_UI
+                                 "render zigzag.nc --view window --format png --out"
+#endif
+       }) {
+    const Result result = run(call + " disk/out", full + no_display);
+    EXPECT_EQ(result.code, 2) << call << "\n" << result.err;
+    EXPECT_THAT(result.err, HasSubstr("feedscope: cannot write 'disk/out': No space left on device")) << call;
+    EXPECT_EQ(contents(folder_ / "left"), "filler\nout\n") << call;
+    EXPECT_EQ(contents(folder_ / "kept"), "old") << call;
+  }
+  const Result pages = run("help --html disk", full);
+  EXPECT_EQ(pages.code, 2);
+  EXPECT_THAT(pages.err, HasSubstr(".html': No space left on device"));
+  EXPECT_EQ(contents(folder_ / "left"), "filler\nout\n");
+}
+
+/// The system's signal for that would end the process without a word.
+TEST_F(Adversity, NamesTheLimitOfAFileSize) {
+  const std::string block = "ulimit -f 1; ";
+  for (const std::string& call : text_outputs) {
+    expect_refused(call, block, "File too large");
+  }
+  const Result printed = run("simulate zigzag.nc --csv - > printed", block);
+  EXPECT_EQ(printed.code, 2);
+  EXPECT_THAT(printed.err, HasSubstr("feedscope: cannot write '-': File too large"));
+}
+
+TEST_F(Adversity, LeavesTheOldFileOrTheNewOneWhereItIsKilled) {
+  struct Case {
+    std::string call;
+    int instants;
+  };
+  std::vector<Case> cases{{"simulate zigzag.nc --step 0.0002 --csv ", 24},
+                          {"simulate zigzag.nc --json ", 4},
+                          {"compare --merge study.json --csv ", 4}};
+#ifdef FEEDSCOPE_WITH_UI
+  cases.push_back({"render zigzag.nc --size 200x150 --format png --out ", 4});
+  cases.push_back({"report zigzag.nc --format pdf --out ", 4});
+  cases.push_back({"report zigzag.nc --format html --out ", 4});
+#endif
+  for (const auto& [call, instants] : cases) {
+    const Result result = run(call + "out", no_display);
+    ASSERT_EQ(result.code, 0) << call << "\n" << result.err;
+    const std::string whole = contents(folder_ / "out");
+    const bool is_json = nlohmann::json::accept(whole);  // holds how long it took
+    int killed = 0, in_between = 0;
+    for (int i = 0; i < instants; ++i) {
+      write("out", "old");
+      const std::uintmax_t size = whole.size() * static_cast<std::uintmax_t>(i) / (instants - 1);
+      const auto left = killed_at(is_json ? std::min<std::uintmax_t>(size, 1) : size, call, "out");
+      killed += left ? 1 : 0;
+      in_between += left && *left > 0 && *left < whole.size() ? 1 : 0;
+      const std::string now = contents(folder_ / "out");
+      EXPECT_TRUE(now == "old" || (is_json ? nlohmann::json::accept(now) : now == whole))
+          << call << " killed at " << size << " bytes of " << whole.size() << " left " << now.size();
+    }
+    EXPECT_GT(killed, 0) << call;
+    if (instants > 4) {
+      EXPECT_GT(in_between, instants / 4) << call;
+    }
+  }
+}
+
+TEST_F(Adversity, SaysWhereAFolderIsClosed) {
+  const std::string nobody = "setpriv --reuid=65534 --regid=65534 --clear-groups ";
+  if (!is_root() || run("--version", nobody).code != 0) {
+    GTEST_SKIP() << "only root may become another user, who must find the program";
+  }
+  write("out", "old");
+  for (const auto& [file, allowed] : {std::pair{"closed", fs::perms::owner_all}, {"open", fs::perms::all}}) {
+    fs::permissions(folder_ / "out", allowed & ~fs::perms(0111));
+    for (const std::string& call : all_outputs()) {
+      SCOPED_TRACE(file);
+      expect_refused(call, nobody + no_display, "Permission denied");
+    }
+  }
+}
+
+TEST_F(Adversity, NeedsNoHome) {
+  const std::string none =
+      "env -u XDG_CONFIG_HOME -u XDG_CACHE_HOME -u XDG_DATA_HOME -u XDG_STATE_HOME -u XDG_RUNTIME_DIR "
+      "-u XDG_CONFIG_DIRS -u XDG_DATA_DIRS ";
+  for (const auto& [home, calls] :
+       {std::pair{"-u HOME ", all_outputs()}, {"HOME=/nonexistent ", drawn_outputs}}) {
+    for (const std::string& call : calls) {
+      fs::remove(folder_ / "out");
+      const Result result = run(call + " out", none + home + no_display);
+      EXPECT_EQ(result.code, 0) << home << call;
+      EXPECT_EQ(result.err, "") << home << call;
+      EXPECT_GT(contents(folder_ / "out").size(), 100u) << home << call;
+    }
+  }
+}
+
+/// The limit is met by the loader (127), by ourselves, or by a library that draws, which may find no OpenGL
+/// then.
+TEST_F(Adversity, SaysWhereMemoryRunsOut) {
+#ifdef FEEDSCOPE_SANITIZED
+  GTEST_SKIP() << "a sanitizer takes more than any limit";
+#endif
+  std::string text = "G21 G1 F3000\n";
+  for (int i = 1; i <= 120000; ++i) {
+    text += "X" + std::to_string(i % 100) + " Y" + std::to_string(i % 7) + "\n";
+  }
+  write("large.nc", text);
+  struct Case {
+    std::string call;
+    std::vector<int> limits;  // [MB]
+    bool draws;
+  };
+  const std::vector<int> of_program{150, 180, 200, 220, 250, 400, 1000};
+  std::vector<Case> cases{{"simulate large.nc --blends out", of_program, false},
+                          {"compare large.nc --model essid --csv out", of_program, false}};
+#ifdef FEEDSCOPE_WITH_UI
+  const std::vector<int> of_picture{150, 300, 450, 500, 550, 600, 700, 800, 900, 1000};
+  cases.push_back({"render corner.nc --size 200x150 --format png --out out", of_picture, true});
+  cases.push_back({"report corner.nc --format pdf --out out", of_picture, true});
+#endif
+  for (const auto& [call, limits, draws] : cases) {
+    ASSERT_EQ(run(call, no_display).code, 0) << call;
+    const std::string whole = contents(folder_ / "out");
+    int refused = 0;
+    for (const int limit : limits) {
+      SCOPED_TRACE(call + " within " + std::to_string(limit) + " MB");
+      write("out", "old");
+      const std::vector<std::string> before = files();
+      const Result result =
+          run(call, "ulimit -v " + std::to_string(limit * 1024) + "; ulimit -c 0; " + no_display);
+      EXPECT_THAT(result.code, AnyOf(0, 3, 127, draws ? 2 : 0)) << result.err;
+      EXPECT_TRUE(contents(folder_ / "out") == (result.code == 0 ? whole : "old"));
+      EXPECT_THAT(files(), UnorderedElementsAreArray(before));
+      if (result.code == 2 || result.code == 3) {
+        EXPECT_THAT(result.err,
+                    HasSubstr(result.code == 3 ? "feedscope: out of memory" : "feedscope: no OpenGL"));
+      }
+      refused += result.code == 3 ? 1 : 0;
+    }
+    EXPECT_GT(refused, 0) << call << ": no limit was met while it ran";
+  }
+}
+
+}  // namespace
+}  // namespace feedscope::test
