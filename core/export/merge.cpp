@@ -33,6 +33,12 @@ class Place {
     }
     return json_.get<double>();
   }
+  std::size_t count() const {
+    if (!json_.is_number_unsigned()) {
+      refuse("a whole number from 0");
+    }
+    return json_.get<std::size_t>();
+  }
   std::string text() const {
     if (!json_.is_string()) {
       refuse("a string");
@@ -117,19 +123,34 @@ std::string place_of_byte(std::string_view text, std::size_t byte) {
                      before.size() - line_begin + 1);
 }
 
-MergedProgram program_of(const NamedText& file, std::optional<double>& within) {
-  Json json;
+/// Throws InputError; what works on JSON calls itself level by level.
+Json parsed(const NamedText& file) {
+  constexpr int deepest = 64;
+  const auto check_depth = [&](int depth, Json::parse_event_t, const Json&) {
+    if (depth > deepest) {
+      throw InputError(fmt::format(
+          "'{}': nested deeper than {} levels; merge files written by compare --json", file.name, deepest));
+    }
+    return true;
+  };
   try {
-    json = Json::parse(file.text);
+    return Json::parse(file.text, check_depth);
   } catch (const Json::parse_error& error) {
     throw InputError(fmt::format("'{}': not valid JSON, {}{}; merge files written by compare --json",
                                  file.name, error.byte > file.text.size() ? "unexpected end: " : "error at ",
                                  place_of_byte(file.text, error.byte)));
+  } catch (const Json::out_of_range&) {
+    throw InputError(
+        fmt::format("'{}': a number is too large; merge files written by compare --json", file.name));
   }
+}
+
+MergedProgram program_of(const NamedText& file, std::optional<double>& within) {
+  const Json json = parsed(file);
   const Place whole(file.name, json);
   MergedProgram program;
   program.file = whole.at("program").at("file").text();
-  program.segments = static_cast<std::size_t>(whole.at("program").at("segments").number());
+  program.segments = whole.at("program").at("segments").count();
   program.errors = errors_of(whole);
   within = bound_of(whole);
   for (const Place& run : whole.at("runs").list()) {

@@ -53,8 +53,9 @@ struct NamedText {
 
 /// Reads what `compare --json` wrote, one program each. Runs of two programs are the same setting if machine,
 /// axis limits, model and settings are. Throws InputError naming file and key: no JSON (with its place), a
-/// key that is missing or of the wrong kind, a program or a setting that is there twice. `within` [mm]: the
-/// bound of the contour error; without it the one that all files have been made with.
+/// number beyond double, lists in lists beyond 64 levels, a key that is missing or of the wrong kind, a
+/// program or a setting that is there twice. `within` [mm]: the bound of the contour error; without it the
+/// one that all files have been made with.
 MergedComparison merge_comparisons(const std::vector<NamedText>& files, std::optional<double> within = {});
 
 /// How the rows over all programs are called in tables.

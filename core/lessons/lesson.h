@@ -113,6 +113,9 @@ LessonSetup set_up(const Lesson& lesson, const Changes& changes);
 /// `language`: one of lesson_languages(); texts without translation are English, and so is a lesson without
 /// any. Mistakes in all languages are found.
 Lesson read_lesson(const std::filesystem::path& file, const std::string& language = "en");
+/// The same of a text; `file` is where it belongs, for messages, id and program.
+Lesson parse_lesson(const std::string& text, const std::filesystem::path& file,
+                    const std::string& language = "en");
 
 /// The lessons of resources/lessons in the data folder, sorted by file name.
 std::vector<std::filesystem::path> shipped_lessons();

@@ -481,4 +481,8 @@ Lesson read_lesson(const std::filesystem::path& file, const std::string& languag
   return LessonReader(file, language).read(read_config_file(file, "lesson"));
 }
 
+Lesson parse_lesson(const std::string& text, const std::filesystem::path& file, const std::string& language) {
+  return LessonReader(file, language).read(parse_config(text, file.string()));
+}
+
 }  // namespace feedscope

@@ -1,12 +1,11 @@
 // Any bytes as an NC program: reading ends, and what comes out can be worked with.
-#include <fmt/format.h>
-
+#include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 
 #include "core/base/error.h"
 #include "core/toolpath/toolpath.h"
+#include "tests/fuzz/must.h"
 #include "tests/support/program_checks.h"
 
 namespace {
@@ -40,9 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   Program program = read_program(source, nullptr, options);
   const std::string wrong = insane_part(program);
   const Toolpath toolpath = take_toolpath(program);
-  if (!wrong.empty() || !std::isfinite(toolpath.length())) {
-    fmt::print(stderr, "wrong: {}\n", wrong.empty() ? "path length" : wrong);
-    std::abort();
-  }
+  fuzz::must(wrong.empty(), wrong);
+  fuzz::must(std::isfinite(toolpath.length()), "path length");
   return 0;
 }

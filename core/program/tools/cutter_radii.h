@@ -12,14 +12,15 @@ namespace feedscope {
 /// a comma: "7,2".
 class CutterRadii {
  public:
-  void set(std::string_view tool, double radius) { radii_[key(tool)] = radius; }
+  /// No effect where nothing is left of the name, or only an edge: "", ",2".
+  void set(std::string_view tool, double radius);
   void erase(std::string_view tool) { radii_.erase(key(tool)); }
   std::optional<double> find(std::string_view tool) const;
   bool empty() const { return radii_.empty(); }
   const std::map<std::string, double>& all() const { return radii_; }
   bool operator==(const CutterRadii&) const = default;
 
-  /// The one way to write a tool.
+  /// The one way to write a tool; that of a key is itself.
   static std::string key(std::string_view tool);
 
  private:

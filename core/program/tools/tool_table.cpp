@@ -16,13 +16,17 @@ namespace feedscope {
 
 namespace {
 
-double signed_number(Scanner& scanner) {
-  const double sign = scanner.take('-') ? -1 : (scanner.take('+'), 1);
-  const std::optional<double> value = scanner.number(true);
+double unsigned_number(Scanner& scanner, bool decimal_comma) {
+  const std::optional<double> value = scanner.number(decimal_comma);
   if (!value) {
     throw ReadFault{"tool-table", scanner.column(), "a number is missing", ""};
   }
-  return sign * *value;
+  return *value;
+}
+
+double signed_number(Scanner& scanner) {
+  const double sign = scanner.take('-') ? -1 : (scanner.take('+'), 1);
+  return sign * unsigned_number(scanner, true);
 }
 
 /// Radii, and what is added to them, until all lines have been read.
@@ -84,14 +88,14 @@ class SinumerikLines : public LineReader {
   void read_variable(Scanner& scanner) {
     const bool radius = scanner.take("$TC_DP6[");
     if (radius || scanner.take("$TC_DP15[")) {
-      std::string tool = fmt::format("{}", scanner.number().value_or(0));
+      std::string tool = fmt::format("{}", unsigned_number(scanner, false));
       if (scanner.take(',')) {
-        tool += fmt::format(",{}", scanner.number().value_or(1));
+        tool += fmt::format(",{}", unsigned_number(scanner, false));
       }
       const double value = unit_ * value_behind(scanner);
       radius ? sum_.radius(tool, value) : sum_.excess(tool, value);
     } else if (scanner.take("$TC_TP2[")) {
-      const std::string tool = fmt::format("{}", scanner.number().value_or(0));
+      const std::string tool = fmt::format("{}", unsigned_number(scanner, false));
       const std::string_view rest = scanner.rest();
       const std::size_t from = rest.find('"');
       const std::size_t to = from == std::string_view::npos ? from : rest.find('"', from + 1);

@@ -51,6 +51,15 @@ TEST_F(LessonFile, IsReadWhole) {
   EXPECT_EQ(question.claims[2].upper, 1);
 }
 
+TEST_F(LessonFile, ATextIsReadAsTheFileThatHoldsIt) {
+  const Lesson lesson = parse_lesson(good_lesson, folder_ / "03_corner.toml");
+  EXPECT_EQ(lesson.file, folder_ / "03_corner.toml");
+  EXPECT_EQ(lesson.id, "03_corner");
+  EXPECT_EQ(lesson.start, read_lesson(write(good_lesson)).start);
+  EXPECT_THAT([] { parse_lesson("titel = 1", "a.toml"); },
+              ThrowsMessage<InputError>(StartsWith("a.toml:1:1: unknown key 'titel'")));
+}
+
 TEST_F(LessonFile, NamesAMisspeltKey) {
   expect_error(changed("title =", "titel ="),
                ":1:", "unknown key 'titel' in the file; did you mean 'title'?");

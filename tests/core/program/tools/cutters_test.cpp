@@ -156,6 +156,18 @@ TEST(CutterRadii, OneToolHasOneKey) {
   EXPECT_EQ(CutterRadii::key("\"Mill 10\",1"), "MILL 10");
   EXPECT_EQ(CutterRadii::key("3,2"), "3,2");
   EXPECT_EQ(CutterRadii::key("0x1"), "0X1");
+  for (const char* name : {"7,1,1", "\"Mill,1\"", "\" 007,1\" ,1", "7,2,1"}) {
+    const std::string key = CutterRadii::key(name);
+    EXPECT_EQ(CutterRadii::key(key), key) << name;
+  }
+}
+
+TEST(CutterRadii, WhatHasNoNameIsNoTool) {
+  CutterRadii radii;
+  for (const char* name : {"", " \"\" ", ",1", ",2", "\",2\""}) {
+    radii.set(name, 5);
+    EXPECT_TRUE(radii.empty()) << name;
+  }
 }
 
 }  // namespace

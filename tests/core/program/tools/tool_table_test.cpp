@@ -37,6 +37,13 @@ TEST(ToolTable, SinumerikHasEdgesWearAndNames) {
               ElementsAre(Pair("2", 4.98), Pair("2,2", 4), Pair("MILL_10", 4.98), Pair("MILL_10,2", 4)));
 }
 
+TEST(ToolTable, AToolWithoutANameGoesByItsNumber) {
+  EXPECT_THAT(radii("$TC_TP2[3]=\"\"\n$TC_DP6[3,1]=5\n$TC_DP6[3,2]=4\n"),
+              ElementsAre(Pair("3", 5), Pair("3,2", 4)));
+  EXPECT_THAT(radii("$TC_TP2[3]=\",2\"\n$TC_DP6[3,1]=5\n"), ElementsAre(Pair("3", 5)));
+  EXPECT_THAT(radii("nr;name;radius\n3;,1;5\n;\" \";4\n"), ElementsAre(Pair("3", 5)));
+}
+
 TEST(ToolTable, FanucOffsetsAddTheirWearAndNameTheirUnit) {
   EXPECT_THAT(
       radii("%\nO9999\nG10 L10 P1 R150.\nG10 L12 P1 R5. (T1)\nG10 L13 P1 R-.01\nG20\nG10L12P2R.25\n%\n"),
@@ -71,6 +78,10 @@ TEST(ToolTable, FaultsNameTheirPlace) {
   EXPECT_THAT(fault_of("T1 P1 D1..0\n"), HasSubstr("line 1, column"));
   EXPECT_THAT(fault_of("nr;radius\n1;5\n2;x\n"), HasSubstr("line 3: \"x\" is not a number"));
   EXPECT_THAT(fault_of("$TC_DP6[1,1\n"), HasSubstr("line 1"));
+  EXPECT_THAT(fault_of("$TC_DP6[]=5\n"), HasSubstr("line 1, column 9: a number is missing"));
+  EXPECT_THAT(fault_of("$TC_DP6[1,]=5\n"), HasSubstr("line 1, column 11: a number is missing"));
+  EXPECT_THAT(fault_of("$TC_DP6[1,1]=5\n$TC_TP2[\"7\"]=\"A\"\n"),
+              HasSubstr("line 2, column 9: a number is missing"));
   EXPECT_THAT(fault_of("G1 X5\n"), HasSubstr("'tools' is not a supported tool table"));
   EXPECT_THAT(fault_of(""), HasSubstr("not a supported tool table"));
 }
