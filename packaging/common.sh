@@ -10,13 +10,14 @@ fail() {
   exit 1
 }
 
-# missing_packages [program|tests|checks]: the packages of debian-packages.txt that are not installed, for the program
-# alone, for its tests (if nothing is said) or for packaging/check too.
+# missing_packages [program|tests|packages|checks]: the packages of debian-packages.txt that are not installed, for the
+# program alone, for its tests (if nothing is said), for packaging/package or for packaging/check too.
 missing_packages() {
   local wanted end
   case ${1:-tests} in
   program) end='/^# Tests/,$d' ;;
-  tests) end='/^# Checks/,$d' ;;
+  tests) end='/^# Packages/,$d' ;;
+  packages) end='/^# Checks/,$d' ;;
   *) end='' ;;
   esac
   local VERSION_ID=12
@@ -63,7 +64,7 @@ count_packages() {
     END { if (every == 1) print "" }'
 }
 
-# install_packages [program|tests|checks]: installs what is missing_packages; asks nothing and does nothing where all is there.
+# install_packages [program|tests|packages|checks]: installs what is missing_packages; asks nothing and does nothing where all is there.
 install_packages() {
   check_system
   local missing

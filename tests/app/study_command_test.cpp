@@ -135,9 +135,17 @@ TEST_F(StudyCommand, NamesFileAndKeyOfWhatCannotBeMerged) {
   json wrong = json::parse(contents(folder_ / "good.json"));
   wrong["runs"][0]["cycle_time_s"] = "fast";
   write("wrong.json", wrong.dump());
+  write("large.json", "{\"program\": 1e999}");
+  write("deep.json", "{\"program\": " + std::string(100000, '[') + std::string(100000, ']') + "}");
+  wrong = json::parse(contents(folder_ / "good.json"));
+  wrong["program"]["segments"] = -1;
+  write("count.json", wrong.dump());
   expect_wrong_use("--merge good.json broken.json", {"'broken.json'", "not valid JSON", "line 1, column"});
   expect_wrong_use("--merge simulated.json", {"'simulated.json'", "'runs' is missing"});
   expect_wrong_use("--merge wrong.json", {"'wrong.json'", "runs[0].cycle_time_s", "\"fast\"", "a number"});
+  expect_wrong_use("--merge good.json large.json", {"'large.json'", "a number is too large"});
+  expect_wrong_use("--merge deep.json", {"'deep.json'", "nested deeper than 64 levels"});
+  expect_wrong_use("--merge count.json", {"'count.json'", "program.segments", "-1", "a whole number from 0"});
   expect_wrong_use("--merge good.json good.json", {"'corner.nc' is also in 'good.json'"});
   expect_wrong_use("--merge none.json", {"none.json"});
   expect_wrong_use("corner.nc --merge good.json", {"corner.nc"});
@@ -200,6 +208,15 @@ TEST_F(StudyCommand, FindsTheFastestSettingWithinTheBoundOverAllPrograms) {
     const std::string text = run("compare --merge 1.json 2.json --within " + std::to_string(bound)).out;
     EXPECT_THAT(text, HasSubstr(best.empty() ? "No value has" : best)) << bound;
   }
+}
+
+TEST_F(StudyCommand, SaysThatNoSettingRanOnAllProgramsWhateverTheBound) {
+  write("heidenhain.h", "BEGIN PGM A MM\nL X+10 F3000\nL Y+10\nEND PGM A MM\n");
+  run("compare corner.nc --sweep 'tolerance=0.01;0.02' --json iso.json");
+  run("compare heidenhain.h --sweep 'tolerance=0.01;0.02' --json heidenhain.json");
+  EXPECT_THAT(in_one_line(run("compare --merge iso.json heidenhain.json --within 5").out),
+              AllOf(HasSubstr("No setting ran in all 2 programs"), HasSubstr("--machine"),
+                    Not(HasSubstr("No value has"))));
 }
 
 /// The script of the examples: every way its head names, with programs that cannot be studied among the
