@@ -37,20 +37,29 @@ double distance_from_helix(const Arc& arc, const Vec3& place) {
   const auto distance = [&](double s) { return (place - arc.at(s).position).norm(); };
   const int steps = static_cast<int>(std::ceil(arc.sweep / 0.05)) + 8;
   const double step = arc.length() / steps;
-  double least = std::numeric_limits<double>::infinity();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double least = infinity;
+  double before = infinity;
+  double here = distance(0);
   for (int i = 0; i <= steps; ++i) {
-    const double here = distance(i * step);
-    if (i > 0 && i < steps && (distance((i - 1) * step) < here || distance((i + 1) * step) < here)) {
-      continue;  // no valley
+    const double behind = i < steps ? distance((i + 1) * step) : infinity;
+    const bool ends = i == 0 || i == steps;
+    if (ends || (before >= here && behind >= here)) {  // a valley
+      double low = std::max(0, i - 1) * step;
+      double high = std::min(steps, i + 1) * step;
+      for (int k = 0; k < 60; ++k) {
+        const double first = low + (high - low) / 3;
+        const double second = high - (high - low) / 3;
+        if (distance(first) < distance(second)) {
+          high = second;
+        } else {
+          low = first;
+        }
+      }
+      least = std::min({least, here, distance((low + high) / 2)});
     }
-    double low = std::max(0, i - 1) * step;
-    double high = std::min(steps, i + 1) * step;
-    for (int k = 0; k < 60; ++k) {
-      const double first = low + (high - low) / 3;
-      const double second = high - (high - low) / 3;
-      (distance(first) < distance(second) ? high : low) = distance(first) < distance(second) ? second : first;
-    }
-    least = std::min({least, here, distance((low + high) / 2)});
+    before = here;
+    here = behind;
   }
   return least;
 }

@@ -121,9 +121,9 @@ class WindowMemoryTest : public testing::Test {
   MainWindow window{model, RenderBackend::software};
 };
 
-TEST_F(WindowMemoryTest, FortyOpeningsOfAProgramLeaveNothing) {
+TEST_F(WindowMemoryTest, TwentyOpeningsOfAProgramLeaveNothing) {
   const std::string text = spiral(400'000);
-  constexpr int openings = 40;
+  constexpr int openings = 20;
   constexpr int settled = 5;
   std::size_t before = 0;
   for (int i = 0; i < openings; ++i) {
@@ -134,7 +134,7 @@ TEST_F(WindowMemoryTest, FortyOpeningsOfAProgramLeaveNothing) {
     }
   }
   const std::size_t after = bytes_in_use();
-  EXPECT_LT(after, before + 20 * megabyte) << "from " << before / megabyte << " MB to " << after / megabyte;
+  EXPECT_LT(after, before + 10 * megabyte) << "from " << before / megabyte << " MB to " << after / megabyte;
 }
 
 TEST_F(WindowMemoryTest, AProgramThatIsReplacedGivesItsMemoryBack) {
