@@ -147,6 +147,15 @@ void OutputFile::commit() {
   committed_ = true;
 }
 
+void OutputFiles::commit() {
+  for (OutputFile& file : files_) {
+    file.finish();
+  }
+  for (OutputFile& file : files_) {
+    file.commit();
+  }
+}
+
 void check_outputs(const std::string& input, const std::vector<std::string>& outputs) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].empty()) {

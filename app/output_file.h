@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <ostream>
@@ -41,9 +42,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   std::ostream& stream() { return stream_; }
-  /// Everything is on the disk, but not at its place: call it for each of several files before the first
-  /// commit() to have all of them or none. Throws InputError naming the file if not everything could be
-  /// written (disk full).
+  /// Everything is on the disk, but not at its place. Throws InputError naming the file if not everything
+  /// could be written (disk full).
   void finish();
   /// Finishes the file and moves it to its place, where it is whole after a power cut too. Throws as
   /// finish().
@@ -58,6 +58,18 @@ class OutputFile {
   std::ostream stream_;
   bool finished_ = false;
   bool committed_ = false;
+};
+
+/// The result files of one command: all of them are written, or none.
+class OutputFiles {
+ public:
+  /// Opens one more; its stream, which lives as long as this. Throws as the constructor of OutputFile.
+  std::ostream& add(const std::string& name) { return files_.emplace_back(name).stream(); }
+  /// Finishes all files, then moves them to their places. Throws as OutputFile::finish().
+  void commit();
+
+ private:
+  std::deque<OutputFile> files_;  // they stay where they are
 };
 
 /// Throws InputError if two outputs, or an output and the input, are the same file. "" stands for no output.

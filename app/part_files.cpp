@@ -10,7 +10,7 @@ namespace feedscope::part_files {
 namespace {
 
 // A signal handler reads what stands here; lock-free, so that it may.
-std::array<std::atomic<const char*>, 16> files;
+std::array<std::atomic<const char*>, 64> files;
 static_assert(std::atomic<const char*>::is_always_lock_free);
 
 void remove_all() {

@@ -109,25 +109,24 @@ class ResultFiles {
       check_outputs(input, names);
     }
     for (const std::string& name : names) {
-      files_.push_back(std::make_unique<OutputFile>(name));
+      streams_.push_back(&files_.add(name));
       to_standard_output_ = to_standard_output_ || name == "-";
     }
   }
 
   void write(const LoadedProgram& program, const Study& study) {
     for (std::size_t i = 0; i < results_.size(); ++i) {
-      files_[i]->stream() << results_[i].contents(program, study);
+      *streams_[i] << results_[i].contents(program, study);
     }
-    for (const auto& file : files_) {
-      file->commit();
-    }
+    files_.commit();
   }
 
   bool to_standard_output() const { return to_standard_output_; }
 
  private:
   std::vector<Result> results_;
-  std::vector<std::unique_ptr<OutputFile>> files_;
+  OutputFiles files_;
+  std::vector<std::ostream*> streams_;  // of files_, as results_
   bool to_standard_output_ = false;
 };
 
@@ -168,7 +167,6 @@ std::string text_of(const CompareOptions& options, const LoadedProgram& program,
   return text;
 }
 
-/// Opens the files before the work begins, and writes all or none.
 int merge(const CompareOptions& options) {
   std::vector<NamedText> files;
   for (const std::string& name : options.merge) {
@@ -180,19 +178,14 @@ int merge(const CompareOptions& options) {
     within = parse_length(options.within, "--within");
   }
   const MergedComparison merged = merge_comparisons(files, within);
-  std::vector<std::pair<std::unique_ptr<OutputFile>, std::string>> results;
+  OutputFiles results;
   if (!options.csv.empty()) {
-    results.emplace_back(std::make_unique<OutputFile>(options.csv), merged_csv(merged));
+    results.add(options.csv) << merged_csv(merged);
   }
   if (!options.json.empty()) {
-    results.emplace_back(std::make_unique<OutputFile>(options.json), merged_json(merged));
+    results.add(options.json) << merged_json(merged);
   }
-  for (const auto& [file, text] : results) {
-    file->stream() << text;
-  }
-  for (const auto& [file, text] : results) {
-    file->commit();
-  }
+  results.commit();
   if (options.csv != "-" && options.json != "-") {
     fmt::print("{}", merge_text(merged));
   }

@@ -53,9 +53,11 @@ void write_html(const HelpOptions& options) {
   std::error_code ignored;  // a folder that cannot be made shows in the first file
   std::filesystem::create_directories(folder, ignored);
   const Handbook handbook(options.language);
+  OutputFiles files;
   for (const HandbookPage& page : handbook.pages()) {
-    write_text((folder / (page.name + ".html")).string(), whole_page_html(page, options.language));
+    files.add((folder / (page.name + ".html")).string()) << whole_page_html(page, options.language);
   }
+  files.commit();
   fmt::print("{} pages; open {}\n", handbook.pages().size(), (folder / "index.html").string());
 }
 

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <ostream>
 
 #include "app/asked_program.h"
 #include "app/commands/command.h"
@@ -67,38 +68,34 @@ class Results {
   /// `program`: as it was read, which the machine of `run` may have filled in.
   void write(const LoadedProgram& program, const Run& run, double step, Watch& watch) {
     if (csv_) {
-      write_csv(csv_->stream(), *run.trajectory, step, watch.stage("writing"));
+      write_csv(*csv_, *run.trajectory, step, watch.stage("writing"));
     }
     std::optional<ContourReport> contour;
     if (contour_) {
       contour = contour_report(run, places_, watch.stage("contour error"));
-      contour_->stream() << contour_places_csv(*contour);
+      *contour_ << contour_places_csv(*contour);
     }
     if (json_) {
-      json_->stream() << simulation_json(program, figures_of(run), contour ? &*contour : nullptr);
+      *json_ << simulation_json(program, figures_of(run), contour ? &*contour : nullptr);
     }
     if (blends_) {
-      write_blends(blends_->stream(), *run.trajectory);
+      write_blends(*blends_, *run.trajectory);
     }
-    for (const auto* file : {&csv_, &json_, &blends_, &contour_}) {
-      if (*file) {
-        (*file)->commit();
-      }
-    }
+    files_.commit();
   }
 
   bool to_standard_output() const { return to_standard_output_; }
 
  private:
-  static std::unique_ptr<OutputFile> open(const std::string& name) {
-    return name.empty() ? nullptr : std::make_unique<OutputFile>(name);
-  }
+  std::ostream* open(const std::string& name) { return name.empty() ? nullptr : &files_.add(name); }
 
   std::size_t places_;
-  std::unique_ptr<OutputFile> csv_;
-  std::unique_ptr<OutputFile> json_;
-  std::unique_ptr<OutputFile> blends_;
-  std::unique_ptr<OutputFile> contour_;
+  OutputFiles files_;
+  // Of files_; nullptr for one that was not asked for.
+  std::ostream* csv_;
+  std::ostream* json_;
+  std::ostream* blends_;
+  std::ostream* contour_;
   bool to_standard_output_ = false;
 };
 

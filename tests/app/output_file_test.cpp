@@ -121,6 +121,25 @@ TEST_F(OutputFileTest, AFinishedFileIsNotYetAtItsPlace) {
   EXPECT_EQ(contents(), "new");
 }
 
+TEST_F(OutputFileTest, SeveralFilesReachTheirPlacesTogetherOrNotAtAll) {
+  const std::string other = (folder_ / "other").string();
+  {
+    OutputFiles refused;
+    refused.add(file().string()) << "new";
+    refused.add(other) << "new";
+    refused.add("/dev/full") << "new";
+    EXPECT_THROW(refused.commit(), InputError);
+  }
+  EXPECT_EQ(contents(), "old");
+  EXPECT_EQ(count(), 1);
+  OutputFiles both;
+  both.add(file().string()) << "new";
+  both.add(other) << "new";
+  both.commit();
+  EXPECT_EQ(contents(), "new");
+  EXPECT_EQ(count(), 2);
+}
+
 /// Long texts fail while they are written, before anybody asks for the reason.
 TEST_F(OutputFileTest, KeepsTheReasonOfTheFirstFailure) {
   OutputFile out("/dev/full");
