@@ -3,7 +3,13 @@
 #include <QApplication>
 #include <QFont>
 #include <QLocale>
+#include <QThreadPool>
 #include <cstdio>
+#include <latch>
+#include <new>
+#include <system_error>
+#include <thread>
+#include <vector>
 
 #include "ui/theme/fonts.h"
 
@@ -14,6 +20,34 @@ void print_only_failures(QtMsgType type, const QMessageLogContext&, const QStrin
   if (type == QtCriticalMsg || type == QtFatalMsg) {
     std::fprintf(stderr, "%s\n", qUtf8Printable(message));
   }
+}
+
+/// The threads of Qt that draw parts of a large picture, while there is memory for them: Qt waits forever for
+/// one that it cannot start. Throws std::bad_alloc if they cannot be had.
+void start_drawing_threads() {
+  QThreadPool& pool = *QThreadPool::globalInstance();
+  const int count = pool.maxThreadCount();
+  try {
+    std::latch all(count + 1);
+    std::vector<std::jthread> trial;
+    for (int i = 0; i < count; ++i) {
+      try {
+        trial.emplace_back([&all] { all.arrive_and_wait(); });
+      } catch (const std::system_error&) {
+        all.count_down(count - i + 1);  // those that have begun end
+        throw;
+      }
+    }
+    all.count_down();
+  } catch (const std::system_error&) {
+    throw std::bad_alloc();
+  }
+  pool.setExpiryTimeout(-1);
+  const auto all = std::make_shared<std::latch>(count + 1);
+  for (int i = 0; i < count; ++i) {
+    pool.start([all] { all->arrive_and_wait(); });
+  }
+  all->arrive_and_wait();
 }
 
 }  // namespace
@@ -27,6 +61,7 @@ OffscreenApplication::OffscreenApplication(ThemeKind theme, double pixel_ratio) 
     }
     qInstallMessageHandler(print_only_failures);  // the platform warns of what pictures do not need
     application_ = std::make_unique<QApplication>(count_, arguments_);
+    start_drawing_threads();
   }
   apply_theme(theme);
   QFont font = QApplication::font();

@@ -8,7 +8,8 @@ namespace feedscope::ui {
 /// stays loaded until the process ends.
 class SharedLibrary {
  public:
-  /// The first of `names` that is there. Throws InputError naming the first one if none is.
+  /// The first of `names` that is there. Throws InputError naming the first one if none is, or the reason if
+  /// one is there but cannot be loaded; std::bad_alloc if that is for lack of memory.
   explicit SharedLibrary(std::initializer_list<const char*> names);
 
   /// Points `function` at the one of that name; throws InputError if the library lacks it.
