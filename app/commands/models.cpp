@@ -17,8 +17,11 @@ std::string range_text(const SettingSpec& spec) {
   if (!spec.choices.empty()) {
     return fmt::format("{}", fmt::join(spec.choices, " | "));
   }
-  const std::string least = fmt::format("{} {}", spec.minimum_allowed ? "from" : "above", spec.minimum);
-  return std::isfinite(spec.maximum) ? fmt::format("{} to {}", least, spec.maximum) : least;
+  const std::string least =
+      spec.least_above_zero > 0
+          ? fmt::format("0, or from {}", plain_text(spec.least_above_zero))
+          : fmt::format("{} {}", spec.minimum_allowed ? "from" : "above", plain_text(spec.minimum));
+  return std::isfinite(spec.maximum) ? fmt::format("{} to {}", least, plain_text(spec.maximum)) : least;
 }
 
 void list_models() {

@@ -13,6 +13,7 @@
 #include "core/base/error.h"
 #include "ui/language/language.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/shared/paths.h"
 #include "ui/theme/theme.h"
 #include "ui/window/main_window.h"
 #include "ui/window/panel_states.h"
@@ -58,7 +59,7 @@ int show_window(ui::Workbench& model, const WindowStart& start,
   QObject::connect(&model, &ui::Workbench::program_changed, &window, [&model, &window] {
     if (model.program() != nullptr) {
       const auto& shown = window.session().file().empty() ? model.file() : window.session().file();
-      ui::RecentFiles::add(QString::fromStdU16String(shown.u16string()));
+      ui::RecentFiles::add(ui::to_qstring(shown));
     }
   });
   QObject::connect(

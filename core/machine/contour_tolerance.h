@@ -10,6 +10,9 @@ namespace feedscope {
 
 /// Setting of the contour tolerance [mm].
 inline constexpr const char* contour_tolerance_key = "contour_tolerance_mm";
+/// The least contour tolerance and blend distance above 0 [mm], far below what any control resolves: with
+/// smaller ones rounding would decide where a blend begins.
+inline constexpr double least_tolerance = 1e-6;
 /// Setting that says whether the program's own tolerances and blend distances go before it: "on", "off".
 inline constexpr const char* program_tolerance_key = "program_tolerance";
 

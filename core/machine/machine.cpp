@@ -36,7 +36,9 @@ SettingSpec limit_spec(std::string key, std::string title, std::string unit, std
   spec.title = std::move(title);
   spec.unit = std::move(unit);
   spec.explanation = std::move(explanation);
-  spec.minimum_allowed = false;
+  // Far beyond any machine; further out the units of the models overflow.
+  spec.minimum = 1e-6;
+  spec.maximum = 1e9;
   return spec;
 }
 

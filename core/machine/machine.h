@@ -44,20 +44,21 @@ struct Machine {
 };
 
 /// Axis keys of --set and the editor: title, unit and explanation of velocity (m/min), acceleration (m/s2),
-/// jerk (m/s3) and blend_jerk (m/s3). Machine files put the unit behind: "velocity_m_min".
+/// jerk (m/s3) and blend_jerk (m/s3), each from 1e-6 to 1e9 in its unit. Machine files put the unit behind:
+/// "velocity_m_min".
 const std::vector<SettingSpec>& axis_limit_specs();
 /// Value in the unit of axis_limit_specs(). Throws InputError for an axis that the machine does not have, or
 /// an unknown limit.
 double axis_limit(const Machine& machine, char axis, std::string_view limit);
-/// Sets it; a changed value has the provenance "set by hand". Throws as axis_limit, and if `value` is not
-/// above 0 or not finite.
+/// Sets it; a changed value has the provenance "set by hand". Throws as axis_limit, and if `value` is out of
+/// the bounds of axis_limit_specs().
 void set_axis_limit(Machine& machine, char axis, std::string_view limit, double value);
 
 /// Reads a machine file (TOML). Every number is a table, { value = 20, source = "paper, table" } or
 /// { value = 20, assumed = "reason" }; a work offset is
 /// G55 = { x_mm = 100, y_mm = 0, z_mm = 0, source = "..." }.
 /// Throws InputError naming file, line, column, key, value, bound and the nearest valid name: unknown or
-/// missing key, wrong type, limit not above 0, number without source, syntax error, unreadable file.
+/// missing key, wrong type, limit out of bounds, number without source, syntax error, unreadable file.
 /// `model_settings`: specs beyond common_settings() for [settings]; one of key "model" has the known models.
 Machine read_machine(const std::filesystem::path& file, const std::vector<SettingSpec>& model_settings);
 /// The same of a text; `name` stands for the file in messages.

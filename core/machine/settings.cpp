@@ -11,6 +11,7 @@
 #include "core/base/error.h"
 #include "core/base/translatable.h"
 #include "core/base/typed_number.h"
+#include "core/machine/contour_tolerance.h"
 
 namespace feedscope {
 namespace {
@@ -39,6 +40,7 @@ std::vector<SettingSpec> make_common_settings() {
                         "Maximum distance of the path from the programmed corners; with larger values the "
                         "control slows down less there. 0: it stops in every corner."));
   tolerance.minimum_allowed = true;
+  tolerance.least_above_zero = least_tolerance;
   tolerance.maximum = 10;
   SettingSpec own;
   own.key = "program_tolerance";
@@ -156,16 +158,18 @@ std::vector<SettingSpec> make_machine_settings() {
 }
 
 std::string with_unit(double value, const SettingSpec& spec) {
-  return spec.unit.empty() ? fmt::format("{}", value) : fmt::format("{} {}", value, spec.unit);
+  return spec.unit.empty() ? plain_text(value) : fmt::format("{} {}", plain_text(value), spec.unit);
 }
 
-/// "above 0 mm and at most 10 mm".
+/// "above 0 s and at most 1 s"; "0, or at least 0.000001 mm and at most 10 mm".
 std::string bounds_text(const SettingSpec& spec) {
   if (!std::isfinite(spec.minimum)) {
     return std::isfinite(spec.maximum) ? fmt::format("at most {}", with_unit(spec.maximum, spec)) : "finite";
   }
   std::string text =
-      fmt::format("{} {}", spec.minimum_allowed ? "at least" : "above", with_unit(spec.minimum, spec));
+      spec.least_above_zero > 0
+          ? fmt::format("0, or at least {}", with_unit(spec.least_above_zero, spec))
+          : fmt::format("{} {}", spec.minimum_allowed ? "at least" : "above", with_unit(spec.minimum, spec));
   if (std::isfinite(spec.maximum)) {
     text += fmt::format(" and at most {}", with_unit(spec.maximum, spec));
   }
@@ -266,10 +270,28 @@ void check_setting(const SettingSpec& spec, const SettingValue& value, std::stri
   }
   const bool above = spec.minimum_allowed ? *number >= spec.minimum : *number > spec.minimum;
   const bool whole = !spec.whole || *number == std::floor(*number);
-  if (!std::isfinite(*number) || !above || !(*number <= spec.maximum) || !whole) {
+  const bool too_small = *number > 0 && *number < spec.least_above_zero;
+  if (!std::isfinite(*number) || !above || too_small || !(*number <= spec.maximum) || !whole) {
     throw InputError(fmt::format("{}{} = {} is out of bounds; it must be {}", in_front(place), spec.key,
                                  *number, bounds_text(spec)));
   }
+}
+
+double nearest_within(const SettingSpec& spec, double value) {
+  const double bounded = std::clamp(value, spec.minimum, spec.maximum);
+  return bounded > 0 ? std::max(bounded, spec.least_above_zero) : bounded;
+}
+
+std::string plain_text(double number) {
+  constexpr double least = 1e-9;
+  constexpr double usual = 1e-4;  // from here on {} writes no exponent
+  const double size = std::abs(number);
+  if (size < least || size >= usual) {
+    return fmt::format("{}", number);
+  }
+  std::string text = fmt::format("{:.9f}", number);
+  text.erase(text.find_last_not_of('0') + 1);
+  return text;
 }
 
 }  // namespace feedscope

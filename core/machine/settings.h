@@ -19,6 +19,7 @@ struct SettingSpec {
   double minimum = 0;
   double maximum = std::numeric_limits<double>::infinity();
   bool minimum_allowed = true;       ///< false: the value must exceed `minimum`
+  double least_above_zero = 0;       ///< a value that is neither 0 nor at least this is too small
   bool whole = false;                ///< whole numbers only
   double fallback = 0;               ///< where neither machine nor call give a value
   std::vector<std::string> choices;  ///< not empty: a text setting, first choice is the fallback
@@ -57,5 +58,10 @@ class Settings {
 SettingValue parse_setting(const SettingSpec& spec, std::string_view text);
 /// Throws InputError naming key, value and bound if `value` breaks `spec`; `place` is put in front.
 void check_setting(const SettingSpec& spec, const SettingValue& value, std::string_view place);
+/// The number from the least to the largest of `spec` that is nearest to `value`; too small a one above 0
+/// becomes the least above 0.
+double nearest_within(const SettingSpec& spec, double value);
+/// A number for people: 0.000001, not 1e-06.
+std::string plain_text(double number);
 
 }  // namespace feedscope

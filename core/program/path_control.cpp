@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/units.h"
+#include "core/machine/contour_tolerance.h"
 
 namespace feedscope {
 
@@ -18,6 +19,16 @@ void add_switch(std::vector<std::string>& parts, std::string_view name, Switch v
 }
 
 }  // namespace
+
+bool is_too_small(double tolerance) {
+  return tolerance > 0 && tolerance < least_tolerance;
+}
+
+DiagnosticLog::Text too_small_text(std::string_view words) {
+  const std::string least = plain_text(least_tolerance);
+  return {fmt::format("{} is below {} mm", words, least),
+          fmt::format("{} mm is used, the smallest that is simulated", least)};
+}
 
 const PathControl* find_own_tolerance(std::span<const PathControl> controls) {
   const auto own = std::find_if(controls.begin(), controls.end(), [](const PathControl& control) {

@@ -6,6 +6,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/program/text/diagnostic_log.h"
+
 namespace feedscope {
 
 /// What a control does where blocks meet.
@@ -51,6 +53,12 @@ struct PathControl {
 
   bool operator==(const PathControl&) const = default;
 };
+
+/// Whether a contour tolerance or blend distance [mm] of the program is above 0 and below least_tolerance,
+/// which is then used in its place.
+bool is_too_small(double tolerance);
+/// What the user is told of it; `words`: "tolerance P0.0000001 of G64".
+DiagnosticLog::Text too_small_text(std::string_view words);
 
 /// The first that asks for a contour tolerance or a blend distance; nullptr if none does.
 const PathControl* find_own_tolerance(std::span<const PathControl> controls);

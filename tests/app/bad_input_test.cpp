@@ -35,9 +35,9 @@ class BadInput : public feedscope::test::CommandLine {
 TEST_F(BadInput, ANegativeToleranceIsNamedWithItsBound) {
   expect_wrong_use("simulate corner.nc --tolerance -0.01",
                    "--tolerance = -0.01 is out of bounds; it must be at least 0 mm");
-  expect_wrong_use(
-      "simulate corner.nc --set contour_tolerance_mm=-0.01",
-      "contour_tolerance_mm = -0.01 is out of bounds; it must be at least 0 mm and at most 10 mm");
+  expect_wrong_use("simulate corner.nc --set contour_tolerance_mm=-0.01",
+                   "contour_tolerance_mm = -0.01 is out of bounds; it must be 0, or at least 0.000001 mm and "
+                   "at most 10 mm");
 }
 
 TEST_F(BadInput, AToleranceOfZeroStopsInEveryCorner) {
@@ -63,7 +63,7 @@ TEST_F(BadInput, AToleranceLargerThanThePartLeavesHalfOfEveryBlock) {
 
 TEST_F(BadInput, AnAxisLimitOfZeroOrNoneIsNamedWithItsPlace) {
   expect_wrong_use("simulate corner.nc --set X.jerk=0",
-                   "X.jerk = 0 is out of bounds; it must be above 0 m/s3");
+                   "X.jerk = 0 is out of bounds; it must be at least 0.000001 m/s3");
   write("zero.toml", machine_with("acceleration_m_s2 = { value = 1,", "acceleration_m_s2 = { value = 0,"));
   expect_wrong_use("simulate corner.nc --machine zero.toml", "zero.toml:9:");
   write("none.toml", machine_with("velocity_m_min = { value = 20, source = \"Essid 2019, table 2\" }\n", ""));

@@ -210,7 +210,7 @@ TEST_F(CommandLine, NamesAWrongSetup) {
               AllOf(HasSubstr("'foo' is unknown"), Not(HasSubstr("mean"))));
   expect_wrong_use("simulate corner.nc --set alpha=99", "alpha = 99 is out of bounds");
   expect_wrong_use("simulate corner.nc --set X.jerk=-1",
-                   "X.jerk = -1 is out of bounds; it must be above 0 m/s3");
+                   "X.jerk = -1 is out of bounds; it must be at least 0.000001 m/s3");
   expect_wrong_use("simulate corner.nc --set reading=quick",
                    "it must be one of: corrected, published, strict");
   expect_wrong_use("simulate corner.nc --tolerance wide", "--tolerance = 'wide' is not a number");

@@ -4,7 +4,7 @@
 #include <QLineF>
 #include <QMouseEvent>
 #include <QPainter>
-#include <ranges>
+#include <algorithm>
 #include <utility>
 
 namespace feedscope::ui {
@@ -82,8 +82,9 @@ QPointF AnnotationOverlay::pixel_of(const QMouseEvent& mouse) const {
 
 std::optional<AnnotationOverlay::Held> AnnotationOverlay::grip_at(const QPointF& pixel) const {
   const auto near = [&](const QPointF& dot) { return QLineF(dot, pixel).length() <= grip_radius * scale_; };
-  const std::vector<PlacedAnnotation> all = placed();
-  for (const PlacedAnnotation& placed : all | std::views::reverse) {  // what is drawn last lies on top
+  std::vector<PlacedAnnotation> all = placed();
+  std::ranges::reverse(all);  // what is drawn last lies on top
+  for (const PlacedAnnotation& placed : all) {
     if (placed.id == annotations_->selected()) {
       if (near(placed.anchor)) {
         return Held{placed.id, Grip::anchor, pixel, {}};

@@ -17,6 +17,7 @@
 #include "ui/fields/number_text.h"
 #include "ui/fields/whole_number_box.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/shared/paths.h"
 #include "ui/shared/table_items.h"
 
 namespace feedscope::ui {
@@ -208,7 +209,7 @@ void ReadingDialog::show_options(const ReadOptions& options) {
   simulate_cut_off_->setChecked(options.simulate_cut_off);
   wear_only_->setChecked(options.wear_only);
   call_depth_->setValue(static_cast<int>(std::min<std::size_t>(options.call_depth, max_calls)));
-  tool_table_->setText(QString::fromStdU16String(options.tool_table.u16string()));
+  tool_table_->setText(to_qstring(options.tool_table));
   table_unit_->setCurrentIndex(options.table_unit == 1 ? 0 : 1);
 }
 
@@ -226,7 +227,7 @@ ReadOptions ReadingDialog::options() const {
   options.simulate_cut_off = simulate_cut_off_->isChecked();
   options.wear_only = wear_only_->isChecked();
   if (const QString table = tool_table_->text().trimmed(); !table.isEmpty()) {
-    options.tool_table = std::filesystem::absolute(table.toStdU16String());
+    options.tool_table = std::filesystem::absolute(to_path(table));
   }
   options.table_unit = table_unit_->currentData().toDouble();
   for (int row = 0; row < cutters_->rowCount(); ++row) {

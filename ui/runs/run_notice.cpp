@@ -4,6 +4,8 @@
 #include <QLabel>
 #include <QToolButton>
 
+#include "ui/shared/paths.h"
+
 namespace feedscope::ui {
 
 RunNotice::RunNotice(Workbench& workbench, QWidget* parent)
@@ -57,7 +59,7 @@ QString RunNotice::reason() const {
   if (program == nullptr || !workbench_.shown_program().input.toolpath->segments.empty()) {
     return {};
   }
-  const QString file = QString::fromStdU16String(workbench_.file().filename().u16string());
+  const QString file = to_qstring(workbench_.file().filename());
   const QString dialect = QString::fromUtf8(info_of(program->dialect).title.data());
   return tr("Nothing in %1 moves an axis. Check that it is an NC program; it was read as %2, and File › "
             "Program import options selects another language. The panel Messages lists what was found in it.")

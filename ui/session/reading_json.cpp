@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "ui/shared/paths.h"
 
 namespace feedscope::ui {
 
@@ -94,8 +95,7 @@ QJsonObject to_json(const ReadOptions& options, const std::filesystem::path& fol
   }
   if (!options.tool_table.empty()) {
     const std::filesystem::path relative = options.tool_table.lexically_relative(folder);
-    json[table_key] =
-        QString::fromStdU16String((relative.empty() ? options.tool_table : relative).generic_u16string());
+    json[table_key] = to_portable_qstring(relative.empty() ? options.tool_table : relative);
   }
   if (options.table_unit != usual.table_unit) {
     json[table_unit_key] = options.table_unit;
@@ -136,7 +136,7 @@ ReadOptions read_reading(const QJsonObject& json, const std::filesystem::path& f
     options.radii.set(tool.toStdString(), number_of(radii, tool, 0, false));
   }
   if (const QString table = json[table_key].toString(); !table.isEmpty()) {
-    options.tool_table = (folder / std::filesystem::path(table.toStdU16String())).lexically_normal();
+    options.tool_table = (folder / to_path(table)).lexically_normal();
   }
   if (json.contains(table_unit_key)) {
     options.table_unit = number_of(json, table_unit_key, 1e-6, false);

@@ -8,6 +8,7 @@
 #include "core/base/nearest_name.h"
 #include "ui/scene_view/scene_json.h"
 #include "ui/session/reading_json.h"
+#include "ui/shared/paths.h"
 
 namespace feedscope::ui {
 namespace {
@@ -15,9 +16,10 @@ namespace {
 constexpr const char* format_name = "feedscope-session";
 constexpr int largest_text_size = 200;  // [points]
 
-/// The same on every system.
-QString portable_name(const std::filesystem::path& path) {
-  return QString::fromStdU16String(path.generic_u16string());
+/// As a session keeps it, of the form #rrggbb: without transparency, eight bits a channel.
+QColor colour_of(const QJsonValue& json) {
+  const QColor colour(json.toString());
+  return colour.isValid() ? QColor(colour.rgb()) : colour;
 }
 
 /// Notes the keys of `json` that are not in `known`, with the nearest one that is.
@@ -103,7 +105,7 @@ RunItem read_run(const QJsonObject& json, const QString& place, const MachineLib
     file.model =
         &find_model(json["model"].toString(QString::fromStdString(file.machine.model)).toStdString());
     file.settings = complete_settings(*file.model, file.machine);
-    RunItem run{0, json["name"].toString(), QColor(json["colour"].toString()), json["visible"].toBool(true),
+    RunItem run{0, json["name"].toString(), colour_of(json["colour"]), json["visible"].toBool(true),
                 SetupState(std::move(file))};
     const QJsonObject set = json["set"].toObject();
     for (auto entry = set.begin(); entry != set.end(); ++entry) {
@@ -182,7 +184,7 @@ Annotation read_annotation(const QJsonObject& json, const QString& place, QStrin
   if (view.size() == 2 && view[0].toDouble() > 0 && view[1].toDouble() > 0) {
     annotation.view = {view[0].toDouble(), view[1].toDouble()};
   }
-  if (const QColor colour(json["colour"].toString()); colour.isValid()) {
+  if (const QColor colour = colour_of(json["colour"]); colour.isValid()) {
     annotation.colour = colour;
   }
   annotation.size = json["size_pt"].toDouble(annotation.size);
@@ -249,19 +251,20 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
   if (session.program_font_size) {
     window["program_font_px"] = *session.program_font_size;
   }
-  return {{"format", format_name},
-          {"version", session_version},
-          {"program", QJsonObject{{"file", portable_name(relative.empty() ? session.program : relative)},
-                                  {"sha256", QString::fromLatin1(session.program_hash)}}},
-          {"reading", to_json(session.reading, folder)},
-          {"runs", runs},
-          {"current_run", static_cast<int>(session.current_run)},
-          {"cursor_s", session.cursor},
-          {"view", to_json(session.scene)},
-          {"compare", to_json(session.scenes)},
-          {"charts", to_json(session.charts)},
-          {"annotations", annotations},
-          {"window", window}};
+  return {
+      {"format", format_name},
+      {"version", session_version},
+      {"program", QJsonObject{{"file", to_portable_qstring(relative.empty() ? session.program : relative)},
+                              {"sha256", QString::fromLatin1(session.program_hash)}}},
+      {"reading", to_json(session.reading, folder)},
+      {"runs", runs},
+      {"current_run", static_cast<int>(session.current_run)},
+      {"cursor_s", session.cursor},
+      {"view", to_json(session.scene)},
+      {"compare", to_json(session.scenes)},
+      {"charts", to_json(session.charts)},
+      {"annotations", annotations},
+      {"window", window}};
 }
 
 ReadSession read_session(const QJsonObject& json, const std::filesystem::path& folder,

@@ -28,9 +28,17 @@ QString value_text(const SettingValue& value, const SettingSpec& spec) {
   return core_text(std::get<std::string>(value));
 }
 
+/// Bounds as they are written in a file have no exponent.
+QString bound_text(double bound, double factor) {
+  QLocale locale;
+  locale.setNumberOptions(QLocale::OmitGroupSeparator);
+  return factor == 1 ? locale.toString(bound, 'f', QLocale::FloatingPointShortest)
+                     : plain_number(bound, factor);
+}
+
 QString range_text(const SettingSpec& spec) {
   const auto text_of = [factor = key_unit(spec.unit).factor](double bound) {
-    return plain_number(bound, factor);
+    return bound_text(bound, factor);
   };
   if (!spec.choices.empty()) {
     return SetupTable::tr("choice");

@@ -29,6 +29,7 @@
 #include "ui/language/shown_numbers.h"
 #include "ui/language/texts.h"
 #include "ui/shared/panel_action.h"
+#include "ui/shared/paths.h"
 #include "ui/shared/row_copy.h"
 
 namespace feedscope::ui {
@@ -248,9 +249,8 @@ void StudyView::propose_range() {
   const SetupState& setup = workbench_.setup().state();
   const SettingSpec spec = setup.spec(key);
   const double value = std::get<double>(setup.value(key));
-  const auto bounded = [&](double end) { return std::clamp(end, spec.minimum, spec.maximum); };
   constexpr double each_way = 4;
-  show_range(bounded(value / each_way), bounded(value * each_way), key);
+  show_range(nearest_within(spec, value / each_way), nearest_within(spec, value * each_way), key);
 }
 
 void StudyView::show_range(double from, double to, const std::string& key) {
@@ -310,8 +310,7 @@ void StudyView::take(std::shared_ptr<const Study> study) {
   study_ = std::move(study);
   results_->set_study(study_);
   StudyCurves curves = study_curves(*study_);
-  chart_->set_study(QString::fromStdU16String(workbench_.file().filename().u16string()), studied_name_,
-                    std::move(curves));
+  chart_->set_study(to_qstring(workbench_.file().filename()), studied_name_, std::move(curves));
   const StudyRun* best = fastest(study_->runs, study_->within);
   if (best != nullptr) {
     table_->selectRow(static_cast<int>(best - study_->runs.data()));

@@ -106,11 +106,11 @@ void FileMenu::list_recent_files(QMenu* menu) {
 }
 
 void FileMenu::ask_for_program() {
-  ask_for_program_in(QString::fromStdU16String(workbench_.file().parent_path().u16string()));
+  ask_for_program_in(to_qstring(workbench_.file().parent_path()));
 }
 
 void FileMenu::ask_for_sample() {
-  ask_for_program_in(QString::fromStdU16String((data_folder() / "resources" / "programs").u16string()));
+  ask_for_program_in(to_qstring(data_folder() / "resources" / "programs"));
 }
 
 void FileMenu::ask_for_program_in(const QString& folder) {

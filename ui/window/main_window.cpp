@@ -25,6 +25,7 @@
 #include "ui/setup/setup_bar.h"
 #include "ui/setup/setup_view.h"
 #include "ui/shared/panel_action.h"
+#include "ui/shared/paths.h"
 #include "ui/slow_places/slow_places_view.h"
 #include "ui/study/study_view.h"
 #include "ui/theme/icons.h"
@@ -283,7 +284,7 @@ void MainWindow::show_program() {
 
 void MainWindow::show_title() {
   const std::filesystem::path& shown = session_->file().empty() ? workbench_.file() : session_->file();
-  const QString name = QString::fromStdU16String(shown.filename().u16string());
+  const QString name = to_qstring(shown.filename());
   setWindowTitle(name.isEmpty() ? tr("Feedscope") : tr("%1 – Feedscope").arg(name));
 }
 
@@ -340,7 +341,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  open(std::filesystem::path(event->mimeData()->urls().first().toLocalFile().toStdU16String()));
+  open(to_path(event->mimeData()->urls().first().toLocalFile()));
   event->acceptProposedAction();
 }
 

@@ -10,6 +10,7 @@
 #include "ui/charts/charts_panel.h"
 #include "ui/report/picture_file.h"
 #include "ui/shared/panel_action.h"
+#include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
 
 namespace feedscope::ui {
@@ -85,7 +86,7 @@ void PictureCommands::copy(Part part) const {
 
 /// Beside the program, with its name; the next free one, so that no picture takes the place of another.
 QString PictureCommands::proposed_file(Part part) const {
-  const QString program = QString::fromStdU16String(window_.workbench().file().u16string());
+  const QString program = to_qstring(window_.workbench().file());
   const QFileInfo info(program);
   const QString what = part == Part::scene    ? QStringLiteral("3d")
                        : part == Part::charts ? QStringLiteral("charts")

@@ -50,7 +50,7 @@ class Candidates {
     }
     if (double* number = std::get_if<double>(&value)) {
       const double step = spec->whole ? std::round(*number) : *number;
-      *number = std::clamp(step, spec->minimum, spec->maximum);
+      *number = nearest_within(*spec, step);
     }
     if (value == setup_.settings.value(key)) {
       return;
@@ -82,8 +82,9 @@ class Candidates {
 
  private:
   Remedy axis_changes(char name, const std::string& limit, double factor) const {
+    const SettingSpec& spec = *std::ranges::find(axis_limit_specs(), limit, &SettingSpec::key);
     const double value = axis_limit(setup_.machine, name, limit);
-    return {{{fmt::format("{}.{}", name, limit), value * factor}}};
+    return {{{fmt::format("{}.{}", name, limit), nearest_within(spec, value * factor)}}};
   }
 
   void add(Remedy remedy) {

@@ -33,6 +33,7 @@ const ModelInfo& WardModel::info() const {
         "core",
         "Used only if the filter time is 0: jerk of a ramp to the highest programmed feed between two stops; "
         "the filter time is the square root of this feed over the jerk. 0: the smallest axis jerk.");
+    jerk.least_above_zero = 1e-3;
     jerk.maximum = 1e6;
     SettingSpec time;
     time.key = "filter_time_s";
@@ -43,6 +44,7 @@ const ModelInfo& WardModel::info() const {
                           "Length of one moving average, the same for all feeds. 0: computed from the "
                           "highest programmed feed between two stops and the jerk of the filters; a higher "
                           "programmed feed can then slow the program down.");
+    time.least_above_zero = 1e-4;
     time.maximum = 10;
     SettingSpec enforce;
     enforce.key = "enforce";

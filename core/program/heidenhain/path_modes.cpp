@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/machine/contour_tolerance.h"
 #include "core/program/text/read_fault.h"
 
 namespace feedscope::heidenhain {
@@ -11,6 +12,11 @@ void PathModes::set_tolerance(std::optional<double> tolerance, std::optional<dou
   if (tolerance && *tolerance < 0) {
     throw ReadFault{"tolerance", column, fmt::format("the tolerance T{} is below zero", *tolerance),
                     "the tolerance in force stays"};
+  }
+  if (tolerance && is_too_small(*tolerance)) {
+    report(Severity::warning, "tolerance", 1, column,
+           [&] { return too_small_text(fmt::format("the tolerance T{}", plain_text(*tolerance))); });
+    tolerance = least_tolerance;
   }
   end_contour(column);
   PathControl control = path().path_control();

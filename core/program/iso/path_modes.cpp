@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "core/machine/contour_tolerance.h"
+
 namespace feedscope::iso {
 
 void PathModes::apply(const GCode& code) {
@@ -79,7 +81,14 @@ std::optional<double> PathModes::tolerance(char letter, std::string_view of) con
     });
     return std::nullopt;
   }
-  return modal_.to_mm(word.value);
+  const double tolerance = modal_.to_mm(word.value);
+  if (is_too_small(tolerance)) {
+    report(Severity::warning, "path-tolerance", 1, word.column, [&] {
+      return too_small_text(fmt::format("tolerance {}{} of {}", letter, plain_text(word.value), of));
+    });
+    return least_tolerance;
+  }
+  return tolerance;
 }
 
 void PathModes::set_tolerances(PathControl& control) const {

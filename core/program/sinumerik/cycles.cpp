@@ -153,7 +153,7 @@ void Cycles::high_speed_settings(const SubprogramCall& call) {
   if (digits / 10 % 10 == 1) {
     orientation = units::from_deg(number_at(call.arguments, 2));
   }
-  parts_.path_modes.set_cycle(to_mm(tolerance), digits, orientation);
+  parts_.path_modes.set_cycle(to_mm(tolerance), digits, orientation, call.column);
 }
 
 /// CYCLE800(FR, TC, ST, MODE, X0, Y0, Z0, A, B, C, X1, Y1, Z1, ...): the plane is shifted by X0, turned about

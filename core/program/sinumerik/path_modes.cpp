@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/units.h"
+#include "core/machine/contour_tolerance.h"
 #include "core/program/text/read_fault.h"
 
 namespace feedscope::sinumerik {
@@ -31,16 +32,30 @@ bool PathModes::run(Scanner& scanner, std::string_view name, std::uint32_t colum
       throw ReadFault{"path-value", column, fmt::format("{}={} is negative", known, value),
                       "write a distance of zero or more; the block does not move"};
     }
-    (path_words_.*set)(known == "OTOL" ? units::from_deg(value) : to_mm(value));
+    if (known == "OTOL") {
+      path_words_.set_orientation_tolerance(units::from_deg(value));
+    } else {
+      (path_words_.*set)(simulated(to_mm(value), fmt::format("{}={}", known, plain_text(value)), column));
+    }
     applied_ = Applied::none;
     return true;
   }
   return false;
 }
 
-void PathModes::set_cycle(double tolerance, int code, std::optional<double> orientation) {
-  path_words_.set_cycle(tolerance, code, orientation);
+void PathModes::set_cycle(double tolerance, int code, std::optional<double> orientation,
+                          std::uint32_t column) {
+  const std::string words = fmt::format("tolerance {} mm of CYCLE832", plain_text(tolerance));
+  path_words_.set_cycle(simulated(tolerance, words, column), code, orientation);
   applied_ = Applied::none;
+}
+
+double PathModes::simulated(double tolerance, std::string_view words, std::uint32_t column) const {
+  if (!is_too_small(tolerance)) {
+    return tolerance;
+  }
+  report(Severity::warning, "path-value", 2, column, [&] { return too_small_text(words); });
+  return least_tolerance;
 }
 
 void PathModes::use(bool rapid) {

@@ -22,8 +22,8 @@ class PathModes : private Part {
   /// "ADIS=1", whose name has just been read: ADIS, ADISPOS, CTOL, OTOL. False, and nothing taken, for other
   /// names. Throws ReadFault.
   bool run(Scanner& scanner, std::string_view name, std::uint32_t column);
-  /// CYCLE832: tolerance [mm], code, orientation tolerance [rad].
-  void set_cycle(double tolerance, int code, std::optional<double> orientation);
+  /// CYCLE832: tolerance [mm], code, orientation tolerance [rad]; `column` for messages.
+  void set_cycle(double tolerance, int code, std::optional<double> orientation, std::uint32_t column);
   /// The motion that follows has the path control in force.
   void use(bool rapid);
 
@@ -32,6 +32,9 @@ class PathModes : private Part {
 
  private:
   enum class Applied : std::uint8_t { none, feed, rapid };
+
+  /// The least tolerance or distance [mm] in place of a smaller one, with a warning about `words`.
+  double simulated(double tolerance, std::string_view words, std::uint32_t column) const;
 
   Values& values_;
   PathWords path_words_;

@@ -121,9 +121,9 @@ TEST_F(MachineFile, NamesAMissingKey) {
 }
 
 TEST_F(MachineFile, NamesValueAndBoundOfABadNumber) {
-  for (const std::string value : {"0", "-2", "nan", "inf", "-inf"}) {
-    expect_error(changed("value = 20", "value = " + value),
-                 ":8:28: ", "velocity_m_min = " + value + " is out of bounds; it must be above 0 m/min");
+  for (const std::string value : {"0", "-2", "nan", "inf", "-inf", "1e+308", "5e-324"}) {
+    expect_error(changed("value = 20", "value = " + value), ":8:28: ",
+                 "velocity_m_min = " + value + " is out of bounds; it must be at least 0.000001 m/min");
   }
   expect_error(changed("value = 8,", "value = 8.5,"), ":24:", "it must be a whole number at least 1");
 }

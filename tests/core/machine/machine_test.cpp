@@ -58,13 +58,21 @@ TEST(AxisLimit, NamesUnknownAxisAndLimit) {
       ThrowsMessage<InputError>(HasSubstr("the limits are velocity, acceleration, jerk, blend_jerk")));
 }
 
-TEST(AxisLimit, MustBeAboveZeroAndFinite) {
+TEST(AxisLimit, MustBeWithinItsBounds) {
   Machine machine;
-  for (const double value : {0.0, -1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
+  for (const double value :
+       {0.0, -1.0, 5e-324, 9e-7, 1.1e9, 1e305, std::numeric_limits<double>::infinity(), std::nan("")}) {
     EXPECT_THAT([&] { set_axis_limit(machine, 'Z', "jerk", value); },
-                ThrowsMessage<InputError>(HasSubstr("is out of bounds; it must be above 0 m/s3")));
+                ThrowsMessage<InputError>(HasSubstr(
+                    "is out of bounds; it must be at least 0.000001 m/s3 and at most 1000000000 m/s3")));
   }
   EXPECT_EQ(machine.axes[2].jerk, 0);
+  for (const SettingSpec& spec : axis_limit_specs()) {
+    for (const double value : {1e-6, 1e9}) {
+      set_axis_limit(machine, 'Z', spec.key, value);
+      EXPECT_EQ(axis_limit(machine, 'Z', spec.key), value) << spec.key;
+    }
+  }
 }
 
 }  // namespace

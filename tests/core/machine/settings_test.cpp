@@ -88,17 +88,18 @@ TEST(ParseSetting, NamesKeyValueAndBoundsOfWhatIsNoNumber) {
   for (const std::string text : {"", "abc", "1.2.3", "1 mm", "0x10", "--1"}) {
     EXPECT_THAT([&] { parse_setting(spec_of("contour_tolerance_mm"), text); },
                 fails_with("contour_tolerance_mm = '" + text +
-                           "' is not a number; it must be at least 0 mm and at most 10 mm"));
+                           "' is not a number; it must be 0, or at least 0.000001 mm and at most 10 mm"));
   }
 }
 
 TEST(ParseSetting, RejectsNumbersOutOfBounds) {
-  for (const std::string text : {"-1e-9", "-1", "10.1", "nan", "inf", "-inf"}) {
+  for (const std::string text : {"-1e-9", "-1", "10.1", "nan", "inf", "-inf", "5e-324", "9e-7"}) {
     EXPECT_THAT([&] { parse_setting(spec_of("contour_tolerance_mm"), text); },
-                fails_with("it must be at least 0 mm and at most 10 mm"))
+                fails_with("it must be 0, or at least 0.000001 mm and at most 10 mm"))
         << text;
   }
   EXPECT_EQ(parsed("contour_tolerance_mm", "0"), 0);
+  EXPECT_EQ(parsed("contour_tolerance_mm", "0.000001"), 1e-6);
   EXPECT_EQ(parsed("contour_tolerance_mm", "10"), 10);
   EXPECT_THAT([] { parse_setting(spec_of("interpolation_period_s"), "0"); },
               fails_with("it must be above 0 s and at most 1 s"));
@@ -124,6 +125,24 @@ TEST(CheckSetting, PutsThePlaceInFront) {
   EXPECT_THAT([] { check_setting(spec_of("tangential_share"), std::string("x"), ""); },
               fails_with("is text"));
   EXPECT_THAT([] { check_setting(choice_spec(), 2.0, ""); }, fails_with("'2' is not a valid choice"));
+}
+
+TEST(NearestWithin, KeepsBoundsAndTheGapAboveZero) {
+  const SettingSpec tolerance = spec_of("contour_tolerance_mm");
+  EXPECT_EQ(nearest_within(tolerance, -1), 0);
+  EXPECT_EQ(nearest_within(tolerance, 0), 0);
+  EXPECT_EQ(nearest_within(tolerance, 1e-9), 1e-6);
+  EXPECT_EQ(nearest_within(tolerance, 0.02), 0.02);
+  EXPECT_EQ(nearest_within(tolerance, 11), 10);
+}
+
+TEST(PlainText, HasNoExponentForSmallNumbers) {
+  EXPECT_EQ(plain_text(1e-6), "0.000001");
+  EXPECT_EQ(plain_text(0.00001), "0.00001");
+  EXPECT_EQ(plain_text(0.0001), "0.0001");
+  EXPECT_EQ(plain_text(0), "0");
+  EXPECT_EQ(plain_text(1e9), "1000000000");
+  EXPECT_EQ(plain_text(5e-324), "5e-324");
 }
 
 TEST(Settings, NamesKeyOfAbsentValueOrOtherType) {

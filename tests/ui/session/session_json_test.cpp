@@ -56,6 +56,32 @@ TEST(SessionJson, NamesTheProgramRelativeToItself) {
   EXPECT_EQ(moved.program, std::filesystem::path("/elsewhere/pocket.nc"));
 }
 
+TEST(SessionJson, PathsThatAreNoTextAreKeptAsTheyWereRead) {
+  QJsonObject json = to_json(test::some_session("/parts/pocket.nc"), folder);
+  const QString half_a_character(QChar(0xd800));
+  json["program"] = QJsonObject{{"file", half_a_character}};
+  json["reading"] = QJsonObject{{"tool_table", half_a_character}};
+  const Session session = read_session(json, folder, shipped_machines()).session;
+  EXPECT_EQ(session.program.parent_path(), folder);
+  expect_same(read_back(session), session);
+}
+
+TEST(SessionJson, ColoursHaveNoTransparencyAndEightBits) {
+  for (const char* const colour : {"#80102030", "#111122223333", "transparent"}) {
+    QJsonObject json = to_json(test::some_session("/a.nc"), folder);
+    for (const char* const list : {"runs", "annotations"}) {
+      QJsonArray items = json[list].toArray();
+      QJsonObject first = items[0].toObject();
+      first["colour"] = colour;
+      items[0] = first;
+      json[list] = items;
+    }
+    const Session session = read_session(json, folder, shipped_machines()).session;
+    EXPECT_EQ(session.runs[0].colour.alpha(), 255) << colour;
+    expect_same(read_back(session), session);
+  }
+}
+
 TEST(SessionJson, RefusesReadingOptionsThatAreNone) {
   const auto message = [](const QJsonObject& reading) {
     QJsonObject json = to_json(test::some_session("/a.nc"), "/");

@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "ui/scene/current_context.h"
@@ -271,10 +270,9 @@ vtkSmartPointer<vtkCellArray> PathLayers::highlighted(const PathPart& part) cons
     return polylines(part, 0, 0, is_cut);
   }
   const auto first_from = [&](double time) {
-    const auto all = std::views::iota(std::size_t{0}, part.size());
-    return static_cast<std::size_t>(
-        std::ranges::lower_bound(all, time, {}, [&](std::size_t k) { return part.path().times[part[k]]; }) -
-        all.begin());
+    const auto& points = part.points_of_path();
+    const auto time_of = [&](std::uint32_t point) { return part.path().times[point]; };
+    return static_cast<std::size_t>(std::ranges::lower_bound(points, time, {}, time_of) - points.begin());
   };
   const std::size_t first = first_from((*range_)[0]);
   const std::size_t end = std::min(part.size(), first_from((*range_)[1]) + 1);

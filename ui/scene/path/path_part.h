@@ -30,6 +30,8 @@ class PathPart {
   bool fits(const std::vector<bool>& boxes) const;
 
   std::size_t size() const { return points_of_path_.size(); }
+  /// Indices in the path, rising.
+  const std::vector<std::uint32_t>& points_of_path() const { return points_of_path_; }
   /// Index in the path of point `k`.
   std::size_t operator[](std::size_t k) const { return points_of_path_[k]; }
   /// What the span from point `k` to the next one is.

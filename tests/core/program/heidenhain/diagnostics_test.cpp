@@ -275,6 +275,8 @@ INSTANTIATE_TEST_SUITE_P(
                        "angle; write Q343=0 and the depth [cycle-value]"},
         DiagnosticCase{"CYCL DEF 9.1 DWELL -1\n", "1:1: error: dwell time -1 is negative [dwell-time]"},
         DiagnosticCase{"CYCL DEF 32.1 T-0.5\n", "1:1: error: the tolerance T-0.5 is below zero [tolerance]"},
+        DiagnosticCase{"CYCL DEF 32.1 T0.0000001\n",
+                       "1:1: warning: the tolerance T0.0000001 is below 0.000001 mm [tolerance]"},
         DiagnosticCase{"CYCL DEF 11.1 SCL 0\n",
                        "1:19: error: scaling factor 0 is not from 0.000001 to 99.999999 [scale-factor]"},
         DiagnosticCase{"CYCL DEF 8.1 A\n", "1:14: error: \"A\" is not X, Y or Z [unread-word]"},

@@ -75,5 +75,17 @@ TEST(IsoPathControl, ANegativeToleranceIsRefused) {
             "tolerance of zero or more)");
 }
 
+TEST(IsoPathControl, ATooSmallToleranceIsRaised) {
+  EXPECT_EQ(
+      said_of(Dialect::linuxcnc, "G0 X1\nG64 P0.0000001\nX2"),
+      "f:2:5: warning: tolerance P0.0000001 of G64 is below 0.000001 mm [path-tolerance] (0.000001 mm is "
+      "used, the smallest that is simulated)");
+  const Program program = read_as(Dialect::linuxcnc, "G20\nG64 P0.00000001 Q0.00000001\nG0 X1");
+  const PathControl& control = program.path_controls.at(program.motions.back().path_control);
+  EXPECT_EQ(control.contour_tolerance, 1e-6);
+  EXPECT_EQ(control.compaction_tolerance, 1e-6);
+  EXPECT_EQ(control_of(Dialect::linuxcnc, "G64 P0\nG0 X1").contour_tolerance, 0);
+}
+
 }  // namespace
 }  // namespace feedscope
