@@ -19,7 +19,7 @@ struct SettingSpec {
   double minimum = 0;
   double maximum = std::numeric_limits<double>::infinity();
   bool minimum_allowed = true;       ///< false: the value must exceed `minimum`
-  double least_above_zero = 0;       ///< a value that is neither 0 nor at least this is too small
+  double least_above_zero = 0;       ///< a value above 0 must be at least this
   bool whole = false;                ///< whole numbers only
   double fallback = 0;               ///< where neither machine nor call give a value
   std::vector<std::string> choices;  ///< not empty: a text setting, first choice is the fallback

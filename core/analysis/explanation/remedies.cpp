@@ -84,11 +84,12 @@ class Candidates {
   Remedy axis_changes(char name, const std::string& limit, double factor) const {
     const SettingSpec& spec = *std::ranges::find(axis_limit_specs(), limit, &SettingSpec::key);
     const double value = axis_limit(setup_.machine, name, limit);
-    return {{{fmt::format("{}.{}", name, limit), nearest_within(spec, value * factor)}}};
+    const double changed = nearest_within(spec, value * factor);
+    return changed == value ? Remedy() : Remedy{{{fmt::format("{}.{}", name, limit), changed}}};
   }
 
   void add(Remedy remedy) {
-    if (std::ranges::find(found_, remedy) == found_.end()) {
+    if (remedy != Remedy() && std::ranges::find(found_, remedy) == found_.end()) {
       found_.push_back(std::move(remedy));
     }
   }

@@ -62,6 +62,19 @@ TEST(Remedies, SetOnlyWhatTheModelReadsWithinItsBounds) {
   }
 }
 
+TEST(Remedies, StayWithinTheBoundsWhereALimitIsAtItsEnd) {
+  SetupRequest request;
+  request.model = "ward";
+  request.assignments = {"X.jerk=900000000", "Y.jerk=1000000000", "Z.jerk=1000000000",
+                         "filter_time_s=0.0001"};
+  const auto setup = make_setup(request);
+  for (const Cause cause : all_causes()) {
+    for (const Remedy& remedy : remedies(setup, caused_by(cause))) {
+      EXPECT_NO_THROW(EXPECT_EQ(with_remedy(setup, remedy) == setup, remedy.feed_factor != 1));
+    }
+  }
+}
+
 TEST(Remedies, ALargerToleranceIsTwiceTheOneInForce) {
   PathControl fine;
   fine.contour_tolerance = 0.02;

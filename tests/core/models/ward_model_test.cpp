@@ -317,6 +317,19 @@ TEST(WardSettings, RefuseAnOddNumberOfFilters) {
   }
 }
 
+TEST(WardSettings, FiltersAreOffOrNotTooShort) {
+  const ControlModel& ward = find_model("ward");
+  Machine machine = testing::spinner();
+  Settings settings = complete_settings(ward, machine);
+  for (const char* wrong : {"filter_jerk_m_s3=5e-324", "filter_jerk_m_s3=0.0009", "filter_time_s=0.00009"}) {
+    EXPECT_THROW(apply_setting(wrong, ward, machine, settings), InputError) << wrong;
+  }
+  for (const char* right :
+       {"filter_jerk_m_s3=0", "filter_jerk_m_s3=0.001", "filter_time_s=0", "filter_time_s=0.0001"}) {
+    EXPECT_NO_THROW(apply_setting(right, ward, machine, settings)) << right;
+  }
+}
+
 TEST(WardSettings, AFilterLongerThanTheProgramIsARampUpAndDown) {
   const Toolpath path = testing::polyline({{0, 0, 0}, {1, 0, 0}}, 50);
   const Trajectory trajectory = run(path, {2, 0, 5});
