@@ -45,8 +45,7 @@ std::string fastest_text(const MergedComparison& merged) {
       })) {
     return fmt::format(
         "\nNo setting ran in all {} programs, so that none can be the fastest of all; run them on one "
-        "machine "
-        "with one model (--machine, --model).\n",
+        "machine with one model (--machine, --model).\n",
         merged.programs.size());
   }
   if (best == nullptr) {

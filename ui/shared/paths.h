@@ -6,8 +6,8 @@
 
 namespace feedscope::ui {
 
-/// Whether file names are bytes, as on Linux, in UTF-8. A name that is no text is then converted with
-/// replacement characters; std::filesystem would throw.
+/// Whether file names are bytes, as on Linux, where they are taken for UTF-8. Bytes that are not valid UTF-8
+/// become replacement characters; the conversions of std::filesystem would throw.
 inline constexpr bool paths_are_bytes = std::is_same_v<std::filesystem::path::value_type, char>;
 
 /// A file's name for people and for Qt, with the separators of the system.

@@ -115,18 +115,21 @@ class WindowSessionTest : public testing::Test {
   }
 
   QTemporaryDir folder_;
+  /// Of a window that set it up, wrote it to file_ and closed.
+  Session saved_by_another() {
+    Window first;
+    set_up(first);
+    Session saved = first.window.session().capture();
+    write_session(saved, file_);
+    return saved;
+  }
+
   std::filesystem::path program_ = std::filesystem::path(folder_.path().toStdString()) / "part.nc";
   std::filesystem::path file_ = std::filesystem::path(folder_.path().toStdString()) / "part.feedscope";
 };
 
 TEST_F(WindowSessionTest, AnotherWindowShowsTheSame) {
-  Session saved;
-  {
-    Window first;
-    set_up(first);
-    saved = first.window.session().capture();
-    write_session(saved, file_);
-  }
+  const Session saved = saved_by_another();
   Window second;
   second.window.open(file_);
   second.wait();
@@ -254,13 +257,7 @@ TEST_F(WindowSessionTest, WhatThisWindowReadOrWroteIsOverwrittenUnasked) {
 
 /// The view of a session belongs to a simulated run; until that is there it is not on the screen.
 TEST_F(WindowSessionTest, ASessionSavedBeforeItIsSimulatedKeepsItsView) {
-  Session saved;
-  {
-    Window first;
-    set_up(first);
-    saved = first.window.session().capture();
-    write_session(saved, file_);
-  }
+  const Session saved = saved_by_another();
   Window w;
   w.window.open(file_);
   ASSERT_EQ(w.model.shown(), nullptr);
