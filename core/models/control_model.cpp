@@ -58,7 +58,7 @@ Trajectory ControlModel::lay_path(std::shared_ptr<const Toolpath> toolpath, cons
   return do_lay_path(run, machine, settings, progress);
 }
 
-const ControlModel& find_model(const std::string& id) {
+const ControlModel& find_model(std::string_view id) {
   std::vector<std::string> ids;
   for (const ControlModel* model : all_models()) {
     if (model->info().id == id) {

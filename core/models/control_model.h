@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/progress.h"
@@ -57,7 +58,7 @@ class ControlModel {
 /// All models, in the order in which they are listed.
 const std::vector<const ControlModel*>& all_models();
 /// Throws InputError with the nearest id.
-const ControlModel& find_model(const std::string& id);
+const ControlModel& find_model(std::string_view id);
 /// The specs of every model's own settings, for reading machine files.
 std::vector<SettingSpec> all_model_settings();
 /// Specs of what `model` reads: common ones it uses, its own, then machine_settings().
