@@ -51,6 +51,28 @@ std::string axis_table(const Run& run) {
   return table.text("lrrr");
 }
 
+/// What the drives make of it; empty where all axes follow exactly.
+std::string actual_text(const Summary& summary) {
+  if (!summary.actual) {
+    return "";
+  }
+  const ActualFigures& actual = *summary.actual;
+  TextTable table;
+  for (std::size_t i = 0; i < coordinate_names.size(); ++i) {
+    const double error = actual.largest_following_error[static_cast<Eigen::Index>(i)];
+    table.add({fmt::format("following error of {}", coordinate_names[i]),
+               fmt::format("{:.1f} um", units::to_um(error)), ""});
+  }
+  const ActualPlace& worst = actual.worst;
+  table.add({"contour error of the actual path", fmt::format("{:.1f} um", units::to_um(worst.error)),
+             worst.error > 0 ? fmt::format("line {}; the set path is {:.1f} um off there", worst.line,
+                                           units::to_um(worst.of_control))
+                             : ""});
+  table.add(
+      {"mean of it over the cutting", fmt::format("{:.1f} um", units::to_um(actual.mean_contour_error)), ""});
+  return "\nDrives, largest values\n" + table.text("lrl");
+}
+
 /// Positions of what takes any time, most of it first.
 std::vector<std::size_t> longest_first(const std::vector<double>& times) {
   std::vector<std::size_t> order;
@@ -187,8 +209,8 @@ std::string summary_text(const Run& run) {
                               : "";
   figures.add({"contour error", fmt::format("at most {:.4f} mm{}, {} corner blends", s.max_contour_error,
                                             where, run.trajectory->blend_count())});
-  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + "\nTime by limiting cause\n" +
-         cause_table(s);
+  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + actual_text(s) +
+         "\nTime by limiting cause\n" + cause_table(s);
 }
 
 }  // namespace feedscope

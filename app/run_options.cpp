@@ -309,6 +309,11 @@ void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
         fmt::print(stderr, "feedscope: note: {}\n", note);
       }
     }
+    for (const std::string& note : drive_notes(setup.machine)) {
+      if (said.insert(note).second) {
+        fmt::print(stderr, "feedscope: note: {}\n", note);
+      }
+    }
     for (const std::string& sentence : ignored_path_control(program, setup)) {
       std::string note = fmt::format("model '{}': {}", setup.model->info().id, sentence);
       if (said.insert(note).second) {

@@ -14,6 +14,7 @@ struct Command {
 Command add_simulate_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
+Command add_circular_command(CLI::App& app);
 Command add_render_command(CLI::App& app);  ///< where the pictures are built (FEEDSCOPE_UI)
 Command add_report_command(CLI::App& app);  ///< the same
 Command add_window_command(CLI::App& app);  ///< what the program does without a command

@@ -40,10 +40,12 @@ void show_machine(const std::string& id) {
              machine.reference, machine.model);
   TextTable table;
   for (const auto& [axis, kind] : machine.axes.axes()) {
-    for (const SettingSpec& limit : axis_limit_specs()) {
-      const std::string key = fmt::format("{}.{}", axis, limit.key);
-      table.add({key, fmt::format("{}", axis_limit(machine, axis, limit.key)), limit.unit,
-                 source_text(machine, key)});
+    for (const SettingSpec& spec : axis_specs()) {
+      const std::string key = fmt::format("{}.{}", axis, spec.key);
+      const std::string value = value_text(axis_value(machine, axis, spec.key));
+      if (!value.empty()) {
+        table.add({key, value, spec.unit, source_text(machine, key)});
+      }
     }
   }
   for (const auto& [key, value] : machine.settings.values()) {

@@ -108,6 +108,7 @@ Setup make_setup(const SetupRequest& request) {
   for (const std::string& assignment : request.assignments) {
     apply_setting(assignment, *setup.model, setup.machine, setup.settings);
   }
+  check_drives(setup.machine);
   return setup;
 }
 
@@ -137,6 +138,9 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   run.trajectory = std::make_shared<const Trajectory>(
       run.setup.model->simulate(input.toolpath, run.setup.machine, run.setup.settings, progress));
   run.input.toolpath = on_machine(input.toolpath, run.setup.settings);
+  if (has_drives(run.setup.machine)) {
+    run.response = std::make_shared<const DriveResponse>(run.trajectory, run.setup.machine, progress);
+  }
   run.simulate_time = watch.seconds();
   return run;
 }
@@ -145,6 +149,9 @@ void add_summary(Run& run) {
   const StopWatch watch;
   run.summary = summarise(*run.trajectory, *run.input.toolpath,
                           axis_limit_vector(run.setup.machine, &AxisLimits::velocity));
+  if (run.response) {
+    run.summary.actual = actual_figures(*run.response);
+  }
   run.simulate_time += watch.seconds();
 }
 

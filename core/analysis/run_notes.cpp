@@ -22,6 +22,42 @@ std::string unused_work_offsets(const Program& program, const Machine& machine) 
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
+std::vector<PoorDamping> poorly_damped(const Machine& machine) {
+  constexpr double much = 0.1;
+  std::vector<PoorDamping> axes;
+  for (std::size_t i = 0; i < machine.drives.size(); ++i) {
+    const double overshoot = drive_overshoot(machine.drives[i]);
+    if (overshoot >= much) {
+      axes.push_back({machine.drives.name(i), overshoot});
+    }
+  }
+  return axes;
+}
+
+std::string axes_without_drive(const Machine& machine) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < machine.drives.size(); ++i) {
+    if (machine.drives[i].follows_exactly()) {
+      names.emplace_back(1, machine.drives.name(i));
+    }
+  }
+  return names.size() == machine.drives.size() ? "" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+std::vector<std::string> drive_notes(const Machine& machine) {
+  std::vector<std::string> notes;
+  for (const PoorDamping& drive : poorly_damped(machine)) {
+    notes.push_back(fmt::format(
+        "The drive of axis {} is poorly damped: it overshoots a step by {:.0f} %; a smaller {}.kv or "
+        "{}.velocity_lag damps it better.",
+        drive.axis, 100 * drive.overshoot, drive.axis, drive.axis));
+  }
+  if (const std::string axes = axes_without_drive(machine); !axes.empty()) {
+    notes.push_back(fmt::format("No drive is given for {}: followed exactly.", axes));
+  }
+  return notes;
+}
+
 std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup) {
   std::vector<std::string> notes = ignored_path_control(program, setup);
   if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
@@ -33,6 +69,8 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
         notes.begin(),
         fmt::format("The program was read with work offsets other than those of the machine ({}).", offsets));
   }
+  const std::vector<std::string> of_drives = drive_notes(setup.machine);
+  notes.insert(notes.end(), of_drives.begin(), of_drives.end());
   return notes;
 }
 

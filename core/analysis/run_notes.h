@@ -11,9 +11,20 @@ namespace feedscope {
 /// several machines run it: "G54, G55"; empty: none.
 std::string unused_work_offsets(const Program& program, const Machine& machine);
 
+/// A drive that overshoots a step by a tenth or more.
+struct PoorDamping {
+  char axis = ' ';
+  double overshoot = 0;  ///< as drive_overshoot()
+};
+std::vector<PoorDamping> poorly_damped(const Machine& machine);
+/// Axes without a drive on a machine with drives: "Z", "X and Z"; empty: all have one, or none.
+std::string axes_without_drive(const Machine& machine);
+/// Both in words, one sentence each.
+std::vector<std::string> drive_notes(const Machine& machine);
+
 /// What is to be known of a run before its figures are trusted, one sentence each: a control that does not
-/// read the program's dialect, a machine that gives work offsets which the program was not read with, then
-/// ignored_path_control().
+/// read the program's dialect, a machine that gives work offsets which the program was not read with,
+/// ignored_path_control(), then drive_notes().
 std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup);
 
 }  // namespace feedscope

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "core/analysis/actual_figures.h"
 #include "core/analysis/contour/contour_errors.h"
 #include "core/machine/axis_vector.h"
 #include "core/toolpath/machine_toolpath.h"
@@ -32,7 +34,8 @@ struct Summary {
   std::vector<double> time_by_cause;
   /// Of the time of ramp_down: by cause_index() of what sets the slower place ahead [s].
   std::vector<double> time_by_slower_place;
-  NotCounted not_counted;  ///< what takes time on the machine and none here
+  NotCounted not_counted;               ///< what takes time on the machine and none here
+  std::optional<ActualFigures> actual;  ///< of a machine with drives
 };
 
 /// `toolpath`: that the trajectory runs; `rapid_speed` per axis [mm/s].

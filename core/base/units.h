@@ -23,6 +23,21 @@ constexpr double from_m(double v) {
 constexpr double to_m(double v) {
   return v / 1000.0;
 }  ///< mm/s2 -> m/s2, mm/s3 -> m/s3
+constexpr double from_um(double v) {
+  return v / 1000.0;
+}  ///< um -> mm
+constexpr double to_um(double v) {
+  return v * 1000.0;
+}  ///< mm -> um
+constexpr double from_ms(double v) {
+  return v / 1000.0;
+}  ///< ms -> s
+constexpr double to_ms(double v) {
+  return v * 1000.0;
+}  ///< s -> ms
+constexpr double as_it_is(double v) {
+  return v;
+}  ///< where file and core have the same unit
 constexpr double from_inch(double v) {
   return v * 25.4;
 }  ///< inch -> mm

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <ostream>
 
+#include "core/analysis/actual_figures.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
@@ -89,9 +91,13 @@ Columns motion_columns() {
 class SampleRows {
  public:
   /// `from`: the first instant [s].
-  SampleRows(std::ostream& out, const Trajectory& trajectory, double from, std::size_t rows,
-             Progress* progress)
+  SampleRows(std::ostream& out, const Trajectory& trajectory, const DriveResponse* response, double from,
+             std::size_t rows, Progress* progress)
       : sink_(out), walk_(trajectory, from), causes_(cause_keys()), rows_(rows), progress_(progress) {
+    if (response != nullptr) {
+      actual_.emplace(*response, from);
+      errors_.emplace(trajectory);
+    }
     for (const Column& column : columns_.before_cause) {
       sink_.text(column.name);
       sink_.text(",");
@@ -100,6 +106,11 @@ class SampleRows {
     for (const Column& column : columns_.behind_cause) {
       sink_.text(",");
       sink_.text(column.name);
+    }
+    if (actual_) {
+      sink_.text(
+          ",actual_x_mm,actual_y_mm,actual_z_mm,following_error_x_um,following_error_y_um,"
+          "following_error_z_um,actual_contour_error_um");
     }
     sink_.end_row();
   }
@@ -130,12 +141,20 @@ class SampleRows {
     for (const Column& column : columns_.behind_cause) {
       sink_.number(column.of(state) * column.factor);
     }
+    if (actual_) {
+      const ActualMotion actual = actual_->at(state.time);
+      sink_.vector(actual.position, 1);
+      sink_.vector(actual.following_error, units::to_um(1));
+      sink_.number(units::to_um(errors_->at(actual.position, state.element)));
+    }
     sink_.end_number_row();
   }
 
   const Columns columns_ = motion_columns();
   TextSink sink_;
   StateWalk walk_;
+  std::optional<ActualWalk> actual_;
+  std::optional<ActualErrors> errors_;
   std::vector<std::string> causes_;
   std::size_t rows_;
   std::size_t row_ = 0;
@@ -144,7 +163,8 @@ class SampleRows {
 
 }  // namespace
 
-void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress) {
+void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress,
+               const DriveResponse* response) {
   const double duration = trajectory.duration();
   if (!(step > 0) || duration / step > max_rows) {
     throw InputError(fmt::format(
@@ -153,7 +173,7 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
   }
   // A row whose time prints like that of the end would repeat it: 11 digits tell 1e-10 apart.
   const auto count = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-10)));
-  SampleRows rows(out, trajectory, 0, count, progress);
+  SampleRows rows(out, trajectory, response, 0, count, progress);
   for (std::size_t row = 0; row < count; ++row) {
     rows.add(static_cast<double>(row) * step);
   }
@@ -164,8 +184,8 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
 }
 
 void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
-               Progress* progress) {
-  SampleRows rows(out, trajectory, times.empty() ? 0 : times.front(), times.size(), progress);
+               Progress* progress, const DriveResponse* response) {
+  SampleRows rows(out, trajectory, response, times.empty() ? 0 : times.front(), times.size(), progress);
   for (const double time : trajectory.pieces().empty() ? std::span<const double>() : times) {
     rows.add(std::clamp(time, 0.0, trajectory.duration()));
   }

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <numeric>
 
 #include "core/analysis/contour/contour_histogram.h"
@@ -13,23 +11,10 @@
 #include "core/base/units.h"
 #include "core/export/contour_words.h"
 #include "core/export/export.h"
+#include "core/export/json_parts.h"
 
 namespace feedscope {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-constexpr int format_version = 1;
-
-/// What a file of this kind begins with. The version grows when a key goes or changes its meaning.
-Json with_format(const char* kind) {
-  return {{"format", {{"name", fmt::format("feedscope-{}", kind)}, {"version", format_version}}}};
-}
-
-/// JSON knows no NaN and no infinity: null where there is no number.
-Json finite(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 /// A measured distance from the programmed path [mm].
 Json rounded_length(double value) {
@@ -149,14 +134,6 @@ Json program_json(const Program& program, const Toolpath& toolpath) {
           {"rapid_bounds", bounds(facts.rapid_bounds)}};
 }
 
-Json settings_values(const Settings& settings) {
-  Json values = Json::object();
-  for (const auto& [key, value] : settings.values()) {
-    std::visit([&, &name = key](const auto& v) { values[name] = v; }, value);
-  }
-  return values;
-}
-
 /// [mm/s, mm/s2, mm/s3]
 Json axis_figures(double velocity, double acceleration, double jerk) {
   return {{"velocity_mm_min", finite(units::to_mm_min(velocity))},
@@ -210,6 +187,27 @@ Json axis_limits(const Machine& machine) {
   return axes;
 }
 
+/// Null where all axes follow their set values exactly.
+Json actual_json(const Summary& summary) {
+  if (!summary.actual) {
+    return nullptr;
+  }
+  const ActualFigures& actual = *summary.actual;
+  Json following = Json::object();
+  for (std::size_t i = 0; i < coordinate_names.size(); ++i) {
+    following[std::string(1, coordinate_names[i])] =
+        finite(units::to_um(actual.largest_following_error[static_cast<Eigen::Index>(i)]));
+  }
+  return {{"max_following_error_um", following},
+          {"max_contour_error_mm", rounded_length(actual.worst.error)},
+          {"mean_contour_error_mm", rounded_length(actual.mean_contour_error)},
+          {"max_contour_error_at",
+           {{"line", actual.worst.line},
+            {"time_s", finite(actual.worst.time)},
+            {"position_mm", vector(actual.worst.position)},
+            {"of_control_mm", rounded_length(actual.worst.of_control)}}}};
+}
+
 /// What a run is and what came out of it: the same keys whichever command ran it.
 Json run_json(const LoadedProgram& program, const ComparedRun& run) {
   const Machine& machine = run.setup.machine;
@@ -234,12 +232,9 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run) {
           {"peaks", peaks(summary)},
           {"time_by_cause_s", by_cause(summary.time_by_cause)},
           {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)},
-          {"not_counted", not_counted_json(summary.not_counted)}};
-}
-
-/// Text with bytes that are no UTF-8 is shown with replacement characters.
-std::string text_of(const Json& json) {
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+          {"not_counted", not_counted_json(summary.not_counted)},
+          {"drives", drives_json(machine)},
+          {"actual", actual_json(summary)}};
 }
 
 Json place_json(const ContourFinding& finding) {

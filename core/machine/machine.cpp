@@ -1,6 +1,5 @@
 #include "core/machine/machine.h"
 
-#include <fast_float/fast_float.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -12,22 +11,22 @@
 #include "core/base/nearest_name.h"
 #include "core/base/translatable.h"
 #include "core/base/units.h"
+#include "core/machine/key_unit.h"
 
 namespace feedscope {
 namespace {
 
 struct LimitField {
   double AxisLimits::*member;
-  double (*to_internal)(double);
-  double (*to_unit)(double);
+  KeyConversion conversion;
 };
 
 /// In the order of axis_limit_specs().
 constexpr std::array<LimitField, 4> limit_fields{{
-    {&AxisLimits::velocity, units::from_m_min, units::to_m_min},
-    {&AxisLimits::acceleration, units::from_m, units::to_m},
-    {&AxisLimits::jerk, units::from_m, units::to_m},
-    {&AxisLimits::blend_jerk, units::from_m, units::to_m},
+    {&AxisLimits::velocity, {units::from_m_min, units::to_m_min}},
+    {&AxisLimits::acceleration, {units::from_m, units::to_m}},
+    {&AxisLimits::jerk, {units::from_m, units::to_m}},
+    {&AxisLimits::blend_jerk, {units::from_m, units::to_m}},
 }};
 
 SettingSpec limit_spec(std::string key, std::string title, std::string unit, std::string explanation) {
@@ -42,11 +41,6 @@ SettingSpec limit_spec(std::string key, std::string title, std::string unit, std
   return spec;
 }
 
-struct LimitPlace {
-  std::size_t axis;
-  std::size_t limit;
-};
-
 /// "X, Y and Z".
 std::string list_of(const AxisList& axes) {
   std::string list;
@@ -57,43 +51,47 @@ std::string list_of(const AxisList& axes) {
   return list;
 }
 
-LimitPlace place_of(const AxisList& axes, char axis, std::string_view limit) {
-  const auto found_axis = axes.find(axis);
-  if (!found_axis) {
+void check_axis(const AxisList& axes, char axis) {
+  if (!axes.find(axis)) {
     throw InputError(fmt::format("unknown axis '{}'; the axes are {}", axis, list_of(axes)));
   }
+}
+
+/// Place of `key` in `specs`.
+std::size_t place_of(const std::vector<SettingSpec>& specs, char axis, std::string_view key) {
   std::vector<std::string> keys;
-  for (const SettingSpec& spec : axis_limit_specs()) {
+  for (const SettingSpec& spec : specs) {
     keys.push_back(spec.key);
   }
-  const auto found = std::find(keys.begin(), keys.end(), limit);
+  const auto found = std::find(keys.begin(), keys.end(), key);
   if (found == keys.end()) {
-    const std::string nearest = nearest_name(limit, keys);
-    throw InputError(fmt::format("unknown limit '{}' of axis {}; {}", limit, axis,
+    const std::string nearest = nearest_name(key, keys);
+    throw InputError(fmt::format("unknown limit '{}' of axis {}; {}", key, axis,
                                  nearest.empty() ? fmt::format("the limits are {}", fmt::join(keys, ", "))
                                                  : fmt::format("did you mean '{}'?", nearest)));
   }
-  return {*found_axis, static_cast<std::size_t>(found - keys.begin())};
+  return static_cast<std::size_t>(found - keys.begin());
 }
 
-/// The shortest decimal number that converts to exactly `internal`: 20, not 20.000000000000004.
-double shortest_in_unit(double internal, const LimitField& field) {
-  const double plain = field.to_unit(internal);
-  for (int digits = 1; digits <= 16; ++digits) {
-    const std::string text = fmt::format("{:.{}g}", plain, digits);
-    double rounded = 0;
-    fast_float::from_chars(text.data(), text.data() + text.size(), rounded);
-    if (field.to_internal(rounded) == internal) {
-      return rounded;
+SettingSpec spec_of_axis(const SettingSpec& spec, char axis) {
+  SettingSpec named = spec;
+  named.key = fmt::format("{}.{}", axis, spec.key);
+  return named;
+}
+
+/// `drives` as a list of these axes; those that they lack follow exactly.
+AxisVector<AxisDrive> for_axes(const AxisVector<AxisDrive>& drives, const AxisList& axes) {
+  AxisVector<AxisDrive> all(axes);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (const AxisDrive* drive = drives.find(all.name(i))) {
+      all[i] = *drive;
     }
   }
-  // Converting there and back may miss by one unit in the last place.
-  for (const double neighbour : {std::nextafter(plain, 0.0), std::nextafter(plain, 2 * plain)}) {
-    if (field.to_internal(neighbour) == internal) {
-      return neighbour;
-    }
-  }
-  return plain;
+  return all;
+}
+
+void note_set_by_hand(Machine& machine, const std::string& key) {
+  machine.provenance.insert_or_assign(key, Provenance{"set by hand", false});
 }
 
 }  // namespace
@@ -123,21 +121,72 @@ const std::vector<SettingSpec>& axis_limit_specs() {
 }
 
 double axis_limit(const Machine& machine, char axis, std::string_view limit) {
-  const LimitPlace place = place_of(machine.axes.axes(), axis, limit);
-  const LimitField& field = limit_fields[place.limit];
-  return shortest_in_unit(machine.axes[place.axis].*field.member, field);
+  check_axis(machine.axes.axes(), axis);
+  const LimitField& field = limit_fields[place_of(axis_limit_specs(), axis, limit)];
+  return shortest_in_unit(machine.axes.find(axis)->*field.member, field.conversion);
 }
 
 void set_axis_limit(Machine& machine, char axis, std::string_view limit, double value) {
-  const LimitPlace place = place_of(machine.axes.axes(), axis, limit);
-  SettingSpec spec = axis_limit_specs()[place.limit];
-  spec.key = fmt::format("{}.{}", axis, limit);
+  check_axis(machine.axes.axes(), axis);
+  const std::size_t place = place_of(axis_limit_specs(), axis, limit);
+  const SettingSpec spec = spec_of_axis(axis_limit_specs()[place], axis);
   check_setting(spec, value, "");
-  double& target = machine.axes[place.axis].*limit_fields[place.limit].member;
-  const double internal = limit_fields[place.limit].to_internal(value);
+  double& target = machine.axes[*machine.axes.axes().find(axis)].*limit_fields[place].member;
+  const double internal = limit_fields[place].conversion.to_internal(value);
   if (target != internal) {
     target = internal;
-    machine.provenance.insert_or_assign(spec.key, Provenance{"set by hand", false});
+    note_set_by_hand(machine, spec.key);
+  }
+}
+
+const std::vector<SettingSpec>& axis_specs() {
+  static const std::vector<SettingSpec> specs = [] {
+    std::vector<SettingSpec> all = axis_limit_specs();
+    all.insert(all.end(), axis_drive_specs().begin(), axis_drive_specs().end());
+    return all;
+  }();
+  return specs;
+}
+
+SettingValue axis_value(const Machine& machine, char axis, std::string_view key) {
+  check_axis(machine.axes.axes(), axis);
+  const std::size_t limits = axis_limit_specs().size();
+  const std::size_t place = place_of(axis_specs(), axis, key);
+  if (place < limits) {
+    return axis_limit(machine, axis, key);
+  }
+  const AxisDrive* drive = machine.drives.find(axis);
+  return drive_value(drive == nullptr ? AxisDrive() : *drive, place - limits);
+}
+
+void set_axis_value(Machine& machine, char axis, std::string_view key, const SettingValue& value) {
+  check_axis(machine.axes.axes(), axis);
+  const std::size_t limits = axis_limit_specs().size();
+  const std::size_t place = place_of(axis_specs(), axis, key);
+  const SettingSpec spec = spec_of_axis(axis_specs()[place], axis);
+  check_setting(spec, value, "");
+  if (place < limits) {
+    set_axis_limit(machine, axis, key, std::get<double>(value));
+    return;
+  }
+  if (value == axis_value(machine, axis, key)) {
+    return;
+  }
+  machine.drives = for_axes(machine.drives, machine.axes.axes());
+  set_drive_value(machine.drives[*machine.drives.axes().find(axis)], place - limits, value);
+  if (std::holds_alternative<double>(value)) {
+    note_set_by_hand(machine, spec.key);
+  } else {
+    machine.provenance.erase(spec.key);
+  }
+}
+
+void check_drives(const Machine& machine) {
+  for (std::size_t i = 0; i < machine.drives.size(); ++i) {
+    const std::string problem = drive_problem(machine.drives[i], machine.drives.name(i));
+    if (!problem.empty()) {
+      throw InputError(fmt::format("machine '{}': {}", machine.id, problem));
+    }
   }
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/machine/axis_drive.h"
 #include "core/machine/axis_vector.h"
 #include "core/machine/settings.h"
 #include "core/machine/work_offsets.h"
@@ -36,8 +37,9 @@ struct Machine {
   std::string reference;  ///< paper
   std::string model;      ///< default model id
   AxisVector<AxisLimits> axes;
-  Settings settings;         ///< control settings of the file, in the units of their keys
-  WorkOffsets work_offsets;  ///< of the parts that are clamped; a program or --offset may give others
+  AxisVector<AxisDrive> drives;  ///< an axis that has none here follows exactly
+  Settings settings;             ///< control settings of the file, in the units of their keys
+  WorkOffsets work_offsets;      ///< of the parts that are clamped; a program or --offset may give others
   /// By key as in set_value: "X.jerk", "lookahead_blocks", "G55".
   std::map<std::string, Provenance, std::less<>> provenance;
   bool operator==(const Machine&) const = default;
@@ -54,8 +56,20 @@ double axis_limit(const Machine& machine, char axis, std::string_view limit);
 /// the bounds of axis_limit_specs().
 void set_axis_limit(Machine& machine, char axis, std::string_view limit, double value);
 
+/// What --set and the editor know of an axis: axis_limit_specs(), then axis_drive_specs().
+const std::vector<SettingSpec>& axis_specs();
+/// Of axis_limit() or drive_value(): an empty text where a drive has no such value. Throws as axis_limit().
+SettingValue axis_value(const Machine& machine, char axis, std::string_view key);
+/// Sets it as set_axis_limit() does; an empty text takes the value of a drive back. Throws as that.
+void set_axis_value(Machine& machine, char axis, std::string_view key, const SettingValue& value);
+/// Throws InputError if the drive of an axis lacks what its other values need (drive_problem()).
+void check_drives(const Machine& machine);
+
+/// How a machine file names a key of axis_specs(): "velocity" in m/min is "velocity_m_min".
+std::string file_key(const SettingSpec& spec);
+
 /// Reads a machine file (TOML). Every number is a table, { value = 20, source = "paper, table" } or
-/// { value = 20, assumed = "reason" }; a work offset is
+/// { value = 20, assumed = "reason" }; the keys of a drive may be missing; a work offset is
 /// G55 = { x_mm = 100, y_mm = 0, z_mm = 0, source = "..." }.
 /// Throws InputError naming file, line, column, key, value, bound and the nearest valid name: unknown or
 /// missing key, wrong type, limit out of bounds, number without source, syntax error, unreadable file.

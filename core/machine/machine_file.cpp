@@ -16,13 +16,6 @@ namespace {
 constexpr std::array offset_keys{"x_mm", "y_mm", "z_mm"};
 constexpr double farthest_offset = 1e6;  // [mm]
 
-/// "velocity" in m/min is "velocity_m_min" in a file.
-std::string file_key(const SettingSpec& limit) {
-  std::string unit = limit.unit;
-  std::replace(unit.begin(), unit.end(), '/', '_');
-  return limit.key + "_" + unit;
-}
-
 class MachineReader {
  public:
   explicit MachineReader(const std::vector<SettingSpec>& model_settings) : settings_(common_settings()) {
@@ -99,18 +92,25 @@ class MachineReader {
       const ConfigNode& table = axes.need_table(std::string(1, axis), "[axes]");
       const std::string where = fmt::format("[axes.{}]", axis);
       std::vector<std::string> keys;
-      for (const SettingSpec& spec : axis_limit_specs()) {
+      for (const SettingSpec& spec : axis_specs()) {
         keys.push_back(file_key(spec));
       }
       table.check_keys(keys, where);
-      for (const SettingSpec& limit : axis_limit_specs()) {
-        SettingSpec spec = limit;
-        spec.key = file_key(limit);
-        const std::string provenance_key = fmt::format("{}.{}", axis, limit.key);
+      for (const SettingSpec& known : axis_specs()) {
+        SettingSpec spec = known;
+        spec.key = file_key(known);
+        if (known.optional && table.find(spec.key) == nullptr) {
+          continue;
+        }
+        const std::string provenance_key = fmt::format("{}.{}", axis, known.key);
         const SettingValue number = value(table, spec, where, provenance_key);
         const Provenance provenance = machine_.provenance[provenance_key];
-        set_axis_limit(machine_, axis, limit.key, std::get<double>(number));
+        set_axis_value(machine_, axis, known.key, number);
         machine_.provenance[provenance_key] = provenance;
+      }
+      const std::string problem = drive_problem(*machine_.drives.find(axis), axis);
+      if (!problem.empty()) {
+        table.fail(problem);
       }
     }
   }
@@ -196,6 +196,12 @@ std::string entry(const Machine& machine, const std::string& key, const std::str
 
 }  // namespace
 
+std::string file_key(const SettingSpec& spec) {
+  std::string unit = spec.unit;
+  std::replace(unit.begin(), unit.end(), '/', '_');
+  return unit.empty() ? spec.key : spec.key + "_" + unit;
+}
+
 Machine read_machine(const std::filesystem::path& file, const std::vector<SettingSpec>& model_settings) {
   return MachineReader(model_settings).read(read_config_file(file, "machine file"));
 }
@@ -212,9 +218,11 @@ std::string write_machine(const Machine& machine) {
                      in_quotes(machine.model));
   for (const auto& [axis, kind] : machine.axes.axes()) {
     out += fmt::format("\n[axes.{}]\n", axis);
-    for (const SettingSpec& limit : axis_limit_specs()) {
-      out += entry(machine, file_key(limit), fmt::format("{}.{}", axis, limit.key),
-                   axis_limit(machine, axis, limit.key));
+    for (const SettingSpec& spec : axis_specs()) {
+      const SettingValue value = axis_value(machine, axis, spec.key);
+      if (value != SettingValue(std::string())) {
+        out += entry(machine, file_key(spec), fmt::format("{}.{}", axis, spec.key), value);
+      }
     }
   }
   out += "\n[settings]\n";

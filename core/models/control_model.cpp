@@ -33,8 +33,8 @@ void check_axes(const Toolpath& toolpath, const Machine& machine) {
   }
 }
 
-std::string limit_key(char axis, const SettingSpec& limit) {
-  return fmt::format("{}.{}", axis, limit.key);
+std::string axis_key(char axis, const SettingSpec& spec) {
+  return fmt::format("{}.{}", axis, spec.key);
 }
 
 }  // namespace
@@ -121,8 +121,8 @@ std::vector<std::string> assignable_keys(const ControlModel& model) {
     keys.push_back(spec.key);
   }
   for (const auto& [axis, kind] : known_axes) {
-    for (const SettingSpec& limit : axis_limit_specs()) {
-      keys.push_back(limit_key(axis, limit));
+    for (const SettingSpec& spec : axis_specs()) {
+      keys.push_back(axis_key(axis, spec));
     }
   }
   return keys;
@@ -147,11 +147,11 @@ void apply_setting(const std::string& assignment, const ControlModel& model, Mac
     }
   }
   for (const auto& [axis, kind] : known_axes) {
-    for (const SettingSpec& limit : axis_limit_specs()) {
-      SettingSpec spec = limit;
-      spec.key = limit_key(axis, limit);
+    for (const SettingSpec& known : axis_specs()) {
+      SettingSpec spec = known;
+      spec.key = axis_key(axis, known);
       if (spec.key == key) {
-        set_axis_limit(machine, axis, limit.key, std::get<double>(parse_setting(spec, value)));
+        set_axis_value(machine, axis, known.key, parse_setting(spec, value));
         return;
       }
     }

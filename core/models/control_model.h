@@ -68,7 +68,8 @@ std::vector<SettingSpec> settings_of(const ControlModel& model);
 /// is not optional.
 Settings complete_settings(const ControlModel& model, const Machine& machine);
 
-/// The keys that apply_setting takes: those of settings_of(model), then "X.velocity" and the other limits.
+/// The keys that apply_setting takes: those of settings_of(model), then "X.velocity" and the rest of
+/// axis_specs().
 std::vector<std::string> assignable_keys(const ControlModel& model);
 /// The KEY of KEY=VALUE. Throws InputError if there is none.
 std::string assigned_key(const std::string& assignment);

@@ -9,7 +9,8 @@ set_target_properties(feedscope_core PROPERTIES EXPORT_NAME core)
 install(TARGETS feedscope_core EXPORT FeedscopeTargets
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development EXCLUDE_FROM_ALL)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/core DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/feedscope
-  COMPONENT development EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.h")
+  COMPONENT development EXCLUDE_FROM_ALL FILES_MATCHING PATTERN "*.h"
+  PATTERN json_parts.h EXCLUDE)  # needs a library that no other header does
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/machines DESTINATION ${CMAKE_INSTALL_DATADIR}/feedscope
   COMPONENT machines EXCLUDE_FROM_ALL)
 install(EXPORT FeedscopeTargets NAMESPACE Feedscope:: DESTINATION ${package}

@@ -317,6 +317,14 @@
         <source>The program was read with work offsets other than those of this machine (%1); reload it to use those of the machine.</source>
         <translation>Le programme a été lu avec d&apos;autres décalages d&apos;origine que ceux de cette machine (%1)&#xa0;; rechargez-le pour utiliser ceux de la machine.</translation>
     </message>
+    <message>
+        <source>The drive of axis %1 is poorly damped: it overshoots a step by %2 %; a smaller gain or lag damps it better.</source>
+        <translation>L&apos;entraînement de l&apos;axe %1 est mal amorti : il dépasse un échelon de %2 % ; un gain ou un retard plus petit l&apos;amortit mieux.</translation>
+    </message>
+    <message>
+        <source>No drive is given for %1: followed exactly.</source>
+        <translation>Aucun entraînement n&apos;est donné pour %1 : suivi exact.</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
@@ -1189,6 +1197,62 @@
     <message>
         <source>Tolerance share beta</source>
         <translation>Part bêta de la tolérance</translation>
+    </message>
+    <message>
+        <source>Position gain Kv</source>
+        <translation>Gain de position Kv</translation>
+    </message>
+    <message>
+        <source>Velocity that the position loop of the axis asks for, over the following error: without feed-forward the axis stays v/Kv behind. Without a value the axis follows its set values exactly.</source>
+        <translation>Vitesse que la boucle de position de l&apos;axe demande, rapportée à l&apos;écart de poursuite : sans anticipation, l&apos;axe reste en retard de v/Kv. Sans valeur, l&apos;axe suit exactement ses consignes.</translation>
+    </message>
+    <message>
+        <source>Velocity feed-forward</source>
+        <translation>Anticipation de vitesse</translation>
+    </message>
+    <message>
+        <source>Share of the set velocity that the position loop adds to its own; with 1 there is no following error at constant velocity.</source>
+        <translation>Part de la vitesse de consigne que la boucle de position ajoute à la sienne ; avec 1, il n&apos;y a pas d&apos;écart de poursuite à vitesse constante.</translation>
+    </message>
+    <message>
+        <source>Lag of the velocity loop</source>
+        <translation>Retard de la boucle de vitesse</translation>
+    </message>
+    <message>
+        <source>Time constant with which the velocity loop of the axis reaches the velocity asked for; with feed-forward it makes circles grow with acceleration.</source>
+        <translation>Constante de temps avec laquelle la boucle de vitesse de l&apos;axe atteint la vitesse demandée ; avec l&apos;anticipation, elle fait grandir les cercles avec l&apos;accélération.</translation>
+    </message>
+    <message>
+        <source>Backlash</source>
+        <translation>Jeu à l&apos;inversion</translation>
+    </message>
+    <message>
+        <source>Distance that the motor of the axis turns back at a reversal before the slide moves.</source>
+        <translation>Distance que le moteur de l&apos;axe parcourt en arrière à une inversion avant que la table ne bouge.</translation>
+    </message>
+    <message>
+        <source>Backlash compensation</source>
+        <translation>Compensation du jeu</translation>
+    </message>
+    <message>
+        <source>Share of the backlash that the control makes up for.</source>
+        <translation>Part du jeu que la commande compense.</translation>
+    </message>
+    <message>
+        <source>Friction spike</source>
+        <translation>Pic de frottement</translation>
+    </message>
+    <message>
+        <source>Distance by which friction holds the axis back when it reverses; on a circle it shows as a spike where quadrants change.</source>
+        <translation>Distance dont le frottement retient l&apos;axe quand il s&apos;inverse ; sur un cercle, elle se voit comme un pic aux changements de quadrant.</translation>
+    </message>
+    <message>
+        <source>Decay of the friction spike</source>
+        <translation>Décroissance du pic de frottement</translation>
+    </message>
+    <message>
+        <source>Time constant with which the friction spike decays.</source>
+        <translation>Constante de temps avec laquelle le pic de frottement décroît.</translation>
     </message>
 </context>
 <context>
@@ -3714,6 +3778,10 @@ Ensemble&#xa0;: %4</translation>
         <source>Source: %1</source>
         <translation>Source&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>The machine file gives no value.</source>
+        <translation>Le fichier machine ne donne pas de valeur.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SetupView</name>
@@ -3762,6 +3830,18 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Machine and control</source>
         <translation>Machine et commande</translation>
+    </message>
+    <message>
+        <source>Drives</source>
+        <translation>Entraînements</translation>
+    </message>
+    <message>
+        <source>How the axes follow their set values: position gain, feed-forward, backlash. Without a gain an axis follows exactly</source>
+        <translation>Comment les axes suivent leurs consignes : gain de position, anticipation, jeu. Sans gain, un axe suit exactement</translation>
+    </message>
+    <message>
+        <source>Drives: none, the axes follow exactly</source>
+        <translation>Entraînements : aucun, les axes suivent exactement</translation>
     </message>
 </context>
 <context>

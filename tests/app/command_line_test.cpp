@@ -268,6 +268,7 @@ TEST_F(CommandLine, FailsWhereItsTextCannotBeWritten) {
       {"simulate", {"simulate corner.nc", "simulate corner.nc --csv -"}},
       {"compare", {"compare corner.nc --model cam", "compare corner.nc --model cam --csv -"}},
       {"check", {"check corner.nc", "check corner.nc --json -"}},
+      {"circular", {"circular --radius 5 --feed 500", "circular --radius 5 --feed 500 --json -"}},
       {"help", {"help", "help check"}},
       {"lessons", {"lessons", "lessons 1", "lessons 1 --out -"}},
       {"machines", {"machines", "machines huron-kx10"}},

@@ -30,6 +30,8 @@ struct Numeric {
 
 const std::map<std::string, Numeric> numeric_types{
     {"MM", {"1,000", "0,5", "0.5"}},
+    {"MM_MIN", {"1,000", "50,5", "50.5"}},
+    {"DEG", {"1,000", "50,5", "50.5"}},
     {"S", {"1,000", "0,5", "0.5"}},
     {"N", {"1,000", "50,5", "50.5"}},
     {"TOOL=MM", {"1=1,000", "1=0,5", "1=0.5"}},
@@ -46,6 +48,7 @@ const std::set<std::string> other_types{"Excludes",
                                         "FILE",
                                         "ID",
                                         "LANGUAGE",
+                                        "PLANE",
                                         "ID|FILE",
                                         "UNIT",
                                         "UNITS",
@@ -112,6 +115,11 @@ class NumberOptions : public CommandLine {
   /// What the command needs beside the option, so that it would run.
   static std::string call(const Option& option, const std::string& program, const std::string& value) {
     std::string line = option.command + " " + program + " " + option.name + " '" + value + "'";
+    if (option.command == "circular") {
+      line = "circular " + option.name + " '" + value + "'";
+      line += option.name == "--radius" ? "" : " --radius 5";
+      line += option.name == "--feed" ? "" : " --feed 500";
+    }
     if (option.command == "render" || option.command == "report") {
       line += option.command == "render" ? " --out a.png" : " --out a.html";
     }

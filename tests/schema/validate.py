@@ -71,6 +71,11 @@ with tempfile.TemporaryDirectory() as folder:
         check_command("check", program)
         check_command("simulate", program, "--contour", work / "contour.csv")
         check_command("compare", program, "--model", "essid", "--model", "cam", "--tolerance", "0.01", "--tolerance", "0.05")
+    drives = [part for axis in "XY" for part in ("--set", f"{axis}.kv=60", "--set", f"{axis}.velocity_feedforward=1")]
+    check_command("simulate", samples[0], *drives)
+    check_command("compare", samples[0], "--model", "essid", *drives)
+    check_command("circular", "--radius", "30", "--feed", "6000", "--machine", "mikron-ucp710")
+    check_command("circular", "--radius", "5", "--radius", "8", "--feed", "900", "--entry-radius", "2", "--plane", "YZ")
     studies = []
     for program in samples[:2]:
         data = check_command("compare", program, "--sweep", "tolerance=0.01 0.05", "--within", "0.03", "--operations", "tool")

@@ -216,12 +216,13 @@ void ChartCommands::save_csv(const QString& file, CsvRows rows, double step) {
   const Interval range = panel_.shown_times();
   export_file_ = file;
   export_.start(
-      [file, rows, range, columns = panel_.column_times(), step,
-       trajectory = panel_.trajectory()](JobControl&) {
+      [file, rows, range, columns = panel_.column_times(), step, trajectory = panel_.trajectory(),
+       response = panel_.response()](JobControl&) {
         feedscope::ui::save_csv(file, *trajectory,
                                 rows == CsvRows::samples  ? sample_times(range, step)
                                 : rows == CsvRows::blocks ? block_times(*trajectory, range)
-                                                          : columns);
+                                                          : columns,
+                                response.get());
         return file;
       },
       [this](const JobOutcome<QString>& outcome) {

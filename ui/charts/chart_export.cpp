@@ -75,12 +75,13 @@ class FileBuffer : public std::streambuf {
 
 }  // namespace
 
-void save_csv(const QString& file, const Trajectory& trajectory, std::span<const double> times) {
+void save_csv(const QString& file, const Trajectory& trajectory, std::span<const double> times,
+              const DriveResponse* response) {
   AtomicFile target(file);
   FileBuffer buffer(target);
   std::ostream out(&buffer);
   out.exceptions(std::ios::badbit);
-  write_csv(out, trajectory, times);
+  write_csv(out, trajectory, times, nullptr, response);
   target.commit();
 }
 

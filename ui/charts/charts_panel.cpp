@@ -168,6 +168,7 @@ void ChartsPanel::show_run_of(Workbench& workbench) {
   const auto shown = workbench.shown();
   const SetupEdit& setup = workbench.setup();
   set_limits(setup.setup().machine.axes);
+  response_ = shown == nullptr ? nullptr : shown->run.response;
   set_run(shown == nullptr ? nullptr : shown->run.trajectory, shown == nullptr ? nullptr : shown->envelope,
           workbench.program() != nullptr);
   if (const auto period = setup.interpolation_period()) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/drives/drive_response.h"
 #include "core/machine/machine.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/charts/chart_commands.h"
@@ -59,6 +60,8 @@ class ChartsPanel : public Panel {
 
   /// What is shown; null for nothing.
   const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
+  /// Of its drives; null where the axes follow exactly.
+  const std::shared_ptr<const DriveResponse>& response() const { return response_; }
   const std::vector<RunOverlay>& overlays() const { return overlays_.runs(); }
   std::optional<std::size_t> overlay_curve(std::size_t chart) const { return overlays_.chosen(chart); }
   Cursor& cursor() { return cursor_; }
@@ -127,6 +130,7 @@ class ChartsPanel : public Panel {
   Cursor& cursor_;
   ViewRange& range_;
   std::shared_ptr<const Trajectory> trajectory_;
+  std::shared_ptr<const DriveResponse> response_;
   std::shared_ptr<const Envelope> envelope_;
   ColumnCache columns_;
   OverlayCurves overlays_;

@@ -48,9 +48,9 @@ std::set<AxisLimit> differing_limits(const std::vector<std::shared_ptr<const Sho
   for (const auto& run : runs) {
     const Machine& machine = run->run.setup.machine;
     const Machine& other = *first.try_emplace(machine.id, &machine).first->second;
-    for (const SettingSpec& spec : axis_limit_specs()) {
+    for (const SettingSpec& spec : axis_specs()) {
       for (const auto& [axis, kind] : machine.axes.axes()) {
-        if (axis_limit(machine, axis, spec.key) != axis_limit(other, axis, spec.key)) {
+        if (axis_value(machine, axis, spec.key) != axis_value(other, axis, spec.key)) {
           limits.emplace(spec.key, axis);
         }
       }
@@ -64,7 +64,7 @@ QStringList limit_texts(const Machine& machine, const std::set<AxisLimit>& limit
   for (const auto& [limit, axis] : limits) {
     texts.append(QStringLiteral("%1.%2 %3")
                      .arg(QString(QChar(axis)), QString::fromStdString(limit),
-                          value_text(axis_limit(machine, axis, limit))));
+                          value_text(axis_value(machine, axis, limit))));
   }
   return texts;
 }

@@ -64,6 +64,19 @@ QString axis_sources(const Machine& machine, const std::string& limit) {
   return lines.join(QStringLiteral("<br/>"));
 }
 
+/// "–" where the drive of an axis has no such value.
+QString axis_value_text(const Machine& machine, char axis, const std::string& key, const KeyUnit& unit) {
+  const SettingValue value = axis_value(machine, axis, key);
+  const double* number = std::get_if<double>(&value);
+  return number != nullptr ? significant(*number * unit.factor, digits_of(unit)) : QStringLiteral("–");
+}
+
+bool has_any(const Machine& machine, const std::string& key) {
+  return std::ranges::any_of(machine.axes.axes(), [&](const AxisInfo& axis) {
+    return axis_value(machine, axis.name, key) != SettingValue(std::string());
+  });
+}
+
 QString axis_table(const Machine& machine) {
   const AxisList& axes = machine.axes.axes();
   constexpr int for_a_number = 9;  // [%] of the width
@@ -78,11 +91,14 @@ QString axis_table(const Machine& machine) {
   widths.insert(widths.end(), {for_a_number, 100 - 18 - for_a_number * (static_cast<int>(axes.size()) + 1)});
   HtmlTable table(sides + "ll", widths);
   table.add_head(head << QStringLiteral("Unit") << QStringLiteral("Source"));
-  for (const SettingSpec& spec : axis_limit_specs()) {
+  for (const SettingSpec& spec : axis_specs()) {
+    if (!has_any(machine, spec.key)) {
+      continue;
+    }
     const KeyUnit unit = key_unit(spec.unit);
     QStringList cells{html_text(spec.title)};
     for (const auto& [axis, kind] : axes) {
-      const QString value = significant(axis_limit(machine, axis, spec.key) * unit.factor, digits_of(unit));
+      const QString value = axis_value_text(machine, axis, spec.key, unit);
       cells.append(assumed(machine, axis_key(axis, spec.key)) ? QStringLiteral("<i>%1</i>").arg(value)
                                                               : value);
     }
@@ -165,14 +181,14 @@ SettingRow tolerance_row(const ReportInput& input) {
 
 std::vector<SettingRow> limit_rows(const ReportInput& input) {
   std::vector<SettingRow> rows;
-  for (const SettingSpec& spec : axis_limit_specs()) {
+  for (const SettingSpec& spec : axis_specs()) {
     const KeyUnit unit = key_unit(spec.unit);
     for (const auto& [axis, kind] : known_axes) {
-      rows.push_back(row_of(
-          input, QStringLiteral("%1 of %2").arg(html_text(spec.title), QString(QChar(axis))), unit.text,
-          [&spec, &unit, axis = axis](const Setup& setup) {
-            return significant(axis_limit(setup.machine, axis, spec.key) * unit.factor, digits_of(unit));
-          }));
+      rows.push_back(row_of(input,
+                            QStringLiteral("%1 of %2").arg(html_text(spec.title), QString(QChar(axis))),
+                            unit.text, [&spec, &unit, axis = axis](const Setup& setup) {
+                              return axis_value_text(setup.machine, axis, spec.key, unit);
+                            }));
     }
   }
   return rows;

@@ -35,6 +35,17 @@ QStringList run_note_texts(const Run& run) {
   for (const std::string& sentence : ignored_path_control(run.input, run.setup)) {
     sentences.append(core_text(sentence));
   }
+  for (const PoorDamping& drive : poorly_damped(run.setup.machine)) {
+    sentences.append(
+        RunNotes::tr("The drive of axis %1 is poorly damped: it overshoots a step by %2 %; a smaller "
+                     "gain or lag damps it better.")
+            .arg(drive.axis)
+            .arg(qRound(100 * drive.overshoot)));
+  }
+  if (const std::string axes = axes_without_drive(run.setup.machine); !axes.empty()) {
+    sentences.append(
+        RunNotes::tr("No drive is given for %1: followed exactly.").arg(QString::fromStdString(axes)));
+  }
   if (const QString events = not_counted_text(run.summary.not_counted); !events.isEmpty()) {
     sentences.append(events + '.');
   }

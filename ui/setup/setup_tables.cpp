@@ -157,7 +157,9 @@ QString SetupTable::explanation(const std::string& key) const {
         tr("Changed; the machine file has %1.").arg(value_text(edit_.state().file_value(key), spec)));
   }
   const QString source = QString::fromStdString(provenance.source).toHtmlEscaped();
-  if (source.isEmpty()) {
+  if (source.isEmpty() && spec.optional) {
+    lines.append(tr("The machine file gives no value."));
+  } else if (source.isEmpty()) {
     lines.append(tr("Source: default of the model; the machine file gives none."));
   } else {
     lines.append(provenance.assumed ? tr("Assumed: %1").arg(source) : tr("Source: %1").arg(source));
@@ -165,12 +167,37 @@ QString SetupTable::explanation(const std::string& key) const {
   return QStringLiteral("<p>%1</p>").arg(lines.join("<br>"));
 }
 
+AxisTable::AxisTable(SetupEdit& edit, const std::vector<SettingSpec>& specs, QObject* parent)
+    : SetupTable(edit, parent), specs_(specs) {}
+
+QModelIndex AxisTable::index_of(const std::string& key) const {
+  for (int row = 0; row < rowCount(); ++row) {
+    for (int column = 0; column < columnCount(); ++column) {
+      if (topic_of(index(row, column)) == key) {
+        return index(row, column);
+      }
+    }
+  }
+  return {};
+}
+
+bool AxisTable::has_values() const {
+  for (const AxisInfo& axis : axes()) {
+    for (const SettingSpec& spec : specs_) {
+      if (edit().state().value(axis_key(axis.name, spec.key)) != SettingValue(std::string())) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
 const AxisList& AxisTable::axes() const {
   return edit().file().machine.axes.axes();
 }
 
 int AxisTable::rowCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : static_cast<int>(axis_limit_specs().size());
+  return parent.isValid() ? 0 : static_cast<int>(specs_.size());
 }
 
 int AxisTable::columnCount(const QModelIndex& parent) const {
@@ -185,11 +212,12 @@ QVariant AxisTable::headerData(int section, Qt::Orientation orientation, int rol
   if (orientation == Qt::Horizontal) {
     return i < axes().size() ? QString(QChar(axes()[i].name)) : QVariant();
   }
-  if (i >= axis_limit_specs().size()) {
+  if (i >= specs_.size()) {
     return {};
   }
-  const SettingSpec& spec = axis_limit_specs()[i];
-  return QStringLiteral("%1 [%2]").arg(core_text(spec.title), key_unit(spec.unit).text);
+  const SettingSpec& spec = specs_[i];
+  return spec.unit.empty() ? core_text(spec.title)
+                           : QStringLiteral("%1 [%2]").arg(core_text(spec.title), key_unit(spec.unit).text);
 }
 
 std::optional<std::string> AxisTable::key_at(const QModelIndex& index) const {
@@ -198,7 +226,7 @@ std::optional<std::string> AxisTable::key_at(const QModelIndex& index) const {
 
 std::string AxisTable::topic_of(const QModelIndex& index) const {
   return axis_key(axes()[static_cast<std::size_t>(index.column())].name,
-                  axis_limit_specs()[static_cast<std::size_t>(index.row())].key);
+                  specs_[static_cast<std::size_t>(index.row())].key);
 }
 
 SettingsTable::SettingsTable(SetupEdit& edit, QObject* parent) : SetupTable(edit, parent) {

@@ -49,15 +49,20 @@ class SetupTable : public QAbstractTableModel {
 /// What differs from the machine file, a line each: "X Jerk: 15 → 20 m/s³".
 QStringList changes_of(const SetupState& state);
 
-/// Limits of the axes: a row a limit, a column an axis.
+/// What axes have: a row a key of `specs`, a column an axis.
 class AxisTable : public SetupTable {
   Q_OBJECT
 
  public:
-  using SetupTable::SetupTable;
+  /// `specs`: of axis_specs(), its limits or its drives; outlives this.
+  AxisTable(SetupEdit& edit, const std::vector<SettingSpec>& specs, QObject* parent = nullptr);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+  /// Cell of a key such as "X.jerk"; invalid if it is not here.
+  QModelIndex index_of(const std::string& key) const;
+  /// Whether any cell has a value.
+  bool has_values() const;
 
  private:
   const AxisList& axes() const;
@@ -65,6 +70,8 @@ class AxisTable : public SetupTable {
   std::string topic_of(const QModelIndex& index) const override;
   QString caption(const QModelIndex&) const override { return {}; }
   void reload() override {}
+
+  const std::vector<SettingSpec>& specs_;
 };
 
 /// Settings that the chosen model reads: title, value, unit, range.

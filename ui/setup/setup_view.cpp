@@ -57,19 +57,24 @@ int full_height(const QTableView* table) {
 SetupView::SetupView(SetupEdit& edit, QWidget* parent)
     : Panel({QStringLiteral("machine"), tr("Machine and control"), Qt::RightDockWidgetArea}, parent),
       edit_(edit),
-      axis_model_(new AxisTable(edit, this)),
+      axis_model_(new AxisTable(edit, axis_limit_specs(), this)),
+      drive_model_(new AxisTable(edit, axis_drive_specs(), this)),
       settings_model_(new SettingsTable(edit, this)),
       machine_(new QLabel(this)),
       run_notes_(new QLabel(this)),
       axes_(make_table(axis_model_, tr("Axis limits"), this)),
+      drives_(make_table(drive_model_, tr("Drives"), this)),
       settings_(make_table(settings_model_, tr("Control settings"), this)),
+      show_drives_(new QToolButton(this)),
       unset_(new QToolButton(this)),
       help_(new QLabel(this)),
       changes_(new QLabel(this)) {
-  axes_->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  axes_->verticalHeader()->setDefaultSectionSize(row_height);
-  axes_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-  axes_->setFixedHeight(full_height(axes_));
+  for (QTableView* table : {axes_, drives_}) {
+    table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    table->verticalHeader()->setDefaultSectionSize(row_height);
+    table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+    table->setFixedHeight(full_height(table));
+  }
   settings_->verticalHeader()->hide();
   // With Fixed, text that its width breaks into more lines than it hints at is cut.
   QSizePolicy as_high_as_its_text(QSizePolicy::Preferred, QSizePolicy::Minimum);
@@ -79,10 +84,16 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
     label->setSizePolicy(as_high_as_its_text);
   }
   run_notes_->hide();
-  unset_->setCheckable(true);
-  unset_->setAutoRaise(true);
-  unset_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a panel may be narrow
-  unset_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  for (QToolButton* fold : {unset_, show_drives_}) {
+    fold->setCheckable(true);
+    fold->setAutoRaise(true);
+    fold->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // a panel may be narrow
+    fold->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  }
+  show_drives_->setToolTip(tr(
+      "How the axes follow their set values: position gain, feed-forward, backlash. Without a gain an axis "
+      "follows exactly"));
+  connect(show_drives_, &QToolButton::toggled, this, &SetupView::hide_drives);
   unset_->setToolTip(
       tr("Settings without a value on this machine: motion and times that need them are neither drawn nor "
          "timed"));
@@ -104,6 +115,8 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->addWidget(run_notes_);
   layout->addWidget(make_heading(tr("Axis limits"), this));
   layout->addWidget(axes_);
+  layout->addWidget(show_drives_);
+  layout->addWidget(drives_);
   layout->addWidget(make_heading(tr("Control settings"), this));
   layout->addWidget(settings_, 1);
   layout->addWidget(unset_);
@@ -111,11 +124,13 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   layout->addWidget(help_);
   layout->addStretch();
 
-  for (QTableView* table : {axes_, settings_}) {
+  for (QTableView* table : {axes_, drives_, settings_}) {
     connect(table->selectionModel(), &QItemSelectionModel::currentChanged, this, &SetupView::explain);
   }
   connect(axis_model_, &SetupTable::refused, this,
           [this](const QModelIndex& index, const QString& message) { refuse(axes_, index, message); });
+  connect(drive_model_, &SetupTable::refused, this,
+          [this](const QModelIndex& index, const QString& message) { refuse(drives_, index, message); });
   connect(settings_model_, &SetupTable::refused, this,
           [this](const QModelIndex& index, const QString& message) { refuse(settings_, index, message); });
   connect(settings_->verticalHeader(), &QHeaderView::sectionResized, this,
@@ -123,6 +138,7 @@ SetupView::SetupView(SetupEdit& edit, QWidget* parent)
   connect(&edit_, &SetupEdit::keys_changed, this, &SetupView::fit_tables);
   connect(&edit_, &SetupEdit::values_changed, this, &SetupView::show_changes);
   connect(&edit_, &SetupEdit::values_changed, this, &SetupView::hide_unset);
+  connect(&edit_, &SetupEdit::values_changed, this, &SetupView::hide_drives);
   connect(axis_model_, &QAbstractItemModel::dataChanged, this, [this] { explain(explained_); });
   fit_tables();
 }
@@ -155,20 +171,20 @@ void SetupView::show_changes() {
 }
 
 void SetupView::show_key(const std::string& key) {
-  const bool axis = key.size() > 2 && key[1] == '.';
-  QTableView* table = axis ? axes_ : settings_;
-  int row = settings_model_->row_of(key);
-  int column = SettingsTable::value;
-  if (axis) {
-    const auto& limits = axis_limit_specs();
-    const auto limit = std::ranges::find(limits, key.substr(2), &SettingSpec::key);
-    row = static_cast<int>(limit - limits.begin());
-    column = key[0] - 'X';
+  QTableView* table = settings_;
+  QModelIndex index = settings_model_->index(settings_model_->row_of(key), SettingsTable::value);
+  for (AxisTable* model : {axis_model_, drive_model_}) {
+    if (const QModelIndex cell = model->index_of(key); cell.isValid()) {
+      table = model == axis_model_ ? axes_ : drives_;
+      index = cell;
+    }
   }
-  const QModelIndex index = table->model()->index(row, column);
   if (index.isValid()) {
     if (table == settings_ && settings_->isRowHidden(index.row())) {
       unset_->setChecked(true);
+    }
+    if (table == drives_) {
+      show_drives_->setChecked(true);
     }
     table->setCurrentIndex(index);
     table->scrollTo(index);
@@ -194,6 +210,7 @@ void SetupView::fit_tables() {
   help_->setStyleSheet({});
   const bool any_settings = settings_model_->rowCount() > 0;
   hide_unset();
+  hide_drives();
   const QString how =
       tr("Select a value to see what it means. Bold: changed. Italic: assumed, without a source.");
   help_->setText(any_settings ? how : tr("This model has no control settings.") + "<br>" + how);
@@ -212,6 +229,16 @@ void SetupView::hide_unset() {
   unset_->setText(tr("Positions, tool change (%n unset)", nullptr, count));
   unset_->setArrowType(unset_->isChecked() ? Qt::DownArrow : Qt::RightArrow);
   settings_->setMaximumHeight(full_height(settings_));
+}
+
+/// As long as no axis has a drive they are there on demand.
+void SetupView::hide_drives() {
+  const bool any = drive_model_->has_values();
+  const bool shown = any || show_drives_->isChecked();
+  drives_->setVisible(shown);
+  show_drives_->setText(any ? tr("Drives") : tr("Drives: none, the axes follow exactly"));
+  show_drives_->setArrowType(shown ? Qt::DownArrow : Qt::RightArrow);
+  drives_->setFixedHeight(full_height(drives_));
 }
 
 void SetupView::explain(const QModelIndex& index) {

@@ -20,7 +20,9 @@ class SetupView : public Panel {
 
   void follow(Workbench& workbench) override;
   QTableView* axes() { return axes_; }
+  QTableView* drives() { return drives_; }
   QTableView* settings() { return settings_; }
+  QToolButton* show_drives() { return show_drives_; }
   QToolButton* unset() { return unset_; }
   /// What the chosen value means, or why an entry was refused.
   QString message() const;
@@ -37,15 +39,19 @@ class SetupView : public Panel {
   void fit_tables();
   void show_changes();
   void hide_unset();
+  void hide_drives();
 
   SetupEdit& edit_;
   AxisTable* axis_model_;
+  AxisTable* drive_model_;
   SettingsTable* settings_model_;
   QLabel* machine_;
   QLabel* run_notes_;
   QTableView* axes_;
+  QTableView* drives_;
   QTableView* settings_;
-  QToolButton* unset_;  ///< shows settings without a value
+  QToolButton* show_drives_;  ///< shows drives although no axis has one
+  QToolButton* unset_;        ///< shows settings without a value
   QLabel* help_;
   QLabel* changes_;
   QPersistentModelIndex explained_;

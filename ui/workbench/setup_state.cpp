@@ -18,8 +18,8 @@ bool is_axis_key(const std::string& key) {
 SetupState SetupState::between(Setup file, const Setup& asked) {
   SetupState state(std::move(file));
   for (const std::string& key : assignable_keys(*asked.model)) {
-    state.set(key, is_axis_key(key) ? SettingValue(axis_limit(asked.machine, key[0], key.substr(2)))
-                                    : asked.settings.value(key));
+    state.set(
+        key, is_axis_key(key) ? axis_value(asked.machine, key[0], key.substr(2)) : asked.settings.value(key));
   }
   return state;
 }
@@ -28,7 +28,7 @@ Setup SetupState::setup() const {
   Setup setup = file_;
   for (const auto& [key, value] : edits_) {
     if (is_axis_key(key)) {
-      set_axis_limit(setup.machine, key[0], key.substr(2), std::get<double>(value));
+      set_axis_value(setup.machine, key[0], key.substr(2), value);
     } else {
       setup.settings.set(key, value);
     }
@@ -57,7 +57,7 @@ void SetupState::set_tolerance(double tolerance) {
 SettingSpec SetupState::spec(const std::string& key) const {
   const bool axis = is_axis_key(key);
   const std::string name = axis ? key.substr(2) : key;
-  const std::vector<SettingSpec> specs = axis ? axis_limit_specs() : settings_of(*file_.model);
+  const std::vector<SettingSpec> specs = axis ? axis_specs() : settings_of(*file_.model);
   const auto found = std::ranges::find(specs, name, &SettingSpec::key);
   if (found == specs.end()) {
     throw InputError("unknown key '" + key + "'");
@@ -74,7 +74,7 @@ SettingValue SetupState::value(const std::string& key) const {
 
 SettingValue SetupState::file_value(const std::string& key) const {
   if (is_axis_key(key)) {
-    return axis_limit(file_.machine, key[0], key.substr(2));
+    return axis_value(file_.machine, key[0], key.substr(2));
   }
   return file_.settings.value(key);
 }

@@ -141,9 +141,9 @@ SettingSpec sweep_spec(const std::string& key) {
   std::vector<SettingSpec> specs = common_settings();
   std::ranges::copy(all_model_settings(), std::back_inserter(specs));
   for (const auto& [axis, kind] : known_axes) {
-    for (SettingSpec limit : axis_limit_specs()) {
-      limit.key = fmt::format("{}.{}", axis, limit.key);
-      specs.push_back(std::move(limit));
+    for (SettingSpec spec : axis_specs()) {
+      spec.key = fmt::format("{}.{}", axis, spec.key);
+      specs.push_back(std::move(spec));
     }
   }
   const auto spec =

@@ -6,7 +6,9 @@
 #include <sstream>
 
 #include "core/base/error.h"
+#include "core/drives/drive_response.h"
 #include "core/export/export.h"
+#include "core/models/control_model.h"
 #include "core/trajectory/trajectory_builder.h"
 #include "tests/support/paths.h"
 
@@ -114,8 +116,8 @@ TEST(Csv, DoesNotDependOnTheLocale) {
 
 TEST(BlendsCsv, HoldsARowEachBlendInUnitsOfItsColumns) {
   // Right angles of lines 1 and 2 from T before to T behind; a circle arc has T = R, eps = R (sqrt(2) - 1).
-  const auto toolpath =
-      std::make_shared<const Toolpath>(testing::polyline({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {8, 4, 0}}, 10));
+  const auto toolpath = std::make_shared<const Toolpath>(
+      feedscope::testing::polyline({{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {8, 4, 0}}, 10));
   TrajectoryBuilder builder(toolpath, Vec3::Constant(500));
   builder.add_segment(0, 3);
   builder.add_corner(ElementKind::connecting_arc, 0, 1, std::acos(-1.0) / 2);
@@ -136,6 +138,44 @@ TEST(BlendsCsv, HoldsARowEachBlendInUnitsOfItsColumns) {
             "entry_feed_mm_min,exit_feed_mm_min\n"
             "1,arc,4,0,0,90,1,0.41421356237,1.5707963268,1,600,600\n"
             "2,cubic,4,4,0,90,1,0.26516504294,1.5,0.43310290348,300,300\n");
+}
+
+/// Constant velocity: each axis is (1 - f) v/Kv behind, once it has settled.
+TEST(Csv, DrivesAddTheirColumnsBehindTheOthers) {
+  const ControlModel& cam = find_model("cam");
+  Machine machine = feedscope::testing::spinner();
+  set_axis_value(machine, 'X', "kv", 50.0);
+  set_axis_value(machine, 'Y', "kv", 40.0);
+  set_axis_value(machine, 'Y', "velocity_feedforward", 0.5);
+  const auto run = std::make_shared<const Trajectory>(cam.simulate(
+      feedscope::testing::polyline({{0, 0, 0}, {60, 80, 0}}, 50), machine, complete_settings(cam, machine)));
+  const DriveResponse response(run, machine);
+  std::ostringstream out;
+  write_csv(out, *run, 1.0, nullptr, &response);
+  std::istringstream lines(out.str());
+  std::string header;
+  std::getline(lines, header);
+  const std::string plain(csv_header);
+  EXPECT_EQ(header, plain.substr(0, plain.size() - 1) +
+                        ",actual_x_mm,actual_y_mm,actual_z_mm,following_error_x_um,following_error_y_um,"
+                        "following_error_z_um,actual_contour_error_um");
+  std::string row;
+  std::getline(lines, row);  // at rest
+  std::getline(lines, row);  // after 1 s, at (30, 40), with 30 and 40 mm/s: 600 and 500 um behind
+  std::vector<double> values;
+  std::istringstream fields(row.substr(row.find("programmed_feed,") + 16));
+  for (std::string field; std::getline(fields, field, ',');) {
+    values.push_back(std::stod(field));
+  }
+  ASSERT_EQ(values.size(), 8U);
+  EXPECT_NEAR(values[1], 30 - 0.6, 1e-9);
+  EXPECT_NEAR(values[2], 40 - 0.5, 1e-9);
+  EXPECT_NEAR(values[3], 0, 1e-12);
+  EXPECT_NEAR(values[4], 600, 1e-6);
+  EXPECT_NEAR(values[5], 500, 1e-6);
+  EXPECT_NEAR(values[6], 0, 1e-9);
+  // Across the direction (0.6, 0.8): |0.6 * 0.8 - 0.5 * 0.6| mm.
+  EXPECT_NEAR(values[7], 180, 1e-6);
 }
 
 }  // namespace

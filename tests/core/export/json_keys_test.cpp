@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/analysis/contour/contour_report.h"
+#include "core/export/circular.h"
 #include "core/export/export.h"
 #include "core/export/merge.h"
 #include "tests/support/folders.h"
@@ -22,7 +23,7 @@ using KeyTable = std::map<std::string, std::set<char>>;
 
 KeyTable read_table() {
   std::ifstream file(FEEDSCOPE_SOURCE_DIR "/core/export/README.md");
-  static const std::regex row(R"(\| `([^`]+)` \| ([sctkm]+) \|.*)");
+  static const std::regex row(R"(\| `([^`]+)` \| ([sctkmr]+) \|.*)");
   KeyTable keys;
   std::smatch found;
   for (std::string line; std::getline(file, line);) {
@@ -41,8 +42,8 @@ const KeyTable& documented() {
 
 /// Objects whose keys are names of axes, settings or causes.
 bool holds_names(const std::string& path) {
-  for (const char* name :
-       {"axes", "settings", "swept", "time_by_cause_s", "ramp_down_by_slower_place_s", "limiting_share"}) {
+  for (const char* name : {"axes", "settings", "swept", "time_by_cause_s", "ramp_down_by_slower_place_s",
+                           "limiting_share", "max_following_error_um"}) {
     if (path == name || path.ends_with("." + std::string(name))) {
       return true;
     }
@@ -65,6 +66,12 @@ void add_keys(const Json& json, const std::string& path, char kind, KeyTable& ke
   }
 }
 
+/// All that a drive may have.
+const std::vector<std::string> drive_of_x{
+    "X.kv=60",           "X.velocity_feedforward=0.5",  "X.velocity_lag=6",
+    "X.backlash=2",      "X.backlash_compensation=0.5", "X.friction_spike=3",
+    "X.friction_time=20"};
+
 /// Programs and runs that have something of everything.
 class Files {
  public:
@@ -79,7 +86,7 @@ class Files {
     called.diagnostics.back().file = "called.spf";
     program.program = std::make_shared<const Program>(std::move(called));
     const auto session = [](const char* model, double tolerance) {
-      return make_setup({"spinner-mvc850", model, tolerance});
+      return make_setup({"spinner-mvc850", model, tolerance, drive_of_x});
     };
     const Run run = simulate_run(program, session("essid", 0.05));
     const Run second = simulate_run(corners, session("ward", 0.05));
@@ -97,13 +104,20 @@ class Files {
       const std::string comparison = comparison_json(*each, compare_runs(*each, setups));
       add('c', comparison);
       const StudyRequest request{
-          {"spinner-mvc850"},   {"gassara"}, {}, {}, {parse_sweep("tolerance=0 0.001 0.1")},
+          {"spinner-mvc850"},   {"gassara"}, {}, drive_of_x, {parse_sweep("tolerance=0 0.001 0.1")},
           OperationSplit::tool, 0.05};
       const std::string study = study_json(*each, run_study(*each, request));
       add('t', study);
       merged_.push_back({"file" + std::to_string(merged_.size()), study});
     }
     add('m', merged_json(merge_comparisons(merged_)));
+    CircularRequest circle;
+    circle.radius = 10;
+    circle.feed = 20;
+    circle.sweep = 6;
+    circle.entry_radius = 3;
+    const Setup setup = session("essid", 0.05);
+    add('r', circular_json(setup, std::vector{run_circular_test(circle, setup)}));
   }
 
   const KeyTable& keys() const { return keys_; }
@@ -119,6 +133,7 @@ class Files {
                               "model",
                               "settings",
                               "limits",
+                              "drives",
                               "tolerance_in_force_mm",
                               "tolerance_set_by",
                               "notes",
@@ -131,6 +146,7 @@ class Files {
                               "max_contour_error_mm",
                               "max_corner_distance_mm",
                               "max_contour_error_at",
+                              "actual",
                               "peaks",
                               "time_by_cause_s",
                               "ramp_down_by_slower_place_s",

@@ -31,11 +31,12 @@ std::string readme_section(const Machine& machine) {
   std::string text = fmt::format("\n## {}\n\n{}, {}. {}.\n\n| Number | Value | Source |\n|---|---|---|\n",
                                  machine.id, machine.name, machine.control, machine.reference);
   for (const char axis : coordinate_names) {
-    for (const SettingSpec& limit : axis_limit_specs()) {
-      std::string unit = limit.unit;
-      std::replace(unit.begin(), unit.end(), '/', '_');
-      text += row(machine, fmt::format("axes.{}.{}_{}", axis, limit.key, unit),
-                  fmt::format("{}.{}", axis, limit.key), axis_limit(machine, axis, limit.key));
+    for (const SettingSpec& spec : axis_specs()) {
+      const SettingValue value = axis_value(machine, axis, spec.key);
+      if (const double* number = std::get_if<double>(&value)) {
+        text += row(machine, fmt::format("axes.{}.{}", axis, file_key(spec)),
+                    fmt::format("{}.{}", axis, spec.key), *number);
+      }
     }
   }
   for (const auto& [key, value] : machine.settings.values()) {

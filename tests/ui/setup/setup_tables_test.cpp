@@ -43,7 +43,7 @@ class SetupTablesTest : public testing::Test {
 
   RunList runs{spinner()};
   SetupEdit edit{runs};
-  AxisTable axes{edit};
+  AxisTable axes{edit, axis_limit_specs()};
   SettingsTable settings{edit};
 };
 

@@ -1,0 +1,120 @@
+#include "core/drives/drive_response.h"
+
+#include <algorithm>
+
+namespace feedscope {
+namespace {
+
+constexpr std::size_t spans_per_start = 32;
+
+}  // namespace
+
+AxisDrives::AxisDrives(const Machine& machine) {
+  for (std::size_t axis = 0; axis < laws.size(); ++axis) {
+    const char name = coordinate_names[axis];
+    if (const AxisDrive* drive = machine.drives.find(name)) {
+      laws[axis] = DriveLaw(*drive, name);
+      slides[axis] = Reversal(*drive);
+    }
+  }
+}
+
+bool has_drives(const Machine& machine) {
+  return std::any_of(machine.drives.begin(), machine.drives.end(),
+                     [](const AxisDrive& drive) { return drive != AxisDrive(); });
+}
+
+DriveResponse::DriveResponse(std::shared_ptr<const Trajectory> trajectory, const Machine& machine,
+                             Progress* progress)
+    : trajectory_(std::move(trajectory)), drives_(std::make_shared<const AxisDrives>(machine)) {
+  std::size_t count = 0;
+  for (ActualWalk walk(*trajectory_, *drives_); !walk.done(); walk.next_span(), ++count) {
+    if (count % spans_per_start != 0) {
+      continue;
+    }
+    starts_.push_back({walk.span().time, walk.motors_, walk.slides_});
+    if (progress != nullptr && starts_.size() % 1024 == 0) {
+      progress->report(walk.span().time / trajectory_->duration());
+    }
+  }
+}
+
+const DriveResponse::Start& DriveResponse::start_before(double time) const {
+  const auto after = std::upper_bound(starts_.begin(), starts_.end(), time,
+                                      [](double t, const Start& start) { return t < start.time; });
+  return after == starts_.begin() ? *after : *(after - 1);
+}
+
+ActualMotion DriveResponse::at(double time) const {
+  return ActualWalk(*this, time).at(time);
+}
+
+ActualWalk::ActualWalk(const DriveResponse& response, double from)
+    : drives_(*response.drives_),
+      set_(*response.trajectory_, response.starts_.empty() ? 0 : response.start_before(from).time) {
+  if (!response.starts_.empty()) {
+    const DriveResponse::Start& start = response.start_before(from);
+    motors_ = start.motors;
+    slides_ = start.slides;
+  }
+  enter_span();
+}
+
+ActualWalk::ActualWalk(const Trajectory& trajectory, const AxisDrives& drives)
+    : drives_(drives), set_(trajectory), slides_(drives.slides) {
+  enter_span();
+}
+
+void ActualWalk::enter_span() {
+  seen_ = 0;
+  if (set_.done()) {
+    return;
+  }
+  for (std::size_t axis = 0; axis < courses_.size(); ++axis) {
+    courses_[axis] = DriveCourse(drives_.laws[axis], set_.span().axes[axis], motors_[axis]);
+  }
+}
+
+void ActualWalk::next_span() {
+  const double duration = set_.span().duration;
+  for (std::size_t axis = 0; axis < courses_.size(); ++axis) {
+    if (!slides_[axis].is_rigid()) {
+      slides_[axis].follow(courses_[axis], drives_.laws[axis], seen_, duration);
+    }
+    motors_[axis] = courses_[axis].at_end();
+  }
+  set_.next();
+  if (set_.done()) {
+    seen_ = duration;  // what comes is asked of the last span
+    return;
+  }
+  if (set_.span().begins) {
+    motors_ = {};
+    slides_ = drives_.slides;
+  }
+  enter_span();
+}
+
+ActualMotion ActualWalk::at(double time) {
+  while (!set_.done() && set_.span().end() <= time) {
+    next_span();
+  }
+  ActualMotion actual;
+  const SetSpan& span = set_.span();
+  const double h = std::clamp(time - span.time, 0.0, span.duration);
+  for (std::size_t axis = 0; axis < courses_.size(); ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    if (!slides_[axis].is_rigid() && h > seen_) {
+      slides_[axis].follow(courses_[axis], drives_.laws[axis], seen_, h);
+    }
+    const MotorMotion motor = courses_[axis].at(h);
+    const double offset = motor.offset + slides_[axis].lead();
+    actual.position[i] = span.start[i] + offset;
+    actual.velocity[i] = motor.velocity;
+    actual.following_error[i] = span.axes[axis].travel(h) - offset;
+  }
+  seen_ = std::max(seen_, h);
+  return actual;
+}
+
+}  // namespace feedscope

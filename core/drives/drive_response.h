@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "core/base/progress.h"
+#include "core/drives/reversal.h"
+#include "core/drives/set_walk.h"
+#include "core/machine/machine.h"
+
+namespace feedscope {
+
+/// What the slides do at one instant.
+struct ActualMotion {
+  Vec3 position;         ///< [mm]
+  Vec3 velocity;         ///< of the motors [mm/s]
+  Vec3 following_error;  ///< set position less actual position [mm]
+};
+
+/// The drives of the axes that move X, Y and Z, in this order.
+struct AxisDrives {
+  std::array<DriveLaw, 3> laws;
+  std::array<Reversal, 3> slides;
+
+  AxisDrives() = default;
+  /// Throws InputError as drive_problem() says.
+  explicit AxisDrives(const Machine& machine);
+};
+
+/// Whether any axis of the machine does not follow its set values exactly.
+bool has_drives(const Machine& machine);
+
+/// Where the axes are where a trajectory asks them to be elsewhere, from standstill on: the answer of the
+/// linear drives in closed form, span by span. Keeps the state of every 32nd span, so that any instant costs
+/// as many steps at most; for many in order use an ActualWalk.
+class DriveResponse {
+ public:
+  /// One pass over the trajectory, which this shares. Throws Cancelled, and InputError as AxisDrives.
+  DriveResponse(std::shared_ptr<const Trajectory> trajectory, const Machine& machine,
+                Progress* progress = nullptr);
+
+  const Trajectory& trajectory() const { return *trajectory_; }
+  /// At `time`, clamped to the trajectory [s].
+  ActualMotion at(double time) const;
+
+ private:
+  friend class ActualWalk;
+  struct Start {
+    double time = 0;
+    std::array<MotorMotion, 3> motors;
+    std::array<Reversal, 3> slides;
+  };
+  const Start& start_before(double time) const;
+
+  std::shared_ptr<const Trajectory> trajectory_;
+  std::shared_ptr<const AxisDrives> drives_;
+  std::vector<Start> starts_;
+};
+
+/// Actual motion at instants that never fall: each takes constant time on average.
+class ActualWalk {
+ public:
+  /// `from`: the first instant [s]. `response` must outlive this.
+  explicit ActualWalk(const DriveResponse& response, double from = 0);
+  /// `time` [s]: not before that of the last call.
+  ActualMotion at(double time);
+
+  bool done() const { return set_.done(); }
+  /// The span that is under way.
+  const SetSpan& span() const { return set_.span(); }
+  /// Goes on to the next span.
+  void next_span();
+
+ private:
+  friend class DriveResponse;
+  ActualWalk(const Trajectory& trajectory, const AxisDrives& drives);
+  void enter_span();
+
+  const AxisDrives& drives_;
+  SetWalk set_;
+  std::array<MotorMotion, 3> motors_;  ///< at the start of the span
+  std::array<Reversal, 3> slides_;     ///< `seen_` after its start
+  std::array<DriveCourse, 3> courses_;
+  double seen_ = 0;  ///< [s]
+};
+
+}  // namespace feedscope

@@ -1,0 +1,93 @@
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "tests/app/command_line.h"
+
+namespace feedscope::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+class CircularCommand : public CommandLine {};
+
+TEST_F(CircularCommand, GivesBothDirectionsOfEveryRadiusAndFeed) {
+  const Result result =
+      run("circular --radius 30 --radius 2,5 --feed 6000 --feed 9000 --machine mikron-ucp710 --json -");
+  ASSERT_EQ(result.code, 0) << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["format"]["name"], "feedscope-circular");
+  ASSERT_EQ(report["circular"].size(), 8U);
+  EXPECT_EQ(report["circular"][0]["direction"], "ccw");
+  EXPECT_EQ(report["circular"][1]["direction"], "cw");
+  EXPECT_EQ(report["circular"][7]["radius_mm"], 2.5);
+  EXPECT_EQ(report["circular"][7]["feed_mm_min"], 9000);
+  EXPECT_EQ(report["circular"][0]["path"], "actual");
+  EXPECT_EQ(report["drives"]["axes"]["X"]["kv_1_s"], 60);
+  EXPECT_NEAR(report["circular"][0]["Fmax_um"].get<double>(), 33.27, 0.2);
+}
+
+TEST_F(CircularCommand, TableSaysWhichPathIsJudgedAndWhatTheLettersMean) {
+  const Result actual = run("circular --radius 30 --feed 6000 --machine mikron-ucp710");
+  EXPECT_EQ(actual.code, 0);
+  EXPECT_THAT(actual.out, HasSubstr("actual path of the axes"));
+  EXPECT_THAT(actual.out, HasSubstr("ISO 230-4"));
+  EXPECT_THAT(actual.out, Not(HasSubstr("-0.00")));
+  const Result set = run("circular --radius 30 --feed 3000 --machine spinner-mvc850");
+  EXPECT_THAT(set.out, HasSubstr("set path; the machine has no drives"));
+}
+
+TEST_F(CircularCommand, WritesTheProgramOfTheTestForTheMachine) {
+  const Result result =
+      run("circular --radius 30 --feed 6000 --program test.mpf --dialect sinumerik --csv results.csv");
+  ASSERT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(contents(folder_ / "test.mpf"), HasSubstr("G3 X30.0000 Y0.0000 I-30.0000 J0.0000 F6000"));
+  EXPECT_THAT(contents(folder_ / "results.csv"),
+              testing::StartsWith("radius_mm,feed_mm_min,plane,direction,"));
+  const Result read = run("check test.mpf");
+  EXPECT_EQ(read.code, 0) << read.err;
+}
+
+TEST_F(CircularCommand, WrongUseNamesValueAndBound) {
+  expect_wrong_use("circular --feed 6000", "--radius");
+  expect_wrong_use("circular --radius 0 --feed 6000",
+                   "--radius = 0 is out of bounds; it must be at least 0.001 mm");
+  expect_wrong_use("circular --radius 30 --feed 0", "--feed = 0 is out of bounds");
+  expect_wrong_use("circular --radius 30 --feed 6000 --plane XZ", "XY, ZX, YZ");
+  expect_wrong_use("circular --radius 30 --feed 6000 --entry-radius 40",
+                   "entry radius = 40 mm is out of bounds");
+  expect_wrong_use("circular --radius 30 --feed 6000 --set X.kv=0", "X.kv = 0 is out of bounds");
+  expect_wrong_use("circular --radius 30 --feed 6000 --dialect fanuc", "--program");
+}
+
+TEST_F(CircularCommand, SimulationOnDrivesReportsFollowingErrors) {
+  const std::string drives = " --set X.kv=50 --set Y.kv=40";
+  const Result result = run("simulate corner.nc" + drives + " --json - --csv motion.csv");
+  ASSERT_EQ(result.code, 0) << result.err;
+  const json report = json::parse(result.out);
+  // 50 mm/s without feed-forward: 50/50 mm in X, 50/40 mm in Y.
+  EXPECT_NEAR(report["actual"]["max_following_error_um"]["X"].get<double>(), 1000, 1);
+  EXPECT_NEAR(report["actual"]["max_following_error_um"]["Y"].get<double>(), 1250, 2);
+  EXPECT_EQ(report["actual"]["max_following_error_um"]["Z"], 0);
+  EXPECT_GT(report["actual"]["max_contour_error_mm"].get<double>(),
+            report["max_contour_error_mm"].get<double>());
+  EXPECT_THAT(contents(folder_ / "motion.csv"), HasSubstr(",actual_contour_error_um\n"));
+  EXPECT_THAT(report["notes"].dump(), HasSubstr("No drive is given for Z: followed exactly."));
+  const Result text = run("simulate corner.nc" + drives);
+  EXPECT_THAT(text.out, HasSubstr("following error of X"));
+  const Result without = run("simulate corner.nc --json -");
+  EXPECT_TRUE(json::parse(without.out)["actual"].is_null());
+}
+
+TEST_F(CircularCommand, PoorDampingIsNotedWithItsOvershoot) {
+  const Result result = run("simulate corner.nc --set X.kv=200 --set X.velocity_lag=20");
+  EXPECT_EQ(result.code, 0);
+  // Damping 1/(2 sqrt(4)) = 0.25.
+  EXPECT_THAT(result.err, HasSubstr("The drive of axis X is poorly damped: it overshoots a step by 44 %"));
+  expect_wrong_use("simulate corner.nc --set X.velocity_lag=6", "give X.kv in 1/s");
+}
+
+}  // namespace
+}  // namespace feedscope::test
