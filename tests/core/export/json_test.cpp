@@ -136,7 +136,7 @@ TEST(SimulationJson, SurvivesBytesThatAreNoUtf8) {
   Sample sample;
   sample.program.source = std::make_shared<const SourceText>("a\xff.nc", "");
   sample.program.diagnostics[0].message = "word '\xfc'";
-  EXPECT_NO_THROW(Json::parse(sample.text()));
+  EXPECT_TRUE(Json::accept(sample.text()));
 }
 
 TEST(Json, GivesAProgramAndARunTheSameKeysInEveryCommand) {
