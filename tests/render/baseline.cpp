@@ -1,5 +1,9 @@
 #include "tests/render/baseline.h"
 
+#include <vtkVersionMacros.h>
+
+#include <QtGlobal>
+
 #include <cstdio>
 #include <fstream>
 
@@ -11,13 +15,35 @@ namespace fs = std::filesystem;
 
 namespace {
 
+struct Bounds {
+  double mean = mean_allowed;
+  double largest = largest_allowed;
+};
+
+/// Baselines are drawn on Debian 12 (VTK 9.1, Qt 6.4). Later versions of VTK end wide lines square, which
+/// changes squares at the ends of corner blends by up to 51; other versions of Qt lay windows out a pixel or
+/// two apart, so that only what is missing altogether shows.
+Bounds bounds_here(PictureOf what) {
+  constexpr bool other_vtk = VTK_MAJOR_VERSION != 9 || VTK_MINOR_VERSION != 1;
+  constexpr bool other_qt = QT_VERSION < QT_VERSION_CHECK(6, 4, 0) || QT_VERSION >= QT_VERSION_CHECK(6, 5, 0);
+  Bounds bounds;
+  if (other_vtk) {
+    bounds.largest = 60;
+  }
+  if (other_qt && what == PictureOf::window) {
+    bounds = {2.5, 70};
+  }
+  return bounds;
+}
+
 void save(const ui::Picture& picture, const fs::path& file) {
   std::ofstream(file, std::ios::binary) << ui::to_png(picture);
 }
 
 }  // namespace
 
-int compare_with_baseline(const ui::Picture& picture, const fs::path& baseline, const fs::path& results) {
+int compare_with_baseline(const ui::Picture& picture, const fs::path& baseline, const fs::path& results,
+                          PictureOf what) {
   fs::create_directories(results);
   const fs::path rendered = results / "rendered.png";
   save(picture, rendered);
@@ -28,9 +54,10 @@ int compare_with_baseline(const ui::Picture& picture, const fs::path& baseline, 
   }
   const ui::Picture expected = ui::read_png(baseline.string());
   const PictureDifference d = difference(picture, expected);
-  std::printf("difference: mean %.3f (at most %.2f), largest %.2f (at most %.0f)\n", d.mean, mean_allowed,
-              d.largest, largest_allowed);
-  if (looks_the_same(d)) {
+  const Bounds bounds = bounds_here(what);
+  std::printf("difference: mean %.3f (at most %.2f), largest %.2f (at most %.0f)\n", d.mean, bounds.mean,
+              d.largest, bounds.largest);
+  if (d.mean <= bounds.mean && d.largest <= bounds.largest) {
     return 0;
   }
   save(d.map, results / "difference.png");

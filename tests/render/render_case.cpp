@@ -151,7 +151,8 @@ std::string contents(const fs::path& file) {
 int compare(const fs::path& folder, const std::string& model, const std::string& name, ui::PictureSize size,
             const fs::path& results) {
   const Run run = simulate_text(contents(folder / "program.nc"), model);
-  return compare_with_baseline(pictures.at(name)(run, size), folder / ("baseline_" + name + ".png"), results);
+  return compare_with_baseline(pictures.at(name)(run, size), folder / ("baseline_" + name + ".png"), results,
+                               name == "window" ? PictureOf::window : PictureOf::drawing);
 }
 
 }  // namespace

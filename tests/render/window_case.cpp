@@ -179,7 +179,8 @@ int main(int argc, char** argv) {
   }
   try {
     const auto theme = std::string(argv[4]) == "dark" ? ui::ThemeKind::dark : ui::ThemeKind::light;
-    return test::compare_with_baseline(test::draw(argv[1], argv[2], argv[3], theme, size), argv[6], argv[7]);
+    return test::compare_with_baseline(test::draw(argv[1], argv[2], argv[3], theme, size), argv[6], argv[7],
+                                       test::PictureOf::window);
   } catch (const std::exception& error) {
     std::printf("%s\n", error.what());
     return 1;
