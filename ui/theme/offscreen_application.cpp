@@ -2,7 +2,9 @@
 
 #include <QApplication>
 #include <QFont>
+#include <QImage>
 #include <QLocale>
+#include <QPainter>
 #include <QThreadPool>
 #include <cstdio>
 #include <latch>
@@ -48,6 +50,17 @@ void start_drawing_threads() {
     pool.start([all] { all->arrive_and_wait(); });
   }
   all->arrive_and_wait();
+  // From Qt 6.7 on the drawing has a pool of its own, which cannot be reached: a picture of many lines is
+  // drawn in parts by its threads, which then stay for half a minute after each use.
+  constexpr int lines_a_part = 64;
+  const QSize many_lines(16, 4 * count * lines_a_part);
+  QImage source(many_lines, QImage::Format_RGBX8888);
+  QImage target(many_lines, QImage::Format_RGB32);
+  if (source.isNull() || target.isNull()) {
+    throw std::bad_alloc();
+  }
+  source.fill(Qt::black);
+  QPainter(&target).drawImage(QRectF(target.rect()), source);
 }
 
 }  // namespace

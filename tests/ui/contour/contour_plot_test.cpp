@@ -34,7 +34,8 @@ class ContourPlotTest : public testing::Test {
 
   ContourCurves curves{{curve_of("essid", 0.05), curve_of("ward", 0.02)}, true, std::array{0.05, 0.05}};
   QFont font;
-  const ThemeColours& colours = theme_colours(QPalette());
+  const QPalette palette;
+  const ThemeColours& colours = theme_colours(palette);
 };
 
 TEST_F(ContourPlotTest, AllRunsShareTheEdgesAndKeepTheirLength) {

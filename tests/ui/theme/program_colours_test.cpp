@@ -31,7 +31,8 @@ class ProgramColoursTest : public testing::TestWithParam<ThemeKind> {
 };
 
 TEST_P(ProgramColoursTest, TextStandsOutFromItsGround) {
-  const ProgramColours& colours = program_colours(palette());
+  const QPalette of_application = palette();
+  const ProgramColours& colours = program_colours(of_application);
   const QColor ground = palette().color(QPalette::Base);
   for (const QColor& colour :
        {colours.comment, colours.label, colours.block_delete, colours.g_code, colours.m_code, colours.axis_x,

@@ -228,7 +228,8 @@ TEST(RunColour, IsThatOfNoCurveInAnyTheme) {
   constexpr double told_apart = 18;  // [CIELAB]
   for (std::size_t run = 0; run < 8; ++run) {
     for (const QColor& window : {QColor(Qt::white), QColor(Qt::black)}) {
-      const ThemeColours& theme = theme_colours(QPalette(window));
+      const QPalette palette(window);
+      const ThemeColours& theme = theme_colours(palette);
       for (const QColor& curve :
            {theme.axes[0], theme.axes[1], theme.axes[2], theme.path, theme.programmed}) {
         EXPECT_GT(distance(run_colour(run), curve), told_apart)
