@@ -9,8 +9,10 @@
 #include <chrono>
 #include <cmath>
 #include <future>
+#include <optional>
 #include <span>
 
+#include "core/analysis/actual_figures.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
@@ -101,7 +103,8 @@ py::list cause_names() {
   return names;
 }
 
-/// Columns of the CSV at instants that never fall, and `cause` as an index into cause_names().
+/// Columns of the CSV at instants that never fall, those of the drives among them where the machine has any,
+/// and `cause` as an index into cause_names().
 py::dict samples(const Run& run, const Doubles& instants) {
   const Trajectory& trajectory = *run.trajectory;
   struct Column {
@@ -116,17 +119,37 @@ py::dict samples(const Run& run, const Doubles& instants) {
       columns.push_back({&quantity, Doubles(static_cast<py::ssize_t>(count))});
     }
   }
+  std::vector<Doubles> actual;
+  if (run.response) {
+    for (std::size_t i = 0; i < actual_columns().size(); ++i) {
+      actual.emplace_back(static_cast<py::ssize_t>(count));
+    }
+  }
   py::array_t<std::uint8_t> causes(static_cast<py::ssize_t>(count));
   std::vector<double*> places;
+  std::vector<double*> actual_places;
+  for (Doubles& values : actual) {
+    actual_places.push_back(values.mutable_data());
+  }
   for (Column& column : columns) {
     places.push_back(column.values.mutable_data());
   }
   std::uint8_t* cause = causes.mutable_data();
   run_interruptible([&](Progress& progress) {
     StateWalk walk(trajectory);
+    std::optional<ActualSampler> sampler;
+    if (run.response) {
+      sampler.emplace(*run.response);
+    }
     ProgressSteps steps(&progress, count);
     for (std::size_t i = 0; i < count; ++i) {
       const State state = walk.at(times[i]);
+      if (sampler) {
+        const ActualSample sample = sampler->at(state);
+        for (std::size_t k = 0; k < actual_places.size(); ++k) {
+          actual_places[k][i] = actual_columns()[k].of(sample);
+        }
+      }
       for (std::size_t k = 0; k < columns.size(); ++k) {
         const QuantityInfo& quantity = *columns[k].quantity;
         places[k][i] = quantity.of(state) * shown_unit(quantity.dimension).factor;
@@ -141,6 +164,9 @@ py::dict samples(const Run& run, const Doubles& instants) {
     table[py::str(std::string(column.quantity->column))] = column.values;
   }
   table["cause"] = causes;
+  for (std::size_t k = 0; k < actual.size(); ++k) {
+    table[py::str(std::string(actual_columns()[k].name))] = actual[k];
+  }
   return table;
 }
 

@@ -1,8 +1,10 @@
 #include "core/analysis/actual_figures.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
+#include "core/base/units.h"
 #include "core/trajectory/state_walk.h"
 
 namespace feedscope {
@@ -12,7 +14,29 @@ constexpr double longest_step = 0.002;  // [s]
 constexpr int looks_per_span = 2;       // at least; the errors are smooth within a span
 constexpr std::size_t spans_per_report = 4096;
 
+constexpr std::array<ActualColumn, 7> columns{{
+    {"actual_x_mm", [](const ActualSample& s) { return s.motion.position.x(); }},
+    {"actual_y_mm", [](const ActualSample& s) { return s.motion.position.y(); }},
+    {"actual_z_mm", [](const ActualSample& s) { return s.motion.position.z(); }},
+    {"following_error_x_um",
+     [](const ActualSample& s) { return units::to_um(s.motion.following_error.x()); }},
+    {"following_error_y_um",
+     [](const ActualSample& s) { return units::to_um(s.motion.following_error.y()); }},
+    {"following_error_z_um",
+     [](const ActualSample& s) { return units::to_um(s.motion.following_error.z()); }},
+    {"actual_contour_error_um", [](const ActualSample& s) { return units::to_um(s.contour_error); }},
+}};
+
 }  // namespace
+
+std::span<const ActualColumn> actual_columns() {
+  return columns;
+}
+
+ActualSample ActualSampler::at(const State& state) {
+  const ActualMotion motion = walk_.at(state.time);
+  return {motion, errors_.at(motion.position, state.element)};
+}
 
 PathDeviation::Foot ActualErrors::foot(const Vec3& position, std::uint32_t element) {
   const PathDeviation::Foot found = deviation_.nearest(position, trajectory_.path().segment(element), last_);

@@ -1,7 +1,8 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <span>
+#include <string_view>
 
 #include "core/analysis/path_deviation.h"
 #include "core/drives/drive_response.h"
@@ -46,5 +47,32 @@ class ActualErrors {
   PathDeviation deviation_;
   std::size_t last_ = 0;  ///< segment of the foot before
 };
+
+/// What the axes do at one instant.
+struct ActualSample {
+  ActualMotion motion;
+  double contour_error = 0;  ///< distance of the actual position from the nearest programmed point [mm]
+};
+
+/// Samples at instants that never fall.
+class ActualSampler {
+ public:
+  /// `from`: the first instant [s]. `response` must outlive this.
+  explicit ActualSampler(const DriveResponse& response, double from = 0)
+      : walk_(response, from), errors_(response.trajectory()) {}
+  /// `state`: of the trajectory.
+  ActualSample at(const State& state);
+
+ private:
+  ActualWalk walk_;
+  ActualErrors errors_;
+};
+
+/// A column of CSV, and of samples in Python, that a machine with drives adds.
+struct ActualColumn {
+  std::string_view name;                        ///< with its unit: "actual_x_mm"
+  double (*of)(const ActualSample&) = nullptr;  ///< in that unit
+};
+std::span<const ActualColumn> actual_columns();
 
 }  // namespace feedscope

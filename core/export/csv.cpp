@@ -96,7 +96,6 @@ class SampleRows {
       : sink_(out), walk_(trajectory, from), causes_(cause_keys()), rows_(rows), progress_(progress) {
     if (response != nullptr) {
       actual_.emplace(*response, from);
-      errors_.emplace(trajectory);
     }
     for (const Column& column : columns_.before_cause) {
       sink_.text(column.name);
@@ -107,10 +106,9 @@ class SampleRows {
       sink_.text(",");
       sink_.text(column.name);
     }
-    if (actual_) {
-      sink_.text(
-          ",actual_x_mm,actual_y_mm,actual_z_mm,following_error_x_um,following_error_y_um,"
-          "following_error_z_um,actual_contour_error_um");
+    for (const ActualColumn& column : actual_ ? actual_columns() : std::span<const ActualColumn>()) {
+      sink_.text(",");
+      sink_.text(column.name);
     }
     sink_.end_row();
   }
@@ -142,10 +140,10 @@ class SampleRows {
       sink_.number(column.of(state) * column.factor);
     }
     if (actual_) {
-      const ActualMotion actual = actual_->at(state.time);
-      sink_.vector(actual.position, 1);
-      sink_.vector(actual.following_error, units::to_um(1));
-      sink_.number(units::to_um(errors_->at(actual.position, state.element)));
+      const ActualSample actual = actual_->at(state);
+      for (const ActualColumn& column : actual_columns()) {
+        sink_.number(column.of(actual));
+      }
     }
     sink_.end_number_row();
   }
@@ -153,8 +151,7 @@ class SampleRows {
   const Columns columns_ = motion_columns();
   TextSink sink_;
   StateWalk walk_;
-  std::optional<ActualWalk> actual_;
-  std::optional<ActualErrors> errors_;
+  std::optional<ActualSampler> actual_;
   std::vector<std::string> causes_;
   std::size_t rows_;
   std::size_t row_ = 0;

@@ -75,6 +75,14 @@ class Simulation(unittest.TestCase):
                 written = np.array([float(row[name]) for row in rows])
                 np.testing.assert_allclose(values, written, rtol=1e-9, atol=1e-6)
 
+    def test_samples_of_drives_are_the_columns_of_the_csv_too(self):
+        settings = {"X.kv": 60, "Y.kv": 50}
+        motion = self.program.simulate(model="essid", settings=settings).samples(0.01)
+        np.testing.assert_allclose(
+            motion["x_mm"] - motion["actual_x_mm"], motion["following_error_x_um"] / 1000, atol=1e-9)
+        self.assertGreater(motion["actual_contour_error_um"].max(), 1)
+        self.assertNotIn("actual_x_mm", self.run_.samples(0.01))
+
     def test_samples_at_given_times(self):
         motion = self.run_.samples(times=[0.0, 0.1, 0.1])
         self.assertEqual(list(motion["time_s"]), [0.0, 0.1, 0.1])

@@ -19,6 +19,7 @@ for axis, colour in zip("XYZ", ("#0072b2", "#d55e00", "#009e73")):
     share = np.abs(motion[f"a{axis.lower()}_m_s2"]) / limits[axis]["acceleration_m_s2"]
     seconds, _ = np.histogram(share[share > 1e-3], edges)
     axes.stairs(seconds * 0.001, edges * 100, label=f"{axis} ({limits[axis]['acceleration_m_s2']:g} m/s²)", color=colour)
+axes.set_yscale("log")  # few seconds near the limit are as telling as many far below it
 axes.set(xlabel="acceleration [% of the axis limit]", ylabel="time [s]", title=f"{run.cycle_time:.2f} s in all")
 axes.legend()
 figure.savefig(sys.argv[2], dpi=150)

@@ -10,6 +10,9 @@ rows = []
 for file in sorted(pathlib.Path(sys.argv[1]).iterdir()):
     try:
         program = feedscope.read(file)
+        if program.facts["segments"] == 0:
+            print(f"{file.name}: no motion, skipped", file=sys.stderr)
+            continue
         for tolerance, run in zip((0.01, 0.05), feedscope.sweep(program, "tolerance", (0.01, 0.05))):
             causes = run.time_by_cause
             rows.append(
