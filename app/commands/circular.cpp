@@ -15,6 +15,10 @@
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/circular.h"
+#ifdef FEEDSCOPE_WITH_UI
+#include "app/picture_size.h"
+#include "ui/window/pictures_of_panels.h"
+#endif
 
 namespace feedscope {
 namespace {
@@ -29,6 +33,7 @@ struct CircularOptions {
   std::string machine, model, tolerance;
   std::vector<std::string> set;
   std::string json, csv, program;
+  std::string out, size;
   std::string dialect = "fanuc";
 };
 
@@ -97,12 +102,19 @@ void write_outputs(const CircularOptions& options, const Setup& setup,
   if (!options.program.empty()) {
     files.add(options.program) << test_program(requests, dialect_of_id(options.dialect));
   }
+#ifdef FEEDSCOPE_WITH_UI
+  if (!options.out.empty()) {
+    const auto size =
+        options.size.empty() ? std::optional<ui::PictureSize>() : parse_picture_size(options.size);
+    files.add(options.out) << ui::circular_file(options.out, setup, tests, size);
+  }
+#endif
   files.commit();
 }
 
 int circular(const CircularOptions& options) {
   const std::vector<CircularRequest> requests = requests_of(options);
-  check_outputs("", {options.json, options.csv, options.program});
+  check_outputs("", {options.json, options.csv, options.program, options.out});
   SetupRequest asked{options.machine, options.model, {}, options.set, Dialect::iso};
   if (!options.tolerance.empty()) {
     asked.tolerance = parse_tolerance(options.tolerance);
@@ -166,6 +178,13 @@ Command add_circular_command(CLI::App& app) {
       ->add_option("--program", options->program,
                    "Write the NC program of the test for the real machine; - for standard output")
       ->type_name("FILE");
+#ifdef FEEDSCOPE_WITH_UI
+  CLI::Option* out = command->add_option("--out", options->out, "Draw the tests as polar plots")
+                         ->type_name("FILE.png|svg|pdf");
+  command->add_option("--size", options->size, "Width and height of the picture [as large as the plots need]")
+      ->type_name("WxH")
+      ->needs(out);
+#endif
   std::vector<std::string_view> dialects;
   for (const DialectInfo& info : all_dialects()) {
     dialects.push_back(info.id);

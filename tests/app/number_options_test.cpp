@@ -119,6 +119,7 @@ class NumberOptions : public CommandLine {
       line = "circular " + option.name + " '" + value + "'";
       line += option.name == "--radius" ? "" : " --radius 5";
       line += option.name == "--feed" ? "" : " --feed 500";
+      line += option.name == "--size" ? " --out a.png" : "";
     }
     if (option.command == "render" || option.command == "report") {
       line += option.command == "render" ? " --out a.png" : " --out a.html";

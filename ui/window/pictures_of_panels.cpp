@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/circular/polar_plot.h"
 #include "ui/language/shown_numbers.h"
 #include "ui/report/charts_page.h"
 #include "ui/report/picture_file.h"
@@ -180,6 +181,35 @@ Picture draw_study(const LoadedProgram& program, const Study& study,
   const PictureSize size = wanted.value_or(PictureSize{chart.sizeHint().width(), chart.sizeHint().height()});
   chart.resize(size.width, size.height);
   return grab(chart, size);
+}
+
+std::string circular_file(const std::string& name, const Setup& setup, const std::vector<CircularTest>& tests,
+                          std::optional<PictureSize> wanted) {
+  const QString file = QString::fromStdString(name).toLower();
+  PictureSpec spec;
+  if (file.endsWith(QStringLiteral(".svg"))) {
+    spec.format = PictureFormat::svg;
+  } else if (file.endsWith(QStringLiteral(".pdf"))) {
+    spec.format = PictureFormat::pdf;
+  } else if (!file.endsWith(QStringLiteral(".png"))) {
+    throw InputError("cannot write '" + name + "' as a picture; its name must end in .png, .svg or .pdf");
+  }
+  const OffscreenApplication application;
+  PolarPlot plot;
+  const QString path = tests.front().actual ? PolarPlot::tr("actual path of the axes")
+                                            : PolarPlot::tr("set path: the machine has no drives");
+  plot.set_tests(PolarPlot::tr("Circular test (ISO 230-4)"),
+                 PolarPlot::tr("%1, model %2, %3")
+                     .arg(QString::fromStdString(setup.machine.name),
+                          QString::fromStdString(setup.model->info().id), path),
+                 tests);
+  plot.ensurePolished();
+  const PictureSize size = wanted.value_or(PictureSize{plot.sizeHint().width(), plot.sizeHint().height()});
+  check_size(size, plot.minimumSizeHint());
+  spec.size = QSizeF(size.width, size.height);
+  spec.title = PolarPlot::tr("Circular test (ISO 230-4)");
+  return make_picture(
+      spec, [&plot, &spec](QPainter& painter) { plot.draw(painter, QRectF(QPointF(), spec.size)); });
 }
 
 }  // namespace feedscope::ui

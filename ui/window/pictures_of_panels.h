@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/circularity/circular_test.h"
 #include "core/analysis/compare.h"
 #include "core/analysis/study/study.h"
 #include "ui/scene/picture.h"
@@ -45,5 +46,11 @@ Picture draw_comparison(const LoadedProgram& program, std::span<const ComparedRu
 /// A study with a sweep as curves (StudyChart); 960 x 640 pixels unless a size is `wanted`.
 Picture draw_study(const LoadedProgram& program, const Study& study,
                    const std::vector<std::string>& assignments, std::optional<PictureSize> wanted);
+
+/// Circular tests of one setup as polar plots, in the format that the end of the file's name says: .png, .svg
+/// or .pdf; the bytes of the file. As large as the plots need unless a size is `wanted`. Throws InputError
+/// for another ending too.
+std::string circular_file(const std::string& name, const Setup& setup, const std::vector<CircularTest>& tests,
+                          std::optional<PictureSize> wanted);
 
 }  // namespace feedscope::ui

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "core/analysis/circularity/circular_test.h"
+
+class QPainter;
+
+namespace feedscope::ui {
+
+/// Circular tests as polar plots: the nominal circle, and the path of both directions with its radial
+/// deviations enlarged to one scale for all plots, which is written as the distance of two circles of the
+/// grid. Below each its values.
+class PolarPlot : public QWidget {
+  Q_OBJECT
+
+ public:
+  explicit PolarPlot(QWidget* parent = nullptr);
+
+  /// `title`: what was tested, `details`: on which path and machine.
+  void set_tests(const QString& title, const QString& details, std::vector<CircularTest> tests);
+  const std::vector<CircularTest>& tests() const { return tests_; }
+  /// Distance of two circles of the grid [mm].
+  double division() const { return division_; }
+  void draw(QPainter& painter, const QRectF& area) const;
+  QSize minimumSizeHint() const override;
+  QSize sizeHint() const override;
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  struct Frame;
+
+  void draw_test(QPainter& painter, const QRectF& cell, const CircularTest& test) const;
+  void draw_grid(QPainter& painter, const Frame& frame, const CircularTest& test) const;
+  void draw_pass(QPainter& painter, const Frame& frame, const CircularTest& test,
+                 const CirclePass& pass) const;
+  void draw_start(QPainter& painter, const Frame& frame, const CircularTest& test) const;
+  void draw_legend(QPainter& painter, const QRectF& area) const;
+  int columns() const;
+
+  QString title_;
+  QString details_;
+  std::vector<CircularTest> tests_;
+  double division_ = 0.01;  ///< [mm]
+};
+
+/// Values of a test, a line each: "G 31.6 µm (least squares 32.5 µm)".
+QStringList circular_values(const CircularTest& test);
+
+}  // namespace feedscope::ui
