@@ -297,6 +297,25 @@
     </message>
 </context>
 <context>
+    <name>PolarPlot</name>
+    <message>
+        <source>actual path of the axes</source>
+        <translation>trajectoire réelle des axes</translation>
+    </message>
+    <message>
+        <source>set path: the machine has no drives</source>
+        <translation>trajectoire de consigne : la machine n&apos;a pas d&apos;entraînements</translation>
+    </message>
+    <message>
+        <source>Circular test (ISO 230-4)</source>
+        <translation>Essai circulaire (ISO 230-4)</translation>
+    </message>
+    <message>
+        <source>%1, model %2, %3</source>
+        <translation>%1, modèle %2, %3</translation>
+    </message>
+</context>
+<context>
     <name>RowCopy</name>
     <message>
         <source>&amp;Copy the table</source>
@@ -2779,6 +2798,37 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Go to the end of the run</source>
         <translation>Aller à la fin de la simulation</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::PolarPlot</name>
+    <message>
+        <source>%1: G %2 (least squares %3), F_max %4, F_min %5</source>
+        <translation>%1 : G %2 (moindres carrés %3), F_max %4, F_min %5</translation>
+    </message>
+    <message>
+        <source>counter-clockwise</source>
+        <translation>sens trigonométrique</translation>
+    </message>
+    <message>
+        <source>clockwise</source>
+        <translation>sens horaire</translation>
+    </message>
+    <message>
+        <source>both directions: G(b) %1, D %2</source>
+        <translation>les deux sens : G(b) %1, D %2</translation>
+    </message>
+    <message>
+        <source>A circle in both directions: choose radius and feed, then press Test.</source>
+        <translation>Un cercle dans les deux sens : choisissez rayon et avance, puis cliquez sur Essai.</translation>
+    </message>
+    <message>
+        <source>%1 a division</source>
+        <translation>%1 par division</translation>
+    </message>
+    <message>
+        <source>R %1, %2, %3</source>
+        <translation>R %1, %2, %3</translation>
     </message>
 </context>
 <context>

@@ -50,6 +50,22 @@ TEST_F(CircularCommand, WritesTheProgramOfTheTestForTheMachine) {
   EXPECT_EQ(read.code, 0) << read.err;
 }
 
+#ifdef FEEDSCOPE_WITH_UI
+TEST_F(CircularCommand, DrawsPolarPlotsInTheFormatOfTheName) {
+  const std::string tests = "circular --radius 30 --feed 6000 --feed 9000 --machine mikron-ucp710";
+  for (const auto& [name, begins] : {std::pair("a.png", "\x89PNG"), {"a.svg", "<?xml"}, {"a.pdf", "%PDF"}}) {
+    const Result result = run(tests + " --out " + name, no_display);
+    ASSERT_EQ(result.code, 0) << result.err;
+    const std::string first = contents(folder_ / name);
+    EXPECT_TRUE(first.starts_with(begins)) << name;
+    run(tests + " --out " + name, no_display);
+    EXPECT_TRUE(contents(folder_ / name) == first) << name << " differs from time to time";
+  }
+  expect_wrong_use(tests + " --out a.gif", "its name must end in .png, .svg or .pdf");
+  expect_wrong_use(tests + " --out a.png --size 100x100", "too small");
+}
+#endif
+
 TEST_F(CircularCommand, WrongUseNamesValueAndBound) {
   expect_wrong_use("circular --feed 6000", "--radius");
   expect_wrong_use("circular --radius 0 --feed 6000",
