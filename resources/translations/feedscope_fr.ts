@@ -1716,6 +1716,121 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::CircularView</name>
+    <message>
+        <source>Circular test</source>
+        <translation>Essai circulaire</translation>
+    </message>
+    <message>
+        <source>&amp;Entry arc</source>
+        <translation>Arc d&apos;&amp;entrée</translation>
+    </message>
+    <message>
+        <source>Te&amp;st</source>
+        <translation>&amp;Essai</translation>
+    </message>
+    <message>
+        <source>Radius of the circle</source>
+        <translation>Rayon du cercle</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>Avance programmée</translation>
+    </message>
+    <message>
+        <source>A quarter circle leads in and one out, as in a bore; without it the circle runs from rest to rest</source>
+        <translation>Un quart de cercle à l&apos;entrée et un à la sortie, comme dans un alésage ; sans lui, le cercle va d&apos;arrêt à arrêt</translation>
+    </message>
+    <message>
+        <source>Radius of the quarter circles</source>
+        <translation>Rayon des quarts de cercle</translation>
+    </message>
+    <message>
+        <source>Plane of the circle</source>
+        <translation>Plan du cercle</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Plan</translation>
+    </message>
+    <message>
+        <source>Simulate the circle in both directions on this machine and control</source>
+        <translation>Simuler le cercle dans les deux sens sur cette machine et cette commande</translation>
+    </message>
+    <message>
+        <source>&amp;Circular test (ISO 230-4) …</source>
+        <translation>Essai &amp;circulaire (ISO 230-4) …</translation>
+    </message>
+    <message>
+        <source>Circularity and radial errors of a circle on this machine and control</source>
+        <translation>Circularité et écarts radiaux d&apos;un cercle sur cette machine et cette commande</translation>
+    </message>
+    <message>
+        <source>Copy the values of the circular test</source>
+        <translation>Copier les valeurs de l&apos;essai circulaire</translation>
+    </message>
+    <message>
+        <source>Copy circularity and radial errors to the clipboard</source>
+        <translation>Copier la circularité et les écarts radiaux dans le presse-papiers</translation>
+    </message>
+    <message>
+        <source>There is no circular test yet: press Test first.</source>
+        <translation>Il n&apos;y a pas encore d&apos;essai circulaire : cliquez d&apos;abord sur Essai.</translation>
+    </message>
+    <message>
+        <source>Save the picture of the circular test …</source>
+        <translation>Enregistrer l&apos;image de l&apos;essai circulaire …</translation>
+    </message>
+    <message>
+        <source>The polar plot as PNG or SVG</source>
+        <translation>Le diagramme polaire en PNG ou SVG</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>A&amp;nnuler</translation>
+    </message>
+    <message>
+        <source>Simulating …</source>
+        <translation>Simulation …</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Annulé.</translation>
+    </message>
+    <message>
+        <source>Circular test (ISO 230-4)</source>
+        <translation>Essai circulaire (ISO 230-4)</translation>
+    </message>
+    <message>
+        <source>%1, model %2</source>
+        <translation>%1, modèle %2</translation>
+    </message>
+    <message>
+        <source>Actual path of the axes.</source>
+        <translation>Trajectoire réelle des axes.</translation>
+    </message>
+    <message>
+        <source>Set path: this machine has no drives. Give them in Machine and control, Drives.</source>
+        <translation>Trajectoire de consigne : cette machine n&apos;a pas d&apos;entraînements. Donnez-les dans Machine et commande, Entraînements.</translation>
+    </message>
+    <message>
+        <source>Save the picture of the circular test</source>
+        <translation>Enregistrer l&apos;image de l&apos;essai circulaire</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.svg)</source>
+        <translation>Images (*.png *.svg)</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::CommandPalette</name>
     <message>
         <source>Find a command</source>

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/analysis/run.h"
+#include "core/drives/drive_response.h"
 #include "tests/benchmark/heap_meter.h"
 #include "tests/benchmark/programs.h"
 #include "tests/support/folders.h"
@@ -60,6 +61,27 @@ void simulate(State& state, const Kind& kind, const ControlModel& model) {
   set_counters(state, blocks, meter);
 }
 
+/// Trajectory to the answer of the drives, by pieces of the trajectory.
+void respond(State& state, const Kind& kind, const ControlModel& model) {
+  Machine machine =
+      MachineLibrary(FEEDSCOPE_SOURCE_DIR "/machines", all_model_settings()).load("spinner-mvc850");
+  for (const AxisInfo& axis : known_axes) {
+    set_axis_value(machine, axis.name, "kv", 60.0);
+    set_axis_value(machine, axis.name, "velocity_feedforward", 0.9);
+    set_axis_value(machine, axis.name, "velocity_lag", 6.0);
+  }
+  const LoadedProgram program = load_program(std::make_shared<const SourceText>(
+      "benchmark.nc", kind.text(static_cast<std::size_t>(state.range(0)))));
+  const auto trajectory = std::make_shared<const Trajectory>(
+      model.simulate(program.toolpath, machine, complete_settings(model, machine)));
+  const HeapMeter meter;
+  for (auto _ : state) {
+    const DriveResponse response(trajectory, machine);
+    ::benchmark::DoNotOptimize(&response);
+  }
+  set_counters(state, trajectory->pieces().size(), meter);
+}
+
 void register_all() {
   const auto sizes = [](::benchmark::internal::Benchmark* b) {
     b->RangeMultiplier(10)->Range(1'000, 1'000'000)->Unit(::benchmark::kMillisecond);
@@ -70,6 +92,9 @@ void register_all() {
       const std::string name = fmt::format("simulate/{}/{}", model->info().id, kind.name);
       sizes(::benchmark::RegisterBenchmark(name.c_str(),
                                            [&kind, model](State& state) { simulate(state, kind, *model); }));
+      const std::string drives = fmt::format("drives/{}/{}", model->info().id, kind.name);
+      sizes(::benchmark::RegisterBenchmark(drives.c_str(),
+                                           [&kind, model](State& state) { respond(state, kind, *model); }));
     }
   }
 }

@@ -96,6 +96,10 @@ int PolarPlot::columns() const {
 }
 
 QSize PolarPlot::minimumSizeHint() const {
+  return {320, 200};
+}
+
+QSize PolarPlot::least_picture() const {
   const int rows = (static_cast<int>(tests_.size()) + columns() - 1) / columns();
   return {360 * columns(), 120 + 380 * std::max(rows, 1)};
 }
@@ -172,12 +176,23 @@ void PolarPlot::draw_test(QPainter& painter, const QRectF& cell, const CircularT
                               .arg(significant_text(test.request.radius, Dimension::length, 6),
                                    amount_text(test.request.feed, Dimension::feed, 0),
                                    QString::fromLatin1(info_of(test.request.plane).name.data()));
+  double widest = 0;
+  for (const QString& value : values) {
+    widest = std::max(widest, metrics.horizontalAdvance(value));
+  }
+  const double rows = line * static_cast<double>(values.size());
+  // The values under the plot, or beside it where there is more room.
+  const bool beside = cell.width() - cell.height() > widest;
+  const QRectF plot = beside ? QRectF(cell.left(), cell.top(), cell.height(), cell.height())
+                             : cell.adjusted(0, line + 4, 0, -rows - 4);
+  const QRectF texts =
+      beside ? QRectF(plot.right() + gap, cell.top(), cell.right() - plot.right() - gap, cell.height())
+             : QRectF(cell.left(), cell.bottom() - rows, cell.width(), rows);
+  const Qt::Alignment side = beside ? Qt::AlignLeft : Qt::AlignHCenter;
   painter.setPen(theme_colours(palette()).text);
   painter.setFont(sized(font(), text_size, true));
-  painter.drawText(QRectF(cell.left(), cell.top(), cell.width(), line), Qt::AlignHCenter, heading);
+  painter.drawText(beside ? texts : cell, static_cast<int>(side | Qt::AlignTop), heading);
   painter.setFont(font());
-  const double below = line * static_cast<double>(values.size());
-  const QRectF plot(cell.left(), cell.top() + line + 4, cell.width(), cell.height() - line - 8 - below);
   const double outer = std::min(plot.width(), plot.height()) / 2 - line;
   Frame frame;
   frame.center = plot.center();
@@ -189,10 +204,10 @@ void PolarPlot::draw_test(QPainter& painter, const QRectF& cell, const CircularT
   }
   draw_start(painter, frame, test);
   painter.setPen(theme_colours(palette()).text);
+  const double first = beside ? texts.top() + line + 4 : texts.top();
   for (qsizetype i = 0; i < values.size(); ++i) {
-    painter.drawText(
-        QRectF(cell.left(), cell.bottom() - below + static_cast<double>(i) * line, cell.width(), line),
-        Qt::AlignHCenter, metrics.elidedText(values[i], Qt::ElideRight, cell.width()));
+    painter.drawText(QRectF(texts.left(), first + static_cast<double>(i) * line, texts.width(), line),
+                     static_cast<int>(side), metrics.elidedText(values[i], Qt::ElideRight, texts.width()));
   }
 }
 

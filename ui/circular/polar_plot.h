@@ -25,6 +25,8 @@ class PolarPlot : public QWidget {
   double division() const { return division_; }
   void draw(QPainter& painter, const QRectF& area) const;
   QSize minimumSizeHint() const override;
+  /// That a picture needs to be read.
+  QSize least_picture() const;
   QSize sizeHint() const override;
 
  protected:

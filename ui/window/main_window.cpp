@@ -14,6 +14,7 @@
 #include "ui/annotations/annotation_overlay.h"
 #include "ui/annotations/annotations_view.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/circular/circular_view.h"
 #include "ui/contour/contour_view.h"
 #include "ui/language/language.h"
 #include "ui/lessons/lesson_view.h"
@@ -65,8 +66,9 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
       diagnostics_(new DiagnosticsView(this)),
       study_(new StudyView(workbench, this)),
       contour_(new ContourView(workbench, this)),
+      circular_(new CircularView(workbench, this)),
       panels_{program_, setup_,       why_,         annotations_, lessons_, charts_,
-              runs_,    slow_places_, diagnostics_, study_,       contour_},
+              runs_,    slow_places_, diagnostics_, study_,       contour_, circular_},
       session_(new WindowSession(*this, workbench)) {
   setWindowTitle(tr("Feedscope"));
   resize(default_size);
@@ -172,6 +174,7 @@ void MainWindow::make_menus() {
   }
   runs->addActions(study_->panel_actions());
   runs->addActions(contour_->panel_actions());
+  runs->addActions(circular_->panel_actions());
   runs->addSeparator();
   runs->addAction(make_action(this, tr("&Cancel simulation"),
                               tr("Stop reading, simulating or comparing runs"), Qt::Key_Escape,

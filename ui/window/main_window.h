@@ -15,6 +15,7 @@ namespace feedscope::ui {
 
 class AnnotationsView;
 class ChartsPanel;
+class CircularView;
 class ContourView;
 class DiagnosticsView;
 class DockSizes;
@@ -111,7 +112,8 @@ class MainWindow : public QMainWindow {
   DiagnosticsView* diagnostics_;
   StudyView* study_;
   ContourView* contour_;
-  std::array<Panel*, 11> panels_;  ///< in the order of their tabs
+  CircularView* circular_;
+  std::array<Panel*, 12> panels_;  ///< in the order of their tabs
   WindowSession* session_;
   FileMenu* file_menu_ = nullptr;
   DockSizes* dock_sizes_ = nullptr;

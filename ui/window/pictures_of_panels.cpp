@@ -205,7 +205,7 @@ std::string circular_file(const std::string& name, const Setup& setup, const std
                  tests);
   plot.ensurePolished();
   const PictureSize size = wanted.value_or(PictureSize{plot.sizeHint().width(), plot.sizeHint().height()});
-  check_size(size, plot.minimumSizeHint());
+  check_size(size, plot.least_picture());
   spec.size = QSizeF(size.width, size.height);
   spec.title = PolarPlot::tr("Circular test (ISO 230-4)");
   return make_picture(
