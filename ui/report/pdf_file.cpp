@@ -113,7 +113,8 @@ void set_properties(QPDF& pdf, const PdfProperties& properties) {
   view.replaceKey("/DisplayDocTitle", QPDFObjectHandle::newBool(true));
   pdf.getRoot().replaceKey("/ViewerPreferences", view);
   pdf.getRoot().removeKey("/Metadata");
-  pdf.getTrailer().removeKey("/ID");  // of Qt 6.8, another one each time; the writer makes one of the contents
+  pdf.getTrailer().removeKey(
+      "/ID");  // of Qt 6.8, another one each time; the writer makes one of the contents
 }
 
 }  // namespace
