@@ -50,8 +50,9 @@ void start_drawing_threads() {
     pool.start([all] { all->arrive_and_wait(); });
   }
   all->arrive_and_wait();
-  // From Qt 6.7 on the drawing has a pool of its own, which cannot be reached: a picture of many lines is
-  // drawn in parts by its threads, which then stay for half a minute after each use.
+#if QT_VERSION >= QT_VERSION_CHECK(6, 5, 0)
+  // Later versions of Qt than 6.4: the drawing has a pool of its own, which cannot be reached: a picture of
+  // many lines is drawn in parts by its threads, which then stay for half a minute after each use.
   constexpr int lines_a_part = 64;
   const QSize many_lines(16, 4 * count * lines_a_part);
   QImage source(many_lines, QImage::Format_RGBX8888);
@@ -61,6 +62,7 @@ void start_drawing_threads() {
   }
   source.fill(Qt::black);
   QPainter(&target).drawImage(QRectF(target.rect()), source);
+#endif
 }
 
 }  // namespace
