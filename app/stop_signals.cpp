@@ -108,7 +108,7 @@ void handle(int signal, void (*handler)(int)) {
   sigaction(signal, nullptr, &action);
   if (action.sa_handler == SIG_DFL) {
     action.sa_handler = handler;
-    action.sa_flags = SA_RESTART;
+    action.sa_flags = SA_RESTART | SA_ONSTACK;
     sigaction(signal, &action, nullptr);
   }
 }
@@ -116,6 +116,19 @@ void handle(int signal, void (*handler)(int)) {
 void install_handlers() {
   for (const int signal : ending_signals) {
     handle(signal, on_signal);
+  }
+}
+
+/// A stack for the handlers of this thread: a library that calls itself again and again where it has no
+/// memory uses up the usual one.
+void give_handlers_a_stack() {
+  static std::array<char, 64 << 10> room;
+  stack_t present{};
+  if (sigaltstack(nullptr, &present) == 0 && (present.ss_flags & SS_DISABLE) != 0) {
+    stack_t own{};
+    own.ss_sp = room.data();
+    own.ss_size = room.size();
+    sigaltstack(&own, nullptr);
   }
 }
 
@@ -173,6 +186,7 @@ void report_file_limits() {
 
 void report_memory_limits(const char* message) {
   memory_message = message;
+  give_handlers_a_stack();
   usual_end = std::set_terminate(on_terminate);
   for (const int signal : crash_signals) {
     handle(signal, on_crash);
