@@ -70,6 +70,9 @@ ActualFigures actual_figures(const DriveResponse& response, Progress* progress) 
         continue;
       }
       const PathDeviation::Foot foot = errors.foot(actual.position, state.element);
+      if (trajectory.path().programmed()->segments[foot.segment].rapid) {
+        continue;  // the axes are still behind, on the rapid before the cut
+      }
       const double error = std::sqrt(foot.squared);
       sum += error * span.duration / looks;
       cutting += span.duration / looks;

@@ -14,7 +14,7 @@ struct SetSpan {
   double duration = 0;  ///< [s]
   std::array<SetCourse, 3> axes;
   Vec3 start = Vec3::Zero();  ///< [mm]
-  /// The motion begins anew here, at rest: at the start of the program, and behind a move whose way is not
+  /// The motion starts again here, at rest: at the start of the program, and behind a move whose way is not
   /// known.
   bool begins = false;
 
