@@ -27,6 +27,14 @@ constexpr std::array<ActualColumn, 7> columns{{
     {"actual_contour_error_um", [](const ActualSample& s) { return units::to_um(s.contour_error); }},
 }};
 
+/// Where the set position rests the axes only come to rest, and what they are behind gets less.
+bool stands(const SetSpan& span) {
+  return std::ranges::all_of(span.axes, [](const SetCourse& course) {
+    return std::all_of(course.derivative.begin() + 1, course.derivative.end(),
+                       [](double d) { return d == 0; });
+  });
+}
+
 }  // namespace
 
 std::span<const ActualColumn> actual_columns() {
@@ -58,8 +66,9 @@ ActualFigures actual_figures(const DriveResponse& response, Progress* progress) 
   std::size_t spans = 0;
   for (ActualWalk walk(response); !walk.done(); walk.next_span()) {
     const SetSpan& span = walk.span();
-    const int looks =
-        std::max(looks_per_span, static_cast<int>(std::min(1e6, std::ceil(span.duration / longest_step))));
+    constexpr double most_looks = 1e6;
+    const double wanted = stands(span) ? 0 : std::min(most_looks, std::ceil(span.duration / longest_step));
+    const int looks = std::max(looks_per_span, static_cast<int>(wanted));
     for (int i = 0; i < looks; ++i) {
       const double time = span.time + span.duration * (i + 0.5) / looks;
       const ActualMotion actual = walk.at(time);
