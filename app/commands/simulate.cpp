@@ -68,7 +68,7 @@ class Results {
   /// `program`: as it was read, which the machine of `run` may have filled in.
   void write(const LoadedProgram& program, const Run& run, double step, Watch& watch) {
     if (csv_) {
-      write_csv(*csv_, *run.trajectory, step, watch.stage("writing"), run.response.get());
+      write_csv(*csv_, *run.trajectory, step, watch.stage("writing"), run.actual.get());
     }
     std::optional<ContourReport> contour;
     if (contour_) {

@@ -13,12 +13,12 @@
 #include <span>
 
 #include "core/analysis/actual_figures.h"
+#include "core/analysis/quantity.h"
 #include "core/base/error.h"
 #include "core/base/parallel.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
 #include "core/trajectory/part_walk.h"
-#include "core/trajectory/quantity.h"
 #include "core/trajectory/state_walk.h"
 
 namespace py = pybind11;
@@ -115,22 +115,13 @@ py::dict samples(const Run& run, const Doubles& instants) {
   const std::span<const double> times(instants.data(), static_cast<std::size_t>(instants.size()));
   const std::size_t count = trajectory.pieces().empty() ? 0 : times.size();
   for (const QuantityInfo& quantity : all_quantities()) {
-    if (!quantity.column.empty()) {
+    const bool has = quantity.source == QuantitySource::motion || run.actual;
+    if (!quantity.column.empty() && has) {
       columns.push_back({&quantity, Doubles(static_cast<py::ssize_t>(count))});
-    }
-  }
-  std::vector<Doubles> actual;
-  if (run.response) {
-    for (std::size_t i = 0; i < actual_columns().size(); ++i) {
-      actual.emplace_back(static_cast<py::ssize_t>(count));
     }
   }
   py::array_t<std::uint8_t> causes(static_cast<py::ssize_t>(count));
   std::vector<double*> places;
-  std::vector<double*> actual_places;
-  for (Doubles& values : actual) {
-    actual_places.push_back(values.mutable_data());
-  }
   for (Column& column : columns) {
     places.push_back(column.values.mutable_data());
   }
@@ -138,21 +129,17 @@ py::dict samples(const Run& run, const Doubles& instants) {
   run_interruptible([&](Progress& progress) {
     StateWalk walk(trajectory);
     std::optional<ActualSampler> sampler;
-    if (run.response) {
-      sampler.emplace(*run.response);
+    if (run.actual) {
+      sampler.emplace(*run.actual);
     }
     ProgressSteps steps(&progress, count);
     for (std::size_t i = 0; i < count; ++i) {
       const State state = walk.at(times[i]);
-      if (sampler) {
-        const ActualSample sample = sampler->at(state);
-        for (std::size_t k = 0; k < actual_places.size(); ++k) {
-          actual_places[k][i] = actual_columns()[k].of(sample);
-        }
-      }
+      const std::optional<ActualSample> sample = sampler ? std::optional(sampler->at(state)) : std::nullopt;
+      const Instant instant(state, sample ? &*sample : nullptr);
       for (std::size_t k = 0; k < columns.size(); ++k) {
         const QuantityInfo& quantity = *columns[k].quantity;
-        places[k][i] = quantity.of(state) * shown_unit(quantity.dimension).factor;
+        places[k][i] = quantity.of(instant) * shown_unit(quantity.dimension).factor;
       }
       cause[i] = static_cast<std::uint8_t>(cause_index(state.cause));
       steps.at(i);
@@ -164,9 +151,6 @@ py::dict samples(const Run& run, const Doubles& instants) {
     table[py::str(std::string(column.quantity->column))] = column.values;
   }
   table["cause"] = causes;
-  for (std::size_t k = 0; k < actual.size(); ++k) {
-    table[py::str(std::string(actual_columns()[k].name))] = actual[k];
-  }
   return table;
 }
 

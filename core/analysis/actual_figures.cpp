@@ -1,10 +1,8 @@
 #include "core/analysis/actual_figures.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
-#include "core/base/units.h"
 #include "core/trajectory/state_walk.h"
 
 namespace feedscope {
@@ -13,19 +11,6 @@ namespace {
 constexpr double longest_step = 0.002;  // [s]
 constexpr int looks_per_span = 2;       // at least; the errors are smooth within a span
 constexpr std::size_t spans_per_report = 4096;
-
-constexpr std::array<ActualColumn, 7> columns{{
-    {"actual_x_mm", [](const ActualSample& s) { return s.motion.position.x(); }},
-    {"actual_y_mm", [](const ActualSample& s) { return s.motion.position.y(); }},
-    {"actual_z_mm", [](const ActualSample& s) { return s.motion.position.z(); }},
-    {"following_error_x_um",
-     [](const ActualSample& s) { return units::to_um(s.motion.following_error.x()); }},
-    {"following_error_y_um",
-     [](const ActualSample& s) { return units::to_um(s.motion.following_error.y()); }},
-    {"following_error_z_um",
-     [](const ActualSample& s) { return units::to_um(s.motion.following_error.z()); }},
-    {"actual_contour_error_um", [](const ActualSample& s) { return units::to_um(s.contour_error); }},
-}};
 
 /// Where the set position rests the axes only come to rest, and what they are behind gets less.
 bool stands(const SetSpan& span) {
@@ -37,34 +22,15 @@ bool stands(const SetSpan& span) {
 
 }  // namespace
 
-std::span<const ActualColumn> actual_columns() {
-  return columns;
-}
-
-ActualSample ActualSampler::at(const State& state) {
-  const ActualMotion motion = walk_.at(state.time);
-  return {motion, errors_.at(motion.position, state.element)};
-}
-
-PathDeviation::Foot ActualErrors::foot(const Vec3& position, std::uint32_t element) {
-  const PathDeviation::Foot found = deviation_.nearest(position, trajectory_.path().segment(element), last_);
-  last_ = found.segment;
-  return found;
-}
-
-double ActualErrors::at(const Vec3& position, std::uint32_t element) {
-  return std::sqrt(foot(position, element).squared);
-}
-
-ActualFigures actual_figures(const DriveResponse& response, Progress* progress) {
-  const Trajectory& trajectory = response.trajectory();
+ActualFigures actual_figures(const ActualPath& path, Progress* progress) {
+  const Trajectory& trajectory = path.trajectory();
   ActualFigures figures;
-  ActualErrors errors(trajectory);
+  ActualErrors errors(path);
   StateWalk set(trajectory);
   double sum = 0;
   double cutting = 0;
   std::size_t spans = 0;
-  for (ActualWalk walk(response); !walk.done(); walk.next_span()) {
+  for (ActualWalk walk(path.response()); !walk.done(); walk.next_span()) {
     const SetSpan& span = walk.span();
     constexpr double most_looks = 1e6;
     const double wanted = stands(span) ? 0 : std::min(most_looks, std::ceil(span.duration / longest_step));

@@ -54,6 +54,8 @@ class PathDeviation {
   /// How far `position` is from the programmed path, while `segment` is under way. Quickest for places in
   /// order.
   Result operator()(const Vec3& position, std::uint32_t segment);
+  /// Of a foot that was found otherwise.
+  Result from_foot(const Foot& foot) const { return {foot.offset, along_bisector(foot)}; }
 
  private:
   struct Index;

@@ -139,7 +139,7 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
       run.setup.model->simulate(input.toolpath, run.setup.machine, run.setup.settings, progress));
   run.input.toolpath = on_machine(input.toolpath, run.setup.settings);
   if (has_drives(run.setup.machine)) {
-    run.response = std::make_shared<const DriveResponse>(run.trajectory, run.setup.machine, progress);
+    run.actual = std::make_shared<const ActualPath>(run.trajectory, run.setup.machine, progress);
   }
   run.simulate_time = watch.seconds();
   return run;
@@ -149,8 +149,8 @@ void add_summary(Run& run) {
   const StopWatch watch;
   run.summary = summarise(*run.trajectory, *run.input.toolpath,
                           axis_limit_vector(run.setup.machine, &AxisLimits::velocity));
-  if (run.response) {
-    run.summary.actual = actual_figures(*run.response);
+  if (run.actual) {
+    run.summary.actual = actual_figures(*run.actual);
   }
   run.simulate_time += watch.seconds();
 }

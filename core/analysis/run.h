@@ -47,7 +47,7 @@ struct Run {
   LoadedProgram input;  ///< its toolpath as on_machine() makes it
   Setup setup;
   std::shared_ptr<const Trajectory> trajectory;
-  std::shared_ptr<const DriveResponse> response;  ///< null where all axes follow their set values exactly
+  std::shared_ptr<const ActualPath> actual;  ///< null where all axes follow their set values exactly
   Summary summary;
   double simulate_time = 0;  ///< wall clock, summary included [s]
 };

@@ -99,6 +99,10 @@ ActualMotion ActualWalk::at(double time) {
   while (!set_.done() && set_.span().end() <= time) {
     next_span();
   }
+  return within_span(time);
+}
+
+ActualMotion ActualWalk::within_span(double time) {
   ActualMotion actual;
   const SetSpan& span = set_.span();
   const double h = std::clamp(time - span.time, 0.0, span.duration);

@@ -65,6 +65,8 @@ class ActualWalk {
   explicit ActualWalk(const DriveResponse& response, double from = 0);
   /// `time` [s]: not before that of the last call.
   ActualMotion at(double time);
+  /// The same without going on to another span.
+  ActualMotion within_span(double time);
 
   bool done() const { return set_.done(); }
   /// The span that is under way.

@@ -6,10 +6,10 @@
 #include <ostream>
 
 #include "core/analysis/actual_figures.h"
+#include "core/analysis/quantity.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
-#include "core/trajectory/quantity.h"
 #include "core/trajectory/state_walk.h"
 
 namespace feedscope {
@@ -65,20 +65,21 @@ std::vector<std::string> cause_keys() {
 /// A column of motion: a quantity in the unit of files.
 struct Column {
   std::string_view name;
-  double (*of)(const State&) = nullptr;
+  double (*of)(const Instant&) = nullptr;
   double factor = 1;
 };
 
-/// Those before the limiting cause, which once was the last, and those behind it.
+/// Those before the limiting cause, which once was the last, and those behind it; of the drives only where a
+/// machine has any.
 struct Columns {
   std::vector<Column> before_cause;
   std::vector<Column> behind_cause;
 };
 
-Columns motion_columns() {
+Columns columns_of(bool drives) {
   Columns columns;
   for (const QuantityInfo& quantity : all_quantities()) {
-    if (!quantity.column.empty()) {
+    if (!quantity.column.empty() && (quantity.source == QuantitySource::motion || drives)) {
       std::vector<Column>& side =
           quantity.id <= QuantityId::tangential_jerk ? columns.before_cause : columns.behind_cause;
       side.push_back({quantity.column, quantity.of, shown_unit(quantity.dimension).factor});
@@ -91,11 +92,16 @@ Columns motion_columns() {
 class SampleRows {
  public:
   /// `from`: the first instant [s].
-  SampleRows(std::ostream& out, const Trajectory& trajectory, const DriveResponse* response, double from,
+  SampleRows(std::ostream& out, const Trajectory& trajectory, const ActualPath* actual, double from,
              std::size_t rows, Progress* progress)
-      : sink_(out), walk_(trajectory, from), causes_(cause_keys()), rows_(rows), progress_(progress) {
-    if (response != nullptr) {
-      actual_.emplace(*response, from);
+      : columns_(columns_of(actual != nullptr)),
+        sink_(out),
+        walk_(trajectory, from),
+        causes_(cause_keys()),
+        rows_(rows),
+        progress_(progress) {
+    if (actual != nullptr) {
+      actual_.emplace(*actual, from);
     }
     for (const Column& column : columns_.before_cause) {
       sink_.text(column.name);
@@ -103,10 +109,6 @@ class SampleRows {
     }
     sink_.text("cause");
     for (const Column& column : columns_.behind_cause) {
-      sink_.text(",");
-      sink_.text(column.name);
-    }
-    for (const ActualColumn& column : actual_ ? actual_columns() : std::span<const ActualColumn>()) {
       sink_.text(",");
       sink_.text(column.name);
     }
@@ -127,28 +129,24 @@ class SampleRows {
 
  private:
   void write_row(const State& state) {
+    const std::optional<ActualSample> actual = actual_ ? std::optional(actual_->at(state)) : std::nullopt;
+    const Instant instant(state, actual ? &*actual : nullptr);
     for (const Column& column : columns_.before_cause) {
       if (column.of == info_of(QuantityId::line).of) {
         sink_.count(state.line);
       } else {
-        sink_.number(column.of(state) * column.factor);
+        sink_.number(column.of(instant) * column.factor);
       }
     }
     sink_.text(causes_[cause_index(state.cause)]);
     sink_.text(",");
     for (const Column& column : columns_.behind_cause) {
-      sink_.number(column.of(state) * column.factor);
-    }
-    if (actual_) {
-      const ActualSample actual = actual_->at(state);
-      for (const ActualColumn& column : actual_columns()) {
-        sink_.number(column.of(actual));
-      }
+      sink_.number(column.of(instant) * column.factor);
     }
     sink_.end_number_row();
   }
 
-  const Columns columns_ = motion_columns();
+  const Columns columns_;
   TextSink sink_;
   StateWalk walk_;
   std::optional<ActualSampler> actual_;
@@ -161,7 +159,7 @@ class SampleRows {
 }  // namespace
 
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress,
-               const DriveResponse* response) {
+               const ActualPath* actual) {
   const double duration = trajectory.duration();
   if (!(step > 0) || duration / step > max_rows) {
     throw InputError(fmt::format(
@@ -170,7 +168,7 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
   }
   // A row whose time prints like that of the end would repeat it: 11 digits tell 1e-10 apart.
   const auto count = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-10)));
-  SampleRows rows(out, trajectory, response, 0, count, progress);
+  SampleRows rows(out, trajectory, actual, 0, count, progress);
   for (std::size_t row = 0; row < count; ++row) {
     rows.add(static_cast<double>(row) * step);
   }
@@ -181,8 +179,8 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
 }
 
 void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
-               Progress* progress, const DriveResponse* response) {
-  SampleRows rows(out, trajectory, response, times.empty() ? 0 : times.front(), times.size(), progress);
+               Progress* progress, const ActualPath* actual) {
+  SampleRows rows(out, trajectory, actual, times.empty() ? 0 : times.front(), times.size(), progress);
   for (const double time : trajectory.pieces().empty() ? std::span<const double>() : times) {
     rows.add(std::clamp(time, 0.0, trajectory.duration()));
   }

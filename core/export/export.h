@@ -13,12 +13,12 @@ class DriveResponse;
 struct ContourReport;
 
 /// Samples as CSV, columns of README.md beside this file; one row each `step` [s] and one for the very end.
-/// `response`: that of the trajectory, whose columns stand behind the others; null: a machine without drives.
+/// `actual`: that of the trajectory, whose columns stand behind the others; null: a machine without drives.
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress = nullptr,
-               const DriveResponse* response = nullptr);
+               const ActualPath* actual = nullptr);
 /// The same with a row at each of `times` [s], ascending, clamped to the run.
 void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
-               Progress* progress = nullptr, const DriveResponse* response = nullptr);
+               Progress* progress = nullptr, const ActualPath* actual = nullptr);
 /// Corner blends as CSV, columns of README.md beside this file.
 void write_blends(std::ostream& out, const Trajectory& trajectory);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/quantity.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/lessons/lesson.h"
@@ -11,7 +12,6 @@
 #include "core/lessons/lesson_text.h"
 #include "core/lessons/translated_texts.h"
 #include "core/machine/config_file.h"
-#include "core/trajectory/quantity.h"
 
 namespace feedscope {
 namespace {

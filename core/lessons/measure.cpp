@@ -45,7 +45,8 @@ void add_peaks(std::vector<MeasureSpec>& measures) {
   for (const QuantityInfo& quantity : all_quantities()) {
     const bool is_limited =
         quantity.dimension == Dimension::acceleration || quantity.dimension == Dimension::jerk;
-    if (quantity.axis >= 0 || quantity.column.empty() || !is_limited) {
+    if (quantity.axis >= 0 || quantity.column.empty() || quantity.source != QuantitySource::motion ||
+        !is_limited) {
       continue;
     }
     const ShownUnit& unit = shown_unit(quantity.dimension);

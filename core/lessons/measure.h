@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/quantity.h"
 #include "core/analysis/run.h"
-#include "core/trajectory/quantity.h"
 
 namespace feedscope {
 

@@ -53,7 +53,7 @@ ui::Picture draw_dark_charts(const Run& run, ui::PictureSize size) {
   cursor.set_trajectory(run.trajectory);
   panel.set_limits(run.setup.machine.axes);
   panel.set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory), false);
-  panel.set_overlays({{promised.trajectory, std::make_shared<const Envelope>(promised.trajectory),
+  panel.set_overlays({{promised.trajectory, std::make_shared<const Envelope>(promised.trajectory), nullptr,
                        QColor(0xff, 0x5c, 0xa8), "promised by CAM", true}});
   panel.show_curve(0, velocity_z, false);
   ui::ChartsState state = panel.state();

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 
-#include "core/trajectory/quantity.h"
+#include "core/analysis/quantity.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
 

@@ -217,12 +217,12 @@ void ChartCommands::save_csv(const QString& file, CsvRows rows, double step) {
   export_file_ = file;
   export_.start(
       [file, rows, range, columns = panel_.column_times(), step, trajectory = panel_.trajectory(),
-       response = panel_.response()](JobControl&) {
+       actual = panel_.actual()](JobControl&) {
         feedscope::ui::save_csv(file, *trajectory,
                                 rows == CsvRows::samples  ? sample_times(range, step)
                                 : rows == CsvRows::blocks ? block_times(*trajectory, range)
                                                           : columns,
-                                response.get());
+                                actual.get());
         return file;
       },
       [this](const JobOutcome<QString>& outcome) {

@@ -42,8 +42,12 @@ ChartHeader::ChartHeader(ChartSpec spec, QWidget* parent)
   setMouseTracking(true);
 }
 
-void ChartHeader::set_state(const std::optional<State>& state) {
-  state_ = state;
+void ChartHeader::show_values(const std::optional<Instant>& instant) {
+  values_.assign(spec_.curves.size(), std::nullopt);
+  for (std::size_t i = 0; instant && i < values_.size(); ++i) {
+    const double value = info_of(spec_.curves[i].quantity).of(*instant);
+    values_[i] = std::isnan(value) ? std::nullopt : std::optional(spec_.convert(value));
+  }
   update();
 }
 
@@ -233,9 +237,8 @@ void ChartHeader::draw_curve(QPainter& painter, std::size_t curve, const QRect& 
   painter.setPen(shown ? palette().color(QPalette::WindowText) : faint);
   const QRect words = place.adjusted(swatch_width + name_gap, 0, 0, 0);
   painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, spec.name);
-  if (state_.has_value() && shown) {
-    painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter,
-                     number(spec_.convert(info_of(spec.quantity).of(*state_))));
+  if (shown && curve < values_.size() && values_[curve]) {
+    painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, number(*values_[curve]));
   }
 }
 

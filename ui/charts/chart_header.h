@@ -25,7 +25,8 @@ class ChartHeader : public QWidget {
  public:
   explicit ChartHeader(ChartSpec spec, QWidget* parent = nullptr);
 
-  void set_state(const std::optional<State>& state);
+  /// Of the cursor's place; none: no values.
+  void show_values(const std::optional<Instant>& instant);
   void show_curve(std::size_t curve, bool shown);
   void set_runs(std::vector<LegendEntry> runs);
   const std::vector<LegendEntry>& runs() const { return runs_; }
@@ -71,7 +72,7 @@ class ChartHeader : public QWidget {
   ChartSpec spec_;
   std::vector<bool> shown_;
   std::vector<LegendEntry> runs_;
-  std::optional<State> state_;
+  std::vector<std::optional<double>> values_;  ///< a curve each, in the chart's unit
 };
 
 }  // namespace feedscope::ui

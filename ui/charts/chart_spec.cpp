@@ -34,9 +34,10 @@ CurveRole role_of(const QuantityInfo& quantity) {
   if (quantity.axis >= 0) {
     return axis_roles[static_cast<std::size_t>(quantity.axis)];
   }
-  return quantity.id == QuantityId::programmed_feed       ? CurveRole::programmed
-         : quantity.id == QuantityId::acceleration_across ? CurveRole::across
-                                                          : CurveRole::path;
+  return quantity.id == QuantityId::programmed_feed ? CurveRole::programmed
+         : quantity.id == QuantityId::acceleration_across || quantity.id == QuantityId::following_error_across
+             ? CurveRole::across
+             : CurveRole::path;
 }
 
 CurveSpec curve_of(const QuantityInfo& quantity) {
@@ -57,6 +58,7 @@ ChartSpec chart_of(QuantityChart chart, const QString& title) {
     for (const QuantityInfo& quantity : all_quantities()) {
       if (quantity.chart == chart && (quantity.axis >= 0) == of_axis) {
         const ShownUnit& unit = shown(quantity.dimension);
+        spec.source = quantity.source;
         spec.unit = QString::fromStdString(std::string(unit.text));
         spec.factor = unit.factor;
         spec.decimals = unit.decimals;
@@ -88,7 +90,8 @@ QColor curve_colour(CurveRole role, const ThemeColours& colours) {
 std::array<ChartSpec, chart_count> kinematic_chart_specs() {
   return {chart_of(QuantityChart::feed, KinematicCharts::tr("Feed")),
           chart_of(QuantityChart::acceleration, KinematicCharts::tr("Acceleration")),
-          chart_of(QuantityChart::jerk, KinematicCharts::tr("Jerk"))};
+          chart_of(QuantityChart::jerk, KinematicCharts::tr("Jerk")),
+          chart_of(QuantityChart::following_error, KinematicCharts::tr("Following error"))};
 }
 
 }  // namespace feedscope::ui

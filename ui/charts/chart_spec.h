@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/analysis/envelope.h"
-#include "core/trajectory/quantity.h"
+#include "core/analysis/envelope/envelope.h"
+#include "core/analysis/quantity.h"
 #include "ui/theme/theme.h"
 
 namespace feedscope::ui {
@@ -29,16 +29,17 @@ struct CurveSpec {
 struct ChartSpec {
   QString title;
   QString unit;
-  std::vector<CurveSpec> curves;  ///< as the header lists them
-  double factor = 1;              ///< `unit` an inside unit
-  int decimals = 0;               ///< of values shown as numbers
+  std::vector<CurveSpec> curves;                   ///< as the header lists them
+  double factor = 1;                               ///< `unit` an inside unit
+  int decimals = 0;                                ///< of values shown as numbers
+  QuantitySource source = QuantitySource::motion;  ///< a run without it has no such chart
 
   double convert(double value) const { return value * factor; }
 };
 
-inline constexpr std::size_t chart_count = 3;
+inline constexpr std::size_t chart_count = 4;
 
-/// Feed, acceleration and jerk of a run: a curve for each charted quantity.
+/// Feed, acceleration, jerk and following error of a run: a curve for each charted quantity.
 std::array<ChartSpec, chart_count> kinematic_chart_specs();
 
 }  // namespace feedscope::ui

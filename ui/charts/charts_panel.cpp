@@ -23,6 +23,7 @@ namespace feedscope::ui {
 
 namespace {
 
+constexpr int chart_stretch = 3;
 constexpr auto rest_after = std::chrono::milliseconds(500);
 
 }  // namespace
@@ -50,16 +51,15 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   layout->addWidget(readout_);
   const std::array<ChartSpec, chart_count> specs = kinematic_chart_specs();
   for (std::size_t i = 0; i < specs.size(); ++i) {
-    const bool last = i + 1 == specs.size();
     layout->addLayout(add_header(i, specs[i]));
-    charts_[i] = new KinematicChart(specs[i], range_, last, this);
+    charts_[i] = new KinematicChart(specs[i], range_, this);
     connect_chart(*charts_[i]);
-    layout->addWidget(charts_[i], last ? 4 : 3);
+    layout->addWidget(charts_[i], chart_stretch);
     if (i == 0) {
       layout->addWidget(causes_);
     }
   }
-  charts_.back()->set_abscissa_title(tr("Time [s]"));
+  show_charts_of_run();
   commands_ = new ChartCommands(*this);
   connect(commands_, &ChartCommands::exported, this, &ChartsPanel::exported);
   connect(commands_, &ChartCommands::failed, this, &ChartsPanel::failed);
@@ -113,7 +113,8 @@ void ChartsPanel::connect_chart(KinematicChart& chart) {
 }
 
 void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
-                          std::shared_ptr<const Envelope> envelope, bool keep_range) {
+                          std::shared_ptr<const Envelope> envelope, bool keep_range,
+                          std::shared_ptr<const ActualPath> actual) {
   if (!keep_range) {
     held_.reset();
   } else if (trajectory == nullptr && trajectory_ != nullptr) {
@@ -126,6 +127,8 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
   }
   trajectory_ = trajectory;
   envelope_ = std::move(envelope);
+  actual_ = std::move(actual);
+  show_charts_of_run();
   columns_.clear();
   overlays_.clear();
   if (!keep_range) {
@@ -168,11 +171,30 @@ void ChartsPanel::show_run_of(Workbench& workbench) {
   const auto shown = workbench.shown();
   const SetupEdit& setup = workbench.setup();
   set_limits(setup.setup().machine.axes);
-  response_ = shown == nullptr ? nullptr : shown->run.response;
   set_run(shown == nullptr ? nullptr : shown->run.trajectory, shown == nullptr ? nullptr : shown->envelope,
-          workbench.program() != nullptr);
+          workbench.program() != nullptr, shown == nullptr ? nullptr : shown->run.actual);
   if (const auto period = setup.interpolation_period()) {
     set_sample_time(*period);
+  }
+}
+
+/// Those that it has values for; the last of them carries the abscissa.
+void ChartsPanel::show_charts_of_run() {
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    const QuantitySource source = charts_[i]->spec().source;
+    const bool has = source == QuantitySource::motion || (envelope_ != nullptr && envelope_->has(source));
+    charts_[i]->setVisible(has);
+    headers_[i]->setVisible(has);
+    last = has ? i : last;
+  }
+  const QString title = range_.abscissa() == Abscissa::time
+                            ? tr("Time [s]")
+                            : with_unit_of(tr("Path length"), Dimension::length);
+  auto& rows = static_cast<QVBoxLayout&>(*layout());
+  for (std::size_t i = 0; i < charts_.size(); ++i) {
+    charts_[i]->label_abscissa(i == last ? title : QString());
+    rows.setStretchFactor(charts_[i], i == last ? chart_stretch + 1 : chart_stretch);
   }
 }
 
@@ -202,9 +224,9 @@ void ChartsPanel::set_overlay_curve(std::size_t chart, std::optional<std::size_t
 }
 
 void ChartsPanel::set_limits(const AxisVector<AxisLimits>& limits) {
-  const std::array<double AxisLimits::*, chart_count> kinds{&AxisLimits::velocity, &AxisLimits::acceleration,
-                                                            &AxisLimits::jerk};
-  for (std::size_t k = 0; k < charts_.size(); ++k) {
+  const std::array<double AxisLimits::*, 3> kinds{&AxisLimits::velocity, &AxisLimits::acceleration,
+                                                  &AxisLimits::jerk};
+  for (std::size_t k = 0; k < kinds.size(); ++k) {
     charts_[k]->set_limits(limit_lines(charts_[k]->spec(), limits, kinds[k]));
   }
   refresh_.start();
@@ -292,10 +314,14 @@ void ChartsPanel::show_cursor() {
   const auto second = shown && second_.has_value()
                           ? std::optional(range_.position_of(trajectory_->state(*second_)))
                           : std::nullopt;
+  const std::optional<ActualSample> actual =
+      shown && actual_ != nullptr ? std::optional(actual_->at(cursor_.state())) : std::nullopt;
+  const std::optional<Instant> instant =
+      shown ? std::optional(Instant(cursor_.state(), actual ? &*actual : nullptr)) : std::nullopt;
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     charts_[i]->set_cursors(shown ? std::optional(range_.position_of(cursor_.state())) : std::nullopt,
                             second);
-    headers_[i]->set_state(shown ? std::optional(cursor_.state()) : std::nullopt);
+    headers_[i]->show_values(instant);
   }
   show_other_runs();
   const QString text = measurement_text();
@@ -359,10 +385,8 @@ void ChartsPanel::choose_abscissa(Abscissa abscissa) {
   columns_.clear();
   overlays_.clear();
   range_.set_abscissa(abscissa);
-  const bool time = abscissa == Abscissa::time;
-  abscissa_->setCurrentIndex(time ? 0 : 1);
-  charts_.back()->set_abscissa_title(time ? tr("Time [s]")
-                                          : with_unit_of(tr("Path length"), Dimension::length));
+  abscissa_->setCurrentIndex(abscissa == Abscissa::time ? 0 : 1);
+  show_charts_of_run();
 }
 
 ChartView ChartsPanel::view() const {

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/drives/drive_response.h"
+#include "core/analysis/actual_path.h"
 #include "core/machine/machine.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/charts/chart_commands.h"
@@ -28,8 +28,8 @@ class QToolButton;
 
 namespace feedscope::ui {
 
-/// Feed with what limits it, acceleration and jerk of a run, one above the other, along one abscissa; other
-/// runs beside it.
+/// Feed with what limits it, acceleration, jerk and, of a machine with drives, following error of a run, one
+/// above the other, along one abscissa; other runs beside it.
 ///
 /// Cursor A is the shared one. Cursor B stands where Shift and a click put it, and is this panel's own: with
 /// it the differences between both are shown.
@@ -43,9 +43,9 @@ class ChartsPanel : public Panel {
   void follow(Workbench& workbench) override;
 
   /// Shows a run, or nothing if `trajectory` is null. `keep_range`: stay at the stretch that is shown; with
-  /// nothing in between, the next run that keeps it goes on there.
+  /// nothing in between, the next run that keeps it goes on there. `actual`: of a machine with drives.
   void set_run(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const Envelope> envelope,
-               bool keep_range);
+               bool keep_range, std::shared_ptr<const ActualPath> actual = nullptr);
   /// Other runs of the same program, drawn behind. Over path length they stand by place.
   void set_overlays(std::vector<RunOverlay> overlays);
   /// The curve of other runs that a chart shows, by its number in the chart's spec; none: no curve. At first
@@ -60,8 +60,8 @@ class ChartsPanel : public Panel {
 
   /// What is shown; null for nothing.
   const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
-  /// Of its drives; null where the axes follow exactly.
-  const std::shared_ptr<const DriveResponse>& response() const { return response_; }
+  /// What its axes run; null where they follow exactly.
+  const std::shared_ptr<const ActualPath>& actual() const { return actual_; }
   const std::vector<RunOverlay>& overlays() const { return overlays_.runs(); }
   std::optional<std::size_t> overlay_curve(std::size_t chart) const { return overlays_.chosen(chart); }
   Cursor& cursor() { return cursor_; }
@@ -69,7 +69,7 @@ class ChartsPanel : public Panel {
   Interval shown_times() const { return {range_.lower_time(), range_.upper_time()}; }  ///< [s]
   /// Of the borders of the pixel columns as of the last refresh() [s].
   const std::vector<double>& column_times() const { return columns_.times(); }
-  /// 0 feed, 1 acceleration, 2 jerk.
+  /// 0 feed, 1 acceleration, 2 jerk, 3 following error: shown where the run has drives.
   KinematicChart& chart(std::size_t i) { return *charts_[i]; }
   ChartHeader& header(std::size_t i) { return *headers_[i]; }
   CauseStrip& causes() { return *causes_; }
@@ -115,6 +115,7 @@ class ChartsPanel : public Panel {
   void show_alone(std::size_t chart, std::size_t curve);
   void refresh_columns();
   void show_cursor();
+  void show_charts_of_run();
   void show_other_runs();
   void show_measurement();
 
@@ -130,7 +131,7 @@ class ChartsPanel : public Panel {
   Cursor& cursor_;
   ViewRange& range_;
   std::shared_ptr<const Trajectory> trajectory_;
-  std::shared_ptr<const DriveResponse> response_;
+  std::shared_ptr<const ActualPath> actual_;
   std::shared_ptr<const Envelope> envelope_;
   ColumnCache columns_;
   OverlayCurves overlays_;

@@ -1,6 +1,7 @@
 #include "ui/charts/charts_state.h"
 
 #include <QJsonArray>
+#include <algorithm>
 
 namespace feedscope::ui {
 
@@ -70,10 +71,10 @@ void read_json(const QJsonObject& json, ChartsState& state) {
   }
   read_interval(json["time_s"], state.time);
   const QJsonArray values = json["values"].toArray();
-  if (values.size() == static_cast<qsizetype>(state.values.size())) {
-    for (std::size_t i = 0; i < state.values.size(); ++i) {
-      read_interval(values[static_cast<qsizetype>(i)], state.values[i]);
-    }
+  // Sessions of versions with fewer charts have fewer.
+  const auto known = std::min(values.size(), static_cast<qsizetype>(state.values.size()));
+  for (qsizetype i = 0; i < known; ++i) {
+    read_interval(values[i], state.values[static_cast<std::size_t>(i)]);
   }
   read_keys(json["hidden"], state.hidden);
   state.shown.clear();

@@ -3,7 +3,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/analysis/envelope.h"
+#include "core/analysis/envelope/envelope.h"
 #include "ui/charts/value_fit.h"
 
 namespace feedscope::ui {

@@ -19,6 +19,8 @@ namespace feedscope::ui {
 
 namespace {
 
+constexpr int least_height = 60;
+constexpr int least_labelled_height = 90;
 constexpr int top_margin = 6;
 constexpr int bottom_margin = 8;
 constexpr int labelled_bottom_margin = 36;
@@ -137,11 +139,10 @@ std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisL
   return lines;
 }
 
-KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, bool labelled, QWidget* parent)
+KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent)
     : QChartView(parent),
       spec_(std::move(spec)),
       range_(range),
-      labelled_(labelled),
       columns_(spec_.curves.size()),
       shown_(spec_.curves.size(), true),
       input_(new ChartInput(*this, range)) {
@@ -154,12 +155,12 @@ KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, bool labelled, 
   chart()->setAnimationOptions(QChart::NoAnimation);
   chart()->layout()->setContentsMargins(0, 0, 0, 0);
   abscissa_ = make_axis(chart(), Qt::AlignBottom);
-  abscissa_->setLabelsVisible(labelled);
+  abscissa_->setLabelsVisible(false);
   ordinate_ = make_axis(chart(), Qt::AlignLeft);
   apply_colours();
   setRenderHint(QPainter::Antialiasing);
   setFrameShape(QFrame::NoFrame);
-  setMinimumHeight(labelled ? 90 : 60);
+  setMinimumHeight(least_height);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
   setFocusPolicy(Qt::StrongFocus);
   setToolTip(
@@ -191,8 +192,11 @@ void KinematicChart::set_limits(std::vector<LimitLine> limits) {
   limits_ = std::move(limits);
 }
 
-void KinematicChart::set_abscissa_title(const QString& title) {
+void KinematicChart::label_abscissa(const QString& title) {
   abscissa_title_ = title;
+  abscissa_->setLabelsVisible(!title.isEmpty());
+  setMinimumHeight(title.isEmpty() ? least_height : least_labelled_height);
+  lay_out();
   picture_ = {};
   viewport()->update();
 }
@@ -471,7 +475,11 @@ void KinematicChart::draw_cursors(QPainter& painter) const {
 
 void KinematicChart::resizeEvent(QResizeEvent* event) {
   QChartView::resizeEvent(event);
-  const int bottom = labelled_ ? labelled_bottom_margin : bottom_margin;
+  lay_out();
+}
+
+void KinematicChart::lay_out() {
+  const int bottom = abscissa_title_.isEmpty() ? bottom_margin : labelled_bottom_margin;
   chart()->setPlotArea(
       QRectF(viewport()->rect()).adjusted(plot_left_margin, top_margin, -plot_right_margin, -bottom));
   picture_ = {};

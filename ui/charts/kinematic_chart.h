@@ -45,8 +45,8 @@ class KinematicChart : public QChartView {
   Q_OBJECT
 
  public:
-  /// `range` outlives this. `labelled`: numbers and title along the abscissa.
-  KinematicChart(ChartSpec spec, ViewRange& range, bool labelled, QWidget* parent = nullptr);
+  /// `range` outlives this.
+  KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent = nullptr);
 
   const ChartSpec& spec() const { return spec_; }
   /// Pixel columns of the plot, as the screen has them.
@@ -65,7 +65,8 @@ class KinematicChart : public QChartView {
   void set_cursors(std::optional<double> first, std::optional<double> second);
   const std::optional<double>& cursor() const { return cursor_; }
   const std::optional<double>& second_cursor() const { return second_cursor_; }
-  void set_abscissa_title(const QString& title);
+  /// Numbers and this title along the abscissa; without a title none.
+  void label_abscissa(const QString& title);
 
   /// The ordinate that is shown, in the chart's unit.
   const Interval& values() const { return values_; }
@@ -101,6 +102,7 @@ class KinematicChart : public QChartView {
 
  private:
   void apply_colours();
+  void lay_out();
   void fit();
   CurveReach reach_of(const std::vector<Extent>& columns, bool may_be_cut) const;
   void draw_picture(QPainter& painter);
@@ -113,7 +115,6 @@ class KinematicChart : public QChartView {
 
   ChartSpec spec_;
   ViewRange& range_;
-  bool labelled_;
   QValueAxis* abscissa_;
   QValueAxis* ordinate_;
   QString abscissa_title_;

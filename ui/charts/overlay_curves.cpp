@@ -1,5 +1,6 @@
 #include "ui/charts/overlay_curves.h"
 
+#include <cmath>
 #include <utility>
 
 namespace feedscope::ui {
@@ -59,7 +60,12 @@ std::vector<LegendEntry> OverlayCurves::legend(std::size_t chart, const ChartSpe
     LegendEntry entry{overlay.name, overlay.color, overlay.dashed, {}};
     if (run != nullptr && position.has_value()) {
       const double time = time_of(overlay, range, *run, *position);
-      entry.value = spec.convert(quantity.of(overlay.trajectory->state(time)));
+      const State state = overlay.trajectory->state(time);
+      const bool looks = quantity.source == QuantitySource::drives && overlay.actual != nullptr;
+      const std::optional<ActualSample> actual =
+          looks ? std::optional(overlay.actual->at(state)) : std::nullopt;
+      const double value = quantity.of(Instant(state, actual ? &*actual : nullptr));
+      entry.value = std::isnan(value) ? std::nullopt : std::optional(spec.convert(value));
     }
     entries.push_back(std::move(entry));
   }

@@ -40,7 +40,7 @@ class OverlayCurves {
 
   std::vector<RunOverlay> runs_;
   std::vector<ColumnCache> columns_;  ///< one a run
-  std::array<std::optional<std::size_t>, chart_count> chosen_{0, std::nullopt, std::nullopt};
+  std::array<std::optional<std::size_t>, chart_count> chosen_{0};
 };
 
 }  // namespace feedscope::ui

@@ -12,7 +12,8 @@ std::vector<RunOverlay> other_runs(const RunList& runs) {
     const auto result = runs.result(row);
     const RunItem& item = runs.items()[row];
     if (row != runs.current() && item.visible && result != nullptr) {
-      others.push_back({result->run.trajectory, result->envelope, item.colour, runs.title(item)});
+      others.push_back(
+          {result->run.trajectory, result->envelope, result->run.actual, item.colour, runs.title(item)});
     }
   }
   return others;

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/envelope.h"
+#include "core/analysis/envelope/envelope.h"
 #include "ui/charts/value_fit.h"
 #include "ui/workbench/run_list.h"
 
@@ -17,6 +17,7 @@ namespace feedscope::ui {
 struct RunOverlay {
   std::shared_ptr<const Trajectory> trajectory;
   std::shared_ptr<const Envelope> envelope;
+  std::shared_ptr<const ActualPath> actual;  ///< null without drives
   QColor color;
   QString name;
   bool dashed = false;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "core/analysis/envelope.h"
+#include "core/analysis/envelope/envelope.h"
 
 namespace feedscope::ui {
 

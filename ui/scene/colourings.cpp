@@ -1,5 +1,6 @@
 #include "ui/scene/colourings.h"
 
+#include <algorithm>
 #include <array>
 
 namespace feedscope::ui {
@@ -12,7 +13,7 @@ constexpr Colouring colouring_of(QuantityId id) {
 std::vector<Colouring> list_colourings() {
   std::vector<Colouring> list;
   for (const Dimension dimension :
-       {Dimension::feed, Dimension::ratio, Dimension::acceleration, Dimension::jerk}) {
+       {Dimension::feed, Dimension::ratio, Dimension::acceleration, Dimension::jerk, Dimension::error}) {
     for (const QuantityInfo& quantity : all_quantities()) {
       if (quantity.colours && quantity.dimension == dimension) {
         list.push_back(colouring_of(quantity.id));
@@ -57,6 +58,17 @@ std::string colouring_key(Colouring colouring) {
   }
   constexpr std::array others{"contour_error", "time_lost", "path_distance", "cause", "run"};
   return others.at(static_cast<std::size_t>(colouring) - static_cast<std::size_t>(Colouring::contour_error));
+}
+
+bool needs_drives(Colouring colouring) {
+  const QuantityInfo* quantity = quantity_of(colouring);
+  return quantity != nullptr && quantity->source == QuantitySource::drives;
+}
+
+bool is_of_drives(std::size_t sample) {
+  return std::ranges::any_of(all_colourings(), [sample](Colouring colouring) {
+    return needs_drives(colouring) && sample_index(colouring) == sample;
+  });
 }
 
 std::size_t sample_index(Colouring colouring) {

@@ -95,12 +95,21 @@ class PathScene::Impl {
     const ShownExtent extent = shown_extent({programmed, executed_samples});
     frame = frame_around(extent.fitted);
     beyond = extent.beyond() / frame.unit;
-    layers.show(programmed, executed_samples, overlays, frame);
+    layers.show(programmed, executed_samples, shown_overlays(), frame);
     camera.set_state(state, frame);
     if (fitted) {
       fit_now();
     }
     changed();
+  }
+
+  /// Other runs, and what the axes run.
+  std::vector<OverlayRun> shown_overlays() const {
+    std::vector<OverlayRun> shown = overlays;
+    if (actual_shown && executed_samples != nullptr && executed_samples->actual != nullptr) {
+      shown.push_back({executed_samples->actual, colours().actual, texts.actual});
+    }
+    return shown;
   }
 
   void fit_now() {
@@ -194,6 +203,7 @@ class PathScene::Impl {
   SceneFrame frame = frame_around({});
   double beyond = 0;  ///< how far outside the frame's box rapids may be [scene units]
   bool grid = true;
+  bool actual_shown = true;
   bool transparent = false;
   bool moving = false;
   double scale = 1;
@@ -251,6 +261,20 @@ void PathScene::set_overlays(std::vector<OverlayRun> overlays) {
     impl_->overlays = std::move(overlays);
     impl_->rebuild();
   }
+}
+
+void PathScene::set_actual_shown(bool shown) {
+  if (std::exchange(impl_->actual_shown, shown) != shown) {
+    impl_->rebuild();
+  }
+}
+
+bool PathScene::actual_shown() const {
+  return impl_->actual_shown;
+}
+
+bool PathScene::has_actual() const {
+  return impl_->executed_samples != nullptr && impl_->executed_samples->actual != nullptr;
 }
 
 void PathScene::set_cursor(const std::optional<Vec3>& tip) {

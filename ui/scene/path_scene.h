@@ -51,6 +51,11 @@ class PathScene {
   void set_executed(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const SampledPath> samples);
   /// Other runs of the program; replaces those shown before.
   void set_overlays(std::vector<OverlayRun> overlays);
+  /// Whether the path that the axes run is drawn, where the executed path has one.
+  void set_actual_shown(bool shown);
+  bool actual_shown() const;
+  /// Whether the executed path has one.
+  bool has_actual() const;
   /// Tip of the tool [mm]; none hides it.
   void set_cursor(const std::optional<Vec3>& tip);
   /// The tool at an instant of the executed path.

@@ -65,7 +65,9 @@ Picture draw_picture(PathScene& scene, PictureSize size) {
 Picture draw_run(const Run& run, PictureSize size, StandardView view) {
   PathScene scene;
   scene.set_programmed(run.input.toolpath);
-  scene.set_executed(run.trajectory);
+  scene.set_executed(run.trajectory,
+                     std::make_shared<const SampledPath>(sample_executed(*run.trajectory, default_max_points,
+                                                                         {}, nullptr, run.actual.get())));
   scene.set_standard_view(view);
   return draw_picture(scene, size);
 }

@@ -3,9 +3,11 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "core/analysis/actual_path.h"
 #include "core/base/progress.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
@@ -56,11 +58,13 @@ struct SampledPath {
 
   // Empty for a programmed path. Where a value jumps, two points lie in one place.
   std::vector<double> times;  ///< [s]
-  /// By sample_index() of a colouring, in inside units; those against another run may be empty.
+  /// By sample_index() of a colouring, in inside units; those against another run, and those of drives, may
+  /// be empty.
   std::array<std::vector<Stored>, sampled_count> values;
-  std::vector<CauseKind> causes;         ///< limiting cause
-  std::vector<StoredVector> deviations;  ///< PathDeviation::Result::along_bisector [mm]
-  std::vector<float> lost;               ///< RunDifference::lost [s]; empty without another run
+  std::vector<CauseKind> causes;              ///< limiting cause
+  std::vector<StoredVector> deviations;       ///< PathDeviation::Result::along_bisector [mm]
+  std::vector<float> lost;                    ///< RunDifference::lost [s]; empty without another run
+  std::shared_ptr<const SampledPath> actual;  ///< what the axes run; null without drives
 
   std::size_t size() const { return positions.size(); }
   bool executed() const { return !times.empty(); }
@@ -83,17 +87,24 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points =
 
 /// The executed path: arcs every 3 degrees, blends in 24 spans, and wherever the feed changes by some 1/24 of
 /// its peak. Linear in the pieces. Safe to call off the GUI thread. `also_at`: times at which there are
-/// points too where the spacing allows, rising [s].
+/// points too where the spacing allows, rising [s]. `actual`: of a machine with drives, else null.
 /// Throws Cancelled when stopped.
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points,
-                            std::span<const double> also_at = {}, Progress* progress = nullptr);
+                            std::span<const double> also_at = {}, Progress* progress = nullptr,
+                            const ActualPath* actual = nullptr);
+
+/// The path that the axes run: points 2 ms apart at most, or as far as the budget allows. Its deviations are
+/// from the programmed path; it has no colours.
+SampledPath sample_actual(const ActualPath& actual, std::size_t max_points = default_max_points,
+                          Progress* progress = nullptr);
 
 /// The executed path of a run with what it does unlike a reference run of the same program. It has points
 /// where the reference changes its feed, too, unless both have so many that they are close enough.
-/// `reference_times`: those of sample_executed(reference) [s]. Linear; safe to call off the GUI thread.
-/// Throws what compare_places() throws.
+/// `reference_times`: those of sample_executed(reference) [s]. `actual`: as there, of the run itself. Linear;
+/// safe to call off the GUI thread. Throws what compare_places() throws.
 SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference,
-                            std::span<const double> reference_times, Progress* progress = nullptr);
+                            std::span<const double> reference_times, Progress* progress = nullptr,
+                            const ActualPath* actual = nullptr);
 
 /// Levels of detail of `path`: all points; then, if it has many, what is left in views in which some spacing
 /// is less than a pixel, each level at most half of the one before; the last one small enough to be drawn

@@ -3,7 +3,8 @@
 namespace feedscope::ui {
 
 SceneState scene_state(const PathScene& scene) {
-  return {scene.camera(), scene.colouring(), scene.exaggeration(), scene.tool(), scene.grid()};
+  return {scene.camera(), scene.colouring(), scene.exaggeration(),
+          scene.tool(),   scene.grid(),      scene.actual_shown()};
 }
 
 void set_scene_state(PathScene& scene, const SceneState& state) {
@@ -11,6 +12,7 @@ void set_scene_state(PathScene& scene, const SceneState& state) {
   scene.set_exaggeration(state.exaggeration);
   scene.set_tool(state.tool);
   scene.set_grid(state.grid);
+  scene.set_actual_shown(state.actual);
   scene.set_camera(state.camera);
 }
 

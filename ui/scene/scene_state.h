@@ -11,6 +11,7 @@ struct SceneState {
   double exaggeration = 1;  ///< of deviations from the programmed path, 1 to 1000
   ToolShape tool = {};
   bool grid = true;
+  bool actual = true;  ///< the path that the axes run is drawn
 
   bool operator==(const SceneState&) const = default;
 };

@@ -4,8 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "core/analysis/quantity.h"
 #include "core/limits/cause.h"
-#include "core/trajectory/quantity.h"
 #include "ui/scene/colour_map.h"
 
 namespace feedscope::ui {
@@ -20,6 +20,7 @@ struct SceneColours {
   Rgb grid;
   Rgb programmed;
   Rgb rapid;
+  Rgb actual;  ///< what the axes run
   Rgb blend_edge;
   Rgb tool;
   Rgb highlight;  ///< range of the charts, what is measured
@@ -33,6 +34,7 @@ struct SceneTexts {
   std::string programmed = "programmed";
   std::string rapid = "rapid";
   std::string executed = "executed";
+  std::string actual = "actual path";  ///< what the axes run
   std::string blend = "corner blend";
   std::string assumed = "assumed";                   ///< of a zero point
   std::string exaggerated = "deviation drawn × %1";  ///< %1: the factor

@@ -81,6 +81,21 @@ void SceneActions::make_colourings() {
   set_comparable(false);
 }
 
+void SceneActions::set_drives(bool drives) {
+  if (drives == drives_) {
+    return;
+  }
+  drives_ = drives;
+  actual_->setEnabled(drives);
+  for (QAction* option : colouring_.group->actions()) {
+    if (needs_drives(static_cast<Colouring>(option->data().toInt()))) {
+      option->setEnabled(drives);
+      option->setToolTip(drives ? tr("Colour the path by this quantity")
+                                : tr("The machine has no drives: give its axes kv_1_s"));
+    }
+  }
+}
+
 void SceneActions::set_comparable(bool comparable) {
   for (QAction* option : colouring_.group->actions()) {
     if (needs_reference(static_cast<Colouring>(option->data().toInt()))) {
@@ -135,7 +150,12 @@ void SceneActions::make_views() {
   grid_ = add_command(tr("&Grid"), tr("Grid lines behind the path"), QKeySequence(Qt::Key_G));
   grid_->setCheckable(true);
   connect(grid_, &QAction::triggered, this, [this](bool on) { view_.scene().set_grid(on); });
-  views_->addActions({perspective_, grid_});
+  actual_ = add_command(tr("&Actual path"),
+                        tr("The path that the axes run, drawn beside the one that the control sets"),
+                        QKeySequence(Qt::Key_A));
+  actual_->setCheckable(true);
+  connect(actual_, &QAction::triggered, this, [this](bool on) { view_.scene().set_actual_shown(on); });
+  views_->addActions({perspective_, grid_, actual_});
 }
 
 void SceneActions::make_tools() {
@@ -217,6 +237,7 @@ void SceneActions::check(const Choice& choice, const QVariant& value) {
 }
 
 void SceneActions::follow_scene() {
+  set_drives(view_.scene().has_actual());
   SceneState shown = view_.state();
   shown.camera = {.perspective = shown.camera.perspective};
   if (shown == followed_) {
@@ -235,6 +256,7 @@ void SceneActions::follow_scene() {
   }
   perspective_->setChecked(shown.camera.perspective);
   grid_->setChecked(shown.grid);
+  actual_->setChecked(shown.actual);
 }
 
 QList<QAction*> SceneActions::all() const {

@@ -5,6 +5,7 @@
 #include <QList>
 #include <QObject>
 #include <QToolBar>
+#include <optional>
 
 #include "ui/scene/scene_state.h"
 
@@ -34,6 +35,8 @@ class SceneActions : public QObject {
   void follow_scene();
   /// Whether there is another run to compare with; without one these colourings say what to do.
   void set_comparable(bool comparable);
+  /// Whether the run shown has drives; without them the actual path and its colourings are not available.
+  void set_drives(bool drives);
   /// Which run that is, below the colourings.
   void add_comparison_menu(QMenu& menu);
 
@@ -66,6 +69,8 @@ class SceneActions : public QObject {
   QList<QAction*> commands_;
   QAction* perspective_ = nullptr;
   QAction* grid_ = nullptr;
+  QAction* actual_ = nullptr;
+  std::optional<bool> drives_;  ///< whether the run shown has any, as the actions say
   QAction* measure_ = nullptr;
   QAction* box_ = nullptr;
   NumberBox* diameter_ = nullptr;

@@ -62,7 +62,8 @@ QJsonObject to_json(const SceneState& state) {
           {"tool", QJsonObject{{"kind", tool_keys.at(static_cast<std::size_t>(state.tool.kind))},
                                {"diameter_mm", state.tool.diameter},
                                {"corner_radius_mm", state.tool.corner_radius}}},
-          {"grid", state.grid}};
+          {"grid", state.grid},
+          {"actual_path", state.actual}};
 }
 
 void read_json(const QJsonObject& json, SceneState& state) {
@@ -75,6 +76,7 @@ void read_json(const QJsonObject& json, SceneState& state) {
   read_positive(json["exaggeration"], state.exaggeration);
   read_tool(json["tool"].toObject(), state.tool);
   state.grid = json["grid"].toBool(state.grid);
+  state.actual = json["actual_path"].toBool(state.actual);
 }
 
 }  // namespace feedscope::ui

@@ -71,6 +71,9 @@ void SceneRun::follow() {
   if (needs_reference(scene.colouring()) && runs_.items().size() < 2) {
     scene.set_colouring(Colouring::feed);
   }
+  if (needs_drives(scene.colouring()) && shown_ != nullptr && shown_->run.actual == nullptr) {
+    scene.set_colouring(Colouring::feed);
+  }
   compares_ = needs_reference(scene.colouring());
   const auto reference = compares_ && known ? comparison_.reference_of(row) : std::nullopt;
   if (reference) {
@@ -90,6 +93,14 @@ void SceneRun::follow() {
 }
 
 QString SceneRun::hover_text(double time) const {
+  const QString drives = shown_ != nullptr && shown_->run.actual != nullptr
+                             ? drives_text(shown_->run.actual->at(shown_->run.trajectory->state(time)))
+                             : QString();
+  const QString compared = compared_text(time);
+  return drives.isEmpty() || compared.isEmpty() ? drives + compared : drives + '\n' + compared;
+}
+
+QString SceneRun::compared_text(double time) const {
   if (!compares_ || reference_ == nullptr || shown_ == nullptr) {
     return {};
   }

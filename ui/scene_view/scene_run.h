@@ -37,6 +37,7 @@ class SceneRun : public QObject {
   void follow();
   void follow_runs();
   QString hover_text(double time) const;
+  QString compared_text(double time) const;
   void show_comparison();
 
   SceneView& view_;

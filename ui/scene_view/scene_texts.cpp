@@ -40,6 +40,7 @@ SceneTexts scene_texts() {
   texts.programmed = Scene::tr("programmed").toStdString();
   texts.rapid = Scene::tr("rapid").toStdString();
   texts.executed = Scene::tr("executed").toStdString();
+  texts.actual = Scene::tr("actual path").toStdString();
   texts.blend = Scene::tr("corner blend").toStdString();
   texts.assumed = Scene::tr("assumed", "zero point of a work offset").toStdString();
   texts.exaggerated = Scene::tr("deviation drawn × %1").toStdString();
@@ -70,6 +71,16 @@ QString hover_text(const State& state, double contour_error) {
       Scene::tr("Limited by: %1").arg(cause),
       Scene::tr("Contour error %1").arg(amount(contour_error, Dimension::error))};
   return lines.join('\n');
+}
+
+QString drives_text(const ActualSample& actual) {
+  const Vec3& error = actual.motion.following_error;
+  return QStringList{
+      Scene::tr("Contour error of the actual path %1").arg(amount(actual.contour_error, Dimension::error)),
+      Scene::tr("Following error X %1, Y %2, Z %3")
+          .arg(number(error.x(), Dimension::error), number(error.y(), Dimension::error),
+               amount(error.z(), Dimension::error))}
+      .join('\n');
 }
 
 QString comparison_text(const PlaceComparison& place) {

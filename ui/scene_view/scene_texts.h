@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/actual_path.h"
 #include "core/trajectory/trajectory.h"
 #include "ui/scene/path/colouring.h"
 #include "ui/scene/scene_style.h"
@@ -15,6 +16,9 @@ SceneTexts scene_texts();
 
 /// What the mouse tells of an instant: line, feed and programmed feed, limiting cause, contour error [mm].
 QString hover_text(const State& state, double contour_error);
+
+/// What the mouse tells of the axes at an instant: their contour error and following errors.
+QString drives_text(const ActualSample& actual);
 
 /// A place of a run beside the same place of another run of the program.
 struct PlaceComparison {

@@ -57,7 +57,8 @@ SceneView::SceneView(RenderBackend backend, QWidget* parent) : QWidget(parent) {
 }
 
 SceneView::~SceneView() {
-  delete canvas_;  // gives VTK's OpenGL objects back while the window still lives
+  canvas_->removeEventFilter(this);  // its overlay is gone before it hides
+  delete canvas_;                    // gives VTK's OpenGL objects back while the window still lives
 }
 
 void SceneView::make_canvas(RenderBackend backend) {

@@ -33,7 +33,7 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
   // What takes longest first.
   in_parallel({[&] {
                  shown->samples = std::make_shared<const SampledPath>(
-                     sample_executed(*trajectory, default_max_points, {}, &samples));
+                     sample_executed(*trajectory, default_max_points, {}, &samples, shown->run.actual.get()));
                },
                [&] {
                  const Toolpath& toolpath = *shown->run.input.toolpath;
@@ -46,7 +46,7 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
                  summary.report(1);
                },
                [&] {
-                 shown->envelope = std::make_shared<const Envelope>(trajectory, &envelope);
+                 shown->envelope = std::make_shared<const Envelope>(trajectory, shown->run.actual, &envelope);
                  envelope.report(1);
                },
                [&] {

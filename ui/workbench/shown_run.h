@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/analysis/envelope.h"
+#include "core/analysis/envelope/envelope.h"
 #include "core/analysis/line_times.h"
 #include "core/analysis/run.h"
 #include "core/analysis/slow_places.h"

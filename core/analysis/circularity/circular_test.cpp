@@ -31,7 +31,7 @@ CircularTest run_circular_test(const CircularRequest& request, const Setup& setu
   const Run run = simulate_motion(loaded, setup, progress);
   const Trajectory& trajectory = *run.trajectory;
   const PlaneInfo& plane = info_of(request.plane);
-  test.actual = run.response != nullptr;
+  test.actual = run.actual != nullptr;
   std::vector<Vector2d> all;
   for (std::size_t i = 0; i < test.passes.size(); ++i) {
     CirclePass& pass = test.passes[i];
@@ -41,7 +41,7 @@ CircularTest run_circular_test(const CircularRequest& request, const Setup& setu
     for (std::size_t k = 0; k < circle_places; ++k) {
       const double share = static_cast<double>(k) / static_cast<double>(circle_places - 1);
       const State state = trajectory.state(time.low + share * (time.high - time.low));
-      const Vec3 at = run.response ? run.response->at(state.time).position : state.position;
+      const Vec3 at = run.actual ? run.actual->response().at(state.time).position : state.position;
       pass.reached_feed = std::max(pass.reached_feed, state.speed);
       pass.places.push_back({at[plane.first_index], at[plane.second_index]});
     }

@@ -149,9 +149,9 @@ TEST(Csv, DrivesAddTheirColumnsBehindTheOthers) {
   set_axis_value(machine, 'Y', "velocity_feedforward", 0.5);
   const auto run = std::make_shared<const Trajectory>(cam.simulate(
       feedscope::testing::polyline({{0, 0, 0}, {60, 80, 0}}, 50), machine, complete_settings(cam, machine)));
-  const DriveResponse response(run, machine);
+  const ActualPath actual(run, machine);
   std::ostringstream out;
-  write_csv(out, *run, 1.0, nullptr, &response);
+  write_csv(out, *run, 1.0, nullptr, &actual);
   std::istringstream lines(out.str());
   std::string header;
   std::getline(lines, header);

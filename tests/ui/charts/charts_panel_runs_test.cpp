@@ -13,7 +13,8 @@ class ChartsRuns : public test::ChartsPanelTest {
  protected:
   ChartsRuns() {
     const auto other = test::simulate_text(test::small_program, "cam").trajectory;
-    panel.set_overlays({{other, std::make_shared<const Envelope>(other), Qt::magenta, "promised", false}});
+    panel.set_overlays(
+        {{other, std::make_shared<const Envelope>(other), nullptr, Qt::magenta, "promised", false}});
     panel.refresh();
   }
 

@@ -118,15 +118,15 @@ double nearest_on(const Trajectory& trajectory, const ScreenMap& project, const 
 }
 
 /// Between which samples a time lies.
-struct Instant {
+struct PathInstant {
   std::size_t before = 0;
   std::size_t after = 0;
   double u = 0;  ///< share of the way
 };
 
-Instant instant(const std::vector<double>& times, double time) {
+PathInstant instant(const std::vector<double>& times, double time) {
   const auto next = static_cast<std::size_t>(std::ranges::upper_bound(times, time) - times.begin());
-  Instant at;
+  PathInstant at;
   at.after = std::min(next, times.size() - 1);
   at.before = at.after > 0 ? at.after - 1 : 0;
   const double span = times[at.after] - times[at.before];
@@ -245,7 +245,7 @@ double value_at(const PickablePath& path, Colouring quantity, double time) {
   if (path.samples == nullptr || !path.samples->executed()) {
     return 0;
   }
-  const Instant at = instant(path.samples->times, time);
+  const PathInstant at = instant(path.samples->times, time);
   return std::lerp(path.samples->value(quantity, at.before), path.samples->value(quantity, at.after), at.u);
 }
 
@@ -253,7 +253,7 @@ std::optional<double> lost_at(const PickablePath& path, double time) {
   if (path.samples == nullptr || !path.samples->compared()) {
     return std::nullopt;
   }
-  const Instant at = instant(path.samples->times, time);
+  const PathInstant at = instant(path.samples->times, time);
   const std::vector<float>& lost = path.samples->lost;
   return std::lerp(double{lost[at.before]}, double{lost[at.after]}, at.u);
 }
@@ -262,7 +262,7 @@ Vec3 deviation_at(const PickablePath& path, double time) {
   if (path.samples == nullptr || path.samples->deviations.empty()) {
     return Vec3::Zero();
   }
-  const Instant at = instant(path.samples->times, time);
+  const PathInstant at = instant(path.samples->times, time);
   const Vec3 from = path.samples->deviation(at.before);
   return from + at.u * (path.samples->deviation(at.after) - from);
 }
@@ -277,7 +277,7 @@ Bounds bounds_between(const PickablePath& path, double from, double to) {
     return Vec3(path.samples->origin + (*path.positions)[i].cast<double>());
   };
   for (const double time : {from, to}) {
-    const Instant at = instant(times, time);
+    const PathInstant at = instant(times, time);
     bounds.add(position(at.before) + at.u * (position(at.after) - position(at.before)));
   }
   const auto first = static_cast<std::size_t>(std::ranges::lower_bound(times, from) - times.begin());

@@ -17,14 +17,17 @@ constexpr double spans_of_blend = 24;
 constexpr double feed_steps = 24;
 constexpr double spans_a_filter_time = 8;
 
-void reserve(SampledPath& path, std::size_t points) {
+/// `drives`: values of drives, too.
+void reserve(SampledPath& path, std::size_t points, bool drives) {
   path.positions.reserve(points);
   path.kinds.reserve(points);
   path.times.reserve(points);
   path.causes.reserve(points);
   path.deviations.reserve(points);
   for (std::size_t quantity = 0; quantity < own_sampled_count; ++quantity) {
-    path.values[quantity].reserve(points);
+    if (drives || !is_of_drives(quantity)) {
+      path.values[quantity].reserve(points);
+    }
   }
 }
 
@@ -41,8 +44,8 @@ struct Chunk {
 /// Draws the samples of one trajectory, or of a chunk of it.
 class ExecutedSampling {
  public:
-  ExecutedSampling(const Trajectory& trajectory, std::span<const double> also_at)
-      : trajectory_(trajectory), also_at_(also_at), deviation_(programmed_of(trajectory)) {
+  ExecutedSampling(const Trajectory& trajectory, std::span<const double> also_at, const ActualPath* actual)
+      : trajectory_(trajectory), also_at_(also_at), actual_(actual), deviation_(programmed_of(trajectory)) {
     for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
       const Part& part = walk.part();
       if (part.law == Law::filtered && !trajectory.is_rapid(part.element)) {
@@ -76,11 +79,15 @@ class ExecutedSampling {
     return chunks;
   }
 
+  /// Once.
   SampledPath run(const Chunk& chunk, double spacing) {
     SampledPath path;
     path.origin = trajectory_.path().element(0).start;
-    reserve(path, spacing > 0 ? 0 : chunk.wanted + 2);
+    reserve(path, spacing > 0 ? 0 : chunk.wanted + 2, actual_ != nullptr);
     Sampler sampler(path, spacing);
+    if (actual_ != nullptr) {
+      sampled_.emplace(*actual_, trajectory_.pieces()[chunk.piece].time);
+    }
     std::optional<Part> last = chunk.before;
     PartWalk walk(trajectory_, chunk.piece);
     if (last) {
@@ -270,11 +277,19 @@ class ExecutedSampling {
     values.push_back(Stored(static_cast<float>(value)));
   }
 
-  static void add_values(SampledPath& path, const State& state) {
+  void add_values(SampledPath& path, const State& state) {
+    std::optional<ActualSample> actual;
+    if (sampled_) {
+      actual = sampled_->at(state);
+    }
+    const Instant instant(state, actual ? &*actual : nullptr);
     std::size_t next = 0;
     for (const QuantityInfo& quantity : all_quantities()) {
       if (quantity.colours) {
-        store(path.values[next++], quantity.of(state));
+        if (quantity.source == QuantitySource::motion || actual) {
+          store(path.values[next], quantity.of(instant));
+        }
+        ++next;
       }
     }
   }
@@ -290,8 +305,10 @@ class ExecutedSampling {
 
   const Trajectory& trajectory_;
   std::span<const double> also_at_;  ///< those that are still to come [s]
-  double top_speed_ = 0;             ///< [mm/s]
-  double top_jerk_ = 0;              ///< along the path [mm/s3]
+  const ActualPath* actual_;         ///< null without drives
+  std::optional<ActualSampler> sampled_;
+  double top_speed_ = 0;  ///< [mm/s]
+  double top_jerk_ = 0;   ///< along the path [mm/s3]
   PathDeviation deviation_;
   bool gap_ = false;  ///< the next point is behind a gap
 };
@@ -309,7 +326,7 @@ SampledPath joined(std::vector<SampledPath> parts) {
   for (const SampledPath& part : parts) {
     size += part.size();
   }
-  reserve(path, path.size() + size);
+  reserve(path, path.size() + size, !path.values[sample_index(Colouring::following_error)].empty());
   for (std::size_t i = 1; i < parts.size(); ++i) {
     SampledPath& part = parts[i];
     move_behind(path.positions, part.positions);
@@ -330,11 +347,11 @@ SampledPath joined(std::vector<SampledPath> parts) {
 }  // namespace
 
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points,
-                            std::span<const double> also_at, Progress* progress) {
+                            std::span<const double> also_at, Progress* progress, const ActualPath* actual) {
   if (trajectory.pieces().empty()) {
     return {};
   }
-  const ExecutedSampling sampling(trajectory, also_at);
+  const ExecutedSampling sampling(trajectory, also_at, actual);
   const std::vector<Chunk> chunks = sampling.chunks();
   std::size_t wanted = 1;
   for (const Chunk& chunk : chunks) {
@@ -353,6 +370,9 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
   SampledPath path = joined(std::move(parts));
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);
+  if (actual != nullptr) {
+    path.actual = std::make_shared<const SampledPath>(sample_actual(*actual, max_points));
+  }
   return path;
 }
 

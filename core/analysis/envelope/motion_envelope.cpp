@@ -1,4 +1,4 @@
-#include "core/analysis/envelope.h"
+#include "core/analysis/envelope/motion_envelope.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,27 +26,14 @@ double half_turn_cosine(const CubicBlend& blend) {
 
 }  // namespace
 
-void Band::add(const Band& other) {
-  for (std::size_t i = 0; i < extents.size(); ++i) {
-    extents[i].add(other.extents[i]);
-  }
-}
-
-void Band::add(const State& state) {
-  const auto charted = all_quantities().subspan(static_cast<std::size_t>(first_charted), charted_count);
-  for (std::size_t i = 0; i < charted_count; ++i) {
-    extents[i].add(static_cast<float>(charted[i].of(state)));
-  }
-}
-
-Envelope::Envelope(std::shared_ptr<const Trajectory> trajectory, Progress* progress)
+MotionEnvelope::MotionEnvelope(std::shared_ptr<const Trajectory> trajectory, Progress* progress)
     : trajectory_(std::move(trajectory)), causes_(trajectory_) {
   const std::size_t pieces = trajectory_->pieces().size();
-  std::vector<Band> groups((pieces + pieces_a_group - 1) / pieces_a_group);
+  std::vector<MotionBand> groups((pieces + pieces_a_group - 1) / pieces_a_group);
   std::size_t reported = 0;
   for (PartWalk walk(*trajectory_); !walk.done(); walk.next()) {
     const Part& part = walk.part();
-    Band band;
+    MotionBand band;
     add_part(band, part, walk.motion(), part.duration);
     groups[part.piece / pieces_a_group].add(band);
     if (!trajectory_->is_rapid(part.element)) {
@@ -58,7 +45,7 @@ Envelope::Envelope(std::shared_ptr<const Trajectory> trajectory, Progress* progr
     }
   }
   while (groups.size() > fan_out) {
-    std::vector<Band> merged((groups.size() + fan_out - 1) / fan_out);
+    std::vector<MotionBand> merged((groups.size() + fan_out - 1) / fan_out);
     for (std::size_t i = 0; i < groups.size(); ++i) {
       merged[i / fan_out].add(groups[i]);
     }
@@ -67,26 +54,18 @@ Envelope::Envelope(std::shared_ptr<const Trajectory> trajectory, Progress* progr
   levels_.push_back(std::move(groups));
 }
 
-std::vector<Band> Envelope::columns(std::span<const double> times) const {
-  std::vector<Band> bands;
-  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
-    bands.push_back(column(times[i], times[i + 1]));
-  }
-  return bands;
-}
-
-Band Envelope::overall() const {
-  Band band;
+MotionBand MotionEnvelope::overall() const {
+  MotionBand band;
   if (!levels_.empty()) {
-    for (const Band& part : levels_.back()) {
+    for (const MotionBand& part : levels_.back()) {
       band.add(part);
     }
   }
   return band;
 }
 
-Band Envelope::column(double from, double to) const {
-  Band band;
+MotionBand MotionEnvelope::column(double from, double to) const {
+  MotionBand band;
   if (trajectory_ == nullptr || trajectory_->pieces().empty() || to < 0 || from > trajectory_->duration()) {
     return band;
   }
@@ -110,13 +89,14 @@ Band Envelope::column(double from, double to) const {
   return band;
 }
 
-double Envelope::group_duration(std::size_t group) const {
+double MotionEnvelope::group_duration(std::size_t group) const {
   const std::size_t first = group * pieces_a_group;
   const std::size_t last = std::min(first + pieces_a_group, trajectory_->pieces().size()) - 1;
   return trajectory_->piece_end(last) - trajectory_->pieces()[first].time;
 }
 
-void Envelope::add_pieces(Band& band, std::size_t first, std::size_t last, double from, double to) const {
+void MotionEnvelope::add_pieces(MotionBand& band, std::size_t first, std::size_t last, double from,
+                                double to) const {
   for (std::size_t i = first; i <= last; ++i) {
     const double start = trajectory_->pieces()[i].time;
     const double begin = std::max(from, start) - start;
@@ -127,7 +107,7 @@ void Envelope::add_pieces(Band& band, std::size_t first, std::size_t last, doubl
   }
 }
 
-void Envelope::add_piece(Band& band, std::size_t piece, double from, double to) const {
+void MotionEnvelope::add_piece(MotionBand& band, std::size_t piece, double from, double to) const {
   const double until = trajectory_->pieces()[piece].time + to;
   for (PartWalk walk(*trajectory_, piece, from); !walk.done(); walk.next()) {
     const Part& part = walk.part();
@@ -138,7 +118,8 @@ void Envelope::add_piece(Band& band, std::size_t piece, double from, double to) 
   }
 }
 
-void Envelope::add_part(Band& band, const Part& part, const PartMotion& motion, double duration) const {
+void MotionEnvelope::add_part(MotionBand& band, const Part& part, const PartMotion& motion,
+                              double duration) const {
   band.add(motion.state_without_length(0));
   if (!(duration > 0)) {
     return;
@@ -154,7 +135,7 @@ void Envelope::add_part(Band& band, const Part& part, const PartMotion& motion, 
   }
 }
 
-int Envelope::inner_samples(const Part& part, const ElementCurve& curve, double duration) const {
+int MotionEnvelope::inner_samples(const Part& part, const ElementCurve& curve, double duration) const {
   const double advanced = advance({0, part.v, part.a, part.j}, duration).q;
   double steps = 0;
   if (part.law == Law::filtered) {
@@ -169,9 +150,9 @@ int Envelope::inner_samples(const Part& part, const ElementCurve& curve, double 
   return static_cast<int>(std::clamp(std::ceil(steps) - 1, 0.0, double{max_inner_samples}));
 }
 
-void Envelope::add_groups(Band& band, std::size_t first, std::size_t last) const {
+void MotionEnvelope::add_groups(MotionBand& band, std::size_t first, std::size_t last) const {
   for (std::size_t level = 0; first < last; ++level) {
-    const std::vector<Band>& bands = levels_[level];
+    const std::vector<MotionBand>& bands = levels_[level];
     const bool top = level + 1 == levels_.size();
     while (first < last && (top || first % fan_out != 0)) {
       band.add(bands[first++]);

@@ -1,4 +1,4 @@
-#include "core/trajectory/quantity.h"
+#include "core/analysis/quantity.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/analysis/envelope.h"
+#include "core/analysis/envelope/envelope.h"
 
 #include <gtest/gtest.h>
 
@@ -28,8 +28,8 @@ std::string random_program(unsigned seed, int blocks) {
 }
 
 /// Extents found by looking at very many states.
-Band brute_force(const Trajectory& trajectory, double from, double to) {
-  Band band;
+MotionBand brute_force(const Trajectory& trajectory, double from, double to) {
+  MotionBand band;
   for (const Part& part : feedscope::testing::parts_of(trajectory)) {
     const double begin = std::max(from, part.time) - part.time;
     const double end = std::min(to - part.time, part.duration);
@@ -45,9 +45,10 @@ double tolerance_of(const Extent& overall) {
 }
 
 /// `band` holds all of `least` and nothing beyond `most`.
-void expect_between(const Band& band, const Band& least, const Band& most, const Band& overall,
+template <typename Least>
+void expect_between(const Band& band, const Least& least, const Least& most, const Band& overall,
                     const std::string& place) {
-  for (std::size_t i = 0; i < charted_count; ++i) {
+  for (std::size_t i = 0; i < charted_of_motion.count; ++i) {
     const double tolerance = tolerance_of(overall.extents[i]);
     const Extent& extent = band.extents[i];
     const std::string where = place + " channel " + std::to_string(i);
@@ -135,11 +136,79 @@ TEST(Envelope, OfNothingIsEmpty) {
   EXPECT_TRUE(still.columns(times).front()[QuantityId::feed].empty());
 }
 
+TEST(Envelope, HasNothingOfDrivesWithoutThem) {
+  const auto run = test::simulate_text(test::small_program);
+  const Envelope envelope(run.trajectory);
+  EXPECT_FALSE(envelope.has(QuantitySource::drives));
+  EXPECT_TRUE(envelope.overall()[QuantityId::following_error_x].empty());
+}
+
+/// All axes without feed-forward, X slower than the others.
+std::shared_ptr<const ActualPath> actual_path(const Run& run) {
+  Machine machine = run.setup.machine;
+  for (const char axis : {'X', 'Y', 'Z'}) {
+    set_axis_value(machine, axis, "kv", axis == 'X' ? 40.0 : 60.0);
+    set_axis_value(machine, axis, "velocity_lag", 3.0);
+  }
+  return std::make_shared<const ActualPath>(run.trajectory, machine);
+}
+
+TEST(Envelope, SteadyFollowingErrorIsVelocityOverGain) {
+  // 100 mm/s over a gain of 40 1/s leave the axis 2.5 mm behind, along the path.
+  const auto run = test::simulate_text("G21 G90 F6000\nG1 X100\n", "cam");
+  const Envelope envelope(run.trajectory, actual_path(run));
+  ASSERT_TRUE(envelope.has(QuantitySource::drives));
+  const std::vector<double> times{0.6, 0.8};
+  const Band column = envelope.columns(times).front();
+  EXPECT_NEAR(column[QuantityId::following_error_x].min, 2.5, 1e-5);
+  EXPECT_NEAR(column[QuantityId::following_error_x].max, 2.5, 1e-5);
+  EXPECT_NEAR(column[QuantityId::following_error_across].max, 0, 1e-9);
+  EXPECT_EQ(column[QuantityId::following_error_y].max, 0);
+}
+
+TEST(Envelope, OfDrivesHoldsWhatEveryInstantHasAndLittleMore) {
+  const auto run = test::simulate_text(random_program(5, 60));
+  const auto actual = actual_path(run);
+  const Envelope envelope(run.trajectory, actual);
+  const double duration = run.trajectory->duration();
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> anywhere(0, duration);
+  for (int i = 0; i < 12; ++i) {
+    const auto [from, wide] = std::minmax({anywhere(random), anywhere(random)});
+    const double to = i % 2 == 0 ? wide : from + (wide - from) / 100;
+    DriveBand least;
+    DriveBand most;
+    const double beyond = (to - from) / 8;
+    for (int k = -500; k <= 4500; ++k) {
+      const double time = from + (to - from) * k / 4000;
+      if (time < 0 || time > duration || time < from - beyond || time > to + beyond) {
+        continue;
+      }
+      const State state = run.trajectory->state(time);
+      const ActualSample sample = actual->at(state);
+      most.add(Instant(state, &sample));
+      if (k >= 0 && k <= 4000) {
+        least.add(Instant(state, &sample));
+      }
+    }
+    const std::vector<double> times{from, to};
+    const Band column = envelope.columns(times).front();
+    for (std::size_t q = 0; q < charted_of_drives.count; ++q) {
+      const Extent& extent = column.extents[charted_of_drives.index + q];
+      const double tolerance = tolerance_of(most.extents[q]);
+      EXPECT_LE(double{extent.min}, double{least.extents[q].min} + tolerance) << q;
+      EXPECT_GE(double{extent.max}, double{least.extents[q].max} - tolerance) << q;
+      EXPECT_GE(double{extent.min}, double{most.extents[q].min} - tolerance) << q;
+      EXPECT_LE(double{extent.max}, double{most.extents[q].max} + tolerance) << q;
+    }
+  }
+}
+
 TEST(Envelope, StopsWhenCancelled) {
   const auto run = test::simulate_text(test::small_program);
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(Envelope(run.trajectory, &progress), Cancelled);
+  EXPECT_THROW(Envelope(run.trajectory, nullptr, &progress), Cancelled);
 }
 
 }  // namespace

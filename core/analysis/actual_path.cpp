@@ -1,0 +1,31 @@
+#include "core/analysis/actual_path.h"
+
+#include <cmath>
+
+namespace feedscope {
+
+ActualPath::ActualPath(std::shared_ptr<const Trajectory> trajectory, const Machine& machine,
+                       Progress* progress)
+    : response_(std::move(trajectory), machine, progress),
+      deviation_(*response_.trajectory().path().programmed()) {}
+
+ActualSample ActualPath::at(const State& state) const {
+  return ActualSampler(*this, state.time).at(state);
+}
+
+PathDeviation::Foot ActualErrors::foot(const Vec3& position, std::uint32_t element) {
+  const PathDeviation::Foot found = deviation_.nearest(position, trajectory_.path().segment(element), last_);
+  last_ = found.segment;
+  return found;
+}
+
+double ActualErrors::at(const Vec3& position, std::uint32_t element) {
+  return std::sqrt(foot(position, element).squared);
+}
+
+ActualSample ActualSampler::at(const State& state) {
+  const ActualMotion motion = walk_.at(state.time);
+  return {motion, errors_.at(motion.position, state.element)};
+}
+
+}  // namespace feedscope

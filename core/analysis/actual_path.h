@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+
+#include "core/analysis/path_deviation.h"
+#include "core/drives/drive_response.h"
+
+namespace feedscope {
+
+/// What the axes do at one instant.
+struct ActualSample {
+  ActualMotion motion;
+  double contour_error = 0;  ///< distance of the actual position from the nearest programmed point [mm]
+};
+
+/// The path that the axes of a machine with drives run, beside the set path that they are asked for.
+class ActualPath {
+ public:
+  /// One pass over the trajectory, as DriveResponse. Throws Cancelled, and InputError as AxisDrives.
+  ActualPath(std::shared_ptr<const Trajectory> trajectory, const Machine& machine,
+             Progress* progress = nullptr);
+
+  const Trajectory& trajectory() const { return response_.trajectory(); }
+  const DriveResponse& response() const { return response_; }
+  /// `state`: of the trajectory. Costs up to 32 spans; for many in order use an ActualSampler.
+  ActualSample at(const State& state) const;
+
+ private:
+  friend class ActualErrors;
+
+  DriveResponse response_;
+  PathDeviation deviation_;
+};
+
+/// Contour errors of actual positions at instants in order.
+class ActualErrors {
+ public:
+  /// `path` must outlive this.
+  explicit ActualErrors(const ActualPath& path)
+      : trajectory_(path.trajectory()), deviation_(path.deviation_) {}
+
+  /// Nearest programmed point of `position`, while `element` is under way.
+  PathDeviation::Foot foot(const Vec3& position, std::uint32_t element);
+  /// Its distance [mm].
+  double at(const Vec3& position, std::uint32_t element);
+
+ private:
+  const Trajectory& trajectory_;
+  PathDeviation deviation_;
+  std::size_t last_ = 0;  ///< segment of the foot before
+};
+
+/// Samples at instants that never fall.
+class ActualSampler {
+ public:
+  /// `from`: the first instant [s]. `path` must outlive this.
+  explicit ActualSampler(const ActualPath& path, double from = 0)
+      : walk_(path.response(), from), errors_(path) {}
+  /// `state`: of the trajectory.
+  ActualSample at(const State& state);
+
+ private:
+  ActualWalk walk_;
+  ActualErrors errors_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+
+#include "core/analysis/actual_path.h"
+#include "core/analysis/envelope/band.h"
+#include "core/trajectory/state_walk.h"
+
+namespace feedscope {
+
+/// Into how many equal parts looks cut a span of the set path: each part 2 ms at most, far below the time in
+/// which drives answer, and at least 2; of long spans 64, as little changes in them once the drives have
+/// settled.
+int looks_in(const SetSpan& span);
+
+/// What the drives make of a run span by span, for a SpanEnvelope.
+class DriveWalk {
+ public:
+  using Band = DriveBand;
+  /// The actual path, which this shares.
+  class Source {
+   public:
+    explicit Source(std::shared_ptr<const ActualPath> path) : path_(std::move(path)) {}
+    const ActualPath& path() const { return *path_; }
+    double duration() const { return path_->trajectory().duration(); }
+
+   private:
+    std::shared_ptr<const ActualPath> path_;
+  };
+
+  /// `source` must outlive this.
+  DriveWalk(const Source& source, double time);
+
+  bool done() const { return walk_.done(); }
+  double begin() const { return walk_.span().time; }
+  double end() const { return walk_.span().end(); }
+  int looks() const { return looks_in(walk_.span()); }
+  void add(Band& band, double time);
+  void next() { walk_.next_span(); }
+
+ private:
+  ActualWalk walk_;
+  ActualErrors errors_;
+  StateWalk set_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/analysis/envelope/drive_walk.h"
+#include "core/analysis/envelope/motion_envelope.h"
+#include "core/analysis/envelope/span_envelope.h"
+
+namespace feedscope {
+
+/// Level of detail of a run for charts: the least and the largest value of every quantity in every pixel
+/// column.
+class Envelope {
+ public:
+  Envelope() = default;
+  /// `actual`: of a machine with drives, else null. Throws Cancelled if `progress` is cancelled.
+  explicit Envelope(std::shared_ptr<const Trajectory> trajectory,
+                    std::shared_ptr<const ActualPath> actual = nullptr, Progress* progress = nullptr);
+
+  /// One band for each pair of neighbours in `times` [s], ascending. Columns outside the run are empty.
+  std::vector<Band> columns(std::span<const double> times) const;
+  /// The band of the whole run; empty for an empty trajectory.
+  Band overall() const;
+  /// The band of everything except rapids.
+  const MotionBand& cutting() const { return motion_.cutting(); }
+  const CauseTimes& causes() const { return motion_.causes(); }
+  /// Whether a run has quantities of this source.
+  bool has(QuantitySource source) const {
+    return source == QuantitySource::drives ? drives_.has_value() : true;
+  }
+
+ private:
+  MotionEnvelope motion_;
+  std::optional<SpanEnvelope<DriveWalk>> drives_;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/analysis/cause_times.h"
+#include "core/analysis/envelope/band.h"
+#include "core/base/progress.h"
+#include "core/trajectory/part_walk.h"
+
+namespace feedscope {
+
+/// Level of detail of a trajectory for charts: the least and the largest value in every pixel column.
+///
+/// A pyramid of extents over groups of motion pieces, about 37 bytes a piece, built once in linear time. A
+/// column then costs a logarithmic walk of the pyramid plus the pieces of the two groups that its borders
+/// cut, whatever the length of the program. A cut group that lasts less than 1/8 of the column counts as a
+/// whole, so a column may show what happens that much beyond its borders, never less than what is in it.
+/// Extremes on straight elements are exact; arcs are sampled every 5 degrees, blends the closer the sharper
+/// they turn: within 2 % of the largest value for turns up to 150 degrees.
+class MotionEnvelope {
+ public:
+  MotionEnvelope() = default;
+  /// Throws Cancelled if `progress` is cancelled.
+  explicit MotionEnvelope(std::shared_ptr<const Trajectory> trajectory, Progress* progress = nullptr);
+
+  /// From one time to another [s]; empty outside the trajectory.
+  MotionBand column(double from, double to) const;
+  /// The band of the whole trajectory; empty for an empty trajectory.
+  MotionBand overall() const;
+  /// The band of everything except rapids.
+  const MotionBand& cutting() const { return cutting_; }
+  const CauseTimes& causes() const { return causes_; }
+
+ private:
+  double group_duration(std::size_t group) const;
+  void add_piece(MotionBand& band, std::size_t piece, double from, double to) const;
+  void add_pieces(MotionBand& band, std::size_t first, std::size_t last, double from, double to) const;
+  void add_groups(MotionBand& band, std::size_t first, std::size_t last) const;
+  void add_part(MotionBand& band, const Part& part, const PartMotion& motion, double duration) const;
+  int inner_samples(const Part& part, const ElementCurve& curve, double duration) const;
+
+  std::shared_ptr<const Trajectory> trajectory_;
+  CauseTimes causes_;
+  MotionBand cutting_;
+  std::vector<std::vector<MotionBand>>
+      levels_;  ///< [0]: one band a group of pieces; each next level merges a few
+};
+
+}  // namespace feedscope

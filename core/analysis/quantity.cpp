@@ -1,0 +1,164 @@
+#include "core/analysis/quantity.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/base/translatable.h"
+
+namespace feedscope {
+namespace {
+
+using enum Dimension;
+using Id = QuantityId;
+using Chart = QuantityChart;
+
+double across(const Instant& i) {
+  return std::sqrt(std::max(
+      0.0, i.set.acceleration.squaredNorm() - i.set.tangential_acceleration * i.set.tangential_acceleration));
+}
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+template <int axis>
+double actual_position(const Instant& i) {
+  return i.actual != nullptr ? i.actual->motion.position[axis] : unknown;
+}
+
+template <int axis>
+double following_error(const Instant& i) {
+  return i.actual != nullptr ? i.actual->motion.following_error[axis] : unknown;
+}
+
+double whole_following_error(const Instant& i) {
+  return i.actual != nullptr ? i.actual->motion.following_error.norm() : unknown;
+}
+
+double following_error_across(const Instant& i) {
+  if (i.actual == nullptr) {
+    return unknown;
+  }
+  const Vec3& error = i.actual->motion.following_error;
+  if (!(i.set.speed > 0)) {
+    return error.norm();
+  }
+  return error.cross(i.set.velocity).norm() / i.set.velocity.norm();
+}
+
+double actual_contour_error(const Instant& i) {
+  return i.actual != nullptr ? i.actual->contour_error : unknown;
+}
+
+constexpr QuantitySource drives = QuantitySource::drives;
+
+constexpr std::array<QuantityInfo, quantity_count> quantities{{
+    {Id::time, "time", "time_s", QT_TRANSLATE_NOOP("core", "Time"), time, -1, Chart::none, "", false, false,
+     [](const Instant& i) { return i.set.time; }},
+    {Id::path_length, "path_length", "path_mm", QT_TRANSLATE_NOOP("core", "Path length"), length, -1,
+     Chart::none, "", false, false, [](const Instant& i) { return i.set.path_length; }},
+    {Id::line, "line", "line", QT_TRANSLATE_NOOP("core", "Line"), number, -1, Chart::none, "", false, false,
+     [](const Instant& i) { return static_cast<double>(i.set.line); }},
+    {Id::position_x, "x", "x_mm", QT_TRANSLATE_NOOP("core", "Position of %1"), length, 0, Chart::none, "",
+     false, true, [](const Instant& i) { return i.set.position.x(); }},
+    {Id::position_y, "y", "y_mm", QT_TRANSLATE_NOOP("core", "Position of %1"), length, 1, Chart::none, "",
+     false, true, [](const Instant& i) { return i.set.position.y(); }},
+    {Id::position_z, "z", "z_mm", QT_TRANSLATE_NOOP("core", "Position of %1"), length, 2, Chart::none, "",
+     false, true, [](const Instant& i) { return i.set.position.z(); }},
+    {Id::feed, "feed", "feed_mm_min", QT_TRANSLATE_NOOP("core", "Feed"), feed, -1, Chart::feed,
+     QT_TRANSLATE_NOOP("core", "achieved"), true, false, [](const Instant& i) { return i.set.speed; }},
+    {Id::programmed_feed, "programmed_feed", "programmed_feed_mm_min",
+     QT_TRANSLATE_NOOP("core", "Programmed feed"), feed, -1, Chart::feed,
+     QT_TRANSLATE_NOOP("core", "programmed"), false, false,
+     [](const Instant& i) { return i.set.programmed_feed; }},
+    {Id::velocity_x, "vx", "vx_mm_min", QT_TRANSLATE_NOOP("core", "Velocity of %1"), feed, 0, Chart::feed, "",
+     false, true, [](const Instant& i) { return i.set.velocity.x(); }},
+    {Id::velocity_y, "vy", "vy_mm_min", QT_TRANSLATE_NOOP("core", "Velocity of %1"), feed, 1, Chart::feed, "",
+     false, true, [](const Instant& i) { return i.set.velocity.y(); }},
+    {Id::velocity_z, "vz", "vz_mm_min", QT_TRANSLATE_NOOP("core", "Velocity of %1"), feed, 2, Chart::feed, "",
+     false, true, [](const Instant& i) { return i.set.velocity.z(); }},
+    {Id::acceleration_x, "ax", "ax_m_s2", QT_TRANSLATE_NOOP("core", "Acceleration of %1"), acceleration, 0,
+     Chart::acceleration, "", false, true, [](const Instant& i) { return i.set.acceleration.x(); }},
+    {Id::acceleration_y, "ay", "ay_m_s2", QT_TRANSLATE_NOOP("core", "Acceleration of %1"), acceleration, 1,
+     Chart::acceleration, "", false, true, [](const Instant& i) { return i.set.acceleration.y(); }},
+    {Id::acceleration_z, "az", "az_m_s2", QT_TRANSLATE_NOOP("core", "Acceleration of %1"), acceleration, 2,
+     Chart::acceleration, "", false, true, [](const Instant& i) { return i.set.acceleration.z(); }},
+    {Id::jerk_x, "jx", "jx_m_s3", QT_TRANSLATE_NOOP("core", "Jerk of %1"), jerk, 0, Chart::jerk, "", false,
+     true, [](const Instant& i) { return i.set.jerk.x(); }},
+    {Id::jerk_y, "jy", "jy_m_s3", QT_TRANSLATE_NOOP("core", "Jerk of %1"), jerk, 1, Chart::jerk, "", false,
+     true, [](const Instant& i) { return i.set.jerk.y(); }},
+    {Id::jerk_z, "jz", "jz_m_s3", QT_TRANSLATE_NOOP("core", "Jerk of %1"), jerk, 2, Chart::jerk, "", false,
+     true, [](const Instant& i) { return i.set.jerk.z(); }},
+    {Id::tangential_acceleration, "tangential_acceleration", "at_m_s2",
+     QT_TRANSLATE_NOOP("core", "Tangential acceleration"), acceleration, -1, Chart::acceleration,
+     QT_TRANSLATE_NOOP("core", "tangential"), true, true,
+     [](const Instant& i) { return i.set.tangential_acceleration; }},
+    {Id::tangential_jerk, "tangential_jerk", "jt_m_s3", QT_TRANSLATE_NOOP("core", "Tangential jerk"), jerk,
+     -1, Chart::jerk, QT_TRANSLATE_NOOP("core", "tangential"), true, true,
+     [](const Instant& i) { return i.set.tangential_jerk; }},
+    {Id::acceleration_across, "acceleration_across", "an_m_s2",
+     QT_TRANSLATE_NOOP("core", "Acceleration across the path"), acceleration, -1, Chart::acceleration,
+     QT_TRANSLATE_NOOP("core", "across"), true, false, across},
+    {Id::acceleration, "acceleration", "", QT_TRANSLATE_NOOP("core", "Acceleration"), acceleration, -1,
+     Chart::none, "", true, false, [](const Instant& i) { return i.set.acceleration.norm(); }},
+    {Id::jerk, "jerk", "", QT_TRANSLATE_NOOP("core", "Jerk"), jerk, -1, Chart::none, "", true, false,
+     [](const Instant& i) { return i.set.jerk.norm(); }},
+    {Id::feed_ratio, "feed_ratio", "", QT_TRANSLATE_NOOP("core", "Feed / programmed"), ratio, -1, Chart::none,
+     "", true, false,
+     [](const Instant& i) { return i.set.programmed_feed > 0 ? i.set.speed / i.set.programmed_feed : 0; }},
+    {Id::actual_x, "actual_x", "actual_x_mm", QT_TRANSLATE_NOOP("core", "Actual position of %1"), length, 0,
+     Chart::none, "", false, true, actual_position<0>, drives},
+    {Id::actual_y, "actual_y", "actual_y_mm", QT_TRANSLATE_NOOP("core", "Actual position of %1"), length, 1,
+     Chart::none, "", false, true, actual_position<1>, drives},
+    {Id::actual_z, "actual_z", "actual_z_mm", QT_TRANSLATE_NOOP("core", "Actual position of %1"), length, 2,
+     Chart::none, "", false, true, actual_position<2>, drives},
+    {Id::following_error_x, "following_error_x", "following_error_x_um",
+     QT_TRANSLATE_NOOP("core", "Following error of %1"), error, 0, Chart::following_error, "", false, true,
+     following_error<0>, drives},
+    {Id::following_error_y, "following_error_y", "following_error_y_um",
+     QT_TRANSLATE_NOOP("core", "Following error of %1"), error, 1, Chart::following_error, "", false, true,
+     following_error<1>, drives},
+    {Id::following_error_z, "following_error_z", "following_error_z_um",
+     QT_TRANSLATE_NOOP("core", "Following error of %1"), error, 2, Chart::following_error, "", false, true,
+     following_error<2>, drives},
+    {Id::actual_contour_error, "actual_contour_error", "actual_contour_error_um",
+     QT_TRANSLATE_NOOP("core", "Contour error of the actual path"), error, -1, Chart::following_error,
+     QT_TRANSLATE_NOOP("core", "contour error"), true, false, actual_contour_error, drives},
+    {Id::following_error_across, "following_error_across", "",
+     QT_TRANSLATE_NOOP("core", "Following error across the path"), error, -1, Chart::following_error,
+     QT_TRANSLATE_NOOP("core", "across"), false, false, following_error_across, drives},
+    {Id::following_error, "following_error", "", QT_TRANSLATE_NOOP("core", "Following error"), error, -1,
+     Chart::none, "", true, false, whole_following_error, drives},
+}};
+
+constexpr bool is_in(QuantityId id, const ChartedRange& range) {
+  return id >= range.first &&
+         static_cast<std::size_t>(id) < static_cast<std::size_t>(range.first) + range.count;
+}
+
+constexpr bool is_consistent() {
+  std::size_t coloured = 0;
+  for (std::size_t i = 0; i < quantities.size(); ++i) {
+    const QuantityInfo& quantity = quantities[i];
+    const bool charted =
+        is_in(quantity.id, quantity.source == drives ? charted_of_drives : charted_of_motion);
+    if (static_cast<std::size_t>(quantity.id) != i || charted != (quantity.chart != Chart::none)) {
+      return false;
+    }
+    coloured += quantity.colours ? 1 : 0;
+  }
+  return coloured == coloured_count;
+}
+static_assert(is_consistent());
+
+}  // namespace
+
+std::span<const QuantityInfo> all_quantities() {
+  return quantities;
+}
+
+const QuantityInfo& info_of(QuantityId id) {
+  return quantities[static_cast<std::size_t>(id)];
+}
+
+}  // namespace feedscope

@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "core/analysis/actual_path.h"
+#include "core/base/dimension.h"
+
+namespace feedscope {
+
+/// What is known of one instant of a run. Refers to what it is made of.
+struct Instant {
+  // NOLINTNEXTLINE(google-explicit-constructor): a state is an instant of a run without drives
+  Instant(const State& state, const ActualSample* sample = nullptr) : set(state), actual(sample) {}
+
+  const State& set;
+  const ActualSample* actual;  ///< null without drives
+};
+
+/// What a run has at every instant, in the order of CSV columns.
+enum class QuantityId : std::uint8_t {
+  time,
+  path_length,
+  line,
+  position_x,
+  position_y,
+  position_z,
+  feed,
+  programmed_feed,
+  velocity_x,
+  velocity_y,
+  velocity_z,
+  acceleration_x,
+  acceleration_y,
+  acceleration_z,
+  jerk_x,
+  jerk_y,
+  jerk_z,
+  tangential_acceleration,
+  tangential_jerk,
+  acceleration_across,  ///< square to the path: speed squared times curvature
+  acceleration,         ///< length of the vector
+  jerk,                 ///< length of the vector
+  feed_ratio,           ///< achieved over programmed feed
+  actual_x,             ///< from here on of the drives
+  actual_y,
+  actual_z,
+  following_error_x,
+  following_error_y,
+  following_error_z,
+  actual_contour_error,    ///< distance of the actual position from the nearest programmed point
+  following_error_across,  ///< square to the direction of the set motion; all of it at standstill
+  following_error,         ///< length of the vector
+};
+inline constexpr std::size_t quantity_count = static_cast<std::size_t>(QuantityId::following_error) + 1;
+
+/// What a quantity is of.
+enum class QuantitySource : std::uint8_t {
+  motion,  ///< that the control sets
+  drives,  ///< what the axes make of it; not a number where a machine has no drives
+};
+
+/// Where a quantity is drawn over time.
+enum class QuantityChart : std::uint8_t { none, feed, acceleration, jerk, following_error };
+
+/// Quantities that are drawn over time: one behind the other for each source.
+struct ChartedRange {
+  QuantityId first;
+  std::size_t count;  ///< of the range
+  std::size_t index;  ///< of the first among all that are drawn
+};
+inline constexpr ChartedRange charted_of_motion{QuantityId::feed, 14, 0};
+inline constexpr ChartedRange charted_of_drives{QuantityId::following_error_x, 5, charted_of_motion.count};
+inline constexpr std::size_t charted_count = charted_of_drives.index + charted_of_drives.count;
+/// Place of a quantity that is drawn among all that are.
+constexpr std::size_t charted_index(QuantityId id) {
+  const ChartedRange& range = id < charted_of_drives.first ? charted_of_motion : charted_of_drives;
+  return range.index + static_cast<std::size_t>(id) - static_cast<std::size_t>(range.first);
+}
+
+/// How many colour the executed path.
+inline constexpr std::size_t coloured_count = 9;
+
+/// One row for each quantity: CSV, charts, colours, measures of lessons and annotations read this list, so
+/// that a new quantity is a row here.
+struct QuantityInfo {
+  QuantityId id = QuantityId::time;
+  std::string_view key;     ///< stable, for sessions, annotations and lessons: "acceleration_across"
+  std::string_view column;  ///< of CSV, with its unit: "an_m_s2"; empty: none
+  std::string_view title;   ///< English, marked for translation; %1: the axis
+  Dimension dimension = Dimension::number;
+  int axis = -1;  ///< 0 X, 1 Y, 2 Z; -1: of the path
+  QuantityChart chart = QuantityChart::none;
+  std::string_view curve;  ///< name of its curve there, marked for translation; empty: the axis
+  bool colours = false;    ///< the executed path can be coloured by it
+  bool is_signed = false;
+  double (*of)(const Instant&) = nullptr;  ///< in inside units
+  QuantitySource source = QuantitySource::motion;
+};
+
+/// By QuantityId.
+std::span<const QuantityInfo> all_quantities();
+const QuantityInfo& info_of(QuantityId id);
+
+}  // namespace feedscope

@@ -1,0 +1,133 @@
+#include "core/analysis/envelope/drive_walk.h"
+#include "ui/scene/path/sampler.h"
+
+namespace feedscope::ui {
+namespace {
+
+constexpr std::size_t spans_a_report = 4096;
+
+/// The programmed point beside the axes, followed along the path from where they begin: where the path comes
+/// near itself the nearest point would jump from one pass to the other, which deviations drawn larger show.
+class FollowedFoot {
+ public:
+  explicit FollowedFoot(const Toolpath& toolpath) : toolpath_(toolpath), deviation_(toolpath) {}
+
+  /// The motion begins anew on `segment`.
+  void begin(std::size_t segment) { last_ = {segment, 0, Vec3::Zero(), 0}; }
+  /// `segment`: where the set position is, `behind`: how far the axes are from that [mm].
+  PathDeviation::Result at(const Vec3& position, std::size_t segment, double behind) {
+    const double moved = (position - position_).norm();
+    position_ = position;
+    // A corner is cut by as much as the axes are off the path.
+    const double reach = corner_reach * std::sqrt(last_.squared) + 2 * moved + rounding;
+    PathDeviation::Foot best = deviation_.foot_on(last_.segment, position);
+    double ahead = toolpath_.segments[last_.segment].length - last_.s;
+    for (std::size_t next = last_.segment + 1; next <= segment && ahead <= reach; ++next) {
+      if (const PathDeviation::Foot foot = deviation_.foot_on(next, position); foot.squared < best.squared) {
+        best = foot;
+      }
+      ahead += toolpath_.segments[next].length;
+    }
+    if (std::sqrt(best.squared) > 2 * behind + lost) {
+      best = deviation_.nearest(position, segment, last_.segment);
+    }
+    last_ = best;
+    return deviation_.from_foot(best);
+  }
+
+ private:
+  static constexpr double corner_reach = 4;
+  static constexpr double rounding = 1e-6;  // [mm]
+  static constexpr double lost = 0.1;       // [mm] more than controls leave the path by within a corner
+
+  const Toolpath& toolpath_;
+  PathDeviation deviation_;
+  PathDeviation::Foot last_;
+  Vec3 position_ = Vec3::Zero();
+};
+
+/// Appends instants of the actual path.
+class ActualSampling {
+ public:
+  ActualSampling(SampledPath& path, const ActualPath& actual, double spacing)
+      : path_(path),
+        trajectory_(actual.trajectory()),
+        sampler_(path, spacing),
+        end_sampler_(path, 0),
+        foot_(*trajectory_.path().programmed()),
+        set_(trajectory_),
+        walk_(actual.response()) {}
+
+  bool done() const { return walk_.done(); }
+  double time() const { return walk_.span().time; }
+  /// Goes through one span. Its end is a point only where nothing or a gap is behind it.
+  void add_span() {
+    const SetSpan& span = walk_.span();
+    const int looks = looks_in(span);
+    for (int i = 0; i < looks; ++i) {
+      const double time = span.time + span.duration * i / looks;
+      const State state = set_.at(time);
+      element_ = state.element;
+      if (i == 0 && span.begins) {
+        foot_.begin(trajectory_.path().segment(element_));
+      }
+      add(sampler_, walk_.within_span(time), time, state.speed * span.duration / looks);
+    }
+    const double end_time = span.end();
+    const ActualMotion end = walk_.within_span(end_time);
+    walk_.next_span();
+    if (walk_.done() || walk_.span().begins) {
+      add(end_sampler_, end, end_time, 0);
+      path_.kinds.back() = SpanKind::gap;
+    }
+  }
+
+ private:
+  void add(Sampler& to, const ActualMotion& motion, double time, double length) {
+    const PathDeviation::Result deviation =
+        foot_.at(motion.position, trajectory_.path().segment(element_), motion.following_error.norm());
+    if (!to.add(motion.position, trajectory_.is_rapid(element_) ? SpanKind::rapid : SpanKind::cut, length)) {
+      return;
+    }
+    path_.times.push_back(time);
+    const Eigen::Vector3f shift = deviation.along_bisector.cast<float>();
+    path_.deviations.push_back({Stored(shift.x()), Stored(shift.y()), Stored(shift.z())});
+  }
+
+  SampledPath& path_;
+  const Trajectory& trajectory_;
+  Sampler sampler_;
+  Sampler end_sampler_;
+  FollowedFoot foot_;
+  std::uint32_t element_ = 0;  ///< that was under way last
+  StateWalk set_;
+  ActualWalk walk_;
+};
+
+}  // namespace
+
+SampledPath sample_actual(const ActualPath& actual, std::size_t max_points, Progress* progress) {
+  const Trajectory& trajectory = actual.trajectory();
+  SampledPath path;
+  if (trajectory.pieces().empty()) {
+    return path;
+  }
+  std::size_t wanted = 1;
+  for (SetWalk walk(trajectory); !walk.done(); walk.next()) {
+    wanted += static_cast<std::size_t>(looks_in(walk.span()));
+  }
+  path.origin = trajectory.path().element(0).start;
+  const double spacing = spacing_for(wanted, max_points, trajectory.path_length());
+  ActualSampling sampling(path, actual, spacing);
+  for (std::size_t spans = 0; !sampling.done(); ++spans) {
+    if (progress != nullptr && spans % spans_a_report == 0) {
+      progress->report(sampling.time() / trajectory.duration());
+    }
+    sampling.add_span();
+  }
+  path.levels = levels_of(path);
+  path.boxes = boxes_of(path.positions);
+  return path;
+}
+
+}  // namespace feedscope::ui
