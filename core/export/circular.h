@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/analysis/circularity/circular_test.h"
+#include "core/analysis/circularity/program_circles.h"
 
 namespace feedscope {
 
@@ -14,5 +15,14 @@ std::string circular_json(const Setup& setup, std::span<const CircularTest> test
 /// The same as CSV, one row for each direction: radius_mm,feed_mm_min,plane,direction,reached_feed_mm_min,
 /// time_s,G_um,G_ls_um,Gb_um,Fmax_um,Fmin_um,D_um.
 std::string circular_csv(std::span<const CircularTest> tests);
+
+/// The full circles of `program` in the same way, with what only a circle of a program has: an entry for each
+/// circle, in the order of the tests.
+std::string program_circles_json(const Setup& setup, const Program& program, const ProgramCircles& circles);
+
+/// The same as CSV, behind the columns of circular_csv()
+/// Fmean_um,first_line,last_line,centre_x_mm,centre_y_mm, centre_z_mm,start_deg,sweep_deg,evaluated_deg,path;
+/// Gb_um and D_um stay empty for one direction.
+std::string program_circles_csv(const ProgramCircles& circles);
 
 }  // namespace feedscope

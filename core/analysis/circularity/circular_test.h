@@ -1,11 +1,9 @@
 #pragma once
 
-#include <array>
+#include <optional>
 #include <vector>
 
-#include "core/analysis/circularity/circle_plane.h"
-#include "core/analysis/circularity/circularity.h"
-#include "core/analysis/run.h"
+#include "core/analysis/circularity/circle_pass.h"
 
 namespace feedscope {
 
@@ -20,31 +18,29 @@ struct CircularRequest {
   double entry_radius = 0;
 };
 
-/// One direction of a test.
-struct CirclePass {
-  bool counter_clockwise = true;  ///< from the first axis of the plane to the second
-  double reached_feed = 0;        ///< largest of the set path [mm/s]
-  double time = 0;                ///< of the circle [s]
-  /// At equal steps of the set path, from the programmed centre [mm].
-  std::vector<Eigen::Vector2d> places;
-  Circularity circularity;
-
-  const char* direction() const { return counter_clockwise ? "ccw" : "cw"; }
-};
-
-/// What came out of a circular test.
+/// What came out of a circular test, or of a circle of a program.
 struct CircularTest {
   CircularRequest request;
-  std::array<CirclePass, 2> passes;  ///< counter-clockwise, clockwise
-  Circularity both;                  ///< of the places of both
-  bool actual = false;               ///< of the actual path; else of the set path: the machine has no drives
+  Vec3 center = Vec3::Zero();       ///< programmed [mm]
+  std::vector<CirclePass> passes;   ///< counter-clockwise, clockwise; of a program in its order
+  std::optional<Circularity> both;  ///< of the places of both directions; none where there is one only
+  bool actual = false;              ///< of the actual path; else of the set path: the machine has no drives
 
-  double g_b() const { return both.zone; }                        ///< G(b) [mm]
-  double d() const { return both.mean_radius - request.radius; }  ///< D [mm]
+  /// G(b) [mm]
+  std::optional<double> g_b() const { return both ? std::optional(both->zone) : std::nullopt; }
+  /// D [mm]
+  std::optional<double> d() const {
+    return both ? std::optional(both->mean_radius - request.radius) : std::nullopt;
+  }
+  /// Mean radial deviation of one direction [mm].
+  double mean_deviation(const CirclePass& pass) const {
+    return pass.circularity.mean_radius - request.radius;
+  }
+  bool of_program() const { return !passes.empty() && passes.front().first_line > 0; }
+  const char* path() const { return actual ? "actual" : "set"; }
+  /// Evaluates the places of all passes together where there are several.
+  void join();
 };
-
-/// Number of places of one pass.
-inline constexpr std::size_t circle_places = 3600;
 
 /// Simulates the test. Throws InputError naming value and bound, and as simulate_run().
 CircularTest run_circular_test(const CircularRequest& request, const Setup& setup,

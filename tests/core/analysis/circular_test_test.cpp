@@ -67,8 +67,8 @@ TEST(CircularTest, SetPathOfAMachineWithoutDrivesIsRound) {
   const auto setup = make_setup({"spinner-mvc850", "essid", {}, {}});
   const CircularTest test = run_circular_test(circle_of(30, 3), setup);
   EXPECT_FALSE(test.actual);
-  EXPECT_LT(test.both.zone, 1e-8);
-  EXPECT_LT(std::abs(test.d()), 1e-8);
+  EXPECT_LT(test.both->zone, 1e-8);
+  EXPECT_LT(std::abs(*test.d()), 1e-8);
 }
 
 // Delays of different length tilt the oval one way counter-clockwise and the other way clockwise: each pass
@@ -80,7 +80,7 @@ TEST(CircularTest, DirectionsDifferWhereTheDelaysOfTheAxesDo) {
   EXPECT_NEAR(test.passes[1].circularity.zone, each, 0.02 * each);
   // v (tau_x - tau_y)/2 sin 2 th: a range of v tau = 20 * 0.1/60.
   EXPECT_NEAR(each, 20 * 0.1 / 60, 0.06 * each);
-  EXPECT_GT(test.both.zone, 0.98 * each);
+  EXPECT_GT(test.both->zone, 0.98 * each);
 }
 
 TEST(CircularTest, BacklashAndFrictionShowWhereQuadrantsChange) {
@@ -106,11 +106,11 @@ TEST(CircularTest, BacklashAndFrictionShowWhereQuadrantsChange) {
 TEST(CircularTest, PlanesMoveTheirOwnAxes) {
   CircularRequest request = circle_of(10, 3);
   const auto setup = mikron_with({"Z.kv=", "Z.velocity_feedforward=", "Z.velocity_lag="});
-  EXPECT_NEAR(run_circular_test(request, setup).both.zone,
-              run_circular_test(request, mikron_with()).both.zone, 1e-12);
+  EXPECT_NEAR(run_circular_test(request, setup).both->zone,
+              run_circular_test(request, mikron_with()).both->zone, 1e-12);
   request.plane = CirclePlane::zx;  // Z follows exactly, X grows: an oval
   const CircularTest test = run_circular_test(request, setup);
-  EXPECT_GT(test.both.zone, 0.01);
+  EXPECT_GT(test.both->zone, 0.01);
   EXPECT_EQ(parse_plane("ZX"), CirclePlane::zx);
   EXPECT_THAT([] { parse_plane("XZ"); },
               ::testing::ThrowsMessage<InputError>(::testing::HasSubstr("XY, ZX, YZ")));
