@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
 #include <memory>
 
+#include "app/asked_program.h"
+#include "app/circular_text.h"
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
 #include "app/number_option.h"
@@ -10,8 +12,9 @@
 #include "app/print.h"
 #include "app/run_options.h"
 #include "app/watch.h"
-#include "core/analysis/circularity/circular_test.h"
+#include "core/analysis/circularity/program_circles.h"
 #include "core/analysis/circularity/test_program.h"
+#include "core/analysis/run_stages.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/circular.h"
@@ -24,18 +27,66 @@ namespace feedscope {
 namespace {
 
 struct CircularOptions {
+  RunOptions run;                  ///< of a program; the setup of a test
   std::vector<std::string> radii;  ///< as typed [mm]
   std::vector<std::string> feeds;  ///< [mm/min]
-  std::string plane = "XY";
-  std::string start = "0";    ///< [degrees]
-  std::string sweep = "360";  ///< [degrees]
-  std::string entry_radius;   ///< [mm]
-  std::string machine, model, tolerance;
-  std::vector<std::string> set;
+  std::string plane;
+  std::string start;         ///< [degrees]
+  std::string sweep;         ///< [degrees]
+  std::string entry_radius;  ///< [mm]
   std::string json, csv, program;
   std::string out, size;
-  std::string dialect = "fanuc";
+  std::vector<std::string> circles;  ///< of a program, to be drawn, as typed, from 1
+
+  bool of_program() const { return !run.file.empty(); }
 };
+
+/// `text`, or what holds where nothing was typed.
+std::string typed_or(const std::string& text, const char* usual) {
+  return text.empty() ? usual : text;
+}
+
+/// Throws InputError where options of a test and of a program meet, or neither is asked for.
+void check_form(const CircularOptions& options) {
+  std::vector<GivenOption> other;
+  if (options.of_program()) {
+    other = {{"--radius", !options.radii.empty()},   {"--feed", !options.feeds.empty()},
+             {"--plane", !options.plane.empty()},    {"--start", !options.start.empty()},
+             {"--sweep", !options.sweep.empty()},    {"--entry-radius", !options.entry_radius.empty()},
+             {"--program", !options.program.empty()}};
+    for (const auto& [name, given] : other) {
+      if (given) {
+        throw InputError(
+            fmt::format("{} describes a circle to be tested, but '{}' is a program whose own circles are "
+                        "evaluated; omit one",
+                        name, options.run.file));
+      }
+    }
+    if (!options.circles.empty() && options.out.empty()) {
+      throw InputError("--circle says which circles --out draws; give --out FILE.png too");
+    }
+    return;
+  }
+  other = given_of(options.run);
+  other.emplace_back("--circle", !options.circles.empty());
+  for (const auto& [name, given] : other) {
+    if (given && !(std::string_view(name) == "--dialect" && !options.program.empty())) {
+      throw InputError(
+          std::string_view(name) == "--dialect"
+              ? std::string("--dialect needs --program FILE, or a program to be read")
+              : fmt::format("{} needs a program whose circles are evaluated; give one, or omit it", name));
+    }
+  }
+  for (const auto& [name, missing] :
+       {GivenOption("--radius", options.radii.empty()), {"--feed", options.feeds.empty()}}) {
+    if (missing) {
+      throw InputError(
+          fmt::format("no circle to evaluate: {} is missing; give --radius MM and --feed MM_MIN, "
+                      "or a program with full circles",
+                      name));
+    }
+  }
+}
 
 double number(const std::string& text, const char* option, const char* unit, double least, double most) {
   SettingSpec spec;
@@ -50,9 +101,9 @@ std::vector<CircularRequest> requests_of(const CircularOptions& options) {
   constexpr double largest_radius = 1e5;  // [mm]
   constexpr double largest_feed = 1e6;    // [mm/min]
   CircularRequest common;
-  common.plane = parse_plane(options.plane);
-  common.start = units::from_deg(number(options.start, "--start", "degrees", -360, 360));
-  common.sweep = units::from_deg(number(options.sweep, "--sweep", "degrees", 1, 360));
+  common.plane = parse_plane(typed_or(options.plane, "XY"));
+  common.start = units::from_deg(number(typed_or(options.start, "0"), "--start", "degrees", -360, 360));
+  common.sweep = units::from_deg(number(typed_or(options.sweep, "360"), "--sweep", "degrees", 1, 360));
   if (!options.entry_radius.empty()) {
     common.entry_radius = number(options.entry_radius, "--entry-radius", "mm", 1e-3, largest_radius);
   }
@@ -68,39 +119,19 @@ std::vector<CircularRequest> requests_of(const CircularOptions& options) {
   return requests;
 }
 
-std::string micrometres(double length) {
-  return fmt::format("{:.2f}", std::round(100 * units::to_um(length)) / 100 + 0.0);
-}
-
-std::string table_of(const std::vector<CircularTest>& tests) {
-  TextTable table;
-  table.add(
-      {"radius mm", "feed mm/min", "reached", "", "time s", "G um", "G ls", "Fmax", "Fmin", "G(b)", "D"});
-  for (const CircularTest& test : tests) {
-    for (const CirclePass& pass : test.passes) {
-      const Circularity& found = pass.circularity;
-      table.add({fmt::format("{:.6g}", test.request.radius),
-                 fmt::format("{:.6g}", units::to_mm_min(test.request.feed)),
-                 fmt::format("{:.1f}", units::to_mm_min(pass.reached_feed)), pass.direction(),
-                 fmt::format("{:.3f}", pass.time), micrometres(found.zone), micrometres(found.by_squares),
-                 micrometres(found.largest), micrometres(found.smallest), micrometres(test.g_b()),
-                 micrometres(test.d())});
-    }
-  }
-  return table.text("rrrlrrrrrrr");
-}
-
-void write_outputs(const CircularOptions& options, const Setup& setup,
-                   const std::vector<CircularRequest>& requests, const std::vector<CircularTest>& tests) {
+/// Writes what was asked for: `json` and `csv` make the texts, `tests` are drawn.
+template <class Json, class Csv>
+void write_outputs(const CircularOptions& options, const Setup& setup, Json json, Csv csv,
+                   const std::vector<CircularTest>& tests, const std::string& program) {
   OutputFiles files;
   if (!options.json.empty()) {
-    files.add(options.json) << circular_json(setup, tests);
+    files.add(options.json) << json();
   }
   if (!options.csv.empty()) {
-    files.add(options.csv) << circular_csv(tests);
+    files.add(options.csv) << csv();
   }
   if (!options.program.empty()) {
-    files.add(options.program) << test_program(requests, dialect_of_id(options.dialect));
+    files.add(options.program) << program;
   }
 #ifdef FEEDSCOPE_WITH_UI
   if (!options.out.empty()) {
@@ -112,14 +143,14 @@ void write_outputs(const CircularOptions& options, const Setup& setup,
   files.commit();
 }
 
-int circular(const CircularOptions& options) {
+bool to_standard_output(const CircularOptions& options) {
+  return options.json == "-" || options.csv == "-" || options.program == "-";
+}
+
+int circular_test(const CircularOptions& options) {
   const std::vector<CircularRequest> requests = requests_of(options);
   check_outputs("", {options.json, options.csv, options.program, options.out});
-  SetupRequest asked{options.machine, options.model, {}, options.set, Dialect::iso};
-  if (!options.tolerance.empty()) {
-    asked.tolerance = parse_tolerance(options.tolerance);
-  }
-  const Setup setup = make_setup(asked);
+  const Setup setup = make_setup(options.run.request(Dialect::iso));
   std::vector<CircularTest> tests;
   {
     Watch watch;
@@ -127,19 +158,78 @@ int circular(const CircularOptions& options) {
       tests.push_back(run_circular_test(request, setup, watch.stage("simulating circles")));
     }
   }
-  write_outputs(options, setup, requests, tests);
-  if (options.json != "-" && options.csv != "-" && options.program != "-") {
-    fmt::print("{}, model {}: {}\n\n{}", setup.machine.name, setup.model->info().id,
-               tests.front().actual ? "actual path of the axes"
-                                    : "set path; the machine has no drives: give X.kv and its kin",
-               table_of(tests));
-    fmt::print(
-        "\nG: least separation of two concentric circles that hold the path; G ls: the same about the\n"
-        "centre of the least-squares circle; Fmax, Fmin: largest and least deviation from the nominal\n"
-        "radius at the programmed centre; G(b): G of both directions together; D: mean radius of both\n"
-        "directions less the nominal one (ISO 230-4). All in um.\n");
+  const std::string program =
+      options.program.empty() ? std::string()
+                              : test_program(requests, dialect_of_id(typed_or(options.run.dialect, "fanuc")));
+  write_outputs(
+      options, setup, [&] { return circular_json(setup, tests); }, [&] { return circular_csv(tests); }, tests,
+      program);
+  if (!to_standard_output(options)) {
+    fmt::print("{}", circular_text(setup, tests));
   }
   return exit_code::done;
+}
+
+/// Those that are drawn. Throws InputError for a number that none has, and where there is nothing to draw.
+std::vector<CircularTest> drawn(const CircularOptions& options, const ProgramCircles& circles) {
+  constexpr std::size_t usual = 4;
+  if (options.out.empty()) {
+    return {};
+  }
+  if (circles.tests.empty()) {
+    throw InputError(
+        fmt::format("--out '{}' cannot be drawn: {}", options.out, program_circle_notes(circles).front()));
+  }
+  std::vector<CircularTest> tests;
+  SettingSpec bounds = whole_numbers(1, static_cast<double>(circles.tests.size()));
+  bounds.key = "--circle";
+  for (const std::string& text : options.circles) {
+    tests.push_back(
+        circles.tests[static_cast<std::size_t>(std::get<double>(parse_setting(bounds, text))) - 1]);
+  }
+  if (tests.empty()) {
+    tests.assign(circles.tests.begin(),
+                 circles.tests.begin() + static_cast<std::ptrdiff_t>(std::min(usual, circles.tests.size())));
+    if (circles.tests.size() > usual) {
+      fmt::print(stderr, "feedscope: note: the first {} of {} circles are drawn; --circle N selects others\n",
+                 usual, circles.tests.size());
+    }
+  }
+  return tests;
+}
+
+int circles_of_program(const CircularOptions& options) {
+  const AskedProgram asked = asked_program(options.run, given_of_run(options.run));
+  const Setup setup =
+      asked.is_session() ? asked.setups[asked.current] : make_setup(options.run.request(asked.dialect()));
+  note_unused_tolerance(options.run, setup);
+  for (const std::string& input : {options.run.file, asked.file}) {
+    check_outputs(input, {options.json, options.csv, options.out});
+  }
+  Run run;
+  ProgramCircles circles;
+  {
+    Watch watch;
+    const LoadedProgram program =
+        load_program(asked.source, watch.stage("reading"), reading_on(asked.reading, setup.machine));
+    run = simulate_motion(program, setup, watch.stage("simulating"));
+    circles = program_circles(run, watch.stage("evaluating circles"));
+  }
+  write_outputs(
+      options, setup, [&] { return program_circles_json(setup, *run.input.program, circles); },
+      [&] { return program_circles_csv(circles); }, drawn(options, circles), {});
+  note_unused_reading(*run.input.program, asked.reading);
+  note_runs(run.input, {setup});
+  print_diagnostics(*run.input.program);
+  if (!to_standard_output(options)) {
+    fmt::print("{}", program_circles_text(run, circles));
+  }
+  return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+}
+
+int circular(const CircularOptions& options) {
+  check_form(options);
+  return options.of_program() ? circles_of_program(options) : circular_test(options);
 }
 
 }  // namespace
@@ -147,13 +237,19 @@ int circular(const CircularOptions& options) {
 Command add_circular_command(CLI::App& app) {
   const auto options = std::make_shared<CircularOptions>();
   CLI::App* command = app.add_subcommand(
-      "circular", "Simulate a circular test (ISO 230-4) in both directions: circularity and radial errors");
-  command->add_option("--radius", options->radii, "Radius in mm; several make a table")
-      ->required()
+      "circular",
+      "Simulate a circular test (ISO 230-4) in both directions, or evaluate the full circles of a program: "
+      "circularity and radial errors");
+  add_run_options(*command, options->run)
+      ->required(false)
+      ->description(
+          "NC program, or a session (.feedscope), whose full circles are evaluated; - for standard "
+          "input. Without it: --radius and --feed");
+  command
+      ->add_option("--radius", options->radii, "Radius in mm of a circle to be tested; several make a table")
       ->type_name("MM")
       ->allow_extra_args(false);
-  command->add_option("--feed", options->feeds, "Programmed feed in mm/min; several make a table")
-      ->required()
+  command->add_option("--feed", options->feeds, "Its programmed feed in mm/min; several make a table")
       ->type_name("MM_MIN")
       ->allow_extra_args(false);
   command->add_option("--plane", options->plane, "Plane of the circle: XY, ZX or YZ [XY]")
@@ -166,11 +262,6 @@ Command add_circular_command(CLI::App& app) {
           "--entry-radius", options->entry_radius,
           "Radius in mm of a quarter circle that leads in, and of one that leads out [from rest to rest]")
       ->type_name("MM");
-  command->add_option("--machine", options->machine, machine_help())->type_name("ID|FILE");
-  command->add_option("--model", options->model, "Control model [the machine's]")->type_name("ID");
-  command->add_option("--tolerance", options->tolerance, "Contour tolerance in mm [the machine's]")
-      ->type_name("MM");
-  add_set_option(*command, options->set);
   command->add_option("--json", options->json, "Write the results; - for standard output")->type_name("FILE");
   command->add_option("--csv", options->csv, "Write the results as a table; - for standard output")
       ->type_name("FILE");
@@ -184,16 +275,16 @@ Command add_circular_command(CLI::App& app) {
   command->add_option("--size", options->size, "Width and height of the picture [as large as the plots need]")
       ->type_name("WxH")
       ->needs(out);
-#endif
-  std::vector<std::string_view> dialects;
-  for (const DialectInfo& info : all_dialects()) {
-    dialects.push_back(info.id);
-  }
   command
-      ->add_option("--dialect", options->dialect,
-                   fmt::format("Dialect of that program: {} [fanuc]", fmt::join(dialects, ", ")))
-      ->needs("--program")
-      ->type_name("ID");
+      ->add_option("--circle", options->circles,
+                   "Number in the table of a circle of the program that --out draws; repeat for more [the "
+                   "first four]")
+      ->type_name("N")
+      ->allow_extra_args(false);
+#endif
+  command->get_option("--dialect")
+      ->description(fmt::format("{}; of the one that --program writes [fanuc]",
+                                command->get_option("--dialect")->get_description()));
   state_number_rule(*command);
   return {command, [options] { return circular(*options); }};
 }

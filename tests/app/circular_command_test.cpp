@@ -66,8 +66,71 @@ TEST_F(CircularCommand, DrawsPolarPlotsInTheFormatOfTheName) {
 }
 #endif
 
+// One turn each way about (5, 0), one of halves about (0, 0), and a helix.
+constexpr const char* circles =
+    "G21 G90 G17 G94 F6000\nG0 X35 Y0\nG3 I-30 J0\nG2 I-30 J0\nG0 X20\nG3 X-20 I-20\nX20 I20\n"
+    "G3 I-20 Z-1\nM30\n";
+
+TEST_F(CircularCommand, EvaluatesTheFullCirclesOfAProgram) {
+  write("circles.nc", circles);
+  const Result result = run("circular circles.nc --machine mikron-ucp710 --json - --csv circles.csv");
+  ASSERT_EQ(result.code, 0) << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["program"]["full_circles"], 3);
+  EXPECT_EQ(report["program"]["evaluated_circles"], 3);
+  EXPECT_EQ(report["program"]["helices"], 1);
+  const json& list = report["circular"];
+  ASSERT_EQ(list.size(), 3U);
+  EXPECT_EQ(list[0]["direction"], "ccw");
+  EXPECT_EQ(list[1]["direction"], "cw");
+  EXPECT_EQ(list[0]["line"], 3);
+  EXPECT_EQ(list[1]["line"], 4);
+  EXPECT_NEAR(list[0]["centre_mm"]["X"].get<double>(), 5, 1e-9);
+  EXPECT_EQ(list[0]["Gb_um"], list[1]["Gb_um"]);
+  EXPECT_NEAR(list[0]["Fmax_um"].get<double>(), 33.27, 0.2);
+  EXPECT_EQ(list[2]["line"], 6);
+  EXPECT_EQ(list[2]["last_line"], 7);
+  EXPECT_TRUE(list[2]["Gb_um"].is_null());
+  EXPECT_TRUE(list[2]["D_um"].is_null());
+  EXPECT_NEAR(list[2]["sweep_deg"].get<double>(), 360, 1e-9);
+  EXPECT_THAT(contents(folder_ / "circles.csv"), HasSubstr(",6,7,0,0,0,"));
+  const Result text = run("circular circles.nc --machine mikron-ucp710");
+  EXPECT_THAT(text.out, HasSubstr("circles.nc on Mikron UCP 710, model tapie: actual path of the axes"));
+  EXPECT_THAT(text.out, HasSubstr("6-7"));
+  EXPECT_THAT(text.out, HasSubstr("Not evaluated: 1 helix with full turns."));
+}
+
+TEST_F(CircularCommand, ProgramsWithoutFullCirclesAreNamedSo) {
+  const Result text = run("circular corner.nc");
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("The program has no full circle"));
+  const json report = json::parse(run("circular corner.nc --json -").out);
+  EXPECT_TRUE(report["circular"].empty());
+#ifdef FEEDSCOPE_WITH_UI
+  expect_wrong_use("circular corner.nc --out a.svg", "cannot be drawn: The program has no full circle");
+#endif
+}
+
+#ifdef FEEDSCOPE_WITH_UI
+TEST_F(CircularCommand, DrawsTheCirclesOfAProgramThatAreAskedFor) {
+  write("circles.nc", circles);
+  const std::string program = "circular circles.nc --machine mikron-ucp710";
+  ASSERT_EQ(run(program + " --out all.svg", no_display).code, 0);
+  ASSERT_EQ(run(program + " --out second.svg --circle 2", no_display).code, 0);
+  EXPECT_LT(contents(folder_ / "second.svg").size(), 0.7 * contents(folder_ / "all.svg").size());
+  expect_wrong_use(program + " --circle 1", "give --out FILE.png too");
+  expect_wrong_use(program + " --out a.svg --circle 3", "--circle = 3 is out of bounds");
+  expect_wrong_use("circular --radius 3 --feed 100 --out a.svg --circle 1", "--circle needs a program");
+}
+#endif
+
 TEST_F(CircularCommand, WrongUseNamesValueAndBound) {
-  expect_wrong_use("circular --feed 6000", "--radius");
+  expect_wrong_use("circular --feed 6000", "no circle to evaluate: --radius is missing");
+  expect_wrong_use("circular --radius 30", "no circle to evaluate: --feed is missing");
+  expect_wrong_use("circular --radius 30 --feed 6000 --tool 1=5", "--tool needs a program");
+  expect_wrong_use("circular corner.nc --radius 30",
+                   "--radius describes a circle to be tested, but 'corner.nc'");
+  expect_wrong_use("circular corner.nc --program out.nc", "--program describes");
   expect_wrong_use("circular --radius 0 --feed 6000",
                    "--radius = 0 is out of bounds; it must be at least 0.001 mm");
   expect_wrong_use("circular --radius 30 --feed 0", "--feed = 0 is out of bounds");

@@ -76,6 +76,9 @@ with tempfile.TemporaryDirectory() as folder:
     check_command("compare", samples[0], "--model", "essid", *drives)
     check_command("circular", "--radius", "30", "--feed", "6000", "--machine", "mikron-ucp710")
     check_command("circular", "--radius", "5", "--radius", "8", "--feed", "900", "--entry-radius", "2", "--plane", "YZ")
+    (work / "circles.nc").write_text("G21 G90 G17 G94 F3000\nG0 X20 Y0\nG3 I-20 J0\nG2 I-20 J0\nG3 I-20 J0 Z-1\nG3 I-20 J0\nM30\n")
+    check_command("circular", work / "circles.nc", "--machine", "mikron-ucp710")
+    check_command("circular", samples[0])
     studies = []
     for program in samples[:2]:
         data = check_command("compare", program, "--sweep", "tolerance=0.01 0.05", "--within", "0.03", "--operations", "tool")

@@ -1,9 +1,10 @@
 #pragma once
 
 #include <QList>
+#include <memory>
 
-#include "core/analysis/circularity/circular_test.h"
-#include "ui/shared/job.h"
+#include "ui/circular/circular_job.h"
+#include "ui/circular/circular_state.h"
 #include "ui/workbench/panel.h"
 #include "ui/workbench/workbench.h"
 
@@ -12,14 +13,20 @@ class QCheckBox;
 class QComboBox;
 class QLabel;
 class QPushButton;
+class QSplitter;
+class QTableView;
 
 namespace feedscope::ui {
 
+class CircularTable;
 class NumberBox;
+class NumberListField;
 class PolarPlot;
 
-/// A circular test (ISO 230-4) on the machine and control of the current run: fields for the circle, a polar
-/// plot of both directions and its values. What is shown is forgotten as soon as machine or control change.
+/// Circular tests (ISO 230-4) on the machine and control of the current run, of circles of several radii and
+/// feeds, or of the full circles of the program: a table of the values, and a polar plot of the selected row.
+/// A test is forgotten as soon as machine or control change; circles of the program follow the current run
+/// while the panel is seen.
 class CircularView : public Panel {
   Q_OBJECT
 
@@ -27,41 +34,64 @@ class CircularView : public Panel {
   /// `workbench` outlives this.
   explicit CircularView(Workbench& workbench, QWidget* parent = nullptr);
 
-  /// Simulates the circle that the fields describe, or says what is wrong with them.
+  /// Simulates the circles that the fields describe, or says what is wrong with them.
   void run();
+  CircularState state() const;
+  void set_state(const CircularState& state);
   bool busy() const override { return job_.busy(); }
+  void set_on_screen(bool on_screen) override;
   QList<QAction*> panel_actions() const override { return actions_; }
 
-  NumberBox* radius() { return radius_; }
-  NumberBox* feed() { return feed_; }
+  QComboBox* source() { return source_; }
+  NumberListField* radii() { return radii_; }
+  NumberListField* feeds() { return feeds_; }
   QCheckBox* with_entry() { return with_entry_; }
   NumberBox* entry() { return entry_; }
   QComboBox* plane() { return plane_; }
+  QTableView* list() { return list_; }
+  CircularTable* table() { return table_; }
   PolarPlot* plot() { return plot_; }
   /// What the panel says: of the result, or what is wrong.
   QString message() const;
 
+ protected:
+  void showEvent(QShowEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
+  bool of_program() const;
   void make_fields();
+  void make_list();
   void make_actions();
   void make_layout();
-  CircularRequest request() const;
-  void take(const CircularTest& test);
+  void change_source();
+  void evaluate_program();
+  void take(const JobOutcome<CircularResult>& outcome);
+  void show_selected();
   void forget();
   void show_idle(const QString& message);
+  QString nothing_yet() const;
   void save_picture();
+  void save_table();
 
   Workbench& workbench_;
-  Job<CircularTest> job_;
-  NumberBox* radius_;
-  NumberBox* feed_;
+  CircularJob job_;
+  QComboBox* source_;
+  QWidget* fields_;
+  NumberListField* radii_;
+  NumberListField* feeds_;
   QCheckBox* with_entry_;
   NumberBox* entry_;
   QComboBox* plane_;
   QPushButton* run_;
   QLabel* message_;
+  QSplitter* results_;
+  CircularTable* table_;
+  QTableView* list_;
   PolarPlot* plot_;
   QList<QAction*> actions_;
+  std::weak_ptr<const ShownRun> evaluated_;  ///< whose circles are shown, or are being evaluated
+  bool on_screen_ = true;
 };
 
 }  // namespace feedscope::ui

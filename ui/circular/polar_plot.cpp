@@ -1,5 +1,6 @@
 #include "ui/circular/polar_plot.h"
 
+#include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
@@ -46,6 +47,18 @@ QColor colour_of(const CirclePass& pass, const QPalette& palette) {
   return pass.counter_clockwise ? colours.path : colours.across;
 }
 
+/// A pass of any test in this direction; null: none.
+const CirclePass* pass_in(const std::vector<CircularTest>& tests, bool counter_clockwise) {
+  for (const CircularTest& test : tests) {
+    for (const CirclePass& pass : test.passes) {
+      if (pass.counter_clockwise == counter_clockwise) {
+        return &pass;
+      }
+    }
+  }
+  return nullptr;
+}
+
 /// No minus in front of what is shown as 0.
 QString amount(double value) {
   constexpr double shown_as_zero = 5e-5;  // [mm]
@@ -71,8 +84,34 @@ QStringList circular_values(const CircularTest& test) {
                  amount(found.zone), amount(found.by_squares), amount(found.largest),
                  amount(found.smallest)));
   }
-  lines.append(PolarPlot::tr("both directions: G(b) %1, D %2").arg(amount(test.g_b()), amount(test.d())));
+  if (test.both) {
+    lines.append(PolarPlot::tr("both directions: G(b) %1, D %2").arg(amount(*test.g_b()), amount(*test.d())));
+  } else if (!test.passes.empty()) {
+    lines.append(PolarPlot::tr("mean radial deviation %1").arg(amount(test.mean_deviation(test.passes[0]))));
+  }
   return lines;
+}
+
+QString circle_lines(const CirclePass& pass) {
+  const QLocale locale;
+  return pass.first_line == pass.last_line
+             ? locale.toString(pass.first_line)
+             : QStringLiteral("%1–%2").arg(locale.toString(pass.first_line), locale.toString(pass.last_line));
+}
+
+QString circular_heading(const CircularTest& test) {
+  const QString circle = PolarPlot::tr("R %1, %2, %3")
+                             .arg(significant_text(test.request.radius, Dimension::length, 6),
+                                  amount_text(test.request.feed, Dimension::feed, 0),
+                                  QString::fromLatin1(info_of(test.request.plane).name.data()));
+  if (!test.of_program()) {
+    return circle;
+  }
+  QStringList lines;
+  for (const CirclePass& pass : test.passes) {
+    lines.append(circle_lines(pass));
+  }
+  return PolarPlot::tr("Line %1: %2").arg(lines.join(QStringLiteral(", ")), circle);
 }
 
 PolarPlot::PolarPlot(QWidget* parent) : QWidget(parent) {
@@ -88,6 +127,11 @@ void PolarPlot::set_tests(const QString& title, const QString& details, std::vec
     largest = std::max(largest, largest_deviation(test));
   }
   division_ = round_up_125(std::max(largest / divisions, least_division));
+  update();
+}
+
+void PolarPlot::set_hint(const QString& hint) {
+  hint_ = hint;
   update();
 }
 
@@ -122,7 +166,7 @@ void PolarPlot::draw(QPainter& painter, const QRectF& area) const {
   if (tests_.empty()) {
     painter.setFont(font());
     painter.drawText(area.adjusted(margin, margin, -margin, -margin), Qt::AlignCenter | Qt::TextWordWrap,
-                     tr("A circle in both directions: choose radius and feed, then press Test."));
+                     hint_);
     return;
   }
   const QFont bold = sized(font(), title_size, true);
@@ -155,10 +199,13 @@ void PolarPlot::draw(QPainter& painter, const QRectF& area) const {
 void PolarPlot::draw_legend(QPainter& painter, const QRectF& area) const {
   const QFontMetricsF metrics(font());
   double x = area.left();
-  for (const CirclePass& pass : tests_.front().passes) {
-    const QString text = pass.counter_clockwise ? tr("counter-clockwise") : tr("clockwise");
-    painter.setPen(
-        QPen(colour_of(pass, palette()), 2, pass.counter_clockwise ? Qt::SolidLine : Qt::DashLine));
+  for (const bool counter_clockwise : {true, false}) {
+    const CirclePass* const pass = pass_in(tests_, counter_clockwise);
+    if (pass == nullptr) {
+      continue;
+    }
+    const QString text = counter_clockwise ? tr("counter-clockwise") : tr("clockwise");
+    painter.setPen(QPen(colour_of(*pass, palette()), 2, counter_clockwise ? Qt::SolidLine : Qt::DashLine));
     painter.drawLine(QPointF(x, area.center().y()), QPointF(x + 24, area.center().y()));
     painter.setPen(theme_colours(palette()).text);
     painter.drawText(QPointF(x + 30, area.top() + metrics.ascent()), text);
@@ -172,10 +219,7 @@ void PolarPlot::draw_test(QPainter& painter, const QRectF& cell, const CircularT
   const QFontMetricsF metrics(font());
   const double line = metrics.height();
   const QStringList values = circular_values(test);
-  const QString heading = tr("R %1, %2, %3")
-                              .arg(significant_text(test.request.radius, Dimension::length, 6),
-                                   amount_text(test.request.feed, Dimension::feed, 0),
-                                   QString::fromLatin1(info_of(test.request.plane).name.data()));
+  const QString heading = circular_heading(test);
   double widest = 0;
   for (const QString& value : values) {
     widest = std::max(widest, metrics.horizontalAdvance(value));
@@ -252,13 +296,12 @@ void PolarPlot::draw_pass(QPainter& painter, const Frame& frame, const CircularT
 /// A dot where the circle begins, and an arrow for each direction along the nominal circle.
 void PolarPlot::draw_start(QPainter& painter, const Frame& frame, const CircularTest& test) const {
   const double inner = frame.radius - (divisions + 0.5) * frame.division;
-  const QPointF start = on_circle(frame.center, frame.radius, test.request.start);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(theme_colours(palette()).text);
-  painter.drawEllipse(start, 3.5, 3.5);
   constexpr double reach = 0.9;  // [rad]
   constexpr double head = 6;     // [pixels]
   for (const CirclePass& pass : test.passes) {
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme_colours(palette()).text);
+    painter.drawEllipse(on_circle(frame.center, frame.radius, pass.start), 3.5, 3.5);
     const double turn = pass.counter_clockwise ? 1 : -1;
     const double radius = inner - (pass.counter_clockwise ? 0 : 2 * head);
     if (radius < 2 * head) {
@@ -268,9 +311,9 @@ void PolarPlot::draw_start(QPainter& painter, const Frame& frame, const Circular
     constexpr double sixteenth_degrees = 16 * 360 / full_turn;
     painter.setPen(QPen(colour_of(pass, palette()), 1.6));
     painter.setBrush(Qt::NoBrush);
-    painter.drawArc(box, static_cast<int>(test.request.start * sixteenth_degrees),
+    painter.drawArc(box, static_cast<int>(pass.start * sixteenth_degrees),
                     static_cast<int>(turn * reach * sixteenth_degrees));
-    const double angle = test.request.start + turn * reach;
+    const double angle = pass.start + turn * reach;
     const QPointF tip = on_circle(frame.center, radius, angle);
     for (const double side : {0.4, -0.4}) {
       const double back = angle - turn * full_turn / 4 + side;

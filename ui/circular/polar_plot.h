@@ -20,6 +20,8 @@ class PolarPlot : public QWidget {
 
   /// `title`: what was tested, `details`: on which path and machine.
   void set_tests(const QString& title, const QString& details, std::vector<CircularTest> tests);
+  /// What stands there instead while there are no tests.
+  void set_hint(const QString& hint);
   const std::vector<CircularTest>& tests() const { return tests_; }
   /// Distance of two circles of the grid [mm].
   double division() const { return division_; }
@@ -43,6 +45,7 @@ class PolarPlot : public QWidget {
   void draw_legend(QPainter& painter, const QRectF& area) const;
   int columns() const;
 
+  QString hint_;
   QString title_;
   QString details_;
   std::vector<CircularTest> tests_;
@@ -51,5 +54,9 @@ class PolarPlot : public QWidget {
 
 /// Values of a test, a line each: "G 31.6 µm (least squares 32.5 µm)".
 QStringList circular_values(const CircularTest& test);
+/// What a test is: "R 30 mm, 6 000 mm/min, XY", behind the lines of a circle of a program.
+QString circular_heading(const CircularTest& test);
+/// "12", "12–15": of a circle of a program.
+QString circle_lines(const CirclePass& pass);
 
 }  // namespace feedscope::ui

@@ -8,6 +8,7 @@
 
 #include "core/program/program.h"
 #include "ui/charts/charts_state.h"
+#include "ui/circular/circular_state.h"
 #include "ui/scene/scene_state.h"
 #include "ui/scene_view/scenes_state.h"
 #include "ui/theme/theme.h"
@@ -27,6 +28,7 @@ struct Session {
   SceneState scene;
   ScenesState scenes;
   ChartsState charts;
+  CircularState circular;
   std::vector<Annotation> annotations;
   QByteArray layout;                     ///< of the docks, as QMainWindow::saveState; may be empty
   std::optional<ThemeKind> theme;        ///< none: as the one who opens it likes it

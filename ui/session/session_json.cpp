@@ -263,6 +263,7 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
       {"view", to_json(session.scene)},
       {"compare", to_json(session.scenes)},
       {"charts", to_json(session.charts)},
+      {"circular", to_json(session.circular)},
       {"annotations", annotations},
       {"window", window}};
 }
@@ -273,7 +274,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   ReadSession read;
   note_unknown(json,
                {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view",
-                "compare", "charts", "annotations", "window"},
+                "compare", "charts", "circular", "annotations", "window"},
                QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();
@@ -301,6 +302,10 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
                QStringLiteral("\"compare\""), read.notes);
   read_json(json["compare"].toObject(), session.scenes);
   read_json(json["charts"].toObject(), session.charts);
+  note_unknown(json["circular"].toObject(),
+               {"source", "radii_mm", "feeds_mm_min", "plane", "entry_arc", "entry_radius_mm"},
+               QStringLiteral("\"circular\""), read.notes);
+  read_json(json["circular"].toObject(), session.circular);
   number = 0;
   for (const QJsonValue& annotation : json["annotations"].toArray()) {
     session.annotations.push_back(

@@ -4,6 +4,7 @@
 #include <QSettings>
 
 #include "ui/charts/charts_panel.h"
+#include "ui/circular/circular_view.h"
 #include "ui/program_text/program_panel.h"
 #include "ui/scene_view/scene_json.h"
 #include "ui/window/main_window.h"
@@ -17,25 +18,28 @@ const QString settings_key = QStringLiteral("panels");
 }  // namespace
 
 PanelStates panel_states(MainWindow& window) {
-  return {window.scene().state(), window.part<ChartsPanel>().state(),
+  return {window.scene().state(), window.part<ChartsPanel>().state(), window.part<CircularView>().state(),
           window.part<ProgramPanel>().view().font_size()};
 }
 
 void set_panel_states(MainWindow& window, const PanelStates& states) {
   window.scene().set_state(states.scene);
   window.part<ChartsPanel>().set_state(states.charts);
+  window.part<CircularView>().set_state(states.circular);
   window.part<ProgramPanel>().view().set_font_size(states.program_font_size);
 }
 
 QJsonObject to_json(const PanelStates& states) {
   return {{"scene", to_json(states.scene)},
           {"charts", to_json(states.charts)},
+          {"circular", to_json(states.circular)},
           {"program_font_px", states.program_font_size}};
 }
 
 void read_json(const QJsonObject& json, PanelStates& states) {
   read_json(json["scene"].toObject(), states.scene);
   read_json(json["charts"].toObject(), states.charts);
+  read_json(json["circular"].toObject(), states.circular);
   states.program_font_size = json["program_font_px"].toInt(states.program_font_size);
 }
 

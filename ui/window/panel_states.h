@@ -3,6 +3,7 @@
 #include <QJsonObject>
 
 #include "ui/charts/charts_state.h"
+#include "ui/circular/circular_state.h"
 #include "ui/program_text/program_view.h"
 #include "ui/scene/scene_state.h"
 
@@ -14,6 +15,7 @@ class MainWindow;
 struct PanelStates {
   SceneState scene;
   ChartsState charts;
+  CircularState circular;
   int program_font_size = ProgramView::default_font_size;  ///< [pixels]
 
   bool operator==(const PanelStates&) const = default;

@@ -11,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "ui/charts/charts_panel.h"
+#include "ui/circular/circular_view.h"
 #include "ui/program_text/program_panel.h"
 #include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
@@ -59,11 +60,13 @@ Session WindowSession::view() const {
     session.scene = pending_->scene;
     session.scenes = pending_->scenes;
     session.charts = pending_->charts;
+    session.circular = pending_->circular;
   } else {
     session.cursor = workbench_.cursor().valid() ? workbench_.cursor().state().time : 0;
     session.scene = window_.scene().state();
     session.scenes = window_.scenes().state();
     session.charts = window_.part<ChartsPanel>().state();
+    session.circular = window_.part<CircularView>().state();
   }
   session.layout = window_.saveState();
   session.theme = theme_of(QApplication::palette());
@@ -101,6 +104,7 @@ void WindowSession::apply_to_run() {
   window_.scene().set_state(session.scene);
   window_.scenes().set_state(session.scenes);
   window_.part<ChartsPanel>().set_state(session.charts);
+  window_.part<CircularView>().set_state(session.circular);
   workbench_.cursor().set_time(session.cursor);
 }
 

@@ -23,7 +23,8 @@ struct ProgramCircles {
 inline constexpr std::size_t max_program_circles = 200;
 
 /// Evaluates every circle from where the control has reached it to where it leaves it: corners that it rounds
-/// at both ends are not judged, CirclePass::evaluated says what is. Throws Cancelled.
+/// at both ends by curves of their own are not judged, CirclePass::evaluated says what is. Filters that
+/// smooth the motion have no such curves: what they draw within the turn is judged. Throws Cancelled.
 ProgramCircles program_circles(const Run& run, Progress* progress = nullptr);
 
 /// What of the program is not evaluated and why, or that it has no full circle; a sentence each, in English.

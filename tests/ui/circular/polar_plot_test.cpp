@@ -23,7 +23,7 @@ CircularTest round_test(double deviation) {
   test.request.sweep = full_turn;
   test.actual = true;
   for (std::size_t i = 0; i < 2; ++i) {
-    CirclePass& pass = test.passes[i];
+    CirclePass& pass = test.passes.emplace_back();
     pass.counter_clockwise = i == 0;
     for (int k = 0; k <= 720; ++k) {
       const double a = full_turn * k / 720;

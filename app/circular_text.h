@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/analysis/circularity/program_circles.h"
+
+namespace feedscope {
+
+/// Circular tests of one setup for people: a row for each direction, and what the letters mean.
+std::string circular_text(const Setup& setup, std::span<const CircularTest> tests);
+
+/// The full circles of a program in the same way, or that there are none.
+std::string program_circles_text(const Run& run, const ProgramCircles& circles);
+
+}  // namespace feedscope
