@@ -1,9 +1,11 @@
 #include "ui/report/report.h"
 
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "ui/report/paged_pdf.h"
+#include "ui/report/report_circles.h"
 #include "ui/report/report_contour.h"
 #include "ui/report/report_html.h"
 #include "ui/report/report_tables.h"
@@ -73,6 +75,8 @@ const std::vector<Block>& blocks() {
       {"contour_histogram", contour_histogram_block},
       {"contour_places", plain(contour_places_block)},
       {"contour_place_views", contour_place_views_block},
+      {"circles", plain(circles_block)},
+      {"circle_plots", circle_plots_block},
       {"notes", plain(notes_block)},
       {"program_facts", plain(program_facts_block)},
       {"messages", plain(messages_block)},
@@ -101,7 +105,11 @@ ReportTemplate load_report_template(const QString& file) {
 
 ReportPage report_page(const ReportInput& asked, const ReportTemplate& page, ReportFormat format,
                        Progress* progress) {
-  const ReportInput input = with_contour_reports(asked, progress);
+  const QStringList wanted = page.placeholders();
+  ReportInput input = with_contour_reports(asked, progress);
+  if (wanted.contains(QStringLiteral("circles")) || wanted.contains(QStringLiteral("circle_plots"))) {
+    input = with_circles(std::move(input), progress);
+  }
   ReportPage result{{}, ReportPictures(progress)};
   result.html = page.filled([&](const QString& name) {
     if (name == screen_section) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/analysis/circularity/program_circles.h"
 #include "core/analysis/contour/contour_report.h"
 #include "ui/charts/charts_state.h"
 #include "ui/scene/scene_state.h"
@@ -43,6 +44,8 @@ struct ReportInput {
   QString author;        ///< may be empty
   QDateTime date;        ///< invalid: no date is written
   QStringList commands;  ///< command lines that make this again
+  /// Of the current run; until with_circles().
+  std::shared_ptr<const ProgramCircles> circles = nullptr;
 
   const ReportRun& run() const { return runs[current]; }
   const LoadedProgram& program() const { return runs.front().shown->run.input; }

@@ -1,0 +1,149 @@
+#include "ui/report/report_circles.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <memory>
+
+#include "core/base/units.h"
+#include "ui/circular/polar_plot.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/report/html_table.h"
+#include "ui/report/report_numbers.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr std::size_t max_circle_rows = 24;
+constexpr std::size_t max_circle_plots = 4;
+
+/// No minus in front of what is written as 0.
+double without_small(double value, double shown_as_zero) {
+  return std::abs(value) < shown_as_zero ? 0 : value;
+}
+
+QString deviation(double value) {
+  constexpr double shown_as_zero = 5e-6;  // [mm]
+  return fixed(without_small(value, shown_as_zero), Dimension::error, 2);
+}
+
+QString deviation(const std::optional<double>& value) {
+  return value ? deviation(*value) : QStringLiteral("–");
+}
+
+QString place(double value) {
+  constexpr double shown_as_zero = 5e-4;  // [mm]
+  return fixed(without_small(value, shown_as_zero), Dimension::length);
+}
+
+QStringList row_of(int number, const CircularTest& test, const CirclePass& pass) {
+  const Circularity& found = pass.circularity;
+  return {QString::number(number),
+          circle_lines(pass),
+          QStringLiteral("%1, %2, %3")
+              .arg(place(test.center.x()), place(test.center.y()), place(test.center.z())),
+          QStringLiteral("%1 %2").arg(place(test.request.radius),
+                                      QString::fromLatin1(info_of(test.request.plane).name.data())),
+          QStringLiteral("%1 of %2")
+              .arg(fixed(pass.reached_feed, Dimension::feed), fixed(test.request.feed, Dimension::feed)),
+          QString::fromLatin1(pass.direction()),
+          deviation(found.zone),
+          deviation(found.by_squares),
+          deviation(found.largest),
+          deviation(found.smallest),
+          deviation(test.mean_deviation(pass)),
+          deviation(test.g_b()),
+          deviation(test.d())};
+}
+
+QString paragraph(const QString& text) {
+  return QStringLiteral("<p class=\"caption\">%1</p>\n").arg(text);
+}
+
+}  // namespace
+
+ReportInput with_circles(ReportInput input, Progress* progress) {
+  if (input.circles == nullptr) {
+    input.circles = std::make_shared<const ProgramCircles>(program_circles(input.run().shown->run, progress));
+  }
+  return input;
+}
+
+QString circles_block(const ReportInput& input) {
+  const ProgramCircles& circles = *input.circles;
+  if (circles.tests.empty()) {
+    return {};
+  }
+  HtmlTable table("rlrrrlrrrrrrr", {4, 7, 15, 9, 12, 5, 7, 7, 7, 7, 7, 7, 6});
+  const QString unit = QStringLiteral(" [%1]").arg(unit_of(Dimension::error));
+  table.add_head({QStringLiteral("No."), QStringLiteral("Line"),
+                  with_unit_of(QStringLiteral("Centre X, Y, Z"), Dimension::length),
+                  with_unit_of(QStringLiteral("Radius"), Dimension::length),
+                  with_unit_of(QStringLiteral("Feed"), Dimension::feed), QStringLiteral("Turn"),
+                  QStringLiteral("G") + unit, QStringLiteral("G<sub>ls</sub>") + unit,
+                  QStringLiteral("F<sub>max</sub>") + unit, QStringLiteral("F<sub>min</sub>") + unit,
+                  QStringLiteral("F<sub>mean</sub>") + unit, QStringLiteral("G(b)") + unit,
+                  QStringLiteral("D") + unit});
+  std::size_t rows = 0;
+  int number = 0;
+  for (const CircularTest& test : circles.tests) {
+    ++number;
+    for (const CirclePass& pass : test.passes) {
+      if (rows++ < max_circle_rows) {
+        table.add(row_of(number, test, pass));
+      }
+    }
+  }
+  QString html = table.html();
+  if (rows > max_circle_rows) {
+    html += paragraph(QStringLiteral("The first %1 of %2 circles; “feedscope circular” lists all of them.")
+                          .arg(max_circle_rows)
+                          .arg(rows));
+  }
+  html += paragraph(QStringLiteral(
+      "G: circular error, least radial separation of two concentric circles that hold the path; "
+      "G<sub>ls</sub>: the same about the centre of the least-squares circle; F<sub>max</sub>, "
+      "F<sub>min</sub>, F<sub>mean</sub>: largest, least and mean deviation from the programmed radius at "
+      "the "
+      "programmed centre; G(b), D: circular error of both directions together, and their mean radius less "
+      "the "
+      "programmed one, where the same circle is run in both at one feed. Centre and radius are those of the "
+      "tool centre; ccw, cw: counter-clockwise, clockwise in the plane."));
+  for (const std::string& note : program_circle_notes(circles)) {
+    html += paragraph(html_text(note));
+  }
+  return html;
+}
+
+QString circle_plots_block(const ReportInput& input, ReportPictures& pictures) {
+  const ProgramCircles& circles = *input.circles;
+  if (circles.tests.empty()) {
+    return {};
+  }
+  constexpr double shrunk = 0.62;
+  const std::size_t shown = std::min(circles.tests.size(), max_circle_plots);
+  auto plot = std::make_shared<PolarPlot>();
+  plot->setPalette(QPalette(Qt::white));
+  plot->ensurePolished();
+  plot->set_tests(QStringLiteral("Circular test (ISO 230-4)"),
+                  QStringLiteral("%1, model %2")
+                      .arg(QString::fromStdString(input.run().shown->run.setup.machine.name),
+                           QString::fromStdString(input.run().shown->run.setup.model->info().id)),
+                  {circles.tests.begin(), circles.tests.begin() + static_cast<std::ptrdiff_t>(shown)});
+  const QSizeF size(report_width, plot->least_picture().height() * shrunk);
+  const auto paint = [plot, size](QPainter& painter, double) {
+    painter.scale(shrunk, shrunk);
+    plot->draw(painter, QRectF(QPointF(), size / shrunk));
+  };
+  const QString which =
+      shown < circles.tests.size()
+          ? QStringLiteral("the first %1 of %2 circles").arg(shown).arg(circles.tests.size())
+          : QStringLiteral("the circles");
+  return figure(pictures.add(QStringLiteral("circles"), {size, false, paint},
+                             QStringLiteral("Polar plots of the circles of the program")),
+                QStringLiteral("Polar plots of %1 of %2 by the %3 path; radial deviations are enlarged.")
+                    .arg(which, html_text(input.run().name),
+                         circles.actual ? QStringLiteral("actual") : QStringLiteral("set")));
+}
+
+}  // namespace feedscope::ui
