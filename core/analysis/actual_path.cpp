@@ -13,6 +13,10 @@ ActualSample ActualPath::at(const State& state) const {
   return ActualSampler(*this, state.time).at(state);
 }
 
+double ActualPath::set_contour_error(const State& state) const {
+  return ActualErrors(*this).at(state.position, state.element);
+}
+
 PathDeviation::Foot ActualErrors::foot(const Vec3& position, std::uint32_t element) {
   const PathDeviation::Foot found = deviation_.nearest(position, trajectory_.path().segment(element), last_);
   last_ = found.segment;

@@ -24,6 +24,8 @@ class ActualPath {
   const DriveResponse& response() const { return response_; }
   /// `state`: of the trajectory. Costs up to 32 spans; for many in order use an ActualSampler.
   ActualSample at(const State& state) const;
+  /// Distance of the set position from the nearest programmed point: what the control does of it [mm].
+  double set_contour_error(const State& state) const;
 
  private:
   friend class ActualErrors;

@@ -8,7 +8,8 @@
 namespace feedscope {
 namespace {
 
-constexpr std::array<double, 7> inverse_factorial{1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 720};
+constexpr std::array<double, SetCourse::order + 1> inverse_factorial{
+    1, 1, 1.0 / 2, 1.0 / 6, 1.0 / 24, 1.0 / 120, 1.0 / 720, 1.0 / 5040};
 
 /// Series are used up to this many time constants of the fastest pole; their 24 terms are exact there.
 constexpr double series_up_to = 1;

@@ -9,7 +9,7 @@ namespace feedscope {
 
 /// Set position of one axis over a short time: a polynomial, as its derivatives at the start.
 struct SetCourse {
-  static constexpr std::size_t order = 5;  ///< highest derivative that is not 0
+  static constexpr std::size_t order = 7;  ///< highest derivative that is not 0
 
   std::array<double, order + 1> derivative{};  ///< [0] position [mm], [k] its k-th derivative [mm/s^k]
   double duration = 0;                         ///< [s]

@@ -9,6 +9,14 @@ namespace {
 /// Farther apart than rounding leaves the ends of two spans [mm].
 constexpr double jump = 1e-4;
 
+/// By which share of a span that is off by `error` [mm] a span is shorter that is off by the tolerance:
+/// errors rise with the eighth power of the duration.
+double fitting_share(double error) {
+  constexpr double cautious = 0.9;
+  constexpr double nothing = 1e-3;  // of the tolerance
+  return cautious * std::pow(SetWalk::tolerance / std::max(error, nothing * SetWalk::tolerance), 1.0 / 8);
+}
+
 void set_derivatives(SetSpan& span, std::size_t order, const Vec3& value) {
   for (std::size_t axis = 0; axis < span.axes.size(); ++axis) {
     span.axes[axis].derivative[order] = value[static_cast<Eigen::Index>(axis)];
@@ -65,12 +73,13 @@ void SetWalk::make_span() {
     if (end - to < 0.1 * guess_) {
       to = end;  // no sliver behind
     }
-    constexpr int most_halvings = 40;
-    int halvings = 0;
-    while (!fit(from_, to) && halvings++ < most_halvings) {
-      to = from_ + (to - from_) / 2;
+    constexpr int most_tries = 40;
+    double error = fit(from_, to);
+    for (int tries = 0; error > tolerance && tries < most_tries; ++tries) {
+      to = from_ + std::clamp(fitting_share(error), 0.1, 0.7) * (to - from_);
+      error = fit(from_, to);
     }
-    guess_ = halvings == 0 ? 2 * (to - from_) : to - from_;
+    guess_ = std::clamp(fitting_share(error), 0.5, 4.0) * (to - from_);
   }
   for (SetCourse& course : span_.axes) {
     course.duration = span_.duration;
@@ -105,28 +114,39 @@ double SetWalk::end_of_pulse(double from) {
   return std::min(part.duration, knots_.next_knot(motion.train(), start + from) - start);
 }
 
-bool SetWalk::fit(double from, double to) {
+/// The polynomial with the derivatives up to the third of both ends. Beyond the Taylor polynomial of the
+/// start, c4 u^4 + ... + c7 u^7 with u = t/h must make up for what that misses of the end.
+double SetWalk::fit(double from, double to) {
   const double h = to - from;
   const Kinematics a = motion_->kinematics(from);
   const Kinematics b = motion_->kinematics(to);
-  const Vec3 position = b.position - a.position - h * a.velocity - (h * h / 2) * a.acceleration;
-  const Vec3 velocity = h * (b.velocity - a.velocity - h * a.acceleration);
-  const Vec3 acceleration = (h * h / 2) * (b.acceleration - a.acceleration);
-  const double cube = 1 / (h * h * h);
+  const double square = h * h;
+  const double cube = square * h;
+  const Vec3 position =
+      b.position - a.position - h * a.velocity - square / 2 * a.acceleration - cube / 6 * a.jerk;
+  const Vec3 velocity = h * (b.velocity - a.velocity - h * a.acceleration - square / 2 * a.jerk);
+  const Vec3 acceleration = square * (b.acceleration - a.acceleration - h * a.jerk);
+  const Vec3 jerk = cube * (b.jerk - a.jerk);
+  const double fourth = 1 / (square * square);
   span_.duration = h;
   set_derivatives(span_, 0, a.position);
   set_derivatives(span_, 1, a.velocity);
   set_derivatives(span_, 2, a.acceleration);
-  set_derivatives(span_, 3, (6 * cube) * (10 * position - 4 * velocity + acceleration));
-  set_derivatives(span_, 4, (24 * cube / h) * (7 * velocity - 15 * position - 2 * acceleration));
-  set_derivatives(span_, 5, (120 * cube / (h * h)) * (6 * position - 3 * velocity + acceleration));
+  set_derivatives(span_, 3, a.jerk);
+  set_derivatives(span_, 4, 24 * fourth * (35 * position - 15 * velocity + 2.5 * acceleration - jerk / 6));
+  set_derivatives(span_, 5,
+                  120 * fourth / h * (-84 * position + 39 * velocity - 7 * acceleration + jerk / 2));
+  set_derivatives(span_, 6,
+                  720 * fourth / square * (70 * position - 34 * velocity + 6.5 * acceleration - jerk / 2));
+  set_derivatives(span_, 7,
+                  5040 * fourth / cube * (-20 * position + 10 * velocity - 2 * acceleration + jerk / 6));
   const Vec3 middle = motion_->kinematics(from + h / 2).position;
   double off = 0;
   for (std::size_t axis = 0; axis < span_.axes.size(); ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
     off = std::max(off, std::abs(a.position[i] + span_.axes[axis].travel(h / 2) - middle[i]));
   }
-  return off <= tolerance;
+  return off;
 }
 
 }  // namespace feedscope

@@ -24,11 +24,11 @@ struct SetSpan {
 /// The set positions of a trajectory as polynomials in time, one span after the other.
 ///
 /// Lines, and filtered motion between two knots of its straight pulses, are exact; arcs and blends are cut
-/// until a polynomial of degree five, with position, velocity and acceleration of both ends, is within
+/// until a polynomial of degree seven, with position, velocity, acceleration and jerk of both ends, is within
 /// `tolerance` of them in the middle, where it is farthest.
 class SetWalk {
  public:
-  static constexpr double tolerance = 1e-9;  ///< [mm]
+  static constexpr double tolerance = 1e-8;  ///< [mm]
 
   /// From `time` on, clamped to the trajectory, which must outlive this [s].
   explicit SetWalk(const Trajectory& trajectory, double time = 0);
@@ -41,8 +41,8 @@ class SetWalk {
   void enter_part();
   void make_span();
   void make_line_span();
-  /// From `from` to `to` of the part; false if the middle is off by more than the tolerance.
-  bool fit(double from, double to);
+  /// From `from` to `to` of the part. By how much the middle is off [mm].
+  double fit(double from, double to);
   double end_of_pulse(double from);
 
   const Trajectory& trajectory_;

@@ -53,6 +53,8 @@ const std::map<std::string, std::string>& french_words() {
       {"largest velocity", "vitesse maximale"},
       {"largest acceleration", "accélération maximale"},
       {"largest jerk", "jerk maximal"},
+      {"largest following error", "écart de poursuite maximal"},
+      {"largest contour error of the actual path", "erreur de contour maximale de la trajectoire réelle"},
       {"largest tangential acceleration", "accélération tangentielle maximale"},
       {"largest acceleration across the path", "accélération maximale normale à la trajectoire"},
       {"largest tangential jerk", "jerk tangentiel maximal"},

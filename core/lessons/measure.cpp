@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/envelope/drive_walk.h"
 #include "core/analysis/line_times.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
@@ -39,20 +40,21 @@ enum What : std::uint8_t {
 constexpr double mm_min = units::from_mm_min(1);
 constexpr double m_min = units::from_m_min(1);
 
-/// The largest value along the path of every acceleration and jerk, in the unit of its CSV column:
-/// "peak_acceleration_across_m_s2".
+/// The largest value along the path of every acceleration, jerk and error, in its unit:
+/// "peak_acceleration_across_m_s2", "peak_following_error_um".
 void add_peaks(std::vector<MeasureSpec>& measures) {
   for (const QuantityInfo& quantity : all_quantities()) {
+    const bool is_error = quantity.dimension == Dimension::error;
     const bool is_limited =
         quantity.dimension == Dimension::acceleration || quantity.dimension == Dimension::jerk;
-    if (quantity.axis >= 0 || quantity.column.empty() || quantity.source != QuantitySource::motion ||
-        !is_limited) {
+    if (quantity.axis >= 0 || (is_error ? !quantity.colours : quantity.column.empty() || !is_limited)) {
       continue;
     }
     const ShownUnit& unit = shown_unit(quantity.dimension);
     std::string title(quantity.title);
     title.front() = static_cast<char>(title.front() - 'A' + 'a');
-    const std::string_view in_unit = quantity.column.substr(quantity.column.find('_'));
+    const std::string_view in_unit =
+        is_error ? std::string_view("_um") : quantity.column.substr(quantity.column.find('_'));
     measures.push_back({fmt::format("peak_{}{}", quantity.key, in_unit), "largest " + title,
                         std::string(unit.text), unit.decimals, 1 / unit.factor, peak_of_quantity,
                         LineUse::optional, false, false, quantity.id});
@@ -153,6 +155,43 @@ double peak(const Measure& measure, const Trajectory& trajectory) {
     return std::abs(of(motion.state_without_length(tau)));
   });
   return std::max(0.0, range.largest);
+}
+
+/// Of the drives, at every look of an envelope; contour errors of cuts only, as in the summary.
+double peak_of_drives(const Measure& measure, const Run& run) {
+  if (run.actual == nullptr) {
+    throw InputError(fmt::format("the machine {} has no drives, so that there is no {}; give its axes kv_1_s",
+                                 run.setup.machine.id, measure.spec->title));
+  }
+  const auto of = info_of(*measure.spec->quantity).of;
+  const bool of_cuts = measure.spec->quantity == QuantityId::actual_contour_error;
+  const Trajectory& trajectory = *run.trajectory;
+  StateWalk set(trajectory);
+  ActualErrors errors(*run.actual);
+  double largest = 0;
+  for (ActualWalk walk(run.actual->response()); !walk.done(); walk.next_span()) {
+    const SetSpan& span = walk.span();
+    const int looks = looks_in(span);
+    for (int i = 0; i <= looks; ++i) {
+      const double time = span.time + span.duration * i / looks;
+      const State state = set.at(time);
+      const bool elsewhere =
+          measure.first_line > 0 && (state.line < measure.first_line || state.line > measure.last_line);
+      const bool cuts =
+          !trajectory.is_rapid(state.element) && trajectory.path().kind(state.element) != ElementKind::dwell;
+      if (elsewhere || (of_cuts && !cuts)) {
+        continue;
+      }
+      const ActualMotion motion = walk.within_span(time);
+      const PathDeviation::Foot foot = errors.foot(motion.position, state.element);
+      if (of_cuts && trajectory.path().programmed()->segments[foot.segment].rapid) {
+        continue;  // the axes are still behind, on the rapid before the cut
+      }
+      const ActualSample sample{motion, std::sqrt(foot.squared)};
+      largest = std::max(largest, of(Instant(state, &sample)));
+    }
+  }
+  return largest;
 }
 
 /// Where a block lies on the executed path.
@@ -337,6 +376,9 @@ std::string title_of(const Measure& measure, const std::string& language) {
 }
 
 double measured(const Measure& measure, const Run& run) {
+  if (measure.spec->quantity && info_of(*measure.spec->quantity).source == QuantitySource::drives) {
+    return peak_of_drives(measure, run) / measure.spec->per_unit;
+  }
   if (measure.spec->quantity) {
     return peak(measure, *run.trajectory) / measure.spec->per_unit;
   }

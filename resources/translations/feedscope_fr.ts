@@ -246,6 +246,10 @@
         <source>Jerk</source>
         <translation>Jerk</translation>
     </message>
+    <message>
+        <source>Following error</source>
+        <translation>Écart de poursuite</translation>
+    </message>
 </context>
 <context>
     <name>LineFinder</name>
@@ -496,6 +500,18 @@
         <source>gained since the start: %1</source>
         <translation>gagné depuis le début&#xa0;: %1</translation>
     </message>
+    <message>
+        <source>actual path</source>
+        <translation>trajectoire réelle</translation>
+    </message>
+    <message>
+        <source>Contour error of the actual path %1</source>
+        <translation>Erreur de contour de la trajectoire réelle %1</translation>
+    </message>
+    <message>
+        <source>Following error X %1, Y %2, Z %3</source>
+        <translation>Écart de poursuite X %1, Y %2, Z %3</translation>
+    </message>
 </context>
 <context>
     <name>Tolerance</name>
@@ -673,6 +689,10 @@
     <message>
         <source>On the radius of %1, radial jerk uses the full jerk of axis %2, %3.</source>
         <translation>Au rayon de %1, le jerk radial utilise tout le jerk de l&apos;axe %2, %3.</translation>
+    </message>
+    <message>
+        <source>Contour error %1, of which the set path has %2: the drives make most of it. The axes are %3 behind across the path; a higher Kv, more feed-forward or a lower feed reduces that.</source>
+        <translation>Erreur de contour %1, dont %2 pour la trajectoire de consigne : les entraînements en font l&apos;essentiel. Les axes sont en retard de %3 perpendiculairement à la trajectoire ; un Kv plus élevé, plus d&apos;anticipation ou une avance plus faible réduit cet écart.</translation>
     </message>
 </context>
 <context>
@@ -1272,6 +1292,30 @@
     <message>
         <source>Time constant with which the friction spike decays.</source>
         <translation>Constante de temps avec laquelle le pic de frottement décroît.</translation>
+    </message>
+    <message>
+        <source>Actual position of %1</source>
+        <translation>Position réelle de %1</translation>
+    </message>
+    <message>
+        <source>Following error of %1</source>
+        <translation>Écart de poursuite de %1</translation>
+    </message>
+    <message>
+        <source>Contour error of the actual path</source>
+        <translation>Erreur de contour de la trajectoire réelle</translation>
+    </message>
+    <message>
+        <source>contour error</source>
+        <translation>erreur de contour</translation>
+    </message>
+    <message>
+        <source>Following error across the path</source>
+        <translation>Écart de poursuite normal à la trajectoire</translation>
+    </message>
+    <message>
+        <source>Following error</source>
+        <translation>Écart de poursuite</translation>
     </message>
 </context>
 <context>
@@ -3836,6 +3880,18 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Fit the whole path into the view</source>
         <translation>Cadrer toute la trajectoire dans la vue</translation>
+    </message>
+    <message>
+        <source>&amp;Actual path</source>
+        <translation>Trajectoire &amp;réelle</translation>
+    </message>
+    <message>
+        <source>The path that the axes run, drawn beside the one that the control sets</source>
+        <translation>La trajectoire que les axes parcourent, dessinée à côté de celle que la commande demande</translation>
+    </message>
+    <message>
+        <source>The machine has no drives: give its axes kv_1_s</source>
+        <translation>La machine n&apos;a pas d&apos;entraînements : donner kv_1_s à ses axes</translation>
     </message>
 </context>
 <context>

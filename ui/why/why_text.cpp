@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/quantity.h"
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -254,6 +255,21 @@ QString WhyText::sentence(const SlowerPlace& ahead, const State& now) {
 QString WhyText::sentence(Cause cause, const Explanation& why) {
   const bool ahead = why.ahead && why.ahead->reason.cause == cause;
   return ahead ? sentence(*why.ahead, why.state) : sentence(why);
+}
+
+QString WhyText::drives(const ActualPath& actual, const State& state) {
+  constexpr double worth_telling = 1e-3;  // [mm]
+  const ActualSample sample = actual.at(state);
+  const double of_control = actual.set_contour_error(state);
+  if (sample.contour_error < worth_telling || sample.contour_error < 2 * of_control) {
+    return {};
+  }
+  const double across = info_of(QuantityId::following_error_across).of(Instant(state, &sample));
+  return tr("Contour error %1, of which the set path has %2: the drives make most of it. The axes are %3 "
+            "behind "
+            "across the path; a higher Kv, more feed-forward or a lower feed reduces that.")
+      .arg(number(sample.contour_error, Dimension::error), number(of_control, Dimension::error),
+           number(across, Dimension::error));
 }
 
 QString WhyText::formula(const Reason& reason) {

@@ -179,6 +179,7 @@ void WhyView::lay_out() {
   heading_->setFont(font);
   place_ = add_label(content);
   sentence_ = add_label(content);
+  drives_ = add_label(content);
   QFrame* box = make_box(content);
   layout->addWidget(box);
   formula_ = add_label(box);
@@ -298,6 +299,7 @@ void WhyView::show_nothing() {
   heading_->setText(tr("Why here?"));
   place_->clear();
   sentence_->setText(tr("Open a program and point at a place to see what limits the feed there."));
+  drives_->hide();
   formula_->parentWidget()->hide();
   ahead_box_->hide();
   ahead_action_->setEnabled(false);
@@ -318,6 +320,9 @@ void WhyView::show_reason(const Explanation& why) {
                      QLocale().toString(std::abs(100 * state.speed / state.programmed_feed), 'f', 0))
           : tr("Line %1, %2 s").arg(QString::number(state.line), QLocale().toString(state.time, 'f', 3)));
   sentence_->setText(WhyText::sentence(why));
+  const auto& actual = shown_->run.actual;
+  drives_->setText(actual != nullptr ? WhyText::drives(*actual, state) : QString());
+  drives_->setVisible(!drives_->text().isEmpty());
   const QString formula = WhyText::formula(why.reason);
   const QString muted = theme_colours(palette()).muted.name();
   formula_->parentWidget()->setVisible(!formula.isEmpty());
@@ -479,6 +484,10 @@ void WhyView::want_run() {
 
 QString WhyView::cause_text() const {
   return plain(heading_->text());
+}
+
+QString WhyView::drives_text() const {
+  return drives_->text();
 }
 
 QString WhyView::sentence_text() const {

@@ -53,6 +53,8 @@ class WhyView : public Panel {
   /// What is shown, as plain text.
   QString cause_text() const;
   QString sentence_text() const;
+  /// What the drives do here; empty where they make little of the contour error.
+  QString drives_text() const;
   QString formula_text() const;
 
  signals:
@@ -111,6 +113,7 @@ class WhyView : public Panel {
   QLabel* heading_;
   QLabel* place_;
   QLabel* sentence_;
+  QLabel* drives_;
   QLabel* formula_;
   QLabel* source_;
   QWidget* ahead_box_;

@@ -72,6 +72,15 @@ class WhyViewTest : public testing::Test {
   WhyView view{cursor};
 };
 
+TEST_F(WhyViewTest, SaysWhereTheDrivesMakeMostOfTheError) {
+  EXPECT_TRUE(view.drives_text().isEmpty());  // a machine without drives
+  show_sample("tapie_circle_30.nc", {"mikron-ucp710", "tapie", {}, {}});
+  cursor.set_time(trajectory().duration() / 2);
+  EXPECT_THAT(view.drives_text().toStdString(), HasSubstr("the drives make most of it"));
+  cursor.set_time(0);
+  EXPECT_TRUE(view.drives_text().isEmpty());
+}
+
 TEST_F(WhyViewTest, FollowsTheCursor) {
   go_to(CauseKind::axis_jerk);
   EXPECT_THAT(view.cause_text().toStdString(), HasSubstr("Jerk of axis"));
