@@ -64,6 +64,37 @@
     </message>
 </context>
 <context>
+    <name>CircularTexts</name>
+    <message>
+        <source>The program has no full circle: no cut runs a whole turn in XY, ZX or YZ by arcs about one centre. Circles of short lines are not recognised.</source>
+        <translation>Le programme ne contient aucun cercle complet : aucune passe ne fait un tour entier en XY, ZX ou YZ par des arcs de même centre. Les cercles en petits segments ne sont pas reconnus.</translation>
+    </message>
+    <message>
+        <source>The program has %1 full circles; the first %2 are evaluated.</source>
+        <translation>Le programme contient %1 cercles complets ; les %2 premiers sont évalués.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: helices with full turns, %1.</source>
+        <translation>Non évaluées : hélices à tours complets, %1.</translation>
+    </message>
+    <message>
+        <source>Not evaluated: full circles outside the planes XY, ZX and YZ, %1.</source>
+        <translation>Non évalués : cercles complets hors des plans XY, ZX et YZ, %1.</translation>
+    </message>
+    <message>
+        <source>Actual path of the axes.</source>
+        <translation>Trajectoire réelle des axes.</translation>
+    </message>
+    <message>
+        <source>Set path: this machine has no drives. Give them in Machine and control, Drives.</source>
+        <translation>Trajectoire de consigne : cette machine n&apos;a pas d&apos;entraînements. Donnez-les dans Machine et commande, Entraînements.</translation>
+    </message>
+    <message>
+        <source>%1 radii and %2 feeds are %3 tests; a table has at most %4. Type fewer.</source>
+        <translation>%1 rayons et %2 avances font %3 essais ; un tableau en contient au plus %4. Saisissez-en moins.</translation>
+    </message>
+</context>
+<context>
     <name>Contour</name>
     <message>
         <source>inside</source>
@@ -1760,6 +1791,93 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::CircularTable</name>
+    <message>
+        <source>ccw</source>
+        <translation>trigo.</translation>
+    </message>
+    <message>
+        <source>cw</source>
+        <translation>horaire</translation>
+    </message>
+    <message>
+        <source>First and last program line of the circle</source>
+        <translation>Première et dernière ligne du cercle dans le programme</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Programmed centre: X, Y and Z of the tool centre</source>
+        <translation>Centre programmé : X, Y et Z du centre de l’outil</translation>
+    </message>
+    <message>
+        <source>Centre</source>
+        <translation>Centre</translation>
+    </message>
+    <message>
+        <source>Programmed radius, and plane of the circle</source>
+        <translation>Rayon programmé, et plan du cercle</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Rayon</translation>
+    </message>
+    <message>
+        <source>Programmed feed</source>
+        <translation>Avance programmée</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Avance</translation>
+    </message>
+    <message>
+        <source>Largest feed on the circle</source>
+        <translation>Plus grande avance sur le cercle</translation>
+    </message>
+    <message>
+        <source>Reached</source>
+        <translation>Atteinte</translation>
+    </message>
+    <message>
+        <source>Counter-clockwise (ccw) or clockwise (cw), from the first axis of the plane</source>
+        <translation>Sens trigonométrique (trigo.) ou horaire, à partir du premier axe du plan</translation>
+    </message>
+    <message>
+        <source>Direction</source>
+        <translation>Sens</translation>
+    </message>
+    <message>
+        <source>Circular error: least separation of two concentric circles that hold the path</source>
+        <translation>Erreur de circularité : plus petit écart entre deux cercles concentriques qui contiennent la trajectoire</translation>
+    </message>
+    <message>
+        <source>The same about the centre of the least-squares circle</source>
+        <translation>La même autour du centre du cercle des moindres carrés</translation>
+    </message>
+    <message>
+        <source>Largest deviation from the nominal radius at the programmed centre</source>
+        <translation>Plus grand écart au rayon nominal autour du centre programmé</translation>
+    </message>
+    <message>
+        <source>Least deviation from the nominal radius at the programmed centre</source>
+        <translation>Plus petit écart au rayon nominal autour du centre programmé</translation>
+    </message>
+    <message>
+        <source>Mean radius of this direction less the nominal one</source>
+        <translation>Rayon moyen dans ce sens moins le rayon nominal</translation>
+    </message>
+    <message>
+        <source>Circular error of both directions together</source>
+        <translation>Erreur de circularité des deux sens réunis</translation>
+    </message>
+    <message>
+        <source>Mean radius of both directions less the nominal one</source>
+        <translation>Rayon moyen des deux sens moins le rayon nominal</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::CircularView</name>
     <message>
         <source>Circular test</source>
@@ -1772,14 +1890,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>Te&amp;st</source>
         <translation>&amp;Essai</translation>
-    </message>
-    <message>
-        <source>Radius of the circle</source>
-        <translation>Rayon du cercle</translation>
-    </message>
-    <message>
-        <source>Programmed feed</source>
-        <translation>Avance programmée</translation>
     </message>
     <message>
         <source>A quarter circle leads in and one out, as in a bore; without it the circle runs from rest to rest</source>
@@ -1830,14 +1940,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Le diagramme polaire en PNG ou SVG</translation>
     </message>
     <message>
-        <source>Radius</source>
-        <translation>Rayon</translation>
-    </message>
-    <message>
-        <source>Feed</source>
-        <translation>Avance</translation>
-    </message>
-    <message>
         <source>&amp;Cancel</source>
         <translation>A&amp;nnuler</translation>
     </message>
@@ -1858,20 +1960,96 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>%1, modèle %2</translation>
     </message>
     <message>
-        <source>Actual path of the axes.</source>
-        <translation>Trajectoire réelle des axes.</translation>
-    </message>
-    <message>
-        <source>Set path: this machine has no drives. Give them in Machine and control, Drives.</source>
-        <translation>Trajectoire de consigne : cette machine n&apos;a pas d&apos;entraînements. Donnez-les dans Machine et commande, Entraînements.</translation>
-    </message>
-    <message>
         <source>Save the picture of the circular test</source>
         <translation>Enregistrer l&apos;image de l&apos;essai circulaire</translation>
     </message>
     <message>
         <source>Pictures (*.png *.svg)</source>
         <translation>Images (*.png *.svg)</translation>
+    </message>
+    <message>
+        <source>Circle to test</source>
+        <translation>Cercle d’essai</translation>
+    </message>
+    <message>
+        <source>Circles of the program</source>
+        <translation>Cercles du programme</translation>
+    </message>
+    <message>
+        <source>What is evaluated: circles of your choice, or the full circles of the program</source>
+        <translation>Ce qui est évalué : des cercles de votre choix, ou les cercles complets du programme</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Source</translation>
+    </message>
+    <message>
+        <source>Radius of the circle; several with blanks between them make a table</source>
+        <translation>Rayon du cercle ; plusieurs, séparés par des espaces, forment un tableau</translation>
+    </message>
+    <message>
+        <source>Radii</source>
+        <translation>Rayons</translation>
+    </message>
+    <message>
+        <source>Programmed feed; several with blanks between them make a table</source>
+        <translation>Avance programmée ; plusieurs, séparées par des espaces, forment un tableau</translation>
+    </message>
+    <message>
+        <source>Feeds</source>
+        <translation>Avances</translation>
+    </message>
+    <message>
+        <source>Values of the circular test</source>
+        <translation>Valeurs de l’essai circulaire</translation>
+    </message>
+    <message>
+        <source>Save the values of the circular test as CSV …</source>
+        <translation>Enregistrer les valeurs de l’essai circulaire en CSV …</translation>
+    </message>
+    <message>
+        <source>One row per circle and direction, with units</source>
+        <translation>Une ligne par cercle et par sens, avec les unités</translation>
+    </message>
+    <message>
+        <source>The full circles of the program are drawn here.</source>
+        <translation>Les cercles complets du programme sont tracés ici.</translation>
+    </message>
+    <message>
+        <source>A circle in both directions: choose radius and feed, then press Test.</source>
+        <translation>Un cercle dans les deux sens : choisissez rayon et avance, puis cliquez sur Essai.</translation>
+    </message>
+    <message>
+        <source>Open a program to see its full circles.</source>
+        <translation>Ouvrez un programme pour voir ses cercles complets.</translation>
+    </message>
+    <message>
+        <source>This run has not been simulated.</source>
+        <translation>Cette simulation n’a pas été faite.</translation>
+    </message>
+    <message>
+        <source>Evaluating the circles of the program …</source>
+        <translation>Évaluation des cercles du programme …</translation>
+    </message>
+    <message>
+        <source>Circle of the program (ISO 230-4)</source>
+        <translation>Cercle du programme (ISO 230-4)</translation>
+    </message>
+    <message>
+        <source>There is no circle of the program to copy or save.</source>
+        <translation>Il n’y a aucun cercle du programme à copier ou à enregistrer.</translation>
+    </message>
+    <message>
+        <source>Save the circular test</source>
+        <translation>Enregistrer l’essai circulaire</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2. Choose another folder.</source>
+        <translation>Impossible d&apos;écrire %1&#xa0;: %2. Choisir un autre dossier.</translation>
     </message>
 </context>
 <context>
@@ -2786,6 +2964,13 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
 </context>
 <context>
+    <name>feedscope::ui::NumberListField</name>
+    <message>
+        <source>Type one number or several with blanks between them.</source>
+        <translation>Saisissez un nombre, ou plusieurs séparés par des espaces.</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::PictureCommands</name>
     <message>
         <source>&amp;3D view</source>
@@ -2978,16 +3163,20 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>les deux sens : G(b) %1, D %2</translation>
     </message>
     <message>
-        <source>A circle in both directions: choose radius and feed, then press Test.</source>
-        <translation>Un cercle dans les deux sens : choisissez rayon et avance, puis cliquez sur Essai.</translation>
-    </message>
-    <message>
         <source>%1 a division</source>
         <translation>%1 par division</translation>
     </message>
     <message>
         <source>R %1, %2, %3</source>
         <translation>R %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>mean radial deviation %1</source>
+        <translation>écart radial moyen %1</translation>
+    </message>
+    <message>
+        <source>Line %1: %2</source>
+        <translation>Ligne %1 : %2</translation>
     </message>
 </context>
 <context>

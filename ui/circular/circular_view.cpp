@@ -34,6 +34,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr double largest_radius = 1e4;  // [mm]
+constexpr int row_height = 22;          // [pixels]
 
 /// Numbers of a field in the unit shown, without the digits that the conversion adds.
 std::vector<double> shown_numbers(const std::vector<double>& values, Dimension dimension, int decimals) {
@@ -122,6 +123,7 @@ void CircularView::make_list() {
   list_->setSelectionMode(QAbstractItemView::SingleSelection);
   list_->setWordWrap(false);
   list_->verticalHeader()->hide();
+  list_->verticalHeader()->setDefaultSectionSize(row_height);
   list_->horizontalHeader()->setHighlightSections(false);
   list_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   install_row_copy(*list_);
@@ -168,6 +170,7 @@ void CircularView::make_layout() {
   head->addLayout(bar);
   head->addWidget(fields_);
   head->addWidget(message_);
+  plot_->show_values(false);
   results_->addWidget(plot_);
   results_->addWidget(list_);
   results_->setChildrenCollapsible(false);
@@ -185,7 +188,7 @@ void CircularView::resizeEvent(QResizeEvent* event) {
   const Qt::Orientation suits = width() >= wide ? Qt::Horizontal : Qt::Vertical;
   if (results_->orientation() != suits || event->oldSize().width() <= 0) {
     results_->setOrientation(suits);
-    results_->setSizes({1000, 1000});
+    results_->setSizes(suits == Qt::Horizontal ? QList<int>{800, 1200} : QList<int>{1000, 1000});
   }
 }
 

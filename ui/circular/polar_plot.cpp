@@ -155,10 +155,15 @@ QSize PolarPlot::sizeHint() const {
 
 void PolarPlot::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  draw(painter, rect());
+  draw(painter, rect(), values_shown_);
 }
 
-void PolarPlot::draw(QPainter& painter, const QRectF& area) const {
+void PolarPlot::show_values(bool shown) {
+  values_shown_ = shown;
+  update();
+}
+
+void PolarPlot::draw(QPainter& painter, const QRectF& area, bool values) const {
   const ThemeColours& colours = theme_colours(palette());
   painter.setRenderHint(QPainter::Antialiasing);
   painter.fillRect(area, colours.plot);
@@ -192,7 +197,7 @@ void PolarPlot::draw(QPainter& painter, const QRectF& area) const {
     draw_test(
         painter,
         QRectF(area.left() + margin + column * (width + gap), top + row * (height + gap), width, height),
-        tests_[i]);
+        tests_[i], values ? circular_values(tests_[i]) : QStringList());
   }
 }
 
@@ -215,12 +220,12 @@ void PolarPlot::draw_legend(QPainter& painter, const QRectF& area) const {
                    tr("%1 a division").arg(significant_text(division_, Dimension::error, 3)));
 }
 
-void PolarPlot::draw_test(QPainter& painter, const QRectF& cell, const CircularTest& test) const {
+void PolarPlot::draw_test(QPainter& painter, const QRectF& cell, const CircularTest& test,
+                          const QStringList& values) const {
   const QFontMetricsF metrics(font());
   const double line = metrics.height();
-  const QStringList values = circular_values(test);
   const QString heading = circular_heading(test);
-  double widest = 0;
+  double widest = metrics.horizontalAdvance(heading);
   for (const QString& value : values) {
     widest = std::max(widest, metrics.horizontalAdvance(value));
   }

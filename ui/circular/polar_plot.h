@@ -25,7 +25,10 @@ class PolarPlot : public QWidget {
   const std::vector<CircularTest>& tests() const { return tests_; }
   /// Distance of two circles of the grid [mm].
   double division() const { return division_; }
-  void draw(QPainter& painter, const QRectF& area) const;
+  /// Whether the values stand in the widget as well: not beside a table that has them. At first they do.
+  void show_values(bool shown);
+  /// `values`: stand beside or below each plot.
+  void draw(QPainter& painter, const QRectF& area, bool values = true) const;
   QSize minimumSizeHint() const override;
   /// That a picture needs to be read.
   QSize least_picture() const;
@@ -37,7 +40,8 @@ class PolarPlot : public QWidget {
  private:
   struct Frame;
 
-  void draw_test(QPainter& painter, const QRectF& cell, const CircularTest& test) const;
+  void draw_test(QPainter& painter, const QRectF& cell, const CircularTest& test,
+                 const QStringList& values) const;
   void draw_grid(QPainter& painter, const Frame& frame, const CircularTest& test) const;
   void draw_pass(QPainter& painter, const Frame& frame, const CircularTest& test,
                  const CirclePass& pass) const;
@@ -46,6 +50,7 @@ class PolarPlot : public QWidget {
   int columns() const;
 
   QString hint_;
+  bool values_shown_ = true;
   QString title_;
   QString details_;
   std::vector<CircularTest> tests_;

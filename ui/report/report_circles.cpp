@@ -74,7 +74,7 @@ QString circles_block(const ReportInput& input) {
   if (circles.tests.empty()) {
     return {};
   }
-  HtmlTable table("rlrrrlrrrrrrr", {4, 7, 15, 9, 12, 5, 7, 7, 7, 7, 7, 7, 6});
+  HtmlTable table("rlrrrlrrrrrrr", {4, 6, 18, 9, 12, 5, 6, 7, 7, 7, 7, 6, 6});
   const QString unit = QStringLiteral(" [%1]").arg(unit_of(Dimension::error));
   table.add_head({QStringLiteral("No."), QStringLiteral("Line"),
                   with_unit_of(QStringLiteral("Centre X, Y, Z"), Dimension::length),
@@ -120,7 +120,7 @@ QString circle_plots_block(const ReportInput& input, ReportPictures& pictures) {
   if (circles.tests.empty()) {
     return {};
   }
-  constexpr double shrunk = 0.62;
+  constexpr double shrunk = 0.57;
   const std::size_t shown = std::min(circles.tests.size(), max_circle_plots);
   auto plot = std::make_shared<PolarPlot>();
   plot->setPalette(QPalette(Qt::white));
