@@ -225,13 +225,13 @@ void PolarPlot::draw_test(QPainter& painter, const QRectF& cell, const CircularT
   const QFontMetricsF metrics(font());
   const double line = metrics.height();
   const QString heading = circular_heading(test);
-  double widest = metrics.horizontalAdvance(heading);
+  double widest = QFontMetricsF(sized(font(), text_size, true)).horizontalAdvance(heading);
   for (const QString& value : values) {
     widest = std::max(widest, metrics.horizontalAdvance(value));
   }
   const double rows = line * static_cast<double>(values.size());
   // The values under the plot, or beside it where there is more room.
-  const bool beside = cell.width() - cell.height() > widest;
+  const bool beside = !values.isEmpty() && cell.width() - cell.height() > widest + gap;
   const QRectF plot = beside ? QRectF(cell.left(), cell.top(), cell.height(), cell.height())
                              : cell.adjusted(0, line + 4, 0, -rows - 4);
   const QRectF texts =
