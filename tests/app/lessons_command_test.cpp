@@ -27,7 +27,7 @@ TEST_F(LessonsCommand, ListsLessons) {
   const Result result = run("lessons");
   EXPECT_EQ(result.code, 0);
   EXPECT_THAT(result.out, AllOf(HasSubstr("04_small_circle: Why a small circle is slow (25 min)"),
-                                HasSubstr("11_direction: ")));
+                                HasSubstr("13_growing_circle: ")));
 }
 
 TEST_F(LessonsCommand, ShowsOneWithMeasuredNumbersAndAnswers) {

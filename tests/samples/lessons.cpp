@@ -147,6 +147,26 @@ Sample directions() {
   return {"lesson_directions.nc", nc.text()};
 }
 
+/// The axes come to rest before the slanted line and behind it.
+Sample drives() {
+  NcWriter nc = begin("LINES OF 60 MM ALONG X AND AT 30 DEGREES, THEN A RIGHT ANGLE, AT 6 M/MIN",
+                      "HOW FAR AXES ARE BEHIND, WHAT THAT DOES TO A SLANTED LINE AND IN A CORNER");
+  constexpr double leg = 60;
+  nc.raw("F6000");
+  Vector3d place = leg * direction(0);
+  nc.line(place);
+  nc.raw("G4 P0.5");
+  place += leg * direction(30);
+  nc.line(place);
+  nc.raw("G4 P0.5");
+  for (const double angle : {0.0, 90.0}) {
+    place += leg * direction(angle);
+    nc.line(place);
+  }
+  nc.raw("M30");
+  return {"lesson_drives.nc", nc.text()};
+}
+
 /// The same corners at two programmed feeds.
 Sample zigzag(int feed) {
   NcWriter nc =
@@ -175,6 +195,7 @@ std::vector<Sample> lesson_programs() {
           row(0.5, 200, 6000, "lesson_lookahead.nc", "A HORIZON OF TOO FEW BLOCKS"),
           right_angle(),
           directions(),
+          drives(),
           zigzag(3000),
           zigzag(6000)};
 }
