@@ -19,7 +19,7 @@ class JerkChart : public testing::Test {
                 {{QuantityId::tangential_jerk, "jt", "tangential", CurveRole::path, 1, true},
                  {QuantityId::jerk_x, "jx", "X", CurveRole::x},
                  {QuantityId::jerk_y, "jy", "Y", CurveRole::y}}},
-               range_, true) {
+               range_) {
     chart_.resize(600, 300);
     chart_.setAttribute(Qt::WA_DontShowOnScreen);
     chart_.show();  // gives the plot its place
