@@ -157,6 +157,9 @@ TEST_F(ChartsPanelTest, NumbersAndTitlesHaveRoomAtTheSizeOfTheDockAndAtTheLeast)
     QApplication::processEvents();
     for (std::size_t i = 0; i < chart_count; ++i) {
       KinematicChart& chart = panel.chart(i);
+      if (chart.isHidden()) {
+        continue;  // without drives
+      }
       const QRectF room = chart.viewport()->rect();
       int texts = 0;
       for (const QGraphicsItem* item : chart.scene()->items()) {
@@ -188,6 +191,9 @@ TEST_F(ChartsPanelTest, NarrowChartsShowTheirWholeLegends) {
     QApplication::processEvents();
     for (std::size_t chart = 0; chart < chart_count; ++chart) {
       const ChartHeader& header = panel.header(chart);
+      if (header.isHidden()) {
+        continue;  // without drives
+      }
       for (std::size_t curve = 0; curve < panel.chart(chart).spec().curves.size(); ++curve) {
         EXPECT_TRUE(header.rect().contains(header.item(curve))) << width << ' ' << chart << ' ' << curve;
       }
