@@ -65,6 +65,10 @@ void check_form(const CircularOptions& options) {
     if (!options.circles.empty() && options.out.empty()) {
       throw InputError("--circle says which circles --out draws; give --out FILE.png too");
     }
+    constexpr double most_circles = 1e9;
+    for (const std::string& circle : options.circles) {
+      parse_setting(whole_numbers(1, most_circles), circle);
+    }
     return;
   }
   other = given_of(options.run);

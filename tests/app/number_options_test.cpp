@@ -115,7 +115,8 @@ class NumberOptions : public CommandLine {
   /// What the command needs beside the option, so that it would run.
   static std::string call(const Option& option, const std::string& program, const std::string& value) {
     std::string line = option.command + " " + program + " " + option.name + " '" + value + "'";
-    const std::set<std::string> of_program{"--tool", "--offset", "--circle", "--repeat-limit", "--call-depth"};
+    const std::set<std::string> of_program{"--tool", "--offset", "--circle", "--repeat-limit",
+                                           "--call-depth"};
     if (option.command == "circular" && of_program.contains(option.name)) {
       line += " --out a.png";
     } else if (option.command == "circular") {

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "core/base/units.h"
+#include "ui/charts/chart_rows.h"
 #include "ui/charts/measurement.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/shown_numbers.h"
@@ -22,10 +23,7 @@
 namespace feedscope::ui {
 
 namespace {
-
-constexpr int chart_stretch = 3;
 constexpr auto rest_after = std::chrono::milliseconds(500);
-
 }  // namespace
 
 ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
@@ -54,7 +52,7 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
     layout->addLayout(add_header(i, specs[i]));
     charts_[i] = new KinematicChart(specs[i], range_, this);
     connect_chart(*charts_[i]);
-    layout->addWidget(charts_[i], chart_stretch);
+    layout->addWidget(charts_[i], ChartRows::stretch);
     if (i == 0) {
       layout->addWidget(causes_);
     }
@@ -178,24 +176,11 @@ void ChartsPanel::show_run_of(Workbench& workbench) {
   }
 }
 
-/// Those that it has values for; the last of them carries the abscissa.
 void ChartsPanel::show_charts_of_run() {
-  std::size_t last = 0;
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    const QuantitySource source = charts_[i]->spec().source;
-    const bool has = source == QuantitySource::motion || (envelope_ != nullptr && envelope_->has(source));
-    charts_[i]->setVisible(has);
-    headers_[i]->setVisible(has);
-    last = has ? i : last;
-  }
-  const QString title = range_.abscissa() == Abscissa::time
-                            ? tr("Time [s]")
-                            : with_unit_of(tr("Path length"), Dimension::length);
-  auto& rows = static_cast<QVBoxLayout&>(*layout());
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    charts_[i]->label_abscissa(i == last ? title : QString());
-    rows.setStretchFactor(charts_[i], i == last ? chart_stretch + 1 : chart_stretch);
-  }
+  const bool time = range_.abscissa() == Abscissa::time;
+  ChartRows{headers_, charts_}.show(
+      envelope_.get(), time ? tr("Time [s]") : with_unit_of(tr("Path length"), Dimension::length),
+      static_cast<QVBoxLayout&>(*layout()));
 }
 
 void ChartsPanel::hold_range() {
@@ -224,11 +209,7 @@ void ChartsPanel::set_overlay_curve(std::size_t chart, std::optional<std::size_t
 }
 
 void ChartsPanel::set_limits(const AxisVector<AxisLimits>& limits) {
-  const std::array<double AxisLimits::*, 3> kinds{&AxisLimits::velocity, &AxisLimits::acceleration,
-                                                  &AxisLimits::jerk};
-  for (std::size_t k = 0; k < kinds.size(); ++k) {
-    charts_[k]->set_limits(limit_lines(charts_[k]->spec(), limits, kinds[k]));
-  }
+  ChartRows{headers_, charts_}.set_limits(limits);
   refresh_.start();
 }
 
@@ -246,8 +227,9 @@ void ChartsPanel::show_curve(std::size_t chart, std::size_t curve, bool shown) {
 
 void ChartsPanel::show_usual_curves() {
   for (std::size_t i = 0; i < charts_.size(); ++i) {
-    for (std::size_t k = 0; k < charts_[i]->spec().curves.size(); ++k) {
-      show_curve(i, k, !charts_[i]->spec().curves[k].on_demand);
+    const std::vector<CurveSpec>& curves = charts_[i]->spec().curves;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      show_curve(i, k, !curves[k].on_demand);
     }
   }
 }
@@ -314,15 +296,11 @@ void ChartsPanel::show_cursor() {
   const auto second = shown && second_.has_value()
                           ? std::optional(range_.position_of(trajectory_->state(*second_)))
                           : std::nullopt;
-  const std::optional<ActualSample> actual =
-      shown && actual_ != nullptr ? std::optional(actual_->at(cursor_.state())) : std::nullopt;
-  const std::optional<Instant> instant =
-      shown ? std::optional(Instant(cursor_.state(), actual ? &*actual : nullptr)) : std::nullopt;
   for (std::size_t i = 0; i < charts_.size(); ++i) {
     charts_[i]->set_cursors(shown ? std::optional(range_.position_of(cursor_.state())) : std::nullopt,
                             second);
-    headers_[i]->show_values(instant);
   }
+  ChartRows{headers_, charts_}.show_values(shown ? &cursor_.state() : nullptr, actual_.get());
   show_other_runs();
   const QString text = measurement_text();
   readout_->setText(text);

@@ -14,8 +14,9 @@
 #include "ui/scene/draw/axes_cube.h"
 #include "ui/scene/draw/captions.h"
 #include "ui/scene/draw/path_marks.h"
-#include "ui/scene/draw/pointers.h"
+#include "ui/scene/draw/scene_pointers.h"
 #include "ui/scene/path/pick.h"
+#include "ui/scene/path/scene_paths.h"
 #include "ui/scene/path/shown_extent.h"
 #include "ui/scene/render_callback.h"
 #include "ui/scene/render_window.h"
@@ -32,7 +33,7 @@ constexpr int layer_count = 3;
 
 /// Three layers of one window: behind, the frame's grid and labels and what underlays the path; then the
 /// path; in front the tool, and on top legend, panel and pointers.
-class PathScene::Impl {
+class PathScene::Impl : public ScenePaths {
  public:
   Impl()
       : under(*behind),
@@ -95,21 +96,12 @@ class PathScene::Impl {
     const ShownExtent extent = shown_extent({programmed, executed_samples});
     frame = frame_around(extent.fitted);
     beyond = extent.beyond() / frame.unit;
-    layers.show(programmed, executed_samples, shown_overlays(), frame);
+    layers.show(programmed, executed_samples, shown_overlays(colours(), texts), frame);
     camera.set_state(state, frame);
     if (fitted) {
       fit_now();
     }
     changed();
-  }
-
-  /// Other runs, and what the axes run.
-  std::vector<OverlayRun> shown_overlays() const {
-    std::vector<OverlayRun> shown = overlays;
-    if (actual_shown && executed_samples != nullptr && executed_samples->actual != nullptr) {
-      shown.push_back({executed_samples->actual, colours().actual, texts.actual});
-    }
-    return shown;
   }
 
   void fit_now() {
@@ -158,24 +150,10 @@ class PathScene::Impl {
     over.begin();
     const auto place_of = [&](const Vec3& point) { return view.to_display(frame.to_scene(point)); };
     draw_path_marks(over, programmed.get(), executed_samples.get(), place_of, {scale, colours(), texts});
-    draw_pointers(place_of);
+    draw_scene_pointers(over, pointers, place_of, height(), room(), scale, colours());
     draw_captions(over, layout(), captions(), view, view.scale / frame.unit);
     cube().draw(over, scale, colours(), texts);
     over.end();
-  }
-
-  void draw_pointers(const PlaceInWindow& place_of) {
-    if (dimension) {
-      draw_dimension(over, place_of(dimension->from),
-                     dimension->to ? std::optional(place_of(*dimension->to)) : std::nullopt, dimension->lines,
-                     room(), scale, colours());
-    }
-    if (hover) {
-      draw_ring(over, place_of(*hover), scale, colours());
-    }
-    if (rubber_band) {
-      draw_rubber_band(over, display((*rubber_band)[0]), display((*rubber_band)[1]), scale, colours());
-    }
   }
 
   vtkNew<vtkRenderer> behind;
@@ -189,21 +167,14 @@ class PathScene::Impl {
   vtkWeakPointer<vtkRenderWindow> window;
   std::function<void()> callback;
 
-  std::shared_ptr<const SampledPath> programmed;
-  std::shared_ptr<const SampledPath> executed_samples;
-  std::shared_ptr<const Trajectory> trajectory;
-  std::vector<OverlayRun> overlays;
   std::optional<Vec3> cursor;       ///< as drawn
   std::optional<double> cursor_at;  ///< its time, where it is on the path
-  std::optional<Vec3> hover;
-  std::optional<SceneDimension> dimension;
-  std::optional<std::array<Pixel, 2>> rubber_band;
+  ScenePointers pointers;
   PathLook look;
   SceneTexts texts;
   SceneFrame frame = frame_around({});
   double beyond = 0;  ///< how far outside the frame's box rapids may be [scene units]
   bool grid = true;
-  bool actual_shown = true;
   bool transparent = false;
   bool moving = false;
   double scale = 1;
@@ -274,7 +245,7 @@ bool PathScene::actual_shown() const {
 }
 
 bool PathScene::has_actual() const {
-  return impl_->executed_samples != nullptr && impl_->executed_samples->actual != nullptr;
+  return impl_->has_actual();
 }
 
 void PathScene::set_cursor(const std::optional<Vec3>& tip) {
@@ -463,19 +434,19 @@ std::optional<std::array<double, 2>> PathScene::times_within(const Pixel& corner
 }
 
 void PathScene::set_dimension(std::optional<SceneDimension> dimension) {
-  impl_->dimension = std::move(dimension);
+  impl_->pointers.dimension = std::move(dimension);
   impl_->changed();
 }
 
 void PathScene::set_hover(const std::optional<Vec3>& place) {
-  if (place != impl_->hover) {
-    impl_->hover = place;
+  if (place != impl_->pointers.hover) {
+    impl_->pointers.hover = place;
     impl_->changed();
   }
 }
 
 void PathScene::set_rubber_band(const std::optional<std::array<Pixel, 2>>& corners) {
-  impl_->rubber_band = corners;
+  impl_->pointers.rubber_band = corners;
   impl_->changed();
 }
 

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ui/scene/path/path_layers.h"
+
+namespace feedscope::ui {
+
+/// The paths that a scene shows; each may be null.
+struct ScenePaths {
+  std::shared_ptr<const SampledPath> programmed;
+  std::shared_ptr<const SampledPath> executed_samples;
+  std::shared_ptr<const Trajectory> trajectory;
+  std::vector<OverlayRun> overlays;
+  bool actual_shown = true;  ///< what the axes run, where the executed path has it
+
+  bool has_actual() const { return executed_samples != nullptr && executed_samples->actual != nullptr; }
+  /// Other runs, and what the axes run.
+  std::vector<OverlayRun> shown_overlays(const SceneColours& colours, const SceneTexts& texts) const {
+    std::vector<OverlayRun> shown = overlays;
+    if (actual_shown && has_actual()) {
+      shown.push_back({executed_samples->actual, colours.actual, texts.actual});
+    }
+    return shown;
+  }
+};
+
+}  // namespace feedscope::ui
