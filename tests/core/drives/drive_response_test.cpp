@@ -98,7 +98,8 @@ TEST(DriveResponse, WalkAndSingleInstantsAgree) {
       const ActualMotion alone = response.at(time);
       ASSERT_LT((in_order.position - alone.position).norm(), 3e-6) << model->info().id << " at " << time;
       const Vec3 set = run->state(time).position;
-      ASSERT_LT((set - in_order.position - in_order.following_error).norm(), 4 * SetWalk::tolerance) << model->info().id;
+      ASSERT_LT((set - in_order.position - in_order.following_error).norm(), 4 * SetWalk::tolerance)
+          << model->info().id;
     }
   }
 }

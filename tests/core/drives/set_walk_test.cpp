@@ -42,7 +42,8 @@ TEST(SetWalk, SpansAreTheSetPathOfEveryModel) {
         ASSERT_GT(span.duration, 0);
         for (const double share : {0.03, 0.2, 0.37, 0.5, 0.71, 0.96}) {
           const State state = run.state(span.time + share * span.duration);
-          ASSERT_LT((position_in(span, share * span.duration) - state.position).norm(), 4 * SetWalk::tolerance)
+          ASSERT_LT((position_in(span, share * span.duration) - state.position).norm(),
+                    4 * SetWalk::tolerance)
               << model->info().id << " at " << span.time;
         }
         time = span.end();
