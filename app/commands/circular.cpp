@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "app/asked_program.h"
@@ -46,6 +48,13 @@ std::string typed_or(const std::string& text, const char* usual) {
   return text.empty() ? usual : text;
 }
 
+/// Of a circle of the program, from 1. Throws InputError for what is none up to `most`.
+std::size_t circle_number(const std::string& text, std::size_t most) {
+  SettingSpec bounds = whole_numbers(1, static_cast<double>(most));
+  bounds.key = "--circle";
+  return static_cast<std::size_t>(std::get<double>(parse_setting(bounds, text)));
+}
+
 /// Throws InputError where options of a test and of a program meet, or neither is asked for.
 void check_form(const CircularOptions& options) {
   std::vector<GivenOption> other;
@@ -65,9 +74,8 @@ void check_form(const CircularOptions& options) {
     if (!options.circles.empty() && options.out.empty()) {
       throw InputError("--circle says which circles --out draws; give --out FILE.png too");
     }
-    constexpr double most_circles = 1e9;
     for (const std::string& circle : options.circles) {
-      parse_setting(whole_numbers(1, most_circles), circle);
+      circle_number(circle, std::numeric_limits<std::uint32_t>::max());
     }
     return;
   }
@@ -185,11 +193,8 @@ std::vector<CircularTest> drawn(const CircularOptions& options, const ProgramCir
         fmt::format("--out '{}' cannot be drawn: {}", options.out, program_circle_notes(circles).front()));
   }
   std::vector<CircularTest> tests;
-  SettingSpec bounds = whole_numbers(1, static_cast<double>(circles.tests.size()));
-  bounds.key = "--circle";
   for (const std::string& text : options.circles) {
-    tests.push_back(
-        circles.tests[static_cast<std::size_t>(std::get<double>(parse_setting(bounds, text))) - 1]);
+    tests.push_back(circles.tests[circle_number(text, circles.tests.size()) - 1]);
   }
   if (tests.empty()) {
     tests.assign(circles.tests.begin(),

@@ -155,6 +155,16 @@ void set_colours(const RenderOptions& options, ui::ReportInput& input) {
                     "or --machine",
                     ui::colouring_key(input.scene.colouring)));
   }
+  const bool drives = std::ranges::any_of(
+      input.runs, [](const ui::ReportRun& run) { return run.shown->run.actual != nullptr; });
+  if (ui::needs_drives(input.scene.colouring) && !drives && options.colour.empty()) {
+    input.scene.colouring = ui::Colouring::feed;  // as the window does with such a session
+  } else if (ui::needs_drives(input.scene.colouring) && !drives) {
+    throw InputError(fmt::format(
+        "--colour {} shows what the drives do, but no axis of machine {} has one; give --set "
+        "X.kv=60 and the like, or a machine with kv_1_s",
+        ui::colouring_key(input.scene.colouring), input.runs.front().shown->run.setup.machine.id));
+  }
   if (!options.reference) {
     return;
   }

@@ -2036,7 +2036,7 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Cercle du programme (ISO 230-4)</translation>
     </message>
     <message>
-        <source>There is no circle of the program to copy or save.</source>
+        <source>The program has no full circle to copy or save.</source>
         <translation>Il n’y a aucun cercle du programme à copier ou à enregistrer.</translation>
     </message>
     <message>

@@ -120,6 +120,7 @@ TEST_F(CircularCommand, DrawsTheCirclesOfAProgramThatAreAskedFor) {
   EXPECT_LT(contents(folder_ / "second.svg").size(), 0.7 * contents(folder_ / "all.svg").size());
   expect_wrong_use(program + " --circle 1", "give --out FILE.png too");
   expect_wrong_use(program + " --out a.svg --circle 3", "--circle = 3 is out of bounds");
+  expect_wrong_use(program + " --out a.svg --circle 1,000", "--circle = '1,000': the comma");
   expect_wrong_use("circular --radius 3 --feed 100 --out a.svg --circle 1", "--circle needs a program");
 }
 #endif

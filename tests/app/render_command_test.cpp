@@ -91,6 +91,8 @@ TEST_F(RenderCommand, ColoursTheFirstRunAgainstAnother) {
   EXPECT_NE(lost, picture("--colour path_distance"));
   EXPECT_EQ(picture(""), picture("--colour feed"));
   expect_wrong_use("corner.nc --colour time_lost --out a.png", "compares two runs, but there is only one");
+  expect_wrong_use("corner.nc --colour following_error --out a.png",
+                   "no axis of machine spinner-mvc850 has one");
   expect_wrong_use(runs + "--colour time_lost --reference 4 --out a.png", "--reference 4 is not a run");
   expect_wrong_use("corner.nc --view charts --colour feed --out a.png", "has no effect with --view charts");
   EXPECT_EQ(run("corner.nc --colour blue --out a.png").code, 2);

@@ -334,7 +334,7 @@ QString CircularView::message() const {
 }
 
 QString CircularView::nothing_yet() const {
-  return of_program() ? tr("There is no circle of the program to copy or save.")
+  return of_program() ? tr("The program has no full circle to copy or save.")
                       : tr("There is no circular test yet: press Test first.");
 }
 

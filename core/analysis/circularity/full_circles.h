@@ -28,7 +28,7 @@ struct FullCircle {
 /// What of a program runs a whole turn.
 struct FullCircles {
   std::vector<FullCircle> circles;  ///< in order of the program
-  std::size_t helices = 0;          ///< turn while they rise: there is no plane to judge them in
+  std::size_t helices = 0;          ///< with full turns: no plane holds them, so they are not evaluated
   std::size_t tilted = 0;           ///< flat, but in none of the planes XY, ZX and YZ
 };
 
