@@ -1,24 +1,14 @@
 #include "core/analysis/actual_figures.h"
 
-#include <algorithm>
 #include <cmath>
 
+#include "core/drives/span_looks.h"
 #include "core/trajectory/state_walk.h"
 
 namespace feedscope {
 namespace {
 
-constexpr double longest_step = 0.002;  // [s]
-constexpr int looks_per_span = 2;       // at least; the errors are smooth within a span
 constexpr std::size_t spans_per_report = 4096;
-
-/// Where the set position rests the axes only come to rest, and what they are behind gets less.
-bool stands(const SetSpan& span) {
-  return std::ranges::all_of(span.axes, [](const SetCourse& course) {
-    return std::all_of(course.derivative.begin() + 1, course.derivative.end(),
-                       [](double d) { return d == 0; });
-  });
-}
 
 }  // namespace
 
@@ -32,12 +22,10 @@ ActualFigures actual_figures(const ActualPath& path, Progress* progress) {
   std::size_t spans = 0;
   for (ActualWalk walk(path.response()); !walk.done(); walk.next_span()) {
     const SetSpan& span = walk.span();
-    constexpr double most_looks = 1e6;
-    const double wanted = stands(span) ? 0 : std::min(most_looks, std::ceil(span.duration / longest_step));
-    const int looks = std::max(looks_per_span, static_cast<int>(wanted));
-    for (int i = 0; i < looks; ++i) {
-      const double time = span.time + span.duration * (i + 0.5) / looks;
-      const ActualMotion actual = walk.at(time);
+    const SpanLooks looks(span);
+    for (int i = 0; i < looks.count(); ++i) {
+      const double time = looks.middle(i);
+      const ActualMotion actual = walk.within_span(time);
       figures.largest_following_error =
           figures.largest_following_error.cwiseMax(actual.following_error.cwiseAbs());
       const State state = set.at(time);
@@ -49,8 +37,8 @@ ActualFigures actual_figures(const ActualPath& path, Progress* progress) {
         continue;  // the axes are still behind, on the rapid before the cut
       }
       const double error = std::sqrt(foot.squared);
-      sum += error * span.duration / looks;
-      cutting += span.duration / looks;
+      sum += error * looks.duration(i);
+      cutting += looks.duration(i);
       if (error > figures.worst.error) {
         figures.worst = {error,
                          errors.at(state.position, state.element),

@@ -23,8 +23,7 @@ struct ActualFigures {
   double mean_contour_error = 0;                ///< over the time of the cuts [mm]
 };
 
-/// Looks at the middle of at least two equal parts of every span, each 2 ms at most, far below the time in
-/// which drives answer. Throws Cancelled.
+/// Looks at the middle of every part of SpanLooks. Throws Cancelled.
 ActualFigures actual_figures(const ActualPath& path, Progress* progress = nullptr);
 
 }  // namespace feedscope

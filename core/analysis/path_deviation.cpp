@@ -205,7 +205,7 @@ PathDeviation::Result PathDeviation::operator()(const Vec3& position, std::uint3
   }
   const Foot foot = nearest(position, segment, last_);
   last_ = foot.segment;
-  return {foot.offset, along_bisector(foot)};
+  return from_foot(foot);
 }
 
 }  // namespace feedscope

@@ -5,15 +5,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "core/analysis/envelope/drive_walk.h"
 #include "core/analysis/line_times.h"
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
 #include "core/base/roots.h"
 #include "core/base/units.h"
+#include "core/drives/span_looks.h"
 #include "core/lessons/lesson_language.h"
 #include "core/trajectory/part_walk.h"
+#include "core/trajectory/state_walk.h"
 
 namespace feedscope {
 namespace {
@@ -112,8 +114,8 @@ std::string cause_in(Cause cause, const std::string& language) {
 }
 
 struct Range {
-  double least = INFINITY;
-  double largest = -INFINITY;
+  double least = std::numeric_limits<double>::infinity();
+  double largest = -std::numeric_limits<double>::infinity();
 };
 
 /// Of `value(motion, tau)` at 17 instants of every part on the lines of `measure`, of all lines if it names
@@ -157,7 +159,7 @@ double peak(const Measure& measure, const Trajectory& trajectory) {
   return std::max(0.0, range.largest);
 }
 
-/// Of the drives, at every look of an envelope; contour errors of cuts only, as in the summary.
+/// Of the drives, at the borders of SpanLooks; contour errors of cuts only, as in the summary.
 double peak_of_drives(const Measure& measure, const Run& run) {
   if (run.actual == nullptr) {
     throw InputError(fmt::format("the machine {} has no drives, so that there is no {}; give its axes kv_1_s",
@@ -170,10 +172,9 @@ double peak_of_drives(const Measure& measure, const Run& run) {
   ActualErrors errors(*run.actual);
   double largest = 0;
   for (ActualWalk walk(run.actual->response()); !walk.done(); walk.next_span()) {
-    const SetSpan& span = walk.span();
-    const int looks = looks_in(span);
-    for (int i = 0; i <= looks; ++i) {
-      const double time = span.time + span.duration * i / looks;
+    const SpanLooks looks(walk.span());
+    for (int i = 0; i <= looks.count(); ++i) {
+      const double time = looks.at(i);
       const State state = set.at(time);
       const bool elsewhere =
           measure.first_line > 0 && (state.line < measure.first_line || state.line > measure.last_line);

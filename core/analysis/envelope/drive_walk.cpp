@@ -1,16 +1,6 @@
 #include "core/analysis/envelope/drive_walk.h"
 
-#include <algorithm>
-#include <cmath>
-
 namespace feedscope {
-namespace {
-
-constexpr double longest_step = 0.002;  // [s]
-constexpr double least_looks = 2;
-constexpr double most_looks = 64;
-
-}  // namespace
 
 DriveWalk::DriveWalk(const Source& source, double time)
     : walk_(source.path().response(), time), errors_(source.path()), set_(source.path().trajectory(), time) {
@@ -18,10 +8,6 @@ DriveWalk::DriveWalk(const Source& source, double time)
          walk_.span().end() < source.path().trajectory().duration()) {
     walk_.next_span();
   }
-}
-
-int looks_in(const SetSpan& span) {
-  return static_cast<int>(std::clamp(std::ceil(span.duration / longest_step), least_looks, most_looks));
 }
 
 void DriveWalk::add(Band& band, double time) {

@@ -4,14 +4,10 @@
 
 #include "core/analysis/actual_path.h"
 #include "core/analysis/envelope/band.h"
+#include "core/drives/span_looks.h"
 #include "core/trajectory/state_walk.h"
 
 namespace feedscope {
-
-/// Into how many equal parts looks cut a span of the set path: each part 2 ms at most, far below the time in
-/// which drives answer, and at least 2; of long spans 64, as little changes in them once the drives have
-/// settled.
-int looks_in(const SetSpan& span);
 
 /// What the drives make of a run span by span, for a SpanEnvelope.
 class DriveWalk {
@@ -34,7 +30,7 @@ class DriveWalk {
   bool done() const { return walk_.done(); }
   double begin() const { return walk_.span().time; }
   double end() const { return walk_.span().end(); }
-  int looks() const { return looks_in(walk_.span()); }
+  SpanLooks looks() const { return SpanLooks(walk_.span()); }
   void add(Band& band, double time);
   void next() { walk_.next_span(); }
 

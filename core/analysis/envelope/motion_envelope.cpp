@@ -11,7 +11,6 @@ namespace feedscope {
 namespace {
 
 constexpr std::size_t pieces_a_group = 4;
-constexpr std::size_t fan_out = 4;
 constexpr double whole_group_share = 1.0 / 8;
 constexpr double arc_step = units::from_deg(5);
 constexpr double samples_a_blend = 3;  // of a gentle one
@@ -44,24 +43,7 @@ MotionEnvelope::MotionEnvelope(std::shared_ptr<const Trajectory> trajectory, Pro
       reported = part.piece + std::size_t{4096};
     }
   }
-  while (groups.size() > fan_out) {
-    std::vector<MotionBand> merged((groups.size() + fan_out - 1) / fan_out);
-    for (std::size_t i = 0; i < groups.size(); ++i) {
-      merged[i / fan_out].add(groups[i]);
-    }
-    levels_.push_back(std::exchange(groups, std::move(merged)));
-  }
-  levels_.push_back(std::move(groups));
-}
-
-MotionBand MotionEnvelope::overall() const {
-  MotionBand band;
-  if (!levels_.empty()) {
-    for (const MotionBand& part : levels_.back()) {
-      band.add(part);
-    }
-  }
-  return band;
+  pyramid_ = Pyramid<MotionBand>(std::move(groups));
 }
 
 MotionBand MotionEnvelope::column(double from, double to) const {
@@ -84,7 +66,7 @@ MotionBand MotionEnvelope::column(double from, double to) const {
     add_pieces(band, end_whole * pieces_a_group, last, from, to);
   }
   if (end_whole > first_whole) {
-    add_groups(band, first_whole, end_whole);
+    pyramid_.add(band, first_whole, end_whole);
   }
   return band;
 }
@@ -148,21 +130,6 @@ int MotionEnvelope::inner_samples(const Part& part, const ElementCurve& curve, d
     steps = share * samples_a_blend / (cosine * cosine);
   }
   return static_cast<int>(std::clamp(std::ceil(steps) - 1, 0.0, double{max_inner_samples}));
-}
-
-void MotionEnvelope::add_groups(MotionBand& band, std::size_t first, std::size_t last) const {
-  for (std::size_t level = 0; first < last; ++level) {
-    const std::vector<MotionBand>& bands = levels_[level];
-    const bool top = level + 1 == levels_.size();
-    while (first < last && (top || first % fan_out != 0)) {
-      band.add(bands[first++]);
-    }
-    while (first < last && last % fan_out != 0) {
-      band.add(bands[--last]);
-    }
-    first /= fan_out;
-    last /= fan_out;
-  }
 }
 
 }  // namespace feedscope

@@ -1,10 +1,10 @@
 #pragma once
 
 #include <memory>
-#include <vector>
 
 #include "core/analysis/cause_times.h"
 #include "core/analysis/envelope/band.h"
+#include "core/analysis/envelope/pyramid.h"
 #include "core/base/progress.h"
 #include "core/trajectory/part_walk.h"
 
@@ -27,7 +27,7 @@ class MotionEnvelope {
   /// From one time to another [s]; empty outside the trajectory.
   MotionBand column(double from, double to) const;
   /// The band of the whole trajectory; empty for an empty trajectory.
-  MotionBand overall() const;
+  MotionBand overall() const { return pyramid_.overall(); }
   /// The band of everything except rapids.
   const MotionBand& cutting() const { return cutting_; }
   const CauseTimes& causes() const { return causes_; }
@@ -36,15 +36,13 @@ class MotionEnvelope {
   double group_duration(std::size_t group) const;
   void add_piece(MotionBand& band, std::size_t piece, double from, double to) const;
   void add_pieces(MotionBand& band, std::size_t first, std::size_t last, double from, double to) const;
-  void add_groups(MotionBand& band, std::size_t first, std::size_t last) const;
   void add_part(MotionBand& band, const Part& part, const PartMotion& motion, double duration) const;
   int inner_samples(const Part& part, const ElementCurve& curve, double duration) const;
 
   std::shared_ptr<const Trajectory> trajectory_;
   CauseTimes causes_;
   MotionBand cutting_;
-  std::vector<std::vector<MotionBand>>
-      levels_;  ///< [0]: one band a group of pieces; each next level merges a few
+  Pyramid<MotionBand> pyramid_;  ///< by group of pieces
 };
 
 }  // namespace feedscope

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
+#include "core/analysis/envelope/pyramid.h"
 #include "core/base/progress.h"
+#include "core/drives/span_looks.h"
 
 namespace feedscope {
 
@@ -21,7 +22,7 @@ namespace feedscope {
 ///   Walk(source, time)  begins at the first span that ends after `time` [s], at the last if none does
 ///   done()              behind the last span
 ///   begin(), end()      of the span [s]
-///   looks()             into how many equal parts the span is cut by the instants that are looked at, > 0
+///   looks()             the SpanLooks of the span
 ///   add(band, time)     adds the values at an instant of the span; instants never fall
 ///   next()
 /// and names `Source`, which is cheap to copy and has duration() [s], and `Band`, a kind of Extents.
@@ -46,21 +47,14 @@ class SpanEnvelope {
       add_span(walk, groups.back(), walk.begin(), walk.end());
     }
     starts_.push_back(source_.duration());
-    while (groups.size() > fan_out) {
-      std::vector<Band> merged((groups.size() + fan_out - 1) / fan_out);
-      for (std::size_t i = 0; i < groups.size(); ++i) {
-        merged[i / fan_out].add(groups[i]);
-      }
-      levels_.push_back(std::exchange(groups, std::move(merged)));
-    }
-    levels_.push_back(std::move(groups));
+    pyramid_ = Pyramid<Band>(std::move(groups));
   }
 
   /// Calls use(column, band) for each pair of neighbours in `times` [s], ascending; columns outside the run
   /// are omitted.
   template <typename Use>
   void columns(std::span<const double> times, Use use) const {
-    if (levels_.front().empty()) {
+    if (pyramid_.empty()) {
       return;
     }
     Looker looker(source_);
@@ -72,20 +66,13 @@ class SpanEnvelope {
   }
 
   /// Of the whole run.
-  Band overall() const {
-    Band band;
-    for (const Band& part : levels_.back()) {
-      band.add(part);
-    }
-    return band;
-  }
+  Band overall() const { return pyramid_.overall(); }
 
  private:
   static constexpr std::size_t spans_a_group = 8;
-  static constexpr std::size_t fan_out = 4;
   static constexpr std::size_t groups_a_report = 512;
   static constexpr double whole_group_share = 1.0 / 8;
-  static constexpr double far = 64;  ///< spans, of which a walk is rather begun anew
+  static constexpr double far = 64;  ///< spans; to skip more a new walk is cheaper than going on
 
   /// Looks at stretches in order, each of which begins within what was seen or behind it.
   class Looker {
@@ -118,17 +105,10 @@ class SpanEnvelope {
 
   /// What of the span of `walk` lies between both [s].
   static void add_span(Walk& walk, Band& band, double from, double to) {
-    const double begin = walk.begin();
-    const double duration = walk.end() - begin;
     walk.add(band, from);
-    const int looks = walk.looks();
-    const auto first = duration > 0 ? static_cast<int>((from - begin) / duration * looks) + 1 : looks;
-    for (int i = first; i < looks; ++i) {
-      const double time = begin + duration * i / looks;
-      if (time >= to) {
-        break;
-      }
-      walk.add(band, std::max(from, time));
+    const SpanLooks looks = walk.looks();
+    for (int i = looks.first_after(from); i < looks.count() && looks.at(i) < to; ++i) {
+      walk.add(band, looks.at(i));
     }
     walk.add(band, std::max(from, to));
   }
@@ -158,7 +138,7 @@ class SpanEnvelope {
       --end_whole;
     }
     if (end_whole > first_whole) {
-      add_groups(band, first_whole, end_whole);
+      pyramid_.add(band, first_whole, end_whole);
     }
     if (cut_at_end) {
       look(last);
@@ -166,24 +146,9 @@ class SpanEnvelope {
     return band;
   }
 
-  void add_groups(Band& band, std::size_t first, std::size_t last) const {
-    for (std::size_t level = 0; first < last; ++level) {
-      const std::vector<Band>& bands = levels_[level];
-      const bool top = level + 1 == levels_.size();
-      while (first < last && (top || first % fan_out != 0)) {
-        band.add(bands[first++]);
-      }
-      while (first < last && last % fan_out != 0) {
-        band.add(bands[--last]);
-      }
-      first /= fan_out;
-      last /= fan_out;
-    }
-  }
-
   Source source_;
-  std::vector<double> starts_;             ///< of each group, and the end [s]
-  std::vector<std::vector<Band>> levels_;  ///< [0]: one band a group; each next level merges a few
+  std::vector<double> starts_;  ///< of each group, and the end [s]
+  Pyramid<Band> pyramid_;       ///< by group
 };
 
 }  // namespace feedscope

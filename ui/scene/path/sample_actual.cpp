@@ -1,4 +1,5 @@
-#include "core/analysis/envelope/drive_walk.h"
+#include "core/drives/span_looks.h"
+#include "core/trajectory/state_walk.h"
 #include "ui/scene/path/sampler.h"
 
 namespace feedscope::ui {
@@ -12,7 +13,7 @@ class FollowedFoot {
  public:
   explicit FollowedFoot(const Toolpath& toolpath) : toolpath_(toolpath), deviation_(toolpath) {}
 
-  /// The motion begins anew on `segment`.
+  /// The motion starts again on `segment`.
   void begin(std::size_t segment) { last_ = {segment, 0, Vec3::Zero(), 0}; }
   /// `segment`: where the set position is, `behind`: how far the axes are from that [mm].
   PathDeviation::Result at(const Vec3& position, std::size_t segment, double behind) {
@@ -63,15 +64,15 @@ class ActualSampling {
   /// Goes through one span. Its end is a point only where nothing or a gap is behind it.
   void add_span() {
     const SetSpan& span = walk_.span();
-    const int looks = looks_in(span);
-    for (int i = 0; i < looks; ++i) {
-      const double time = span.time + span.duration * i / looks;
+    const SpanLooks looks(span);
+    for (int i = 0; i < looks.count(); ++i) {
+      const double time = looks.at(i);
       const State state = set_.at(time);
       element_ = state.element;
       if (i == 0 && span.begins) {
         foot_.begin(trajectory_.path().segment(element_));
       }
-      add(sampler_, walk_.within_span(time), time, state.speed * span.duration / looks);
+      add(sampler_, walk_.within_span(time), time, state.speed * looks.duration(i));
     }
     const double end_time = span.end();
     const ActualMotion end = walk_.within_span(end_time);
@@ -114,7 +115,7 @@ SampledPath sample_actual(const ActualPath& actual, std::size_t max_points, Prog
   }
   std::size_t wanted = 1;
   for (SetWalk walk(trajectory); !walk.done(); walk.next()) {
-    wanted += static_cast<std::size_t>(looks_in(walk.span()));
+    wanted += static_cast<std::size_t>(SpanLooks(walk.span()).count());
   }
   path.origin = trajectory.path().element(0).start;
   const double spacing = spacing_for(wanted, max_points, trajectory.path_length());
