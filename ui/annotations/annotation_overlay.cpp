@@ -32,8 +32,10 @@ void AnnotationOverlay::set_annotations(AnnotationList* annotations) {
   update();
 }
 
-void AnnotationOverlay::set_run(std::shared_ptr<const Trajectory> trajectory, const QString& name) {
+void AnnotationOverlay::set_run(std::shared_ptr<const Trajectory> trajectory, const QString& name,
+                                std::shared_ptr<const ActualPath> actual) {
   trajectory_ = std::move(trajectory);
+  actual_ = std::move(actual);
   run_ = name;
   update();
 }
@@ -52,7 +54,8 @@ std::optional<AnnotatedView> AnnotationOverlay::view() const {
   if (annotations_ == nullptr || annotations_->items().empty() || trajectory_ == nullptr) {
     return std::nullopt;
   }
-  return AnnotatedView{scene_, *trajectory_, QSizeF(size()) * devicePixelRatioF(), scale_, background_, run_};
+  return AnnotatedView{scene_, *trajectory_, QSizeF(size()) * devicePixelRatioF(), scale_, background_,
+                       run_,   actual_.get()};
 }
 
 std::vector<PlacedAnnotation> AnnotationOverlay::placed() const {

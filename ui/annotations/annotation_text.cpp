@@ -3,6 +3,7 @@
 #include <QCoreApplication>
 #include <QLocale>
 #include <QRegularExpression>
+#include <cmath>
 
 #include "core/analysis/quantity.h"
 #include "ui/language/core_texts.h"
@@ -22,8 +23,10 @@ AnnotationField field_of(const QuantityInfo& quantity) {
   if (quantity.axis >= 0) {
     title = title.arg(QLatin1Char(coordinate_names[static_cast<std::size_t>(quantity.axis)]));
   }
-  return {QString::fromStdString(std::string(quantity.key)), title,
-          [&quantity](const Values& v) { return amount_text(quantity.of(v.at), quantity.dimension); }};
+  return {QString::fromStdString(std::string(quantity.key)), title, [&quantity](const Values& v) {
+            const double value = quantity.of(Instant(v.at, v.actual ? &*v.actual : nullptr));
+            return std::isnan(value) ? QStringLiteral("–") : amount_text(value, quantity.dimension);
+          }};
 }
 
 const QRegularExpression& field_pattern() {

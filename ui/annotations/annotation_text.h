@@ -2,8 +2,10 @@
 
 #include <QString>
 #include <functional>
+#include <optional>
 #include <vector>
 
+#include "core/analysis/actual_path.h"
 #include "ui/workbench/annotation.h"
 
 namespace feedscope::ui {
@@ -11,10 +13,11 @@ namespace feedscope::ui {
 /// What a label can tell of its place.
 struct AnnotationValues {
   State at;
-  double contour_error = 0;  ///< [mm]
-  double distance = 0;       ///< straight, to the other place [mm]
-  double duration = 0;       ///< to the other place [s]
-  QString run;               ///< name of the run
+  std::optional<ActualSample> actual = {};  ///< of a machine with drives
+  double contour_error = 0;                 ///< [mm]
+  double distance = 0;                      ///< straight, to the other place [mm]
+  double duration = 0;                      ///< to the other place [s]
+  QString run;                              ///< name of the run
 };
 
 /// One name that stands in braces in the text of an annotation.

@@ -123,7 +123,8 @@ AnnotatedView ScenePicture::annotated(const QSizeF& size, const SceneScale& scal
           size * scale.pixel_ratio,
           scale.text_scale * scale.pixel_ratio,
           theme_ == ThemeKind::dark ? Background::dark : Background::light,
-          run.name};
+          run.name,
+          run.shown->run.actual.get()};
 }
 
 void ScenePicture::paint(QPainter& painter, const QRectF& asked, const SceneScale& scale) {

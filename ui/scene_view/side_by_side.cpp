@@ -323,7 +323,8 @@ void SideBySide::show_current() {
 void SideBySide::show_run_name() {
   const auto shown = workbench_.shown();
   first_.annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr,
-                               workbench_.runs().title(workbench_.runs().current_item()));
+                               workbench_.runs().title(workbench_.runs().current_item()),
+                               shown != nullptr ? shown->run.actual : nullptr);
 }
 
 void SideBySide::show_overlays() {
@@ -362,7 +363,8 @@ void SideBySide::show_run() {
                                                       : workbench_.shown_program().samples);
     scene.set_warning(picture_warning(shown->run).toStdString());
   }
-  second_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr, choice_->currentText());
+  second_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr, choice_->currentText(),
+                                 shown != nullptr ? shown->run.actual : nullptr);
   linking_ = false;
   share_colour_scale();
   link(first_);

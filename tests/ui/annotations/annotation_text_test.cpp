@@ -43,6 +43,14 @@ TEST_F(AnnotationText, EveryFieldHasAValue) {
   }
 }
 
+TEST_F(AnnotationText, TellsOfTheDrivesWhereThereAreAny) {
+  AnnotationValues values = some_values();
+  EXPECT_EQ(with_values("{actual_contour_error}", values), QStringLiteral("–"));
+  values.actual.emplace();
+  values.actual->contour_error = 0.0125;
+  EXPECT_EQ(with_values("{actual_contour_error}", values), QStringLiteral("12.5 µm"));
+}
+
 TEST_F(AnnotationText, WhatIsNoFieldStaysAndIsNamed) {
   EXPECT_EQ(with_values("{fed} {} {Feed} {", some_values()), QStringLiteral("{fed} {} {Feed} {"));
   EXPECT_EQ(unknown_field("{feed} and {fed} and {fet}"), QStringLiteral("{fed}"));
