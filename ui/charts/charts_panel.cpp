@@ -14,7 +14,6 @@
 #include <utility>
 
 #include "core/base/units.h"
-#include "ui/charts/chart_rows.h"
 #include "ui/charts/measurement.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/shown_numbers.h"
@@ -50,9 +49,9 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   const std::array<ChartSpec, chart_count> specs = kinematic_chart_specs();
   for (std::size_t i = 0; i < specs.size(); ++i) {
     layout->addLayout(add_header(i, specs[i]));
-    charts_[i] = new KinematicChart(specs[i], range_, this);
-    connect_chart(*charts_[i]);
-    layout->addWidget(charts_[i], ChartRows::stretch);
+    rows_.charts[i] = new KinematicChart(specs[i], range_, this);
+    connect_chart(*rows_.charts[i]);
+    layout->addWidget(rows_.charts[i], ChartRows::stretch);
     if (i == 0) {
       layout->addWidget(causes_);
     }
@@ -79,14 +78,14 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
 }
 
 QLayout* ChartsPanel::add_header(std::size_t i, const ChartSpec& spec) {
-  headers_[i] = new ChartHeader(spec, this);
-  connect(headers_[i], &ChartHeader::curve_clicked, this,
-          [this, i](std::size_t curve) { show_curve(i, curve, !charts_[i]->curve_shown(curve)); });
-  connect(headers_[i], &ChartHeader::curve_alone_clicked, this,
+  rows_.headers[i] = new ChartHeader(spec, this);
+  connect(rows_.headers[i], &ChartHeader::curve_clicked, this,
+          [this, i](std::size_t curve) { show_curve(i, curve, !rows_.charts[i]->curve_shown(curve)); });
+  connect(rows_.headers[i], &ChartHeader::curve_alone_clicked, this,
           [this, i](std::size_t curve) { show_alone(i, curve); });
   auto* head = new QHBoxLayout;
   head->setContentsMargins(0, 0, 8, 0);
-  head->addWidget(headers_[i]);
+  head->addWidget(rows_.headers[i]);
   if (i == 0) {
     for (QWidget* control :
          {static_cast<QWidget*>(abscissa_), static_cast<QWidget*>(show_all_), static_cast<QWidget*>(more_)}) {
@@ -130,7 +129,7 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
   columns_.clear();
   overlays_.clear();
   if (!keep_range) {
-    for (KinematicChart* chart : charts_) {
+    for (KinematicChart* chart : rows_.charts) {
       chart->choose_values({});
     }
   }
@@ -178,9 +177,8 @@ void ChartsPanel::show_run_of(Workbench& workbench) {
 
 void ChartsPanel::show_charts_of_run() {
   const bool time = range_.abscissa() == Abscissa::time;
-  ChartRows{headers_, charts_}.show(
-      envelope_.get(), time ? tr("Time [s]") : with_unit_of(tr("Path length"), Dimension::length),
-      static_cast<QVBoxLayout&>(*layout()));
+  rows_.show(envelope_.get(), time ? tr("Time [s]") : with_unit_of(tr("Path length"), Dimension::length),
+             static_cast<QVBoxLayout&>(*layout()));
 }
 
 void ChartsPanel::hold_range() {
@@ -209,7 +207,7 @@ void ChartsPanel::set_overlay_curve(std::size_t chart, std::optional<std::size_t
 }
 
 void ChartsPanel::set_limits(const AxisVector<AxisLimits>& limits) {
-  ChartRows{headers_, charts_}.set_limits(limits);
+  rows_.set_limits(limits);
   refresh_.start();
 }
 
@@ -220,14 +218,14 @@ void ChartsPanel::hide_controls() {
 }
 
 void ChartsPanel::show_curve(std::size_t chart, std::size_t curve, bool shown) {
-  charts_[chart]->show_curve(curve, shown);
-  headers_[chart]->show_curve(curve, shown);
+  rows_.charts[chart]->show_curve(curve, shown);
+  rows_.headers[chart]->show_curve(curve, shown);
   commands_->set_curve_shown(chart, curve, shown);
 }
 
 void ChartsPanel::show_usual_curves() {
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    const std::vector<CurveSpec>& curves = charts_[i]->spec().curves;
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    const std::vector<CurveSpec>& curves = rows_.charts[i]->spec().curves;
     for (std::size_t k = 0; k < curves.size(); ++k) {
       show_curve(i, k, !curves[k].on_demand);
     }
@@ -236,13 +234,13 @@ void ChartsPanel::show_usual_curves() {
 
 /// The second time those that are shown usually.
 void ChartsPanel::show_alone(std::size_t chart, std::size_t curve) {
-  const std::size_t count = charts_[chart]->spec().curves.size();
+  const std::size_t count = rows_.charts[chart]->spec().curves.size();
   bool alone = true;
   for (std::size_t i = 0; i < count; ++i) {
-    alone = alone && (i == curve) == charts_[chart]->curve_shown(i);
+    alone = alone && (i == curve) == rows_.charts[chart]->curve_shown(i);
   }
   for (std::size_t i = 0; i < count; ++i) {
-    show_curve(chart, i, i == curve || (alone && !charts_[chart]->spec().curves[i].on_demand));
+    show_curve(chart, i, i == curve || (alone && !rows_.charts[chart]->spec().curves[i].on_demand));
   }
 }
 
@@ -265,10 +263,11 @@ QString ChartsPanel::measurement_text() const {
 void ChartsPanel::refresh() {
   refresh_.stop();
   refresh_columns();
-  charts_.front()->set_cutting_feed(cutting_feed(envelope_.get(), columns_.bands(), overlays_.runs()));
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    charts_[i]->show_bands(columns_.bands(), envelope_ == nullptr ? std::vector<OverlayCurve>()
-                                                                  : overlays_.curves(i, charts_[i]->spec()));
+  rows_.charts.front()->set_cutting_feed(cutting_feed(envelope_.get(), columns_.bands(), overlays_.runs()));
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    rows_.charts[i]->show_bands(columns_.bands(), envelope_ == nullptr
+                                                      ? std::vector<OverlayCurve>()
+                                                      : overlays_.curves(i, rows_.charts[i]->spec()));
   }
   if (envelope_ != nullptr) {
     const std::vector<double>& times = columns_.times();
@@ -285,7 +284,7 @@ void ChartsPanel::refresh_columns() {
     columns_.clear();
     return;
   }
-  const int count = charts_.front()->column_count();
+  const int count = rows_.charts.front()->column_count();
   const Interval shown{range_.lower(), range_.upper()};
   columns_.update(*envelope_, shown, count, [this](double position) { return range_.time_at(position); });
   overlays_.update(range_, *trajectory_, count);
@@ -296,11 +295,11 @@ void ChartsPanel::show_cursor() {
   const auto second = shown && second_.has_value()
                           ? std::optional(range_.position_of(trajectory_->state(*second_)))
                           : std::nullopt;
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    charts_[i]->set_cursors(shown ? std::optional(range_.position_of(cursor_.state())) : std::nullopt,
-                            second);
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    rows_.charts[i]->set_cursors(shown ? std::optional(range_.position_of(cursor_.state())) : std::nullopt,
+                                 second);
   }
-  ChartRows{headers_, charts_}.show_values(shown ? &cursor_.state() : nullptr, actual_.get());
+  rows_.show_values(shown ? &cursor_.state() : nullptr, actual_.get());
   show_other_runs();
   const QString text = measurement_text();
   readout_->setText(text);
@@ -312,8 +311,9 @@ void ChartsPanel::show_cursor() {
 void ChartsPanel::show_other_runs() {
   const bool valued = envelope_ != nullptr && cursor_.valid();
   const auto position = valued ? std::optional(range_.position_of(cursor_.state())) : std::nullopt;
-  for (std::size_t i = 0; i < headers_.size(); ++i) {
-    headers_[i]->set_runs(overlays_.legend(i, charts_[i]->spec(), range_, trajectory_.get(), position));
+  for (std::size_t i = 0; i < rows_.headers.size(); ++i) {
+    rows_.headers[i]->set_runs(
+        overlays_.legend(i, rows_.charts[i]->spec(), range_, trajectory_.get(), position));
   }
 }
 
@@ -339,7 +339,8 @@ void ChartsPanel::go_forward() {
 
 void ChartsPanel::move_cursor(int pixels) {
   if (cursor_.valid()) {
-    const double pixel = (range_.upper() - range_.lower()) / charts_.front()->chart()->plotArea().width();
+    const double pixel =
+        (range_.upper() - range_.lower()) / rows_.charts.front()->chart()->plotArea().width();
     cursor_.set_time(range_.time_at(range_.position_of(cursor_.state()) + pixels * pixel));
   }
 }
@@ -353,7 +354,7 @@ void ChartsPanel::zoom_to_cursors() {
 }
 
 void ChartsPanel::fit() {
-  for (KinematicChart* chart : charts_) {
+  for (KinematicChart* chart : rows_.charts) {
     chart->choose_values({});
   }
   range_.fit();
@@ -369,16 +370,16 @@ void ChartsPanel::choose_abscissa(Abscissa abscissa) {
 
 ChartView ChartsPanel::view() const {
   ChartView view{shown_times()};
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    view.values[i] = charts_[i]->chosen_values();
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    view.values[i] = rows_.charts[i]->chosen_values();
   }
   return view;
 }
 
 void ChartsPanel::show_view(const ChartView& view) {
   range_.show_times(view.time.lower, view.time.upper);
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    charts_[i]->choose_values(view.values[i]);
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    rows_.charts[i]->choose_values(view.values[i]);
   }
   rest_.stop();
   commands_->set_steps(history_.can_go_back(), history_.can_go_forward());
@@ -422,9 +423,9 @@ void ChartsPanel::draw(QPainter& painter) {
       painter.restore();
     }
   };
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    at(*headers_[i], [&] { headers_[i]->draw(painter); });
-    at(*charts_[i], [&] { charts_[i]->draw(painter); });
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    at(*rows_.headers[i], [&] { rows_.headers[i]->draw(painter); });
+    at(*rows_.charts[i], [&] { rows_.charts[i]->draw(painter); });
   }
   at(*causes_, [&] { causes_->draw(painter); });
   at(*readout_, [&] {
@@ -438,17 +439,17 @@ ChartsState ChartsPanel::state() const {
   ChartsState state;
   state.abscissa = range_.abscissa();
   state.causes = causes_->isVisibleTo(this);
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    const std::vector<CurveSpec>& curves = charts_[i]->spec().curves;
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    const std::vector<CurveSpec>& curves = rows_.charts[i]->spec().curves;
     for (std::size_t k = 0; k < curves.size(); ++k) {
-      if (charts_[i]->curve_shown(k) == curves[k].on_demand) {
+      if (rows_.charts[i]->curve_shown(k) == curves[k].on_demand) {
         (curves[k].on_demand ? state.shown : state.hidden).append(curves[k].key);
       }
       if (overlays_.chosen(i) == k) {
         state.other_runs.append(curves[k].key);
       }
     }
-    state.values[i] = charts_[i]->chosen_values();
+    state.values[i] = rows_.charts[i]->chosen_values();
   }
   if (awaiting_run_.has_value()) {
     state.time = awaiting_run_->time;
@@ -465,8 +466,8 @@ ChartsState ChartsPanel::state() const {
 
 void ChartsPanel::set_state(const ChartsState& state) {
   choose_abscissa(state.abscissa);
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    const std::vector<CurveSpec>& curves = charts_[i]->spec().curves;
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    const std::vector<CurveSpec>& curves = rows_.charts[i]->spec().curves;
     std::optional<std::size_t> other;
     for (std::size_t k = 0; k < curves.size(); ++k) {
       show_curve(i, k, is_shown(curves[k], state));
@@ -489,8 +490,8 @@ void ChartsPanel::show_range(const ChartsState& state) {
   } else {
     range_.show_times(state.time->lower, state.time->upper);
   }
-  for (std::size_t i = 0; i < charts_.size(); ++i) {
-    charts_[i]->choose_values(state.values[i]);
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    rows_.charts[i]->choose_values(state.values[i]);
   }
   set_second_cursor(state.second_cursor);
   rest();

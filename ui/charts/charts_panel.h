@@ -2,7 +2,6 @@
 
 #include <QList>
 #include <QTimer>
-#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -12,10 +11,9 @@
 #include "core/machine/machine.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/charts/chart_commands.h"
-#include "ui/charts/chart_header.h"
+#include "ui/charts/chart_rows.h"
 #include "ui/charts/charts_state.h"
 #include "ui/charts/column_cache.h"
-#include "ui/charts/kinematic_chart.h"
 #include "ui/charts/overlay_curves.h"
 #include "ui/charts/zoom_history.h"
 #include "ui/shared/cursor.h"
@@ -70,8 +68,8 @@ class ChartsPanel : public Panel {
   /// Of the borders of the pixel columns as of the last refresh() [s].
   const std::vector<double>& column_times() const { return columns_.times(); }
   /// 0 feed, 1 acceleration, 2 jerk, 3 following error: shown where the run has drives.
-  KinematicChart& chart(std::size_t i) { return *charts_[i]; }
-  ChartHeader& header(std::size_t i) { return *headers_[i]; }
+  KinematicChart& chart(std::size_t i) { return *rows_.charts[i]; }
+  ChartHeader& header(std::size_t i) { return *rows_.headers[i]; }
   CauseStrip& causes() { return *causes_; }
   void show_curve(std::size_t chart, std::size_t curve, bool shown);
   void show_usual_curves();
@@ -148,8 +146,7 @@ class ChartsPanel : public Panel {
   double sample_time_ = 0.001;
   CauseStrip* causes_;
   QLabel* readout_;
-  std::array<ChartHeader*, chart_count> headers_{};
-  std::array<KinematicChart*, chart_count> charts_{};
+  ChartRows rows_;
   QComboBox* abscissa_;
   QToolButton* show_all_;
   QToolButton* more_;
