@@ -17,18 +17,19 @@ ActualFigures actual_figures(const ActualPath& path, Progress* progress) {
   ActualFigures figures;
   ActualErrors errors(path);
   StateWalk set(trajectory);
+  const bool rigid = path.response().is_rigid();
   double sum = 0;
   double cutting = 0;
   std::size_t spans = 0;
   for (ActualWalk walk(path.response()); !walk.done(); walk.next_span()) {
     const SetSpan& span = walk.span();
-    const SpanLooks looks(span);
+    const SpanLooks looks(span, rigid);
     for (int i = 0; i < looks.count(); ++i) {
       const double time = looks.middle(i);
       const ActualMotion actual = walk.within_span(time);
       figures.largest_following_error =
           figures.largest_following_error.cwiseMax(actual.following_error.cwiseAbs());
-      const State state = set.at(time);
+      const State state = set.at_without_length(time);
       if (trajectory.is_rapid(state.element) || trajectory.path().kind(state.element) == ElementKind::dwell) {
         continue;
       }

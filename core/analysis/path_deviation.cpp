@@ -96,6 +96,17 @@ double nearest_on_arc(const Arc& arc, const Vec3& position) {
   return std::clamp(angle, 0.0, arc.sweep) * arc.length_per_radian();
 }
 
+/// Distance squared of a place from the circle that a flat arc is part of, or from the cylinder of a helix:
+/// no point of the arc is nearer. Without an angle, which costs most.
+double squared_from_circle(const Arc& arc, const Vec3& position) {
+  const Vec3 from_center = position - arc.center;
+  const double x = from_center.dot(arc.x);
+  const double y = from_center.dot(arc.y);
+  const double across = std::sqrt(x * x + y * y) - arc.radius;
+  const double beside = arc.rise.isZero(0) ? std::max(0.0, from_center.squaredNorm() - x * x - y * y) : 0;
+  return across * across + beside;
+}
+
 }  // namespace
 
 struct PathDeviation::Index {
@@ -132,6 +143,11 @@ PathDeviation::Foot PathDeviation::foot_on(std::size_t index, const Vec3& positi
 }
 
 void PathDeviation::improve(Foot& best, std::size_t segment, const Vec3& position) const {
+  const Segment& other = toolpath_.segments[segment];
+  if (other.kind == SegmentKind::arc &&
+      squared_from_circle(toolpath_.arc_of(other), position) >= best.squared) {
+    return;
+  }
   const Foot foot = foot_on(segment, position);
   if (foot.squared < best.squared && std::sqrt(foot.squared) < std::sqrt(best.squared) - as_near) {
     best = foot;

@@ -145,19 +145,19 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   return run;
 }
 
-void add_summary(Run& run) {
+void add_summary(Run& run, Progress* progress) {
   const StopWatch watch;
   run.summary = summarise(*run.trajectory, *run.input.toolpath,
                           axis_limit_vector(run.setup.machine, &AxisLimits::velocity));
   if (run.actual) {
-    run.summary.actual = actual_figures(*run.actual);
+    run.summary.actual = actual_figures(*run.actual, progress);
   }
   run.simulate_time += watch.seconds();
 }
 
 Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress) {
   Run run = simulate_motion(input, std::move(setup), progress);
-  add_summary(run);
+  add_summary(run, progress);
   return run;
 }
 

@@ -8,6 +8,6 @@ namespace feedscope {
 /// throws.
 Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress = nullptr);
 /// The second one. Others may read the run's motion meanwhile.
-void add_summary(Run& run);
+void add_summary(Run& run, Progress* progress = nullptr);
 
 }  // namespace feedscope

@@ -39,6 +39,10 @@ DriveResponse::DriveResponse(std::shared_ptr<const Trajectory> trajectory, const
   }
 }
 
+bool DriveResponse::is_rigid() const {
+  return std::ranges::all_of(drives_->slides, &Reversal::is_rigid);
+}
+
 const DriveResponse::Start& DriveResponse::start_before(double time) const {
   const auto after = std::upper_bound(starts_.begin(), starts_.end(), time,
                                       [](double t, const Start& start) { return t < start.time; });

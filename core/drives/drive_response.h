@@ -41,6 +41,8 @@ class DriveResponse {
                 Progress* progress = nullptr);
 
   const Trajectory& trajectory() const { return *trajectory_; }
+  /// Whether no axis has backlash or friction at reversals.
+  bool is_rigid() const;
   /// At `time`, clamped to the trajectory [s].
   ActualMotion at(double time) const;
 

@@ -21,8 +21,8 @@ bool is_steady(const SetSpan& span) {
 
 }  // namespace
 
-SpanLooks::SpanLooks(const SetSpan& span) : start_(span.time) {
-  const bool sparse = is_steady(span) && span.duration > settling_time;
+SpanLooks::SpanLooks(const SetSpan& span, bool rigid) : start_(span.time) {
+  const bool sparse = span.duration > settling_time && (rigid || is_steady(span));
   dense_time_ = sparse ? settling_time : span.duration;
   sparse_time_ = span.duration - dense_time_;
   dense_ = static_cast<int>(std::clamp(std::ceil(dense_time_ / dense_step), 2.0, most_dense));

@@ -5,12 +5,13 @@
 namespace feedscope {
 
 /// The instants at which a span of the set path is looked at to find extremes of what the drives make of it:
-/// borders of parts of 2 ms at most, far below the time in which drives answer, and at least two parts. Where
-/// the set velocity stays the same little changes once the drives have settled: after 0.1 s the parts are
-/// 50 ms, and at most a thousand.
+/// borders of parts of 2 ms at most, far below the time in which drives answer, and at least two parts. Once
+/// the drives have settled they follow the polynomial of the span smoothly: after 0.1 s the parts are 50 ms,
+/// and at most a thousand. Not where axes may turn round that have backlash or friction.
 class SpanLooks {
  public:
-  explicit SpanLooks(const SetSpan& span);
+  /// `rigid`: no axis has backlash or friction, as DriveResponse::is_rigid().
+  SpanLooks(const SetSpan& span, bool rigid);
 
   /// Number of parts.
   int count() const { return dense_ + sparse_; }

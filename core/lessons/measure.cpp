@@ -170,12 +170,13 @@ double peak_of_drives(const Measure& measure, const Run& run) {
   const Trajectory& trajectory = *run.trajectory;
   StateWalk set(trajectory);
   ActualErrors errors(*run.actual);
+  const bool rigid = run.actual->response().is_rigid();
   double largest = 0;
   for (ActualWalk walk(run.actual->response()); !walk.done(); walk.next_span()) {
-    const SpanLooks looks(walk.span());
+    const SpanLooks looks(walk.span(), rigid);
     for (int i = 0; i <= looks.count(); ++i) {
       const double time = looks.at(i);
-      const State state = set.at(time);
+      const State state = set.at_without_length(time);
       const bool elsewhere =
           measure.first_line > 0 && (state.line < measure.first_line || state.line > measure.last_line);
       const bool cuts =

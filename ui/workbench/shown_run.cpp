@@ -38,7 +38,7 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
                [&] {
                  const Toolpath& toolpath = *shown->run.input.toolpath;
                  if (input != nullptr) {
-                   add_summary(shown->run);
+                   add_summary(shown->run, &summary);
                  }
                  if (input != nullptr && input != &toolpath) {
                    shown->programmed = std::make_shared<const SampledPath>(sample_programmed(toolpath));

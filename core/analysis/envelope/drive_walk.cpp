@@ -3,7 +3,10 @@
 namespace feedscope {
 
 DriveWalk::DriveWalk(const Source& source, double time)
-    : walk_(source.path().response(), time), errors_(source.path()), set_(source.path().trajectory(), time) {
+    : rigid_(source.path().response().is_rigid()),
+      walk_(source.path().response(), time),
+      errors_(source.path()),
+      set_(source.path().trajectory(), time) {
   while (!walk_.done() && walk_.span().end() <= time &&
          walk_.span().end() < source.path().trajectory().duration()) {
     walk_.next_span();
@@ -11,10 +14,24 @@ DriveWalk::DriveWalk(const Source& source, double time)
 }
 
 void DriveWalk::add(Band& band, double time) {
-  const State state = set_.at(time);
+  if (time == seen_) {
+    band.add(last_);
+    return;
+  }
+  const State state = set_.at_without_length(time);
   const ActualMotion motion = walk_.within_span(time);
   const ActualSample sample{motion, errors_.at(motion.position, state.element)};
-  band.add(Instant(state, &sample));
+  last_ = {};
+  last_.add(Instant(state, &sample));
+  seen_ = time;
+  band.add(last_);
+}
+
+void DriveWalk::next() {
+  walk_.next_span();
+  if (!walk_.done() && walk_.span().begins) {
+    seen_ = -1;
+  }
 }
 
 }  // namespace feedscope

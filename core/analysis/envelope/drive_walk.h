@@ -30,14 +30,17 @@ class DriveWalk {
   bool done() const { return walk_.done(); }
   double begin() const { return walk_.span().time; }
   double end() const { return walk_.span().end(); }
-  SpanLooks looks() const { return SpanLooks(walk_.span()); }
+  SpanLooks looks() const { return {walk_.span(), rigid_}; }
   void add(Band& band, double time);
-  void next() { walk_.next_span(); }
+  void next();
 
  private:
+  bool rigid_;
   ActualWalk walk_;
   ActualErrors errors_;
   StateWalk set_;
+  double seen_ = -1;  ///< instant of `last_`: the end of a span is the beginning of the next one [s]
+  Band last_;
 };
 
 }  // namespace feedscope

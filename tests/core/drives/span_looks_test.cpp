@@ -29,30 +29,37 @@ void expect_borders(const SpanLooks& looks, const SetSpan& span) {
 
 TEST(SpanLooks, AreTwoMillisecondsApartWhereTheVelocityChanges) {
   const SetSpan span = span_of(0.1015, 3, 7);
-  const SpanLooks looks(span);
+  const SpanLooks looks(span, true);
   EXPECT_EQ(looks.count(), 51);
   expect_borders(looks, span);
 }
 
 TEST(SpanLooks, OfAShortSpanAreTwo) {
   const SetSpan span = span_of(1e-5, 3, 7);
-  EXPECT_EQ(SpanLooks(span).count(), 2);
-  expect_borders(SpanLooks(span), span);
+  EXPECT_EQ(SpanLooks(span, true).count(), 2);
+  expect_borders(SpanLooks(span, true), span);
 }
 
 TEST(SpanLooks, GetFartherApartOnceTheDrivesHaveSettled) {
   const SetSpan span = span_of(10.1, 3, 0);
-  const SpanLooks looks(span);
+  const SpanLooks looks(span, true);
   EXPECT_EQ(looks.count(), 50 + 200);
   EXPECT_NEAR(looks.duration(0), 0.002, 1e-12);
   EXPECT_NEAR(looks.duration(50), 0.05, 1e-12);
   expect_borders(looks, span);
 }
 
+TEST(SpanLooks, StayCloseWhereAxesWithFrictionMayTurnRound) {
+  const SetSpan turning = span_of(10, -3, 0.6);
+  EXPECT_EQ(SpanLooks(turning, false).count(), 5000);
+  EXPECT_EQ(SpanLooks(turning, true).count(), 50 + 198);
+  EXPECT_EQ(SpanLooks(span_of(10, 3, 0), false).count(), 50 + 198);
+}
+
 TEST(SpanLooks, OfADwellOfHoursAreFew) {
   const SetSpan span = span_of(1e4, 0, 0);
-  EXPECT_EQ(SpanLooks(span).count(), 50 + 1000);
-  expect_borders(SpanLooks(span), span);
+  EXPECT_EQ(SpanLooks(span, true).count(), 50 + 1000);
+  expect_borders(SpanLooks(span, true), span);
 }
 
 }  // namespace

@@ -57,6 +57,7 @@ class ActualSampling {
         end_sampler_(path, 0),
         foot_(*trajectory_.path().programmed()),
         set_(trajectory_),
+        rigid_(actual.response().is_rigid()),
         walk_(actual.response()) {}
 
   bool done() const { return walk_.done(); }
@@ -64,10 +65,10 @@ class ActualSampling {
   /// Goes through one span. Its end is a point only where nothing or a gap is behind it.
   void add_span() {
     const SetSpan& span = walk_.span();
-    const SpanLooks looks(span);
+    const SpanLooks looks(span, rigid_);
     for (int i = 0; i < looks.count(); ++i) {
       const double time = looks.at(i);
-      const State state = set_.at(time);
+      const State state = set_.at_without_length(time);
       element_ = state.element;
       if (i == 0 && span.begins) {
         foot_.begin(trajectory_.path().segment(element_));
@@ -102,6 +103,7 @@ class ActualSampling {
   FollowedFoot foot_;
   std::uint32_t element_ = 0;  ///< that was under way last
   StateWalk set_;
+  bool rigid_;
   ActualWalk walk_;
 };
 
@@ -113,9 +115,10 @@ SampledPath sample_actual(const ActualPath& actual, std::size_t max_points, Prog
   if (trajectory.pieces().empty()) {
     return path;
   }
+  const bool rigid = actual.response().is_rigid();
   std::size_t wanted = 1;
   for (SetWalk walk(trajectory); !walk.done(); walk.next()) {
-    wanted += static_cast<std::size_t>(SpanLooks(walk.span()).count());
+    wanted += static_cast<std::size_t>(SpanLooks(walk.span(), rigid).count());
   }
   path.origin = trajectory.path().element(0).start;
   const double spacing = spacing_for(wanted, max_points, trajectory.path_length());

@@ -16,6 +16,7 @@ namespace {
 constexpr double spans_of_blend = 24;
 constexpr double feed_steps = 24;
 constexpr double spans_a_filter_time = 8;
+constexpr double share_of_actual = 0.4;  // of the time that it takes with drives
 
 /// `drives`: values of drives, too.
 void reserve(SampledPath& path, std::size_t points, bool drives) {
@@ -364,14 +365,16 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
   std::atomic<std::size_t> done{0};
   in_parallel(chunks.size(), [&](std::size_t i) {
     parts[i] = ExecutedSampling(sampling).run(chunks[i], spacing);
-    watched.report(static_cast<double>(++done) / static_cast<double>(chunks.size()));
+    const double share = static_cast<double>(++done) / static_cast<double>(chunks.size());
+    watched.report(actual != nullptr ? (1 - share_of_actual) * share : share);
   });
-  watched.report(1);
+  watched.report(actual != nullptr ? 1 - share_of_actual : 1);
   SampledPath path = joined(std::move(parts));
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);
   if (actual != nullptr) {
-    path.actual = std::make_shared<const SampledPath>(sample_actual(*actual, max_points));
+    Progress rest(watched, share_of_actual);
+    path.actual = std::make_shared<const SampledPath>(sample_actual(*actual, max_points, &rest));
   }
   return path;
 }
