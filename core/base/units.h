@@ -47,5 +47,23 @@ constexpr double from_deg(double v) {
 constexpr double to_deg(double v) {
   return v * 180.0 / pi;
 }  ///< rad -> degrees
+constexpr double from_rev_min(double v) {
+  return v / 60.0;
+}  ///< 1/min -> 1/s
+constexpr double to_rev_min(double v) {
+  return v * 60.0;
+}  ///< 1/s -> 1/min
+constexpr double from_n_m(double v) {
+  return v * 1000.0;
+}  ///< N m -> N mm
+constexpr double to_n_m(double v) {
+  return v / 1000.0;
+}  ///< N mm -> N m
+constexpr double from_kw(double v) {
+  return v * 1e6;
+}  ///< kW -> N mm/s
+constexpr double to_kw(double v) {
+  return v / 1e6;
+}  ///< N mm/s -> kW
 
 }  // namespace feedscope::units

@@ -82,6 +82,7 @@ CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules&
   result.path.pauses = toolpath.pauses;
   result.path.bounds = toolpath.bounds;
   result.path.path_controls = toolpath.path_controls;
+  result.path.spindles = toolpath.spindles;
   for (std::size_t i = 0; i < toolpath.segments.size();) {
     const std::size_t count = compactor.count_from(i);
     Segment segment = toolpath.segments[i];

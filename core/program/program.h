@@ -15,6 +15,7 @@
 #include "core/program/machine_move.h"
 #include "core/program/path_control.h"
 #include "core/program/program_unit.h"
+#include "core/program/spindle_state.h"
 #include "core/program/text/source_text.h"
 #include "core/program/tools/cutter_radii.h"
 
@@ -39,6 +40,7 @@ struct MotionBlock {
   std::uint32_t line = 0;  ///< 1-based line in the source
   std::int32_t arc = -1;   ///< arcs: index into Program::arcs; machine moves: into Program::machine_moves
   std::uint16_t path_control = 0;  ///< index into Program::path_controls
+  std::uint16_t spindle = 0;       ///< index into Program::spindles
   Motion motion = Motion::line;
   Pause pause = Pause::dwell;  ///< of Motion::dwell
 };
@@ -87,6 +89,7 @@ struct Program {
   std::vector<ArcWords> arcs;
   std::vector<MachineMove> machine_moves;
   std::vector<PathControl> path_controls;  ///< the first is the machine's
+  std::vector<SpindleState> spindles;      ///< the first is that before the program says anything
   std::vector<ToolChange> tools;           ///< in the order of their first use
   std::vector<CutterUse> cutters;          ///< that compensation asks for, in the order of their first use
   std::vector<OffsetUse> work_offsets;     ///< in the order of their first use

@@ -38,6 +38,7 @@ Segment line_segment(const Vec3& start, const MotionBlock& block) {
   segment.feed = block.feed;
   segment.line = block.line;
   segment.path_control = block.path_control;
+  segment.spindle = block.spindle;
   segment.rapid = block.motion == Motion::rapid;
   return segment;
 }
@@ -85,6 +86,9 @@ Toolpath build_toolpath(const Program& program) {
   if (!program.path_controls.empty()) {
     toolpath.path_controls = program.path_controls;
   }
+  if (!program.spindles.empty()) {
+    toolpath.spindles = program.spindles;
+  }
   toolpath.segments.reserve(program.motions.size());
   toolpath.arcs.reserve(program.arcs.size());
   Vec3 position = toolpath.start;  // where the last segment ends
@@ -101,6 +105,7 @@ Toolpath build_toolpath(const Program& program) {
     segment.feed = block.feed;
     segment.line = block.line;
     segment.path_control = block.path_control;
+    segment.spindle = block.spindle;
     segment.rapid = block.motion == Motion::rapid;
     switch (block.motion) {
       case Motion::dwell:

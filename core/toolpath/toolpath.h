@@ -29,6 +29,7 @@ struct Segment {
   std::uint32_t line = 0;          ///< 1-based line of the block
   std::int32_t index = -1;         ///< arcs: into Toolpath::arcs; dwells: into Toolpath::pauses
   std::uint16_t path_control = 0;  ///< index into Toolpath::path_controls
+  std::uint16_t spindle = 0;       ///< index into Toolpath::spindles
   SegmentKind kind = SegmentKind::line;
   bool rapid = false;
 };
@@ -49,12 +50,14 @@ struct Toolpath {
   std::vector<ToolpathPause> pauses;
   std::vector<MachineMove> machine_moves;
   std::vector<PathControl> path_controls{PathControl()};  ///< the first is the machine's
+  std::vector<SpindleState> spindles{SpindleState()};     ///< as Program::spindles
   Bounds bounds;                                          ///< as Program::bounds [mm]
   std::vector<std::string> other_axes;                    ///< as Program::other_axes
   std::vector<ZeroPoint> zero_points;                     ///< of Program::work_offsets
 
   const Vec3& start_of(std::size_t i) const { return i == 0 ? start : segments[i - 1].end; }
   const PathControl& path_control_of(std::size_t i) const { return path_controls[segments[i].path_control]; }
+  const SpindleState& spindle_of(std::size_t i) const { return spindles[segments[i].spindle]; }
   /// Of an arc segment of this path.
   const Arc& arc_of(const Segment& segment) const { return arcs[static_cast<std::size_t>(segment.index)]; }
   /// Of a dwell of this path.

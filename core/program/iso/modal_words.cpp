@@ -11,6 +11,10 @@ namespace feedscope::iso {
 
 namespace {
 
+// Ten times their G numbers.
+constexpr int constant_cutting_speed = 960;
+constexpr int constant_spindle_speed = 970;
+
 /// Ten times a G number; -1 for what cannot be one.
 int g_number(double value) {
   const double tenfold = std::round(value * 10);
@@ -30,6 +34,9 @@ void ModalWords::apply_g(const Block& block, const Word& word) {
                   "it is ignored; the control may run another path"};
     });
     return;
+  }
+  if (number == constant_cutting_speed || number == constant_spindle_speed) {
+    path().set_surface_speed(number == constant_cutting_speed);
   }
   check_group(*code, word);
   words_.other_codes = words_.other_codes || code->group != GGroup::motion;

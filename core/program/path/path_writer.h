@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string_view>
 
 #include "core/base/geometry.h"
@@ -113,6 +114,10 @@ class PathWriter {
   double feed_rate() const { return feed_.rate(); }
   void set_spindle_speed(double revolutions_per_second) { feed_.set_spindle_speed(revolutions_per_second); }
   double spindle_speed() const { return feed_.spindle_speed(); }
+  /// What else SpindleState says of the spindle.
+  void set_tool_in_spindle(std::int32_t tool) { spindle_.tool = tool; }
+  void set_spindle_stands(bool stands) { spindle_stands_ = stands; }
+  void set_surface_speed(bool on) { surface_speed_ = on; }
   void set_tooth_count(double teeth) { feed_.set_tooth_count(teeth); }
 
   /// What follows is a contour of which the tool's centre is written, see CutterCompensation; `column` for
@@ -152,6 +157,8 @@ class PathWriter {
   Compensation compensation_in_frame() const;
   ContourPlane plane_in_frame(const ContourPlane& plane) const;
   std::uint16_t path_control_index();
+  std::uint16_t spindle_index();
+  SpindleState spindle_now() const;
 
   Program& program_;
   DiagnosticLog& log_;
@@ -170,6 +177,11 @@ class PathWriter {
   ProgrammedFeed feed_;
   PathControl path_control_;
   std::uint16_t control_index_ = 0;  ///< of the last motion
+  SpindleState spindle_;             ///< its tool alone is kept up to date
+  bool spindle_stands_ = false;
+  bool surface_speed_ = false;
+  std::uint16_t spindle_index_ = 0;                        ///< of the last motion
+  std::map<SpindleState, std::uint16_t> spindle_indices_;  ///< of Program::spindles
   ContourCorners corners_;
   CutterCompensation compensation_;
   Compensation compensation_words_;  ///< its axes in programmed coordinates

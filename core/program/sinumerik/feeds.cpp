@@ -7,7 +7,7 @@
 namespace feedscope::sinumerik {
 
 void Feeds::set_mode(const Function& function) {
-  surface_speed_ = function.name.starts_with("G96");
+  restore_surface_speed(function.name.starts_with("G96"));
   path().set_feed_mode(function.action == Action::feed_per_minute     ? FeedMode::per_minute
                        : function.action == Action::feed_inverse_time ? FeedMode::inverse_time
                                                                       : FeedMode::per_revolution);

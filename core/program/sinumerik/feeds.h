@@ -18,7 +18,10 @@ class Feeds : private Part {
 
   /// G96, G961: S is not a spindle speed.
   bool has_surface_speed() const { return surface_speed_; }
-  void restore_surface_speed(bool on) { surface_speed_ = on; }
+  void restore_surface_speed(bool on) {
+    surface_speed_ = on;
+    path().set_surface_speed(on);
+  }
 
  private:
   bool surface_speed_ = false;

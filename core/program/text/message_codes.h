@@ -139,6 +139,7 @@ constexpr auto message_codes = std::to_array<MessageCodeInfo>({
     {"path-tolerance", "error, warning", "`G64 P-1`; `G64 P0.0000001`", "Arcs, curves, corners"},
     {"path-value", "error, warning", "`ADIS=-1`; `CYCLE832(0.01)`", "Arcs, curves, corners"},
     {"path-controls", "error", "more than 65536 different path control settings", "Arcs, curves, corners"},
+    {"spindle-speeds", "warning", "more than 65535 different values of `S`", "Arcs, curves, corners"},
     {"tolerance", "error, warning", "cycle 32 with `T-1`; with `T0.0000001`", "Arcs, curves, corners"},
     {"tool-radius", "error", "`G41` or `RL` with a tool whose radius is not known", "Tools and compensation"},
     {"compensation-gouge", "error", "a tool radius of 5 mm in an inside arc of 3 mm",

@@ -5,15 +5,24 @@
 #include <algorithm>
 
 namespace feedscope {
+namespace {
+
+constexpr std::string_view no_tool = "0";
+
+}  // namespace
 
 ToolRack::ToolRack(const ReadOptions& options, SubprogramFiles& files, Program& program, PathWriter& path,
                    const LineRunner& lines, DiagnosticLog& log)
     : program_(program), path_(path), lines_(lines), log_(log), cutters_(options, files) {}
 
+std::int32_t ToolRack::index_of(std::string_view name) const {
+  const auto found = std::find_if(program_.tools.begin(), program_.tools.end(),
+                                  [&](const ToolChange& tool) { return tool.name == name; });
+  return found == program_.tools.end() ? -1 : static_cast<std::int32_t>(found - program_.tools.begin());
+}
+
 void ToolRack::select(std::string_view name) {
-  const bool is_new = std::none_of(program_.tools.begin(), program_.tools.end(),
-                                   [&](const ToolChange& tool) { return tool.name == name; });
-  if (is_new) {
+  if (index_of(name) < 0) {
     program_.tools.push_back({std::string(name), lines_.shown_line()});
   }
 }
@@ -21,16 +30,29 @@ void ToolRack::select(std::string_view name) {
 void ToolRack::change_to(std::string_view name) {
   if (in_spindle_ != name) {
     in_spindle_ = name;
+    if (name != no_tool && !name.empty()) {
+      select(name);
+    }
+    path_.set_tool_in_spindle(index_of(name));
     spindle_turns_ = false;
+    path_.set_spindle_stands(spindle_commanded_);
     path_.pause(Pause::tool_change);
   }
 }
 
 void ToolRack::start_spindle() {
+  spindle_commanded_ = true;
+  path_.set_spindle_stands(false);
   if (!spindle_turns_) {
     spindle_turns_ = true;
     path_.pause(Pause::spindle_start);
   }
+}
+
+void ToolRack::stop_spindle() {
+  spindle_turns_ = false;
+  spindle_commanded_ = true;
+  path_.set_spindle_stands(true);
 }
 
 std::optional<double> ToolRack::radius_of(std::string_view tool, std::optional<double> programmed) {

@@ -26,7 +26,7 @@ class ToolRack {
 
   /// M3, M4: nothing where the spindle turns. M5 and similar.
   void start_spindle();
-  void stop_spindle() { spindle_turns_ = false; }
+  void stop_spindle();
   bool spindle_turns() const { return spindle_turns_; }
 
   /// Radius of a cutter [mm], for which the program gives `programmed`; none if nothing gives it.
@@ -37,6 +37,9 @@ class ToolRack {
   static std::string radius_hint(std::string_view tool);
 
  private:
+  /// In Program::tools; -1 if it is not there.
+  std::int32_t index_of(std::string_view name) const;
+
   Program& program_;
   PathWriter& path_;
   const LineRunner& lines_;
@@ -44,6 +47,7 @@ class ToolRack {
   Cutters cutters_;
   std::optional<std::string> in_spindle_;
   bool spindle_turns_ = false;
+  bool spindle_commanded_ = false;  ///< the program has started or stopped it at least once
 };
 
 }  // namespace feedscope

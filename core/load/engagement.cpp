@@ -1,0 +1,50 @@
+#include "core/load/engagement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/units.h"
+
+namespace feedscope {
+
+Immersion immersion(const Operation& operation) {
+  const double span = std::acos(std::clamp(1 - 2 * operation.radial_depth / operation.diameter, -1.0, 1.0));
+  return operation.milling == Milling::up ? Immersion{0, span} : Immersion{units::pi - span, units::pi};
+}
+
+std::string operation_problem(const Operation& operation) {
+  if (operation.radial_depth > operation.diameter) {
+    return fmt::format(
+        "ae_mm {:.6g} is larger than diameter_mm {:.6g}; a tool is engaged over its diameter at most: lower "
+        "ae_mm, {:.6g} is a full slot",
+        operation.radial_depth, operation.diameter, operation.diameter);
+  }
+  for (const LineRange& range : operation.lines) {
+    if (range.first < 1 || range.last < range.first) {
+      return fmt::format("lines {}-{} is no range; write FIRST-LAST, counted from 1", range.first,
+                         range.last);
+    }
+  }
+  if (operation.least_chip && operation.max_chip && *operation.least_chip >= *operation.max_chip) {
+    return fmt::format(
+        "min_chip_um {:.6g} is not below max_chip_um {:.6g}; every chip would be out of bounds",
+        units::to_um(*operation.least_chip), units::to_um(*operation.max_chip));
+  }
+  return "";
+}
+
+std::string describe(const Operation& operation) {
+  constexpr std::size_t most_ranges = 3;
+  std::string text = operation.tool.empty() ? "all tools" : fmt::format("tool {}", operation.tool);
+  for (std::size_t i = 0; i < std::min(most_ranges, operation.lines.size()); ++i) {
+    const LineRange& range = operation.lines[i];
+    text += fmt::format("{} {}-{}", i == 0 ? ", lines" : ",", range.first, range.last);
+  }
+  return operation.lines.size() > most_ranges
+             ? fmt::format("{} and {} more", text, operation.lines.size() - most_ranges)
+             : text;
+}
+
+}  // namespace feedscope
