@@ -73,6 +73,65 @@ std::string actual_text(const Summary& summary) {
   return "\nDrives, largest values\n" + table.text("lrl");
 }
 
+/// "380 N (line 52, at 1.234 s)".
+std::string load_figure(const LoadFigure& figure, const LoadQuantity& quantity, bool with_place) {
+  const std::string value = fmt::format("{:.4g} {}", figure.largest * quantity.factor, quantity.unit);
+  return with_place ? fmt::format("{} (line {}, at {:.3f} s)", value, figure.line, figure.time) : value;
+}
+
+void add_limit(TextTable& table, const LimitFigures& limit, double cutting_time) {
+  const auto longest =
+      std::max_element(limit.places.begin(), limit.places.end(),
+                       [](const LoadPlace& a, const LoadPlace& b) { return a.to - a.from < b.to - b.from; });
+  const std::string where =
+      longest == limit.places.end()
+          ? ""
+          : fmt::format("{} places, the longest in lines {}-{} at {:.3f} s", limit.count, longest->first_line,
+                        longest->last_line, longest->from);
+  table.add({std::string(title_of(limit.limit)),
+             fmt::format("{:.3f} s, {:.1f} % of the cutting", limit.time,
+                         cutting_time > 0 ? 100 * limit.time / cutting_time : 0),
+             where});
+}
+
+/// The cutting load; empty without a load file.
+std::string load_text(const Summary& summary) {
+  if (!summary.load) {
+    return "";
+  }
+  const LoadFigures& load = *summary.load;
+  std::string out =
+      fmt::format("\nCutting load over {:.3f} s; {}\n", load.all.cutting_time, load_assumptions());
+  if (load.all.cutting_time > 0) {
+    TextTable table;
+    table.add({"", "largest", "mean", "largest if at the programmed feed", "mean"});
+    for (std::size_t i = 0; i < load_quantity_count; ++i) {
+      const LoadQuantity& quantity = load_quantities()[i];
+      const auto mean = [&](const LoadFigure& figure) {
+        return fmt::format("{:.4g}", figure.mean * quantity.factor);
+      };
+      const LoadFigure& predicted = load.all.predicted[i];
+      const LoadFigure& programmed = load.all.programmed[i];
+      table.add({std::string(quantity.title), load_figure(predicted, quantity, true), mean(predicted),
+                 load_figure(programmed, quantity, false), mean(programmed)});
+    }
+    out += table.text("lrrrr");
+  }
+  TextTable times;
+  for (const LimitFigures& limit : load.limits) {
+    add_limit(times, limit, load.all.cutting_time);
+  }
+  for (const auto& [state, why] :
+       {std::pair(LoadState::no_operation, "feed motions without an operation"),
+        std::pair(LoadState::plunge, "plunging and drilling, not modelled"),
+        std::pair(LoadState::no_spindle, "spindle stands or has no known speed")}) {
+    if (const double time = load.time[static_cast<std::size_t>(state)]; time > 0) {
+      times.add({why, fmt::format("{:.3f} s", time), "no load computed"});
+    }
+  }
+  return out + times.text("lrl");
+}
+
 /// Positions of what takes any time, most of it first.
 std::vector<std::size_t> longest_first(const std::vector<double>& times) {
   std::vector<std::size_t> order;
@@ -209,7 +268,7 @@ std::string summary_text(const Run& run) {
                               : "";
   figures.add({"contour error", fmt::format("at most {:.4f} mm{}, {} corner blends", s.max_contour_error,
                                             where, run.trajectory->blend_count())});
-  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + actual_text(s) +
+  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + actual_text(s) + load_text(s) +
          "\nTime by limiting cause\n" + cause_table(s);
 }
 

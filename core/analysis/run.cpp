@@ -135,6 +135,9 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   Run run;
   run.input = input;
   run.setup = std::move(setup);
+  if (!run.setup.load.empty()) {
+    run.load = std::make_shared<const LoadModel>(run.setup.load, *input.program, *input.toolpath);
+  }
   run.trajectory = std::make_shared<const Trajectory>(
       run.setup.model->simulate(input.toolpath, run.setup.machine, run.setup.settings, progress));
   run.input.toolpath = on_machine(input.toolpath, run.setup.settings);
@@ -151,6 +154,9 @@ void add_summary(Run& run, Progress* progress) {
                           axis_limit_vector(run.setup.machine, &AxisLimits::velocity));
   if (run.actual) {
     run.summary.actual = actual_figures(*run.actual, progress);
+  }
+  if (run.load) {
+    run.summary.load = load_figures(*run.load, *run.trajectory);
   }
   run.simulate_time += watch.seconds();
 }

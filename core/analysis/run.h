@@ -26,6 +26,7 @@ struct Setup {
   Machine machine;
   const ControlModel* model = nullptr;  ///< one of all_models()
   Settings settings;                    ///< as complete_settings, then what was asked for
+  LoadSetup load = {};                  ///< how the tools are engaged; empty: no cutting load is computed
   bool operator==(const Setup&) const = default;
 };
 
@@ -48,6 +49,7 @@ struct Run {
   Setup setup;
   std::shared_ptr<const Trajectory> trajectory;
   std::shared_ptr<const ActualPath> actual;  ///< null where all axes follow their set values exactly
+  std::shared_ptr<const LoadModel> load;     ///< null without operations in Setup::load
   Summary summary;
   double simulate_time = 0;  ///< wall clock, summary included [s]
 };
@@ -67,7 +69,8 @@ LoadedProgram load_program(const std::filesystem::path& file, Progress* progress
 ReadOptions reading_on(ReadOptions options, const Machine& machine);
 
 /// Throws InputError naming the value, its bounds and the nearest valid name: unknown machine, model or
-/// setting, value out of bounds. A tolerance has no effect on a model that does not read it.
+/// setting, value out of bounds. A tolerance has no effect on a model that does not read
+/// it.
 Setup make_setup(const SetupRequest& request);
 
 /// Sets the contour tolerance [mm] in place of the program's own; a model that reads none stays as it is.
@@ -79,7 +82,7 @@ void set_tolerance(Setup& setup, double tolerance);
 std::optional<double> contour_tolerance(const Setup& setup);
 
 /// Simulates and summarises. Throws what ControlModel::simulate throws, and InputError for a program that is
-/// refused.
+/// refused or does not have what Setup::load speaks of.
 Run simulate_run(const LoadedProgram& input, Setup setup, Progress* progress = nullptr);
 
 }  // namespace feedscope

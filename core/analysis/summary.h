@@ -5,6 +5,7 @@
 
 #include "core/analysis/actual_figures.h"
 #include "core/analysis/contour/contour_errors.h"
+#include "core/analysis/load/load_figures.h"
 #include "core/machine/axis_vector.h"
 #include "core/toolpath/machine_toolpath.h"
 #include "core/toolpath/toolpath.h"
@@ -36,6 +37,7 @@ struct Summary {
   std::vector<double> time_by_slower_place;
   NotCounted not_counted;               ///< what takes time on the machine and none here
   std::optional<ActualFigures> actual;  ///< of a machine with drives
+  std::optional<LoadFigures> load;      ///< of a run with a load file
 };
 
 /// `toolpath`: that the trajectory runs; `rapid_speed` per axis [mm/s].

@@ -6,6 +6,7 @@
 #include <ostream>
 
 #include "core/analysis/actual_figures.h"
+#include "core/analysis/load/load_sampler.h"
 #include "core/analysis/quantity.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -33,6 +34,7 @@ class TextSink {
   }
   void count(std::uint32_t value) { fmt::format_to(std::back_inserter(buffer_), "{},", value); }
   void text(std::string_view value) { buffer_.append(value); }
+  void empty() { buffer_.push_back(','); }
   /// Ends a row whose last field is a number.
   void end_number_row() {
     buffer_.resize(buffer_.size() - 1);
@@ -92,8 +94,8 @@ Columns columns_of(bool drives) {
 class SampleRows {
  public:
   /// `from`: the first instant [s].
-  SampleRows(std::ostream& out, const Trajectory& trajectory, const ActualPath* actual, double from,
-             std::size_t rows, Progress* progress)
+  SampleRows(std::ostream& out, const Trajectory& trajectory, const ActualPath* actual, const LoadModel* load,
+             double from, std::size_t rows, Progress* progress)
       : columns_(columns_of(actual != nullptr)),
         sink_(out),
         walk_(trajectory, from),
@@ -103,12 +105,19 @@ class SampleRows {
     if (actual != nullptr) {
       actual_.emplace(*actual, from);
     }
+    if (load != nullptr) {
+      load_.emplace(*load, trajectory);
+    }
     for (const Column& column : columns_.before_cause) {
       sink_.text(column.name);
       sink_.text(",");
     }
     sink_.text("cause");
     for (const Column& column : columns_.behind_cause) {
+      sink_.text(",");
+      sink_.text(column.name);
+    }
+    for (const LoadColumn& column : load_ ? load_columns() : std::span<const LoadColumn>()) {
       sink_.text(",");
       sink_.text(column.name);
     }
@@ -143,13 +152,27 @@ class SampleRows {
     for (const Column& column : columns_.behind_cause) {
       sink_.number(column.of(instant) * column.factor);
     }
+    if (load_) {
+      write_load(load_->at(state));
+    }
     sink_.end_number_row();
+  }
+
+  void write_load(const LoadSample& sample) {
+    for (const LoadColumn& column : load_columns()) {
+      if (sample.has_load()) {
+        sink_.number(column.of(sample));
+      } else {
+        sink_.empty();
+      }
+    }
   }
 
   const Columns columns_;
   TextSink sink_;
   StateWalk walk_;
   std::optional<ActualSampler> actual_;
+  std::optional<LoadSampler> load_;
   std::vector<std::string> causes_;
   std::size_t rows_;
   std::size_t row_ = 0;
@@ -159,7 +182,7 @@ class SampleRows {
 }  // namespace
 
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress,
-               const ActualPath* actual) {
+               const ActualPath* actual, const LoadModel* load) {
   const double duration = trajectory.duration();
   if (!(step > 0) || duration / step > max_rows) {
     throw InputError(fmt::format(
@@ -168,7 +191,7 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
   }
   // A row whose time prints like that of the end would repeat it: 11 digits tell 1e-10 apart.
   const auto count = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-10)));
-  SampleRows rows(out, trajectory, actual, 0, count, progress);
+  SampleRows rows(out, trajectory, actual, load, 0, count, progress);
   for (std::size_t row = 0; row < count; ++row) {
     rows.add(static_cast<double>(row) * step);
   }
@@ -179,8 +202,8 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
 }
 
 void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
-               Progress* progress, const ActualPath* actual) {
-  SampleRows rows(out, trajectory, actual, times.empty() ? 0 : times.front(), times.size(), progress);
+               Progress* progress, const ActualPath* actual, const LoadModel* load) {
+  SampleRows rows(out, trajectory, actual, load, times.empty() ? 0 : times.front(), times.size(), progress);
   for (const double time : trajectory.pieces().empty() ? std::span<const double>() : times) {
     rows.add(std::clamp(time, 0.0, trajectory.duration()));
   }

@@ -10,15 +10,18 @@
 namespace feedscope {
 
 class DriveResponse;
+class LoadModel;
 struct ContourReport;
 
 /// Samples as CSV, columns of README.md beside this file; one row each `step` [s] and one for the very end.
 /// `actual`: that of the trajectory, whose columns stand behind the others; null: a machine without drives.
+/// `load`: of the program, with columns behind those, empty where there is no load; null: no load file.
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress = nullptr,
-               const ActualPath* actual = nullptr);
+               const ActualPath* actual = nullptr, const LoadModel* load = nullptr);
 /// The same with a row at each of `times` [s], ascending, clamped to the run.
 void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
-               Progress* progress = nullptr, const ActualPath* actual = nullptr);
+               Progress* progress = nullptr, const ActualPath* actual = nullptr,
+               const LoadModel* load = nullptr);
 /// Corner blends as CSV, columns of README.md beside this file.
 void write_blends(std::ostream& out, const Trajectory& trajectory);
 

@@ -234,7 +234,8 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run) {
           {"ramp_down_by_slower_place_s", by_cause(summary.time_by_slower_place)},
           {"not_counted", not_counted_json(summary.not_counted)},
           {"drives", drives_json(machine)},
-          {"actual", actual_json(summary)}};
+          {"actual", actual_json(summary)},
+          {"load", load_json(run)}};
 }
 
 Json place_json(const ContourFinding& finding) {

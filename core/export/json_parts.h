@@ -11,6 +11,8 @@ namespace feedscope {
 
 using Json = nlohmann::ordered_json;
 
+struct ComparedRun;
+
 /// What a file of this kind begins with. The version grows when a key goes or changes its meaning.
 Json with_format(const char* kind);
 /// JSON knows no NaN and no infinity: null where there is no number.
@@ -18,6 +20,8 @@ Json finite(double value);
 Json settings_values(const Settings& settings);
 /// By axis what its drive has, keys as in machine files; null where all follow exactly.
 Json drives_json(const Machine& machine);
+/// The cutting load of a run; null without a load file.
+Json load_json(const ComparedRun& run);
 /// Indented, with a newline at the end; text with bytes that are no UTF-8 is shown with replacement
 /// characters.
 std::string text_of(const Json& json);

@@ -20,7 +20,7 @@ constexpr int powers = 96;
 
 }  // namespace
 
-CuttingForce::CuttingForce(const Operation& operation, const Material& material)
+CuttingForce::CuttingForce(const Engagement& operation, const Material& material)
     : law_(force_law(material)),
       integrals_(law_.exponent),
       immersion_(immersion(operation)),

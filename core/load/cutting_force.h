@@ -17,7 +17,7 @@ namespace feedscope {
 /// Everything is prepared once; a feed then costs some dozens of products and no allocation.
 class CuttingForce {
  public:
-  CuttingForce(const Operation& operation, const Material& material);
+  CuttingForce(const Engagement& operation, const Material& material);
 
   /// Over a revolution at one feed per tooth.
   struct Figures {

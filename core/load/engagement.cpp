@@ -9,12 +9,12 @@
 
 namespace feedscope {
 
-Immersion immersion(const Operation& operation) {
+Immersion immersion(const Engagement& operation) {
   const double span = std::acos(std::clamp(1 - 2 * operation.radial_depth / operation.diameter, -1.0, 1.0));
   return operation.milling == Milling::up ? Immersion{0, span} : Immersion{units::pi - span, units::pi};
 }
 
-std::string operation_problem(const Operation& operation) {
+std::string operation_problem(const Engagement& operation) {
   if (operation.radial_depth > operation.diameter) {
     return fmt::format(
         "ae_mm {:.6g} is larger than diameter_mm {:.6g}; a tool is engaged over its diameter at most: lower "
@@ -35,7 +35,7 @@ std::string operation_problem(const Operation& operation) {
   return "";
 }
 
-std::string describe(const Operation& operation) {
+std::string describe(const Engagement& operation) {
   constexpr std::size_t most_ranges = 3;
   std::string text = operation.tool.empty() ? "all tools" : fmt::format("tool {}", operation.tool);
   for (std::size_t i = 0; i < std::min(most_ranges, operation.lines.size()); ++i) {

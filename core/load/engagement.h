@@ -19,7 +19,7 @@ struct LineRange {
 
 /// A tool and how it is engaged wherever the operation applies; it is not simulated how the engagement
 /// changes along the path. A cylindrical end mill with equal pitch, its axis along Z.
-struct Operation {
+struct Engagement {
   std::string tool;              ///< as the program calls it, written as CutterRadii::key; "": any
   std::vector<LineRange> lines;  ///< where it applies; none: everywhere
   double diameter = 0;           ///< D [mm]
@@ -37,7 +37,7 @@ struct Operation {
   std::optional<double> max_power;   ///< mean over a revolution [N mm/s]
   std::optional<double> max_chip;    ///< largest thickness [mm]
 
-  bool operator==(const Operation&) const = default;
+  bool operator==(const Engagement&) const = default;
 };
 
 /// The angles between which a tooth cuts, from the normal on the left of the feed, in the sense in which the
@@ -47,12 +47,12 @@ struct Immersion {
   double to = 0;    ///< phi_ex
 };
 /// Up: 0 to acos(1 - 2 a_e/D); down: pi minus that, to pi.
-Immersion immersion(const Operation& operation);
+Immersion immersion(const Engagement& operation);
 
 /// What is wrong with the numbers of an operation, with what to do; empty if nothing is.
-std::string operation_problem(const Operation& operation);
+std::string operation_problem(const Engagement& operation);
 
 /// "tool 1", "tool 1, lines 10 to 20", "all tools": how messages and tables name an operation.
-std::string describe(const Operation& operation);
+std::string describe(const Engagement& operation);
 
 }  // namespace feedscope

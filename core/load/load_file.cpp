@@ -118,13 +118,13 @@ std::string tool_of(const ConfigNode& node) {
   return tool;
 }
 
-Operation operation_of(const ConfigNode& table, const std::string& where) {
+Engagement operation_of(const ConfigNode& table, const std::string& where) {
   std::vector<std::string> keys{"tool", "lines", "teeth", "milling", "material"};
   for (const OperationKey& key : operation_keys) {
     keys.emplace_back(key.key);
   }
   table.check_keys(keys, where);
-  Operation operation;
+  Engagement operation;
   if (const ConfigNode* tool = table.find("tool")) {
     operation.tool = tool_of(*tool);
   }
@@ -237,7 +237,7 @@ LoadSetup load_of(const ConfigNode& root) {
   return setup;
 }
 
-bool overlap(const Operation& a, const Operation& b) {
+bool overlap(const Engagement& a, const Engagement& b) {
   if (a.lines.empty() || b.lines.empty()) {
     return a.lines.empty() && b.lines.empty() && a.tool == b.tool;
   }
@@ -266,7 +266,7 @@ std::string toml_string(const std::string& text) {
   return out + "\"";
 }
 
-std::string text_of(const Operation& operation) {
+std::string text_of(const Engagement& operation) {
   std::string text = "\n[[operation]]\n";
   if (!operation.tool.empty()) {
     text += fmt::format("tool = {}\n", toml_string(operation.tool));
@@ -327,7 +327,7 @@ std::vector<Material> read_materials(const std::filesystem::path& file) {
 
 std::string load_file_text(const LoadSetup& setup) {
   std::string text = fmt::format("feedscope_load = {:.0f}\n", format_version);
-  for (const Operation& operation : setup.operations) {
+  for (const Engagement& operation : setup.operations) {
     text += text_of(operation);
   }
   for (const Material& material : setup.materials) {
@@ -336,7 +336,7 @@ std::string load_file_text(const LoadSetup& setup) {
   return text;
 }
 
-std::string overlap_problem(const std::vector<Operation>& operations) {
+std::string overlap_problem(const std::vector<Engagement>& operations) {
   for (std::size_t i = 0; i < operations.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (overlap(operations[i], operations[j])) {

@@ -11,7 +11,7 @@ namespace feedscope {
 
 /// What a load file holds: how the tools of a program are engaged, and materials of one's own.
 struct LoadSetup {
-  std::vector<Operation> operations;
+  std::vector<Engagement> operations;
   std::vector<Material> materials;
 
   bool empty() const { return operations.empty(); }
@@ -33,6 +33,6 @@ std::vector<Material> read_materials(const std::filesystem::path& file);
 
 /// What is wrong with operations beside each other, with what to do: two that apply to the same tool and
 /// lines. Empty if nothing is.
-std::string overlap_problem(const std::vector<Operation>& operations);
+std::string overlap_problem(const std::vector<Engagement>& operations);
 
 }  // namespace feedscope

@@ -11,7 +11,7 @@
 namespace feedscope {
 namespace {
 
-void check_tool(const Operation& operation, const std::vector<std::string>& used) {
+void check_tool(const Engagement& operation, const std::vector<std::string>& used) {
   if (operation.tool.empty() || std::find(used.begin(), used.end(), operation.tool) != used.end()) {
     return;
   }
@@ -28,7 +28,7 @@ void check_tool(const Operation& operation, const std::vector<std::string>& used
                       : fmt::format("did you mean tool {}?", nearest)));
 }
 
-void check_lines(const Operation& operation, std::uint32_t line_count) {
+void check_lines(const Engagement& operation, std::uint32_t line_count) {
   for (const LineRange& range : operation.lines) {
     if (range.last > line_count) {
       throw InputError(fmt::format(
@@ -53,7 +53,7 @@ LoadModel::LoadModel(LoadSetup setup, const Program& program, const Toolpath& to
   }
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
-  for (const Operation& operation : setup_.operations) {
+  for (const Engagement& operation : setup_.operations) {
     check_tool(operation, used);
     check_lines(operation, program.source->line_count());
     if (const std::string problem = operation_problem(operation); !problem.empty()) {
@@ -67,7 +67,7 @@ LoadModel::LoadModel(LoadSetup setup, const Program& program, const Toolpath& to
     ByTool& found = by_tool_[tool];
     const std::string name = tool == 0 ? "" : CutterRadii::key(program.tools[tool - 1].name);
     for (std::size_t i = 0; i < setup_.operations.size(); ++i) {
-      const Operation& operation = setup_.operations[i];
+      const Engagement& operation = setup_.operations[i];
       const bool of_tool = !operation.tool.empty() && operation.tool == name;
       if (!of_tool && !operation.tool.empty()) {
         continue;

@@ -11,7 +11,7 @@ namespace feedscope {
 
 /// An operation with what its material makes of it.
 struct LoadedOperation {
-  Operation operation;
+  Engagement operation;
   Material material;
   CuttingForce force;
 };

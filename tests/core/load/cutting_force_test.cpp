@@ -12,8 +12,8 @@ namespace {
 
 constexpr double pi = units::pi;
 
-Operation mill(double radial_depth, Milling milling, int teeth = 2, double helix = 0) {
-  Operation operation;
+Engagement mill(double radial_depth, Milling milling, int teeth = 2, double helix = 0) {
+  Engagement operation;
   operation.diameter = 12;
   operation.teeth = teeth;
   operation.helix = helix;
@@ -39,9 +39,9 @@ Material kienzle(double exponent = 0.26) {
   return material;
 }
 
-Operation random_mill(std::mt19937& random) {
+Engagement random_mill(std::mt19937& random) {
   std::uniform_real_distribution<double> share(0, 1);
-  Operation operation =
+  Engagement operation =
       mill(12 * std::max(0.02, share(random)), share(random) < 0.5 ? Milling::up : Milling::down,
            1 + static_cast<int>(share(random) * 7), share(random) < 0.3 ? 0 : share(random));
   operation.axial_depth = 0.1 + 30 * share(random);
@@ -49,7 +49,7 @@ Operation random_mill(std::mt19937& random) {
 }
 
 /// A small sum over tooth and depth: what the closed forms stand for.
-Vec3 summed_force(const Operation& operation, const Material& material, double feed, double rotation) {
+Vec3 summed_force(const Engagement& operation, const Material& material, double feed, double rotation) {
   constexpr int slices = 4000;
   const Immersion cut = immersion(operation);
   const ForceLaw law = force_law(material);
@@ -78,7 +78,7 @@ Vec3 summed_force(const Operation& operation, const Material& material, double f
 /// Altintas, Manufacturing Automation, eq 2.86: slotting over half a turn.
 TEST(CuttingForce, OfASlotHasThePrintedMeanForces) {
   for (const Milling milling : {Milling::up, Milling::down}) {
-    const Operation slot = mill(12, milling, 4);
+    const Engagement slot = mill(12, milling, 4);
     const double feed = 0.05;
     const Vec3 mean = CuttingForce(slot, linear()).at(feed).mean;
     const double share = 4 * slot.axial_depth;
@@ -90,7 +90,7 @@ TEST(CuttingForce, OfASlotHasThePrintedMeanForces) {
 
 /// From 0 to pi/2: int sin cos = 1/2, int sin^2 = pi/4, int sin = int cos = 1.
 TEST(CuttingForce, OfHalfImmersionUpHasItsClosedForm) {
-  const Operation half = mill(6, Milling::up, 2);
+  const Engagement half = mill(6, Milling::up, 2);
   const double feed = 0.08;
   const Vec3 mean = CuttingForce(half, linear()).at(feed).mean;
   const double share = 2 * half.axial_depth / (2 * pi);
@@ -102,7 +102,7 @@ TEST(CuttingForce, OfHalfImmersionUpHasItsClosedForm) {
 /// Chip volume by revolution times K_tc: a_e a_p f z; edge forces along the cut length.
 TEST(CuttingForce, DoesTheWorkThatTheChipVolumeTakes) {
   for (const double radial_depth : {1.0, 6.0, 9.0, 12.0}) {
-    const Operation operation = mill(radial_depth, Milling::down, 3, 0.5);
+    const Engagement operation = mill(radial_depth, Milling::down, 3, 0.5);
     const double feed = 0.06;
     const Immersion cut = immersion(operation);
     const double work = 2 * pi * CuttingForce(operation, linear()).at(feed).torque;
@@ -115,7 +115,7 @@ TEST(CuttingForce, DoesTheWorkThatTheChipVolumeTakes) {
 TEST(CuttingForce, MeansAreTheIntegralOverARevolution) {
   std::mt19937 random(11);
   for (int i = 0; i < 12; ++i) {
-    const Operation operation = random_mill(random);
+    const Engagement operation = random_mill(random);
     const Material material = i % 2 == 0 ? linear() : kienzle();
     const CuttingForce force(operation, material);
     constexpr int looks = 20000;
@@ -132,7 +132,7 @@ TEST(CuttingForce, SumsTeethAndDepth) {
   std::mt19937 random(12);
   std::uniform_real_distribution<double> angle(0, 2 * pi);
   for (int i = 0; i < 40; ++i) {
-    const Operation operation = random_mill(random);
+    const Engagement operation = random_mill(random);
     const Material material = i % 2 == 0 ? linear() : kienzle();
     const CuttingForce force(operation, material);
     const double rotation = angle(random);
@@ -144,7 +144,7 @@ TEST(CuttingForce, SumsTeethAndDepth) {
 TEST(CuttingForce, PeakIsTheLargestOverAllRotations) {
   std::mt19937 random(13);
   for (int i = 0; i < 60; ++i) {
-    const Operation operation = random_mill(random);
+    const Engagement operation = random_mill(random);
     const CuttingForce force(operation, i % 2 == 0 ? linear() : kienzle());
     for (const double feed : {0.0, 0.001, 0.013, 0.08, 0.4}) {
       double largest = 0;
@@ -161,20 +161,20 @@ TEST(CuttingForce, PeakIsTheLargestOverAllRotations) {
 
 /// One straight tooth in a slot, Kienzle's law: |F| = F_t sqrt(1 + 0.3^2), largest in front.
 TEST(CuttingForce, PeakOfOneStraightToothIsThatOfTheThickestChip) {
-  const Operation slot = mill(12, Milling::up, 1);
+  const Engagement slot = mill(12, Milling::up, 1);
   const double expected = 2500 * 5 * std::pow(0.1, 0.74) * std::hypot(1, 0.3);
   EXPECT_NEAR(CuttingForce(slot, kienzle()).at(0.1).peak, expected, 1e-5 * expected);
 }
 
 /// Down, a tooth enters with its thickest chip, sin(60 degrees).
 TEST(CuttingForce, FindsThePeakWhereAToothEnters) {
-  const Operation narrow = mill(3, Milling::down, 1);
+  const Engagement narrow = mill(3, Milling::down, 1);
   const double expected = 2500 * 5 * std::pow(0.1 * std::sin(pi / 3), 0.74) * std::hypot(1, 0.3);
   EXPECT_NEAR(CuttingForce(narrow, kienzle()).at(0.1).peak, expected, 1e-6 * expected);
 }
 
 TEST(CuttingForce, DoublesWithTheDepthOfStraightTeeth) {
-  Operation operation = mill(4, Milling::down, 3);
+  Engagement operation = mill(4, Milling::down, 3);
   const auto single = CuttingForce(operation, linear()).at(0.05);
   operation.axial_depth *= 2;
   const auto twice = CuttingForce(operation, linear()).at(0.05);
@@ -219,7 +219,7 @@ TEST(CuttingForce, ChipIsThickestInFrontOrWhereTheToothEnters) {
 TEST(CuttingForce, LawsAgreeWhereTheyAreTheSame) {
   Material same;
   same.cutting = {2500, 750, 250};
-  const Operation operation = mill(5, Milling::down, 3, 0.5);
+  const Engagement operation = mill(5, Milling::down, 3, 0.5);
   const auto one = CuttingForce(operation, kienzle(0)).at(0.07);
   const auto other = CuttingForce(operation, same).at(0.07);
   EXPECT_NEAR(one.peak, other.peak, 1e-9 * other.peak);

@@ -7,8 +7,8 @@
 namespace feedscope {
 namespace {
 
-Operation mill(double radial_depth, Milling milling) {
-  Operation operation;
+Engagement mill(double radial_depth, Milling milling) {
+  Engagement operation;
   operation.diameter = 12;
   operation.radial_depth = radial_depth;
   operation.axial_depth = 5;
@@ -36,21 +36,21 @@ TEST(Immersion, OfAQuarterOfTheDiameterIsSixtyDegrees) {
   EXPECT_NEAR(immersion(mill(3, Milling::down)).from, 2 * units::pi / 3, 1e-12);
 }
 
-TEST(Operation, SaysWhatIsWrongWithIt) {
+TEST(Engagement, SaysWhatIsWrongWithIt) {
   EXPECT_EQ(operation_problem(mill(12, Milling::up)), "");
   EXPECT_THAT(operation_problem(mill(12.5, Milling::up)),
               testing::HasSubstr("ae_mm 12.5 is larger than diameter_mm 12"));
-  Operation ranged = mill(3, Milling::up);
+  Engagement ranged = mill(3, Milling::up);
   ranged.lines = {{20, 10}};
   EXPECT_THAT(operation_problem(ranged), testing::HasSubstr("lines 20-10 is no range"));
-  Operation chips = mill(3, Milling::up);
+  Engagement chips = mill(3, Milling::up);
   chips.least_chip = 0.02;
   chips.max_chip = 0.01;
   EXPECT_THAT(operation_problem(chips), testing::HasSubstr("min_chip_um 20 is not below max_chip_um 10"));
 }
 
-TEST(Operation, IsNamedByToolAndLines) {
-  Operation operation = mill(3, Milling::up);
+TEST(Engagement, IsNamedByToolAndLines) {
+  Engagement operation = mill(3, Milling::up);
   EXPECT_EQ(describe(operation), "all tools");
   operation.tool = "7";
   operation.lines = {{1, 2}, {5, 6}, {8, 9}, {11, 12}};

@@ -34,10 +34,10 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 TEST(LoadFile, IsReadInUnitsOfTheCore) {
   const LoadSetup setup = parse_load(
       with(operation + "lines = \"10-25, 40\"\nspindle_1_min = 6000\nmin_chip_um = 4\nmax_chip_um = 80\n"
-                       "max_force_n = 500\nmax_torque_n_m = 2\nmax_power_kw = 1.5\n"),
+                       "max_force_n = 500\nmax_torque_nm = 2\nmax_power_kw = 1.5\n"),
       "load.toml");
   ASSERT_EQ(setup.operations.size(), 1U);
-  const Operation& read = setup.operations.front();
+  const Engagement& read = setup.operations.front();
   EXPECT_EQ(read.tool, "1");
   EXPECT_THAT(read.lines, testing::ElementsAre(LineRange{10, 25}, LineRange{40, 40}));
   EXPECT_EQ(read.diameter, 12);
@@ -92,7 +92,7 @@ TEST(LoadFile, IsWrittenAsItIsRead) {
     other.cutting = other.edge = {};
     setup.materials = {own, other};
     for (int k = 0; k < 3; ++k) {
-      Operation one;
+      Engagement one;
       one.tool = fmt::format("{}", k + 1);
       one.diameter = 0.1 + 20 * share(random);
       one.teeth = 1 + k;

@@ -16,8 +16,8 @@ using testing::ThrowsMessage;
 constexpr const char* two_tools =
     "T1 M6\nS6000 M3\nG1 X10 F1000\nX20\nT2 M6\nX30\nS3000 M3\nX40\nM5\nX50\nM30\n";
 
-Operation mill(const std::string& tool, std::vector<LineRange> lines = {}) {
-  Operation operation;
+Engagement mill(const std::string& tool, std::vector<LineRange> lines = {}) {
+  Engagement operation;
   operation.tool = tool;
   operation.lines = std::move(lines);
   operation.diameter = 10;
@@ -35,7 +35,7 @@ struct Read {
   explicit Read(const std::string& text, ReadOptions options = {})
       : program(read_program(std::make_shared<SourceText>("part.nc", text), nullptr, options)),
         path(build_toolpath(program)) {}
-  LoadModel model(std::vector<Operation> operations) const {
+  LoadModel model(std::vector<Engagement> operations) const {
     return LoadModel({std::move(operations), {}}, program, path);
   }
   const Segment& at_line(std::uint32_t line) const {
@@ -43,7 +43,7 @@ struct Read {
       return segment.line == line && segment.kind != SegmentKind::dwell;
     });
   }
-  /// Operation and spindle speed [1/min] of a line that moves.
+  /// Engagement and spindle speed [1/min] of a line that moves.
   std::pair<int, double> of_line(const LoadModel& model, std::uint32_t line) const {
     const Segment& segment = at_line(line);
     const int operation = model.operation_of(segment.spindle, line);
@@ -72,7 +72,7 @@ TEST(LoadModel, PrefersLinesThenTheTool) {
 
 TEST(LoadModel, TakesTheOperationsSpeedWhereTheProgramGivesNone) {
   const Read silent("G1 X10 F1000\nX20 S2000\nX30\n");
-  Operation operation = mill("");
+  Engagement operation = mill("");
   EXPECT_EQ(silent.of_line(silent.model({operation}), 1).second, 0);
   EXPECT_EQ(silent.of_line(silent.model({operation}), 3).second, 2000) << "a program without M3";
   operation.spindle_speed = 50;
@@ -121,10 +121,10 @@ TEST(LoadModel, RefusesWhatTheProgramDoesNotHave) {
       ThrowsMessage<InputError>(HasSubstr("apply to the same motions")));
   EXPECT_THAT([] { Read("G1 X10 F100\n").model({mill("1")}); },
               ThrowsMessage<InputError>(HasSubstr("changes to no tool; omit 'tool'")));
-  Operation wide = mill("1");
+  Engagement wide = mill("1");
   wide.radial_depth = 11;
   EXPECT_THAT([&] { read.model({wide}); }, ThrowsMessage<InputError>(HasSubstr("ae_mm 11 is larger")));
-  Operation wood = mill("1");
+  Engagement wood = mill("1");
   wood.material = "wood";
   EXPECT_THAT([&] { read.model({wood}); },
               ThrowsMessage<InputError>(HasSubstr("material 'wood' is not known")));

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/analysis/load/load_sample.h"
+#include "core/load/load_model.h"
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// A number of CuttingLoad over a time of cutting, in its unit.
+struct LoadFigure {
+  double largest = 0;
+  double time = 0;         ///< where it is the largest [s]
+  std::uint32_t line = 0;  ///< there
+  double mean = 0;         ///< over the time
+};
+/// By load_quantities().
+using LoadFigureList = std::array<LoadFigure, load_quantity_count>;
+
+/// Of all operations, or of one.
+struct LoadTotals {
+  double cutting_time = 0;     ///< [s]
+  LoadFigureList predicted{};  ///< means over the time of the run
+  /// As if the tool ran at the programmed feed everywhere: means over the time that this would take; `time`
+  /// is that of the run.
+  LoadFigureList programmed{};
+};
+
+/// A bound of an operation.
+enum class LoadLimit : std::uint8_t { least_chip, max_chip, max_force, max_torque, max_power };
+inline constexpr std::size_t load_limit_count = 5;
+/// "min_chip_um" ...: as load files name it.
+std::string_view key_of(LoadLimit limit);
+/// "chip below its least thickness (rubbing)" ...
+std::string_view title_of(LoadLimit limit);
+/// The quantity that it bounds, an index of load_quantities().
+std::size_t quantity_of(LoadLimit limit);
+
+/// Where the predicted load is beyond a bound without a break.
+struct LoadPlace {
+  int operation = -1;
+  double from = 0;               ///< [s]
+  double to = 0;                 ///< [s]
+  std::uint32_t first_line = 0;  ///< smallest
+  std::uint32_t last_line = 0;   ///< largest
+  double worst = 0;              ///< farthest beyond the bound, in the unit of its quantity
+};
+
+/// What is beyond one of the bounds.
+struct LimitFigures {
+  static constexpr std::size_t most_places = 100;
+
+  LoadLimit limit = LoadLimit::least_chip;
+  double time = 0;             ///< predicted load beyond the bound [s]
+  double programmed_time = 0;  ///< of the same time, that with the load of the programmed feed beyond it [s]
+  std::size_t count = 0;       ///< of places
+  std::vector<LoadPlace> places = {};  ///< the longest ones, in order of time
+};
+
+/// The load of a run.
+struct LoadFigures {
+  LoadTotals all;
+  std::vector<LoadTotals> operations;           ///< by LoadModel::operations()
+  std::array<double, load_state_count> time{};  ///< by LoadState; adds up to the cycle time [s]
+  std::vector<LimitFigures> limits;             ///< that any operation sets
+};
+
+/// Looks at ends and middles of steps of 2 ms at most, fewer where the feed is constant; means by Simpson's
+/// rule. Linear in the pieces of the run. Throws Cancelled.
+LoadFigures load_figures(const LoadModel& model, const Trajectory& trajectory, Progress* progress = nullptr);
+
+/// What is assumed of the engagement and not modelled: one sentence that stands where loads are shown.
+std::string_view load_assumptions();
+
+}  // namespace feedscope

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace feedscope {
+
+/// What the tool bears at one feed; definitions in core/load/README.md.
+struct CuttingLoad {
+  double feed_per_tooth = 0;  ///< [mm]
+  double chip_thickness = 0;  ///< largest of a tooth on its way through the cut [mm]
+  double mean_force = 0;      ///< length of the mean force in the plane across the tool [N]
+  double peak_force = 0;      ///< largest force in that plane over a revolution [N]
+  double torque = 0;          ///< mean over a revolution [N mm]
+  double power = 0;           ///< mean over a revolution [N mm/s]
+};
+
+/// Whether a motion has a load, and why not.
+enum class LoadState : std::uint8_t {
+  cutting,
+  rapid,
+  dwell,         ///< dwells, pauses and moves whose way is not known
+  no_operation,  ///< a feed motion to which no operation of the load file applies
+  plunge,        ///< steeper than 45 degrees: plunging, drilling
+  no_spindle,    ///< the spindle stands, or its speed is not known
+};
+inline constexpr std::size_t load_state_count = 6;
+/// "cutting", "no_operation" ...: the keys of JSON files.
+std::string_view key_of(LoadState state);
+
+/// The load at one instant.
+struct LoadSample {
+  LoadState state = LoadState::no_operation;
+  int operation = -1;      ///< of LoadModel::operations(); -1: none
+  CuttingLoad predicted;   ///< at the feed of the run; 0 unless `state` is cutting
+  CuttingLoad programmed;  ///< at the programmed feed, at the same place
+  bool has_load() const { return state == LoadState::cutting; }
+};
+
+/// A number of CuttingLoad as files have it.
+struct LoadQuantity {
+  std::string_view key;    ///< with its unit: "cutting_force_peak_n"
+  std::string_view title;  ///< "peak force"
+  std::string_view unit;   ///< as shown: "N"
+  double CuttingLoad::*member = nullptr;
+  double factor = 1;  ///< to that unit
+};
+inline constexpr std::size_t load_quantity_count = 6;
+const std::array<LoadQuantity, load_quantity_count>& load_quantities();
+
+/// A column of CSV that a load file adds; empty where a sample has no load.
+struct LoadColumn {
+  std::string_view name;
+  double (*of)(const LoadSample&) = nullptr;  ///< in the unit of the name
+};
+std::span<const LoadColumn> load_columns();
+
+}  // namespace feedscope

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+
+#include "core/analysis/load/load_sample.h"
+#include "core/load/load_model.h"
+#include "core/trajectory/trajectory.h"
+
+namespace feedscope {
+
+/// The load at any state of a run.
+class LoadSampler {
+ public:
+  /// Both outlive it.
+  LoadSampler(const LoadModel& model, const Trajectory& trajectory)
+      : model_(model), trajectory_(trajectory) {}
+
+  /// `state`: of the trajectory. Constant time; states of one segment after the other are the cheapest.
+  LoadSample at(const State& state);
+
+ private:
+  /// What does not change along a segment.
+  struct Segment {
+    std::uint32_t index = 0;
+    LoadState state = LoadState::dwell;
+    int operation = -1;
+    double spindle_speed = 0;  ///< [1/s]
+  };
+
+  Segment segment_of(std::uint32_t element, std::uint32_t index) const;
+  double share_across(const State& state, std::uint32_t segment) const;
+  CuttingLoad load_at(double feed) const;
+
+  const LoadModel& model_;
+  const Trajectory& trajectory_;
+  Segment segment_;
+  bool has_segment_ = false;
+};
+
+}  // namespace feedscope
