@@ -86,12 +86,13 @@ void add_limit(TextTable& table, const LimitFigures& limit, double cutting_time)
   const std::string where =
       longest == limit.places.end()
           ? ""
-          : fmt::format("{} places, the longest in lines {}-{} at {:.3f} s", limit.count, longest->first_line,
-                        longest->last_line, longest->from);
+          : fmt::format("; {}, the longest in lines {}-{} at {:.3f} s",
+                        limit.count == 1 ? "1 place" : fmt::format("{} places", limit.count),
+                        longest->first_line, longest->last_line, longest->from);
   table.add({std::string(title_of(limit.limit)),
              fmt::format("{:.3f} s, {:.1f} % of the cutting", limit.time,
                          cutting_time > 0 ? 100 * limit.time / cutting_time : 0),
-             where});
+             fmt::format("{:.3f} s at the programmed feed{}", limit.programmed_time, where)});
 }
 
 /// The cutting load; empty without a load file.

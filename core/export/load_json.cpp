@@ -23,9 +23,9 @@ Json totals_json(const LoadTotals& totals, const LoadFigureList LoadTotals::*fig
   return totals.cutting_time > 0 ? figures_json(totals.*figures) : Json();
 }
 
-Json lines_json(const std::vector<LineRange>& ranges) {
+Json lines_json(const std::vector<ProgramLines>& ranges) {
   Json list = Json::array();
-  for (const LineRange& range : ranges) {
+  for (const ProgramLines& range : ranges) {
     list.push_back({range.first, range.last});
   }
   return list;

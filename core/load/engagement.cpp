@@ -21,7 +21,7 @@ std::string operation_problem(const Engagement& operation) {
         "ae_mm, {:.6g} is a full slot",
         operation.radial_depth, operation.diameter, operation.diameter);
   }
-  for (const LineRange& range : operation.lines) {
+  for (const ProgramLines& range : operation.lines) {
     if (range.first < 1 || range.last < range.first) {
       return fmt::format("lines {}-{} is no range; write FIRST-LAST, counted from 1", range.first,
                          range.last);
@@ -39,7 +39,7 @@ std::string describe(const Engagement& operation) {
   constexpr std::size_t most_ranges = 3;
   std::string text = operation.tool.empty() ? "all tools" : fmt::format("tool {}", operation.tool);
   for (std::size_t i = 0; i < std::min(most_ranges, operation.lines.size()); ++i) {
-    const LineRange& range = operation.lines[i];
+    const ProgramLines& range = operation.lines[i];
     text += fmt::format("{} {}-{}", i == 0 ? ", lines" : ",", range.first, range.last);
   }
   return operation.lines.size() > most_ranges

@@ -11,22 +11,22 @@ namespace feedscope {
 enum class Milling : std::uint8_t { up, down };
 
 /// Lines of a program, both included, from 1.
-struct LineRange {
+struct ProgramLines {
   std::uint32_t first = 1;
   std::uint32_t last = 1;
-  bool operator==(const LineRange&) const = default;
+  bool operator==(const ProgramLines&) const = default;
 };
 
 /// A tool and how it is engaged wherever the operation applies; it is not simulated how the engagement
 /// changes along the path. A cylindrical end mill with equal pitch, its axis along Z.
 struct Engagement {
-  std::string tool;              ///< as the program calls it, written as CutterRadii::key; "": any
-  std::vector<LineRange> lines;  ///< where it applies; none: everywhere
-  double diameter = 0;           ///< D [mm]
-  int teeth = 1;                 ///< z
-  double helix = 0;              ///< beta [rad]
-  double radial_depth = 0;       ///< a_e, > 0 to D [mm]
-  double axial_depth = 0;        ///< a_p, > 0 [mm]
+  std::string tool;                 ///< as the program calls it, written as CutterRadii::key; "": any
+  std::vector<ProgramLines> lines;  ///< where it applies; none: everywhere
+  double diameter = 0;              ///< D [mm]
+  int teeth = 1;                    ///< z
+  double helix = 0;                 ///< beta [rad]
+  double radial_depth = 0;          ///< a_e, > 0 to D [mm]
+  double axial_depth = 0;           ///< a_p, > 0 [mm]
   Milling milling = Milling::down;
   std::string material;                 ///< id
   std::optional<double> spindle_speed;  ///< where the program gives none [1/s]

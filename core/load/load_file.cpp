@@ -64,7 +64,7 @@ const std::vector<ConfigNode>& tables_of(const ConfigNode& root, const std::stri
   return list->items();
 }
 
-std::vector<LineRange> ranges_of(const ConfigNode& node) {
+std::vector<ProgramLines> ranges_of(const ConfigNode& node) {
   const auto refuse = [&] {
     node.fail(
         "'lines' must be ranges of lines of the program in quotes, such as \"10-25\" or \"10-25, 40-52\"");
@@ -72,13 +72,13 @@ std::vector<LineRange> ranges_of(const ConfigNode& node) {
   if (!node.is_text()) {
     refuse();
   }
-  std::vector<LineRange> ranges;
+  std::vector<ProgramLines> ranges;
   std::string text = node.text();
   std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });
   const char* at = text.data();
   const char* const end = at + text.size();
   while (true) {
-    LineRange range;
+    ProgramLines range;
     const auto first = std::from_chars(at, end, range.first);
     if (first.ec != std::errc()) {
       refuse();
@@ -244,8 +244,8 @@ bool overlap(const Engagement& a, const Engagement& b) {
   if (!a.tool.empty() && !b.tool.empty() && a.tool != b.tool) {
     return false;
   }
-  return std::any_of(a.lines.begin(), a.lines.end(), [&](const LineRange& one) {
-    return std::any_of(b.lines.begin(), b.lines.end(), [&](const LineRange& other) {
+  return std::any_of(a.lines.begin(), a.lines.end(), [&](const ProgramLines& one) {
+    return std::any_of(b.lines.begin(), b.lines.end(), [&](const ProgramLines& other) {
       return one.first <= other.last && other.first <= one.last;
     });
   });
@@ -272,7 +272,7 @@ std::string text_of(const Engagement& operation) {
     text += fmt::format("tool = {}\n", toml_string(operation.tool));
   }
   std::string ranges;
-  for (const LineRange& range : operation.lines) {
+  for (const ProgramLines& range : operation.lines) {
     ranges += fmt::format("{}{}-{}", ranges.empty() ? "" : ", ", range.first, range.last);
   }
   if (!ranges.empty()) {

@@ -29,7 +29,7 @@ void check_tool(const Engagement& operation, const std::vector<std::string>& use
 }
 
 void check_lines(const Engagement& operation, std::uint32_t line_count) {
-  for (const LineRange& range : operation.lines) {
+  for (const ProgramLines& range : operation.lines) {
     if (range.last > line_count) {
       throw InputError(fmt::format(
           "the load file has an operation for lines {}-{}, but the program has {} lines; correct the range",
@@ -72,7 +72,7 @@ LoadModel::LoadModel(LoadSetup setup, const Program& program, const Toolpath& to
       if (!of_tool && !operation.tool.empty()) {
         continue;
       }
-      for (const LineRange& range : operation.lines) {
+      for (const ProgramLines& range : operation.lines) {
         found.ranges.push_back({range, static_cast<int>(i)});
       }
       if (operation.lines.empty() && (of_tool || found.elsewhere < 0)) {

@@ -34,7 +34,7 @@ class LoadModel {
 
  private:
   struct Range {
-    LineRange lines;
+    ProgramLines lines;
     int operation = -1;
   };
   /// What applies to a tool.

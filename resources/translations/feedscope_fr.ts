@@ -729,6 +729,54 @@
 <context>
     <name>core</name>
     <message>
+        <source>feed per tooth</source>
+        <translation>avance par dent</translation>
+    </message>
+    <message>
+        <source>chip thickness</source>
+        <translation>épaisseur de copeau</translation>
+    </message>
+    <message>
+        <source>mean force</source>
+        <translation>effort moyen</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>effort maximal</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>couple</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>puissance</translation>
+    </message>
+    <message>
+        <source>chip below its least thickness (rubbing)</source>
+        <translation>copeau plus mince que le minimum (frottement)</translation>
+    </message>
+    <message>
+        <source>chip above its largest thickness</source>
+        <translation>copeau plus épais que le maximum</translation>
+    </message>
+    <message>
+        <source>peak force above its bound</source>
+        <translation>effort maximal au-delà de la borne</translation>
+    </message>
+    <message>
+        <source>torque above its bound</source>
+        <translation>couple au-delà de la borne</translation>
+    </message>
+    <message>
+        <source>power above its bound</source>
+        <translation>puissance au-delà de la borne</translation>
+    </message>
+    <message>
+        <source>engagement as given in the load file, not simulated along the path; circular tooth path, no runout, no deflection; coefficients of the material as given</source>
+        <translation>engagement donné par le fichier de charge, non simulé le long de la trajectoire&#xa0;; trajectoire de dent circulaire, sans faux-rond ni flexion&#xa0;; coefficients du matériau tels que donnés</translation>
+    </message>
+    <message>
         <source>axis velocity</source>
         <translation>vitesse d&apos;un axe</translation>
     </message>

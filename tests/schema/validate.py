@@ -74,6 +74,8 @@ with tempfile.TemporaryDirectory() as folder:
     drives = [part for axis in "XY" for part in ("--set", f"{axis}.kv=60", "--set", f"{axis}.velocity_feedforward=1")]
     check_command("simulate", samples[0], *drives)
     check_command("compare", samples[0], "--model", "essid", *drives)
+    load = source / "resources" / "examples" / "trochoidal_slot_load.toml"
+    check_command("simulate", programs / "trochoidal_slot.nc", "--load", load)
     check_command("circular", "--radius", "30", "--feed", "6000", "--machine", "mikron-ucp710")
     check_command("circular", "--radius", "5", "--radius", "8", "--feed", "900", "--entry-radius", "2", "--plane", "YZ")
     (work / "circles.nc").write_text("G21 G90 G17 G94 F3000\nG0 X20 Y0\nG3 I-20 J0\nG2 I-20 J0\nG3 I-20 J0 Z-1\nG3 I-20 J0\nM30\n")

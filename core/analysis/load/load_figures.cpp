@@ -14,6 +14,7 @@ namespace {
 constexpr double longest_step = 0.002;  // [s]
 constexpr double most_steps = 1e6;      // of a part
 constexpr double same_feed = 1e-9;      // relative
+constexpr double same_value = 1e-9;     // relative; of equal values the first one is named
 constexpr std::size_t parts_per_report = 4096;
 
 constexpr std::array<std::string_view, load_limit_count> limit_keys{
@@ -132,7 +133,7 @@ class LoadCount {
       const auto add_to = [&](LoadFigure& figure, const CuttingLoad& load, double weight) {
         const double value = load.*load_quantities()[i].member;
         figure.mean += value * weight;
-        if (figure.line == 0 || value > figure.largest) {
+        if (figure.line == 0 || value > figure.largest * (1 + same_value)) {
           figure.largest = value;
           figure.time = look.time;
           figure.line = look.line;
@@ -199,7 +200,7 @@ std::string_view load_assumptions() {
   return QT_TRANSLATE_NOOP("core",
                            "engagement as given in the load file, not simulated along the path; circular "
                            "tooth path, no runout, no "
-                           "deflection; typical coefficients");
+                           "deflection; coefficients of the material as given");
 }
 
 LoadFigures load_figures(const LoadModel& model, const Trajectory& trajectory, Progress* progress) {

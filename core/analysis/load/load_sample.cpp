@@ -1,5 +1,6 @@
 #include "core/analysis/load/load_sample.h"
 
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 
 namespace feedscope {
@@ -9,12 +10,13 @@ constexpr std::array<std::string_view, load_state_count> state_keys{"cutting",  
                                                                     "no_operation", "plunge", "no_spindle"};
 
 constexpr std::array<LoadQuantity, load_quantity_count> quantities{{
-    {"feed_per_tooth_mm", "feed per tooth", "mm", &CuttingLoad::feed_per_tooth, 1},
-    {"chip_thickness_um", "chip thickness", "um", &CuttingLoad::chip_thickness, units::to_um(1)},
-    {"cutting_force_mean_n", "mean force", "N", &CuttingLoad::mean_force, 1},
-    {"cutting_force_peak_n", "peak force", "N", &CuttingLoad::peak_force, 1},
-    {"torque_nm", "torque", "N m", &CuttingLoad::torque, units::to_n_m(1)},
-    {"power_kw", "power", "kW", &CuttingLoad::power, units::to_kw(1)},
+    {"feed_per_tooth_mm", QT_TRANSLATE_NOOP("core", "feed per tooth"), "mm", &CuttingLoad::feed_per_tooth, 1},
+    {"chip_thickness_um", QT_TRANSLATE_NOOP("core", "chip thickness"), "um", &CuttingLoad::chip_thickness,
+     units::to_um(1)},
+    {"cutting_force_mean_n", QT_TRANSLATE_NOOP("core", "mean force"), "N", &CuttingLoad::mean_force, 1},
+    {"cutting_force_peak_n", QT_TRANSLATE_NOOP("core", "peak force"), "N", &CuttingLoad::peak_force, 1},
+    {"torque_nm", QT_TRANSLATE_NOOP("core", "torque"), "N m", &CuttingLoad::torque, units::to_n_m(1)},
+    {"power_kw", QT_TRANSLATE_NOOP("core", "power"), "kW", &CuttingLoad::power, units::to_kw(1)},
 }};
 
 template <std::size_t i, CuttingLoad LoadSample::*feed>

@@ -36,7 +36,7 @@ void ModalWords::apply_g(const Block& block, const Word& word) {
     return;
   }
   if (number == constant_cutting_speed || number == constant_spindle_speed) {
-    path().set_surface_speed(number == constant_cutting_speed);
+    path().spindle().set_surface_speed(number == constant_cutting_speed);
   }
   check_group(*code, word);
   words_.other_codes = words_.other_codes || code->group != GGroup::motion;

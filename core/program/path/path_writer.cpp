@@ -41,8 +41,6 @@ ArcShape shape_of(const Vec3& start, const ArcSolution::Piece& piece) {
 PathWriter::PathWriter(Program& program, DiagnosticLog& log)
     : program_(program), log_(log), extents_(program), feed_(log), corners_(log), compensation_(log) {
   program_.path_controls.emplace_back();
-  program_.spindles.emplace_back();
-  spindle_indices_.emplace(SpindleState(), std::uint16_t{0});
 }
 
 void PathWriter::begin_line(std::uint32_t shown, const DiagnosticLog::Place& place) {
@@ -218,14 +216,9 @@ void PathWriter::pause(Pause kind) {
 }
 
 void PathWriter::wait(Pause kind, double seconds) {
-  MotionBlock block;
-  block.target = shown_;
+  MotionBlock block = block_to(shown_, Motion::dwell);
   block.dwell = seconds;
-  block.line = line_;
-  block.motion = Motion::dwell;
   block.pause = kind;
-  block.path_control = path_control_index();
-  block.spindle = spindle_index();
   pass_on({block, {}, place_, {}}, shown_);
 }
 
@@ -270,15 +263,10 @@ bool PathWriter::starts_at_known_place(Motion motion, double feed, const Vec3& p
 }
 
 void PathWriter::write_machine_move(const Vec3& target, double feed) {
-  MotionBlock block;
-  block.target = target;
+  MotionBlock block = block_to(target, Motion::dwell);
   block.feed = feed;
-  block.line = line_;
   block.arc = static_cast<std::int32_t>(program_.machine_moves.size());
-  block.motion = Motion::dwell;
   block.pause = Pause::machine_move;
-  block.path_control = path_control_index();
-  block.spindle = spindle_index();
   program_.machine_moves.push_back({places_.places(), feed});
   program_.motions.push_back(block);
   std::array<bool, 3> said{};
@@ -391,18 +379,23 @@ void PathWriter::append(Motion motion, const Vec3& target, double feed, const Ar
   if (!places_.all_shown() && !starts_at_known_place(motion, feed, programmed_from, from)) {
     return;
   }
-  MotionBlock block;
-  block.target = shown_;
+  MotionBlock block = block_to(shown_, motion);
   block.feed = feed;
-  block.line = line_;
-  block.motion = motion;
-  block.path_control = path_control_index();
-  block.spindle = spindle_index();
   if (compensation_.is_off() && corners_.is_idle()) {
     write(block, arc, axes_.named);
   } else {
     pass_on({block, arc, place_, axes_.named}, from);
   }
+}
+
+MotionBlock PathWriter::block_to(const Vec3& target, Motion motion) {
+  MotionBlock block;
+  block.target = target;
+  block.line = line_;
+  block.motion = motion;
+  block.path_control = path_control_index();
+  block.spindle = spindle_.index(feed_.spindle_speed(), place_);
+  return block;
 }
 
 void PathWriter::pass_on(const PathMotion& motion, const Vec3& from) {
@@ -457,39 +450,6 @@ std::uint16_t PathWriter::path_control_index() {
     }
   }
   return control_index_;
-}
-
-SpindleState PathWriter::spindle_now() const {
-  using enum SpindleState::Turning;
-  return {spindle_.tool, feed_.spindle_speed(),
-          spindle_stands_  ? stands
-          : surface_speed_ ? surface_speed
-                           : as_said};
-}
-
-/// Behind the last state that can be told apart the first one stands: nothing is known.
-std::uint16_t PathWriter::spindle_index() {
-  constexpr std::size_t most = std::numeric_limits<std::uint16_t>::max();
-  std::vector<SpindleState>& all = program_.spindles;
-  const SpindleState now = spindle_now();
-  if (all[spindle_index_] == now) {
-    return spindle_index_;
-  }
-  const auto found = spindle_indices_.find(now);
-  if (found != spindle_indices_.end()) {
-    spindle_index_ = found->second;
-  } else if (all.size() <= most) {
-    spindle_index_ = static_cast<std::uint16_t>(all.size());
-    all.push_back(now);
-    spindle_indices_.emplace(now, spindle_index_);
-  } else {
-    spindle_index_ = 0;
-    log_.add(Severity::warning, "spindle-speeds", 0, place_, [] {
-      return DiagnosticLog::Text{"the program has more than 65535 different spindle speeds",
-                                 "from here on, motions have no spindle speed and no cutting load"};
-    });
-  }
-  return spindle_index_;
 }
 
 void PathWriter::report_arc_fault(const ArcRequest& request, const ArcSolution& solution) {

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <map>
 #include <string_view>
 
 #include "core/base/geometry.h"
@@ -15,6 +14,7 @@
 #include "core/program/path/path_extents.h"
 #include "core/program/path/plane.h"
 #include "core/program/path/programmed_feed.h"
+#include "core/program/path/spindle_tracker.h"
 #include "core/program/path_control.h"
 #include "core/program/program.h"
 #include "core/program/text/diagnostic_log.h"
@@ -114,10 +114,8 @@ class PathWriter {
   double feed_rate() const { return feed_.rate(); }
   void set_spindle_speed(double revolutions_per_second) { feed_.set_spindle_speed(revolutions_per_second); }
   double spindle_speed() const { return feed_.spindle_speed(); }
-  /// What else SpindleState says of the spindle.
-  void set_tool_in_spindle(std::int32_t tool) { spindle_.tool = tool; }
-  void set_spindle_stands(bool stands) { spindle_stands_ = stands; }
-  void set_surface_speed(bool on) { surface_speed_ = on; }
+  /// What else is said of the spindle.
+  SpindleTracker& spindle() { return spindle_; }
   void set_tooth_count(double teeth) { feed_.set_tooth_count(teeth); }
 
   /// What follows is a contour of which the tool's centre is written, see CutterCompensation; `column` for
@@ -147,6 +145,7 @@ class PathWriter {
   void write_machine_move(const Vec3& target, double feed);
   void suspend_compensation();
   void resume_compensation();
+  MotionBlock block_to(const Vec3& target, Motion motion);
   void pass_on(const PathMotion& motion, const Vec3& from);
   void compensate(const PathMotion& motion);
   void end_motion();
@@ -157,8 +156,6 @@ class PathWriter {
   Compensation compensation_in_frame() const;
   ContourPlane plane_in_frame(const ContourPlane& plane) const;
   std::uint16_t path_control_index();
-  std::uint16_t spindle_index();
-  SpindleState spindle_now() const;
 
   Program& program_;
   DiagnosticLog& log_;
@@ -175,13 +172,9 @@ class PathWriter {
   PlaceTracker places_;
   bool compensation_waits_ = false;  ///< until every axis is known again
   ProgrammedFeed feed_;
+  SpindleTracker spindle_{program_.spindles, log_};
   PathControl path_control_;
   std::uint16_t control_index_ = 0;  ///< of the last motion
-  SpindleState spindle_;             ///< its tool alone is kept up to date
-  bool spindle_stands_ = false;
-  bool surface_speed_ = false;
-  std::uint16_t spindle_index_ = 0;                        ///< of the last motion
-  std::map<SpindleState, std::uint16_t> spindle_indices_;  ///< of Program::spindles
   ContourCorners corners_;
   CutterCompensation compensation_;
   Compensation compensation_words_;  ///< its axes in programmed coordinates

@@ -20,7 +20,7 @@ class Feeds : private Part {
   bool has_surface_speed() const { return surface_speed_; }
   void restore_surface_speed(bool on) {
     surface_speed_ = on;
-    path().set_surface_speed(on);
+    path().spindle().set_surface_speed(on);
   }
 
  private:

@@ -33,16 +33,16 @@ void ToolRack::change_to(std::string_view name) {
     if (name != no_tool && !name.empty()) {
       select(name);
     }
-    path_.set_tool_in_spindle(index_of(name));
+    path_.spindle().set_tool(index_of(name));
     spindle_turns_ = false;
-    path_.set_spindle_stands(spindle_commanded_);
+    path_.spindle().set_stands(spindle_commanded_);
     path_.pause(Pause::tool_change);
   }
 }
 
 void ToolRack::start_spindle() {
   spindle_commanded_ = true;
-  path_.set_spindle_stands(false);
+  path_.spindle().set_stands(false);
   if (!spindle_turns_) {
     spindle_turns_ = true;
     path_.pause(Pause::spindle_start);
@@ -52,7 +52,7 @@ void ToolRack::start_spindle() {
 void ToolRack::stop_spindle() {
   spindle_turns_ = false;
   spindle_commanded_ = true;
-  path_.set_spindle_stands(true);
+  path_.spindle().set_stands(true);
 }
 
 std::optional<double> ToolRack::radius_of(std::string_view tool, std::optional<double> programmed) {

@@ -8,6 +8,7 @@
 #include "core/base/error.h"
 #include "core/drives/drive_response.h"
 #include "core/export/export.h"
+#include "core/load/load_model.h"
 #include "core/models/control_model.h"
 #include "core/trajectory/trajectory_builder.h"
 #include "tests/support/paths.h"
@@ -176,6 +177,37 @@ TEST(Csv, DrivesAddTheirColumnsBehindTheOthers) {
   EXPECT_NEAR(values[6], 0, 1e-9);
   // Across the direction (0.6, 0.8): |0.6 * 0.8 - 0.5 * 0.6| mm.
   EXPECT_NEAR(values[7], 180, 1e-6);
+}
+
+/// Steady at 10 mm/s over 100/s and two teeth; nothing where no operation applies.
+TEST(Csv, HasTheLoadBehindAllOthersAndEmptyWhereThereIsNone) {
+  const Trajectory run = ramp_and_cruise();
+  Program program;
+  program.source = std::make_shared<const SourceText>("part.nc", "\n\n\n\n\n\nG1\nG1\n");
+  Engagement operation;
+  operation.diameter = operation.radial_depth = 10;
+  operation.teeth = 2;
+  operation.axial_depth = 1;
+  operation.material = "steel-c45";
+  operation.spindle_speed = 100;
+  const auto text = [&](std::uint32_t line) {
+    operation.lines = {{line, line}};
+    const LoadModel load({{operation}, {}}, program, *run.path().programmed());
+    std::ostringstream out;
+    write_csv(out, run, 0.02, nullptr, nullptr, &load);
+    return out.str();
+  };
+  const std::string with = text(7);
+  const std::string plain(csv_header);
+  EXPECT_EQ(
+      with.substr(0, with.find('\n')),
+      plain.substr(0, plain.size() - 1) +
+          ",feed_per_tooth_mm,chip_thickness_um,cutting_force_mean_n,cutting_force_peak_n,torque_nm,power_kw,"
+          "feed_per_tooth_programmed_mm,chip_thickness_programmed_um,cutting_force_mean_programmed_n,"
+          "cutting_force_peak_programmed_n,torque_programmed_nm,power_programmed_kw");
+  EXPECT_THAT(with, HasSubstr("axis_jerk_x,0,0.025,25,"));
+  EXPECT_THAT(with, HasSubstr("programmed_feed,0,0.05,50,"));
+  EXPECT_THAT(text(8), HasSubstr("programmed_feed,0,,,,,,,,,,,,\n"));
 }
 
 }  // namespace

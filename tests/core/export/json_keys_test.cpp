@@ -42,8 +42,9 @@ const KeyTable& documented() {
 
 /// Objects whose keys are names of axes, settings or causes.
 bool holds_names(const std::string& path) {
-  for (const char* name : {"axes", "settings", "swept", "time_by_cause_s", "ramp_down_by_slower_place_s",
-                           "limiting_share", "max_following_error_um"}) {
+  for (const char* name :
+       {"axes", "settings", "swept", "time_by_cause_s", "ramp_down_by_slower_place_s", "limiting_share",
+        "max_following_error_um", "time_without_load_s", "predicted", "programmed"}) {
     if (path == name || path.ends_with("." + std::string(name))) {
       return true;
     }
@@ -72,6 +73,12 @@ const std::vector<std::string> drive_of_x{
     "X.backlash=2",      "X.backlash_compensation=0.5", "X.friction_spike=3",
     "X.friction_time=20"};
 
+/// A bound that is passed.
+constexpr const char* load_of_all =
+    "feedscope_load = 1\n[[operation]]\nlines = \"1-7\"\ndiameter_mm = 10\nteeth = 2\nhelix_deg = 30\nae_mm "
+    "= 2\n"
+    "ap_mm = 5\nmilling = \"down\"\nmaterial = \"steel-c45\"\nspindle_1_min = 9000\nmin_chip_um = 50\n";
+
 /// Programs and runs that have something of everything.
 class Files {
  public:
@@ -86,7 +93,9 @@ class Files {
     called.diagnostics.back().file = "called.spf";
     program.program = std::make_shared<const Program>(std::move(called));
     const auto session = [](const char* model, double tolerance) {
-      return make_setup({"spinner-mvc850", model, tolerance, drive_of_x});
+      Setup setup = make_setup({"spinner-mvc850", model, tolerance, drive_of_x});
+      setup.load = parse_load(load_of_all, "load.toml");
+      return setup;
     };
     const Run run = simulate_run(program, session("essid", 0.05));
     const Run second = simulate_run(corners, session("ward", 0.05));
@@ -150,6 +159,7 @@ class Files {
                               "max_corner_distance_mm",
                               "max_contour_error_at",
                               "actual",
+                              "load",
                               "peaks",
                               "time_by_cause_s",
                               "ramp_down_by_slower_place_s",

@@ -100,7 +100,7 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
                        "Z": {"velocity_mm_min": 0.0, "acceleration_m_s2": 0.0, "jerk_m_s3": 0.0}}},
     "time_by_cause_s": {"axis_jerk_y": 2.5, "ramp_down": 1.25},
     "ramp_down_by_slower_place_s": {"exact_stop": 1.25},
-    "not_counted": [], "drives": null, "actual": null,
+    "not_counted": [], "drives": null, "actual": null, "load": null,
     "diagnostics": [{"severity": "error", "line": 2, "column": 1, "code": "unread",
                      "message": "\"foo\" is not a word", "hint": "hint"}],
     "elapsed": {"read_s": 0.5, "simulate_s": 0.25}})");

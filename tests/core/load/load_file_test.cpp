@@ -39,7 +39,7 @@ TEST(LoadFile, IsReadInUnitsOfTheCore) {
   ASSERT_EQ(setup.operations.size(), 1U);
   const Engagement& read = setup.operations.front();
   EXPECT_EQ(read.tool, "1");
-  EXPECT_THAT(read.lines, testing::ElementsAre(LineRange{10, 25}, LineRange{40, 40}));
+  EXPECT_THAT(read.lines, testing::ElementsAre(ProgramLines{10, 25}, ProgramLines{40, 40}));
   EXPECT_EQ(read.diameter, 12);
   EXPECT_EQ(read.teeth, 2);
   EXPECT_DOUBLE_EQ(read.helix, units::pi / 6);

@@ -16,7 +16,7 @@ using testing::ThrowsMessage;
 constexpr const char* two_tools =
     "T1 M6\nS6000 M3\nG1 X10 F1000\nX20\nT2 M6\nX30\nS3000 M3\nX40\nM5\nX50\nM30\n";
 
-Engagement mill(const std::string& tool, std::vector<LineRange> lines = {}) {
+Engagement mill(const std::string& tool, std::vector<ProgramLines> lines = {}) {
   Engagement operation;
   operation.tool = tool;
   operation.lines = std::move(lines);
