@@ -156,7 +156,8 @@ void OutputFiles::commit() {
   }
 }
 
-void check_outputs(const std::string& input, const std::vector<std::string>& outputs) {
+void check_outputs(const std::string& input, const std::vector<std::string>& outputs,
+                   const std::string& what) {
   for (std::size_t i = 0; i < outputs.size(); ++i) {
     if (outputs[i].empty()) {
       continue;
@@ -164,7 +165,7 @@ void check_outputs(const std::string& input, const std::vector<std::string>& out
     std::error_code ignored;
     if (outputs[i] != "-" && fs::is_regular_file(input, ignored) &&
         fs::equivalent(input, outputs[i], ignored)) {
-      fail(outputs[i], "it is the program itself; give another file");
+      fail(outputs[i], "it is " + what + "; give another file");
     }
     for (std::size_t j = 0; j < i; ++j) {
       const bool same =

@@ -73,6 +73,7 @@ class OutputFiles {
 };
 
 /// Throws InputError if two outputs, or an output and the input, are the same file. "" stands for no output.
-void check_outputs(const std::string& input, const std::vector<std::string>& outputs);
+void check_outputs(const std::string& input, const std::vector<std::string>& outputs,
+                   const std::string& what = "the program itself");
 
 }  // namespace feedscope

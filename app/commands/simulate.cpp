@@ -130,9 +130,10 @@ int simulate(const SimulateOptions& options) {
   }
   note_unused_tolerance(options.run, setup);
   const double step = parse_step(options.step).value_or(default_step(setup));
-  for (const std::string& input : {options.run.file, asked.file, options.load}) {
+  for (const std::string& input : {options.run.file, asked.file}) {
     check_outputs(input, {options.csv, options.json, options.blends, options.contour});
   }
+  check_outputs(options.load, {options.csv, options.json, options.blends, options.contour}, "the load file");
   Results results(options);
   Run run;
   {
