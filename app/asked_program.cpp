@@ -18,6 +18,7 @@ AskedProgram asked_program(const ProgramOptions& options, [[maybe_unused]] std::
     asked.reading = session->reading;
     for (const ui::RunItem& run : session->runs) {
       asked.setups.push_back(run.setup.setup());
+      asked.setups.back().load = session->load;
     }
     asked.current = session->current_run;
     asked.source = std::make_shared<const SourceText>(SourceText::from_file(session->program));

@@ -12,6 +12,7 @@
 #include "app/print.h"
 #include "core/analysis/not_counted.h"
 #include "core/analysis/slower_tolerance.h"
+#include "core/analysis/source_figures.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 
@@ -85,17 +86,29 @@ class RunTable {
 
 std::string times_table(std::span<const ComparedRun> runs) {
   RunTable table;
-  table.add_head({"cycle time", "h:mm:ss", "against cam", "mean feed", "peak feed", "contour error"});
-  table.add_units({"[s]", "", "", "[mm/min]", "[mm/min]", "[mm]"});
+  const auto figures = source_figures_of(runs, [](const ComparedRun& run) { return &run.summary; });
+  Cells head{"cycle time", "h:mm:ss", "against cam", "mean feed", "peak feed", "contour error"};
+  Cells head_units{"[s]", "", "", "[mm/min]", "[mm/min]", "[mm]"};
+  for (const SourceFigure* figure : figures) {
+    head.push_back(figure_title(*figure));
+    head_units.push_back(figure_unit(*figure));
+  }
+  table.add_head(head);
+  table.add_units(head_units);
   for (const ComparedRun& run : runs) {
     const Summary& summary = run.summary;
-    table.add_run(run, {fmt::format("{:.3f}", summary.cycle_time), clock_text(summary.cycle_time),
-                        fmt::format("x {:.3f}", run.against_cam()),
-                        fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
-                        fmt::format("{:.1f}", units::to_mm_min(summary.peak_feed)),
-                        fmt::format("{:.4f}", summary.max_contour_error)});
+    Cells cells{fmt::format("{:.3f}", summary.cycle_time),
+                clock_text(summary.cycle_time),
+                fmt::format("x {:.3f}", run.against_cam()),
+                fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
+                fmt::format("{:.1f}", units::to_mm_min(summary.peak_feed)),
+                fmt::format("{:.4f}", summary.max_contour_error)};
+    for (const SourceFigure* figure : figures) {
+      cells.push_back(figure_text(*figure, summary));
+    }
+    table.add_run(run, std::move(cells));
   }
-  return table.text("rrrrrr");
+  return table.text(std::string(6 + figures.size(), 'r'));
 }
 
 void add_shares(Cells& cells, const ComparedRun& run, double AxisPeaks::*peak, double AxisLimits::*limit) {

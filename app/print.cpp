@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 #include <sstream>
 
@@ -75,7 +76,8 @@ std::string actual_text(const Summary& summary) {
 
 /// "380 N (line 52, at 1.234 s)".
 std::string load_figure(const LoadFigure& figure, const LoadQuantity& quantity, bool with_place) {
-  const std::string value = fmt::format("{:.4g} {}", figure.largest * quantity.factor, quantity.unit);
+  const std::string value = fmt::format("{:.4g} {}", in_file_unit(quantity, figure.largest),
+                                        shown_unit(info_of(quantity.id).dimension).text);
   return with_place ? fmt::format("{} (line {}, at {:.3f} s)", value, figure.line, figure.time) : value;
 }
 
@@ -109,12 +111,12 @@ std::string load_text(const Summary& summary) {
     for (std::size_t i = 0; i < load_quantity_count; ++i) {
       const LoadQuantity& quantity = load_quantities()[i];
       const auto mean = [&](const LoadFigure& figure) {
-        return fmt::format("{:.4g}", figure.mean * quantity.factor);
+        return fmt::format("{:.4g}", in_file_unit(quantity, figure.mean));
       };
       const LoadFigure& predicted = load.all.predicted[i];
       const LoadFigure& programmed = load.all.programmed[i];
-      table.add({std::string(quantity.title), load_figure(predicted, quantity, true), mean(predicted),
-                 load_figure(programmed, quantity, false), mean(programmed)});
+      table.add({std::string(info_of(quantity.id).title), load_figure(predicted, quantity, true),
+                 mean(predicted), load_figure(programmed, quantity, false), mean(programmed)});
     }
     out += table.text("lrrrr");
   }
@@ -246,6 +248,28 @@ void print_diagnostics(const Program& program, DiagnosticStyle style) {
       fmt::print(stderr, "  {}\n", repeats);
     }
   }
+}
+
+std::string figure_title(const SourceFigure& figure) {
+  std::string title(figure.title);
+  title.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(title.front())));
+  return title;
+}
+
+std::string figure_unit(const SourceFigure& figure) {
+  return figure.dimension == Dimension::error ? "[mm]"
+                                              : fmt::format("[{}]", shown_unit(figure.dimension).text);
+}
+
+std::string figure_text(const SourceFigure& figure, const Summary& summary) {
+  const std::optional<double> value = figure.of(summary);
+  if (!value) {
+    return "-";
+  }
+  return figure.dimension == Dimension::error
+             ? fmt::format("{:.4f}", *value)
+             : fmt::format("{:.{}f}", *value * shown_unit(figure.dimension).factor,
+                           shown_unit(figure.dimension).decimals);
 }
 
 std::string summary_text(const Run& run) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/analysis/run.h"
+#include "core/analysis/source_figures.h"
 
 namespace feedscope {
 
@@ -33,6 +34,11 @@ std::string wrapped(const std::string& text, std::size_t indent);
 
 /// "1.249 s", from a minute on with hours: "3725.4 s (1:02:05)".
 std::string time_text(double seconds);
+
+/// How tables of runs have a figure: "actual error", "[mm]", "0.0125"; "-" where a run has none.
+std::string figure_title(const SourceFigure& figure);
+std::string figure_unit(const SourceFigure& figure);
+std::string figure_text(const SourceFigure& figure, const Summary& summary);
 
 /// Diagnostics to standard error, one line each as a compiler does.
 enum class DiagnosticStyle {

@@ -251,6 +251,18 @@ CLI::Option* add_run_options(CLI::App& command, RunOptions& values) {
   return file;
 }
 
+void add_load_option(CLI::App& command, std::string& file) {
+  command
+      .add_option("--load", file,
+                  "Load file (TOML) that says how the tools are engaged: adds chip thickness, cutting force, "
+                  "torque and power at the predicted and the programmed feed to all results")
+      ->type_name("FILE");
+}
+
+LoadSetup asked_load(const std::string& file, LoadSetup otherwise) {
+  return file.empty() ? std::move(otherwise) : read_load_file(file);
+}
+
 void add_set_option(CLI::App& command, std::vector<std::string>& assignments) {
   command
       .add_option(

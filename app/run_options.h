@@ -70,6 +70,10 @@ std::string machine_help();
 CLI::Option* add_run_options(CLI::App& command, RunOptions& values);
 /// Adds those of the program alone.
 CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values);
+/// Adds --load: how the tools are engaged.
+void add_load_option(CLI::App& command, std::string& file);
+/// What `load` says, `otherwise` where it is empty. Throws InputError as read_load_file().
+LoadSetup asked_load(const std::string& file, LoadSetup otherwise = {});
 /// Adds --set alone.
 void add_set_option(CLI::App& command, std::vector<std::string>& assignments);
 

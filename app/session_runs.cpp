@@ -59,7 +59,9 @@ std::optional<ui::Session> asked_session(const ProgramOptions& options, std::vec
 ui::ReportInput simulate_session(const ui::Session& session, Watch& watch) {
   std::vector<AskedRun> runs;
   for (const ui::RunItem& run : session.runs) {
-    runs.push_back({run.setup.setup(), {}});
+    Setup setup = run.setup.setup();
+    setup.load = session.load;
+    runs.push_back({std::move(setup), {}});
   }
   const auto source = std::make_shared<const SourceText>(SourceText::from_file(session.program));
   std::vector<std::shared_ptr<const ui::ShownRun>> shown;

@@ -35,6 +35,9 @@ std::string options_of(const SeveralRunsOptions& asked, const std::string& machi
   for (const std::string& assignment : taken_by_any({model}, asked.set)) {
     text += fmt::format(" --set {}", in_quotes(assignment));
   }
+  if (!asked.load.empty()) {
+    text += fmt::format(" --load {}", in_quotes(asked.load));
+  }
   return text;
 }
 
@@ -57,6 +60,7 @@ void add_several_runs_options(CLI::App& command, SeveralRunsOptions& values) {
            "Contour tolerance in mm, instead of the program's own [otherwise the machine's]")
       ->type_name("MM");
   add_set_option(command, values.set);
+  add_load_option(command, values.load);
 }
 
 std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options, Dialect dialect) {
@@ -67,6 +71,7 @@ std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options, Dialect dial
   std::vector<AskedRun> runs;
   std::vector<std::string> all_used = options.models;
   const MachineLibrary library = shipped_machines();
+  const LoadSetup load = asked_load(options.load);
   for (const std::string& machine :
        options.machines.empty() ? std::vector{default_machine_of(dialect)} : options.machines) {
     const std::vector<std::string> models =
@@ -74,6 +79,7 @@ std::vector<AskedRun> asked_runs(const SeveralRunsOptions& options, Dialect dial
     all_used.insert(all_used.end(), models.begin(), models.end());
     for (Setup& setup : setups_to_compare({machine}, models, tolerances, taken_by_any(models, options.set))) {
       const std::string text = options_of(options, machine, setup);
+      setup.load = load;
       runs.push_back({std::move(setup), text});
     }
   }
@@ -139,6 +145,9 @@ std::string options_text(const SeveralRunsOptions& options) {
   add_asked(text, "--model", options.models);
   add_asked(text, "--tolerance", options.tolerances);
   add_asked(text, "--set", options.set);
+  if (!options.load.empty()) {
+    add_asked(text, "--load", {options.load});
+  }
   return text;
 }
 

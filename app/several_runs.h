@@ -18,6 +18,7 @@ struct SeveralRunsOptions : ProgramOptions {
   std::vector<std::string> models;
   std::vector<std::string> tolerances;  ///< as typed, mm
   std::vector<std::string> set;
+  std::string load;  ///< a load file
 };
 
 /// One of these runs, and how people would ask for it alone.

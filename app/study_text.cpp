@@ -8,6 +8,7 @@
 
 #include "app/print.h"
 #include "core/analysis/slower_tolerance.h"
+#include "core/analysis/source_figures.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
 
@@ -62,18 +63,34 @@ std::string curve_table(const Study& study, std::span<const StudyRun> curve, con
   TextTable table;
   const Sweep& sweep = study.sweeps.front();
   const std::string unit = sweep_unit(sweep.key);
-  table.add({"", sweep.key, "cycle time", "h:mm:ss", "mean feed", "contour error", "limited most by"});
-  table.add({"", unit.empty() ? "" : fmt::format("[{}]", unit), "[s]", "", "[mm/min]", "[mm]", ""});
+  const auto figures = source_figures_of(study.runs, [](const StudyRun& run) { return &run.summary; });
+  std::vector<std::string> head{"", sweep.key, "cycle time", "h:mm:ss", "mean feed", "contour error"};
+  std::vector<std::string> head_units{
+      "", unit.empty() ? "" : fmt::format("[{}]", unit), "[s]", "", "[mm/min]", "[mm]"};
+  for (const SourceFigure* figure : figures) {
+    head.push_back(figure_title(*figure));
+    head_units.push_back(figure_unit(*figure));
+  }
+  head.emplace_back("limited most by");
+  head_units.emplace_back("");
+  table.add(head);
+  table.add(head_units);
   for (const StudyRun& run : curve) {
     const Summary& summary = run.summary;
     const std::vector<CauseShare> causes = limiting_causes(summary);
-    table.add({&run == best ? "*" : "", fmt::format("{}", run.swept.front()),
-               fmt::format("{:.3f}", summary.cycle_time), clock_text(summary.cycle_time),
-               fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
-               fmt::format("{:.4f}", summary.max_contour_error),
-               causes.empty() ? "" : share_text(causes.front())});
+    std::vector<std::string> cells{&run == best ? "*" : "",
+                                   fmt::format("{}", run.swept.front()),
+                                   fmt::format("{:.3f}", summary.cycle_time),
+                                   clock_text(summary.cycle_time),
+                                   fmt::format("{:.1f}", units::to_mm_min(summary.mean_feed)),
+                                   fmt::format("{:.4f}", summary.max_contour_error)};
+    for (const SourceFigure* figure : figures) {
+      cells.push_back(figure_text(*figure, summary));
+    }
+    cells.push_back(causes.empty() ? "" : share_text(causes.front()));
+    table.add(std::move(cells));
   }
-  return table.text("lrrrrrl");
+  return table.text("lrrrrr" + std::string(figures.size(), 'r') + "l");
 }
 
 const StudyRun& min_error(std::span<const StudyRun> runs) {

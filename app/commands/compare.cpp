@@ -34,6 +34,7 @@ struct CompareOptions : ProgramOptions {
   std::vector<std::string> models;
   std::vector<std::string> tolerances;  // as typed, mm
   std::vector<std::string> set;
+  std::string load;                 // a load file
   std::vector<std::string> sweeps;  // as typed
   std::string within;               // as typed, mm
   std::string operations;           // as typed
@@ -138,6 +139,7 @@ StudyRequest request_of(const CompareOptions& options, const AskedProgram& asked
   for (const std::string& text : options.tolerances) {
     request.tolerances.push_back(parse_tolerance(text));
   }
+  request.load = asked_load(options.load);
   for (const std::string& text : options.sweeps) {
     request.sweeps.push_back(parse_sweep(text));
   }
@@ -211,7 +213,7 @@ int compare(const CompareOptions& options) {
   for (StudySetup& one : setups_to_study(request)) {
     setups.push_back(std::move(one.setup));
   }
-  ResultFiles files({options.file, asked.file}, results_of(options, request, setups));
+  ResultFiles files({options.file, asked.file, options.load}, results_of(options, request, setups));
   LoadedProgram program;
   Study study;
   {
@@ -251,6 +253,7 @@ Command add_compare_command(CLI::App& app) {
            "Contour tolerance in mm, instead of the program's own [otherwise the machine's]")
       ->type_name("MM");
   add_set_option(*command, options->set);
+  add_load_option(*command, options->load);
   command->get_option("FILE")->required(false);
   add_list("--sweep", options->sweeps,
            "Study a setting: tolerance=0.005:0.1:log12, X.jerk=10:50:lin5, filters=\"2;3\"")

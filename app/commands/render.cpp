@@ -155,15 +155,21 @@ void set_colours(const RenderOptions& options, ui::ReportInput& input) {
                     "or --machine",
                     ui::colouring_key(input.scene.colouring)));
   }
-  const bool drives = std::ranges::any_of(
-      input.runs, [](const ui::ReportRun& run) { return run.shown->run.actual != nullptr; });
-  if (ui::needs_drives(input.scene.colouring) && !drives && options.colour.empty()) {
+  const QuantitySource source = ui::source_of(input.scene.colouring);
+  const bool available = std::ranges::any_of(
+      input.runs, [source](const ui::ReportRun& run) { return run.shown->run.sources.has(source); });
+  if (!available && options.colour.empty()) {
     input.scene.colouring = ui::Colouring::feed;  // as the window does with such a session
-  } else if (ui::needs_drives(input.scene.colouring) && !drives) {
+  } else if (!available && source == QuantitySource::drives) {
     throw InputError(fmt::format(
         "--colour {} shows what the drives do, but no axis of machine {} has one; give --set "
         "X.kv=60 and the like, or a machine with kv_1_s",
         ui::colouring_key(input.scene.colouring), input.runs.front().shown->run.setup.machine.id));
+  } else if (!available) {
+    throw InputError(
+        fmt::format("--colour {} shows the cutting load, which needs to know how the tools are engaged; give "
+                    "--load FILE",
+                    ui::colouring_key(input.scene.colouring)));
   }
   if (!options.reference) {
     return;
@@ -207,7 +213,10 @@ void note_unused_tolerances(const RenderOptions& options, const std::vector<Aske
 }
 
 int render(const RenderOptions& options) {
-  const std::optional<ui::Session> session = asked_session(options.runs);
+  std::optional<ui::Session> session = asked_session(options.runs);
+  if (session) {
+    session->load = asked_load(options.runs.load, std::move(session->load));
+  }
   ui::PictureRequest request = request_of(options);
   request.theme = theme_of(options, session);
   const auto source =
@@ -217,6 +226,7 @@ int render(const RenderOptions& options) {
   check_runs(options, runs);
   note_unused_tolerances(options, runs);
   check_outputs(options.runs.file, {options.out});
+  check_outputs(options.runs.load, {options.out}, "the load file");
   if (session) {
     check_outputs(session->program.string(), {options.out});
   }

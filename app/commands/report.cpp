@@ -75,12 +75,16 @@ QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun
 int report(const ReportOptions& options) {
   const ui::ReportFormat format = format_of(options);
   const QDateTime date = date_of(options.date);
-  const std::optional<ui::Session> session = asked_session(options.runs);
+  std::optional<ui::Session> session = asked_session(options.runs);
+  if (session) {
+    session->load = asked_load(options.runs.load, std::move(session->load));
+  }
   const auto source =
       session ? nullptr : std::make_shared<const SourceText>(SourceText::from_file(options.runs.file));
   const std::vector<AskedRun> runs =
       session ? std::vector<AskedRun>() : asked_runs(options.runs, dialect_of(options.runs, *source));
   check_outputs(options.runs.file, {options.out});
+  check_outputs(options.runs.load, {options.out}, "the load file");
   if (session) {
     check_outputs(session->program.string(), {options.out});
   }

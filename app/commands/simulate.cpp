@@ -69,7 +69,7 @@ class Results {
   /// `program`: as it was read, which the machine of `run` may have filled in.
   void write(const LoadedProgram& program, const Run& run, double step, Watch& watch) {
     if (csv_) {
-      write_csv(*csv_, *run.trajectory, step, watch.stage("writing"), run.actual.get(), run.load.get());
+      write_csv(*csv_, *run.trajectory, step, watch.stage("writing"), run.sources);
     }
     std::optional<ContourReport> contour;
     if (contour_) {
@@ -125,9 +125,7 @@ Setup setup_of(const SimulateOptions& options, const AskedProgram& asked) {
 int simulate(const SimulateOptions& options) {
   const AskedProgram asked = asked_program(options.run, given_of_run(options.run));
   Setup setup = setup_of(options, asked);
-  if (!options.load.empty()) {
-    setup.load = read_load_file(options.load);
-  }
+  setup.load = asked_load(options.load, std::move(setup.load));
   note_unused_tolerance(options.run, setup);
   const double step = parse_step(options.step).value_or(default_step(setup));
   for (const std::string& input : {options.run.file, asked.file}) {
@@ -167,12 +165,7 @@ Command add_simulate_command(CLI::App& app) {
       [options](double number) { options->number = static_cast<std::size_t>(number); },
       "Number of the run in a session [the current one]")
       ->type_name("N");
-  command
-      ->add_option(
-          "--load", options->load,
-          "Load file (TOML) that says how the tools are engaged: adds chip thickness, cutting force, "
-          "torque and power at the predicted and the programmed feed to all results")
-      ->type_name("FILE");
+  add_load_option(*command, options->load);
   command->add_option("--csv", options->csv, "Write the motion, one row per step; - for standard output")
       ->type_name("FILE");
   command

@@ -115,7 +115,7 @@ py::dict samples(const Run& run, const Doubles& instants) {
   const std::span<const double> times(instants.data(), static_cast<std::size_t>(instants.size()));
   const std::size_t count = trajectory.pieces().empty() ? 0 : times.size();
   for (const QuantityInfo& quantity : all_quantities()) {
-    const bool has = quantity.source == QuantitySource::motion || run.actual;
+    const bool has = run.sources.has(quantity.source);
     if (!quantity.column.empty() && has) {
       columns.push_back({&quantity, Doubles(static_cast<py::ssize_t>(count))});
     }
@@ -128,15 +128,11 @@ py::dict samples(const Run& run, const Doubles& instants) {
   std::uint8_t* cause = causes.mutable_data();
   run_interruptible([&](Progress& progress) {
     StateWalk walk(trajectory);
-    std::optional<ActualSampler> sampler;
-    if (run.actual) {
-      sampler.emplace(*run.actual);
-    }
+    InstantSampler sampler(run.sources);
     ProgressSteps steps(&progress, count);
     for (std::size_t i = 0; i < count; ++i) {
       const State state = walk.at(times[i]);
-      const std::optional<ActualSample> sample = sampler ? std::optional(sampler->at(state)) : std::nullopt;
-      const Instant instant(state, sample ? &*sample : nullptr);
+      const Instant instant = sampler.at(state);
       for (std::size_t k = 0; k < columns.size(); ++k) {
         const QuantityInfo& quantity = *columns[k].quantity;
         places[k][i] = quantity.of(instant) * shown_unit(quantity.dimension).factor;

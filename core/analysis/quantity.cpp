@@ -50,7 +50,16 @@ double actual_contour_error(const Instant& i) {
   return i.actual != nullptr ? i.actual->contour_error : unknown;
 }
 
+template <CuttingLoad LoadSample::*at_feed, double CuttingLoad::*number>
+double of_load(const Instant& i) {
+  return i.load != nullptr && i.load->has_load() ? (i.load->*at_feed).*number : unknown;
+}
+
+constexpr auto predicted = &LoadSample::predicted;
+constexpr auto programmed = &LoadSample::programmed;
+
 constexpr QuantitySource drives = QuantitySource::drives;
+constexpr QuantitySource cut = QuantitySource::load;
 
 constexpr std::array<QuantityInfo, quantity_count> quantities{{
     {Id::time, "time", "time_s", QT_TRANSLATE_NOOP("core", "Time"), time, -1, Chart::none, "", false, false,
@@ -129,6 +138,41 @@ constexpr std::array<QuantityInfo, quantity_count> quantities{{
      QT_TRANSLATE_NOOP("core", "across"), false, false, following_error_across, drives},
     {Id::following_error, "following_error", "", QT_TRANSLATE_NOOP("core", "Following error"), error, -1,
      Chart::none, "", true, false, whole_following_error, drives},
+    {Id::feed_per_tooth, "feed_per_tooth", "feed_per_tooth_mm", QT_TRANSLATE_NOOP("core", "Feed per tooth"),
+     length, -1, Chart::none, "", false, false, of_load<predicted, &CuttingLoad::feed_per_tooth>, cut},
+    {Id::torque, "torque", "torque_nm", QT_TRANSLATE_NOOP("core", "Torque"), Dimension::torque, -1,
+     Chart::none, "", false, false, of_load<predicted, &CuttingLoad::torque>, cut},
+    {Id::power, "power", "power_kw", QT_TRANSLATE_NOOP("core", "Cutting power"), Dimension::power, -1,
+     Chart::none, "", false, false, of_load<predicted, &CuttingLoad::power>, cut},
+    {Id::mean_force, "mean_force", "cutting_force_mean_n", QT_TRANSLATE_NOOP("core", "Mean cutting force"),
+     force, -1, Chart::force, QT_TRANSLATE_NOOP("core", "mean"), false, false,
+     of_load<predicted, &CuttingLoad::mean_force>, cut},
+    {Id::peak_force, "peak_force", "cutting_force_peak_n", QT_TRANSLATE_NOOP("core", "Peak cutting force"),
+     force, -1, Chart::force, QT_TRANSLATE_NOOP("core", "peak"), true, false,
+     of_load<predicted, &CuttingLoad::peak_force>, cut},
+    {Id::chip_thickness, "chip_thickness", "chip_thickness_um", QT_TRANSLATE_NOOP("core", "Chip thickness"),
+     error, -1, Chart::chip, QT_TRANSLATE_NOOP("core", "predicted"), true, false,
+     of_load<predicted, &CuttingLoad::chip_thickness>, cut},
+    {Id::chip_thickness_programmed, "chip_thickness_programmed", "chip_thickness_programmed_um",
+     QT_TRANSLATE_NOOP("core", "Chip thickness at the programmed feed"), error, -1, Chart::chip,
+     QT_TRANSLATE_NOOP("core", "at programmed feed"), false, false,
+     of_load<programmed, &CuttingLoad::chip_thickness>, cut},
+    {Id::peak_force_programmed, "peak_force_programmed", "cutting_force_peak_programmed_n",
+     QT_TRANSLATE_NOOP("core", "Peak cutting force at the programmed feed"), force, -1, Chart::force,
+     QT_TRANSLATE_NOOP("core", "peak at programmed feed"), false, false,
+     of_load<programmed, &CuttingLoad::peak_force>, cut},
+    {Id::mean_force_programmed, "mean_force_programmed", "cutting_force_mean_programmed_n",
+     QT_TRANSLATE_NOOP("core", "Mean cutting force at the programmed feed"), force, -1, Chart::none, "",
+     false, false, of_load<programmed, &CuttingLoad::mean_force>, cut},
+    {Id::feed_per_tooth_programmed, "feed_per_tooth_programmed", "feed_per_tooth_programmed_mm",
+     QT_TRANSLATE_NOOP("core", "Feed per tooth at the programmed feed"), length, -1, Chart::none, "", false,
+     false, of_load<programmed, &CuttingLoad::feed_per_tooth>, cut},
+    {Id::torque_programmed, "torque_programmed", "torque_programmed_nm",
+     QT_TRANSLATE_NOOP("core", "Torque at the programmed feed"), Dimension::torque, -1, Chart::none, "",
+     false, false, of_load<programmed, &CuttingLoad::torque>, cut},
+    {Id::power_programmed, "power_programmed", "power_programmed_kw",
+     QT_TRANSLATE_NOOP("core", "Cutting power at the programmed feed"), Dimension::power, -1, Chart::none, "",
+     false, false, of_load<programmed, &CuttingLoad::power>, cut},
 }};
 
 constexpr bool is_in(QuantityId id, const ChartedRange& range) {
@@ -140,8 +184,9 @@ constexpr bool is_consistent() {
   std::size_t coloured = 0;
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     const QuantityInfo& quantity = quantities[i];
-    const bool charted =
-        is_in(quantity.id, quantity.source == drives ? charted_of_drives : charted_of_motion);
+    const bool charted = is_in(quantity.id, quantity.source == drives ? charted_of_drives
+                                            : quantity.source == cut  ? charted_of_load
+                                                                      : charted_of_motion);
     if (static_cast<std::size_t>(quantity.id) != i || charted != (quantity.chart != Chart::none)) {
       return false;
     }

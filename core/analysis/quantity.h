@@ -5,17 +5,21 @@
 #include <string_view>
 
 #include "core/analysis/actual_path.h"
+#include "core/analysis/load/load_sample.h"
 #include "core/base/dimension.h"
 
 namespace feedscope {
 
 /// What is known of one instant of a run. Refers to what it is made of.
 struct Instant {
-  // NOLINTNEXTLINE(google-explicit-constructor): a state is an instant of a run without drives
-  Instant(const State& state, const ActualSample* sample = nullptr) : set(state), actual(sample) {}
+  // NOLINTNEXTLINE(google-explicit-constructor): a state is an instant of a run with nothing beside its
+  // motion
+  Instant(const State& state, const ActualSample* drives = nullptr, const LoadSample* cut = nullptr)
+      : set(state), actual(drives), load(cut) {}
 
   const State& set;
   const ActualSample* actual;  ///< null without drives
+  const LoadSample* load;      ///< null where no operations are known
 };
 
 /// What a run has at every instant, in the order of CSV columns.
@@ -52,17 +56,30 @@ enum class QuantityId : std::uint8_t {
   actual_contour_error,    ///< distance of the actual position from the nearest programmed point
   following_error_across,  ///< square to the direction of the set motion; all of it at standstill
   following_error,         ///< length of the vector
+  feed_per_tooth,          ///< from here on of the cutting load: at the achieved feed
+  torque,
+  power,
+  mean_force,
+  peak_force,
+  chip_thickness,             ///< of one tooth, at most
+  chip_thickness_programmed,  ///< from here on at the programmed feed, at the same place
+  peak_force_programmed,
+  mean_force_programmed,
+  feed_per_tooth_programmed,
+  torque_programmed,
+  power_programmed,
 };
-inline constexpr std::size_t quantity_count = static_cast<std::size_t>(QuantityId::following_error) + 1;
+inline constexpr std::size_t quantity_count = static_cast<std::size_t>(QuantityId::power_programmed) + 1;
 
 /// What a quantity is of.
 enum class QuantitySource : std::uint8_t {
   motion,  ///< that the control sets
   drives,  ///< what the axes make of it; not a number where a machine has no drives
+  load,    ///< what the tool bears; not a number where it cuts nothing that an operation describes
 };
 
 /// Where a quantity is drawn over time.
-enum class QuantityChart : std::uint8_t { none, feed, acceleration, jerk, following_error };
+enum class QuantityChart : std::uint8_t { none, feed, acceleration, jerk, following_error, force, chip };
 
 /// Quantities that are drawn over time: one behind the other for each source.
 struct ChartedRange {
@@ -72,15 +89,19 @@ struct ChartedRange {
 };
 inline constexpr ChartedRange charted_of_motion{QuantityId::feed, 14, 0};
 inline constexpr ChartedRange charted_of_drives{QuantityId::following_error_x, 5, charted_of_motion.count};
-inline constexpr std::size_t charted_count = charted_of_drives.index + charted_of_drives.count;
+inline constexpr ChartedRange charted_of_load{QuantityId::mean_force, 5,
+                                              charted_of_drives.index + charted_of_drives.count};
+inline constexpr std::size_t charted_count = charted_of_load.index + charted_of_load.count;
 /// Place of a quantity that is drawn among all that are.
 constexpr std::size_t charted_index(QuantityId id) {
-  const ChartedRange& range = id < charted_of_drives.first ? charted_of_motion : charted_of_drives;
+  const ChartedRange& range = id < charted_of_drives.first ? charted_of_motion
+                              : id < charted_of_load.first ? charted_of_drives
+                                                           : charted_of_load;
   return range.index + static_cast<std::size_t>(id) - static_cast<std::size_t>(range.first);
 }
 
 /// How many colour the executed path.
-inline constexpr std::size_t coloured_count = 9;
+inline constexpr std::size_t coloured_count = 11;
 
 /// One row for each quantity: CSV, charts, colours, measures of lessons and annotations read this list, so
 /// that a new quantity is a row here.

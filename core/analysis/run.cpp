@@ -56,6 +56,16 @@ std::vector<PathControl> controls_of_feed_motions(const Toolpath& toolpath) {
                   program.source->name(), why));
 }
 
+/// None without operations. Throws InputError as LoadModel.
+std::optional<LoadModel> load_model(const LoadedProgram& input, const LoadSetup& load) {
+  return load.empty() ? std::nullopt
+                      : std::optional<LoadModel>(std::in_place, load, *input.program, *input.toolpath);
+}
+
+void set_load(Run& run, std::optional<LoadModel> load) {
+  run.sources.load = load ? std::make_shared<const RunLoad>(run.trajectory, *std::move(load)) : nullptr;
+}
+
 }  // namespace
 
 MachineLibrary shipped_machines() {
@@ -135,16 +145,25 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   Run run;
   run.input = input;
   run.setup = std::move(setup);
-  if (!run.setup.load.empty()) {
-    run.load = std::make_shared<const LoadModel>(run.setup.load, *input.program, *input.toolpath);
-  }
+  std::optional<LoadModel> load = load_model(input, run.setup.load);
   run.trajectory = std::make_shared<const Trajectory>(
       run.setup.model->simulate(input.toolpath, run.setup.machine, run.setup.settings, progress));
   run.input.toolpath = on_machine(input.toolpath, run.setup.settings);
   if (has_drives(run.setup.machine)) {
-    run.actual = std::make_shared<const ActualPath>(run.trajectory, run.setup.machine, progress);
+    run.sources.actual = std::make_shared<const ActualPath>(run.trajectory, run.setup.machine, progress);
   }
+  set_load(run, std::move(load));
   run.simulate_time = watch.seconds();
+  return run;
+}
+
+Run with_load(Run run, LoadSetup load, Progress* progress) {
+  set_load(run, load_model(run.input, load));
+  run.setup.load = std::move(load);
+  run.summary.load.reset();
+  if (run.sources.load) {
+    run.summary.load = load_figures(*run.sources.load, progress);
+  }
   return run;
 }
 
@@ -152,11 +171,11 @@ void add_summary(Run& run, Progress* progress) {
   const StopWatch watch;
   run.summary = summarise(*run.trajectory, *run.input.toolpath,
                           axis_limit_vector(run.setup.machine, &AxisLimits::velocity));
-  if (run.actual) {
-    run.summary.actual = actual_figures(*run.actual, progress);
+  if (run.sources.actual) {
+    run.summary.actual = actual_figures(*run.sources.actual, progress);
   }
-  if (run.load) {
-    run.summary.load = load_figures(*run.load, *run.trajectory);
+  if (run.sources.load) {
+    run.summary.load = load_figures(*run.sources.load, progress);
   }
   run.simulate_time += watch.seconds();
 }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/run_sources.h"
 #include "core/analysis/summary.h"
 #include "core/models/control_model.h"
 
@@ -48,8 +49,7 @@ struct Run {
   LoadedProgram input;  ///< its toolpath as on_machine() makes it
   Setup setup;
   std::shared_ptr<const Trajectory> trajectory;
-  std::shared_ptr<const ActualPath> actual;  ///< null where all axes follow their set values exactly
-  std::shared_ptr<const LoadModel> load;     ///< null without operations in Setup::load
+  RunSources sources;
   Summary summary;
   double simulate_time = 0;  ///< wall clock, summary included [s]
 };

@@ -9,5 +9,7 @@ namespace feedscope {
 Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress = nullptr);
 /// The second one. Others may read the run's motion meanwhile.
 void add_summary(Run& run, Progress* progress = nullptr);
+/// The same motion with its tools engaged in another way. Throws InputError as LoadModel, and Cancelled.
+Run with_load(Run run, LoadSetup load, Progress* progress = nullptr);
 
 }  // namespace feedscope

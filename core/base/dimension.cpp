@@ -8,8 +8,10 @@
 namespace feedscope {
 namespace {
 
-constexpr std::size_t dimension_count = static_cast<std::size_t>(Dimension::angle) + 1;
+constexpr std::size_t dimension_count = static_cast<std::size_t>(Dimension::power) + 1;
 constexpr double inch = 1 / units::from_inch(1);
+constexpr double pound_force = 4.4482216152605;                          // [N]
+constexpr double horsepower = 550 * units::from_inch(12) * pound_force;  // [N mm/s]: 550 lbf ft a second
 
 /// By Dimension.
 constexpr std::array<ShownUnit, dimension_count> metric{{
@@ -26,6 +28,9 @@ constexpr std::array<ShownUnit, dimension_count> metric{{
     {"%", 100, 0},
     {"ms/mm", 1000, 3},
     {"°", units::to_deg(1), 2},
+    {"N", 1, 0},
+    {"N m", units::to_n_m(1), 2},
+    {"kW", units::to_kw(1), 3},
 }};
 
 /// A thou is a thousandth of an inch.
@@ -43,6 +48,9 @@ constexpr std::array<ShownUnit, dimension_count> in_inches{{
     {"%", 100, 0},
     {"ms/in", 1000 / inch, 2},
     {"°", units::to_deg(1), 2},
+    {"lbf", 1 / pound_force, 1},
+    {"lbf ft", 1 / (pound_force * units::from_inch(12)), 2},
+    {"hp", 1 / horsepower, 3},
 }};
 
 }  // namespace

@@ -20,6 +20,9 @@ enum class Dimension : std::uint8_t {
   ratio,           ///< inside a share of 1
   pace,            ///< time lost over length, inside [s/mm]
   angle,           ///< inside [rad]
+  force,           ///< inside [N]
+  torque,          ///< inside [N mm]
+  power,           ///< inside [N mm/s]
 };
 
 enum class UnitSystem : std::uint8_t { metric, inch };

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <vector>
 
+#include "core/analysis/source_figures.h"
 #include "core/base/units.h"
 #include "core/export/csv_field.h"
 #include "core/export/export.h"
@@ -161,13 +162,42 @@ void append(std::vector<std::string>& row, std::vector<std::string> more) {
   std::ranges::move(more, std::back_inserter(row));
 }
 
+using Figures = std::vector<const SourceFigure*>;
+
+template <typename Runs>
+Figures figures_of(const Runs& runs) {
+  return source_figures_of(runs, [](const ComparedRun& run) { return &run.summary; });
+}
+
+std::vector<std::string> columns_of(const Figures& figures) {
+  std::vector<std::string> columns;
+  for (const SourceFigure* figure : figures) {
+    columns.emplace_back(figure->column);
+  }
+  return columns;
+}
+
+std::vector<std::string> cells_of(const Figures& figures, const Summary& summary) {
+  std::vector<std::string> cells;
+  for (const SourceFigure* figure : figures) {
+    const std::optional<double> value = figure->of(summary);
+    cells.push_back(value ? csv_number(*value * figure->factor) : "");
+  }
+  return cells;
+}
+
 }  // namespace
 
 std::string comparison_csv(std::span<const ComparedRun> runs) {
   const std::vector<std::size_t> causes = causes_of(runs);
-  std::string text = fmt::format("{}\n", fmt::join(header(causes), ","));
+  const Figures figures = figures_of(runs);
+  std::vector<std::string> titles = header(causes);
+  append(titles, columns_of(figures));
+  std::string text = fmt::format("{}\n", fmt::join(titles, ","));
   for (const ComparedRun& run : runs) {
-    text += fmt::format("{}\n", fmt::join(row_of(run, causes), ","));
+    std::vector<std::string> row = row_of(run, causes);
+    append(row, cells_of(figures, run.summary));
+    text += fmt::format("{}\n", fmt::join(row, ","));
   }
   return text;
 }
@@ -176,13 +206,17 @@ std::string study_csv(const Study& study) {
   const std::vector<std::size_t> causes = causes_of(study.runs);
   std::vector<std::string> titles = header(causes);
   append(titles, study_columns(study));
+  const std::size_t own = titles.size();
+  const Figures figures = figures_of(study.runs);
+  append(titles, columns_of(figures));
   std::string text = fmt::format("{}\n", fmt::join(titles, ","));
   for (const auto& curve : study.curves()) {
     const StudyRun* best = fastest(curve, study.within);
     for (const StudyRun& run : curve) {
       std::vector<std::string> row = row_of(run, causes);
       append(row, study_cells(study, run, &run == best));
-      row.resize(titles.size());
+      row.resize(own);
+      append(row, cells_of(figures, run.summary));
       text += fmt::format("{}\n", fmt::join(row, ","));
       for (std::size_t i = 0; i < run.operations.size(); ++i) {
         text += fmt::format("{}\n", fmt::join(operation_row(study, run, i, titles, row), ","));

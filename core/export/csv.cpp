@@ -5,9 +5,7 @@
 #include <optional>
 #include <ostream>
 
-#include "core/analysis/actual_figures.h"
-#include "core/analysis/load/load_sampler.h"
-#include "core/analysis/quantity.h"
+#include "core/analysis/run_sources.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
 #include "core/export/export.h"
@@ -26,7 +24,14 @@ class TextSink {
   explicit TextSink(std::ostream& out) : out_(out) { buffer_.reserve(buffer_size + 1024); }
 
   /// Enough digits for a nanometre on ten metres; no minus before zero.
-  void number(double value) { fmt::format_to(std::back_inserter(buffer_), "{:.11g},", value + 0.0); }
+  /// Nothing where it is not a number.
+  void number(double value) {
+    if (std::isnan(value)) {
+      buffer_.push_back(',');
+    } else {
+      fmt::format_to(std::back_inserter(buffer_), "{:.11g},", value + 0.0);
+    }
+  }
   void vector(const Vec3& v, double factor) {
     number(v.x() * factor);
     number(v.y() * factor);
@@ -34,7 +39,6 @@ class TextSink {
   }
   void count(std::uint32_t value) { fmt::format_to(std::back_inserter(buffer_), "{},", value); }
   void text(std::string_view value) { buffer_.append(value); }
-  void empty() { buffer_.push_back(','); }
   /// Ends a row whose last field is a number.
   void end_number_row() {
     buffer_.resize(buffer_.size() - 1);
@@ -78,10 +82,10 @@ struct Columns {
   std::vector<Column> behind_cause;
 };
 
-Columns columns_of(bool drives) {
+Columns columns_of(const RunSources& sources) {
   Columns columns;
   for (const QuantityInfo& quantity : all_quantities()) {
-    if (!quantity.column.empty() && (quantity.source == QuantitySource::motion || drives)) {
+    if (!quantity.column.empty() && sources.has(quantity.source)) {
       std::vector<Column>& side =
           quantity.id <= QuantityId::tangential_jerk ? columns.before_cause : columns.behind_cause;
       side.push_back({quantity.column, quantity.of, shown_unit(quantity.dimension).factor});
@@ -94,30 +98,21 @@ Columns columns_of(bool drives) {
 class SampleRows {
  public:
   /// `from`: the first instant [s].
-  SampleRows(std::ostream& out, const Trajectory& trajectory, const ActualPath* actual, const LoadModel* load,
-             double from, std::size_t rows, Progress* progress)
-      : columns_(columns_of(actual != nullptr)),
+  SampleRows(std::ostream& out, const Trajectory& trajectory, const RunSources& sources, double from,
+             std::size_t rows, Progress* progress)
+      : columns_(columns_of(sources)),
         sink_(out),
         walk_(trajectory, from),
+        sampler_(sources, from),
         causes_(cause_keys()),
         rows_(rows),
         progress_(progress) {
-    if (actual != nullptr) {
-      actual_.emplace(*actual, from);
-    }
-    if (load != nullptr) {
-      load_.emplace(*load, trajectory);
-    }
     for (const Column& column : columns_.before_cause) {
       sink_.text(column.name);
       sink_.text(",");
     }
     sink_.text("cause");
     for (const Column& column : columns_.behind_cause) {
-      sink_.text(",");
-      sink_.text(column.name);
-    }
-    for (const LoadColumn& column : load_ ? load_columns() : std::span<const LoadColumn>()) {
       sink_.text(",");
       sink_.text(column.name);
     }
@@ -138,8 +133,7 @@ class SampleRows {
 
  private:
   void write_row(const State& state) {
-    const std::optional<ActualSample> actual = actual_ ? std::optional(actual_->at(state)) : std::nullopt;
-    const Instant instant(state, actual ? &*actual : nullptr);
+    const Instant instant = sampler_.at(state);
     for (const Column& column : columns_.before_cause) {
       if (column.of == info_of(QuantityId::line).of) {
         sink_.count(state.line);
@@ -152,27 +146,13 @@ class SampleRows {
     for (const Column& column : columns_.behind_cause) {
       sink_.number(column.of(instant) * column.factor);
     }
-    if (load_) {
-      write_load(load_->at(state));
-    }
     sink_.end_number_row();
-  }
-
-  void write_load(const LoadSample& sample) {
-    for (const LoadColumn& column : load_columns()) {
-      if (sample.has_load()) {
-        sink_.number(column.of(sample));
-      } else {
-        sink_.empty();
-      }
-    }
   }
 
   const Columns columns_;
   TextSink sink_;
   StateWalk walk_;
-  std::optional<ActualSampler> actual_;
-  std::optional<LoadSampler> load_;
+  InstantSampler sampler_;
   std::vector<std::string> causes_;
   std::size_t rows_;
   std::size_t row_ = 0;
@@ -182,7 +162,7 @@ class SampleRows {
 }  // namespace
 
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress,
-               const ActualPath* actual, const LoadModel* load) {
+               const RunSources& sources) {
   const double duration = trajectory.duration();
   if (!(step > 0) || duration / step > max_rows) {
     throw InputError(fmt::format(
@@ -191,7 +171,7 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
   }
   // A row whose time prints like that of the end would repeat it: 11 digits tell 1e-10 apart.
   const auto count = static_cast<std::size_t>(std::ceil(duration / step * (1 - 1e-10)));
-  SampleRows rows(out, trajectory, actual, load, 0, count, progress);
+  SampleRows rows(out, trajectory, sources, 0, count, progress);
   for (std::size_t row = 0; row < count; ++row) {
     rows.add(static_cast<double>(row) * step);
   }
@@ -202,8 +182,8 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Pro
 }
 
 void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
-               Progress* progress, const ActualPath* actual, const LoadModel* load) {
-  SampleRows rows(out, trajectory, actual, load, times.empty() ? 0 : times.front(), times.size(), progress);
+               Progress* progress, const RunSources& sources) {
+  SampleRows rows(out, trajectory, sources, times.empty() ? 0 : times.front(), times.size(), progress);
   for (const double time : trajectory.pieces().empty() ? std::span<const double>() : times) {
     rows.add(std::clamp(time, 0.0, trajectory.duration()));
   }

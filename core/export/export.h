@@ -9,19 +9,16 @@
 
 namespace feedscope {
 
-class DriveResponse;
-class LoadModel;
 struct ContourReport;
 
 /// Samples as CSV, columns of README.md beside this file; one row each `step` [s] and one for the very end.
-/// `actual`: that of the trajectory, whose columns stand behind the others; null: a machine without drives.
-/// `load`: of the program, with columns behind those, empty where there is no load; null: no load file.
+/// `sources`: of the trajectory's run, whose columns stand behind those of the motion; those of the cutting
+/// load are empty where nothing is cut.
 void write_csv(std::ostream& out, const Trajectory& trajectory, double step, Progress* progress = nullptr,
-               const ActualPath* actual = nullptr, const LoadModel* load = nullptr);
+               const RunSources& sources = {});
 /// The same with a row at each of `times` [s], ascending, clamped to the run.
 void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const double> times,
-               Progress* progress = nullptr, const ActualPath* actual = nullptr,
-               const LoadModel* load = nullptr);
+               Progress* progress = nullptr, const RunSources& sources = {});
 /// Corner blends as CSV, columns of README.md beside this file.
 void write_blends(std::ostream& out, const Trajectory& trajectory);
 

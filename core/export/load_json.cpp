@@ -10,10 +10,10 @@ Json figures_json(const LoadFigureList& figures) {
   for (std::size_t i = 0; i < load_quantity_count; ++i) {
     const LoadQuantity& quantity = load_quantities()[i];
     const LoadFigure& figure = figures[i];
-    json[std::string(quantity.key)] = {{"max", finite(figure.largest * quantity.factor)},
-                                       {"line", figure.line},
-                                       {"time_s", finite(figure.time)},
-                                       {"mean", finite(figure.mean * quantity.factor)}};
+    json[std::string(info_of(quantity.id).column)] = {{"max", finite(in_file_unit(quantity, figure.largest))},
+                                                      {"line", figure.line},
+                                                      {"time_s", finite(figure.time)},
+                                                      {"mean", finite(in_file_unit(quantity, figure.mean))}};
   }
   return json;
 }
@@ -47,7 +47,7 @@ Json operations_json(const LoadSetup& setup, const LoadFigures& load) {
 }
 
 Json limit_json(const LimitFigures& limit) {
-  const double factor = load_quantities()[quantity_of(limit.limit)].factor;
+  const LoadQuantity& quantity = load_quantities()[quantity_of(limit.limit)];
   Json places = Json::array();
   for (const LoadPlace& place : limit.places) {
     places.push_back({{"operation", place.operation},
@@ -55,7 +55,7 @@ Json limit_json(const LimitFigures& limit) {
                       {"to_s", finite(place.to)},
                       {"first_line", place.first_line},
                       {"last_line", place.last_line},
-                      {"worst", finite(place.worst * factor)}});
+                      {"worst", finite(in_file_unit(quantity, place.worst))}});
   }
   return {{"bound", key_of(limit.limit)},
           {"time_s", finite(limit.time)},

@@ -87,6 +87,7 @@ struct Lesson {
   std::vector<std::string> sources;
   std::string text;  ///< Markdown with {numbers}
   Changes start;     ///< program, machine, perhaps model, settings
+  LoadSetup load;    ///< how the tools are engaged; may be empty
   LessonWindow window;
   std::map<std::string, LessonQuantity> numbers;
   std::map<std::string, GivenNumber> given;
@@ -106,6 +107,8 @@ struct LessonSetup {
 /// The start of a lesson with `changes`. A setting of the start that another model does not know is omitted,
 /// one of `changes` is not. Throws InputError naming key, value, bounds and the nearest valid name.
 LessonSetup set_up(const Lesson& lesson, const Changes& changes);
+/// A load file beside the lesson, or else the one of resources/examples.
+std::filesystem::path find_load_file(const Lesson& lesson, const std::string& name);
 
 /// Reads a lesson; resources/lessons/README.md says what is in it. A program is looked for beside the file,
 /// then in resources/programs. Throws InputError naming file, line, key, value and the nearest valid name:

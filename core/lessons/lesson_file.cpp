@@ -113,7 +113,7 @@ class LessonReader {
  private:
   void read_start(const ConfigNode& table) {
     const std::string where = "[start]";
-    table.check_keys({"program", "machine", "model", "set"}, where);
+    table.check_keys({"program", "machine", "model", "load", "set"}, where);
     SetupRequest request;
     request.machine = table.need_text("machine", where);
     at(table.need("machine", where), [&] { return make_setup(request); });
@@ -128,6 +128,11 @@ class LessonReader {
     if (const ConfigNode* settings = table.find("set")) {
       const Changes list = changes(*settings, "'set' in [start]");
       lesson_.start.insert(lesson_.start.end(), list.begin(), list.end());
+    }
+    if (table.find("load") != nullptr) {
+      const std::string name = table.need_text("load", where);
+      at(table.need("load", where),
+         [&] { return lesson_.load = read_load_file(find_load_file(lesson_, name)); });
     }
   }
 

@@ -37,6 +37,9 @@ enum What : std::uint8_t {
   time_by_cause,
   share_by_cause,
   peak_of_quantity,
+  least_chip,
+  rubbing_time,
+  rubbing_share,
 };
 
 constexpr double mm_min = units::from_mm_min(1);
@@ -90,6 +93,13 @@ std::vector<MeasureSpec> make_measures() {
       {"share_by_cause_percent", "share of the cycle time", "%", 0, 0.01, share_by_cause, none, false, true},
   };
   add_peaks(measures);
+  measures.push_back({"peak_cutting_force_n", "largest peak cutting force", "N", 0, 1, peak_of_quantity,
+                      optional, false, false, QuantityId::peak_force});
+  measures.push_back({"least_chip_thickness_um", "least chip thickness", "µm", 1, units::from_um(1),
+                      least_chip, optional, false, false, QuantityId::chip_thickness});
+  measures.push_back({"rubbing_time_s", "time below the least chip", "s", 3, 1, rubbing_time});
+  measures.push_back({"rubbing_share_percent", "share of the cutting time below the least chip", "%", 1, 0.01,
+                      rubbing_share});
   return measures;
 }
 
@@ -161,7 +171,7 @@ double peak(const Measure& measure, const Trajectory& trajectory) {
 
 /// Of the drives, at the borders of SpanLooks; contour errors of cuts only, as in the summary.
 double peak_of_drives(const Measure& measure, const Run& run) {
-  if (run.actual == nullptr) {
+  if (run.sources.actual == nullptr) {
     throw InputError(fmt::format("the machine {} has no drives, so that there is no {}; give its axes kv_1_s",
                                  run.setup.machine.id, measure.spec->title));
   }
@@ -169,10 +179,10 @@ double peak_of_drives(const Measure& measure, const Run& run) {
   const bool of_cuts = measure.spec->quantity == QuantityId::actual_contour_error;
   const Trajectory& trajectory = *run.trajectory;
   StateWalk set(trajectory);
-  ActualErrors errors(*run.actual);
-  const bool rigid = run.actual->response().is_rigid();
+  ActualErrors errors(*run.sources.actual);
+  const bool rigid = run.sources.actual->response().is_rigid();
   double largest = 0;
-  for (ActualWalk walk(run.actual->response()); !walk.done(); walk.next_span()) {
+  for (ActualWalk walk(run.sources.actual->response()); !walk.done(); walk.next_span()) {
     const SpanLooks looks(walk.span(), rigid);
     for (int i = 0; i <= looks.count(); ++i) {
       const double time = looks.at(i);
@@ -194,6 +204,50 @@ double peak_of_drives(const Measure& measure, const Run& run) {
     }
   }
   return largest;
+}
+
+const RunLoad& load_of(const Measure& measure, const Run& run) {
+  if (run.sources.load == nullptr) {
+    throw InputError(
+        fmt::format("it is not known how the tools are engaged, so that there is no {}; give a "
+                    "load file",
+                    measure.spec->title));
+  }
+  return *run.sources.load;
+}
+
+/// Of the cutting load, where there is one.
+Range load_on_lines(const Measure& measure, const Run& run) {
+  LoadSampler sampler(load_of(measure, run));
+  const auto of = info_of(*measure.spec->quantity).of;
+  Range range;
+  range_of(measure, *run.trajectory, [&](const PartMotion& motion, double tau) {
+    const State state = motion.state_without_length(tau);
+    const LoadSample sample = sampler.at(state);
+    if (sample.has_load()) {
+      const double value = of(Instant(state, nullptr, &sample));
+      range = {std::min(range.least, value), std::max(range.largest, value)};
+    }
+    return 0.0;
+  });
+  if (range.least > range.largest) {
+    fail_without_motion(measure);
+  }
+  return range;
+}
+
+/// Below the least chip thickness of its operation [s].
+double time_of_rubbing(const Measure& measure, const Run& run) {
+  load_of(measure, run);
+  for (const LimitFigures& limit : run.summary.load->limits) {
+    if (limit.limit == LoadLimit::least_chip) {
+      return limit.time;
+    }
+  }
+  throw InputError(
+      fmt::format("no operation has a least chip thickness, so that there is no {}; give "
+                  "min_chip_um",
+                  measure.spec->title));
 }
 
 /// Where a block lies on the executed path.
@@ -309,6 +363,10 @@ double on_run(const Measure& measure, const Run& run) {
       return of_axes(measure, summary, &AxisPeaks::jerk);
     case time_by_cause:
       return cause_seconds(measure, summary);
+    case rubbing_time:
+      return time_of_rubbing(measure, run);
+    case rubbing_share:
+      return time_of_rubbing(measure, run) / summary.load->all.cutting_time;
     default:
       return summary.cycle_time > 0 ? cause_seconds(measure, summary) / summary.cycle_time : 0;
   }
@@ -380,6 +438,10 @@ std::string title_of(const Measure& measure, const std::string& language) {
 double measured(const Measure& measure, const Run& run) {
   if (measure.spec->quantity && info_of(*measure.spec->quantity).source == QuantitySource::drives) {
     return peak_of_drives(measure, run) / measure.spec->per_unit;
+  }
+  if (measure.spec->quantity && info_of(*measure.spec->quantity).source == QuantitySource::load) {
+    const Range range = load_on_lines(measure, run);
+    return (measure.spec->what == least_chip ? range.least : range.largest) / measure.spec->per_unit;
   }
   if (measure.spec->quantity) {
     return peak(measure, *run.trajectory) / measure.spec->per_unit;

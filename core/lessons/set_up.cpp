@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* programs_folder = "resources/programs";
+constexpr const char* examples_folder = "resources/examples";
 
 std::string value_of(const std::string& assignment) {
   return assignment.substr(assigned_key(assignment).size() + 1);
@@ -83,6 +84,12 @@ void apply(const Changes& changes, bool only_known, Setup& setup) {
 
 }  // namespace
 
+fs::path find_load_file(const Lesson& lesson, const std::string& name) {
+  std::error_code ignored;
+  const fs::path beside = lesson.file.parent_path() / name;
+  return fs::is_regular_file(beside, ignored) ? beside : data_folder() / examples_folder / name;
+}
+
 LessonSetup set_up(const Lesson& lesson, const Changes& changes) {
   std::string program;
   SetupRequest request;
@@ -93,6 +100,7 @@ LessonSetup set_up(const Lesson& lesson, const Changes& changes) {
   }
   LessonSetup result{find_program(lesson, program), make_setup(request), {}};
   result.setup = result.file;
+  result.setup.load = lesson.load;
   apply(lesson.start, true, result.setup);
   apply(changes, false, result.setup);
   return result;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "core/base/units.h"
@@ -12,6 +13,46 @@ namespace feedscope {
 Immersion immersion(const Engagement& operation) {
   const double span = std::acos(std::clamp(1 - 2 * operation.radial_depth / operation.diameter, -1.0, 1.0));
   return operation.milling == Milling::up ? Immersion{0, span} : Immersion{units::pi - span, units::pi};
+}
+
+std::optional<std::vector<ProgramLines>> ranges_of(std::string_view text) {
+  std::string compact(text);
+  std::erase_if(compact, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });
+  std::vector<ProgramLines> ranges;
+  const char* at = compact.data();
+  const char* const end = at + compact.size();
+  while (true) {
+    ProgramLines range;
+    const auto first = std::from_chars(at, end, range.first);
+    if (first.ec != std::errc()) {
+      return std::nullopt;
+    }
+    at = first.ptr;
+    range.last = range.first;
+    if (at != end && *at == '-') {
+      const auto last = std::from_chars(at + 1, end, range.last);
+      if (last.ec != std::errc()) {
+        return std::nullopt;
+      }
+      at = last.ptr;
+    }
+    ranges.push_back(range);
+    if (at == end) {
+      return ranges;
+    }
+    if (*at != ',') {
+      return std::nullopt;
+    }
+    ++at;
+  }
+}
+
+std::string ranges_text(const std::vector<ProgramLines>& ranges) {
+  std::string text;
+  for (const ProgramLines& range : ranges) {
+    text += fmt::format("{}{}-{}", text.empty() ? "" : ", ", range.first, range.last);
+  }
+  return text;
 }
 
 std::string operation_problem(const Engagement& operation) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace feedscope {
@@ -48,6 +49,11 @@ struct Immersion {
 };
 /// Up: 0 to acos(1 - 2 a_e/D); down: pi minus that, to pi.
 Immersion immersion(const Engagement& operation);
+
+/// "10-25, 40-52" as ranges of lines; none for another text. An empty text is none of a program's lines.
+std::optional<std::vector<ProgramLines>> ranges_of(std::string_view text);
+/// The text that ranges_of() reads as these.
+std::string ranges_text(const std::vector<ProgramLines>& ranges);
 
 /// What is wrong with the numbers of an operation, with what to do; empty if nothing is.
 std::string operation_problem(const Engagement& operation);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 #include "core/base/error.h"
@@ -64,43 +63,13 @@ const std::vector<ConfigNode>& tables_of(const ConfigNode& root, const std::stri
   return list->items();
 }
 
-std::vector<ProgramLines> ranges_of(const ConfigNode& node) {
-  const auto refuse = [&] {
+std::vector<ProgramLines> ranges_at(const ConfigNode& node) {
+  auto ranges = node.is_text() ? ranges_of(node.text()) : std::nullopt;
+  if (!ranges) {
     node.fail(
         "'lines' must be ranges of lines of the program in quotes, such as \"10-25\" or \"10-25, 40-52\"");
-  };
-  if (!node.is_text()) {
-    refuse();
   }
-  std::vector<ProgramLines> ranges;
-  std::string text = node.text();
-  std::erase_if(text, [](char c) { return c == ' ' || c == '\t' || c == '\n' || c == '\r'; });
-  const char* at = text.data();
-  const char* const end = at + text.size();
-  while (true) {
-    ProgramLines range;
-    const auto first = std::from_chars(at, end, range.first);
-    if (first.ec != std::errc()) {
-      refuse();
-    }
-    at = first.ptr;
-    range.last = range.first;
-    if (at != end && *at == '-') {
-      const auto last = std::from_chars(at + 1, end, range.last);
-      if (last.ec != std::errc()) {
-        refuse();
-      }
-      at = last.ptr;
-    }
-    ranges.push_back(range);
-    if (at == end) {
-      return ranges;
-    }
-    if (*at != ',') {
-      refuse();
-    }
-    ++at;
-  }
+  return *std::move(ranges);
 }
 
 /// A number or a name in quotes.
@@ -129,7 +98,7 @@ Engagement operation_of(const ConfigNode& table, const std::string& where) {
     operation.tool = tool_of(*tool);
   }
   if (const ConfigNode* lines = table.find("lines")) {
-    operation.lines = ranges_of(*lines);
+    operation.lines = ranges_at(*lines);
   }
   operation.teeth = static_cast<int>(number_of(table, "teeth", where, {1, most_teeth}, true));
   for (const OperationKey& key : operation_keys) {
@@ -212,7 +181,7 @@ void check_version(const ConfigNode& root) {
   }
 }
 
-LoadSetup load_of(const ConfigNode& root) {
+LoadSetup load_of(const ConfigNode& root, bool overlaps) {
   root.check_keys({"feedscope_load", "operation", "material"}, "the file");
   check_version(root);
   LoadSetup setup;
@@ -225,7 +194,7 @@ LoadSetup load_of(const ConfigNode& root) {
     } catch (const InputError& error) {
       table.need("material", where).fail(error.what());
     }
-    if (const std::string problem = overlap_problem(setup.operations); !problem.empty()) {
+    if (const std::string problem = overlap_problem(setup.operations); !overlaps && !problem.empty()) {
       table.fail(problem);
     }
   }
@@ -271,12 +240,8 @@ std::string text_of(const Engagement& operation) {
   if (!operation.tool.empty()) {
     text += fmt::format("tool = {}\n", toml_string(operation.tool));
   }
-  std::string ranges;
-  for (const ProgramLines& range : operation.lines) {
-    ranges += fmt::format("{}{}-{}", ranges.empty() ? "" : ", ", range.first, range.last);
-  }
-  if (!ranges.empty()) {
-    text += fmt::format("lines = {}\n", toml_string(ranges));
+  if (!operation.lines.empty()) {
+    text += fmt::format("lines = {}\n", toml_string(ranges_text(operation.lines)));
   }
   text += fmt::format("teeth = {}\n", operation.teeth);
   for (const OperationKey& key : operation_keys) {
@@ -311,11 +276,11 @@ std::string text_of(const Material& material) {
 }  // namespace
 
 LoadSetup read_load_file(const std::filesystem::path& file) {
-  return load_of(read_config_file(file, file_kind));
+  return load_of(read_config_file(file, file_kind), false);
 }
 
-LoadSetup parse_load(const std::string& text, const std::string& name) {
-  return load_of(parse_config(text, name));
+LoadSetup parse_load(const std::string& text, const std::string& name, bool overlaps) {
+  return load_of(parse_config(text, name), overlaps);
 }
 
 std::vector<Material> read_materials(const std::filesystem::path& file) {

@@ -22,8 +22,9 @@ struct LoadSetup {
 /// value and bound: wrong syntax, unknown keys, missing or wrong values, ranges that overlap, an unknown
 /// material, no operation at all.
 LoadSetup read_load_file(const std::filesystem::path& file);
-/// The same of a text; `name` stands for the file in messages.
-LoadSetup parse_load(const std::string& text, const std::string& name);
+/// The same of a text; `name` stands for the file in messages. `overlaps`: operations may overlap, as while
+/// someone edits them.
+LoadSetup parse_load(const std::string& text, const std::string& name, bool overlaps = false);
 /// The text of a load file that read_load_file() reads as this, to the last digit where a number came from a
 /// file.
 std::string load_file_text(const LoadSetup& setup);

@@ -8,7 +8,7 @@
 #include "core/load/engagement.h"
 #include "core/machine/key_unit.h"
 
-/// The numbers of an operation in a load file, for the sources of this folder.
+/// The numbers of an operation as load files have them.
 namespace feedscope {
 
 /// One number of an operation: `needed` or `optional` is set.

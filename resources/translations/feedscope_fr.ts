@@ -197,6 +197,13 @@
     </message>
 </context>
 <context>
+    <name>Cursors</name>
+    <message>
+        <source>A → B:   Δt %1 s   ·   Δs %2   ·   mean feed %3   ·   Δfeed %4</source>
+        <translation>A → B&#xa0;:   Δt %1&#xa0;s   ·   Δs %2   ·   avance moyenne %3   ·   Δavance %4</translation>
+    </message>
+</context>
+<context>
     <name>Faults</name>
     <message>
         <source>1 error</source>
@@ -281,6 +288,29 @@
         <source>Following error</source>
         <translation>Écart de poursuite</translation>
     </message>
+    <message>
+        <source>Cutting force</source>
+        <translation>Effort de coupe</translation>
+    </message>
+    <message>
+        <source>Chip thickness</source>
+        <translation>Épaisseur de copeau</translation>
+    </message>
+</context>
+<context>
+    <name>LimitLines</name>
+    <message>
+        <source>limit of %1</source>
+        <translation>limite de %1</translation>
+    </message>
+    <message>
+        <source>least chip</source>
+        <translation>copeau minimal</translation>
+    </message>
+    <message>
+        <source>bound</source>
+        <translation>borne</translation>
+    </message>
 </context>
 <context>
     <name>LineFinder</name>
@@ -314,6 +344,57 @@
     <message>
         <source>mean feed %1</source>
         <translation>avance moyenne %1</translation>
+    </message>
+</context>
+<context>
+    <name>Load</name>
+    <message>
+        <source>all tools</source>
+        <translation>tous les outils</translation>
+    </message>
+    <message>
+        <source>tool %1</source>
+        <translation>outil %1</translation>
+    </message>
+    <message>
+        <source>%1, lines %2</source>
+        <translation>%1, lignes %2</translation>
+    </message>
+    <message>
+        <source>%1 of feed motions without an operation</source>
+        <translation>%1 de déplacements d&apos;usinage sans opération</translation>
+    </message>
+    <message>
+        <source>%1 of plunging and drilling, which is not modelled</source>
+        <translation>%1 de plongée et de perçage, non modélisés</translation>
+    </message>
+    <message>
+        <source>%1 with a spindle that stands or whose speed is not known</source>
+        <translation>%1 avec une broche arrêtée ou de vitesse inconnue</translation>
+    </message>
+    <message>
+        <source>No load for %1.</source>
+        <translation>Pas de charge pour %1.</translation>
+    </message>
+    <message>
+        <source>Load over %1 of cutting; %2.</source>
+        <translation>Charge sur %1 de coupe&#xa0;; %2.</translation>
+    </message>
+    <message>
+        <source>%1: nowhere</source>
+        <translation>%1&#xa0;: nulle part</translation>
+    </message>
+    <message>
+        <source>one place</source>
+        <translation>un endroit</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 endroits</translation>
+    </message>
+    <message>
+        <source>%1: %2 in %3, %4 at the programmed feed</source>
+        <translation>%1&#xa0;: %2 en %3, %4 à l&apos;avance programmée</translation>
     </message>
 </context>
 <context>
@@ -543,6 +624,14 @@
         <source>Following error X %1, Y %2, Z %3</source>
         <translation>Écart de poursuite X %1, Y %2, Z %3</translation>
     </message>
+    <message>
+        <source>Chip thickness %1 (%2 at the programmed feed)</source>
+        <translation>Épaisseur de copeau %1 (%2 à l&apos;avance programmée)</translation>
+    </message>
+    <message>
+        <source>Peak cutting force %1 (%2 at the programmed feed)</source>
+        <translation>Effort de coupe de crête %1 (%2 à l&apos;avance programmée)</translation>
+    </message>
 </context>
 <context>
     <name>Tolerance</name>
@@ -729,30 +818,6 @@
 <context>
     <name>core</name>
     <message>
-        <source>feed per tooth</source>
-        <translation>avance par dent</translation>
-    </message>
-    <message>
-        <source>chip thickness</source>
-        <translation>épaisseur de copeau</translation>
-    </message>
-    <message>
-        <source>mean force</source>
-        <translation>effort moyen</translation>
-    </message>
-    <message>
-        <source>peak force</source>
-        <translation>effort maximal</translation>
-    </message>
-    <message>
-        <source>torque</source>
-        <translation>couple</translation>
-    </message>
-    <message>
-        <source>power</source>
-        <translation>puissance</translation>
-    </message>
-    <message>
         <source>chip below its least thickness (rubbing)</source>
         <translation>copeau plus mince que le minimum (frottement)</translation>
     </message>
@@ -773,8 +838,8 @@
         <translation>puissance au-delà de la borne</translation>
     </message>
     <message>
-        <source>engagement as given in the load file, not simulated along the path; circular tooth path, no runout, no deflection; coefficients of the material as given</source>
-        <translation>engagement donné par le fichier de charge, non simulé le long de la trajectoire&#xa0;; trajectoire de dent circulaire, sans faux-rond ni flexion&#xa0;; coefficients du matériau tels que donnés</translation>
+        <source>engagement as given, not simulated along the path; circular tooth path, no runout, no deflection; coefficients of the material as given</source>
+        <translation>engagement tel que donné, non simulé le long de la trajectoire&#xa0;; trajectoire de dent circulaire, sans faux-rond ni flexion&#xa0;; coefficients du matériau tels que donnés</translation>
     </message>
     <message>
         <source>axis velocity</source>
@@ -1396,6 +1461,98 @@
         <source>Following error</source>
         <translation>Écart de poursuite</translation>
     </message>
+    <message>
+        <source>Feed per tooth</source>
+        <translation>Avance par dent</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Couple</translation>
+    </message>
+    <message>
+        <source>Cutting power</source>
+        <translation>Puissance de coupe</translation>
+    </message>
+    <message>
+        <source>Mean cutting force</source>
+        <translation>Effort de coupe moyen</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>moyen</translation>
+    </message>
+    <message>
+        <source>Peak cutting force</source>
+        <translation>Effort de coupe de crête</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>crête</translation>
+    </message>
+    <message>
+        <source>Chip thickness</source>
+        <translation>Épaisseur de copeau</translation>
+    </message>
+    <message>
+        <source>predicted</source>
+        <translation>prévue</translation>
+    </message>
+    <message>
+        <source>Chip thickness at the programmed feed</source>
+        <translation>Épaisseur de copeau à l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>at programmed feed</source>
+        <translation>à l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>Peak cutting force at the programmed feed</source>
+        <translation>Effort de coupe de crête à l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>peak at programmed feed</source>
+        <translation>crête à l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>Mean cutting force at the programmed feed</source>
+        <translation>Effort de coupe moyen à l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>Feed per tooth at the programmed feed</source>
+        <translation>Avance par dent à l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>Torque at the programmed feed</source>
+        <translation>Couple à l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>Cutting power at the programmed feed</source>
+        <translation>Puissance de coupe à l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>Actual error</source>
+        <translation>Erreur réelle</translation>
+    </message>
+    <message>
+        <source>Largest distance of the actual path from the programmed one</source>
+        <translation>Plus grande distance de la trajectoire réelle à la trajectoire programmée</translation>
+    </message>
+    <message>
+        <source>Peak force</source>
+        <translation>Effort de crête</translation>
+    </message>
+    <message>
+        <source>Largest peak cutting force</source>
+        <translation>Plus grand effort de coupe de crête</translation>
+    </message>
+    <message>
+        <source>Rubbing</source>
+        <translation>Frottement</translation>
+    </message>
+    <message>
+        <source>Time with chips below their least thickness</source>
+        <translation>Temps avec des copeaux sous leur épaisseur minimale</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -1789,6 +1946,14 @@
         <source>%1 is still being written.</source>
         <translation>%1 est encore en cours d&apos;écriture.</translation>
     </message>
+    <message>
+        <source>C&amp;harts shown</source>
+        <translation>Grap&amp;hiques affichés</translation>
+    </message>
+    <message>
+        <source>Show or hide the chart, where the run has its values</source>
+        <translation>Afficher ou masquer le graphique, si la simulation en a les valeurs</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ChartHeader</name>
@@ -1820,10 +1985,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>Time [s]</source>
         <translation>Temps [s]</translation>
-    </message>
-    <message>
-        <source>A → B:   Δt %1 s   ·   Δs %2   ·   mean feed %3   ·   Δfeed %4</source>
-        <translation>A → B&#xa0;:   Δt %1&#xa0;s   ·   Δs %2   ·   avance moyenne %3   ·   Δavance %4</translation>
     </message>
     <message>
         <source>Path length</source>
@@ -2829,10 +2990,6 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <source>▴ rapids up to %1</source>
         <translation>▴ rapides jusqu’à %1</translation>
     </message>
-    <message>
-        <source>limit of %1</source>
-        <translation>limite de %1</translation>
-    </message>
 </context>
 <context>
     <name>feedscope::ui::LessonView</name>
@@ -2938,6 +3095,179 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     </message>
 </context>
 <context>
+    <name>feedscope::ui::LoadFiguresTable</name>
+    <message>
+        <source>Load</source>
+        <translation>Charge</translation>
+    </message>
+    <message>
+        <source>Largest</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>At the feed that the control reaches</source>
+        <translation>À l&apos;avance que la commande atteint</translation>
+    </message>
+    <message>
+        <source>In line</source>
+        <translation>Ligne</translation>
+    </message>
+    <message>
+        <source>Where the load is the largest; a click goes there</source>
+        <translation>Là où la charge est la plus grande&#xa0;; un clic y mène</translation>
+    </message>
+    <message>
+        <source>Mean</source>
+        <translation>Moyenne</translation>
+    </message>
+    <message>
+        <source>Over the time of cutting</source>
+        <translation>Sur le temps de coupe</translation>
+    </message>
+    <message>
+        <source>Programmed, largest</source>
+        <translation>Programmée, maximum</translation>
+    </message>
+    <message>
+        <source>If the tool ran at the programmed feed everywhere</source>
+        <translation>Si l&apos;outil avançait partout à l&apos;avance programmée</translation>
+    </message>
+    <message>
+        <source>Programmed, mean</source>
+        <translation>Programmée, moyenne</translation>
+    </message>
+    <message>
+        <source>Over the time that this would take</source>
+        <translation>Sur le temps que cela prendrait</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::LoadPlacesTable</name>
+    <message>
+        <source>%1 – %2</source>
+        <translation>%1 – %2</translation>
+    </message>
+    <message>
+        <source>Beyond a bound</source>
+        <translation>Au-delà d&apos;une borne</translation>
+    </message>
+    <message>
+        <source>Worst</source>
+        <translation>Pire</translation>
+    </message>
+    <message>
+        <source>For</source>
+        <translation>Durée</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Lignes</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::LoadView</name>
+    <message>
+        <source>Cutting load</source>
+        <translation>Charge de coupe</translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation>Opérations</translation>
+    </message>
+    <message>
+        <source>Places beyond a bound</source>
+        <translation>Endroits au-delà d&apos;une borne</translation>
+    </message>
+    <message>
+        <source>Operation whose load is listed</source>
+        <translation>Opération dont la charge est affichée</translation>
+    </message>
+    <message>
+        <source>Operation</source>
+        <translation>Opération</translation>
+    </message>
+    <message>
+        <source>Cutting &amp;load …</source>
+        <translation>Char&amp;ge de coupe …</translation>
+    </message>
+    <message>
+        <source>Chip thickness, cutting force, torque and power of the run</source>
+        <translation>Épaisseur de copeau, effort de coupe, couple et puissance de la simulation</translation>
+    </message>
+    <message>
+        <source>Add operation</source>
+        <translation>Ajouter une opération</translation>
+    </message>
+    <message>
+        <source>Another tool, or lines on which it is engaged otherwise</source>
+        <translation>Un autre outil, ou des lignes où il est engagé autrement</translation>
+    </message>
+    <message>
+        <source>Remove operation</source>
+        <translation>Supprimer l&apos;opération</translation>
+    </message>
+    <message>
+        <source>Remove the selected operation</source>
+        <translation>Supprimer l&apos;opération sélectionnée</translation>
+    </message>
+    <message>
+        <source>Open load file …</source>
+        <translation>Ouvrir un fichier de charge …</translation>
+    </message>
+    <message>
+        <source>Operations and materials of a file</source>
+        <translation>Opérations et matériaux d&apos;un fichier</translation>
+    </message>
+    <message>
+        <source>Save load file …</source>
+        <translation>Enregistrer le fichier de charge …</translation>
+    </message>
+    <message>
+        <source>Operations and materials, for other programs and the command line</source>
+        <translation>Opérations et matériaux, pour d&apos;autres programmes et la ligne de commande</translation>
+    </message>
+    <message>
+        <source>cutting load</source>
+        <translation>charge de coupe</translation>
+    </message>
+    <message>
+        <source>All operations</source>
+        <translation>Toutes les opérations</translation>
+    </message>
+    <message>
+        <source>Say how the tools of the program are engaged: the load then follows from the feed that the control reaches, beside that of the programmed feed.</source>
+        <translation>Indiquez comment les outils du programme sont engagés&#xa0;: la charge découle alors de l&apos;avance que la commande atteint, à côté de celle de l&apos;avance programmée.</translation>
+    </message>
+    <message>
+        <source>No program yet.</source>
+        <translation>Pas encore de programme.</translation>
+    </message>
+    <message>
+        <source>The run is being simulated.</source>
+        <translation>La simulation est en cours.</translation>
+    </message>
+    <message>
+        <source>There is no operation to save yet.</source>
+        <translation>Il n&apos;y a encore aucune opération à enregistrer.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2</source>
+        <translation>%1 ne peut pas être écrit&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Open load file</source>
+        <translation>Ouvrir un fichier de charge</translation>
+    </message>
+    <message>
+        <source>Load files (*.toml)</source>
+        <translation>Fichiers de charge (*.toml)</translation>
+    </message>
+    <message>
+        <source>Save load file</source>
+        <translation>Enregistrer le fichier de charge</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::MainWindow</name>
     <message>
         <source>Feedscope</source>
@@ -3016,6 +3346,161 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Type one number or several with blanks between them.</source>
         <translation>Saisissez un nombre, ou plusieurs séparés par des espaces.</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::OperationTable</name>
+    <message>
+        <source>Diameter</source>
+        <translation>Diamètre</translation>
+    </message>
+    <message>
+        <source>Diameter of the tool, a cylindrical end mill</source>
+        <translation>Diamètre de l&apos;outil, une fraise cylindrique</translation>
+    </message>
+    <message>
+        <source>Helix</source>
+        <translation>Hélice</translation>
+    </message>
+    <message>
+        <source>Helix angle of the cutting edges</source>
+        <translation>Angle d&apos;hélice des arêtes</translation>
+    </message>
+    <message>
+        <source>Radial depth</source>
+        <translation>Prof. radiale</translation>
+    </message>
+    <message>
+        <source>Radial depth of cut a_e, up to the diameter (slot); as given, it is not simulated along the path</source>
+        <translation>Profondeur de passe radiale a_e, jusqu&apos;au diamètre (rainure)&#xa0;; telle que donnée, elle n&apos;est pas simulée le long de la trajectoire</translation>
+    </message>
+    <message>
+        <source>Axial depth</source>
+        <translation>Prof. axiale</translation>
+    </message>
+    <message>
+        <source>Axial depth of cut a_p</source>
+        <translation>Profondeur de passe axiale a_p</translation>
+    </message>
+    <message>
+        <source>Spindle [1/min]</source>
+        <translation>Broche [1/min]</translation>
+    </message>
+    <message>
+        <source>Spindle speed where the program gives none; may be empty</source>
+        <translation>Vitesse de broche là où le programme n&apos;en donne pas&#xa0;; peut rester vide</translation>
+    </message>
+    <message>
+        <source>Least chip</source>
+        <translation>Copeau min.</translation>
+    </message>
+    <message>
+        <source>Chip thickness below which the edge rubs; places below it are listed; may be empty</source>
+        <translation>Épaisseur de copeau sous laquelle l&apos;arête frotte&#xa0;; les endroits en dessous sont listés&#xa0;; peut rester vide</translation>
+    </message>
+    <message>
+        <source>Max. chip</source>
+        <translation>Copeau max.</translation>
+    </message>
+    <message>
+        <source>Largest chip thickness allowed; places above it are listed; may be empty</source>
+        <translation>Plus grande épaisseur de copeau admise&#xa0;; les endroits au-dessus sont listés&#xa0;; peut rester vide</translation>
+    </message>
+    <message>
+        <source>Max. force</source>
+        <translation>Effort max.</translation>
+    </message>
+    <message>
+        <source>Largest peak force allowed; places above it are listed; may be empty</source>
+        <translation>Plus grand effort de crête admis&#xa0;; les endroits au-dessus sont listés&#xa0;; peut rester vide</translation>
+    </message>
+    <message>
+        <source>Max. torque</source>
+        <translation>Couple max.</translation>
+    </message>
+    <message>
+        <source>Largest torque allowed; places above it are listed; may be empty</source>
+        <translation>Plus grand couple admis&#xa0;; les endroits au-dessus sont listés&#xa0;; peut rester vide</translation>
+    </message>
+    <message>
+        <source>Max. power</source>
+        <translation>Puissance max.</translation>
+    </message>
+    <message>
+        <source>Largest power allowed; places above it are listed; may be empty</source>
+        <translation>Plus grande puissance admise&#xa0;; les endroits au-dessus sont listés&#xa0;; peut rester vide</translation>
+    </message>
+    <message>
+        <source>all tools</source>
+        <translation>tous les outils</translation>
+    </message>
+    <message>
+        <source>up (conventional)</source>
+        <translation>en opposition</translation>
+    </message>
+    <message>
+        <source>down (climb)</source>
+        <translation>en avalant</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2</source>
+        <translation>doit être de %1 à %2</translation>
+    </message>
+    <message>
+        <source>must be above %1 and at most %2</source>
+        <translation>doit être supérieur à %1 et au plus %2</translation>
+    </message>
+    <message>
+        <source>must be ranges of lines, such as 10-25, 40-52; or empty</source>
+        <translation>doit être des plages de lignes, comme 10-25, 40-52&#xa0;; ou vide</translation>
+    </message>
+    <message>
+        <source>must be a whole number from 1 to %1</source>
+        <translation>doit être un nombre entier de 1 à %1</translation>
+    </message>
+    <message>
+        <source>is not known</source>
+        <translation>n&apos;est pas connu</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Outil</translation>
+    </message>
+    <message>
+        <source>As the program calls it</source>
+        <translation>Tel que le programme l&apos;appelle</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>Where the operation applies, such as 10-25, 40-52; empty: wherever its tool cuts</source>
+        <translation>Où l&apos;opération s&apos;applique, comme 10-25, 40-52&#xa0;; vide&#xa0;: partout où son outil coupe</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Dents</translation>
+    </message>
+    <message>
+        <source>Number of cutting edges, equally spaced</source>
+        <translation>Nombre d&apos;arêtes, également réparties</translation>
+    </message>
+    <message>
+        <source>Milling</source>
+        <translation>Fraisage</translation>
+    </message>
+    <message>
+        <source>Up milling begins a chip thin, down milling thick: the side of the tool on which the material is</source>
+        <translation>En opposition, le copeau commence mince&#xa0;; en avalant, épais&#xa0;: c&apos;est le côté de l&apos;outil où se trouve la matière</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Matériau</translation>
+    </message>
+    <message>
+        <source>Coefficients of the cutting force; each with its source</source>
+        <translation>Coefficients de l&apos;effort de coupe, chacun avec sa source</translation>
     </message>
 </context>
 <context>
@@ -4129,6 +4614,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>The machine has no drives: give its axes kv_1_s</source>
         <translation>La machine n&apos;a pas d&apos;entraînements : donner kv_1_s à ses axes</translation>
+    </message>
+    <message>
+        <source>Say how the tools are engaged in the panel Cutting load</source>
+        <translation>Indiquer l&apos;engagement des outils dans le panneau Charge de coupe</translation>
     </message>
 </context>
 <context>

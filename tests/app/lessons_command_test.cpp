@@ -27,7 +27,7 @@ TEST_F(LessonsCommand, ListsLessons) {
   const Result result = run("lessons");
   EXPECT_EQ(result.code, 0);
   EXPECT_THAT(result.out, AllOf(HasSubstr("04_small_circle: Why a small circle is slow (25 min)"),
-                                HasSubstr("13_growing_circle: ")));
+                                HasSubstr("14_slow_down_and_tool: ")));
 }
 
 TEST_F(LessonsCommand, ShowsOneWithMeasuredNumbersAndAnswers) {
@@ -133,7 +133,7 @@ TEST_F(LessonsCommand, SaysWhatIsWrong) {
   expect_wrong_use("lessons 4 --out nowhere/x.html", "nowhere/x.html");
   expect_wrong_use("lessons 4 --out x.docx", "--out 'x.docx' does not state the format");
   expect_wrong_use("lessons 4 --out x", "--out 'x' does not state the format");
-  expect_wrong_use("lessons 0", "unknown lesson '0': no id and no file; numbers 1 to 13, or ids: ");
+  expect_wrong_use("lessons 0", "unknown lesson '0': no id and no file; numbers 1 to 14, or ids: ");
   write_lesson("\"x\"");
   expect_wrong_use("lessons mine.toml", "mine.toml:19:13: 'less_than' in claim 1 of question 1 is 'x'");
   write_lesson("0.9");

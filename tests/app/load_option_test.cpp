@@ -25,7 +25,7 @@ TEST_F(LoadOption, AddsTheLoadToEveryResult) {
   const Result result = run("simulate milled.nc --load load.toml --json run.json --csv run.csv");
   ASSERT_EQ(result.code, 0) << result.err;
   EXPECT_THAT(result.out, HasSubstr("Cutting load over"));
-  EXPECT_THAT(result.out, HasSubstr("engagement as given in the load file"));
+  EXPECT_THAT(result.out, HasSubstr("engagement as given"));
   EXPECT_THAT(result.out, HasSubstr("chip below its least thickness (rubbing)"));
   const json written = json::parse(contents(folder_ / "run.json"))["load"];
   // 3000 mm/min over 8000/min and two teeth

@@ -53,8 +53,12 @@ ui::Picture draw_dark_charts(const Run& run, ui::PictureSize size) {
   cursor.set_trajectory(run.trajectory);
   panel.set_limits(run.setup.machine.axes);
   panel.set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory), false);
-  panel.set_overlays({{promised.trajectory, std::make_shared<const Envelope>(promised.trajectory), nullptr,
-                       QColor(0xff, 0x5c, 0xa8), "promised by CAM", true}});
+  panel.set_overlays({{promised.trajectory,
+                       std::make_shared<const Envelope>(promised.trajectory),
+                       {},
+                       QColor(0xff, 0x5c, 0xa8),
+                       "promised by CAM",
+                       true}});
   panel.show_curve(0, velocity_z, false);
   ui::ChartsState state = panel.state();
   state.abscissa = ui::Abscissa::path_length;

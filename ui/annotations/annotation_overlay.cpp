@@ -33,9 +33,9 @@ void AnnotationOverlay::set_annotations(AnnotationList* annotations) {
 }
 
 void AnnotationOverlay::set_run(std::shared_ptr<const Trajectory> trajectory, const QString& name,
-                                std::shared_ptr<const ActualPath> actual) {
+                                const RunSources& sources) {
   trajectory_ = std::move(trajectory);
-  actual_ = std::move(actual);
+  sources_ = sources;
   run_ = name;
   update();
 }
@@ -55,7 +55,7 @@ std::optional<AnnotatedView> AnnotationOverlay::view() const {
     return std::nullopt;
   }
   return AnnotatedView{scene_, *trajectory_, QSizeF(size()) * devicePixelRatioF(), scale_, background_,
-                       run_,   actual_.get()};
+                       run_,   sources_};
 }
 
 std::vector<PlacedAnnotation> AnnotationOverlay::placed() const {

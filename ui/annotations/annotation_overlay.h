@@ -26,9 +26,9 @@ class AnnotationOverlay : public QWidget {
 
   /// Null for none.
   void set_annotations(AnnotationList* annotations);
-  /// The run whose values they tell, and its name. `actual`: of a machine with drives, else null.
+  /// The run whose values they tell, and its name.
   void set_run(std::shared_ptr<const Trajectory> trajectory, const QString& name,
-               std::shared_ptr<const ActualPath> actual = nullptr);
+               const RunSources& sources = {});
   const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
   const QString& run_name() const { return run_; }
   /// Size of text and lines, as of the scene.
@@ -67,7 +67,7 @@ class AnnotationOverlay : public QWidget {
   QWidget& canvas_;
   QPointer<AnnotationList> annotations_;
   std::shared_ptr<const Trajectory> trajectory_;
-  std::shared_ptr<const ActualPath> actual_;
+  RunSources sources_;
   QString run_;
   double scale_ = 1;
   Background background_ = Background::light;

@@ -125,8 +125,11 @@ PlacedAnnotation place(const Annotation& annotation, const AnnotatedView& view) 
   const double until = has_two_places(annotation.kind) ? time_of(view.trajectory, annotation.until) : time;
   AnnotationValues values;
   values.at = view.trajectory.state(time);
-  if (view.actual != nullptr) {
-    values.actual = view.actual->at(values.at);
+  if (view.sources.actual) {
+    values.actual = view.sources.actual->at(values.at);
+  }
+  if (view.sources.load) {
+    values.load = LoadSampler(*view.sources.load).at(values.at);
   }
   values.contour_error = view.scene.contour_error_at(time);
   values.distance = (view.trajectory.state(until).position - values.at.position).norm();

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/actual_path.h"
+#include "core/analysis/run_sources.h"
 #include "ui/scene/path_scene.h"
 #include "ui/workbench/annotation.h"
 
@@ -21,8 +21,8 @@ struct AnnotatedView {
   QSizeF size;       ///< [pixels of the scene]
   double scale = 1;  ///< of text and lines, as PathScene::set_scale()
   Background background = Background::light;
-  QString run;                         ///< name of the run
-  const ActualPath* actual = nullptr;  ///< of a machine with drives
+  QString run;         ///< name of the run
+  RunSources sources;  ///< of the run
 };
 
 /// Where an annotation is in a picture, in pixels from its upper left corner.

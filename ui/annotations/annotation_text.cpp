@@ -24,7 +24,8 @@ AnnotationField field_of(const QuantityInfo& quantity) {
     title = title.arg(QLatin1Char(coordinate_names[static_cast<std::size_t>(quantity.axis)]));
   }
   return {QString::fromStdString(std::string(quantity.key)), title, [&quantity](const Values& v) {
-            const double value = quantity.of(Instant(v.at, v.actual ? &*v.actual : nullptr));
+            const double value =
+                quantity.of(Instant(v.at, v.actual ? &*v.actual : nullptr, v.load ? &*v.load : nullptr));
             return std::isnan(value) ? QStringLiteral("–") : amount_text(value, quantity.dimension);
           }};
 }

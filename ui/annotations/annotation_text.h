@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/analysis/actual_path.h"
+#include "core/analysis/quantity.h"
 #include "ui/workbench/annotation.h"
 
 namespace feedscope::ui {
@@ -14,6 +14,7 @@ namespace feedscope::ui {
 struct AnnotationValues {
   State at;
   std::optional<ActualSample> actual = {};  ///< of a machine with drives
+  std::optional<LoadSample> load = {};      ///< where operations are known
   double contour_error = 0;                 ///< [mm]
   double distance = 0;                      ///< straight, to the other place [mm]
   double duration = 0;                      ///< to the other place [s]

@@ -53,6 +53,10 @@ void ChartCommands::set_curve_shown(std::size_t chart, std::size_t curve, bool s
   curve_actions_[chart][curve]->setChecked(shown);
 }
 
+void ChartCommands::set_chart_shown(std::size_t chart, bool shown) {
+  chart_actions_[chart]->setChecked(shown);
+}
+
 void ChartCommands::set_causes_shown(bool shown) {
   show_causes_->setChecked(shown);
 }
@@ -109,10 +113,16 @@ void ChartCommands::make_display_actions() {
   show_causes_->setCheckable(true);
   show_causes_->setChecked(true);
   connect(show_causes_, &QAction::toggled, &panel_.causes(), &QWidget::setVisible);
+  auto* charts = new QMenu(tr("C&harts shown"), menu_);
   auto* curves = new QMenu(tr("Cur&ves"), menu_);
   auto* others = new QMenu(tr("Curves of &other runs"), menu_);
   for (std::size_t i = 0; i < chart_count; ++i) {
     const ChartSpec& spec = panel_.chart(i).spec();
+    chart_actions_[i] = charts->addAction(spec.title);
+    chart_actions_[i]->setToolTip(tr("Show or hide the chart, where the run has its values"));
+    chart_actions_[i]->setCheckable(true);
+    chart_actions_[i]->setChecked(true);
+    connect(chart_actions_[i], &QAction::triggered, this, [this, i](bool on) { panel_.show_chart(i, on); });
     for (std::size_t k = 0; k < spec.curves.size(); ++k) {
       QAction* action = curves->addAction(tr("%1, %2").arg(spec.title, spec.curves[k].name));
       action->setToolTip(tr("Show or hide the curve [%1]").arg(spec.unit));
@@ -128,7 +138,7 @@ void ChartCommands::make_display_actions() {
     curves->addSeparator();
     add_overlay_menu(i, *others);
   }
-  for (QMenu* menu : {curves, others}) {
+  for (QMenu* menu : {charts, curves, others}) {
     menu_->addMenu(menu);
     actions_.append(menu->menuAction());
   }
@@ -217,12 +227,12 @@ void ChartCommands::save_csv(const QString& file, CsvRows rows, double step) {
   export_file_ = file;
   export_.start(
       [file, rows, range, columns = panel_.column_times(), step, trajectory = panel_.trajectory(),
-       actual = panel_.actual()](JobControl&) {
+       sources = panel_.sources()](JobControl&) {
         feedscope::ui::save_csv(file, *trajectory,
                                 rows == CsvRows::samples  ? sample_times(range, step)
                                 : rows == CsvRows::blocks ? block_times(*trajectory, range)
                                                           : columns,
-                                actual.get());
+                                sources);
         return file;
       },
       [this](const JobOutcome<QString>& outcome) {

@@ -32,6 +32,7 @@ class ChartCommands : public QObject {
   /// Whether there is a view before and one after the one that is shown.
   void set_steps(bool back, bool forward);
   void set_second_cursor(bool there);
+  void set_chart_shown(std::size_t chart, bool shown);
   void set_curve_shown(std::size_t chart, std::size_t curve, bool shown);
   void set_causes_shown(bool shown);
 
@@ -63,6 +64,7 @@ class ChartCommands : public QObject {
   QAction* forward_ = nullptr;
   QAction* remove_second_ = nullptr;
   QAction* show_causes_ = nullptr;
+  std::array<QAction*, chart_count> chart_actions_{};
   std::array<std::vector<QAction*>, chart_count> curve_actions_;
   Job<QString> export_;
   QString export_file_;

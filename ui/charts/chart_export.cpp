@@ -76,12 +76,12 @@ class FileBuffer : public std::streambuf {
 }  // namespace
 
 void save_csv(const QString& file, const Trajectory& trajectory, std::span<const double> times,
-              const ActualPath* actual) {
+              const RunSources& sources) {
   AtomicFile target(file);
   FileBuffer buffer(target);
   std::ostream out(&buffer);
   out.exceptions(std::ios::badbit);
-  write_csv(out, trajectory, times, nullptr, actual);
+  write_csv(out, trajectory, times, nullptr, sources);
   target.commit();
 }
 

@@ -17,9 +17,9 @@ namespace feedscope::ui {
 // What the charts show, as files. Each is written as a whole or not at all; all throw InputError with the
 // file and the reason where it cannot be written.
 
-/// One row a time [s], ascending, with the columns of `simulate --csv`. `actual` as for write_csv().
+/// One row a time [s], ascending, with the columns of `simulate --csv`. `sources` as for write_csv().
 void save_csv(const QString& file, const Trajectory& trajectory, std::span<const double> times,
-              const ActualPath* actual = nullptr);
+              const RunSources& sources = {});
 /// Times from one instant to another, `step` apart, and the other instant itself [s]. Throws InputError if
 /// they are more than 20 million.
 std::vector<double> sample_times(const Interval& range, double step);

@@ -1,15 +1,21 @@
 #include "ui/charts/chart_rows.h"
 
+#include <algorithm>
+
 namespace feedscope::ui {
+
+bool ChartRows::has(const Envelope* envelope, std::size_t chart) const {
+  const QuantitySource source = charts[chart]->spec().source;
+  return envelope != nullptr ? envelope->has(source) : source == QuantitySource::motion;
+}
 
 void ChartRows::show(const Envelope* envelope, const QString& abscissa, QVBoxLayout& layout) const {
   std::size_t last = 0;
   for (std::size_t i = 0; i < charts.size(); ++i) {
-    const QuantitySource source = charts[i]->spec().source;
-    const bool has = source == QuantitySource::motion || (envelope != nullptr && envelope->has(source));
-    charts[i]->setVisible(has);
-    headers[i]->setVisible(has);
-    last = has ? i : last;
+    const bool shown = has(envelope, i) && !hidden[i];
+    charts[i]->setVisible(shown);
+    headers[i]->setVisible(shown);
+    last = shown ? i : last;
   }
   for (std::size_t i = 0; i < charts.size(); ++i) {
     charts[i]->label_abscissa(i == last ? abscissa : QString());
@@ -17,14 +23,62 @@ void ChartRows::show(const Envelope* envelope, const QString& abscissa, QVBoxLay
   }
 }
 
-void ChartRows::show_values(const State* state, const ActualPath* actual) const {
-  std::optional<ActualSample> sample;
-  if (state != nullptr && actual != nullptr) {
-    sample = actual->at(*state);
+void ChartRows::show_values(const State* state, const RunSources& sources) const {
+  std::optional<InstantSampler> sampler;
+  std::optional<Instant> instant;
+  if (state != nullptr) {
+    sampler.emplace(sources, state->time);
+    instant.emplace(sampler->at(*state));
   }
   for (ChartHeader* header : headers) {
-    header->show_values(state != nullptr ? std::optional(Instant(*state, sample ? &*sample : nullptr))
-                                         : std::nullopt);
+    header->show_values(instant);
+  }
+}
+
+void ChartRows::add_to(ChartsState& state) const {
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    const std::vector<CurveSpec>& curves = charts[i]->spec().curves;
+    for (std::size_t k = 0; k < curves.size(); ++k) {
+      if (charts[i]->curve_shown(k) == curves[k].on_demand) {
+        (curves[k].on_demand ? state.shown : state.hidden).append(curves[k].key);
+      }
+    }
+    if (hidden[i]) {
+      state.hidden_charts.append(charts[i]->spec().key);
+    }
+  }
+  state.values = chosen_values();
+}
+
+std::array<std::optional<Interval>, chart_count> ChartRows::chosen_values() const {
+  std::array<std::optional<Interval>, chart_count> values;
+  std::ranges::transform(charts, values.begin(), &KinematicChart::chosen_values);
+  return values;
+}
+
+void ChartRows::choose_values(const std::array<std::optional<Interval>, chart_count>& values) const {
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    charts[i]->choose_values(values[i]);
+  }
+}
+
+QSize ChartRows::least_size(const QWidget& content) const {
+  constexpr int most = 4;
+  QSize size = content.minimumSizeHint();
+  int shown = 0;
+  for (const KinematicChart* chart : charts) {
+    shown += chart->isVisibleTo(&content) ? 1 : 0;
+  }
+  if (shown > most) {
+    size.setHeight(size.height() * most / shown);
+  }
+  return size;
+}
+
+void ChartRows::draw(QPainter& painter, const QWidget& content) const {
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    draw_part(painter, content, *headers[i], [&] { headers[i]->draw(painter); });
+    draw_part(painter, content, *charts[i], [&] { charts[i]->draw(painter); });
   }
 }
 
@@ -33,6 +87,13 @@ void ChartRows::set_limits(const AxisVector<AxisLimits>& limits) const {
                                                   &AxisLimits::jerk};
   for (std::size_t k = 0; k < kinds.size(); ++k) {
     charts[k]->set_limits(limit_lines(charts[k]->spec(), limits, kinds[k]));
+  }
+}
+
+void ChartRows::set_bounds(const RunLoad* load) const {
+  for (const std::size_t chart : {force_chart, chip_chart}) {
+    charts[chart]->set_limits(load != nullptr ? bound_lines(charts[chart]->spec(), *load)
+                                              : std::vector<LimitLine>());
   }
 }
 

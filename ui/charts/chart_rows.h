@@ -1,9 +1,11 @@
 #pragma once
 
+#include <QPainter>
 #include <QVBoxLayout>
 #include <array>
 
 #include "ui/charts/chart_header.h"
+#include "ui/charts/charts_state.h"
 #include "ui/charts/kinematic_chart.h"
 
 namespace feedscope::ui {
@@ -14,14 +16,41 @@ struct ChartRows {
 
   std::array<ChartHeader*, chart_count> headers{};
   std::array<KinematicChart*, chart_count> charts{};
+  std::array<bool, chart_count> hidden{};  ///< by the user
 
-  /// Shows those that `envelope` has values for (null: the ones of every run); the last of them carries the
-  /// abscissa, with this title.
+  /// Whether a run with this envelope (null: any run) has this chart.
+  bool has(const Envelope* envelope, std::size_t chart) const;
+
+  /// Shows those that `envelope` has values for (null: the ones of every run) and that nobody has hidden; the
+  /// last of them carries the abscissa, with this title.
   void show(const Envelope* envelope, const QString& abscissa, QVBoxLayout& layout) const;
-  /// In the headers, at `state`; null: no values. `actual`: of a machine with drives, else null.
-  void show_values(const State* state, const ActualPath* actual) const;
+  /// In the headers, at `state`; null: no values. `sources`: of its run.
+  void show_values(const State* state, const RunSources& sources) const;
+  /// Ordinates that the user chose, in their unit.
+  std::array<std::optional<Interval>, chart_count> chosen_values() const;
+  void choose_values(const std::array<std::optional<Interval>, chart_count>& values) const;
+  /// What is hidden and chosen, to keep.
+  void add_to(ChartsState& state) const;
+  /// Room for what is shown in `content`, for four charts where there are more.
+  QSize least_size(const QWidget& content) const;
+  /// Headers and charts, as they stand in `content`.
+  void draw(QPainter& painter, const QWidget& content) const;
   /// Of velocity, acceleration and jerk.
   void set_limits(const AxisVector<AxisLimits>& limits) const;
+  /// Bounds of the operations; null: none.
+  void set_bounds(const RunLoad* load) const;
 };
+
+/// Calls `paint` where `part` stands in `content`, if it is shown.
+template <typename Paint>
+void draw_part(QPainter& painter, const QWidget& content, const QWidget& part, Paint paint) {
+  if (part.isVisibleTo(&content)) {
+    painter.save();
+    painter.translate(part.mapTo(&content, QPoint()));
+    painter.setClipRect(part.rect());
+    paint();
+    painter.restore();
+  }
+}
 
 }  // namespace feedscope::ui

@@ -34,10 +34,18 @@ CurveRole role_of(const QuantityInfo& quantity) {
   if (quantity.axis >= 0) {
     return axis_roles[static_cast<std::size_t>(quantity.axis)];
   }
-  return quantity.id == QuantityId::programmed_feed ? CurveRole::programmed
-         : quantity.id == QuantityId::acceleration_across || quantity.id == QuantityId::following_error_across
-             ? CurveRole::across
-             : CurveRole::path;
+  switch (quantity.id) {
+    case QuantityId::programmed_feed:
+    case QuantityId::peak_force_programmed:
+    case QuantityId::chip_thickness_programmed:
+      return CurveRole::programmed;
+    case QuantityId::acceleration_across:
+    case QuantityId::following_error_across:
+    case QuantityId::mean_force:
+      return CurveRole::across;
+    default:
+      return CurveRole::path;
+  }
 }
 
 CurveSpec curve_of(const QuantityInfo& quantity) {
@@ -51,8 +59,9 @@ CurveSpec curve_of(const QuantityInfo& quantity) {
 }
 
 /// Of the path first, then of the axes.
-ChartSpec chart_of(QuantityChart chart, const QString& title) {
+ChartSpec chart_of(QuantityChart chart, const char* key, const QString& title) {
   ChartSpec spec;
+  spec.key = QLatin1String(key);
   spec.title = title;
   for (const bool of_axis : {false, true}) {
     for (const QuantityInfo& quantity : all_quantities()) {
@@ -88,10 +97,12 @@ QColor curve_colour(CurveRole role, const ThemeColours& colours) {
 }
 
 std::array<ChartSpec, chart_count> kinematic_chart_specs() {
-  return {chart_of(QuantityChart::feed, KinematicCharts::tr("Feed")),
-          chart_of(QuantityChart::acceleration, KinematicCharts::tr("Acceleration")),
-          chart_of(QuantityChart::jerk, KinematicCharts::tr("Jerk")),
-          chart_of(QuantityChart::following_error, KinematicCharts::tr("Following error"))};
+  return {chart_of(QuantityChart::feed, "feed", KinematicCharts::tr("Feed")),
+          chart_of(QuantityChart::acceleration, "acceleration", KinematicCharts::tr("Acceleration")),
+          chart_of(QuantityChart::jerk, "jerk", KinematicCharts::tr("Jerk")),
+          chart_of(QuantityChart::following_error, "following_error", KinematicCharts::tr("Following error")),
+          chart_of(QuantityChart::force, "cutting_force", KinematicCharts::tr("Cutting force")),
+          chart_of(QuantityChart::chip, "chip_thickness", KinematicCharts::tr("Chip thickness"))};
 }
 
 }  // namespace feedscope::ui

@@ -33,13 +33,18 @@ struct ChartSpec {
   double factor = 1;                               ///< `unit` an inside unit
   int decimals = 0;                                ///< of values shown as numbers
   QuantitySource source = QuantitySource::motion;  ///< a run without it has no such chart
+  QString key = {};                                ///< stable, for files: "feed", "following_error"
 
   double convert(double value) const { return value * factor; }
 };
 
-inline constexpr std::size_t chart_count = 4;
+inline constexpr std::size_t chart_count = 6;
+/// Places of charts among them.
+inline constexpr std::size_t force_chart = 4;
+inline constexpr std::size_t chip_chart = 5;
 
-/// Feed, acceleration, jerk and following error of a run: a curve for each charted quantity.
+/// Feed, acceleration, jerk, following error, cutting force and chip thickness of a run: a curve for each
+/// charted quantity.
 std::array<ChartSpec, chart_count> kinematic_chart_specs();
 
 }  // namespace feedscope::ui

@@ -4,7 +4,6 @@
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
-#include <QLocale>
 #include <QMenu>
 #include <QPainter>
 #include <QToolButton>
@@ -13,7 +12,6 @@
 #include <chrono>
 #include <utility>
 
-#include "core/base/units.h"
 #include "ui/charts/measurement.h"
 #include "ui/fields/focus_outline.h"
 #include "ui/language/shown_numbers.h"
@@ -29,6 +27,7 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
     : Panel({QStringLiteral("charts"), tr("Charts"), Qt::BottomDockWidgetArea}, parent),
       cursor_(cursor),
       range_(range),
+      scroll_(new ChartScroll(rows_, this)),
       causes_(new CauseStrip(this)),
       readout_(new QLabel(this)),
       abscissa_(new QComboBox(this)),
@@ -42,18 +41,21 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
   readout_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   readout_->hide();
 
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  layout->addWidget(readout_);
+  auto* whole = new QVBoxLayout(this);
+  whole->setContentsMargins(0, 0, 0, 0);
+  whole->addWidget(scroll_);
+  layout_ = new QVBoxLayout(scroll_->widget());
+  layout_->setContentsMargins(0, 0, 0, 0);
+  layout_->setSpacing(0);
+  layout_->addWidget(readout_);
   const std::array<ChartSpec, chart_count> specs = kinematic_chart_specs();
   for (std::size_t i = 0; i < specs.size(); ++i) {
-    layout->addLayout(add_header(i, specs[i]));
+    layout_->addLayout(add_header(i, specs[i]));
     rows_.charts[i] = new KinematicChart(specs[i], range_, this);
     connect_chart(*rows_.charts[i]);
-    layout->addWidget(rows_.charts[i], ChartRows::stretch);
+    layout_->addWidget(rows_.charts[i], ChartRows::stretch);
     if (i == 0) {
-      layout->addWidget(causes_);
+      layout_->addWidget(causes_);
     }
   }
   show_charts_of_run();
@@ -111,7 +113,7 @@ void ChartsPanel::connect_chart(KinematicChart& chart) {
 
 void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
                           std::shared_ptr<const Envelope> envelope, bool keep_range,
-                          std::shared_ptr<const ActualPath> actual) {
+                          const RunSources& sources) {
   if (!keep_range) {
     held_.reset();
   } else if (trajectory == nullptr && trajectory_ != nullptr) {
@@ -124,14 +126,13 @@ void ChartsPanel::set_run(std::shared_ptr<const Trajectory> trajectory,
   }
   trajectory_ = trajectory;
   envelope_ = std::move(envelope);
-  actual_ = std::move(actual);
+  sources_ = sources;
+  rows_.set_bounds(sources_.load.get());
   show_charts_of_run();
   columns_.clear();
   overlays_.clear();
   if (!keep_range) {
-    for (KinematicChart* chart : rows_.charts) {
-      chart->choose_values({});
-    }
+    rows_.choose_values({});
   }
   range_.set_trajectory(std::move(trajectory), keep_range);
   if (!keep_range) {
@@ -169,7 +170,7 @@ void ChartsPanel::show_run_of(Workbench& workbench) {
   const SetupEdit& setup = workbench.setup();
   set_limits(setup.setup().machine.axes);
   set_run(shown == nullptr ? nullptr : shown->run.trajectory, shown == nullptr ? nullptr : shown->envelope,
-          workbench.program() != nullptr, shown == nullptr ? nullptr : shown->run.actual);
+          workbench.program() != nullptr, shown == nullptr ? RunSources() : shown->run.sources);
   if (const auto period = setup.interpolation_period()) {
     set_sample_time(*period);
   }
@@ -178,7 +179,8 @@ void ChartsPanel::show_run_of(Workbench& workbench) {
 void ChartsPanel::show_charts_of_run() {
   const bool time = range_.abscissa() == Abscissa::time;
   rows_.show(envelope_.get(), time ? tr("Time [s]") : with_unit_of(tr("Path length"), Dimension::length),
-             static_cast<QVBoxLayout&>(*layout()));
+             *layout_);
+  scroll_->updateGeometry();
 }
 
 void ChartsPanel::hold_range() {
@@ -212,6 +214,7 @@ void ChartsPanel::set_limits(const AxisVector<AxisLimits>& limits) {
 }
 
 void ChartsPanel::hide_controls() {
+  scroll_->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   abscissa_->hide();
   show_all_->hide();
   more_->hide();
@@ -230,6 +233,17 @@ void ChartsPanel::show_usual_curves() {
       show_curve(i, k, !curves[k].on_demand);
     }
   }
+}
+
+void ChartsPanel::show_chart(std::size_t chart, bool shown) {
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
+    others += i != chart && !rows_.hidden[i] && rows_.has(envelope_.get(), i) ? 1 : 0;
+  }
+  rows_.hidden[chart] = !shown && others > 0;
+  commands_->set_chart_shown(chart, !rows_.hidden[chart]);
+  show_charts_of_run();
+  refresh_.start();
 }
 
 /// The second time those that are shown usually.
@@ -254,10 +268,7 @@ QString ChartsPanel::measurement_text() const {
   if (!second_.has_value() || trajectory_ == nullptr || !cursor_.valid()) {
     return {};
   }
-  const Measurement between = measure(cursor_.state(), trajectory_->state(*second_));
-  return tr("A → B:   Δt %1 s   ·   Δs %2   ·   mean feed %3   ·   Δfeed %4")
-      .arg(QLocale().toString(between.time, 'f', 4), amount_text(between.path_length, Dimension::length),
-           amount_text(between.mean_feed, Dimension::feed), amount_text(between.feed, Dimension::feed));
+  return text_of(measure(cursor_.state(), trajectory_->state(*second_)));
 }
 
 void ChartsPanel::refresh() {
@@ -299,7 +310,7 @@ void ChartsPanel::show_cursor() {
     rows_.charts[i]->set_cursors(shown ? std::optional(range_.position_of(cursor_.state())) : std::nullopt,
                                  second);
   }
-  rows_.show_values(shown ? &cursor_.state() : nullptr, actual_.get());
+  rows_.show_values(shown ? &cursor_.state() : nullptr, sources_);
   show_other_runs();
   const QString text = measurement_text();
   readout_->setText(text);
@@ -354,9 +365,7 @@ void ChartsPanel::zoom_to_cursors() {
 }
 
 void ChartsPanel::fit() {
-  for (KinematicChart* chart : rows_.charts) {
-    chart->choose_values({});
-  }
+  rows_.choose_values({});
   range_.fit();
 }
 
@@ -369,18 +378,12 @@ void ChartsPanel::choose_abscissa(Abscissa abscissa) {
 }
 
 ChartView ChartsPanel::view() const {
-  ChartView view{shown_times()};
-  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
-    view.values[i] = rows_.charts[i]->chosen_values();
-  }
-  return view;
+  return {shown_times(), rows_.chosen_values()};
 }
 
 void ChartsPanel::show_view(const ChartView& view) {
   range_.show_times(view.time.lower, view.time.upper);
-  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
-    rows_.charts[i]->choose_values(view.values[i]);
-  }
+  rows_.choose_values(view.values);
   rest_.stop();
   commands_->set_steps(history_.can_go_back(), history_.can_go_forward());
 }
@@ -414,21 +417,10 @@ bool ChartsPanel::eventFilter(QObject* watched, QEvent* event) {
 
 void ChartsPanel::draw(QPainter& painter) {
   painter.fillRect(rect(), palette().color(QPalette::Window));
-  const auto at = [&](const QWidget& widget, auto paint) {
-    if (widget.isVisibleTo(this)) {
-      painter.save();
-      painter.translate(widget.pos());
-      painter.setClipRect(widget.rect());
-      paint();
-      painter.restore();
-    }
-  };
-  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
-    at(*rows_.headers[i], [&] { rows_.headers[i]->draw(painter); });
-    at(*rows_.charts[i], [&] { rows_.charts[i]->draw(painter); });
-  }
-  at(*causes_, [&] { causes_->draw(painter); });
-  at(*readout_, [&] {
+  const QWidget& content = *scroll_->widget();
+  rows_.draw(painter, content);
+  draw_part(painter, content, *causes_, [&] { causes_->draw(painter); });
+  draw_part(painter, content, *readout_, [&] {
     painter.setFont(readout_->font());
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(readout_->contentsRect(), Qt::AlignVCenter, readout_->text());
@@ -439,17 +431,11 @@ ChartsState ChartsPanel::state() const {
   ChartsState state;
   state.abscissa = range_.abscissa();
   state.causes = causes_->isVisibleTo(this);
+  rows_.add_to(state);
   for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
-    const std::vector<CurveSpec>& curves = rows_.charts[i]->spec().curves;
-    for (std::size_t k = 0; k < curves.size(); ++k) {
-      if (rows_.charts[i]->curve_shown(k) == curves[k].on_demand) {
-        (curves[k].on_demand ? state.shown : state.hidden).append(curves[k].key);
-      }
-      if (overlays_.chosen(i) == k) {
-        state.other_runs.append(curves[k].key);
-      }
+    if (const auto chosen = overlays_.chosen(i)) {
+      state.other_runs.append(rows_.charts[i]->spec().curves[*chosen].key);
     }
-    state.values[i] = rows_.charts[i]->chosen_values();
   }
   if (awaiting_run_.has_value()) {
     state.time = awaiting_run_->time;
@@ -476,7 +462,10 @@ void ChartsPanel::set_state(const ChartsState& state) {
       }
     }
     set_overlay_curve(i, other);
+    rows_.hidden[i] = state.hidden_charts.contains(rows_.charts[i]->spec().key);
+    commands_->set_chart_shown(i, !rows_.hidden[i]);
   }
+  show_charts_of_run();
   commands_->set_causes_shown(state.causes);
   show_range(state);
 }
@@ -490,9 +479,7 @@ void ChartsPanel::show_range(const ChartsState& state) {
   } else {
     range_.show_times(state.time->lower, state.time->upper);
   }
-  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
-    rows_.charts[i]->choose_values(state.values[i]);
-  }
+  rows_.choose_values(state.values);
   set_second_cursor(state.second_cursor);
   rest();
 }

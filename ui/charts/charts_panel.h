@@ -7,11 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "core/analysis/actual_path.h"
+#include "core/analysis/run_sources.h"
 #include "core/machine/machine.h"
 #include "ui/charts/cause_strip.h"
 #include "ui/charts/chart_commands.h"
 #include "ui/charts/chart_rows.h"
+#include "ui/charts/chart_scroll.h"
 #include "ui/charts/charts_state.h"
 #include "ui/charts/column_cache.h"
 #include "ui/charts/overlay_curves.h"
@@ -23,6 +24,7 @@ class QComboBox;
 class QLabel;
 class QLayout;
 class QToolButton;
+class QVBoxLayout;
 
 namespace feedscope::ui {
 
@@ -41,9 +43,9 @@ class ChartsPanel : public Panel {
   void follow(Workbench& workbench) override;
 
   /// Shows a run, or nothing if `trajectory` is null. `keep_range`: stay at the stretch that is shown; with
-  /// nothing in between, the next run that keeps it goes on there. `actual`: of a machine with drives.
+  /// nothing in between, the next run that keeps it goes on there. `sources`: of the run.
   void set_run(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const Envelope> envelope,
-               bool keep_range, std::shared_ptr<const ActualPath> actual = nullptr);
+               bool keep_range, const RunSources& sources = {});
   /// Other runs of the same program, drawn behind. Over path length they stand by place.
   void set_overlays(std::vector<RunOverlay> overlays);
   /// The curve of other runs that a chart shows, by its number in the chart's spec; none: no curve. At first
@@ -59,7 +61,7 @@ class ChartsPanel : public Panel {
   /// What is shown; null for nothing.
   const std::shared_ptr<const Trajectory>& trajectory() const { return trajectory_; }
   /// What its axes run; null where they follow exactly.
-  const std::shared_ptr<const ActualPath>& actual() const { return actual_; }
+  const RunSources& sources() const { return sources_; }
   const std::vector<RunOverlay>& overlays() const { return overlays_.runs(); }
   std::optional<std::size_t> overlay_curve(std::size_t chart) const { return overlays_.chosen(chart); }
   Cursor& cursor() { return cursor_; }
@@ -67,12 +69,16 @@ class ChartsPanel : public Panel {
   Interval shown_times() const { return {range_.lower_time(), range_.upper_time()}; }  ///< [s]
   /// Of the borders of the pixel columns as of the last refresh() [s].
   const std::vector<double>& column_times() const { return columns_.times(); }
-  /// 0 feed, 1 acceleration, 2 jerk, 3 following error: shown where the run has drives.
+  /// 0 feed, 1 acceleration, 2 jerk; 3 following error: shown where the run has drives; 4 cutting force,
+  /// 5 chip thickness: shown where it has a cutting load.
   KinematicChart& chart(std::size_t i) { return *rows_.charts[i]; }
   ChartHeader& header(std::size_t i) { return *rows_.headers[i]; }
   CauseStrip& causes() { return *causes_; }
   void show_curve(std::size_t chart, std::size_t curve, bool shown);
   void show_usual_curves();
+  /// The last one that is shown stays.
+  void show_chart(std::size_t chart, bool shown);
+  bool chart_hidden(std::size_t chart) const { return rows_.hidden[chart]; }
   /// Time of cursor B [s].
   const std::optional<double>& second_cursor() const { return second_; }
   void set_second_cursor(std::optional<double> time);
@@ -129,7 +135,7 @@ class ChartsPanel : public Panel {
   Cursor& cursor_;
   ViewRange& range_;
   std::shared_ptr<const Trajectory> trajectory_;
-  std::shared_ptr<const ActualPath> actual_;
+  RunSources sources_;
   std::shared_ptr<const Envelope> envelope_;
   ColumnCache columns_;
   OverlayCurves overlays_;
@@ -144,9 +150,11 @@ class ChartsPanel : public Panel {
   std::optional<Held> held_;
   std::filesystem::path shown_file_;  ///< that the curves were last chosen for
   double sample_time_ = 0.001;
+  ChartRows rows_;
+  ChartScroll* scroll_;            ///< around everything: charts that there is no room for are scrolled to
+  QVBoxLayout* layout_ = nullptr;  ///< of what it holds
   CauseStrip* causes_;
   QLabel* readout_;
-  ChartRows rows_;
   QComboBox* abscissa_;
   QToolButton* show_all_;
   QToolButton* more_;

@@ -62,6 +62,9 @@ QJsonObject to_json(const ChartsState& state) {
   if (!state.shown.isEmpty()) {
     json["shown"] = QJsonArray::fromStringList(state.shown);
   }
+  if (!state.hidden_charts.isEmpty()) {
+    json["hidden_charts"] = QJsonArray::fromStringList(state.hidden_charts);
+  }
   return json;
 }
 
@@ -79,6 +82,8 @@ void read_json(const QJsonObject& json, ChartsState& state) {
   read_keys(json["hidden"], state.hidden);
   state.shown.clear();
   read_keys(json["shown"], state.shown);
+  state.hidden_charts.clear();
+  read_keys(json["hidden_charts"], state.hidden_charts);
   read_keys(json["other_runs"], state.other_runs);
   state.causes = json["causes"].toBool(state.causes);
   if (json["second_cursor_s"].isDouble()) {

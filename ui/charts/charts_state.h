@@ -16,11 +16,12 @@ struct ChartsState {
   Abscissa abscissa = Abscissa::time;
   std::optional<Interval> time = {};  ///< shown [s]; none: the whole run
   std::array<std::optional<Interval>, chart_count> values =
-      {};                       ///< ordinates that the user chose, in their unit
-  QStringList hidden = {};      ///< curves, in the order of the charts
-  QStringList shown = {};       ///< curves that are hidden until the user asks for them
-  QStringList other_runs = {};  ///< curves that the charts show of other runs, at most one a chart
-  bool causes = true;           ///< the strip of limiting causes is shown
+      {};                          ///< ordinates that the user chose, in their unit
+  QStringList hidden = {};         ///< curves, in the order of the charts
+  QStringList shown = {};          ///< curves that are hidden until the user asks for them
+  QStringList hidden_charts = {};  ///< by ChartSpec::key
+  QStringList other_runs = {};     ///< curves that the charts show of other runs, at most one a chart
+  bool causes = true;              ///< the strip of limiting causes is shown
   std::optional<double> second_cursor = {};  ///< [s]
 
   bool operator==(const ChartsState&) const = default;

@@ -120,25 +120,6 @@ double room_for_names(const std::vector<LimitLine>& limits, const Interval& valu
 
 }  // namespace
 
-std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisLimits>& limits,
-                                   double AxisLimits::*kind) {
-  std::vector<LimitLine> lines;
-  for (std::size_t i = 0; i < limits.size(); ++i) {
-    const double value = spec.convert(limits[i].*kind);
-    const QString axis(QChar(limits.name(i)));
-    if (!lines.empty() && lines.back().value == value) {
-      lines.back().label += ' ' + axis;
-      lines.back().axis.reset();
-    } else {
-      lines.push_back({value, axis, i});
-    }
-  }
-  for (LimitLine& line : lines) {
-    line.label = KinematicChart::tr("limit of %1").arg(line.label);
-  }
-  return lines;
-}
-
 KinematicChart::KinematicChart(ChartSpec spec, ViewRange& range, QWidget* parent)
     : QChartView(parent),
       spec_(std::move(spec)),

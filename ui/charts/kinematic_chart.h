@@ -7,25 +7,14 @@
 #include <span>
 #include <vector>
 
-#include "core/machine/machine.h"
 #include "ui/charts/chart_spec.h"
+#include "ui/charts/limit_line.h"
 #include "ui/charts/value_fit.h"
 #include "ui/shared/view_range.h"
 
 class QValueAxis;
 
 namespace feedscope::ui {
-
-/// A permitted largest magnitude, drawn dashed on the sides of zero that the chart shows.
-struct LimitLine {
-  double value = 0;  ///< in the chart's unit
-  QString label;
-  std::optional<std::size_t> axis;  ///< 0 X, 1 Y, 2 Z; none: several share it
-};
-
-/// Those of the axes, `kind` being one of their limits: one line for all that have the same.
-std::vector<LimitLine> limit_lines(const ChartSpec& spec, const AxisVector<AxisLimits>& limits,
-                                   double AxisLimits::*kind);
 
 /// A curve of another run.
 struct OverlayCurve {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QString>
+
 #include "core/trajectory/trajectory.h"
 
 namespace feedscope::ui {
@@ -13,5 +15,8 @@ struct Measurement {
 };
 
 Measurement measure(const State& first, const State& second);
+
+/// "A → B:   Δt 0.25 s   ·   ...".
+QString text_of(const Measurement& between);
 
 }  // namespace feedscope::ui

@@ -61,10 +61,8 @@ std::vector<LegendEntry> OverlayCurves::legend(std::size_t chart, const ChartSpe
     if (run != nullptr && position.has_value()) {
       const double time = time_of(overlay, range, *run, *position);
       const State state = overlay.trajectory->state(time);
-      const bool looks = quantity.source == QuantitySource::drives && overlay.actual != nullptr;
-      const std::optional<ActualSample> actual =
-          looks ? std::optional(overlay.actual->at(state)) : std::nullopt;
-      const double value = quantity.of(Instant(state, actual ? &*actual : nullptr));
+      InstantSampler sampler(overlay.sources, time);
+      const double value = quantity.of(sampler.at(state));
       entry.value = std::isnan(value) ? std::nullopt : std::optional(spec.convert(value));
     }
     entries.push_back(std::move(entry));

@@ -13,7 +13,7 @@ std::vector<RunOverlay> other_runs(const RunList& runs) {
     const RunItem& item = runs.items()[row];
     if (row != runs.current() && item.visible && result != nullptr) {
       others.push_back(
-          {result->run.trajectory, result->envelope, result->run.actual, item.colour, runs.title(item)});
+          {result->run.trajectory, result->envelope, result->run.sources, item.colour, runs.title(item)});
     }
   }
   return others;

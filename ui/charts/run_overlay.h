@@ -17,7 +17,7 @@ namespace feedscope::ui {
 struct RunOverlay {
   std::shared_ptr<const Trajectory> trajectory;
   std::shared_ptr<const Envelope> envelope;
-  std::shared_ptr<const ActualPath> actual;  ///< null without drives
+  RunSources sources;
   QColor color;
   QString name;
   bool dashed = false;

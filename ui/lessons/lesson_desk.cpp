@@ -119,7 +119,7 @@ void LessonDesk::set_up_window() {
     }
     view_pending_ = true;
     program_ = start.program;
-    workbench_.open(start.program, std::move(runs), 0);
+    workbench_.open(start.program, std::move(runs), 0, {}, start.setup.load);
   } catch (const std::exception& error) {
     report(error);
   }
@@ -150,7 +150,7 @@ void LessonDesk::move_control(const std::string& value) {
     } else {
       std::vector<RunItem> all = runs.items();
       all[runs.current()].setup = state_of(moved);
-      workbench_.open(moved.program, std::move(all), runs.current());
+      workbench_.open(moved.program, std::move(all), runs.current(), {}, moved.setup.load);
     }
   } catch (const std::exception& error) {
     report(error);

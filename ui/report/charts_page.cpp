@@ -48,20 +48,20 @@ ChartsPage::ChartsPage() : title_(new QLabel(this)), charts_(new ChartsPanel(cur
 void ChartsPage::set_run(const Run& run) {
   title_->setText(title_of(run));
   charts_->set_limits(run.setup.machine.axes);
-  charts_->set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory, run.actual), false,
-                   run.actual);
+  charts_->set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory, run.sources), false,
+                   run.sources);
 }
 
 void ChartsPage::set_runs(const ReportInput& input, std::size_t row) {
   const ShownRun& shown = *input.runs[row].shown;
   title_->setText(title_of(shown.run));
   charts_->set_limits(shown.run.setup.machine.axes);
-  charts_->set_run(shown.run.trajectory, shown.envelope, false, shown.run.actual);
+  charts_->set_run(shown.run.trajectory, shown.envelope, false, shown.run.sources);
   std::vector<RunOverlay> others;
   for (std::size_t i = 0; i < input.runs.size(); ++i) {
     if (i != row) {
       const ReportRun& other = input.runs[i];
-      others.push_back({other.shown->run.trajectory, other.shown->envelope, other.shown->run.actual,
+      others.push_back({other.shown->run.trajectory, other.shown->envelope, other.shown->run.sources,
                         other.colour, other.name});
     }
   }

@@ -8,6 +8,7 @@
 #include "ui/report/report_circles.h"
 #include "ui/report/report_contour.h"
 #include "ui/report/report_html.h"
+#include "ui/report/report_load.h"
 #include "ui/report/report_tables.h"
 #include "ui/report/template_pictures.h"
 
@@ -77,6 +78,8 @@ const std::vector<Block>& blocks() {
       {"contour_place_views", contour_place_views_block},
       {"circles", plain(circles_block)},
       {"circle_plots", circle_plots_block},
+      {"load", plain(load_block)},
+      {"load_view", load_view_block},
       {"notes", plain(notes_block)},
       {"program_facts", plain(program_facts_block)},
       {"messages", plain(messages_block)},

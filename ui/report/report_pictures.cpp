@@ -199,13 +199,30 @@ QString view_block(const ReportInput& input, ReportPictures& pictures) {
   return run_view(input, pictures, view_height);
 }
 
-QString cause_view_block(const ReportInput& input, ReportPictures& pictures) {
+QString coloured_view(const ReportInput& input, Colouring colouring, const QString& name,
+                      const QString& alternative, const QString& caption, ReportPictures& pictures) {
   ReportInput seen = input;
-  seen.scene.colouring = Colouring::cause;
-  return figure(
-      pictures.add(QStringLiteral("causes"), scene_picture(seen, {report_width, view_height}),
-                   QStringLiteral("3D view by limiting cause")),
-      QStringLiteral("What limits the feed of %1 along the path.").arg(html_text(input.run().name)));
+  seen.scene.colouring = colouring;
+  return figure(pictures.add(name, scene_picture(seen, {report_width, view_height}), alternative), caption);
+}
+
+QString cause_view_block(const ReportInput& input, ReportPictures& pictures) {
+  return coloured_view(
+      input, Colouring::cause, QStringLiteral("causes"), QStringLiteral("3D view by limiting cause"),
+      QStringLiteral("What limits the feed of %1 along the path.").arg(html_text(input.run().name)), pictures);
+}
+
+/// The charts below that of the feed.
+QString charts_of(const RunSources& sources) {
+  QStringList names{QStringLiteral("acceleration"), QStringLiteral("jerk")};
+  if (sources.actual) {
+    names.append(QStringLiteral("following error"));
+  }
+  if (sources.load) {
+    names.append({QStringLiteral("cutting force"), QStringLiteral("chip thickness")});
+  }
+  const QString last = names.takeLast();
+  return QStringLiteral("%1 and %2").arg(names.join(QStringLiteral(", ")), last);
 }
 
 QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pictures, double height,
@@ -226,15 +243,19 @@ QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pi
       pictures.add(QStringLiteral("charts%1").arg(row), {size, false, paint},
                    QStringLiteral("Charts of %1").arg(name)),
       caption.isEmpty()
-          ? QStringLiteral("Feed with its limiting causes, acceleration and jerk of %1.").arg(html_text(name))
+          ? QStringLiteral("Feed with its limiting causes, %1 of %2.")
+                .arg(charts_of(input.runs[row].shown->run.sources), html_text(name))
           : caption);
 }
 
 QString charts_block(const ReportInput& input, ReportPictures& pictures) {
   constexpr double height = 430;
+  constexpr double another = 120;
   QString html;
   for (std::size_t i = 0; i < std::min(input.runs.size(), max_charts); ++i) {
-    html += run_charts(input, i, pictures, height);
+    const RunSources& sources = input.runs[i].shown->run.sources;
+    html += run_charts(input, i, pictures,
+                       height + (sources.actual ? another : 0) + (sources.load ? 2 * another : 0));
   }
   return html;
 }

@@ -62,7 +62,10 @@ QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pi
 
 /// The current run in 3D, with the annotations, coloured as the input says.
 QString view_block(const ReportInput& input, ReportPictures& pictures);
-/// The same from the same place, coloured by limiting cause.
+/// The same from the same place, coloured in another way.
+QString coloured_view(const ReportInput& input, Colouring colouring, const QString& name,
+                      const QString& alternative, const QString& caption, ReportPictures& pictures);
+/// The same by limiting cause.
 QString cause_view_block(const ReportInput& input, ReportPictures& pictures);
 /// Feed with its causes, acceleration and jerk of every run.
 QString charts_block(const ReportInput& input, ReportPictures& pictures);

@@ -88,7 +88,7 @@ std::shared_ptr<const SampledPath> ScenePicture::samples() {
   scene_.set_comparison(other.name.toStdString(), nullptr);
   return std::make_shared<const SampledPath>(
       sample_compared(*shown.run.trajectory, *other.shown->run.trajectory, other.shown->samples->times,
-                      nullptr, shown.run.actual.get()));
+                      nullptr, shown.run.sources));
 }
 
 ScenePicture::~ScenePicture() {
@@ -124,7 +124,7 @@ AnnotatedView ScenePicture::annotated(const QSizeF& size, const SceneScale& scal
           scale.text_scale * scale.pixel_ratio,
           theme_ == ThemeKind::dark ? Background::dark : Background::light,
           run.name,
-          run.shown->run.actual.get()};
+          run.shown->run.sources};
 }
 
 void ScenePicture::paint(QPainter& painter, const QRectF& asked, const SceneScale& scale) {

@@ -26,6 +26,7 @@ RunTable::RunTable(RunList& runs, QObject* parent) : QAbstractTableModel(parent)
   connect(&runs_, &RunList::list_changed, this, [this] {
     beginResetModel();
     endResetModel();
+    follow_figures();
   });
   connect(&runs_, &RunList::item_changed, this, &RunTable::changed);
   connect(&runs_, &RunList::result_changed, this, &RunTable::all_changed);  // the best one may be another
@@ -40,11 +41,36 @@ void RunTable::set_error_bound(std::optional<double> bound) {
 
 void RunTable::changed(std::size_t row) {
   const int at = static_cast<int>(row);
-  emit dataChanged(index(at, 0), index(at, columns - 1));
+  follow_figures();
+  emit dataChanged(index(at, 0), index(at, columnCount() - 1));
 }
 
 void RunTable::all_changed() {
-  emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+  follow_figures();
+  emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+}
+
+/// Columns come with the first run that has their figure, and go with the last one.
+void RunTable::follow_figures() {
+  std::vector<std::shared_ptr<const ShownRun>> results;
+  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
+    results.push_back(runs_.result(row));
+  }
+  std::vector<const SourceFigure*> figures = source_figures_of(
+      results, [](const auto& result) { return result != nullptr ? &result->run.summary : nullptr; });
+  if (figures == figures_) {
+    return;
+  }
+  if (!figures_.empty()) {
+    beginRemoveColumns({}, columns, columnCount() - 1);
+    figures_.clear();
+    endRemoveColumns();
+  }
+  if (!figures.empty()) {
+    beginInsertColumns({}, columns, columns + static_cast<int>(figures.size()) - 1);
+    figures_ = std::move(figures);
+    endInsertColumns();
+  }
 }
 
 const Summary* RunTable::summary(std::size_t row) const {
@@ -73,7 +99,7 @@ int RunTable::rowCount(const QModelIndex& parent) const {
 }
 
 int RunTable::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : columns;
+  return parent.isValid() ? 0 : columns + static_cast<int>(figures_.size());
 }
 
 QString RunTable::figure(std::size_t row, int column) const {
@@ -103,8 +129,13 @@ QString RunTable::figure(std::size_t row, int column) const {
     }
     case mean_feed:
       return number_text(figures->mean_feed, Dimension::feed);
-    default:
+    case contour_error:
       return number_text(figures->max_contour_error, Dimension::error);
+    default: {
+      const SourceFigure& figure = *figures_[static_cast<std::size_t>(column - columns)];
+      const std::optional<double> value = figure.of(*figures);
+      return value ? number_text(*value, figure.dimension) : QStringLiteral("–");
+    }
   }
 }
 
@@ -225,8 +256,14 @@ Qt::ItemFlags RunTable::flags(const QModelIndex& index) const {
 }
 
 QVariant RunTable::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || section < 0 || section >= columns) {
+  if (orientation != Qt::Horizontal || section < 0 || section >= columnCount()) {
     return {};
+  }
+  if (section >= columns) {
+    const SourceFigure& figure = *figures_[static_cast<std::size_t>(section - columns)];
+    return role == Qt::DisplayRole   ? with_unit_of(core_text(std::string(figure.title)), figure.dimension)
+           : role == Qt::ToolTipRole ? core_text(std::string(figure.meaning))
+                                     : QVariant();
   }
   static const std::array titles{QT_TR_NOOP("Run"),       QT_TR_NOOP("Machine"),    QT_TR_NOOP("Model"),
                                  QT_TR_NOOP("Tolerance"), QT_TR_NOOP("Cycle time"), QT_TR_NOOP("Slower [%]"),

@@ -3,6 +3,7 @@
 #include <QAbstractTableModel>
 #include <optional>
 
+#include "core/analysis/source_figures.h"
 #include "ui/workbench/run_list.h"
 
 namespace feedscope::ui {
@@ -15,6 +16,7 @@ class RunTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
+  /// Behind them figures of drives and cutting load, where any run has them.
   enum Column { name, machine, model, tolerance, cycle_time, difference, mean_feed, contour_error, columns };
 
   /// `runs` outlives this.
@@ -39,11 +41,13 @@ class RunTable : public QAbstractTableModel {
   void append_slower_tolerance(std::size_t row, QStringList& lines) const;
   const Summary* summary(std::size_t row) const;
   bool keeps_bound(const Summary& summary) const;
+  void follow_figures();
   void changed(std::size_t row);
   void all_changed();
 
   RunList& runs_;
   std::optional<double> bound_;
+  std::vector<const SourceFigure*> figures_;  ///< behind `columns`
 };
 
 }  // namespace feedscope::ui

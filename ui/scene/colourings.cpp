@@ -13,7 +13,8 @@ constexpr Colouring colouring_of(QuantityId id) {
 std::vector<Colouring> list_colourings() {
   std::vector<Colouring> list;
   for (const Dimension dimension :
-       {Dimension::feed, Dimension::ratio, Dimension::acceleration, Dimension::jerk, Dimension::error}) {
+       {Dimension::feed, Dimension::ratio, Dimension::acceleration, Dimension::jerk, Dimension::error,
+        Dimension::force}) {
     for (const QuantityInfo& quantity : all_quantities()) {
       if (quantity.colours && quantity.dimension == dimension) {
         list.push_back(colouring_of(quantity.id));
@@ -60,15 +61,16 @@ std::string colouring_key(Colouring colouring) {
   return others.at(static_cast<std::size_t>(colouring) - static_cast<std::size_t>(Colouring::contour_error));
 }
 
-bool needs_drives(Colouring colouring) {
+QuantitySource source_of(Colouring colouring) {
   const QuantityInfo* quantity = quantity_of(colouring);
-  return quantity != nullptr && quantity->source == QuantitySource::drives;
+  return quantity != nullptr ? quantity->source : QuantitySource::motion;
 }
 
-bool is_of_drives(std::size_t sample) {
-  return std::ranges::any_of(all_colourings(), [sample](Colouring colouring) {
-    return needs_drives(colouring) && sample_index(colouring) == sample;
+QuantitySource source_of_sample(std::size_t sample) {
+  const auto colouring = std::ranges::find_if(all_colourings(), [sample](Colouring each) {
+    return quantity_of(each) != nullptr && sample_index(each) == sample;
   });
+  return colouring != all_colourings().end() ? source_of(*colouring) : QuantitySource::motion;
 }
 
 std::size_t sample_index(Colouring colouring) {

@@ -19,6 +19,8 @@ enum class Colouring : std::uint8_t {
   jerk = static_cast<std::uint8_t>(QuantityId::jerk),
   actual_contour_error = static_cast<std::uint8_t>(QuantityId::actual_contour_error),
   following_error = static_cast<std::uint8_t>(QuantityId::following_error),
+  peak_force = static_cast<std::uint8_t>(QuantityId::peak_force),
+  chip_thickness = static_cast<std::uint8_t>(QuantityId::chip_thickness),
   contour_error = static_cast<std::uint8_t>(quantity_count),  ///< distance from the programmed path [mm]
   time_lost,                                                  ///< against another run, below 0: gained [s/mm]
   path_distance,  ///< from the path that another run executes [mm]
@@ -39,14 +41,14 @@ constexpr bool needs_reference(Colouring colouring) {
   return colouring == Colouring::time_lost || colouring == Colouring::path_distance;
 }
 
-/// Whether it is of what the drives make of the motion, which not every run has.
-bool needs_drives(Colouring colouring);
+/// What a run must have so that it can be coloured.
+QuantitySource source_of(Colouring colouring);
 
 /// Colourings whose values are kept at every point of a path, and the position of one among them.
 inline constexpr std::size_t sampled_count = coloured_count + 3;
 inline constexpr std::size_t own_sampled_count = coloured_count + 1;  ///< that need no other run
 std::size_t sample_index(Colouring colouring);
-/// Whether the values at this position are of drives.
-bool is_of_drives(std::size_t sample);
+/// What the values at this position are of.
+QuantitySource source_of_sample(std::size_t sample);
 
 }  // namespace feedscope::ui

@@ -244,8 +244,8 @@ bool PathScene::actual_shown() const {
   return impl_->actual_shown;
 }
 
-bool PathScene::has_actual() const {
-  return impl_->has_actual();
+bool PathScene::has(QuantitySource source) const {
+  return impl_->executed_samples != nullptr && impl_->executed_samples->has(source);
 }
 
 void PathScene::set_cursor(const std::optional<Vec3>& tip) {

@@ -55,7 +55,7 @@ class PathScene {
   void set_actual_shown(bool shown);
   bool actual_shown() const;
   /// Whether the executed path has one.
-  bool has_actual() const;
+  bool has(QuantitySource source) const;
   /// Tip of the tool [mm]; none hides it.
   void set_cursor(const std::optional<Vec3>& tip);
   /// The tool at an instant of the executed path.

@@ -67,7 +67,7 @@ Picture draw_run(const Run& run, PictureSize size, StandardView view) {
   scene.set_programmed(run.input.toolpath);
   scene.set_executed(run.trajectory,
                      std::make_shared<const SampledPath>(sample_executed(*run.trajectory, default_max_points,
-                                                                         {}, nullptr, run.actual.get())));
+                                                                         {}, nullptr, run.sources)));
   scene.set_standard_view(view);
   return draw_picture(scene, size);
 }

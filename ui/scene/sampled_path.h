@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/analysis/actual_path.h"
+#include "core/analysis/run_sources.h"
 #include "core/base/progress.h"
 #include "core/toolpath/toolpath.h"
 #include "core/trajectory/trajectory.h"
@@ -58,8 +58,8 @@ struct SampledPath {
 
   // Empty for a programmed path. Where a value jumps, two points lie in one place.
   std::vector<double> times;  ///< [s]
-  /// By sample_index() of a colouring, in inside units; those against another run, and those of drives, may
-  /// be empty.
+  /// By sample_index() of a colouring, in inside units; those against another run, and those of what a run
+  /// has not, may be empty.
   std::array<std::vector<Stored>, sampled_count> values;
   std::vector<CauseKind> causes;              ///< limiting cause
   std::vector<StoredVector> deviations;       ///< PathDeviation::Result::along_bisector [mm]
@@ -76,6 +76,12 @@ struct SampledPath {
   }
   const std::vector<Stored>& values_of(Colouring colouring) const { return values[sample_index(colouring)]; }
   double value(Colouring colouring, std::size_t i) const { return double(float(values_of(colouring)[i])); }
+  /// Whether an executed path has what comes from this source.
+  bool has(QuantitySource source) const {
+    return source == QuantitySource::drives ? actual != nullptr
+           : source == QuantitySource::load ? !values_of(Colouring::peak_force).empty()
+                                            : executed();
+  }
 };
 
 /// A path that needs more points than this leaves out those closer than path length / max_points to each
@@ -87,11 +93,11 @@ SampledPath sample_programmed(const Toolpath& toolpath, std::size_t max_points =
 
 /// The executed path: arcs every 3 degrees, blends in 24 spans, and wherever the feed changes by some 1/24 of
 /// its peak. Linear in the pieces. Safe to call off the GUI thread. `also_at`: times at which there are
-/// points too where the spacing allows, rising [s]. `actual`: of a machine with drives, else null.
+/// points too where the spacing allows, rising [s]. `sources`: of its run.
 /// Throws Cancelled when stopped.
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points = default_max_points,
                             std::span<const double> also_at = {}, Progress* progress = nullptr,
-                            const ActualPath* actual = nullptr);
+                            const RunSources& sources = {});
 
 /// The path that the axes run: points 2 ms apart at most, or as far as the budget allows. Its deviations are
 /// from the programmed path; it has no colours.
@@ -100,11 +106,11 @@ SampledPath sample_actual(const ActualPath& actual, std::size_t max_points = def
 
 /// The executed path of a run with what it does unlike a reference run of the same program. It has points
 /// where the reference changes its feed, too, unless both have so many that they are close enough.
-/// `reference_times`: those of sample_executed(reference) [s]. `actual`: as there, of the run itself. Linear;
+/// `reference_times`: those of sample_executed(reference) [s]. `sources`: of the run itself. Linear;
 /// safe to call off the GUI thread. Throws what compare_places() throws.
 SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference,
                             std::span<const double> reference_times, Progress* progress = nullptr,
-                            const ActualPath* actual = nullptr);
+                            const RunSources& sources = {});
 
 /// Levels of detail of `path`: all points; then, if it has many, what is left in views in which some spacing
 /// is less than a pixel, each level at most half of the one before; the last one small enough to be drawn

@@ -87,11 +87,21 @@ void SceneActions::set_drives(bool drives) {
   }
   drives_ = drives;
   actual_->setEnabled(drives);
+  enable(QuantitySource::drives, drives, tr("The machine has no drives: give its axes kv_1_s"));
+}
+
+void SceneActions::set_load(bool load) {
+  if (load != load_) {
+    load_ = load;
+    enable(QuantitySource::load, load, tr("Say how the tools are engaged in the panel Cutting load"));
+  }
+}
+
+void SceneActions::enable(QuantitySource source, bool available, const QString& why_not) {
   for (QAction* option : colouring_.group->actions()) {
-    if (needs_drives(static_cast<Colouring>(option->data().toInt()))) {
-      option->setEnabled(drives);
-      option->setToolTip(drives ? tr("Colour the path by this quantity")
-                                : tr("The machine has no drives: give its axes kv_1_s"));
+    if (source_of(static_cast<Colouring>(option->data().toInt())) == source) {
+      option->setEnabled(available);
+      option->setToolTip(available ? tr("Colour the path by this quantity") : why_not);
     }
   }
 }
@@ -237,7 +247,8 @@ void SceneActions::check(const Choice& choice, const QVariant& value) {
 }
 
 void SceneActions::follow_scene() {
-  set_drives(view_.scene().has_actual());
+  set_drives(view_.scene().has(QuantitySource::drives));
+  set_load(view_.scene().has(QuantitySource::load));
   SceneState shown = view_.state();
   shown.camera = {.perspective = shown.camera.perspective};
   if (shown == followed_) {

@@ -37,6 +37,8 @@ class SceneActions : public QObject {
   void set_comparable(bool comparable);
   /// Whether the run shown has drives; without them the actual path and its colourings are not available.
   void set_drives(bool drives);
+  void set_load(bool load);
+  void enable(QuantitySource source, bool available, const QString& why_not);
   /// Which run that is, below the colourings.
   void add_comparison_menu(QMenu& menu);
 
@@ -71,6 +73,7 @@ class SceneActions : public QObject {
   QAction* grid_ = nullptr;
   QAction* actual_ = nullptr;
   std::optional<bool> drives_;  ///< whether the run shown has any, as the actions say
+  std::optional<bool> load_;    ///< whether it has a cutting load
   QAction* measure_ = nullptr;
   QAction* box_ = nullptr;
   NumberBox* diameter_ = nullptr;

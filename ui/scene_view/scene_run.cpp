@@ -71,7 +71,7 @@ void SceneRun::follow() {
   if (needs_reference(scene.colouring()) && runs_.items().size() < 2) {
     scene.set_colouring(Colouring::feed);
   }
-  if (needs_drives(scene.colouring()) && shown_ != nullptr && shown_->run.actual == nullptr) {
+  if (shown_ != nullptr && !shown_->run.sources.has(source_of(scene.colouring()))) {
     scene.set_colouring(Colouring::feed);
   }
   compares_ = needs_reference(scene.colouring());
@@ -93,11 +93,17 @@ void SceneRun::follow() {
 }
 
 QString SceneRun::hover_text(double time) const {
-  const QString drives = shown_ != nullptr && shown_->run.actual != nullptr
-                             ? drives_text(shown_->run.actual->at(shown_->run.trajectory->state(time)))
-                             : QString();
-  const QString compared = compared_text(time);
-  return drives.isEmpty() || compared.isEmpty() ? drives + compared : drives + '\n' + compared;
+  QStringList texts;
+  if (shown_ != nullptr) {
+    const State state = shown_->run.trajectory->state(time);
+    InstantSampler sampler(shown_->run.sources, time);
+    const Instant instant = sampler.at(state);
+    texts = {instant.actual != nullptr ? drives_text(*instant.actual) : QString(),
+             instant.load != nullptr ? load_text(*instant.load) : QString()};
+  }
+  texts.append(compared_text(time));
+  texts.removeAll(QString());
+  return texts.join('\n');
 }
 
 QString SceneRun::compared_text(double time) const {

@@ -83,6 +83,19 @@ QString drives_text(const ActualSample& actual) {
       .join('\n');
 }
 
+QString load_text(const LoadSample& load) {
+  if (!load.has_load()) {
+    return {};
+  }
+  return QStringList{Scene::tr("Chip thickness %1 (%2 at the programmed feed)")
+                         .arg(amount(load.predicted.chip_thickness, Dimension::error),
+                              amount(load.programmed.chip_thickness, Dimension::error)),
+                     Scene::tr("Peak cutting force %1 (%2 at the programmed feed)")
+                         .arg(amount(load.predicted.peak_force, Dimension::force),
+                              amount(load.programmed.peak_force, Dimension::force))}
+      .join('\n');
+}
+
 QString comparison_text(const PlaceComparison& place) {
   const auto lost_or_won = [](double value, const QString& lost, const QString& won, Dimension dimension) {
     return (value < 0 ? won : lost).arg(amount(std::abs(value), dimension));

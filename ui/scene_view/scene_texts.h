@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/analysis/actual_path.h"
+#include "core/analysis/load/load_sample.h"
 #include "core/trajectory/trajectory.h"
 #include "ui/scene/path/colouring.h"
 #include "ui/scene/scene_style.h"
@@ -19,6 +20,8 @@ QString hover_text(const State& state, double contour_error);
 
 /// What the mouse tells of the axes at an instant: their contour error and following errors.
 QString drives_text(const ActualSample& actual);
+/// The cutting load at an instant; empty where there is none.
+QString load_text(const LoadSample& load);
 
 /// A place of a run beside the same place of another run of the program.
 struct PlaceComparison {

@@ -324,7 +324,7 @@ void SideBySide::show_run_name() {
   const auto shown = workbench_.shown();
   first_.annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr,
                                workbench_.runs().title(workbench_.runs().current_item()),
-                               shown != nullptr ? shown->run.actual : nullptr);
+                               shown != nullptr ? shown->run.sources : RunSources());
 }
 
 void SideBySide::show_overlays() {
@@ -364,7 +364,7 @@ void SideBySide::show_run() {
     scene.set_warning(picture_warning(shown->run).toStdString());
   }
   second_->annotations().set_run(shown != nullptr ? shown->run.trajectory : nullptr, choice_->currentText(),
-                                 shown != nullptr ? shown->run.actual : nullptr);
+                                 shown != nullptr ? shown->run.sources : RunSources());
   linking_ = false;
   share_colour_scale();
   link(first_);

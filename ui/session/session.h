@@ -29,6 +29,7 @@ struct Session {
   ScenesState scenes;
   ChartsState charts;
   CircularState circular;
+  LoadSetup load;  ///< how the tools are engaged; may not fit the program
   std::vector<Annotation> annotations;
   QByteArray layout;                     ///< of the docks, as QMainWindow::saveState; may be empty
   std::optional<ThemeKind> theme;        ///< none: as the one who opens it likes it

@@ -120,6 +120,19 @@ RunItem read_run(const QJsonObject& json, const QString& place, const MachineLib
   }
 }
 
+// ---- Cutting load
+
+/// The lines of a load file; none without operations.
+QJsonArray to_json(const LoadSetup& load) {
+  return load.empty() ? QJsonArray()
+                      : QJsonArray::fromStringList(QString::fromStdString(load_file_text(load)).split('\n'));
+}
+
+LoadSetup read_load(const QJsonValue& json) {
+  const QString text = json.toVariant().toStringList().join('\n');
+  return text.isEmpty() ? LoadSetup() : parse_load(text.toStdString(), "load_file of the session", true);
+}
+
 // ---- Annotations
 
 QJsonObject to_json(const ProgrammedPlace& place) {
@@ -264,6 +277,7 @@ QJsonObject to_json(const Session& session, const std::filesystem::path& folder)
       {"compare", to_json(session.scenes)},
       {"charts", to_json(session.charts)},
       {"circular", to_json(session.circular)},
+      {"load_file", to_json(session.load)},
       {"annotations", annotations},
       {"window", window}};
 }
@@ -274,7 +288,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
   ReadSession read;
   note_unknown(json,
                {"format", "version", "program", "reading", "runs", "current_run", "cursor_s", "view",
-                "compare", "charts", "circular", "annotations", "window"},
+                "compare", "charts", "circular", "load_file", "annotations", "window"},
                QStringLiteral("the session"), read.notes);
   Session& session = read.session;
   const QJsonObject program = json["program"].toObject();
@@ -306,6 +320,7 @@ ReadSession read_session(const QJsonObject& json, const std::filesystem::path& f
                {"source", "radii_mm", "feeds_mm_min", "plane", "entry_arc", "entry_radius_mm"},
                QStringLiteral("\"circular\""), read.notes);
   read_json(json["circular"].toObject(), session.circular);
+  session.load = read_load(json["load_file"]);
   number = 0;
   for (const QJsonValue& annotation : json["annotations"].toArray()) {
     session.annotations.push_back(

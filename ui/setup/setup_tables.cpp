@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/base/error.h"
+#include "ui/fields/choice_delegate.h"
 #include "ui/fields/number_text.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
@@ -100,7 +101,7 @@ QVariant SetupTable::data(const QModelIndex& index, int role) const {
       font.setItalic(edit_.state().provenance(*key).assumed);
       return font;
     }
-    case choices_role: {
+    case ChoiceDelegate::choices_role: {
       QStringList choices;
       for (const std::string& choice : edit_.state().spec(*key).choices) {
         choices.append(core_text(choice));

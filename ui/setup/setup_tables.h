@@ -18,9 +18,6 @@ class SetupTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
-  /// QStringList of the values that a text setting can take; empty for numbers.
-  static constexpr int choices_role = Qt::UserRole;
-
   /// `edit` outlives this.
   explicit SetupTable(SetupEdit& edit, QObject* parent = nullptr);
 

@@ -10,7 +10,7 @@
 
 #include "ui/language/core_texts.h"
 #include "ui/setup/run_notes_text.h"
-#include "ui/setup/setting_delegate.h"
+#include "ui/fields/choice_delegate.h"
 #include "ui/theme/theme.h"
 #include "ui/workbench/workbench.h"
 
@@ -23,7 +23,7 @@ constexpr int row_height = 22;
 QTableView* make_table(QAbstractItemModel* model, const QString& name, QWidget* parent) {
   auto* table = new QTableView(parent);
   table->setModel(model);
-  table->setItemDelegate(new SettingDelegate(table));
+  table->setItemDelegate(new ChoiceDelegate(table));
   table->setAccessibleName(name);
   table->setSelectionMode(QAbstractItemView::SingleSelection);
   table->setTabKeyNavigation(false);

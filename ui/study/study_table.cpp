@@ -22,6 +22,10 @@ QString main_cause_text(const Summary& summary) {
 void StudyTable::set_study(std::shared_ptr<const Study> study) {
   beginResetModel();
   study_ = std::move(study);
+  figures_.clear();
+  if (study_ != nullptr) {
+    figures_ = source_figures_of(study_->runs, [](const StudyRun& run) { return &run.summary; });
+  }
   endResetModel();
 }
 
@@ -30,7 +34,7 @@ int StudyTable::rowCount(const QModelIndex& parent) const {
 }
 
 int StudyTable::columnCount(const QModelIndex& parent) const {
-  return parent.isValid() ? 0 : columns;
+  return parent.isValid() ? 0 : columns + static_cast<int>(figures_.size());
 }
 
 QVariant StudyTable::data(const QModelIndex& index, int role) const {
@@ -71,8 +75,13 @@ QString StudyTable::text(const StudyRun& run, int column) const {
       return number_text(summary.mean_feed, Dimension::feed);
     case contour_error:
       return number_text(summary.max_contour_error, Dimension::error);
-    default:
+    case cause:
       return main_cause_text(summary);
+    default: {
+      const SourceFigure& figure = *figures_[static_cast<std::size_t>(column - columns)];
+      const std::optional<double> number = figure.of(summary);
+      return number ? number_text(*number, figure.dimension) : QStringLiteral("–");
+    }
   }
 }
 
@@ -90,8 +99,12 @@ QVariant StudyTable::headerData(int section, Qt::Orientation orientation, int ro
       return with_unit_of(tr("Mean feed"), Dimension::feed);
     case contour_error:
       return with_unit_of(tr("Error"), Dimension::error);
-    default:
+    case cause:
       return tr("Mainly limited by");
+    default: {
+      const SourceFigure& figure = *figures_[static_cast<std::size_t>(section - columns)];
+      return with_unit_of(core_text(std::string(figure.title)), figure.dimension);
+    }
   }
 }
 

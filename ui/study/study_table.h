@@ -3,6 +3,7 @@
 #include <QAbstractTableModel>
 #include <memory>
 
+#include "core/analysis/source_figures.h"
 #include "core/analysis/study/study.h"
 
 namespace feedscope::ui {
@@ -12,6 +13,7 @@ class StudyTable : public QAbstractTableModel {
   Q_OBJECT
 
  public:
+  /// Behind them figures of drives and cutting load, where any run has them.
   enum Column { value, cycle_time, mean_feed, contour_error, cause, columns };
 
   using QAbstractTableModel::QAbstractTableModel;
@@ -28,6 +30,7 @@ class StudyTable : public QAbstractTableModel {
   QString text(const StudyRun& run, int column) const;
 
   std::shared_ptr<const Study> study_;
+  std::vector<const SourceFigure*> figures_;  ///< behind `columns`
 };
 
 /// What takes most of the time of a run: "49 % jerk of axis X".

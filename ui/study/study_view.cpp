@@ -268,7 +268,7 @@ void StudyView::run() {
   const double factor = key_unit(sweep_unit(key)).factor;
   try {
     StudyJobRequest request{
-        workbench_.shown_program().input, workbench_.setup().setup(),
+        workbench_.shown_program().input, workbench_.runs().setup(workbench_.runs().current_item()),
         rounded(make_sweep(key, from_->value() / factor, to_->value() / factor,
                            static_cast<std::size_t>(count_->value()), logarithmic_->isChecked())),
         bounded_->isChecked() ? std::optional(from_shown_unit(bound_->value(), Dimension::error))

@@ -18,6 +18,7 @@
 #include "ui/contour/contour_view.h"
 #include "ui/language/language.h"
 #include "ui/lessons/lesson_view.h"
+#include "ui/load/load_view.h"
 #include "ui/messages/diagnostics_view.h"
 #include "ui/playback/playback_bar.h"
 #include "ui/program_text/program_panel.h"
@@ -67,8 +68,9 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
       study_(new StudyView(workbench, this)),
       contour_(new ContourView(workbench, this)),
       circular_(new CircularView(workbench, this)),
-      panels_{program_, setup_,       why_,         annotations_, lessons_, charts_,
-              runs_,    slow_places_, diagnostics_, study_,       contour_, circular_},
+      load_(new LoadView(workbench, this)),
+      panels_{program_,     setup_,       why_,   annotations_, lessons_,  charts_, runs_,
+              slow_places_, diagnostics_, study_, contour_,     circular_, load_},
       session_(new WindowSession(*this, workbench)) {
   setWindowTitle(tr("Feedscope"));
   resize(default_size);
@@ -175,6 +177,7 @@ void MainWindow::make_menus() {
   runs->addActions(study_->panel_actions());
   runs->addActions(contour_->panel_actions());
   runs->addActions(circular_->panel_actions());
+  runs->addActions(load_->panel_actions());
   runs->addSeparator();
   runs->addAction(make_action(this, tr("&Cancel simulation"),
                               tr("Stop reading, simulating or comparing runs"), Qt::Key_Escape,

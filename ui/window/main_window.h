@@ -16,6 +16,7 @@ namespace feedscope::ui {
 class AnnotationsView;
 class ChartsPanel;
 class CircularView;
+class LoadView;
 class ContourView;
 class DiagnosticsView;
 class DockSizes;
@@ -113,7 +114,8 @@ class MainWindow : public QMainWindow {
   StudyView* study_;
   ContourView* contour_;
   CircularView* circular_;
-  std::array<Panel*, 12> panels_;  ///< in the order of their tabs
+  LoadView* load_;
+  std::array<Panel*, 13> panels_;  ///< in the order of their tabs
   WindowSession* session_;
   FileMenu* file_menu_ = nullptr;
   DockSizes* dock_sizes_ = nullptr;

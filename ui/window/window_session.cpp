@@ -12,6 +12,7 @@
 #include "core/base/error.h"
 #include "ui/charts/charts_panel.h"
 #include "ui/circular/circular_view.h"
+#include "ui/load/load_view.h"
 #include "ui/program_text/program_panel.h"
 #include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
@@ -68,6 +69,7 @@ Session WindowSession::view() const {
     session.charts = window_.part<ChartsPanel>().state();
     session.circular = window_.part<CircularView>().state();
   }
+  session.load = window_.part<LoadView>().setup();
   session.layout = window_.saveState();
   session.theme = theme_of(QApplication::palette());
   session.program_font_size = window_.part<ProgramPanel>().view().font_size();
@@ -75,7 +77,7 @@ Session WindowSession::view() const {
 }
 
 void WindowSession::show(const Session& session) {
-  workbench_.open(session.program, session.runs, session.current_run, session.reading);
+  workbench_.open(session.program, session.runs, session.current_run, session.reading, session.load);
   workbench_.annotations().replace(session.annotations);
   window_.restore_layout(session.layout);
   if (session.program_font_size) {
@@ -90,6 +92,7 @@ void WindowSession::take_over(const Kept& kept) {
   start_ = kept.start;
   on_disk_ = kept.on_disk;
   window_.restore_layout(kept.view.layout);
+  window_.part<LoadView>().set_setup(kept.view.load);
   pending_ = kept.view;
   apply_to_run();
   emit file_changed();

@@ -78,12 +78,12 @@ Samples RunComparison::samples(std::size_t row) {
 void RunComparison::start(Pair& pair) {
   connect(&pair.job, &JobBase::progressed, this, &RunComparison::progressed);
   pair.job.start(
-      [run = pair.run->run.trajectory, actual = pair.run->run.actual,
+      [run = pair.run->run.trajectory, sources = pair.run->run.sources,
        reference = pair.reference->run.trajectory,
        drawn = pair.reference->samples](JobControl& control) -> Samples {
         try {
           return std::make_shared<const SampledPath>(
-              sample_compared(*run, *reference, drawn->times, &control.progress, actual.get()));
+              sample_compared(*run, *reference, drawn->times, &control.progress, sources));
         } catch (const std::invalid_argument&) {
           return nullptr;  // one of them does not move
         }

@@ -87,7 +87,10 @@ QStringList run_titles(std::span<const RunItem> items, std::span<const PathContr
 class RunList::Change : public QUndoCommand {
  public:
   Change(RunList& runs, Snapshot after, const QString& text)
-      : QUndoCommand(text), runs_(runs), before_{runs.items_, runs.current_}, after_(std::move(after)) {}
+      : QUndoCommand(text),
+        runs_(runs),
+        before_{runs.items_, runs.current_, runs.load_},
+        after_(std::move(after)) {}
   void undo() override { runs_.apply(before_); }
   void redo() override { runs_.apply(after_); }
 
@@ -118,9 +121,9 @@ void RunList::duplicate(std::size_t row) {
 }
 
 void RunList::duplicate_as(std::size_t row, const SetupState& setup) {
-  Snapshot after{items_, row + 1};
+  Snapshot after{items_, row + 1, load_};
   RunItem copy{next_id_++, {}, free_colour(), true, setup};
-  if (const auto same = result(row); same != nullptr && same->run.setup == setup.setup()) {
+  if (const auto same = result(row); same != nullptr && same->run.setup == this->setup(copy)) {
     results_[copy.id] = {same, true};
   }
   after.items.insert(after.items.begin() + static_cast<std::ptrdiff_t>(row) + 1, std::move(copy));
@@ -131,7 +134,7 @@ void RunList::remove(std::size_t row) {
   if (items_.size() < 2) {
     return;
   }
-  Snapshot after{items_, current_};
+  Snapshot after{items_, current_, load_};
   after.items.erase(after.items.begin() + static_cast<std::ptrdiff_t>(row));
   if (after.current > row || after.current == after.items.size()) {
     --after.current;
@@ -144,7 +147,7 @@ void RunList::move(std::size_t row, std::size_t to) {
   if (row == to) {
     return;
   }
-  Snapshot after{items_, current_};
+  Snapshot after{items_, current_, load_};
   const auto from = after.items.begin() + static_cast<std::ptrdiff_t>(row);
   const auto target = after.items.begin() + static_cast<std::ptrdiff_t>(to);
   if (row < to) {
@@ -159,30 +162,40 @@ void RunList::move(std::size_t row, std::size_t to) {
 }
 
 void RunList::rename(std::size_t row, const QString& name) {
-  Snapshot after{items_, current_};
+  Snapshot after{items_, current_, load_};
   after.items[row].name = name.trimmed();
   push(std::move(after), tr("name of run"));
 }
 
 void RunList::set_colour(std::size_t row, const QColor& colour) {
-  Snapshot after{items_, current_};
+  Snapshot after{items_, current_, load_};
   after.items[row].colour = colour;
   push(std::move(after), tr("colour of run"));
 }
 
 void RunList::set_visible(std::size_t row, bool visible) {
-  Snapshot after{items_, current_};
+  Snapshot after{items_, current_, load_};
   after.items[row].visible = visible;
   push(std::move(after), visible ? tr("show run") : tr("hide run"));
 }
 
 void RunList::set_setup(std::size_t row, const SetupState& setup, const QString& text) {
-  Snapshot after{items_, current_};
+  Snapshot after{items_, current_, load_};
   after.items[row].setup = setup;
   push(std::move(after), text);
 }
 
-void RunList::replace(std::vector<RunItem> items, std::size_t current) {
+void RunList::set_load(const LoadSetup& load, const QString& text) {
+  push({items_, current_, load}, text);
+}
+
+Setup RunList::setup(const RunItem& item) const {
+  Setup setup = item.setup.setup();
+  setup.load = load_;
+  return setup;
+}
+
+void RunList::replace(std::vector<RunItem> items, std::size_t current, const LoadSetup& load) {
   history_.clear();
   results_.clear();
   given_up_.clear();
@@ -191,19 +204,21 @@ void RunList::replace(std::vector<RunItem> items, std::size_t current) {
   }
   items_ = std::move(items);
   current_ = std::min(current, items_.size() - 1);
+  load_ = load;
   titles_ = run_titles(items_, feed_controls_);
   emit list_changed();
   emit current_changed();
+  emit load_changed();
 }
 
 void RunList::push(Snapshot after, const QString& text) {
-  if (after.items != items_ || after.current != current_) {
+  if (after.items != items_ || after.current != current_ || !(after.load == load_)) {
     history_.push(new Change(*this, std::move(after), text));
   }
 }
 
 void RunList::apply(const Snapshot& snapshot) {
-  const Snapshot before{items_, current_};
+  const Snapshot before{items_, current_, load_};
   const int selected = current_item().id;
   std::map<int, QString> titles;
   for (std::size_t row = 0; row < items_.size(); ++row) {
@@ -212,18 +227,11 @@ void RunList::apply(const Snapshot& snapshot) {
   items_ = snapshot.items;
   titles_ = run_titles(items_, feed_controls_);
   current_ = snapshot.current;
+  load_ = snapshot.load;
   const auto is_gone = [this](const auto& entry) { return row_of(entry.first) == items_.size(); };
   std::erase_if(results_, is_gone);
   std::erase_if(given_up_, is_gone);
-  for (const RunItem& was : before.items) {
-    const std::size_t now = row_of(was.id);
-    if (now < items_.size() && !(items_[now].setup == was.setup)) {
-      given_up_.erase(was.id);
-      if (const auto found = results_.find(was.id); found != results_.end()) {
-        found->second.holds = found->second.shown->run.setup == items_[now].setup.setup();
-      }
-    }
-  }
+  check_results(before);
 
   const bool same_rows = std::ranges::equal(before.items, items_, {}, &RunItem::id, &RunItem::id);
   if (!same_rows) {
@@ -242,6 +250,22 @@ void RunList::apply(const Snapshot& snapshot) {
       emit item_changed(now);
       if (!(items_[now].setup == was.setup)) {
         emit setup_changed(now, was.setup);
+      }
+    }
+  }
+  if (!(load_ == before.load)) {
+    emit load_changed();
+  }
+}
+
+/// Which results are still those of their runs.
+void RunList::check_results(const Snapshot& before) {
+  for (const RunItem& was : before.items) {
+    const std::size_t now = row_of(was.id);
+    if (now < items_.size() && !(items_[now].setup == was.setup && load_ == before.load)) {
+      given_up_.erase(was.id);
+      if (const auto found = results_.find(was.id); found != results_.end()) {
+        found->second.holds = found->second.shown->run.setup == setup(items_[now]);
       }
     }
   }
@@ -275,6 +299,11 @@ std::shared_ptr<const ShownRun> RunList::result(std::size_t row) const {
   return found != results_.end() && found->second.holds ? found->second.shown : nullptr;
 }
 
+std::shared_ptr<const ShownRun> RunList::last_result(std::size_t row) const {
+  const auto found = results_.find(items_[row].id);
+  return found != results_.end() ? found->second.shown : nullptr;
+}
+
 RunStatus RunList::status(std::size_t row) const {
   if (result(row) != nullptr) {
     return RunStatus::simulated;
@@ -294,7 +323,7 @@ QString RunList::failure(std::size_t row) const {
 void RunList::set_result(int id, std::shared_ptr<const ShownRun> result) {
   const std::size_t row = row_of(id);
   if (row < items_.size()) {
-    const bool holds = result->run.setup == items_[row].setup.setup();
+    const bool holds = result->run.setup == setup(items_[row]);
     results_[id] = {std::move(result), holds};
     given_up_.erase(id);
     emit result_changed(row);

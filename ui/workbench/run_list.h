@@ -75,8 +75,15 @@ class RunList : public QObject {
   void set_visible(std::size_t row, bool visible);
   /// `text` names the change in the history. Nothing happens if nothing changes.
   void set_setup(std::size_t row, const SetupState& setup, const QString& text);
+  /// How the tools of the program are engaged, in every run.
+  const LoadSetup& load() const { return load_; }
+  void set_load(const LoadSetup& load, const QString& text);
+  /// The same without a step of the history: what was set does not fit the program.
+  void use_load(const LoadSetup& load) { apply({items_, current_, load}); }
+  /// What a run is simulated with: its setup with all edits, and load().
+  Setup setup(const RunItem& item) const;
   /// Another set of runs altogether; the history goes.
-  void replace(std::vector<RunItem> items, std::size_t current);
+  void replace(std::vector<RunItem> items, std::size_t current, const LoadSetup& load = {});
   QUndoStack& history() { return history_; }
 
   /// Those of the program, which may set tolerances of its own: LoadedProgram::feed_controls.
@@ -89,6 +96,8 @@ class RunList : public QObject {
 
   /// What the setup that a run has now gives; null while that has not been simulated.
   std::shared_ptr<const ShownRun> result(std::size_t row) const;
+  /// The last result of a run of this program, with whatever setup; null without any.
+  std::shared_ptr<const ShownRun> last_result(std::size_t row) const;
   RunStatus status(std::size_t row) const;
   /// Why a run has failed; empty for every other one.
   QString failure(std::size_t row) const;
@@ -107,6 +116,8 @@ class RunList : public QObject {
   /// Title, colour, visibility or setup of a run.
   void item_changed(std::size_t row);
   void setup_changed(std::size_t row, const feedscope::ui::SetupState& before);
+  /// Another way in which the tools are engaged.
+  void load_changed();
   void current_changed();
   void result_changed(std::size_t row);
   /// Given up, or waiting again.
@@ -116,15 +127,18 @@ class RunList : public QObject {
   struct Snapshot {
     std::vector<RunItem> items;
     std::size_t current = 0;
+    LoadSetup load;
   };
   class Change;
 
   void push(Snapshot after, const QString& text);
   void apply(const Snapshot& snapshot);
+  void check_results(const Snapshot& before);
   QColor free_colour() const;
 
   std::vector<RunItem> items_;
   std::size_t current_ = 0;
+  LoadSetup load_;
   int next_id_ = 1;
   struct Result {
     std::shared_ptr<const ShownRun> shown;

@@ -33,7 +33,7 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
   // What takes longest first.
   in_parallel({[&] {
                  shown->samples = std::make_shared<const SampledPath>(
-                     sample_executed(*trajectory, default_max_points, {}, &samples, shown->run.actual.get()));
+                     sample_executed(*trajectory, default_max_points, {}, &samples, shown->run.sources));
                },
                [&] {
                  const Toolpath& toolpath = *shown->run.input.toolpath;
@@ -46,7 +46,8 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
                  summary.report(1);
                },
                [&] {
-                 shown->envelope = std::make_shared<const Envelope>(trajectory, shown->run.actual, &envelope);
+                 shown->envelope =
+                     std::make_shared<const Envelope>(trajectory, shown->run.sources, &envelope);
                  envelope.report(1);
                },
                [&] {
@@ -59,6 +60,11 @@ std::shared_ptr<const ShownRun> shown_of(Run run, Progress& progress, double sha
   return shown;
 }
 
+bool differ_in_load_alone(const Setup& a, Setup b) {
+  b.load = a.load;
+  return a == b;
+}
+
 }  // namespace
 
 std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress) {
@@ -66,9 +72,16 @@ std::shared_ptr<const ShownRun> make_shown(Run run, Progress* progress) {
   return shown_of(std::move(run), progress != nullptr ? *progress : unwatched, 1, nullptr);
 }
 
-std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup, Progress* progress) {
+std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup setup, Progress* progress,
+                                               const ShownRun* before) {
   Progress unwatched;
   Progress& whole = progress != nullptr ? *progress : unwatched;
+  if (before != nullptr && differ_in_load_alone(before->run.setup, setup)) {
+    Run run = with_load(before->run, std::move(setup.load), &whole);
+    auto shown = std::make_shared<ShownRun>(*shown_of(std::move(run), whole, 1, nullptr));
+    shown->programmed = before->programmed;
+    return shown;
+  }
   Progress motion(whole, share_of_motion);
   Run run = simulate_motion(input, std::move(setup), &motion);
   motion.report(1);

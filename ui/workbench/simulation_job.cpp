@@ -52,7 +52,7 @@ SimulationJob::Result SimulationJob::work(const JobRequest& request, JobControl&
   }
   control.progress.report(0);
   stage = JobStage::simulating;
-  Result shown = simulate_shown(input, request.setup, &control.progress);
+  Result shown = simulate_shown(input, request.setup, &control.progress, request.before.get());
   give_back_memory();
   return shown;
 }

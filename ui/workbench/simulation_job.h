@@ -15,7 +15,8 @@ namespace feedscope::ui {
 struct JobRequest {
   std::variant<std::filesystem::path, LoadedProgram> input;
   Setup setup;
-  ReadOptions reading = {};  ///< of a file
+  ReadOptions reading = {};                     ///< of a file
+  std::shared_ptr<const ShownRun> before = {};  ///< of the same program; its motion is taken where it fits
 };
 
 enum class JobStage { reading, simulating };

@@ -27,6 +27,10 @@ Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
     schedule();
   });
   connect(&runs_, &RunList::list_changed, this, &Workbench::schedule);
+  connect(&runs_, &RunList::load_changed, this, [this] {
+    show_current();
+    schedule();
+  });
   connect(&runs_, &RunList::current_changed, this, [this] {
     show_current();
     schedule();
@@ -56,7 +60,7 @@ void Workbench::show(const Run& run) {
   reading_ = {};
   program_ = {};
   annotations_.replace({});
-  runs_.replace({{0, {}, runs_.current_item().colour, true, SetupState(run.setup)}}, 0);
+  runs_.replace({{0, {}, runs_.current_item().colour, true, SetupState(run.setup)}}, 0, run.setup.load);
   program_ = make_shown(run.input);
   runs_.set_feed_controls(run.input.feed_controls);
   emit program_changed();
@@ -82,14 +86,14 @@ void Workbench::open(const std::filesystem::path& file) {
 }
 
 void Workbench::open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
-                     const ReadOptions& reading) {
+                     const ReadOptions& reading, const LoadSetup& load) {
   job_.cancel();
   file_ = file;
   reading_ = reading;
   machine_chosen_ = true;
   program_ = {};
   annotations_.replace({});
-  runs_.replace(std::move(runs), current);
+  runs_.replace(std::move(runs), current, load);
   open(file);
 }
 
@@ -239,8 +243,8 @@ void Workbench::schedule() {
   }
   if (wanted(row) && !under_way(row)) {
     working_on_ = runs_.items()[row].id;
-    working_setup_ = runs_.items()[row].setup.setup();
-    job_.start({program_.input, working_setup_});
+    working_setup_ = runs_.setup(runs_.items()[row]);
+    job_.start({program_.input, working_setup_, {}, runs_.last_result(row)});
   }
 }
 
@@ -250,7 +254,7 @@ bool Workbench::wanted(std::size_t row) const {
 
 bool Workbench::under_way(std::size_t row) const {
   const RunItem& item = runs_.items()[row];
-  return job_.busy() && working_on_ == item.id && working_setup_ == item.setup.setup();
+  return job_.busy() && working_on_ == item.id && working_setup_ == runs_.setup(item);
 }
 
 void Workbench::take_program(const ShownProgram& program) {

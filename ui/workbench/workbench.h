@@ -41,7 +41,7 @@ class Workbench : public QObject {
   void open(const std::filesystem::path& file);
   /// The same with other runs, at least one; their history goes.
   void open(const std::filesystem::path& file, std::vector<RunItem> runs, std::size_t current,
-            const ReadOptions& reading = {});
+            const ReadOptions& reading = {}, const LoadSetup& load = {});
   /// Reads the program again; the cursor stays at its line.
   void reload();
   void set_reload_on_change(bool on);

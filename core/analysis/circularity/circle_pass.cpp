@@ -22,8 +22,8 @@ CirclePass pass_between(const Run& run, const Bracket& time, const CircleFrame& 
   pass.time = time.high - time.low;
   pass.places.reserve(circle_places);
   std::optional<ActualWalk> walk;
-  if (run.actual) {
-    walk.emplace(run.actual->response(), time.low);
+  if (run.sources.actual) {
+    walk.emplace(run.sources.actual->response(), time.low);
   }
   double angle = 0;
   for (std::size_t k = 0; k < circle_places; ++k) {

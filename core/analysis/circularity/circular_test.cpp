@@ -33,8 +33,10 @@ CircularTest run_circular_test(const CircularRequest& request, const Setup& setu
   options.dialect = Dialect::iso;
   const LoadedProgram loaded = load_program(
       std::make_shared<const SourceText>(SourceText("circular test", program.text)), nullptr, options);
-  const Run run = simulate_motion(loaded, setup, progress);
-  test.actual = run.actual != nullptr;
+  Setup bare = setup;
+  bare.load = {};  // of another program
+  const Run run = simulate_motion(loaded, std::move(bare), progress);
+  test.actual = run.sources.actual != nullptr;
   for (const std::uint32_t line : program.lines) {
     CirclePass pass =
         pass_between(run, time_of(*run.trajectory, line), {request.plane, test.center, request.radius});

@@ -77,7 +77,7 @@ ProgramCircles program_circles(const Run& run, Progress* progress) {
   result.evaluated = std::min(found.circles.size(), max_program_circles);
   result.helices = found.helices;
   result.tilted = found.tilted;
-  result.actual = run.actual != nullptr;
+  result.actual = run.sources.actual != nullptr;
   std::vector<const FullCircle*> of_test;  // the first circle of each
   for (std::size_t i = 0; i < result.evaluated; ++i) {
     if (progress != nullptr) {

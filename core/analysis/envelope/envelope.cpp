@@ -2,12 +2,27 @@
 
 namespace feedscope {
 
-Envelope::Envelope(std::shared_ptr<const Trajectory> trajectory, std::shared_ptr<const ActualPath> actual,
+Envelope::Envelope(std::shared_ptr<const Trajectory> trajectory, const RunSources& sources,
                    Progress* progress)
     : motion_(std::move(trajectory), progress) {
-  if (actual) {
-    drives_.emplace(DriveWalk::Source(std::move(actual)), progress);
+  if (sources.actual) {
+    drives_.emplace(DriveWalk::Source(sources.actual), progress);
   }
+  if (sources.load) {
+    load_.emplace(LoadWalk::Source(sources.load), progress);
+  }
+}
+
+bool Envelope::has(QuantitySource source) const {
+  switch (source) {
+    case QuantitySource::motion:
+      return true;
+    case QuantitySource::drives:
+      return drives_.has_value();
+    case QuantitySource::load:
+      return load_.has_value();
+  }
+  return false;
 }
 
 std::vector<Band> Envelope::columns(std::span<const double> times) const {
@@ -15,8 +30,12 @@ std::vector<Band> Envelope::columns(std::span<const double> times) const {
   for (std::size_t i = 0; i < bands.size(); ++i) {
     bands[i].add(motion_.column(times[i], times[i + 1]));
   }
+  const auto add = [&bands](std::size_t i, const auto& band) { bands[i].add(band); };
   if (drives_) {
-    drives_->columns(times, [&](std::size_t i, const DriveBand& band) { bands[i].add(band); });
+    drives_->columns(times, add);
+  }
+  if (load_) {
+    load_->columns(times, add);
   }
   return bands;
 }
@@ -26,6 +45,9 @@ Band Envelope::overall() const {
   band.add(motion_.overall());
   if (drives_) {
     band.add(drives_->overall());
+  }
+  if (load_) {
+    band.add(load_->overall());
   }
   return band;
 }

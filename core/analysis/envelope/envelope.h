@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/analysis/envelope/drive_walk.h"
+#include "core/analysis/envelope/load_walk.h"
 #include "core/analysis/envelope/motion_envelope.h"
 #include "core/analysis/envelope/span_envelope.h"
 
@@ -16,9 +17,9 @@ namespace feedscope {
 class Envelope {
  public:
   Envelope() = default;
-  /// `actual`: of a machine with drives, else null. Throws Cancelled if `progress` is cancelled.
-  explicit Envelope(std::shared_ptr<const Trajectory> trajectory,
-                    std::shared_ptr<const ActualPath> actual = nullptr, Progress* progress = nullptr);
+  /// `sources`: of the trajectory's run. Throws Cancelled if `progress` is cancelled.
+  explicit Envelope(std::shared_ptr<const Trajectory> trajectory, const RunSources& sources = {},
+                    Progress* progress = nullptr);
 
   /// One band for each pair of neighbours in `times` [s], ascending. Columns outside the run are empty.
   std::vector<Band> columns(std::span<const double> times) const;
@@ -28,13 +29,12 @@ class Envelope {
   const MotionBand& cutting() const { return motion_.cutting(); }
   const CauseTimes& causes() const { return motion_.causes(); }
   /// Whether a run has quantities of this source.
-  bool has(QuantitySource source) const {
-    return source == QuantitySource::drives ? drives_.has_value() : true;
-  }
+  bool has(QuantitySource source) const;
 
  private:
   MotionEnvelope motion_;
   std::optional<SpanEnvelope<DriveWalk>> drives_;
+  std::optional<SpanEnvelope<LoadWalk>> load_;
 };
 
 }  // namespace feedscope

@@ -1,10 +1,9 @@
 #include "core/analysis/envelope/motion_envelope.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
-#include "core/base/units.h"
+#include "core/analysis/envelope/part_looks.h"
 
 namespace feedscope {
 
@@ -12,16 +11,6 @@ namespace {
 
 constexpr std::size_t pieces_a_group = 4;
 constexpr double whole_group_share = 1.0 / 8;
-constexpr double arc_step = units::from_deg(5);
-constexpr double samples_a_blend = 3;  // of a gentle one
-constexpr double samples_a_filter_time = 8;
-constexpr double sharpest = 0.2;        // cosine of half the turn
-constexpr int max_inner_samples = 720;  // ten turns of a helix in one piece; beyond, turns repeat
-
-/// The share of a blend in which it turns is proportional to this: |S'(1/2)| / |S'(0)| = (3/alpha - 1/2) cos.
-double half_turn_cosine(const CubicBlend& blend) {
-  return (blend.end - blend.start).norm() / (2 * (blend.corner - blend.start).norm());
-}
 
 }  // namespace
 
@@ -111,25 +100,10 @@ void MotionEnvelope::add_part(MotionBand& band, const Part& part, const PartMoti
   if (speed_turns > 0 && speed_turns < duration) {
     band.add(motion.state_without_length(speed_turns));
   }
-  const int inner = inner_samples(part, motion.curve(), duration);
+  const int inner = inner_looks(*trajectory_, part, motion.curve(), duration);
   for (int k = 1; k <= inner; ++k) {
     band.add(motion.state_without_length(duration * k / (inner + 1)));
   }
-}
-
-int MotionEnvelope::inner_samples(const Part& part, const ElementCurve& curve, double duration) const {
-  const double advanced = advance({0, part.v, part.a, part.j}, duration).q;
-  double steps = 0;
-  if (part.law == Law::filtered) {
-    steps = duration / part.duration * trajectory_->filtered_spans(part, samples_a_filter_time);
-  } else if (curve.is_arc()) {
-    steps = advanced / curve.arc.length_per_radian() / arc_step;
-  } else if (curve.kind == ElementKind::blend) {
-    const double share = part.law == Law::parameter ? advanced : advanced / curve.length;
-    const double cosine = std::max(sharpest, half_turn_cosine(curve.blend));
-    steps = share * samples_a_blend / (cosine * cosine);
-  }
-  return static_cast<int>(std::clamp(std::ceil(steps) - 1, 0.0, double{max_inner_samples}));
 }
 
 }  // namespace feedscope

@@ -37,7 +37,6 @@ class MotionEnvelope {
   void add_piece(MotionBand& band, std::size_t piece, double from, double to) const;
   void add_pieces(MotionBand& band, std::size_t first, std::size_t last, double from, double to) const;
   void add_part(MotionBand& band, const Part& part, const PartMotion& motion, double duration) const;
-  int inner_samples(const Part& part, const ElementCurve& curve, double duration) const;
 
   std::shared_ptr<const Trajectory> trajectory_;
   CauseTimes causes_;

@@ -7,7 +7,6 @@
 
 #include "core/analysis/envelope/pyramid.h"
 #include "core/base/progress.h"
-#include "core/drives/span_looks.h"
 
 namespace feedscope {
 
@@ -22,7 +21,7 @@ namespace feedscope {
 ///   Walk(source, time)  begins at the first span that ends after `time` [s], at the last if none does
 ///   done()              behind the last span
 ///   begin(), end()      of the span [s]
-///   looks()             the SpanLooks of the span
+///   looks()             the instants of the span to look at, as SpanLooks
 ///   add(band, time)     adds the values at an instant of the span; instants never fall
 ///   next()
 /// and names `Source`, which is cheap to copy and has duration() [s], and `Band`, a kind of Extents.
@@ -106,7 +105,7 @@ class SpanEnvelope {
   /// What of the span of `walk` lies between both [s].
   static void add_span(Walk& walk, Band& band, double from, double to) {
     walk.add(band, from);
-    const SpanLooks looks = walk.looks();
+    const auto looks = walk.looks();
     for (int i = looks.first_after(from); i < looks.count() && looks.at(i) < to; ++i) {
       walk.add(band, looks.at(i));
     }

@@ -28,6 +28,15 @@ constexpr std::array<std::string_view, load_limit_count> limit_titles{
 };
 constexpr std::array<std::size_t, load_limit_count> limit_quantities{1, 1, 3, 4, 5};
 
+constexpr std::array<LoadQuantity, load_quantity_count> quantities{{
+    {&CuttingLoad::feed_per_tooth, QuantityId::feed_per_tooth},
+    {&CuttingLoad::chip_thickness, QuantityId::chip_thickness},
+    {&CuttingLoad::mean_force, QuantityId::mean_force},
+    {&CuttingLoad::peak_force, QuantityId::peak_force},
+    {&CuttingLoad::torque, QuantityId::torque},
+    {&CuttingLoad::power, QuantityId::power},
+}};
+
 /// Sums of what becomes LoadTotals.
 struct Sums {
   LoadTotals totals;
@@ -35,7 +44,7 @@ struct Sums {
 };
 
 /// One look at the run.
-struct Instant {
+struct LoadLook {
   double time = 0;
   double speed = 0;
   double programmed_feed = 0;
@@ -45,12 +54,12 @@ struct Instant {
 
 class LoadCount {
  public:
-  LoadCount(const LoadModel& model, const Trajectory& trajectory)
-      : model_(model), sampler_(model, trajectory), operations_(model.operations().size()) {
+  explicit LoadCount(const RunLoad& load)
+      : model_(load.model()), sampler_(load), operations_(load.model().operations().size()) {
     for (std::size_t i = 0; i < load_limit_count; ++i) {
       const auto limit = static_cast<LoadLimit>(i);
       const bool set = std::any_of(
-          model.operations().begin(), model.operations().end(),
+          model_.operations().begin(), model_.operations().end(),
           [&](const LoadedOperation& operation) { return bound_of(limit, operation.operation).has_value(); });
       if (set) {
         limits_.push_back(limit);
@@ -60,7 +69,7 @@ class LoadCount {
   }
 
   void add(const Part& part, const PartMotion& motion) {
-    Instant from = look(motion, part, 0);
+    LoadLook from = look(motion, part, 0);
     if (from.sample.state != LoadState::cutting && from.sample.state != LoadState::plunge) {
       time_[static_cast<std::size_t>(from.sample.state)] += part.duration;
       return;
@@ -71,8 +80,8 @@ class LoadCount {
             : std::ceil(part.duration / longest_step);
     const int steps = static_cast<int>(std::clamp(wanted, 1.0, most_steps));
     for (int i = 0; i < steps; ++i) {
-      const Instant middle = look(motion, part, part.duration * (i + 0.5) / steps);
-      const Instant to = look(motion, part, part.duration * (i + 1) / steps);
+      const LoadLook middle = look(motion, part, part.duration * (i + 0.5) / steps);
+      const LoadLook to = look(motion, part, part.duration * (i + 1) / steps);
       add_step(from, middle, to, part.duration / steps);
       from = to;
     }
@@ -92,13 +101,13 @@ class LoadCount {
   }
 
  private:
-  Instant look(const PartMotion& motion, const Part& part, double tau) {
+  LoadLook look(const PartMotion& motion, const Part& part, double tau) {
     const State state = motion.state_without_length(tau);
     return {part.time + tau, state.speed, state.programmed_feed, state.line, sampler_.at(state)};
   }
 
-  static bool is_steady(const Instant& a, const Instant& b, const Instant& c) {
-    const auto same = [&](const Instant& other) {
+  static bool is_steady(const LoadLook& a, const LoadLook& b, const LoadLook& c) {
+    const auto same = [&](const LoadLook& other) {
       const CuttingLoad& one = a.sample.predicted;
       return other.sample.state == a.sample.state &&
              std::abs(other.sample.predicted.feed_per_tooth - one.feed_per_tooth) <=
@@ -107,7 +116,7 @@ class LoadCount {
     return same(b) && same(c);
   }
 
-  void add_step(const Instant& from, const Instant& middle, const Instant& to, double duration) {
+  void add_step(const LoadLook& from, const LoadLook& middle, const LoadLook& to, double duration) {
     const LoadState state = middle.sample.state;
     time_[static_cast<std::size_t>(state)] += duration;
     if (state != LoadState::cutting) {
@@ -126,7 +135,7 @@ class LoadCount {
     track(middle, to);
   }
 
-  static void add_look(Sums& sums, const Instant& look, double duration) {
+  static void add_look(Sums& sums, const LoadLook& look, double duration) {
     const double programmed = look.programmed_feed > 0 ? duration * look.speed / look.programmed_feed : 0;
     sums.programmed_time += programmed;
     for (std::size_t i = 0; i < load_quantity_count; ++i) {
@@ -144,7 +153,7 @@ class LoadCount {
     }
   }
 
-  void track(const Instant& from, const Instant& to) {
+  void track(const LoadLook& from, const LoadLook& to) {
     if (!from.sample.has_load() || !to.sample.has_load()) {
       return;
     }
@@ -156,7 +165,7 @@ class LoadCount {
         continue;
       }
       const auto member = load_quantities()[quantity_of(limits_[i])].member;
-      const auto look = [&](const Instant& at) {
+      const auto look = [&](const LoadLook& at) {
         return LimitTracker::Look{at.time, at.line, at.sample.predicted.*member,
                                   at.sample.programmed.*member};
       };
@@ -184,6 +193,14 @@ class LoadCount {
 
 }  // namespace
 
+const std::array<LoadQuantity, load_quantity_count>& load_quantities() {
+  return quantities;
+}
+
+double in_file_unit(const LoadQuantity& quantity, double value) {
+  return value * shown_unit(info_of(quantity.id).dimension).factor;
+}
+
 std::string_view key_of(LoadLimit limit) {
   return limit_keys[static_cast<std::size_t>(limit)];
 }
@@ -198,13 +215,14 @@ std::size_t quantity_of(LoadLimit limit) {
 
 std::string_view load_assumptions() {
   return QT_TRANSLATE_NOOP("core",
-                           "engagement as given in the load file, not simulated along the path; circular "
+                           "engagement as given, not simulated along the path; circular "
                            "tooth path, no runout, no "
                            "deflection; coefficients of the material as given");
 }
 
-LoadFigures load_figures(const LoadModel& model, const Trajectory& trajectory, Progress* progress) {
-  LoadCount count(model, trajectory);
+LoadFigures load_figures(const RunLoad& load, Progress* progress) {
+  const Trajectory& trajectory = load.trajectory();
+  LoadCount count(load);
   std::size_t parts = 0;
   for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
     count.add(walk.part(), walk.motion());

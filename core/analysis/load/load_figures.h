@@ -8,10 +8,20 @@
 #include <vector>
 
 #include "core/analysis/load/load_sample.h"
-#include "core/load/load_model.h"
-#include "core/trajectory/trajectory.h"
+#include "core/analysis/load/run_load.h"
+#include "core/analysis/quantity.h"
 
 namespace feedscope {
+
+/// A number of CuttingLoad, which is a quantity at the predicted feed and one at the programmed feed.
+struct LoadQuantity {
+  double CuttingLoad::*member = nullptr;
+  QuantityId id = QuantityId::chip_thickness;  ///< at the predicted feed
+};
+inline constexpr std::size_t load_quantity_count = 6;
+const std::array<LoadQuantity, load_quantity_count>& load_quantities();
+/// In the unit of CSV columns.
+double in_file_unit(const LoadQuantity& quantity, double value);
 
 /// A number of CuttingLoad over a time of cutting, in its unit.
 struct LoadFigure {
@@ -73,7 +83,7 @@ struct LoadFigures {
 
 /// Looks at ends and middles of steps of 2 ms at most, fewer where the feed is constant; means by Simpson's
 /// rule. Linear in the pieces of the run. Throws Cancelled.
-LoadFigures load_figures(const LoadModel& model, const Trajectory& trajectory, Progress* progress = nullptr);
+LoadFigures load_figures(const RunLoad& load, Progress* progress = nullptr);
 
 /// What is assumed of the engagement and not modelled: one sentence that stands where loads are shown.
 std::string_view load_assumptions();

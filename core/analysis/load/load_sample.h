@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <string_view>
 
 namespace feedscope {
@@ -39,23 +37,5 @@ struct LoadSample {
   CuttingLoad programmed;  ///< at the programmed feed, at the same place
   bool has_load() const { return state == LoadState::cutting; }
 };
-
-/// A number of CuttingLoad as files have it.
-struct LoadQuantity {
-  std::string_view key;    ///< with its unit: "cutting_force_peak_n"
-  std::string_view title;  ///< "peak force"
-  std::string_view unit;   ///< as shown: "N"
-  double CuttingLoad::*member = nullptr;
-  double factor = 1;  ///< to that unit
-};
-inline constexpr std::size_t load_quantity_count = 6;
-const std::array<LoadQuantity, load_quantity_count>& load_quantities();
-
-/// A column of CSV that a load file adds; empty where a sample has no load.
-struct LoadColumn {
-  std::string_view name;
-  double (*of)(const LoadSample&) = nullptr;  ///< in the unit of the name
-};
-std::span<const LoadColumn> load_columns();
 
 }  // namespace feedscope

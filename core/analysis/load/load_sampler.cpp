@@ -1,5 +1,6 @@
 #include "core/analysis/load/load_sampler.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/base/units.h"
@@ -65,7 +66,7 @@ LoadSample LoadSampler::at(const State& state) {
     sample.state = LoadState::plunge;
     return sample;
   }
-  sample.predicted = load_at(state.speed * across);
+  sample.predicted = load_at(std::max(0.0, state.speed) * across);  // rounding at standstill
   sample.programmed = load_at(state.programmed_feed * across);
   return sample;
 }

@@ -3,17 +3,15 @@
 #include <cstdint>
 
 #include "core/analysis/load/load_sample.h"
-#include "core/load/load_model.h"
-#include "core/trajectory/trajectory.h"
+#include "core/analysis/load/run_load.h"
 
 namespace feedscope {
 
 /// The load at any state of a run.
 class LoadSampler {
  public:
-  /// Both outlive it.
-  LoadSampler(const LoadModel& model, const Trajectory& trajectory)
-      : model_(model), trajectory_(trajectory) {}
+  /// `load` must outlive this.
+  explicit LoadSampler(const RunLoad& load) : model_(load.model()), trajectory_(load.trajectory()) {}
 
   /// `state`: of the trajectory. Constant time; states of one segment after the other are the cheapest.
   LoadSample at(const State& state);

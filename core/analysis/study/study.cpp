@@ -104,6 +104,9 @@ std::vector<StudySetup> setups_to_study(const StudyRequest& request) {
   for (const Setup& base : bases) {
     for (std::size_t i = 0; i < count; ++i) {
       StudySetup one{base, {}};
+      if (!request.load.empty()) {
+        one.setup.load = request.load;
+      }
       std::size_t rest = i;
       for (const Sweep& sweep : request.sweeps) {
         one.swept.push_back(sweep.values[rest % sweep.values.size()]);

@@ -22,6 +22,7 @@ struct StudyRequest {
   std::optional<double> within;  ///< bound of the contour error [mm]
   /// Instead of machines, models, tolerances and assignments, which are empty then: the runs of a session.
   std::vector<Setup> setups = {};
+  LoadSetup load = {};  ///< of all runs, unless it is empty
 };
 
 /// One run of a study.

@@ -53,7 +53,7 @@ TEST(LoadFigures, ForceFallsWhereTheControlSlowsDown) {
   EXPECT_NEAR(programmed[peak].mean, programmed[peak].largest, 1e-6 * programmed[peak].largest);
   EXPECT_LT(predicted[peak].mean, 0.9 * programmed[peak].mean);
   EXPECT_LE(predicted[peak].largest, programmed[peak].largest * (1 + 1e-9));
-  LoadSampler sampler(*run.load, *run.trajectory);
+  LoadSampler sampler(*run.sources.load);
   double least = 1e9;
   for (int i = 1; i < 1000; ++i) {
     const State state = run.trajectory->state(run.trajectory->duration() * i / 1000);
@@ -89,7 +89,7 @@ TEST(LoadFigures, ReportsThinChipsAtStartCornerAndEnd) {
   EXPECT_NEAR(thin.places[2].to, run.trajectory->duration(), 1e-9);
   EXPECT_EQ(thin.programmed_time, 0);
   // At both ends of every place that is not an end of the run the chip has its least thickness.
-  LoadSampler sampler(*run.load, *run.trajectory);
+  LoadSampler sampler(*run.sources.load);
   EXPECT_NEAR(sampler.at(run.trajectory->state(thin.places[0].to)).predicted.chip_thickness, 0.02, 1e-5);
   EXPECT_NEAR(sampler.at(run.trajectory->state(thin.places[1].from)).predicted.chip_thickness, 0.02, 1e-5);
 }
@@ -184,7 +184,7 @@ TEST(LoadFigures, HoldOnRandomPrograms) {
       EXPECT_NEAR(places, limit.time, 1e-6) << text;
     }
     // Against many samples.
-    LoadSampler sampler(*run.load, *run.trajectory);
+    LoadSampler sampler(*run.sources.load);
     double largest = 0;
     for (int k = 0; k <= 2000; ++k) {
       const LoadSample sample = sampler.at(run.trajectory->state(run.trajectory->duration() * k / 2000));

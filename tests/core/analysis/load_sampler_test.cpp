@@ -39,7 +39,7 @@ LoadSample in_line(const Run& run, std::uint32_t line) {
       to = motion.piece_end(i);
     }
   }
-  LoadSampler sampler(*run.load, motion);
+  LoadSampler sampler(*run.sources.load);
   return sampler.at(motion.state((from + to) / 2));
 }
 
@@ -51,7 +51,7 @@ TEST(LoadSampler, OfASteadyFeedIsThatOfTheFeedPerTooth) {
   EXPECT_NEAR(sample.predicted.feed_per_tooth, 0.1, 1e-9);
   EXPECT_NEAR(sample.predicted.chip_thickness, 0.1, 1e-9);
   EXPECT_NEAR(sample.programmed.feed_per_tooth, 0.1, 1e-12);
-  const auto figures = run.load->operations()[0].force.at(0.1);
+  const auto figures = run.sources.load->model().operations()[0].force.at(0.1);
   EXPECT_NEAR(sample.predicted.peak_force, figures.peak, 1e-6);
   EXPECT_NEAR(sample.predicted.mean_force, std::hypot(figures.mean.x(), figures.mean.y()), 1e-6);
   EXPECT_NEAR(sample.predicted.torque, figures.torque, 1e-6);
@@ -91,7 +91,7 @@ TEST(LoadSampler, CountsTheFeedAcrossTheAxis) {
 
 TEST(LoadSampler, AtRestHasNoChipAndNoDivisionByZero) {
   const auto run = run_of("G21\nS6000 M3\nG1 X80 F1200\n", mill(), "essid");
-  LoadSampler sampler(*run.load, *run.trajectory);
+  LoadSampler sampler(*run.sources.load);
   const LoadSample sample = sampler.at(run.trajectory->state(0));
   ASSERT_TRUE(sample.has_load());
   EXPECT_EQ(sample.predicted.chip_thickness, 0);

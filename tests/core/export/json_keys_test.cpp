@@ -125,8 +125,9 @@ class Files {
     circle.feed = 20;
     circle.sweep = 6;
     circle.entry_radius = 3;
-    const Setup setup = session("essid", 0.05);
+    Setup setup = session("essid", 0.05);
     add('r', circular_json(setup, std::vector{run_circular_test(circle, setup)}));
+    setup.load = {};
     const auto circles = load_program(
         std::make_shared<const SourceText>("circles.nc", "G21 F900\nG1 X20\nG3 I-20\nG2 I-20\nM30\n"));
     add('r', program_circles_json(setup, *circles.program, program_circles(simulate_run(circles, setup))));

@@ -36,6 +36,15 @@ TEST(Immersion, OfAQuarterOfTheDiameterIsSixtyDegrees) {
   EXPECT_NEAR(immersion(mill(3, Milling::down)).from, 2 * units::pi / 3, 1e-12);
 }
 
+TEST(Engagement, LinesAreReadAsTheyAreWritten) {
+  const std::vector<ProgramLines> ranges{{10, 25}, {40, 40}};
+  EXPECT_EQ(ranges_of(" 10 - 25,40"), ranges);
+  EXPECT_EQ(ranges_of(ranges_text(ranges)), ranges);
+  for (const char* wrong : {"", "a", "10-", "10-25,", "10;25", "-5"}) {
+    EXPECT_EQ(ranges_of(wrong), std::nullopt) << wrong;
+  }
+}
+
 TEST(Engagement, SaysWhatIsWrongWithIt) {
   EXPECT_EQ(operation_problem(mill(12, Milling::up)), "");
   EXPECT_THAT(operation_problem(mill(12.5, Milling::up)),

@@ -14,7 +14,7 @@ class ChartsRuns : public test::ChartsPanelTest {
   ChartsRuns() {
     const auto other = test::simulate_text(test::small_program, "cam").trajectory;
     panel.set_overlays(
-        {{other, std::make_shared<const Envelope>(other), nullptr, Qt::magenta, "promised", false}});
+        {{other, std::make_shared<const Envelope>(other), {}, Qt::magenta, "promised", false}});
     panel.refresh();
   }
 

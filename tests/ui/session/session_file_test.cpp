@@ -85,7 +85,9 @@ TEST_F(SessionFile, HashesBytes) {
 /// One file for each version is kept as it was written then.
 TEST_F(SessionFile, OfEveryVersionIsReadWhole) {
   const std::filesystem::path folder = FEEDSCOPE_SOURCE_DIR "/tests/ui/session/versions";
-  const Session expected = test::some_session(folder / "part.nc");
+  Session expected = test::some_session(folder / "part.nc");
+  expected.load = {};  // came later, as the charts that are hidden
+  expected.charts.hidden_charts.clear();
   for (int version = 1; version <= session_version; ++version) {
     const ReadSession read =
         read_session_file(folder / ("version_" + std::to_string(version) + ".feedscope"));

@@ -31,6 +31,7 @@ void expect_same(const Session& a, const Session& b) {
   EXPECT_EQ(a.scene, b.scene);
   EXPECT_EQ(a.scenes, b.scenes);
   EXPECT_EQ(a.charts, b.charts);
+  EXPECT_EQ(a.load, b.load);
   EXPECT_EQ(a.annotations, b.annotations);
   EXPECT_EQ(a.layout, b.layout);
   EXPECT_EQ(a.theme, b.theme);

@@ -34,6 +34,17 @@ inline Session some_session(const std::filesystem::path& program) {
   session.scenes = {ScenesMode::split, 0, 0.375, 1};
   session.charts.abscissa = Abscissa::path_length;
   session.charts.time = Interval{0.1, 0.4};
+  session.charts.hidden_charts = {"jerk"};
+  Engagement operation;
+  operation.tool = "7";
+  operation.lines = {{1, 20}};
+  operation.diameter = 9.99;
+  operation.teeth = 3;
+  operation.radial_depth = 0.1 + 0.2;
+  operation.axial_depth = 4;
+  operation.material = "steel-c45";
+  operation.max_force = 500;
+  session.load.operations = {operation, operation};  // they overlap, as while someone edits them
   int segment = 0;
   for (const AnnotationKind kind : annotation_kinds) {
     Annotation annotation;

@@ -1,3 +1,4 @@
+#include "ui/fields/choice_delegate.h"
 #include "ui/setup/setup_tables.h"
 
 #include <gmock/gmock.h>
@@ -134,7 +135,7 @@ TEST_F(SetupTablesTest, OnlyValuesCanBeEdited) {
 TEST_F(SetupTablesTest, ChoicesAreOfferedAndOthersRefused) {
   const QModelIndex reading = settings.index(settings.row_of("reading"), SettingsTable::value);
   ASSERT_TRUE(reading.isValid());
-  EXPECT_TRUE(reading.data(SetupTable::choices_role).toStringList().contains("published"));
+  EXPECT_TRUE(reading.data(ChoiceDelegate::choices_role).toStringList().contains("published"));
   EXPECT_TRUE(settings.setData(reading, "published"));
   EXPECT_FALSE(settings.setData(reading, "guessed"));
   EXPECT_EQ(reading.data().toString(), "published");

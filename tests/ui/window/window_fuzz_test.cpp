@@ -341,7 +341,8 @@ TEST_F(WindowFuzz, AThousandRandomActionsNeitherFailNorGrow) {
     EXPECT_LT(used, max_seconds) << diary.text();
     EXPECT_LT(test::resident_bytes(), max_bytes) << diary.text();
     const auto shown = model.shown();
-    EXPECT_TRUE(shown == nullptr || shown->run.setup == model.setup().setup()) << diary.text();
+    EXPECT_TRUE(shown == nullptr || shown->run.setup == model.runs().setup(model.runs().current_item()))
+        << diary.text();
   }
   model.cancel();
   ASSERT_TRUE(QTest::qWaitFor([this] { return !model.busy() && !window.busy(); }, 60000)) << diary.text();

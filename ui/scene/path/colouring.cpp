@@ -82,7 +82,7 @@ Peaks peaks_of(const SampledPath& path, Colouring colouring, const Rare& rare, d
   std::vector<double> histogram(1U << 15U);
   Peaks peaks;
   for_each_value(path, colouring, [&](std::size_t i, double value) {
-    if (path.kinds[i] != SpanKind::rapid) {
+    if (path.kinds[i] != SpanKind::rapid && !std::isnan(value)) {
       const double size = std::abs(value);
       peaks.all = std::max(peaks.all, size);
       histogram[Stored(static_cast<float>(size)).value] += weight_of(path, i, rare.weight);
@@ -243,7 +243,12 @@ std::vector<Rgba> point_colours(const SampledPath& path, const ColourKey& key, B
       table[i] = to_bytes(scale_colour(key.scale, static_cast<double>(i) / (table.size() - 1), background));
     }
     constexpr double last = colour_map_size - 1;
+    const Rgba unknown = to_bytes(scene_colours(background).programmed);
     for_each_value(path, key.colouring, [&](std::size_t i, double value) {
+      if (std::isnan(value)) {
+        colours[i] = unknown;
+        return;
+      }
       const double index = std::clamp(key.scale.position(value), 0.0, 1.0) * last;
       colours[i] = table[static_cast<std::size_t>(index + 0.5)];
     });

@@ -12,7 +12,7 @@ constexpr std::size_t close_enough = 300'000;  // points of one path
 
 SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference,
                             std::span<const double> reference_times, Progress* progress,
-                            const ActualPath* actual) {
+                            const RunSources& sources) {
   Progress unwatched;
   Progress& whole = progress != nullptr ? *progress : unwatched;
   Progress sampling(whole, 0.5);
@@ -20,7 +20,7 @@ SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& refe
   const std::vector<double> places = reference_times.size() > close_enough
                                          ? std::vector<double>()
                                          : times_at_places(reference, trajectory, reference_times);
-  SampledPath path = sample_executed(trajectory, default_max_points, places, &sampling, actual);
+  SampledPath path = sample_executed(trajectory, default_max_points, places, &sampling, sources);
   const RunDifference difference = compare_places(trajectory, reference, path.times, &comparing);
   const auto store = [](std::vector<Stored>& to, const std::vector<float>& from) {
     to.reserve(from.size());

@@ -18,15 +18,16 @@ constexpr double feed_steps = 24;
 constexpr double spans_a_filter_time = 8;
 constexpr double share_of_actual = 0.4;  // of the time that it takes with drives
 
-/// `drives`: values of drives, too.
-void reserve(SampledPath& path, std::size_t points, bool drives) {
+/// `has`: whether the path has values of this position.
+template <typename Has>
+void reserve(SampledPath& path, std::size_t points, Has has) {
   path.positions.reserve(points);
   path.kinds.reserve(points);
   path.times.reserve(points);
   path.causes.reserve(points);
   path.deviations.reserve(points);
   for (std::size_t quantity = 0; quantity < own_sampled_count; ++quantity) {
-    if (drives || !is_of_drives(quantity)) {
+    if (has(quantity)) {
       path.values[quantity].reserve(points);
     }
   }
@@ -45,8 +46,8 @@ struct Chunk {
 /// Draws the samples of one trajectory, or of a chunk of it.
 class ExecutedSampling {
  public:
-  ExecutedSampling(const Trajectory& trajectory, std::span<const double> also_at, const ActualPath* actual)
-      : trajectory_(trajectory), also_at_(also_at), actual_(actual), deviation_(programmed_of(trajectory)) {
+  ExecutedSampling(const Trajectory& trajectory, std::span<const double> also_at, const RunSources& sources)
+      : trajectory_(trajectory), also_at_(also_at), sources_(sources), deviation_(programmed_of(trajectory)) {
     for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
       const Part& part = walk.part();
       if (part.law == Law::filtered && !trajectory.is_rapid(part.element)) {
@@ -84,11 +85,10 @@ class ExecutedSampling {
   SampledPath run(const Chunk& chunk, double spacing) {
     SampledPath path;
     path.origin = trajectory_.path().element(0).start;
-    reserve(path, spacing > 0 ? 0 : chunk.wanted + 2, actual_ != nullptr);
+    reserve(path, spacing > 0 ? 0 : chunk.wanted + 2,
+            [this](std::size_t sample) { return sources_.has(source_of_sample(sample)); });
     Sampler sampler(path, spacing);
-    if (actual_ != nullptr) {
-      sampled_.emplace(*actual_, trajectory_.pieces()[chunk.piece].time);
-    }
+    instants_.emplace(sources_, trajectory_.pieces()[chunk.piece].time);
     std::optional<Part> last = chunk.before;
     PartWalk walk(trajectory_, chunk.piece);
     if (last) {
@@ -279,15 +279,11 @@ class ExecutedSampling {
   }
 
   void add_values(SampledPath& path, const State& state) {
-    std::optional<ActualSample> actual;
-    if (sampled_) {
-      actual = sampled_->at(state);
-    }
-    const Instant instant(state, actual ? &*actual : nullptr);
+    const Instant instant = instants_->at(state);
     std::size_t next = 0;
     for (const QuantityInfo& quantity : all_quantities()) {
       if (quantity.colours) {
-        if (quantity.source == QuantitySource::motion || actual) {
+        if (sources_.has(quantity.source)) {
           store(path.values[next], quantity.of(instant));
         }
         ++next;
@@ -306,8 +302,8 @@ class ExecutedSampling {
 
   const Trajectory& trajectory_;
   std::span<const double> also_at_;  ///< those that are still to come [s]
-  const ActualPath* actual_;         ///< null without drives
-  std::optional<ActualSampler> sampled_;
+  const RunSources& sources_;
+  std::optional<InstantSampler> instants_;
   double top_speed_ = 0;  ///< [mm/s]
   double top_jerk_ = 0;   ///< along the path [mm/s3]
   PathDeviation deviation_;
@@ -327,7 +323,7 @@ SampledPath joined(std::vector<SampledPath> parts) {
   for (const SampledPath& part : parts) {
     size += part.size();
   }
-  reserve(path, path.size() + size, !path.values[sample_index(Colouring::following_error)].empty());
+  reserve(path, path.size() + size, [&path](std::size_t sample) { return !path.values[sample].empty(); });
   for (std::size_t i = 1; i < parts.size(); ++i) {
     SampledPath& part = parts[i];
     move_behind(path.positions, part.positions);
@@ -348,11 +344,11 @@ SampledPath joined(std::vector<SampledPath> parts) {
 }  // namespace
 
 SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points,
-                            std::span<const double> also_at, Progress* progress, const ActualPath* actual) {
+                            std::span<const double> also_at, Progress* progress, const RunSources& sources) {
   if (trajectory.pieces().empty()) {
     return {};
   }
-  const ExecutedSampling sampling(trajectory, also_at, actual);
+  const ExecutedSampling sampling(trajectory, also_at, sources);
   const std::vector<Chunk> chunks = sampling.chunks();
   std::size_t wanted = 1;
   for (const Chunk& chunk : chunks) {
@@ -362,19 +358,20 @@ SampledPath sample_executed(const Trajectory& trajectory, std::size_t max_points
   std::vector<SampledPath> parts(chunks.size());
   Progress unwatched;
   Progress& watched = progress != nullptr ? *progress : unwatched;
+  const double share_of_set = sources.actual ? 1 - share_of_actual : 1;
   std::atomic<std::size_t> done{0};
   in_parallel(chunks.size(), [&](std::size_t i) {
     parts[i] = ExecutedSampling(sampling).run(chunks[i], spacing);
     const double share = static_cast<double>(++done) / static_cast<double>(chunks.size());
-    watched.report(actual != nullptr ? (1 - share_of_actual) * share : share);
+    watched.report(share_of_set * share);
   });
-  watched.report(actual != nullptr ? 1 - share_of_actual : 1);
+  watched.report(share_of_set);
   SampledPath path = joined(std::move(parts));
   path.levels = levels_of(path);
   path.boxes = boxes_of(path.positions);
-  if (actual != nullptr) {
+  if (sources.actual) {
     Progress rest(watched, share_of_actual);
-    path.actual = std::make_shared<const SampledPath>(sample_actual(*actual, max_points, &rest));
+    path.actual = std::make_shared<const SampledPath>(sample_actual(*sources.actual, max_points, &rest));
   }
   return path;
 }

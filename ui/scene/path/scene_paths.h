@@ -15,11 +15,10 @@ struct ScenePaths {
   std::vector<OverlayRun> overlays;
   bool actual_shown = true;  ///< what the axes run, where the executed path has it
 
-  bool has_actual() const { return executed_samples != nullptr && executed_samples->actual != nullptr; }
   /// Other runs, and what the axes run.
   std::vector<OverlayRun> shown_overlays(const SceneColours& colours, const SceneTexts& texts) const {
     std::vector<OverlayRun> shown = overlays;
-    if (actual_shown && has_actual()) {
+    if (actual_shown && executed_samples != nullptr && executed_samples->actual != nullptr) {
       shown.push_back({executed_samples->actual, colours.actual, texts.actual});
     }
     return shown;

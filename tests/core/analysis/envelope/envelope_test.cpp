@@ -144,19 +144,21 @@ TEST(Envelope, HasNothingOfDrivesWithoutThem) {
 }
 
 /// All axes without feed-forward, X slower than the others.
-std::shared_ptr<const ActualPath> actual_path(const Run& run) {
+RunSources with_drives(const Run& run) {
   Machine machine = run.setup.machine;
   for (const char axis : {'X', 'Y', 'Z'}) {
     set_axis_value(machine, axis, "kv", axis == 'X' ? 40.0 : 60.0);
     set_axis_value(machine, axis, "velocity_lag", 3.0);
   }
-  return std::make_shared<const ActualPath>(run.trajectory, machine);
+  RunSources sources;
+  sources.actual = std::make_shared<const ActualPath>(run.trajectory, machine);
+  return sources;
 }
 
 TEST(Envelope, SteadyFollowingErrorIsVelocityOverGain) {
   // 100 mm/s over a gain of 40 1/s leave the axis 2.5 mm behind, along the path.
   const auto run = test::simulate_text("G21 G90 F6000\nG1 X100\n", "cam");
-  const Envelope envelope(run.trajectory, actual_path(run));
+  const Envelope envelope(run.trajectory, with_drives(run));
   ASSERT_TRUE(envelope.has(QuantitySource::drives));
   const std::vector<double> times{0.6, 0.8};
   const Band column = envelope.columns(times).front();
@@ -168,8 +170,8 @@ TEST(Envelope, SteadyFollowingErrorIsVelocityOverGain) {
 
 TEST(Envelope, OfDrivesHoldsWhatEveryInstantHasAndLittleMore) {
   const auto run = test::simulate_text(random_program(5, 60));
-  const auto actual = actual_path(run);
-  const Envelope envelope(run.trajectory, actual);
+  const RunSources sources = with_drives(run);
+  const Envelope envelope(run.trajectory, sources);
   const double duration = run.trajectory->duration();
   std::mt19937 random(5);
   std::uniform_real_distribution<double> anywhere(0, duration);
@@ -185,7 +187,7 @@ TEST(Envelope, OfDrivesHoldsWhatEveryInstantHasAndLittleMore) {
         continue;
       }
       const State state = run.trajectory->state(time);
-      const ActualSample sample = actual->at(state);
+      const ActualSample sample = sources.actual->at(state);
       most.add(Instant(state, &sample));
       if (k >= 0 && k <= 4000) {
         least.add(Instant(state, &sample));
@@ -204,11 +206,96 @@ TEST(Envelope, OfDrivesHoldsWhatEveryInstantHasAndLittleMore) {
   }
 }
 
+/// One tool over all feed motions.
+RunSources with_load(const Run& run) {
+  Engagement operation;
+  operation.diameter = 10;
+  operation.teeth = 2;
+  operation.radial_depth = 3;
+  operation.axial_depth = 4;
+  operation.material = "aluminium-7075-t6";
+  operation.spindle_speed = 100;
+  RunSources sources;
+  sources.load = std::make_shared<const RunLoad>(
+      run.trajectory, LoadModel({{operation}, {}}, *run.input.program, *run.input.toolpath));
+  return sources;
+}
+
+TEST(Envelope, SteadyChipThicknessFollowsFromTheFeed) {
+  // 100 mm/s over 100 turns a second and two teeth: 0.5 mm a tooth; largest chip at the border of 3 mm of 10.
+  const auto run = test::simulate_text("G21 G90 F6000\nG1 X100\n", "cam");
+  const Envelope envelope(run.trajectory, with_load(run));
+  ASSERT_TRUE(envelope.has(QuantitySource::load));
+  const std::vector<double> times{0.6, 0.8};
+  const Band column = envelope.columns(times).front();
+  const double thickest = 0.5 * std::sin(std::acos(1 - 2 * 0.3));
+  EXPECT_NEAR(column[QuantityId::chip_thickness].min, thickest, 1e-6);
+  EXPECT_NEAR(column[QuantityId::chip_thickness_programmed].max, thickest, 1e-6);
+  EXPECT_FALSE(envelope.has(QuantitySource::drives));
+  EXPECT_TRUE(column[QuantityId::following_error_x].empty());
+}
+
+TEST(Envelope, OfTheLoadHoldsWhatEveryInstantHas) {
+  const auto run = test::simulate_text(random_program(7, 60));
+  const RunSources sources = with_load(run);
+  const Envelope envelope(run.trajectory, sources);
+  const double duration = run.trajectory->duration();
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> anywhere(0, duration);
+  for (int i = 0; i < 12; ++i) {
+    const auto [from, wide] = std::minmax({anywhere(random), anywhere(random)});
+    const double to = i % 2 == 0 ? wide : from + (wide - from) / 100;
+    LoadBand least;
+    InstantSampler sampler(sources, from);
+    for (int k = 0; k <= 4000; ++k) {
+      const State state = run.trajectory->state(from + (to - from) * k / 4000);
+      least.add(sampler.at(state));
+    }
+    const std::vector<double> times{from, to};
+    const Band column = envelope.columns(times).front();
+    for (std::size_t q = 0; q < charted_of_load.count; ++q) {
+      if (least.extents[q].empty()) {
+        continue;  // rapids
+      }
+      const Extent& extent = column.extents[charted_of_load.index + q];
+      EXPECT_LE(double{extent.min}, double{least.extents[q].min} + tolerance_of(least.extents[q])) << q;
+      EXPECT_GE(double{extent.max}, double{least.extents[q].max} - tolerance_of(least.extents[q])) << q;
+    }
+  }
+}
+
+TEST(PartLooks, AreInOrderAndHoldTheTurnOfTheFeed) {
+  const auto run = test::simulate_text(random_program(3, 40));
+  std::size_t turns = 0;
+  for (PartWalk walk(*run.trajectory); !walk.done(); walk.next()) {
+    const Part& part = walk.part();
+    const PartMotion motion = walk.motion();
+    const PartLooks looks(*run.trajectory, part, motion.curve());
+    EXPECT_DOUBLE_EQ(looks.at(0), part.time);
+    EXPECT_NEAR(looks.at(looks.count() - 1), part.time + part.duration, 1e-9);
+    bool has_turn = false;
+    const double turn = part.j != 0 ? part.time - part.a / part.j : -1;
+    for (int k = 0; k < looks.count(); ++k) {
+      EXPECT_TRUE(k == 0 || looks.at(k) >= looks.at(k - 1));
+      has_turn = has_turn || std::abs(looks.at(k) - turn) < 1e-12;
+    }
+    if (turn > part.time && turn < part.time + part.duration) {
+      EXPECT_TRUE(has_turn);
+      ++turns;
+    }
+    const double middle = part.time + part.duration / 3;
+    const int next = looks.first_after(middle);
+    EXPECT_TRUE(next == looks.count() || looks.at(next) > middle);
+    EXPECT_TRUE(next == 0 || looks.at(next - 1) <= middle);
+  }
+  EXPECT_GT(turns, 0U);
+}
+
 TEST(Envelope, StopsWhenCancelled) {
   const auto run = test::simulate_text(test::small_program);
   Progress progress;
   progress.cancel();
-  EXPECT_THROW(Envelope(run.trajectory, nullptr, &progress), Cancelled);
+  EXPECT_THROW(Envelope(run.trajectory, {}, &progress), Cancelled);
 }
 
 }  // namespace

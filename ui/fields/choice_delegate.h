@@ -4,11 +4,14 @@
 
 namespace feedscope::ui {
 
-/// Editors for the cells of a SetupTable: a line for numbers, a list for choices.
-class SettingDelegate : public QStyledItemDelegate {
+/// Editors for the cells of a table: a list where a cell has choices, else a line.
+class ChoiceDelegate : public QStyledItemDelegate {
   Q_OBJECT
 
  public:
+  /// QStringList of the values that a cell can take; empty: any.
+  static constexpr int choices_role = Qt::UserRole;
+
   using QStyledItemDelegate::QStyledItemDelegate;
 
   QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/analysis/load/load_sampler.h"
+#include "core/analysis/quantity.h"
+
+namespace feedscope {
+
+/// What a run has beside the motion that the control sets.
+struct RunSources {
+  std::shared_ptr<const ActualPath> actual;  ///< null where all axes follow their set values exactly
+  std::shared_ptr<const RunLoad> load;       ///< null where no operations are known
+
+  /// Whether a run has quantities of this source.
+  bool has(QuantitySource source) const;
+};
+
+/// Instants of a run, in order.
+class InstantSampler {
+ public:
+  /// `from`: the first instant [s]. `sources` must outlive this.
+  explicit InstantSampler(const RunSources& sources, double from = 0);
+
+  /// `state`: of the trajectory, not before that of the last call. What is returned refers to it, and to this
+  /// until the next call.
+  Instant at(const State& state);
+
+ private:
+  std::optional<ActualSampler> actual_;
+  std::optional<LoadSampler> load_;
+  ActualSample actual_sample_;
+  LoadSample load_sample_;
+};
+
+}  // namespace feedscope
