@@ -1,15 +1,37 @@
 #include "ui/charts/chart_scroll.h"
 
 #include <QEvent>
+#include <QLayout>
+#include <algorithm>
 
 namespace feedscope::ui {
+
+namespace {
+
+/// As low as its layout can be: a scroll area takes the height for a width as the least one. Where there is
+/// room without a scroll bar, the height is that of the whole width: a bar makes headers longer, and would
+/// never go again.
+class Content : public QWidget {
+ public:
+  explicit Content(const QScrollArea& area) : area_(area) {}
+  int heightForWidth(int width) const override {
+    const QSize room = area_.maximumViewportSize();
+    const int least = layout()->minimumHeightForWidth(std::max(width, room.width()));
+    return least <= room.height() ? least : layout()->minimumHeightForWidth(width);
+  }
+
+ private:
+  const QScrollArea& area_;
+};
+
+}  // namespace
 
 ChartScroll::ChartScroll(const ChartRows& rows, QWidget* parent) : QScrollArea(parent), rows_(rows) {
   setFrameShape(QFrame::NoFrame);
   setWidgetResizable(true);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setFocusPolicy(Qt::NoFocus);
-  setWidget(new QWidget(this));
+  setWidget(new Content(*this));
 }
 
 bool ChartScroll::eventFilter(QObject* watched, QEvent* event) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QGraphicsTextItem>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTextDocument>
 
 #include "tests/ui/charts/charts_panel_fixture.h"
@@ -199,6 +201,74 @@ TEST_F(ChartsPanelTest, NarrowChartsShowTheirWholeLegends) {
       }
     }
   }
+}
+
+/// A run with a cutting load has two charts more.
+class ChartsOfALoad : public ChartsPanelTest {
+ protected:
+  ChartsOfALoad() {
+    Engagement operation;
+    operation.diameter = 10;
+    operation.teeth = 2;
+    operation.radial_depth = 2;
+    operation.axial_depth = 5;
+    operation.material = "steel-c45";
+    operation.spindle_speed = 100;
+    operation.least_chip = 0.005;
+    operation.max_force = 800;
+    RunSources sources;
+    sources.load = std::make_shared<const RunLoad>(
+        run.trajectory, LoadModel({{operation}, {}}, *run.input.program, *run.input.toolpath));
+    panel.set_run(run.trajectory, std::make_shared<const Envelope>(run.trajectory, sources), false, sources);
+    settle();
+  }
+  void settle() {
+    QApplication::processEvents();
+    panel.refresh();
+    QApplication::processEvents();
+  }
+  QScrollBar* bar() { return panel.findChild<QScrollArea*>()->verticalScrollBar(); }
+};
+
+TEST_F(ChartsOfALoad, WhatThereIsNoRoomForIsScrolledTo) {
+  EXPECT_FALSE(panel.chart(force_chart).isHidden());
+  EXPECT_FALSE(panel.chart(chip_chart).isHidden());
+  EXPECT_TRUE(panel.chart(3).isHidden());  // without drives
+  EXPECT_TRUE(bar()->isVisible());
+  panel.resize(940, 900);
+  settle();
+  EXPECT_FALSE(bar()->isVisible());
+  panel.resize(940, 390);
+  settle();
+  EXPECT_TRUE(bar()->isVisible());
+}
+
+TEST_F(ChartsOfALoad, AHiddenChartGivesItsRoomToTheOthersAndTheLastOneStays) {
+  panel.show_chart(1, false);
+  panel.show_chart(2, false);
+  settle();
+  EXPECT_TRUE(panel.chart(1).isHidden());
+  EXPECT_FALSE(bar()->isVisible());
+  EXPECT_EQ(panel.state().hidden_charts, QStringList({"acceleration", "jerk"}));
+  const ChartsState kept = panel.state();
+  for (const std::size_t chart : {std::size_t{0}, force_chart, chip_chart}) {
+    panel.show_chart(chart, false);
+  }
+  EXPECT_FALSE(panel.chart_hidden(chip_chart));
+  panel.set_state(ChartsState());
+  EXPECT_FALSE(panel.chart(1).isHidden());
+  panel.set_state(kept);
+  EXPECT_TRUE(panel.chart(1).isHidden());
+  EXPECT_FALSE(panel.chart(0).isHidden());
+}
+
+TEST_F(ChartsOfALoad, BoundsOfTheOperationsAreLimitLines) {
+  const std::vector<LimitLine> force = bound_lines(panel.chart(force_chart).spec(), *panel.sources().load);
+  ASSERT_EQ(force.size(), 1U);
+  EXPECT_DOUBLE_EQ(force[0].value, 800);
+  const std::vector<LimitLine> chip = bound_lines(panel.chart(chip_chart).spec(), *panel.sources().load);
+  ASSERT_EQ(chip.size(), 1U);
+  EXPECT_DOUBLE_EQ(chip[0].value, 5);  // um
 }
 
 }  // namespace
