@@ -167,6 +167,38 @@ Sample drives() {
   return {"lesson_drives.nc", nc.text()};
 }
 
+/// The tool comes in by a full line before the corners with blends, and leaves by a slow one.
+Sample chip() {
+  NcWriter nc =
+      begin("A RECTANGLE OF 60 X 40 MM MILLED FROM OUTSIDE, ONE CORNER WITH AN EXACT STOP, A SLOW LINE",
+            "WHAT A SLOW-DOWN DOES TO CHIP THICKNESS AND CUTTING FORCE");
+  constexpr double left = -20;
+  constexpr double right = 40;
+  constexpr double low = -12;
+  constexpr double high = 28;
+  constexpr double above = 5;
+  constexpr double depth = -5;
+  constexpr double plunge = 600;
+  constexpr double feed = 2700;
+  nc.raw("T1 M6");
+  nc.raw("S9000 M3");
+  nc.rapid({left, low, above});
+  nc.line({left, low, depth}, plunge);
+  nc.line({right, low, depth}, feed);
+  nc.line({right, high, depth});
+  nc.line({left, high, depth});
+  nc.line({left, low, depth});
+  nc.raw("G61");
+  nc.line({right, low, depth});
+  nc.line({right, high, depth});
+  nc.raw("G64");
+  nc.line({left + right, high, depth}, feed / 5);
+  nc.rapid({left + right, high, above});
+  nc.raw("M5");
+  nc.raw("M30");
+  return {"lesson_chip.nc", nc.text()};
+}
+
 /// The same corners at two programmed feeds.
 Sample zigzag(int feed) {
   NcWriter nc =
@@ -196,6 +228,7 @@ std::vector<Sample> lesson_programs() {
           right_angle(),
           directions(),
           drives(),
+          chip(),
           zigzag(3000),
           zigzag(6000)};
 }
