@@ -362,7 +362,8 @@ QVariant OperationTable::headerData(int section, Qt::Orientation orientation, in
 }
 
 Qt::ItemFlags OperationTable::flags(const QModelIndex& index) const {
-  return QAbstractTableModel::flags(index) | Qt::ItemIsEditable;
+  const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
+  return index.isValid() ? flags | Qt::ItemIsEditable : flags;
 }
 
 }  // namespace feedscope::ui

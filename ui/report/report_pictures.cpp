@@ -209,7 +209,8 @@ QString coloured_view(const ReportInput& input, Colouring colouring, const QStri
 QString cause_view_block(const ReportInput& input, ReportPictures& pictures) {
   return coloured_view(
       input, Colouring::cause, QStringLiteral("causes"), QStringLiteral("3D view by limiting cause"),
-      QStringLiteral("What limits the feed of %1 along the path.").arg(html_text(input.run().name)), pictures);
+      QStringLiteral("What limits the feed of %1 along the path.").arg(html_text(input.run().name)),
+      pictures);
 }
 
 /// The charts below that of the feed.
@@ -239,13 +240,11 @@ QString run_charts(const ReportInput& input, std::size_t row, ReportPictures& pi
     page.draw(painter, false);
   };
   const QString name = input.runs[row].name;
-  return figure(
-      pictures.add(QStringLiteral("charts%1").arg(row), {size, false, paint},
-                   QStringLiteral("Charts of %1").arg(name)),
-      caption.isEmpty()
-          ? QStringLiteral("Feed with its limiting causes, %1 of %2.")
-                .arg(charts_of(input.runs[row].shown->run.sources), html_text(name))
-          : caption);
+  return figure(pictures.add(QStringLiteral("charts%1").arg(row), {size, false, paint},
+                             QStringLiteral("Charts of %1").arg(name)),
+                caption.isEmpty() ? QStringLiteral("Feed with its limiting causes, %1 of %2.")
+                                        .arg(charts_of(input.runs[row].shown->run.sources), html_text(name))
+                                  : caption);
 }
 
 QString charts_block(const ReportInput& input, ReportPictures& pictures) {

@@ -12,9 +12,8 @@ constexpr Colouring colouring_of(QuantityId id) {
 
 std::vector<Colouring> list_colourings() {
   std::vector<Colouring> list;
-  for (const Dimension dimension :
-       {Dimension::feed, Dimension::ratio, Dimension::acceleration, Dimension::jerk, Dimension::error,
-        Dimension::force}) {
+  for (const Dimension dimension : {Dimension::feed, Dimension::ratio, Dimension::acceleration,
+                                    Dimension::jerk, Dimension::error, Dimension::force}) {
     for (const QuantityInfo& quantity : all_quantities()) {
       if (quantity.colours && quantity.dimension == dimension) {
         list.push_back(colouring_of(quantity.id));

@@ -8,9 +8,9 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/fields/choice_delegate.h"
 #include "ui/language/core_texts.h"
 #include "ui/setup/run_notes_text.h"
-#include "ui/fields/choice_delegate.h"
 #include "ui/theme/theme.h"
 #include "ui/workbench/workbench.h"
 

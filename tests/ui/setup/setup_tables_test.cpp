@@ -1,5 +1,5 @@
-#include "ui/fields/choice_delegate.h"
 #include "ui/setup/setup_tables.h"
+#include "ui/fields/choice_delegate.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
