@@ -257,10 +257,13 @@ QString WhyText::sentence(Cause cause, const Explanation& why) {
   return ahead ? sentence(*why.ahead, why.state) : sentence(why);
 }
 
-QString WhyText::drives(const ActualPath& actual, const State& state) {
+QString WhyText::drives(const ActualPath* actual, const State& state) {
+  if (actual == nullptr) {
+    return {};
+  }
   constexpr double worth_telling = 1e-3;  // [mm]
-  const ActualSample sample = actual.at(state);
-  const double of_control = actual.set_contour_error(state);
+  const ActualSample sample = actual->at(state);
+  const double of_control = actual->set_contour_error(state);
   if (sample.contour_error < worth_telling || sample.contour_error < 2 * of_control) {
     return {};
   }

@@ -21,8 +21,9 @@ class WhyText {
   static QString sentence(const SlowerPlace& ahead, const State& now);
   /// Of a place that is slow by `cause`, with `why` = explain() of an instant that it rules or before.
   static QString sentence(Cause cause, const Explanation& why);
-  /// Where the drives make most of the contour error at an instant of `actual`; "" where they do not.
-  static QString drives(const ActualPath& actual, const State& state);
+  /// Where the drives make most of the contour error at an instant of `actual`; "" where they do not, and
+  /// without drives (null).
+  static QString drives(const ActualPath* actual, const State& state);
   /// The formula as rich text: symbols, then numbers and result; "" without one.
   static QString formula(const Reason& reason);
   /// "Tapie 2007, eq 10 and 11", or who else asks for it.

@@ -320,8 +320,7 @@ void WhyView::show_reason(const Explanation& why) {
                      QLocale().toString(std::abs(100 * state.speed / state.programmed_feed), 'f', 0))
           : tr("Line %1, %2 s").arg(QString::number(state.line), QLocale().toString(state.time, 'f', 3)));
   sentence_->setText(WhyText::sentence(why));
-  drives_->setText(shown_->run.sources.actual ? WhyText::drives(*shown_->run.sources.actual, state)
-                                              : QString());
+  drives_->setText(WhyText::drives(shown_->run.sources.actual.get(), state));
   drives_->setVisible(!drives_->text().isEmpty());
   const QString formula = WhyText::formula(why.reason);
   const QString muted = theme_colours(palette()).muted.name();
