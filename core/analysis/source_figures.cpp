@@ -12,9 +12,9 @@ std::optional<double> actual_contour_error(const Summary& summary) {
 }
 
 std::optional<double> peak_force(const Summary& summary) {
-  constexpr std::size_t peak = 3;  // of load_quantities()
   const bool cuts = summary.load && summary.load->all.cutting_time > 0;
-  return cuts ? std::optional(summary.load->all.predicted[peak].largest) : std::nullopt;
+  return cuts ? std::optional(figure_of(summary.load->all.predicted, QuantityId::peak_force).largest)
+              : std::nullopt;
 }
 
 /// None where no operation has a least chip thickness.
@@ -30,12 +30,12 @@ std::optional<double> rubbing_time(const Summary& summary) {
 }
 
 constexpr std::array<SourceFigure, 3> figures{{
-    {"max_actual_contour_error_mm", 1, QT_TRANSLATE_NOOP("core", "Actual error"),
+    {"max_actual_contour_error_mm", QT_TRANSLATE_NOOP("core", "Actual error"),
      QT_TRANSLATE_NOOP("core", "Largest distance of the actual path from the programmed one"),
      Dimension::error, actual_contour_error},
-    {"max_cutting_force_n", 1, QT_TRANSLATE_NOOP("core", "Peak force"),
+    {"max_cutting_force_n", QT_TRANSLATE_NOOP("core", "Peak force"),
      QT_TRANSLATE_NOOP("core", "Largest peak cutting force"), Dimension::force, peak_force},
-    {"rubbing_time_s", 1, QT_TRANSLATE_NOOP("core", "Rubbing"),
+    {"rubbing_time_s", QT_TRANSLATE_NOOP("core", "Rubbing"),
      QT_TRANSLATE_NOOP("core", "Time with chips below their least thickness"), Dimension::time, rubbing_time},
 }};
 

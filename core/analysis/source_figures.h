@@ -12,8 +12,7 @@ namespace feedscope {
 
 /// A figure that only runs with drives, or with a cutting load, have: for comparisons and studies.
 struct SourceFigure {
-  std::string_view column;   ///< of CSV, with its unit
-  double factor = 1;         ///< to the unit of the column
+  std::string_view column;   ///< of CSV, with its unit, the inside one
   std::string_view title;    ///< English, marked for translation: "Actual error"
   std::string_view meaning;  ///< the same in a sentence
   Dimension dimension = Dimension::number;

@@ -181,7 +181,7 @@ std::vector<std::string> cells_of(const Figures& figures, const Summary& summary
   std::vector<std::string> cells;
   for (const SourceFigure* figure : figures) {
     const std::optional<double> value = figure->of(summary);
-    cells.push_back(value ? csv_number(*value * figure->factor) : "");
+    cells.push_back(value ? csv_number(*value) : "");
   }
   return cells;
 }

@@ -74,11 +74,14 @@ class LoadCount {
       time_[static_cast<std::size_t>(from.sample.state)] += part.duration;
       return;
     }
-    const double wanted =
-        is_steady(from, look(motion, part, part.duration / 2), look(motion, part, part.duration))
-            ? 1
-            : std::ceil(part.duration / longest_step);
-    const int steps = static_cast<int>(std::clamp(wanted, 1.0, most_steps));
+    const LoadLook middle = look(motion, part, part.duration / 2);
+    const LoadLook end = look(motion, part, part.duration);
+    if (part.duration <= longest_step || is_steady(from, middle, end)) {
+      add_step(from, middle, end, part.duration);
+      return;
+    }
+    const double wanted = std::ceil(part.duration / longest_step);
+    const int steps = static_cast<int>(std::min(wanted, most_steps));
     for (int i = 0; i < steps; ++i) {
       const LoadLook middle = look(motion, part, part.duration * (i + 0.5) / steps);
       const LoadLook to = look(motion, part, part.duration * (i + 1) / steps);
@@ -195,6 +198,11 @@ class LoadCount {
 
 const std::array<LoadQuantity, load_quantity_count>& load_quantities() {
   return quantities;
+}
+
+const LoadFigure& figure_of(const LoadFigureList& figures, QuantityId id) {
+  const auto found = std::ranges::find(quantities, id, &LoadQuantity::id);
+  return figures[static_cast<std::size_t>(found - quantities.begin())];
 }
 
 double in_file_unit(const LoadQuantity& quantity, double value) {

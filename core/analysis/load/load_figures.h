@@ -33,6 +33,9 @@ struct LoadFigure {
 /// By load_quantities().
 using LoadFigureList = std::array<LoadFigure, load_quantity_count>;
 
+/// That of a quantity at the predicted feed. `id`: of load_quantities().
+const LoadFigure& figure_of(const LoadFigureList& figures, QuantityId id);
+
 /// Of all operations, or of one.
 struct LoadTotals {
   double cutting_time = 0;     ///< [s]
@@ -85,7 +88,7 @@ struct LoadFigures {
 /// rule. Linear in the pieces of the run. Throws Cancelled.
 LoadFigures load_figures(const RunLoad& load, Progress* progress = nullptr);
 
-/// What is assumed of the engagement and not modelled: one sentence that stands where loads are shown.
+/// What is assumed of the engagement and what is not modelled: a sentence to show with every load.
 std::string_view load_assumptions();
 
 }  // namespace feedscope

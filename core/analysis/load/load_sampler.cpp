@@ -49,10 +49,20 @@ CuttingLoad LoadSampler::load_at(double feed) const {
   return load;
 }
 
+/// As load_at(); on most segments it is the same everywhere.
+CuttingLoad LoadSampler::programmed_load_at(double feed) {
+  if (feed != programmed_feed_) {
+    programmed_ = load_at(feed);
+    programmed_feed_ = feed;
+  }
+  return programmed_;
+}
+
 LoadSample LoadSampler::at(const State& state) {
   const std::uint32_t index = trajectory_.path().segment(state.element);
   if (!has_segment_ || segment_.index != index) {
     segment_ = segment_of(state.element, index);
+    programmed_feed_ = -1;
     has_segment_ = true;
   }
   LoadSample sample;
@@ -67,7 +77,7 @@ LoadSample LoadSampler::at(const State& state) {
     return sample;
   }
   sample.predicted = load_at(std::max(0.0, state.speed) * across);  // rounding at standstill
-  sample.programmed = load_at(state.programmed_feed * across);
+  sample.programmed = programmed_load_at(state.programmed_feed * across);
   return sample;
 }
 

@@ -25,6 +25,7 @@ class LoadSampler {
     double spindle_speed = 0;  ///< [1/s]
   };
 
+  CuttingLoad programmed_load_at(double feed);
   Segment segment_of(std::uint32_t element, std::uint32_t index) const;
   double share_across(const State& state, std::uint32_t segment) const;
   CuttingLoad load_at(double feed) const;
@@ -32,6 +33,8 @@ class LoadSampler {
   const LoadModel& model_;
   const Trajectory& trajectory_;
   Segment segment_;
+  double programmed_feed_ = -1;  ///< across the axis, of `programmed_`; below 0: none [mm/s]
+  CuttingLoad programmed_;       ///< of the segment
   bool has_segment_ = false;
 };
 
