@@ -179,19 +179,23 @@ QString OperationTable::text(const Engagement& operation, int column) const {
     case milling:
       return operation.milling == Milling::up ? tr("up (conventional)") : tr("down (climb)");
     case material: {
-      for (const auto* list : {&setup_.materials, &materials_}) {
-        if (const auto found = std::ranges::find(*list, operation.material, &Material::id);
-            found != list->end()) {
-          return QString::fromStdString(found->title);
-        }
-      }
-      return QString::fromStdString(operation.material);
+      const Material* known = material_with(operation.material, &Material::id);
+      return QString::fromStdString(known != nullptr ? known->title : operation.material);
     }
     default: {
       const std::optional<double> value = number_at(operation, column);
       return value ? number_in_cell(shown_number(*value, column)) : QString();
     }
   }
+}
+
+const Material* OperationTable::material_with(const std::string& value, std::string Material::*member) const {
+  for (const auto* list : {&setup_.materials, &materials_}) {
+    if (const auto found = std::ranges::find(*list, value, member); found != list->end()) {
+      return &*found;
+    }
+  }
+  return nullptr;
 }
 
 QStringList OperationTable::choices(int column) const {
@@ -231,13 +235,9 @@ QVariant OperationTable::data(const QModelIndex& index, int role) const {
           Qt::AlignVCenter |
           (index.column() == teeth || index.column() >= first_number ? Qt::AlignRight : Qt::AlignLeft));
     case Qt::ToolTipRole:
-      if (index.column() == material) {
-        for (const auto* list : {&setup_.materials, &materials_}) {
-          if (const auto found = std::ranges::find(*list, operation.material, &Material::id);
-              found != list->end()) {
-            return QString::fromStdString(found->source);
-          }
-        }
+      if (const Material* known = material_with(operation.material, &Material::id);
+          index.column() == material && known != nullptr) {
+        return QString::fromStdString(known->source);
       }
       return headerData(index.column(), Qt::Horizontal, Qt::ToolTipRole);
     default:
@@ -297,14 +297,9 @@ QString OperationTable::take(Engagement& operation, int column, const QString& t
       operation.milling = text == tr("up (conventional)") ? Milling::up : Milling::down;
       return {};
     case material: {
-      for (const auto* list : {&setup_.materials, &materials_}) {
-        if (const auto found = std::ranges::find(*list, text.toStdString(), &Material::title);
-            found != list->end()) {
-          operation.material = found->id;
-          return {};
-        }
-      }
-      return tr("is not known");
+      const Material* known = material_with(text.toStdString(), &Material::title);
+      operation.material = known != nullptr ? known->id : operation.material;
+      return known != nullptr ? QString() : tr("is not known");
     }
     default:
       return take_number(operation, column, text);

@@ -43,6 +43,8 @@ class OperationTable : public QAbstractTableModel {
   QString text(const Engagement& operation, int column) const;
   QStringList choices(int column) const;
   QStringList tools() const;
+  /// The first one, own ones before shipped ones; null if there is none.
+  const Material* material_with(const std::string& value, std::string Material::*member) const;
   /// Empty, or why the text is not taken.
   QString take(Engagement& operation, int column, const QString& text) const;
   QString take_number(Engagement& operation, int column, const QString& text) const;

@@ -14,6 +14,7 @@ constexpr std::size_t slow_places_kept = 10'000;
 
 // Of the time that a run takes, as measured with several models.
 constexpr double share_of_motion = 0.45;
+constexpr double share_of_load = 0.3;  // where the motion is known
 struct Shares {
   double samples = 0.35, summary = 0.2, envelope = 0.25, lines = 0.1, places = 0.1;  // of what follows
 };
@@ -77,8 +78,10 @@ std::shared_ptr<const ShownRun> simulate_shown(const LoadedProgram& input, Setup
   Progress unwatched;
   Progress& whole = progress != nullptr ? *progress : unwatched;
   if (before != nullptr && differ_in_load_alone(before->run.setup, setup)) {
-    Run run = with_load(before->run, std::move(setup.load), &whole);
-    auto shown = std::make_shared<ShownRun>(*shown_of(std::move(run), whole, 1, nullptr));
+    Progress load(whole, share_of_load);
+    Run run = with_load(before->run, std::move(setup.load), &load);
+    load.report(1);
+    auto shown = std::make_shared<ShownRun>(*shown_of(std::move(run), whole, 1 - share_of_load, nullptr));
     shown->programmed = before->programmed;
     return shown;
   }

@@ -15,8 +15,9 @@ namespace feedscope::ui {
 struct JobRequest {
   std::variant<std::filesystem::path, LoadedProgram> input;
   Setup setup;
-  ReadOptions reading = {};                     ///< of a file
-  std::shared_ptr<const ShownRun> before = {};  ///< of the same program; its motion is taken where it fits
+  ReadOptions reading = {};  ///< of a file
+  std::shared_ptr<const ShownRun> before =
+      {};  ///< of the same program; its motion is used again where it is the same
 };
 
 enum class JobStage { reading, simulating };
