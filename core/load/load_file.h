@@ -32,8 +32,7 @@ std::string load_file_text(const LoadSetup& setup);
 /// Reads the [[material]] tables of a file without operations. Throws InputError as above.
 std::vector<Material> read_materials(const std::filesystem::path& file);
 
-/// What is wrong with operations beside each other, with what to do: two that apply to the same tool and
-/// lines. Empty if nothing is.
+/// Two operations that apply to the same tool and lines, and what to do; empty if there are none.
 std::string overlap_problem(const std::vector<Engagement>& operations);
 
 }  // namespace feedscope

@@ -3247,8 +3247,8 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
         <translation>La simulation est en cours.</translation>
     </message>
     <message>
-        <source>There is no operation to save yet.</source>
-        <translation>Il n&apos;y a encore aucune opération à enregistrer.</translation>
+        <source>No operation to save: add one first.</source>
+        <translation>Aucune opération à enregistrer&#xa0;: en ajouter une d&apos;abord.</translation>
     </message>
     <message>
         <source>%1 cannot be written: %2</source>

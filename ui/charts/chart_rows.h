@@ -41,7 +41,7 @@ struct ChartRows {
   void set_bounds(const RunLoad* load) const;
 };
 
-/// Calls `paint` where `part` stands in `content`, if it is shown.
+/// Calls `paint` with the painter moved to the place of `part` in `content`, if it is shown.
 template <typename Paint>
 void draw_part(QPainter& painter, const QWidget& content, const QWidget& part, Paint paint) {
   if (part.isVisibleTo(&content)) {

@@ -151,7 +151,7 @@ class ChartsPanel : public Panel {
   std::filesystem::path shown_file_;  ///< that the curves were last chosen for
   double sample_time_ = 0.001;
   ChartRows rows_;
-  ChartScroll* scroll_;            ///< around everything: charts that there is no room for are scrolled to
+  ChartScroll* scroll_;            ///< holds the charts
   QVBoxLayout* layout_ = nullptr;  ///< of what it holds
   CauseStrip* causes_;
   QLabel* readout_;

@@ -273,7 +273,7 @@ void LoadView::open_file(const QString& file) {
 
 void LoadView::save_file(const QString& file) {
   if (table_->setup().empty()) {
-    emit failed(tr("There is no operation to save yet."));
+    emit failed(tr("No operation to save: add one first."));
     return;
   }
   QSaveFile out(file);

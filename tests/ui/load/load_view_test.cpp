@@ -153,7 +153,7 @@ TEST_F(LoadViewTest, AFileThatIsNoneIsReported) {
   ASSERT_EQ(failures.size(), 1);
   EXPECT_THAT(failures[0][0].toString().toStdString(), HasSubstr("/nowhere/load.toml"));
   view.save_file("/nowhere/load.toml");
-  EXPECT_THAT(failures.back()[0].toString().toStdString(), HasSubstr("no operation"));
+  EXPECT_THAT(failures.back()[0].toString().toStdString(), HasSubstr("No operation"));
 }
 
 }  // namespace
