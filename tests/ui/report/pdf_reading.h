@@ -8,16 +8,19 @@
 #include <qpdf/QPDFOutlineDocumentHelper.hh>
 #include <qpdf/QPDFPageDocumentHelper.hh>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace feedscope::test {
 
-/// A PDF file as a reader finds it. `bytes` outlives this.
+/// A PDF file as a reader finds it.
 class PdfReading {
  public:
-  explicit PdfReading(const std::string& bytes) {
-    pdf_.processMemoryFile("read back", bytes.data(), bytes.size());
+  explicit PdfReading(std::string bytes) : bytes_(std::move(bytes)) {
+    pdf_.processMemoryFile("read back", bytes_.data(), bytes_.size());
   }
+  PdfReading(const PdfReading&) = delete;
+  PdfReading& operator=(const PdfReading&) = delete;
 
   std::size_t page_count() { return QPDFPageDocumentHelper(pdf_).getAllPages().size(); }
   /// Width and height of a page [points].
@@ -99,6 +102,7 @@ class PdfReading {
     }
   }
 
+  std::string bytes_;  // read from as long as `pdf_` lives
   QPDF pdf_;
 };
 
