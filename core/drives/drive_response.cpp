@@ -61,42 +61,39 @@ ActualWalk::ActualWalk(const DriveResponse& response, double from)
     motors_ = start.motors;
     slides_ = start.slides;
   }
-  enter_span();
 }
 
 ActualWalk::ActualWalk(const Trajectory& trajectory, const AxisDrives& drives)
-    : drives_(drives), set_(trajectory), slides_(drives.slides) {
-  enter_span();
-}
-
-void ActualWalk::enter_span() {
-  seen_ = 0;
-  if (set_.done()) {
-    return;
-  }
-  for (std::size_t axis = 0; axis < courses_.size(); ++axis) {
-    courses_[axis] = DriveCourse(drives_.laws[axis], set_.span().axes[axis], motors_[axis]);
-  }
-}
+    : drives_(drives), set_(trajectory), slides_(drives.slides) {}
 
 void ActualWalk::next_span() {
-  const double duration = set_.span().duration;
-  for (std::size_t axis = 0; axis < courses_.size(); ++axis) {
+  const SetSpan& span = set_.span();
+  const Vec3 start = span.start;
+  const double duration = span.duration;
+  whole_.set(drives_.laws, duration, span.degree());
+  std::array<MotorMotion, 3> reached;
+  for (std::size_t axis = 0; axis < reached.size(); ++axis) {
+    const SetCourse& set = span.axes[axis];
     if (!slides_[axis].is_rigid()) {
-      slides_[axis].follow(courses_[axis], drives_.laws[axis], seen_, duration);
+      slides_[axis].follow({drives_.laws[axis], set, motors_[axis]}, drives_.laws[axis], seen_, duration);
     }
-    motors_[axis] = courses_[axis].at_end();
+    reached[axis] = whole_.of(axis).answer(set, motors_[axis]).motor();
   }
   set_.next();
   if (set_.done()) {
     seen_ = duration;  // what comes is asked of the last span
     return;
   }
-  if (set_.span().begins) {
+  seen_ = 0;
+  if (span.begins) {
     motors_ = {};
     slides_ = drives_.slides;
+    return;
   }
-  enter_span();
+  for (std::size_t axis = 0; axis < reached.size(); ++axis) {
+    const auto i = static_cast<Eigen::Index>(axis);
+    motors_[axis] = {reached[axis].offset + start[i] - span.start[i], reached[axis].velocity};
+  }
 }
 
 ActualMotion ActualWalk::at(double time) {
@@ -110,16 +107,18 @@ ActualMotion ActualWalk::within_span(double time) {
   ActualMotion actual;
   const SetSpan& span = set_.span();
   const double h = std::clamp(time - span.time, 0.0, span.duration);
-  for (std::size_t axis = 0; axis < courses_.size(); ++axis) {
+  within_.set(drives_.laws, h, span.degree());
+  for (std::size_t axis = 0; axis < motors_.size(); ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
+    const SetCourse& set = span.axes[axis];
     if (!slides_[axis].is_rigid() && h > seen_) {
-      slides_[axis].follow(courses_[axis], drives_.laws[axis], seen_, h);
+      slides_[axis].follow({drives_.laws[axis], set, motors_[axis]}, drives_.laws[axis], seen_, h);
     }
-    const MotorMotion motor = courses_[axis].at(h);
-    const double offset = motor.offset + slides_[axis].lead();
-    actual.position[i] = span.start[i] + offset;
+    const DriveStep::Answer motor = within_.of(axis).answer(set, motors_[axis]);
+    const double lead = slides_[axis].lead();
+    actual.position[i] = span.start[i] + motor.travel - motor.error + lead;
     actual.velocity[i] = motor.velocity;
-    actual.following_error[i] = span.axes[axis].travel(h) - offset;
+    actual.following_error[i] = motor.error - lead;
   }
   seen_ = std::max(seen_, h);
   return actual;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/drives/axis_steps.h"
 #include "core/drives/reversal.h"
 #include "core/drives/set_walk.h"
 #include "core/machine/machine.h"
@@ -79,14 +80,14 @@ class ActualWalk {
  private:
   friend class DriveResponse;
   ActualWalk(const Trajectory& trajectory, const AxisDrives& drives);
-  void enter_span();
 
   const AxisDrives& drives_;
   SetWalk set_;
   std::array<MotorMotion, 3> motors_;  ///< at the start of the span
   std::array<Reversal, 3> slides_;     ///< `seen_` after its start
-  std::array<DriveCourse, 3> courses_;
-  double seen_ = 0;  ///< [s]
+  AxisSteps whole_;                    ///< to the end of the span
+  AxisSteps within_;                   ///< to the instant asked for last
+  double seen_ = 0;                    ///< [s]
 };
 
 }  // namespace feedscope

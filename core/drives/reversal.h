@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/drives/drive_law.h"
+#include "core/drives/drive_course.h"
 
 namespace feedscope {
 

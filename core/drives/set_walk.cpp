@@ -17,10 +17,16 @@ double fitting_share(double error) {
   return cautious * std::pow(SetWalk::tolerance / std::max(error, nothing * SetWalk::tolerance), 1.0 / 8);
 }
 
-void set_derivatives(SetSpan& span, std::size_t order, const Vec3& value) {
-  for (std::size_t axis = 0; axis < span.axes.size(); ++axis) {
-    span.axes[axis].derivative[order] = value[static_cast<Eigen::Index>(axis)];
+/// Product of two polynomials without a constant term.
+using Powers = std::array<double, SetCourse::order + 1>;
+Powers product(const Powers& a, std::size_t a_degree, const Powers& b, std::size_t b_degree) {
+  Powers result{};
+  for (std::size_t i = 1; i <= a_degree; ++i) {
+    for (std::size_t k = 1; k <= b_degree; ++k) {
+      result[i + k] += a[i] * b[k];
+    }
   }
+  return result;
 }
 
 }  // namespace
@@ -42,14 +48,26 @@ SetWalk::SetWalk(const Trajectory& trajectory, double time)
 }
 
 void SetWalk::enter_part() {
+  const Part& part = walk_.part();
   from_ = 0;
-  guess_ = walk_.part().duration;
+  guess_ = part.duration;
+  motion_.reset();
+  arc_.reset();
+  if (part.law == Law::filtered) {
+    return;
+  }
   motion_.emplace(walk_.motion());
+  if (motion_->curve().is_arc()) {
+    arc_.emplace(motion_->curve().arc, part, tolerance);
+  } else if (motion_->curve().kind == ElementKind::blend && part.law == Law::path_length) {
+    blend_.enter(motion_->curve().blend, motion_->curve().length, part);
+  }
 }
 
 void SetWalk::next() {
   from_ += span_.duration;
   if (from_ >= walk_.part().duration * (1 - 1e-12)) {
+    reached_ = span_.at(span_.duration);
     walk_.next();
     if (walk_.done()) {
       done_ = true;
@@ -62,64 +80,122 @@ void SetWalk::next() {
 
 void SetWalk::make_span() {
   const Part& part = walk_.part();
-  span_.axes = {};
-  span_.time = part.time + from_;
   const ElementKind kind = trajectory_.path().kind(part.element);
-  if (kind == ElementKind::dwell || (kind == ElementKind::line && part.law != Law::filtered)) {
+  if (part.law == Law::filtered) {
+    make_filtered_span();
+  } else if (kind == ElementKind::line || kind == ElementKind::dwell) {
     make_line_span();
-  } else {
-    const double end = part.law == Law::filtered ? end_of_pulse(from_) : part.duration;
-    double to = std::min(end, from_ + guess_);
-    if (end - to < 0.1 * guess_) {
-      to = end;  // no sliver behind
-    }
-    constexpr int most_tries = 40;
-    double error = fit(from_, to);
-    for (int tries = 0; error > tolerance && tries < most_tries; ++tries) {
-      to = from_ + std::clamp(fitting_share(error), 0.1, 0.7) * (to - from_);
-      error = fit(from_, to);
-    }
-    guess_ = std::clamp(fitting_share(error), 0.5, 4.0) * (to - from_);
+  } else if (arc_) {
+    arc_->fill(span_, from_);
+  } else if (part.law == Law::parameter) {
+    make_blend_span();
+  } else if (kind != ElementKind::blend || !blend_.fill(span_, from_)) {
+    make_fitted_span();
   }
-  for (SetCourse& course : span_.axes) {
-    course.duration = span_.duration;
-  }
-  for (std::size_t axis = 0; axis < span_.axes.size(); ++axis) {
-    span_.start[static_cast<Eigen::Index>(axis)] = span_.axes[axis].derivative[0];
-  }
-  span_.begins = first_ || (span_.start - reached_).norm() > jump;
+  span_.time = part.time + from_;
+  span_.begins = first_ || (from_ == 0 && (span_.start - reached_).norm() > jump);
   first_ = false;
-  for (std::size_t axis = 0; axis < span_.axes.size(); ++axis) {
-    const auto i = static_cast<Eigen::Index>(axis);
-    reached_[i] = span_.start[i] + span_.axes[axis].travel(span_.duration);
-  }
 }
 
 /// The law of a line, or standstill.
 void SetWalk::make_line_span() {
-  const Part& part = walk_.part();
   const Kinematics at = motion_->kinematics(0);
-  span_.duration = part.duration;
-  set_derivatives(span_, 0, at.position);
-  set_derivatives(span_, 1, at.velocity);
-  set_derivatives(span_, 2, at.acceleration);
-  set_derivatives(span_, 3, at.jerk);
+  span_.begin(at.position, 3, walk_.part().duration);
+  span_.set_derivative(1, at.velocity);
+  span_.set_derivative(2, at.acceleration);
+  span_.set_derivative(3, at.jerk);
 }
 
-/// Where the pulses that the filters see change next, from the start of the part [s].
-double SetWalk::end_of_pulse(double from) {
+/// The blend is of third degree in u, and u of third degree at most in time: with w = u - u0 from the start
+/// of the part on, S is S0 + d1 w + d2/2 w^2 + d3/6 w^3.
+void SetWalk::make_blend_span() {
+  const Part& part = walk_.part();
+  const std::size_t law_degree = part.j != 0 ? 3 : part.a != 0 ? 2 : 1;
+  const Powers w{0, part.v, part.a / 2, part.j / 6};
+  const Powers square = product(w, law_degree, w, law_degree);
+  const Powers cube = product(square, 2 * law_degree, w, law_degree);
+  const CurvePoint at = motion_->curve().blend.at(std::clamp(part.q, 0.0, 1.0));
+  span_.begin(at.position, 3 * law_degree, part.duration);
+  double factorial = 1;
+  for (std::size_t k = 1; k <= span_.degree(); ++k) {
+    factorial *= static_cast<double>(k);
+    span_.set_derivative(
+        k, factorial * w[k] * at.d1 + factorial * square[k] / 2 * at.d2 + factorial * cube[k] / 6 * at.d3);
+  }
+}
+
+/// Up to where the pulses that the filters see change next.
+void SetWalk::make_filtered_span() {
   const Part& part = walk_.part();
   const FilteredMotion& motion = trajectory_.motion_of(part.element);
-  const double start = part.time - motion.start();
-  return std::min(part.duration, knots_.next_knot(motion.train(), start + from) - start);
+  const PulseTrain& train = motion.train();
+  const double at = part.time - motion.start() + from_;
+  // Knots that rounding alone keeps apart are one.
+  const double rounding = 1e-9 * train.filter_time;
+  double duration = pulses_.next_knot(train, at + rounding) - at;
+  if (part.duration - from_ < duration + rounding) {
+    duration = part.duration - from_;
+  }
+  if (pulses_.is_polynomial()) {
+    const FilterWalk::Derivatives derivatives = pulses_.continued_derivatives(at);
+    span_.begin(derivatives[0], derivatives.size() - 1, duration);
+    for (std::size_t k = 1; k < derivatives.size(); ++k) {
+      span_.set_derivative(k, derivatives[k]);
+    }
+    return;
+  }
+  if (pulses_.is_settled()) {
+    make_settled_span(pulses_.settled_part(), at, duration);
+    return;
+  }
+  constexpr double factorial = 40320;
+  const double longest = 2 * std::pow(factorial * tolerance / pulses_.derivative_bound(8), 1.0 / 8);
+  duration /= std::ceil(duration / longest);
+  meet(pulses_.continued(at), pulses_.continued(at + duration), duration);
+}
+
+/// On a circle at constant speed, from `at` of its motion on.
+void SetWalk::make_settled_span(const CommandPart& turn, double at, double duration) {
+  const double radius = turn.cosine.norm();
+  Arc arc{turn.position - turn.cosine,
+          turn.cosine / radius,
+          turn.sine / radius,
+          turn.velocity / turn.rate,
+          radius,
+          0};
+  const double speed = turn.rate * arc.length_per_radian();
+  Part part;
+  part.duration = duration;
+  part.q = speed * (at - turn.time);
+  part.v = speed;
+  ArcCourse(arc, part, tolerance).fill(span_, 0);
+}
+
+void SetWalk::make_fitted_span() {
+  const double end = walk_.part().duration;
+  double to = std::min(end, from_ + guess_);
+  if (end - to < 0.1 * guess_) {
+    to = end;  // no sliver behind
+  }
+  constexpr int most_tries = 40;
+  double share = 0;
+  for (int tries = 0; tries < most_tries; ++tries) {
+    const double h = to - from_;
+    meet(motion_->kinematics(from_), motion_->kinematics(to), h);
+    const double error =
+        (motion_->kinematics(from_ + h / 2).position - span_.at(h / 2)).cwiseAbs().maxCoeff();
+    share = fitting_share(error);
+    if (error <= tolerance) {
+      break;
+    }
+    to = from_ + std::clamp(share, 0.1, 0.7) * h;
+  }
+  guess_ = std::clamp(share, 0.5, 4.0) * span_.duration;
 }
 
 /// The polynomial with the derivatives up to the third of both ends. Beyond the Taylor polynomial of the
 /// start, c4 u^4 + ... + c7 u^7 with u = t/h must make up for what that misses of the end.
-double SetWalk::fit(double from, double to) {
-  const double h = to - from;
-  const Kinematics a = motion_->kinematics(from);
-  const Kinematics b = motion_->kinematics(to);
+void SetWalk::meet(const Kinematics& a, const Kinematics& b, double h) {
   const double square = h * h;
   const double cube = square * h;
   const Vec3 position =
@@ -128,25 +204,16 @@ double SetWalk::fit(double from, double to) {
   const Vec3 acceleration = square * (b.acceleration - a.acceleration - h * a.jerk);
   const Vec3 jerk = cube * (b.jerk - a.jerk);
   const double fourth = 1 / (square * square);
-  span_.duration = h;
-  set_derivatives(span_, 0, a.position);
-  set_derivatives(span_, 1, a.velocity);
-  set_derivatives(span_, 2, a.acceleration);
-  set_derivatives(span_, 3, a.jerk);
-  set_derivatives(span_, 4, 24 * fourth * (35 * position - 15 * velocity + 2.5 * acceleration - jerk / 6));
-  set_derivatives(span_, 5,
-                  120 * fourth / h * (-84 * position + 39 * velocity - 7 * acceleration + jerk / 2));
-  set_derivatives(span_, 6,
-                  720 * fourth / square * (70 * position - 34 * velocity + 6.5 * acceleration - jerk / 2));
-  set_derivatives(span_, 7,
-                  5040 * fourth / cube * (-20 * position + 10 * velocity - 2 * acceleration + jerk / 6));
-  const Vec3 middle = motion_->kinematics(from + h / 2).position;
-  double off = 0;
-  for (std::size_t axis = 0; axis < span_.axes.size(); ++axis) {
-    const auto i = static_cast<Eigen::Index>(axis);
-    off = std::max(off, std::abs(a.position[i] + span_.axes[axis].travel(h / 2) - middle[i]));
-  }
-  return off;
+  span_.begin(a.position, 7, h);
+  span_.set_derivative(1, a.velocity);
+  span_.set_derivative(2, a.acceleration);
+  span_.set_derivative(3, a.jerk);
+  span_.set_derivative(4, 24 * fourth * (35 * position - 15 * velocity + 2.5 * acceleration - jerk / 6));
+  span_.set_derivative(5, 120 * fourth / h * (-84 * position + 39 * velocity - 7 * acceleration + jerk / 2));
+  span_.set_derivative(
+      6, 720 * fourth / square * (70 * position - 34 * velocity + 6.5 * acceleration - jerk / 2));
+  span_.set_derivative(7,
+                       5040 * fourth / cube * (-20 * position + 10 * velocity - 2 * acceleration + jerk / 6));
 }
 
 }  // namespace feedscope

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/drives/set_walk.h"
+#include "core/drives/set_span.h"
 
 namespace feedscope {
 

@@ -128,10 +128,30 @@ Integrals<highest, lowest> integrals_at(const Knot& knot, double h) {
   if constexpr (highest - lowest >= 3) {
     out[3] = straight_integral<lowest + 3>(knot, h_over);
   }
+  if constexpr (highest - lowest >= 4) {
+    out[4] = straight_integral<lowest + 4>(knot, h_over);
+  }
   if (knot.part.rate > 0) {
     add_turn<highest, lowest>(knot.part, h, out);
   }
   return out;
+}
+
+Kinematics kinematics_of(const CommandPart& part, double t) {
+  const double h = t - part.time;
+  Kinematics at{part.position + h * part.velocity, part.velocity, Vec3::Zero(), Vec3::Zero()};
+  if (part.rate > 0) {
+    const double w = part.rate;
+    const double c = std::cos(w * h);
+    const double s = std::sin(w * h);
+    const Vec3 out = c * part.cosine + s * part.sine;
+    const Vec3 along = c * part.sine - s * part.cosine;
+    at.position += out - part.cosine;
+    at.velocity += w * along;
+    at.acceleration = -w * w * out;
+    at.jerk = -w * w * w * along;
+  }
+  return at;
 }
 
 }  // namespace
@@ -163,9 +183,55 @@ double FilterWalk::next_knot(const PulseTrain& train, double t) {
   return std::max(next, std::nextafter(t, never));
 }
 
-const FilterWalk::Knot* FilterWalk::settled_in() const {
-  const Knot& newest = knots_[cursor_[0]];
-  return is_settled() && newest.part.rate == 0 ? &newest : nullptr;
+/// A velocity passes the filters as it is, a turn is made smaller by (sin x/x)^n with x = rate T1/2; both
+/// come half of the delay later.
+CommandPart FilterWalk::settled_part() const {
+  CommandPart part = knots_[cursor_[0]].part;
+  part.time += train_->half_delay();
+  if (part.rate > 0) {
+    constexpr double small = 1e-4;
+    const double x = part.rate * train_->filter_time / 2;
+    const double one = x < small ? 1 - x * x / 6 : std::sin(x) / x;
+    const double gain = train_->filters == 2 ? one * one : one * one * one;
+    part.position -= (1 - gain) * part.cosine;
+    part.cosine *= gain;
+    part.sine *= gain;
+  }
+  return part;
+}
+
+bool FilterWalk::is_polynomial() const {
+  return std::all_of(cursor_.begin(), cursor_.begin() + train_->filters + 1,
+                     [this](std::size_t cursor) { return knots_[cursor].part.rate == 0; });
+}
+
+Kinematics FilterWalk::continued(double t) const {
+  return train_->filters == 2 ? evaluate<2>(t, true) : evaluate<3>(t, true);
+}
+
+FilterWalk::Derivatives FilterWalk::continued_derivatives(double t) const {
+  if (train_->filters == 2 || is_settled()) {
+    const Kinematics at = continued(t);
+    return {at.position, at.velocity, at.acceleration, at.jerk, Vec3::Zero()};
+  }
+  const auto d = differences<3, 3, -1>(t);
+  return {anchor_ + d[4], d[3], d[2], d[1], d[0]};
+}
+
+/// Averaging n times is differencing the n-fold integral: each average takes one derivative and adds a factor
+/// of up to 2/T1.
+double FilterWalk::derivative_bound(int order) const {
+  const auto count = static_cast<std::size_t>(train_->filters);
+  const auto of_turn = [this](std::size_t cursor, int power) {
+    const CommandPart& part = knots_[cursor].part;
+    return part.rate > 0 ? part.cosine.norm() * std::pow(part.rate, power) : 0;
+  };
+  double sum = 0;
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double weight = i == 0 || i == count ? 1 : static_cast<double>(count);
+    sum += weight * of_turn(cursor_[i], order - train_->filters);
+  }
+  return sum / std::pow(train_->filter_time, train_->filters);
 }
 
 /// T1^-n sum_i (-1)^i C(n,i) P_m(t - i T1) for m from lowest to highest.
@@ -193,9 +259,8 @@ std::array<Vec3, highest - lowest + 1> FilterWalk::differences(double t) const {
 
 template <int filters>
 Kinematics FilterWalk::evaluate(double t, bool with_jerk) const {
-  if (const Knot* knot = settled_in()) {
-    const double h = t - train_->half_delay() - knot->part.time;
-    return {knot->part.position + h * knot->part.velocity, knot->part.velocity, Vec3::Zero(), Vec3::Zero()};
+  if (is_settled()) {
+    return kinematics_of(settled_part(), t);
   }
   if (with_jerk) {
     const auto d = differences<filters, filters, filters - 3>(t);
@@ -207,8 +272,9 @@ Kinematics FilterWalk::evaluate(double t, bool with_jerk) const {
 
 template <int filters>
 VelocityPoint FilterWalk::evaluate_velocity(double t) const {
-  if (const Knot* knot = settled_in()) {
-    return {knot->part.velocity, Vec3::Zero()};
+  if (is_settled()) {
+    const Kinematics at = kinematics_of(settled_part(), t);
+    return {at.velocity, at.acceleration};
   }
   const auto d = differences<filters, filters - 1, filters - 2>(t);
   return {d[1], d[0]};

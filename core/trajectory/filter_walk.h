@@ -37,6 +37,19 @@ class FilterWalk {
   /// Whether one pulse fills the filters at the instant asked for last: straight or on an arc, the speed is
   /// constant until the next knot.
   bool is_settled() const { return cursor_[0] == cursor_[static_cast<std::size_t>(train_->filters)]; }
+  /// Whether all pulses in the filters then were straight: up to the next knot the motion is a polynomial.
+  bool is_polynomial() const;
+  /// Motion at `t` if the pulses in the filters stay those of the instant asked for last: up to the next knot
+  /// what at() says.
+  Kinematics continued(double t) const;
+  /// The same as position and derivatives up to the fourth by time, which are all that straight pulses have.
+  using Derivatives = std::array<Vec3, 5>;
+  Derivatives continued_derivatives(double t) const;
+  /// Where is_settled(): what comes out of the filters up to the next knot.
+  CommandPart settled_part() const;
+  /// What the `order`-th derivative of the position can be up to the next knot, where it is not
+  /// is_polynomial(); `order` above the number of filters [mm/s^order].
+  double derivative_bound(int order) const;
   /// Forgets what it knows of a train whose pulses were changed.
   void forget() { train_ = nullptr; }
 
@@ -54,7 +67,6 @@ class FilterWalk {
   Kinematics evaluate(double t, bool with_jerk) const;
   template <int filters>
   VelocityPoint evaluate_velocity(double t) const;
-  const Knot* settled_in() const;
   void seek(const PulseTrain& train, double t);
   void restart(double anchor_time);
   void append_block();

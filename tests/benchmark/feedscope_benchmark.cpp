@@ -61,7 +61,8 @@ void simulate(State& state, const Kind& kind, const ControlModel& model) {
   set_counters(state, blocks, meter);
 }
 
-/// Trajectory to the answer of the drives, by pieces of the trajectory.
+/// Trajectory to the answer of the drives, by pieces of the trajectory and by polynomials of the set path, of
+/// which a piece may hold several.
 void respond(State& state, const Kind& kind, const ControlModel& model) {
   Machine machine =
       MachineLibrary(FEEDSCOPE_SOURCE_DIR "/machines", all_model_settings()).load("spinner-mvc850");
@@ -80,6 +81,12 @@ void respond(State& state, const Kind& kind, const ControlModel& model) {
     ::benchmark::DoNotOptimize(&response);
   }
   set_counters(state, trajectory->pieces().size(), meter);
+  std::size_t spans = 0;
+  for (SetWalk walk(*trajectory); !walk.done(); walk.next()) {
+    ++spans;
+  }
+  state.counters["polynomials_per_second"] =
+      Counter(static_cast<double>(spans), Counter::kIsIterationInvariantRate);
 }
 
 void register_all() {

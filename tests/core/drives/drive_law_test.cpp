@@ -1,4 +1,4 @@
-#include "core/drives/drive_law.h"
+#include "core/drives/drive_course.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -82,9 +82,8 @@ TEST(SetWalk, LinesAreOneSpanAJerkAndArcsFew) {
     (on_line ? lines : arcs) += 1;
   }
   EXPECT_EQ(lines, 1);
-  // R (w h)^8/(2^8 8!) = 1e-8 mm: 0.49 rad a span, of which nine tenths are tried.
-  EXPECT_GE(arcs, 13);
-  EXPECT_LE(arcs, 20);
+  // R (w h)^10/(2^10 10!) = 3e-9 mm: 0.91 rad a span.
+  EXPECT_EQ(arcs, 7);
 }
 
 TEST(SetWalk, BeginsAnywhereAsIfFromTheStart) {
