@@ -3,7 +3,6 @@
 #include <cmath>
 
 #include "core/drives/span_looks.h"
-#include "core/trajectory/state_walk.h"
 
 namespace feedscope {
 namespace {
@@ -16,7 +15,6 @@ ActualFigures actual_figures(const ActualPath& path, Progress* progress) {
   const Trajectory& trajectory = path.trajectory();
   ActualFigures figures;
   ActualErrors errors(path);
-  StateWalk set(trajectory);
   const bool rigid = path.response().is_rigid();
   double sum = 0;
   double cutting = 0;
@@ -24,16 +22,17 @@ ActualFigures actual_figures(const ActualPath& path, Progress* progress) {
   for (ActualWalk walk(path.response()); !walk.done(); walk.next_span()) {
     const SetSpan& span = walk.span();
     const SpanLooks looks(span, rigid);
+    const bool cuts =
+        !trajectory.is_rapid(span.element) && trajectory.path().kind(span.element) != ElementKind::dwell;
     for (int i = 0; i < looks.count(); ++i) {
       const double time = looks.middle(i);
       const ActualMotion actual = walk.within_span(time);
       figures.largest_following_error =
           figures.largest_following_error.cwiseMax(actual.following_error.cwiseAbs());
-      const State state = set.at_without_length(time);
-      if (trajectory.is_rapid(state.element) || trajectory.path().kind(state.element) == ElementKind::dwell) {
+      if (!cuts) {
         continue;
       }
-      const PathDeviation::Foot foot = errors.foot(actual.position, state.element);
+      const PathDeviation::Foot foot = errors.foot(actual.position, span.element);
       if (trajectory.path().programmed()->segments[foot.segment].rapid) {
         continue;  // the axes are still behind, on the rapid before the cut
       }
@@ -42,9 +41,9 @@ ActualFigures actual_figures(const ActualPath& path, Progress* progress) {
       cutting += looks.duration(i);
       if (error > figures.worst.error) {
         figures.worst = {error,
-                         errors.at(state.position, state.element),
+                         errors.at(actual.position + actual.following_error, span.element),
                          time,
-                         state.line,
+                         trajectory.line_of(span.element),
                          actual.position,
                          actual.position - foot.offset};
       }

@@ -1,16 +1,21 @@
 #include "core/drives/blend_course.h"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 namespace feedscope {
 namespace {
 
-/// Nodes and weights of the 8-point Gauss-Legendre rule on [-1, 1], either side of 0.
-constexpr std::array<double, 4> nodes{0.18343464249564980, 0.52553240991632899, 0.79666647741362674,
-                                      0.96028985649753623};
-constexpr std::array<double, 4> weights{0.36268378337836198, 0.31370664587788729, 0.22238103445337447,
-                                        0.10122853629037626};
+using Rule = Eigen::Array<double, 8, 1>;
+
+/// Nodes and weights of the 8-point Gauss-Legendre rule on [-1, 1].
+alignas(Rule) constexpr std::array<double, 8> gauss_nodes{
+    -0.96028985649753623, -0.79666647741362674, -0.52553240991632899, -0.18343464249564980,
+    0.18343464249564980,  0.52553240991632899,  0.79666647741362674,  0.96028985649753623};
+alignas(Rule) constexpr std::array<double, 8> gauss_weights{
+    0.10122853629037626, 0.22238103445337447, 0.31370664587788729, 0.36268378337836198,
+    0.36268378337836198, 0.31370664587788729, 0.22238103445337447, 0.10122853629037626};
 
 /// Of lengths: closer to an end than this share of the blend is the end.
 constexpr double rounding = 1e-12;
@@ -85,14 +90,13 @@ double BlendCourse::speed_squared(double u) const {
 }
 
 double BlendCourse::length_between(double from, double to) const {
+  const Eigen::Map<const Rule, Eigen::AlignedMax> nodes(gauss_nodes.data());
+  const Eigen::Map<const Rule, Eigen::AlignedMax> weights(gauss_weights.data());
   const double half = (to - from) / 2;
-  const double middle = (from + to) / 2;
-  double sum = 0;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
-    sum += weights[i] * (std::sqrt(speed_squared(middle - half * nodes[i])) +
-                         std::sqrt(speed_squared(middle + half * nodes[i])));
-  }
-  return half * sum;
+  const Rule w = (from + to - 1) / 2 + half * nodes;
+  const auto& p = squared_;
+  const Rule squares = p[0] + w * (p[1] + w * (p[2] + w * (p[3] + w * p[4])));
+  return half * (weights * squares.max(0.0).sqrt()).sum();
 }
 
 double BlendCourse::parameter_at(const LawPoint& law, const Place& from, double h) const {

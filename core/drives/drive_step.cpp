@@ -8,8 +8,8 @@ namespace {
 
 /// In time constants of a pole: up to here the power series is used.
 constexpr double series_up_to = 1;
-/// Up to here half of its terms do, to 1e-17 of their sum.
-constexpr double few_terms_up_to = 1.0 / 32;
+/// Up to here half of its terms do, to 1e-12 of the highest integrals, which count least.
+constexpr double few_terms_up_to = 1.0 / 4;
 /// Of two real poles; those nearer to each other would lose digits as a difference.
 constexpr double far_apart = 4;
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 
 #include "core/base/geometry.h"
 #include "core/drives/set_course.h"
@@ -13,6 +14,7 @@ struct SetSpan {
   double duration = 0;  ///< [s]
   std::array<SetCourse, 3> axes;
   Vec3 start = Vec3::Zero();  ///< [mm]
+  std::uint32_t element = 0;  ///< of the path, under way
   /// The motion starts again here, at rest: at the start of the program, and behind a move whose way is not
   /// known.
   bool begins = false;

@@ -56,11 +56,14 @@ void SetWalk::enter_part() {
   if (part.law == Law::filtered) {
     return;
   }
-  motion_.emplace(walk_.motion());
-  if (motion_->curve().is_arc()) {
-    arc_.emplace(motion_->curve().arc, part, tolerance);
-  } else if (motion_->curve().kind == ElementKind::blend && part.law == Law::path_length) {
-    blend_.enter(motion_->curve().blend, motion_->curve().length, part);
+  if (part.element != element_) {
+    curve_ = trajectory_.path().curve(part.element);
+    element_ = part.element;
+  }
+  if (curve_.is_arc()) {
+    arc_.emplace(curve_.arc, part, tolerance);
+  } else if (curve_.kind == ElementKind::blend && part.law == Law::path_length) {
+    blend_.enter(curve_.blend, curve_.length, part);
   }
 }
 
@@ -80,30 +83,30 @@ void SetWalk::next() {
 
 void SetWalk::make_span() {
   const Part& part = walk_.part();
-  const ElementKind kind = trajectory_.path().kind(part.element);
   if (part.law == Law::filtered) {
     make_filtered_span();
-  } else if (kind == ElementKind::line || kind == ElementKind::dwell) {
+  } else if (curve_.kind == ElementKind::line || curve_.kind == ElementKind::dwell) {
     make_line_span();
   } else if (arc_) {
     arc_->fill(span_, from_);
   } else if (part.law == Law::parameter) {
     make_blend_span();
-  } else if (kind != ElementKind::blend || !blend_.fill(span_, from_)) {
+  } else if (curve_.kind != ElementKind::blend || !blend_.fill(span_, from_)) {
     make_fitted_span();
   }
   span_.time = part.time + from_;
+  span_.element = part.element;
   span_.begins = first_ || (from_ == 0 && (span_.start - reached_).norm() > jump);
   first_ = false;
 }
 
 /// The law of a line, or standstill.
 void SetWalk::make_line_span() {
-  const Kinematics at = motion_->kinematics(0);
-  span_.begin(at.position, 3, walk_.part().duration);
-  span_.set_derivative(1, at.velocity);
-  span_.set_derivative(2, at.acceleration);
-  span_.set_derivative(3, at.jerk);
+  const Part& part = walk_.part();
+  span_.begin(curve_.at(part.q).position, 3, part.duration);
+  span_.set_derivative(1, part.v * curve_.direction);
+  span_.set_derivative(2, part.a * curve_.direction);
+  span_.set_derivative(3, part.j * curve_.direction);
 }
 
 /// The blend is of third degree in u, and u of third degree at most in time: with w = u - u0 from the start
@@ -114,7 +117,7 @@ void SetWalk::make_blend_span() {
   const Powers w{0, part.v, part.a / 2, part.j / 6};
   const Powers square = product(w, law_degree, w, law_degree);
   const Powers cube = product(square, 2 * law_degree, w, law_degree);
-  const CurvePoint at = motion_->curve().blend.at(std::clamp(part.q, 0.0, 1.0));
+  const CurvePoint at = curve_.blend.at(std::clamp(part.q, 0.0, 1.0));
   span_.begin(at.position, 3 * law_degree, part.duration);
   double factorial = 1;
   for (std::size_t k = 1; k <= span_.degree(); ++k) {
@@ -172,6 +175,9 @@ void SetWalk::make_settled_span(const CommandPart& turn, double at, double durat
 }
 
 void SetWalk::make_fitted_span() {
+  if (!motion_) {
+    motion_.emplace(walk_.motion());
+  }
   const double end = walk_.part().duration;
   double to = std::min(end, from_ + guess_);
   if (end - to < 0.1 * guess_) {

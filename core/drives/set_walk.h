@@ -39,9 +39,11 @@ class SetWalk {
 
   const Trajectory& trajectory_;
   PartWalk walk_;
-  std::optional<PartMotion> motion_;  ///< of the part, unless it is filtered
-  std::optional<ArcCourse> arc_;      ///< of a part on an arc
-  BlendCourse blend_{tolerance};      ///< of a part on a blend by path length
+  ElementCurve curve_;                    ///< of the part, unless it is filtered
+  std::optional<std::uint32_t> element_;  ///< whose curve that is
+  std::optional<PartMotion> motion_;      ///< of a part on another curve than lines, arcs and blends
+  std::optional<ArcCourse> arc_;          ///< of a part on an arc
+  BlendCourse blend_{tolerance};          ///< of a part on a blend by path length
   FilterWalk pulses_;
   double from_ = 0;   ///< where the span begins in the part [s]
   double guess_ = 0;  ///< duration to be tried first [s]
