@@ -27,8 +27,8 @@ LawPoint law_at(const Part& part, double tau) {
 }  // namespace
 
 void BlendCourse::enter(const CubicBlend& blend, double length, const Part& part) {
-  const bool goes_on =
-      part.element == part_.element && (blend.start - blend_.start).isZero(0) && is_reached(part.q);
+  const bool goes_on = length_ > 0 && part.element == part_.element &&
+                       (blend.start - blend_.start).isZero(0) && is_reached(part.q);
   part_ = part;
   if (!goes_on) {
     blend_ = blend;

@@ -158,6 +158,43 @@ TEST(DriveLaw, CutCoursesAreAnsweredLikeWholeOnes) {
   }
 }
 
+// One step of many time constants, or of few, is as many short ones that are power series: whatever the
+// degree, and with poles that are complex, equal, near each other or far apart.
+TEST(DriveLaw, LongStepsAreManyShortOnes) {
+  std::mt19937 random(19);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  for (const double lag : {0.0, 1e-6, 1e-4, 0.001, 0.0035, 0.00415, 1 / 240.0, 0.0042, 0.006, 0.05}) {
+    const DriveLaw law(drive(60, 0.3, lag), 'X');
+    for (const double duration : {1e-5, 0.002, 0.0101, 0.03, 0.2}) {
+      SetCourse set;
+      set.duration = duration;
+      double factorial = 1;
+      for (std::size_t k = 1; k <= SetCourse::order; ++k) {
+        factorial *= static_cast<double>(k);
+        set.derivative[k] = unit(random) * factorial / std::pow(duration, static_cast<double>(k));
+      }
+      const MotorMotion start{0.1, 5};
+      const MotorMotion at_once = DriveCourse(law, set, start).at_end();
+      MotorMotion at = start;
+      const int cuts = static_cast<int>(std::ceil(duration * law.fastest_rate()));
+      for (int i = 0; i < std::min(cuts, 300); ++i) {
+        SetCourse part;
+        part.duration = duration / std::min(cuts, 300);
+        const double t = i * part.duration;
+        for (std::size_t k = 0; k <= SetCourse::order; ++k) {
+          double sum = 0;
+          for (std::size_t m = SetCourse::order; m > k; --m) {
+            sum = t / static_cast<double>(m - k) * (set.derivative[m] + sum);
+          }
+          part.derivative[k] = set.derivative[k] + sum;
+        }
+        at = DriveCourse(law, part, at).at_end();
+      }
+      EXPECT_NEAR(at.offset, at_once.offset, 1e-10) << lag << ' ' << duration;
+    }
+  }
+}
+
 // The energy of a deviation, Tv y'^2/2 + Kv y^2/2, is lost at the rate y'^2 and never grows at rest.
 TEST(DriveLaw, DeviationAtRestLosesTheEnergyThatItsVelocityTakes) {
   for (const double lag : {0.001, 0.006, 0.05}) {

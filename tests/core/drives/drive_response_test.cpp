@@ -8,6 +8,7 @@
 
 #include "core/base/units.h"
 #include "core/models/control_model.h"
+#include "core/trajectory/state_walk.h"
 #include "tests/support/paths.h"
 
 namespace feedscope {
@@ -79,6 +80,63 @@ TEST(DriveResponse, UnequalAxesMakeAnOvalTiltedByTheirDelays) {
     const double expected = feed * feed / radius * ((cx + cy) / 2 + (cx - cy) / 2 * std::cos(2 * angle)) +
                             feed * (0 - tau_y) / 2 * std::sin(2 * angle);
     EXPECT_NEAR(at.norm() - radius, expected, 0.0008) << units::to_deg(angle);  // of up to 0.02 mm
+  }
+}
+
+/// Tv y'' + y' + Kv y = Kv x + f x' for all axes, with x and x' of the trajectory, in small steps (Runge and
+/// Kutta) that no piece border cuts: `steps` of at most `longest` [s] in each span.
+class SmallSteps {
+ public:
+  SmallSteps(const Trajectory& run, double gain, double feedforward, double lag)
+      : set_(run), gain_(gain), feedforward_(feedforward), lag_(lag), y_(run.state(0).position) {}
+
+  void advance(const SetSpan& span, double longest) {
+    const double steps = std::ceil(span.duration / longest);
+    const double h = span.duration / steps;
+    for (int i = 0; i < steps; ++i) {
+      const double t = span.time + i * h;
+      const Vec3 start = input(t + beside);
+      const Vec3 middle = input(t + h / 2);
+      const Vec3 end = input(t + h - beside);
+      const Vec3 a = slope(start, y_, v_);
+      const Vec3 b = slope(middle, y_ + h / 2 * v_, v_ + h / 2 * a);
+      const Vec3 c = slope(middle, y_ + h / 2 * (v_ + h / 2 * a), v_ + h / 2 * b);
+      const Vec3 d = slope(end, y_ + h * (v_ + h / 2 * b), v_ + h * c);
+      y_ += h * v_ + h * h / 6 * (a + b + c);
+      v_ += h / 6 * (a + 2 * b + 2 * c + d);
+    }
+  }
+  const Vec3& position() const { return y_; }
+
+ private:
+  static constexpr double beside = 1e-12;  ///< of a piece border [s]
+
+  Vec3 input(double t) {
+    const State state = set_.at_without_length(t);
+    return gain_ * state.position + feedforward_ * state.velocity;
+  }
+  Vec3 slope(const Vec3& input, const Vec3& y, const Vec3& v) const { return (input - v - gain_ * y) / lag_; }
+
+  StateWalk set_;
+  double gain_, feedforward_, lag_;
+  Vec3 y_;
+  Vec3 v_ = Vec3::Zero();
+};
+
+// The bound that core/drives/README.md states, on lines, blends, arcs and filtered motion.
+TEST(DriveResponse, IsWithinTheStatedBoundOfTheEquation) {
+  Toolpath path = testing::polyline({{300, 0, 0}, {308, 0, 0}, {308, 6, 1}, {303, 9, 0}}, 50);
+  testing::append_arc(path, {303, 14, 0}, 2.5, 50);
+  for (const ControlModel* model : all_models()) {
+    const auto run = run_of(model->info().id, path);
+    const DriveResponse response(run, with_drives(60, 0.5, 6));
+    SmallSteps reference(*run, 60, 0.5, 0.006);
+    ActualWalk walk(response);
+    for (SetWalk set(*run); !set.done(); set.next()) {
+      reference.advance(set.span(), 2e-4);
+      ASSERT_LT((walk.at(set.span().end()).position - reference.position()).norm(), 1e-8)
+          << model->info().id << " at " << set.span().end();
+    }
   }
 }
 
