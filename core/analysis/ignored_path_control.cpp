@@ -32,7 +32,10 @@ constexpr auto rules = std::to_array<Rule>({
      }},
     {QT_TRANSLATE_NOOP("core",
                        "Compaction requested by the program is not simulated: short blocks are not joined."),
-     [](const Asked& a) { return a.control.compaction == Switch::on && !a.promised.follows_compaction; }},
+     [](const Asked& a) {
+       const bool smooths = a.promised.smooths && a.control.compressor == Switch::on;
+       return a.control.compaction == Switch::on && !smooths && !a.promised.follows_compaction;
+     }},
     {QT_TRANSLATE_NOOP("core",
                        "BRISK of the program is not simulated: the jerk along the path stays limited."),
      [](const Asked& a) {
@@ -65,8 +68,9 @@ bool has_curves_as_arcs(const LoadedProgram& program) {
 
 std::vector<std::string> ignored_path_control(const LoadedProgram& program, const Setup& setup) {
   std::vector<std::string> sentences = ignored_path_control(*program.toolpath, setup);
-  const bool has_ramps = setup.model->guarantees(setup.settings).continuity != Continuity::position;
-  if (has_ramps && has_curves_as_arcs(program)) {
+  const Guarantees promised = setup.model->guarantees(setup.settings);
+  const bool has_ramps = promised.continuity != Continuity::position;
+  if (has_ramps && !promised.smooths && has_curves_as_arcs(program)) {
     sentences.emplace_back(curves_as_arcs);
   }
   return sentences;

@@ -16,6 +16,8 @@ CurvePoint ElementCurve::at(double s) const {
       return by_path_length(blend.at(blend.parameter_at(s)));
     case ElementKind::fitted:
       return course_at(course, s);
+    case ElementKind::curve:
+      return span->at(s);
     case ElementKind::line:
     case ElementKind::filtered:
     case ElementKind::dwell:
@@ -65,6 +67,12 @@ std::uint32_t BlendedPath::add_fitted(std::uint32_t block, std::span<const Cours
   return element;
 }
 
+std::uint32_t BlendedPath::add_curve(std::uint32_t block, const CourseKnot& to) {
+  const std::uint32_t element = add(ElementKind::curve, block, to.s - knots_.back().s, knot_count() - 1);
+  knots_.push_back(to);
+  return element;
+}
+
 std::span<const CourseKnot> BlendedPath::course(std::size_t i) const {
   const std::size_t first = entries_[i].index;
   const std::size_t last = i + 1 < size() ? entries_[i + 1].index : knots_.size();
@@ -85,6 +93,10 @@ double BlendedPath::line_offset(std::size_t i) const {
     return transitions_[entries_[i - 1].index];
   }
   const std::size_t chord = base_segment(entries_[i].block);
+  if (i > 0 && kind(i - 1) == ElementKind::curve) {
+    const Vec3& end = knots_[entries_[i - 1].index + 1].position;
+    return (end - base().start_of(chord)).dot(base().tangent_at_start(chord));
+  }
   if (!compacted_ || compacted_->first[chord] == entries_[i].block) {
     return 0;
   }
@@ -140,6 +152,16 @@ ElementCurve BlendedPath::curve(std::size_t i) const {
     curve.course = course(i);
     curve.start = curve.course.front().position;
     curve.end = curve.course.back().position;
+    curve.direction = Vec3::Zero();
+    return curve;
+  }
+  if (entry.kind == ElementKind::curve) {
+    const CourseKnot& from = knots_[entry.index];
+    const CourseKnot& to = knots_[entry.index + 1];
+    curve.course = std::span(knots_).subspan(entry.index, 2);
+    curve.span.emplace(from, to);
+    curve.start = from.position;
+    curve.end = to.position;
     curve.direction = Vec3::Zero();
     return curve;
   }

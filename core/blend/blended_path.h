@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -13,8 +14,8 @@ namespace feedscope {
 
 /// `blend`: a cubic blend in a corner; `connecting_arc`: a circle arc in one; `filtered`: a segment as
 /// smoothing filters draw it, whose course is known to the motion alone; `fitted`: the same as a curve by
-/// path length, for a motion of its own.
-enum class ElementKind : std::uint8_t { line, arc, blend, connecting_arc, dwell, filtered, fitted };
+/// path length, for a motion of its own; `curve`: a span of a smooth curve through several blocks.
+enum class ElementKind : std::uint8_t { line, arc, blend, connecting_arc, dwell, filtered, fitted, curve };
 
 /// One geometric piece of the path that the control executes.
 struct PathElement {
@@ -23,7 +24,8 @@ struct PathElement {
   double s = 0;               ///< path length at the start, from the path's beginning [mm]
   double length = 0;          ///< [mm]; 0 for a dwell
   std::uint32_t segment = 0;  ///< of the programmed path; for a blend the one that ends at its corner
-  std::uint32_t index = 0;    ///< blends and connecting arcs: of the corner; filtered: of the motion
+  std::uint32_t index = 0;    ///< blends and connecting arcs: of the corner; filtered: of the motion;
+                              ///< fitted and curves: of the first knot
   ElementKind kind = ElementKind::line;
 };
 
@@ -37,7 +39,8 @@ class ElementCurve {
   Vec3 direction;     ///< lines: unit; zero for a dwell; filtered: along the programmed chord
   Arc arc;            ///< arcs and connecting arcs
   CubicBlend blend;   ///< blends
-  std::span<const CourseKnot> course;  ///< fitted; of the path, which must outlive the curve
+  std::span<const CourseKnot> course;  ///< fitted, curves; of the path, which must outlive this
+  std::optional<CourseSpan> span;      ///< curves
 
   /// Position and derivatives by path length at `s` from the element's start, clamped to it [mm]. For a
   /// filtered element the chord stands in; Trajectory::state_at_path follows the course itself.
@@ -81,6 +84,7 @@ class BlendedPath {
   std::size_t corner_count() const { return corners_.size(); }
   std::uint32_t corner_element(std::size_t corner) const { return corners_[corner]; }
   double corner_transition(std::size_t corner) const { return transitions_[corner]; }  ///< T [mm]
+  std::size_t curve_count() const { return curves_; }                                  ///< smooth curves
   /// How the corner was laid: its turn [rad], transition and distance of the corner point [mm].
   Corner corner(std::size_t corner) const;
   double min_radius(std::size_t corner) const;         ///< [mm]
@@ -93,8 +97,15 @@ class BlendedPath {
   /// Appends the curve that begins `transition` [mm] before the end of `block` and ends as much after it.
   std::uint32_t add_corner(ElementKind kind, std::uint32_t block, double transition, double length);
   /// Appends the part of `block` that `course`, from s = 0 to its length, follows. A path holds either fitted
-  /// elements and dwells or none.
+  /// elements and dwells, or none.
   std::uint32_t add_fitted(std::uint32_t block, std::span<const CourseKnot> course);
+  /// Begins a smooth curve at `knot`, whose spans add_curve() appends.
+  void begin_curve(const CourseKnot& knot) {
+    knots_.push_back(knot);
+    ++curves_;
+  }
+  /// Appends the span of a smooth curve from the knot given last to `to`; it begins on `block`.
+  std::uint32_t add_curve(std::uint32_t block, const CourseKnot& to);
   void set_blend_weight(double alpha) { alpha_ = alpha; }  ///< of all cubic blends
 
  private:
@@ -118,7 +129,8 @@ class BlendedPath {
   std::vector<Entry> entries_;
   std::vector<double> transitions_;     ///< a corner
   std::vector<std::uint32_t> corners_;  ///< element of each
-  std::vector<CourseKnot> knots_;       ///< of fitted elements, one after the other
+  std::vector<CourseKnot> knots_;       ///< of fitted elements and curves, one after the other
+  std::size_t curves_ = 0;
   double length_ = 0;
   double alpha_ = 2.5;
 };

@@ -44,7 +44,7 @@ double CourseSpan::covered(double x) const {
   return x * sum;
 }
 
-CurvePoint CourseSpan::by_share(double x) const {
+CurvePoint CourseSpan::by_parameter(double x) const {
   const auto& c = coefficients_;
   return {start_ + x * (c[0] + x * (c[1] + x * (c[2] + x * (c[3] + x * c[4])))),
           c[0] + x * (2 * c[1] + x * (3 * c[2] + x * (4 * c[3] + x * 5 * c[4]))),
@@ -57,23 +57,23 @@ CurvePoint CourseSpan::at(double s) const {
   const double target = share * whole_;
   double x = share;
   for (int i = 0; i < max_steps && x > 0 && x < 1; ++i) {
-    const double step = (target - covered(x)) / by_share(x).d1.norm();
+    const double step = (target - covered(x)) / by_parameter(x).d1.norm();
     x = std::clamp(x + step, 0.0, 1.0);
     if (std::abs(step) <= rounding) {
       break;
     }
   }
-  return by_path_length(by_share(x));
+  return by_path_length(by_parameter(x));
 }
 
 double CourseSpan::distance(const Vec3& point, double& s) const {
   double x = s / length_;
   for (int i = 0; i < 3; ++i) {
-    const CurvePoint at = by_share(x);
+    const CurvePoint at = by_parameter(x);
     x = std::clamp(x + (point - at.position).dot(at.d1) / at.d1.squaredNorm(), 0.0, 1.0);
   }
   s = covered(x) * length_ / whole_;
-  return (by_share(x).position - point).norm();
+  return (by_parameter(x).position - point).norm();
 }
 
 double course_length(const CourseKnot& from, const CourseKnot& to) {

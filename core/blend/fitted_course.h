@@ -25,13 +25,18 @@ class CourseSpan {
   double length() const { return length_; }  ///< [mm]
   /// At path length `s` from its beginning, clamped to the span [mm].
   CurvePoint at(double s) const;
+  /// With derivatives by path length, at share `x` in [0, 1] of the parameter, which is nearly that of the
+  /// length: cheaper.
+  CurvePoint by_share(double x) const { return by_path_length(by_parameter(x)); }
+  /// Path length by the parameter, as a share of their mean, at share `x`.
+  double stretch(double x) const { return by_parameter(x).d1.norm() / whole_; }
   /// Distance of `point` from the span near path length `s` [mm]; `s` becomes where that is.
   double distance(const Vec3& point, double& s) const;
 
  private:
   friend double course_length(const CourseKnot& from, const CourseKnot& to);
   CourseSpan(const CourseKnot& from, const CourseKnot& to, double length);
-  CurvePoint by_share(double x) const;
+  CurvePoint by_parameter(double x) const;
   /// Length from the beginning to share `x` of the parameter [mm].
   double covered(double x) const;
 

@@ -41,6 +41,7 @@ PathRules PathRules::exact_corners(const Toolpath& toolpath) {
 PathRules::Rule PathRules::rule_of(const PathControl& control) {
   return {0, std::numeric_limits<double>::infinity(),
           control.compaction != Switch::off && control.mode != PathMode::exact_stop,
+          control.compressor == Switch::on && control.mode != PathMode::exact_stop,
           control.acceleration == AccelerationMode::brisk};
 }
 
@@ -59,6 +60,14 @@ bool PathRules::has_acceleration_jumps() const {
 bool PathRules::may_compact(std::size_t segment, std::size_t next) const {
   const auto control = [this](std::size_t i) { return toolpath_->segments[i].path_control; };
   return control(segment) == control(next) && rule(segment).compacts;
+}
+
+bool PathRules::may_compress(std::size_t segment, std::size_t next, bool everywhere) const {
+  const auto allows = [&](std::size_t i) {
+    const PathControl& control = toolpath_->path_control_of(i);
+    return everywhere ? control.mode != PathMode::exact_stop : rule(i).asks_for_curves;
+  };
+  return allows(segment) && allows(next);
 }
 
 }  // namespace feedscope

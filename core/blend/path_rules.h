@@ -41,12 +41,16 @@ class PathRules {
   bool has_acceleration_jumps() const;
   /// Whether the segment may be merged with `next`.
   bool may_compact(std::size_t segment, std::size_t next) const;
+  /// Whether a compressor may smooth the junction between them: where the program asks for one, or,
+  /// `everywhere`, wherever it does not ask for exact stops.
+  bool may_compress(std::size_t segment, std::size_t next, bool everywhere) const;
 
  private:
   struct Rule {
     double tolerance = 0;
     double longest_blend = 0;
     bool compacts = true;
+    bool asks_for_curves = false;
     bool acceleration_jumps = false;
   };
 

@@ -54,6 +54,10 @@ constexpr std::array symbols{
     SymbolText{Symbol::acceleration_across, Dimension::acceleration, "a_n{}"},
     SymbolText{Symbol::jerk_along, Dimension::jerk, "j_t{}"},
     SymbolText{Symbol::jerk_across, Dimension::jerk, "j_n{}"},
+    SymbolText{Symbol::turning_share, Dimension::number, "S"},
+    SymbolText{Symbol::bend_part, Dimension::inverse_length, "|k_{}|"},
+    SymbolText{Symbol::bend_change_part, Dimension::inverse_area, "|k'_{}|"},
+    SymbolText{Symbol::ceiling, Dimension::feed, "V"},
 };
 
 using Values = std::array<double, 5>;
@@ -132,6 +136,14 @@ constexpr std::array formulas{
                 [](const Values& x) { return std::abs(x[0] + x[1]); }},
     FormulaText{FormulaId::whole_jerk, Dimension::jerk, "j", "|{0} + {1}|",
                 [](const Values& x) { return std::abs(x[0] + x[1]); }},
+    FormulaText{FormulaId::curve_acceleration, Dimension::feed, "V", "({0} {1} / {2})^(1/2)",
+                [](const Values& x) { return std::sqrt(x[0] * x[1] / x[2]); }},
+    FormulaText{FormulaId::curve_jerk, Dimension::feed, "V", "({0} {1} / {2})^(1/3)",
+                [](const Values& x) { return std::cbrt(x[0] * x[1] / x[2]); }},
+    FormulaText{FormulaId::curve_ramp_acceleration, Dimension::acceleration, "a", "({0} - {1}^2 {2}) / {3}",
+                [](const Values& x) { return (x[0] - square(x[1]) * x[2]) / x[3]; }},
+    FormulaText{FormulaId::curve_ramp_jerk, Dimension::jerk, "j", "({0} - {1}^3 {2}) / {3}",
+                [](const Values& x) { return (x[0] - x[1] * square(x[1]) * x[2]) / x[3]; }},
 };
 
 template <typename Table, typename Key>
@@ -144,9 +156,9 @@ constexpr bool in_order(const Table& table, Key Table::value_type::*key) {
   return true;
 }
 static_assert(in_order(symbols, &SymbolText::symbol));
-static_assert(symbols.size() == static_cast<std::size_t>(Symbol::jerk_across) + 1);
+static_assert(symbols.size() == static_cast<std::size_t>(Symbol::ceiling) + 1);
 static_assert(in_order(formulas, &FormulaText::id));
-static_assert(formulas.size() == static_cast<std::size_t>(FormulaId::whole_jerk) + 1);
+static_assert(formulas.size() == static_cast<std::size_t>(FormulaId::curve_ramp_jerk) + 1);
 
 const FormulaText& text_of(FormulaId id) {
   return formulas[static_cast<std::size_t>(id)];

@@ -46,6 +46,10 @@ enum class Symbol : std::uint8_t {
   acceleration_across,  ///< a_nX, across it
   jerk_along,           ///< j_tX, the same of a jerk
   jerk_across,          ///< j_nX
+  turning_share,        ///< S, of an axis limit, that turning along a smooth curve may take
+  bend_part,            ///< |k_X|, of the curvature vector
+  bend_change_part,     ///< |k'_X|, of its change along the path
+  ceiling,              ///< V, the highest speed on an element
 };
 
 struct Quantity {
@@ -89,6 +93,10 @@ enum class FormulaId : std::uint8_t {
   arc_error,
   whole_acceleration,
   whole_jerk,
+  curve_acceleration,
+  curve_jerk,
+  curve_ramp_acceleration,
+  curve_ramp_jerk,
 };
 
 /// A formula with the numbers of one place, in the order in which its text names them.

@@ -65,6 +65,25 @@ SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3&
   return {bound.value, {segment.rapid ? CauseKind::rapid : CauseKind::axis_velocity, bound.axis}};
 }
 
+SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element, const Vec3& velocity) {
+  const Toolpath& toolpath = *path.programmed();
+  const std::size_t first = path.segment(element);
+  SpeedBound bound = programmed_speed(toolpath, first, velocity);
+  if (element + 1 == path.size()) {
+    return bound;
+  }
+  std::size_t last = path.segment(element + 1);
+  const ElementKind next = path.kind(element + 1);
+  if (next != ElementKind::curve && last > first && path.curve(element).end == toolpath.start_of(last)) {
+    --last;  // the curve ends with a block
+  }
+  for (std::size_t i = first + 1; i <= last; ++i) {
+    const SpeedBound other = programmed_speed(toolpath, i, velocity);
+    bound.lower(other.value, other.cause);
+  }
+  return bound;
+}
+
 MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes) {
   MotionLimits limits{programmed_speed(toolpath, i, axes.velocity), {}, {}};
   if (toolpath.segments[i].kind == SegmentKind::line) {
@@ -89,6 +108,32 @@ MotionLimits arc_limits(const Arc& arc, const SpeedBound& programmed, const Axis
   limits.speed.lower(velocity.value, by_axis(CauseKind::axis_velocity, velocity));
   limits.speed.lower(std::sqrt(radial.value / k), by_axis(CauseKind::radial_acceleration, radial));
   limits.speed.lower(std::cbrt(limits.jerk.value / (k * k)), by_axis(CauseKind::radial_jerk, limits.jerk));
+  return limits;
+}
+
+SpanExtremes::SpanExtremes(const CourseSpan& span) {
+  constexpr int places = 9;
+  for (int i = 0; i < places; ++i) {
+    const CurvePoint at = span.by_share(i / (places - 1.0));
+    tangent = tangent.cwiseMax(at.d1.cwiseAbs());
+    bend = bend.cwiseMax(at.d2.cwiseAbs());
+    change = change.cwiseMax(at.d3.cwiseAbs());
+    curvature = std::max(curvature, at.d2.norm());
+  }
+}
+
+MotionLimits curve_limits(const SpanExtremes& span, const SpeedBound& programmed, const AxisVectors& axes) {
+  MotionLimits limits{programmed, {}, {}};
+  const AxisBound velocity = axis_share(axes.velocity, span.tangent);
+  const AxisBound radial = axis_share(turning_share * axes.acceleration, span.bend);
+  const AxisBound turning = axis_share(turning_share * axes.jerk, span.change);
+  limits.speed.lower(velocity.value, by_axis(CauseKind::axis_velocity, velocity));
+  limits.speed.lower(std::sqrt(radial.value), by_axis(CauseKind::radial_acceleration, radial));
+  limits.speed.lower(std::cbrt(turning.value), by_axis(CauseKind::radial_jerk, turning));
+
+  const double v = limits.speed.value;
+  limits.acceleration = axis_share(axes.acceleration - v * v * span.bend, span.tangent);
+  limits.jerk = axis_share(axes.jerk - v * v * v * span.change, span.tangent);
   return limits;
 }
 

@@ -147,6 +147,9 @@ std::vector<std::string> sentences(const Guarantees& g) {
   if (g.contour > 0) {
     text.push_back(place_sentence("On corner blends", g.blends));
   }
+  if (g.smooths) {
+    text.push_back(place_sentence("On smooth curves", g.curves));
+  }
   text.push_back(continuity_sentence(g.continuity));
   if (g.continuity != Continuity::position) {
     text.emplace_back(g.follows_brisk

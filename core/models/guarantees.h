@@ -41,8 +41,10 @@ struct Guarantees {
 
   Covered covered = Covered::both;
   KeptLimits lines;
-  KeptLimits arcs;    ///< programmed arcs and helices
-  KeptLimits blends;  ///< corner blends; meaningless where there are none
+  KeptLimits arcs;       ///< programmed arcs and helices
+  KeptLimits blends;     ///< corner blends; meaningless where there are none
+  KeptLimits curves;     ///< smooth curves of a compressor; meaningless where there are none
+  bool smooths = false;  ///< lays smooth curves through dense short blocks
 
   /// Largest speed as a multiple of the programmed feed, for a rapid of the axes' speed along it.
   double feed = 1;

@@ -25,4 +25,16 @@ void promise_tolerance(Guarantees& promised, const Settings& settings, double fa
   promised.stops_at_line_corners = exact;
 }
 
+void promise_smooth_curves(Guarantees& promised, const Settings& settings) {
+  using Of = KeptLimit::Of;
+  promised.smooths = true;
+  constexpr double between_places = 1.001;  // of SpanExtremes
+  promised.curves.velocity = {Of::whole, between_places * promised.lines.velocity.factor};
+  promised.curves.acceleration = {Of::whole, 1.05};
+  promised.curves.jerk = {Of::whole, 1.1};
+  if (settings.text("compressor") != "off") {
+    promised.meets_tangent_ends = promised.contour == 0;
+  }
+}
+
 }  // namespace feedscope

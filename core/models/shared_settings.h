@@ -12,4 +12,8 @@ SettingSpec used_tolerance_setting();
 /// path is followed exactly, with full stops in corners of lines.
 void promise_tolerance(Guarantees& promised, const Settings& settings, double factor);
 
+/// Promises what lower_curve_ceilings() keeps of the axes' limits on the curves of a compressor, if there is
+/// one.
+void promise_smooth_curves(Guarantees& promised, const Settings& settings);
+
 }  // namespace feedscope

@@ -70,6 +70,9 @@ std::string describe(const PathControl& control) {
         fmt::format("orientation tolerance {:.6g} deg", units::to_deg(*control.orientation_tolerance)));
   }
   add_switch(parts, "compaction", control.compaction);
+  if (control.compressor != control.compaction) {
+    add_switch(parts, "smooth curves", control.compressor);
+  }
   if (control.compaction_tolerance) {
     parts.push_back(fmt::format("compaction tolerance {} mm", *control.compaction_tolerance));
   }

@@ -46,7 +46,10 @@ struct PathControl {
   std::optional<double> blend_distance;
   std::optional<double> orientation_tolerance;  ///< of the tool [rad]: OTOL, TA
   Switch compaction = Switch::machine;          ///< joins short blocks: COMPON, COMPCURV, COMPCAD, G64 Q
-  std::optional<double> compaction_tolerance;   ///< [mm]; none: the contour tolerance
+  /// Lays smooth curves through short blocks: COMPON, COMPCURV, COMPCAD, COMPSURF, CYCLE832, cycle 32, G5.1
+  /// Q1.
+  Switch compressor = Switch::machine;
+  std::optional<double> compaction_tolerance;  ///< [mm]; none: the contour tolerance
   AccelerationMode acceleration = AccelerationMode::machine;
   Switch feed_forward = Switch::machine;  ///< FFWON, FFWOF
   Switch look_ahead = Switch::machine;    ///< G05.1, G08, G5 P10000, G64 against G60 aside

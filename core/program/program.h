@@ -43,6 +43,7 @@ struct MotionBlock {
   std::uint16_t spindle = 0;       ///< index into Program::spindles
   Motion motion = Motion::line;
   Pause pause = Pause::dwell;  ///< of Motion::dwell
+  bool on_curve = false;       ///< stands for a part of a curve of the program
 };
 
 /// A tool that the program asks for.

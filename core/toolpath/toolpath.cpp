@@ -40,6 +40,7 @@ Segment line_segment(const Vec3& start, const MotionBlock& block) {
   segment.path_control = block.path_control;
   segment.spindle = block.spindle;
   segment.rapid = block.motion == Motion::rapid;
+  segment.on_curve = block.on_curve;
   return segment;
 }
 
@@ -107,6 +108,7 @@ Toolpath build_toolpath(const Program& program) {
     segment.path_control = block.path_control;
     segment.spindle = block.spindle;
     segment.rapid = block.motion == Motion::rapid;
+    segment.on_curve = block.on_curve;
     switch (block.motion) {
       case Motion::dwell:
         segment.kind = SegmentKind::dwell;

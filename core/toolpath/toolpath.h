@@ -32,6 +32,7 @@ struct Segment {
   std::uint16_t spindle = 0;       ///< index into Toolpath::spindles
   SegmentKind kind = SegmentKind::line;
   bool rapid = false;
+  bool on_curve = false;  ///< stands for a part of a curve of the program, within curve_tolerance
 };
 static_assert(sizeof(Segment) == 56);
 

@@ -35,13 +35,26 @@ CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std:
   return place;
 }
 
-/// `laid_segment(index, block, length)` and `laid_corner(index, block, piece)` are told of every element.
-template <typename LaidSegment, typename LaidCorner>
+/// `laid_segment(index, block, length)` and `laid_corner(index, block, piece)` are told of every element;
+/// `lay_curve(curve)` lays a smooth curve.
+template <typename LaidSegment, typename LaidCorner, typename LayCurve>
 void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec3& axis_velocity,
-                  const PathRules& rules, TrajectoryBuilder& builder, const BlendCorner& blend,
-                  const LaidSegment& laid_segment, const LaidCorner& laid_corner) {
+                  const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder,
+                  const BlendCorner& blend, const LaidSegment& laid_segment, const LaidCorner& laid_corner,
+                  const LayCurve& lay_curve) {
+  const std::vector<SmoothCurve> curves = compressor.compress(range.first, range.last);
+  auto curve = curves.begin();
   double cut_before = 0;
   for (std::size_t i = range.first; i < range.last; ++i) {
+    for (; curve != curves.end() && curve->run.first == i; ++curve) {
+      const auto block = static_cast<std::uint32_t>(i);
+      if (const double length = curve->run.begin - cut_before; length > min_line) {
+        laid_segment(builder.add_segment(block, length), block, length);
+      }
+      lay_curve(*curve);
+      i = curve->run.last;
+      cut_before = curve->run.end;
+    }
     const Segment& segment = toolpath.segments[i];
     const auto block = static_cast<std::uint32_t>(i);
     const bool corner = i + 1 < range.last && junction_kind(toolpath, i + 1) == JunctionKind::corner;
@@ -62,28 +75,61 @@ void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec
   }
 }
 
+void add_curve_alone(const SmoothCurve& curve, TrajectoryBuilder& builder) {
+  builder.begin_curve(curve.knots.front());
+  for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k) {
+    builder.add_curve(curve.blocks[k], curve.knots[k + 1]);
+  }
+}
+
 }  // namespace
 
+void add_smooth_curve(const SmoothCurve& curve, const Toolpath& toolpath, const AxisVectors& axes,
+                      TrajectoryBuilder& builder, Stretch& stretch, const LimitSpan& limit_span) {
+  builder.begin_curve(curve.knots.front());
+  for (std::size_t k = 0; k + 1 < curve.knots.size(); ++k) {
+    const CourseSpan span(curve.knots[k], curve.knots[k + 1]);
+    const SpanExtremes extremes(span);
+    const std::uint32_t block = curve.blocks[k];
+    const std::size_t end = k + 1 < curve.blocks.size() ? curve.blocks[k + 1] : curve.run.last;
+    SpeedBound feed = programmed_speed(toolpath, block, axes.velocity);
+    for (std::size_t other = block + std::size_t{1}; other <= end; ++other) {
+      const SpeedBound next = programmed_speed(toolpath, other, axes.velocity);
+      feed.lower(next.value, next.cause);
+    }
+    MotionLimits limits = curve_limits(extremes, feed, axes);
+    if (limit_span) {
+      limit_span(extremes, span.length(), limits);
+    }
+    stretch.add_span({span.length(), limits}, builder.add_curve(block, curve.knots[k + 1]), block);
+  }
+}
+
 void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
-                         const PathRules& rules, TrajectoryBuilder& builder, Stretch& stretch,
-                         const BlendCorner& blend) {
+                         const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder,
+                         Stretch& stretch, const BlendCorner& blend) {
   stretch.clear();
-  stretch.reserve(2 * (range.last - range.first));
+  if (!compressor.is_on()) {
+    stretch.reserve(2 * (range.last - range.first));
+  }
   lay_elements(
-      toolpath, range, axes.velocity, rules, builder, blend,
+      toolpath, range, axes.velocity, rules, compressor, builder, blend,
       [&](std::uint32_t index, std::uint32_t block, double length) {
         stretch.add({length, segment_limits(toolpath, block, axes)}, index, block);
       },
       [&](std::uint32_t index, std::uint32_t block, const CornerPiece& piece) {
         stretch.add({piece.length, piece.limits}, index, block, true);
-      });
+      },
+      [&](const SmoothCurve& curve) { add_smooth_curve(curve, toolpath, axes, builder, stretch); });
 }
 
 void lay_blended_path(const Toolpath& toolpath, const Vec3& axis_velocity, const PathRules& rules,
-                      TrajectoryBuilder& builder, Progress* progress, const BlendCorner& blend) {
+                      Compressor& compressor, TrajectoryBuilder& builder, Progress* progress,
+                      const BlendCorner& blend) {
   const auto ignore = [](auto&&...) {};
   run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& /*steps*/) {
-    lay_elements(toolpath, range, axis_velocity, rules, builder, blend, ignore, ignore);
+    lay_elements(toolpath, range, axis_velocity, rules, compressor, builder, blend, ignore, ignore,
+                 [&](const SmoothCurve& curve) { add_curve_alone(curve, builder); });
   });
 }
 

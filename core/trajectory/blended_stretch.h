@@ -2,6 +2,7 @@
 
 #include <functional>
 
+#include "core/compressor/compressor.h"
 #include "core/trajectory/stretch.h"
 
 namespace feedscope {
@@ -28,15 +29,22 @@ struct CornerPiece {
 using BlendCorner = std::function<CornerPiece(const CornerPlace& place)>;
 
 /// Lays the segments of `range` into path and stretch, with static limits (segment_limits.h), and a blend
-/// into every corner of two lines, for which `blend` is called in order. `rules`: tolerance and longest
-/// blend.
+/// into every corner of two lines, for which `blend` is called in order, but where `compressor` lays smooth
+/// curves. `rules`: tolerance and longest blend.
 void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
-                         const PathRules& rules, TrajectoryBuilder& builder, Stretch& stretch,
-                         const BlendCorner& blend);
+                         const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder,
+                         Stretch& stretch, const BlendCorner& blend);
+
+/// What a model allows on a span of a smooth curve besides curve_limits(); `length` of the span [mm].
+using LimitSpan = std::function<void(const SpanExtremes& extremes, double length, MotionLimits& limits)>;
+/// Lays a curve of the compressor into path and stretch; `toolpath`: whose segments it runs over.
+void add_smooth_curve(const SmoothCurve& curve, const Toolpath& toolpath, const AxisVectors& axes,
+                      TrajectoryBuilder& builder, Stretch& stretch, const LimitSpan& limit_span = {});
 
 /// Lays the path of a whole program as lay_blended_stretch() lays it stretch by stretch, dwells included, and
 /// nothing else: `blend` need not say limits.
 void lay_blended_path(const Toolpath& toolpath, const Vec3& axis_velocity, const PathRules& rules,
-                      TrajectoryBuilder& builder, Progress* progress, const BlendCorner& blend);
+                      Compressor& compressor, TrajectoryBuilder& builder, Progress* progress,
+                      const BlendCorner& blend);
 
 }  // namespace feedscope

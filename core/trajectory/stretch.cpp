@@ -14,6 +14,8 @@ void Stretch::clear() {
   plan.clear();
   element.clear();
   block.clear();
+  order.clear();
+  has_curves = false;
   blend.clear();
   ceiling.clear();
   level.clear();
@@ -23,16 +25,25 @@ void Stretch::reserve(std::size_t elements) {
   plan.reserve(elements);
   element.reserve(elements);
   block.reserve(elements);
+  order.reserve(elements);
   blend.reserve(elements);
   ceiling.reserve(elements + 1);
 }
 
 void Stretch::add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed,
                   bool is_blend) {
+  order.push_back(block.empty() ? 0 : order.back() + (programmed - block.back()));
   plan.push_back(planned);
   element.push_back(path_element);
   block.push_back(programmed);
   blend.push_back(is_blend ? 1 : 0);
+}
+
+void Stretch::add_span(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed) {
+  const std::uint32_t next = order.empty() ? 0 : order.back() + 1;
+  add(planned, path_element, programmed);
+  order.back() = next;
+  has_curves = true;
 }
 
 void Stretch::hold_level(std::uint32_t e) {
@@ -115,7 +126,7 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
       ceiling.lower(crossing.value, crossing.cause);
     }
   }
-  apply_lookahead_horizon(stretch.plan, stretch.block, lookahead_blocks, stretch.ceiling);
+  apply_lookahead_horizon(stretch.plan, stretch.order, lookahead_blocks, stretch.ceiling);
   stretch.ceiling.front() = stretch.ceiling.back() = {0, {CauseKind::exact_stop}};
 }
 

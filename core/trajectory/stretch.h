@@ -17,18 +17,23 @@ struct Stretch {
   std::vector<PlanElement> plan;
   std::vector<std::uint32_t> element;  ///< index into the path
   std::vector<std::uint32_t> block;    ///< programmed segment
+  std::vector<std::uint32_t> order;    ///< number of the block as a look-ahead counts: spans of curves are
+                                       ///< blocks of their own
   std::vector<std::uint8_t> blend;     ///< 1: a corner blend, whose speed the model itself sets
   std::vector<SpeedBound> ceiling;     ///< at the plan.size() + 1 junctions [mm/s]
   std::vector<std::uint32_t> level;    ///< junctions that are nodes of the plan in any case
   /// Blends are planned and run by their own parameter u: what the plan calls path length there is u times
   /// the blend's planned length, which is |dS/du| at both of its ends, so that the speed goes on there.
   bool blends_by_parameter = false;
+  bool has_curves = false;  ///< spans of smooth curves are in it
 
   void clear();
   /// Makes room for that many, so that long stretches are not copied while they grow.
   void reserve(std::size_t elements);
   void add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed,
            bool is_blend = false);
+  /// The same for a span of a smooth curve.
+  void add_span(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed);
 
   /// Makes element `e` a level place of the plan: one speed for both of its ends. In order of e, after
   /// set_junction_ceilings().

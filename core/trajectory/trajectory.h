@@ -109,6 +109,7 @@ class Trajectory {
   double time_of_line(std::uint32_t line) const;
 
  private:
+  friend class TrajectoryBuilder;
   const Segment& segment_of(std::size_t element) const {
     return content_.path.programmed()->segments[content_.path.segment(element)];
   }

@@ -35,24 +35,24 @@ CauseKind cause_of(Pause pause) {
 
 TrajectoryBuilder::TrajectoryBuilder(std::shared_ptr<const Toolpath> programmed, const Vec3& axis_velocity,
                                      std::shared_ptr<const CompactedPath> compacted) {
-  content_.path = BlendedPath(std::move(programmed), std::move(compacted));
-  content_.axis_velocity = axis_velocity;
+  content().path = BlendedPath(std::move(programmed), std::move(compacted));
+  content().axis_velocity = axis_velocity;
 }
 
-TrajectoryBuilder::TrajectoryBuilder(const Trajectory& same_path) : content_(same_path.content()) {
-  content_.pieces.clear();
-  content_.duration = 0;
+TrajectoryBuilder::TrajectoryBuilder(const Trajectory& same_path) : so_far_(same_path) {
+  content().pieces.clear();
+  content().duration = 0;
 }
 
 void TrajectoryBuilder::reserve(std::size_t elements, std::size_t pieces) {
-  content_.path.reserve(elements);
-  content_.pieces.reserve(pieces);
+  content().path.reserve(elements);
+  content().pieces.reserve(pieces);
 }
 
 void TrajectoryBuilder::reserve_for_path(std::size_t most, std::size_t done) {
   constexpr double slack = 1.02;
   constexpr std::size_t growth = 8;  // at most: the first elements may be unlike the others
-  std::vector<Piece>& pieces = content_.pieces;
+  std::vector<Piece>& pieces = content().pieces;
   const std::size_t needed = pieces.size() + most;
   if (needed > pieces.capacity()) {
     const double share =
@@ -63,7 +63,7 @@ void TrajectoryBuilder::reserve_for_path(std::size_t most, std::size_t done) {
 }
 
 std::uint32_t TrajectoryBuilder::add_segment(std::uint32_t block, double length) {
-  return content_.path.add(element_kind(programmed().segments[block].kind), block, length);
+  return content().path.add(element_kind(programmed().segments[block].kind), block, length);
 }
 
 std::uint32_t TrajectoryBuilder::add_segment(std::uint32_t block) {
@@ -72,16 +72,16 @@ std::uint32_t TrajectoryBuilder::add_segment(std::uint32_t block) {
 
 std::uint32_t TrajectoryBuilder::add_corner(ElementKind kind, std::uint32_t block, double transition,
                                             double length) {
-  return content_.path.add_corner(kind, block, transition, length);
+  return content().path.add_corner(kind, block, transition, length);
 }
 
 std::uint32_t TrajectoryBuilder::add_filtered(std::uint32_t block, double length, std::uint32_t motion) {
-  return content_.path.add(ElementKind::filtered, block, length, motion);
+  return content().path.add(ElementKind::filtered, block, length, motion);
 }
 
 std::uint32_t TrajectoryBuilder::add_motion(FilteredMotion motion) {
-  content_.motions.push_back(std::move(motion));
-  return static_cast<std::uint32_t>(content_.motions.size() - 1);
+  content().motions.push_back(std::move(motion));
+  return static_cast<std::uint32_t>(content().motions.size() - 1);
 }
 
 void TrajectoryBuilder::add_pause(std::uint32_t block) {
@@ -95,12 +95,12 @@ void TrajectoryBuilder::pass_pause(std::uint32_t element) {
 }
 
 void TrajectoryBuilder::add_piece(Piece piece, double duration) {
-  if (!(content_.duration + duration > content_.duration)) {  // nothing, or less than the clock resolves
+  if (!(content().duration + duration > content().duration)) {  // nothing, or less than the clock resolves
     return;
   }
-  piece.time = content_.duration;
-  content_.pieces.push_back(piece);
-  content_.duration += duration;
+  piece.time = content().duration;
+  content().pieces.push_back(piece);
+  content().duration += duration;
 }
 
 void TrajectoryBuilder::add_level_piece(const Piece& piece, double duration) {
@@ -108,37 +108,37 @@ void TrajectoryBuilder::add_level_piece(const Piece& piece, double duration) {
     return before.law == Law::path_length && before.a == 0 && before.j == 0 && before.v == piece.v &&
            before.cause == piece.cause;
   };
-  if (content_.pieces.empty() || !goes_on_from(content_.pieces.back())) {
+  if (content().pieces.empty() || !goes_on_from(content().pieces.back())) {
     add_piece(piece, duration);
     return;
   }
   // By the way from where it began: what the clock rounds would add up over many elements.
-  const Piece& before = content_.pieces.back();
+  const Piece& before = content().pieces.back();
   const double way = path().s(piece.element) - path().s(before.element) + piece.q - before.q;
-  content_.duration = std::max(content_.duration, before.time + (way / piece.v + duration));
+  content().duration = std::max(content().duration, before.time + (way / piece.v + duration));
 }
 
 void TrajectoryBuilder::take_back(const Mark& start) {
-  content_.pieces.resize(start.piece);
-  content_.duration = start.time;
+  content().pieces.resize(start.piece);
+  content().duration = start.time;
 }
 
 void TrajectoryBuilder::slow_down(const Mark& start, double factor) {
-  for (std::size_t p = start.piece; p < content_.pieces.size(); ++p) {
-    Piece& piece = content_.pieces[p];
+  for (std::size_t p = start.piece; p < content().pieces.size(); ++p) {
+    Piece& piece = content().pieces[p];
     piece.time = start.time + (piece.time - start.time) * factor;
     piece.v /= factor;
     piece.a /= factor * factor;
     piece.j /= factor * factor * factor;
   }
-  content_.duration = start.time + (content_.duration - start.time) * factor;
+  content().duration = start.time + (content().duration - start.time) * factor;
 }
 
 void TrajectoryBuilder::name_slower_places() {
-  const auto& pieces = content_.pieces;
+  const auto& pieces = content().pieces;
   Cause ahead{CauseKind::exact_stop};
   for (std::size_t p = pieces.size(); p-- > 0;) {
-    Piece& piece = content_.pieces[p];
+    Piece& piece = content().pieces[p];
     if (piece.cause.kind == CauseKind::ramp_down) {
       if (piece.second == Piece::no_cause) {
         piece.second = static_cast<std::uint8_t>(cause_index(ahead));
@@ -155,12 +155,12 @@ void TrajectoryBuilder::name_slower_places() {
 
 Trajectory TrajectoryBuilder::finish() {
   name_slower_places();
-  content_.path.shrink();
+  content().path.shrink();
   constexpr std::size_t slack = 32;  // a 32nd of the room is not worth a copy
-  if (content_.pieces.capacity() - content_.pieces.size() > content_.pieces.capacity() / slack) {
-    content_.pieces.shrink_to_fit();
+  if (content().pieces.capacity() - content().pieces.size() > content().pieces.capacity() / slack) {
+    content().pieces.shrink_to_fit();
   }
-  return Trajectory(std::move(content_));
+  return Trajectory(std::move(content()));
 }
 
 }  // namespace feedscope

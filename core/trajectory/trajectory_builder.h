@@ -23,7 +23,7 @@ class TrajectoryBuilder {
   /// The same for `most` more pieces, and, going by those of the first `done` elements, for all that are to
   /// come on the path.
   void reserve_for_path(std::size_t most, std::size_t done);
-  void set_blend_weight(double alpha) { content_.path.set_blend_weight(alpha); }
+  void set_blend_weight(double alpha) { content().path.set_blend_weight(alpha); }
 
   /// Appends programmed segment `block`, a line, an arc or a dwell; `length`: what corners leave of it, or
   /// what stands for it on the compacted path [mm]. Returns the element's index.
@@ -41,12 +41,17 @@ class TrajectoryBuilder {
   std::uint32_t add_filtered(std::uint32_t block, double length, std::uint32_t motion);
   /// As BlendedPath::add_fitted.
   std::uint32_t add_fitted(std::uint32_t block, std::span<const CourseKnot> course) {
-    return content_.path.add_fitted(block, course);
+    return content().path.add_fitted(block, course);
+  }
+  /// As BlendedPath::begin_curve and add_curve.
+  void begin_curve(const CourseKnot& knot) { content().path.begin_curve(knot); }
+  std::uint32_t add_curve(std::uint32_t block, const CourseKnot& to) {
+    return content().path.add_curve(block, to);
   }
   std::uint32_t add_motion(FilteredMotion motion);
   /// Says that the element added last ends at a corner that the filters round.
   void add_filtered_corner() {
-    content_.filtered_corners.push_back(static_cast<std::uint32_t>(path().size() - 1));
+    content().filtered_corners.push_back(static_cast<std::uint32_t>(path().size() - 1));
   }
 
   /// Appends a piece that lasts `duration` [s]; `piece.time` is set here. Nothing for duration <= 0, nor
@@ -60,20 +65,22 @@ class TrajectoryBuilder {
     std::size_t piece;
     double time;  ///< [s]
   };
-  Mark mark() const { return {content_.pieces.size(), content_.duration}; }
+  Mark mark() const { return {content().pieces.size(), content().duration}; }
   /// Forgets everything from `start` on.
   void take_back(const Mark& start);
   /// Passes everything from `start` on slower by `factor` >= 1: times grow by it, velocities fall by it.
   void slow_down(const Mark& start, double factor);
 
   /// Where programmed points are omitted of the path: largest distance of one from it [mm].
-  void set_compaction_error(double error) { content_.compaction_error = error; }
+  void set_compaction_error(double error) { content().compaction_error = error; }
 
-  const BlendedPath& path() const { return content_.path; }
-  const Toolpath& programmed() const { return *content_.path.programmed(); }
-  double time() const { return content_.duration; }
+  const BlendedPath& path() const { return content().path; }
+  const Toolpath& programmed() const { return *content().path.programmed(); }
+  /// What has been added until now.
+  const Trajectory& so_far() const { return so_far_; }
+  double time() const { return content().duration; }
   /// Index of the motion that is added next.
-  std::uint32_t motion_count() const { return static_cast<std::uint32_t>(content_.motions.size()); }
+  std::uint32_t motion_count() const { return static_cast<std::uint32_t>(content().motions.size()); }
   /// The trajectory of everything added; the builder is empty then. A piece of cause ramp_down that does not
   /// say what it slows down for takes the cause of what follows the slowing, or exact_stop where that begins
   /// at rest.
@@ -82,7 +89,10 @@ class TrajectoryBuilder {
  private:
   void name_slower_places();
 
-  Trajectory::Content content_;
+  Trajectory::Content& content() { return so_far_.content_; }
+  const Trajectory::Content& content() const { return so_far_.content_; }
+
+  Trajectory so_far_;
 };
 
 }  // namespace feedscope

@@ -68,7 +68,7 @@ Result broken_limit(const Motion& motion, const Part& part, const char* name, co
     const double bound = component.factor * machine.axes[j].*limit;
     const double value = component.value[static_cast<Eigen::Index>(j)];
     if (!(value <= bound * (1 + rounding))) {
-      static constexpr const char* places[]{"line", "arc", "blend", "dwell"};
+      static constexpr const char* places[]{"line", "arc", "blend", "curve", "dwell"};
       const char* place = places[static_cast<std::size_t>(part.place)];
       return Finding{
           fmt::format("{}-on-{}", name, place),
@@ -82,7 +82,18 @@ Result broken_limit(const Motion& motion, const Part& part, const char* name, co
 }
 
 const KeptLimits& limits_at(const Guarantees& promised, Place place) {
-  return place == Place::line ? promised.lines : place == Place::arc ? promised.arcs : promised.blends;
+  switch (place) {
+    case Place::line:
+      return promised.lines;
+    case Place::arc:
+      return promised.arcs;
+    case Place::curve:
+      return promised.curves;
+    case Place::blend:
+    case Place::dwell:
+      break;
+  }
+  return promised.blends;
 }
 
 }  // namespace
@@ -248,9 +259,13 @@ double distance_near(const Motion& motion, std::size_t i, const Vec3& point, dou
   const std::size_t spread = motion.lags() ? 20 : 0;
   const std::size_t first = motion.first_part_of(i - 1 - std::min(spread, i - 1));
   const std::size_t last = std::max(first + 1, motion.first_part_of(i + 1 + spread));
+  std::size_t begin = first > 0 ? first - 1 : 0;
+  while (begin > 0 && parts[begin - 1].element == parts[begin].element) {  // a curve may pass several blocks
+    --begin;
+  }
   const double reach = motion.memory(parts[std::min(first, parts.size() - 1)]);
   const double end = last < parts.size() ? parts[last].time + parts[last].duration : motion.run().duration();
-  const double from = std::max(0.0, parts[first > 0 ? first - 1 : 0].time - reach);
+  const double from = std::max(0.0, parts[begin].time - reach);
   const double to = std::min(motion.run().duration(), end + reach);
   std::vector<Sample> samples;
   const auto look = [&](double time) { return Sample{time, (motion.position(time) - point).norm()}; };
@@ -258,7 +273,7 @@ double distance_near(const Motion& motion, std::size_t i, const Vec3& point, dou
   for (int k = 0; reach > 0 && k <= reached; ++k) {
     samples.push_back(look(from + k * (to - from) / reached));
   }
-  for (std::size_t p = first > 0 ? first - 1 : 0; p < parts.size() && p <= last; ++p) {
+  for (std::size_t p = begin; p < parts.size() && p <= last; ++p) {
     constexpr int of_part = 8;
     for (int k = 0; k <= of_part; ++k) {
       samples.push_back(look(parts[p].time + parts[p].duration * k / of_part));

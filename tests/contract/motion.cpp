@@ -12,6 +12,8 @@ Place place_of(const Toolpath& toolpath, const BlendedPath& path, std::uint32_t 
       return Place::blend;
     case ElementKind::arc:
       return Place::arc;
+    case ElementKind::curve:
+      return Place::curve;
     case ElementKind::dwell:
       return Place::dwell;
     case ElementKind::line:

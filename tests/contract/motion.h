@@ -7,7 +7,7 @@
 namespace feedscope::contract {
 
 /// What kind of place of the path a part of a motion is on.
-enum class Place : std::uint8_t { line, arc, blend, dwell };
+enum class Place : std::uint8_t { line, arc, blend, curve, dwell };
 
 /// A part of a motion on one path element with one law; its duration reaches to the next one.
 struct Part {

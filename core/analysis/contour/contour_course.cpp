@@ -65,6 +65,9 @@ void ContourCourse::nodes(std::uint32_t element, std::vector<double>& ends) {
         ends.push_back(knot.s);
       }
       break;
+    case ElementKind::curve:
+      curve_nodes(element, ends);
+      break;
     case ElementKind::blend:
     case ElementKind::connecting_arc:
       if (!plain_corners_) {
@@ -80,6 +83,15 @@ void ContourCourse::nodes(std::uint32_t element, std::vector<double>& ends) {
     case ElementKind::dwell:
       break;
   }
+}
+
+/// At least two spans for each block that the curve passes.
+void ContourCourse::curve_nodes(std::uint32_t element, std::vector<double>& ends) const {
+  const BlendedPath& path = trajectory_.path();
+  const std::uint32_t first = path.segment(element);
+  const std::uint32_t next = element + 1 < path.size() ? path.segment(element + 1) : first;
+  const auto blocks = static_cast<int>(std::max(next, first) - first) + 1;
+  divide(0, path.length(element), std::max(spans_of_corner, blocks * spans_of_block), ends);
 }
 
 void ContourCourse::corner_nodes(std::uint32_t element, std::vector<double>& ends) const {
@@ -175,7 +187,8 @@ ContourCourse::Point ContourCourse::at(const CoursePlace& place) {
 /// On filtered motion the velocities of the pulses are at most F = largest_feed, so that the filters keep
 /// |p'''| <= 4 F/T1^2 (n = 2) and |p''''| <= 8 F/T1^3 (n = 3): the acceleration leaves the chord of its
 /// values by no more than that allows. On a blend it is linear in u, on an arc its amount is constant; a
-/// fitted course lies within 1e-6 mm of filtered motion, between whose knots curvature peaks little.
+/// fitted course lies within 1e-6 mm of filtered motion, between whose knots curvature peaks little, and that
+/// of a smooth curve is that of a cubic spline, of which a span is several steps.
 double ContourCourse::bend_between(std::uint32_t element, double from, double to, double at_ends) const {
   constexpr double between_knots = 0.25;
   switch (trajectory_.path().kind(element)) {
@@ -186,6 +199,7 @@ double ContourCourse::bend_between(std::uint32_t element, double from, double to
       return train.filters == 2 ? 2 * change * share : change * share * share;
     }
     case ElementKind::fitted:
+    case ElementKind::curve:
       return between_knots * at_ends;
     default:
       return 0;

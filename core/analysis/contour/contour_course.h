@@ -26,6 +26,7 @@ class ContourCourse {
   /// plain corners. Elements in order: cost in the order of their pieces and blocks.
   void nodes(std::uint32_t element, std::vector<double>& ends);
   /// The same of one corner blend, plain or not.
+  void curve_nodes(std::uint32_t element, std::vector<double>& ends) const;
   void corner_nodes(std::uint32_t element, std::vector<double>& ends) const;
   struct Point {
     Vec3 position = Vec3::Zero();  ///< [mm]

@@ -121,7 +121,10 @@ void CourseWalk::gather_filtered() {
     follow_part();
   }
   const BlendedPath& path = trajectory_.path();
-  if (parts_.done() || !is_filtered(parts_.part().element)) {  // it stops at the end of its last block
+  if (path.kind(element_) == ElementKind::curve) {
+    spans_.back().end = std::max(reached_, end_of(element_));
+    reached_ = spans_.back().end;
+  } else if (parts_.done() || !is_filtered(parts_.part().element)) {  // it stops at the end of its last block
     spans_.back().end = std::max(reached_, programmed_until(path.segment(element_) + std::size_t{1}));
     reached_ = spans_.back().end;
   }
@@ -168,7 +171,7 @@ double CourseWalk::programmed_until(std::size_t segment) const {
 
 bool CourseWalk::is_filtered(std::size_t element) const {
   const ElementKind kind = trajectory_.path().kind(element);
-  return kind == ElementKind::filtered || kind == ElementKind::fitted;
+  return kind == ElementKind::filtered || kind == ElementKind::fitted || kind == ElementKind::curve;
 }
 
 /// Where the element ends on the programmed path [mm].
@@ -181,6 +184,14 @@ double CourseWalk::end_of(std::uint32_t element) const {
   const std::size_t next = std::size_t{element} + 1;
   if (next >= path.size()) {
     return lengths_.back();
+  }
+  const bool in_between = path.kind(next) == ElementKind::curve ||
+                          (path.kind(next) == ElementKind::line && path.kind(element) == ElementKind::curve);
+  if (in_between) {  // a curve begins or ends anywhere on a line
+    const Toolpath& programmed = *path.programmed();
+    const std::uint32_t segment = path.segment(next);
+    const Vec3 way = path.curve(next).start - programmed.start_of(segment);
+    return programmed_until(segment) + way.dot(programmed.tangent_at_start(segment));
   }
   return path.in_corner(next) ? programmed_until(path.segment(next) + std::size_t{1}) -
                                     path.corner_transition(path.index(next))

@@ -10,6 +10,7 @@ namespace {
 
 constexpr double arc_step = units::from_deg(5);
 constexpr double samples_a_blend = 3;  // of a gentle one
+constexpr double samples_a_span = 4;   // of a smooth curve
 constexpr double samples_a_filter_time = 8;
 constexpr double sharpest = 0.2;        // cosine of half the turn
 constexpr int max_inner_samples = 720;  // ten turns of a helix in one piece; beyond, turns repeat
@@ -28,6 +29,8 @@ int inner_looks(const Trajectory& trajectory, const Part& part, const ElementCur
     steps = duration / part.duration * trajectory.filtered_spans(part, samples_a_filter_time);
   } else if (curve.is_arc()) {
     steps = advanced / curve.arc.length_per_radian() / arc_step;
+  } else if (curve.kind == ElementKind::curve) {
+    steps = advanced / curve.length * samples_a_span;
   } else if (curve.kind == ElementKind::blend) {
     const double share = part.law == Law::parameter ? advanced : advanced / curve.length;
     const double cosine = std::max(sharpest, half_turn_cosine(curve.blend));

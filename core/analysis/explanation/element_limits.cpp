@@ -89,6 +89,9 @@ Formula ElementLimits::path_acceleration(std::uint32_t element) const {
     return blend_rest(FormulaId::shared_acceleration, Symbol::acceleration_share, Symbol::axis_acceleration,
                       element);
   }
+  if (path_.kind(element) == ElementKind::curve) {
+    return curve_ramp(false, element);
+  }
   const ElementCurve curve = path_.curve(element);
   const Vec3 parts = curve.is_arc() ? ArcExtremes(curve.arc).tangent : curve.direction;
   return min_share(id, Symbol::axis_acceleration, axes_.acceleration, parts);
@@ -98,6 +101,8 @@ Formula ElementLimits::path_jerk(std::uint32_t element) const {
   Formula steady;
   if (path_.in_corner(element) && traits_.ramps_share_corners) {
     steady = blend_rest(FormulaId::shared_jerk, Symbol::jerk_share, Symbol::blend_jerk, element);
+  } else if (path_.kind(element) == ElementKind::curve) {
+    steady = curve_ramp(true, element);
   } else {
     const ElementCurve curve = path_.curve(element);
     const Vec3 parts = curve.is_arc() ? ArcExtremes(curve.arc).tangent : curve.direction;
@@ -176,6 +181,57 @@ Formula ElementLimits::arc_speed(Cause cause, const Arc& arc) const {
   }
 }
 
+/// The ceiling that `cause` sets for a span of a smooth curve (curve_limits()).
+Formula ElementLimits::curve_speed(Cause cause, std::uint32_t element) const {
+  const std::int8_t j = cause.axis;
+  if (j < 0) {
+    return {};
+  }
+  const SpanExtremes extremes(*path_.curve(element).span);
+  switch (cause.kind) {
+    case CauseKind::axis_velocity:
+      return {
+          FormulaId::axis_velocity,
+          {{Symbol::axis_velocity, j, axes_.velocity[j]}, {Symbol::tangent_part, j, extremes.tangent[j]}}};
+    case CauseKind::radial_acceleration:
+      return {FormulaId::curve_acceleration,
+              {{Symbol::turning_share, -1, turning_share},
+               {Symbol::axis_acceleration, j, axes_.acceleration[j]},
+               {Symbol::bend_part, j, extremes.bend[j]}}};
+    case CauseKind::radial_jerk:
+      return {FormulaId::curve_jerk,
+              {{Symbol::turning_share, -1, turning_share},
+               {Symbol::axis_jerk, j, axes_.jerk[j]},
+               {Symbol::bend_change_part, j, extremes.change[j]}}};
+    default:
+      return {};
+  }
+}
+
+/// What the highest speed on a span of a smooth curve leaves of an axis' acceleration or jerk for ramps.
+Formula ElementLimits::curve_ramp(bool by_jerk, std::uint32_t element) const {
+  const SpanExtremes extremes(*path_.curve(element).span);
+  const MotionLimits limits =
+      curve_limits(extremes, programmed_speed_of_span(path_, element, axes_.velocity), axes_);
+  const double ceiling = limits.speed.value;
+  const std::int8_t j = (by_jerk ? limits.jerk : limits.acceleration).axis;
+  if (j < 0) {
+    return {};
+  }
+  const Quantity speed{Symbol::ceiling, -1, ceiling};
+  const Quantity tangent{Symbol::tangent_part, j, extremes.tangent[j]};
+  return by_jerk ? Formula{FormulaId::curve_ramp_jerk,
+                           {{Symbol::axis_jerk, j, axes_.jerk[j]},
+                            speed,
+                            {Symbol::bend_change_part, j, extremes.change[j]},
+                            tangent}}
+                 : Formula{FormulaId::curve_ramp_acceleration,
+                           {{Symbol::axis_acceleration, j, axes_.acceleration[j]},
+                            speed,
+                            {Symbol::bend_part, j, extremes.bend[j]},
+                            tangent}};
+}
+
 /// On a circle arc that is passed at constant speed, limits of tangent and normal (models/gassara/README.md).
 Formula ElementLimits::connecting_arc_speed(Cause cause, double radius) const {
   const Quantity r{Symbol::radius, -1, radius};
@@ -212,7 +268,13 @@ Formula ElementLimits::speed(Cause cause, std::uint32_t element) const {
     if (path_.in_corner(element)) {
       feed = std::min(feed, programmed.segments[segment + 1].feed);
     }
+    if (kind == ElementKind::curve) {
+      feed = programmed_speed_of_span(path_, element, axes_.velocity).value;
+    }
     return {FormulaId::programmed_feed, {{Symbol::feed, -1, feed}}};
+  }
+  if (kind == ElementKind::curve) {
+    return curve_speed(cause, element);
   }
   const ElementCurve curve = path_.curve(element);
   if (cause.kind == CauseKind::interpolation_period) {
@@ -299,16 +361,19 @@ Formula ElementLimits::crossing(std::uint32_t element) const {
 
 Formula ElementLimits::horizon(std::uint32_t element) const {
   const auto blocks = static_cast<std::size_t>(setting("lookahead_blocks"));
-  const std::size_t first = block(element);
   LeastRamp least;
   double length = 0;
-  for (std::uint32_t e = element; e < path_.size() && block(e) - first < blocks; ++e) {
+  std::size_t counted = 0;  // as Stretch::order counts blocks
+  for (std::uint32_t e = element; e < path_.size() && counted < blocks; ++e) {
     if (path_.kind(e) == ElementKind::dwell) {
       break;
     }
     least.acceleration = std::min(least.acceleration, path_acceleration(e).value());
     least.jerk = std::min(least.jerk, path_jerk(e).value());
     length += path_.length(e);
+    if (e + 1 < path_.size()) {
+      counted += path_.kind(e + 1) == ElementKind::curve ? 1 : block(e + 1) - block(e);
+    }
   }
   const Quantity acceleration{Symbol::path_acceleration, -1, least.acceleration};
   const Quantity jerk{Symbol::path_jerk, -1, least.jerk};

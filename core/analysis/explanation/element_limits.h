@@ -38,6 +38,8 @@ class ElementLimits {
   Formula arc_speed(Cause cause, const Arc& arc) const;
   Formula arc_velocity(Cause cause, const Arc& arc) const;
   Formula connecting_arc_speed(Cause cause, double radius) const;
+  Formula curve_speed(Cause cause, std::uint32_t element) const;
+  Formula curve_ramp(bool by_jerk, std::uint32_t element) const;
   std::size_t block(std::uint32_t element) const;
   /// The arc of an element that runs on one; null for a line.
   const Arc* programmed_arc(std::uint32_t element) const;

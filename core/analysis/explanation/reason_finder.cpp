@@ -290,6 +290,11 @@ std::string_view source_of(FormulaId id, const LimitTraits& traits) {
     case FormulaId::steady_acceleration:
     case FormulaId::steady_jerk:
       return "Essid 2019, eq 24 and 26";
+    case FormulaId::curve_acceleration:
+    case FormulaId::curve_jerk:
+    case FormulaId::curve_ramp_acceleration:
+    case FormulaId::curve_ramp_jerk:
+      return "the compressor of Feedscope";
     case FormulaId::arc_blend_radial_jerk:
       return "Gassara 2013, in Essid 2019, section 4.3";
     case FormulaId::curvilinear_jerk:

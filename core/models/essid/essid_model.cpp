@@ -48,7 +48,7 @@ const ModelInfo& EssidModel::info() const {
                           "tolerance; jerk-limited ramps on the lines, per-axis limits with radial shares on "
                           "the blends, look-ahead over a number of blocks. Arcs and tangent junctions, which "
                           "the paper does not cover, keep the static limits of Tapie 2007."),
-        {alpha, used_tolerance_setting(), reading},
+        with_compressor({alpha, used_tolerance_setting(), reading}),
         {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
          "radial_acceleration_share", "radial_jerk_share"},
         {"reading corrected, published: at the entry of a blend the radial shares of acceleration and jerk "
@@ -78,6 +78,7 @@ Guarantees EssidModel::guarantees(const Settings& settings) const {
   promised.follows_brisk = true;
   promised.stops_at_arc_corners = true;
   promise_tolerance(promised, settings, 1);
+  promise_smooth_curves(promised, settings);
   return promised;
 }
 
@@ -88,7 +89,8 @@ Trajectory EssidModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
   const EssidSettings own(settings);
   builder.set_blend_weight(own.corner.alpha);
   const PathRules rules(toolpath, settings);
-  EssidRunner runner(toolpath, AxisVectors(machine), own, rules, builder);
+  Compressor compressor(toolpath, rules, CompressorSettings(settings));
+  EssidRunner runner(toolpath, AxisVectors(machine), own, rules, compressor, builder);
   run_stretches(toolpath, builder, progress, rules,
                 [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
   return builder.finish();
@@ -100,7 +102,9 @@ Trajectory EssidModel::do_lay_path(const std::shared_ptr<const Toolpath>& shared
   TrajectoryBuilder builder(shared, axis_velocity);
   const CornerRule rule = EssidSettings(settings).corner;
   builder.set_blend_weight(rule.alpha);
-  lay_blended_path(*shared, axis_velocity, PathRules(*shared, settings), builder, progress,
+  const PathRules rules(*shared, settings);
+  Compressor compressor(*shared, rules, CompressorSettings(settings));
+  lay_blended_path(*shared, axis_velocity, rules, compressor, builder, progress,
                    [&](const CornerPlace& place) { return lay_blend(place, rule); });
   return builder.finish();
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/trajectory/curve_motion.h"
+
 namespace feedscope {
 namespace {
 
@@ -27,17 +29,23 @@ CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule) {
 }
 
 EssidRunner::EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,
-                         const PathRules& rules, TrajectoryBuilder& builder)
+                         const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder)
     : toolpath_(toolpath),
       axes_(axes),
       blend_limits_(axes, settings.radial_acceleration_share, settings.radial_jerk_share),
       settings_(settings),
       rules_(rules),
+      compressor_(compressor),
       builder_(builder) {}
 
 void EssidRunner::run(const StretchRange& range, ProgressSteps& steps) {
   lay_path(range);
   follow_acceleration_mode(stretch_, builder_.path(), rules_, settings_.period);
+  move_over_curves(builder_, stretch_, axes_, [&] { plan_and_move(steps); });
+}
+
+void EssidRunner::plan_and_move(ProgressSteps& steps) {
+  stretch_.level.clear();
   set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
   if (settings_.reading == EssidReading::strict) {
     const auto ramps = [&](std::size_t e) { return parameter_ramps(blend_of(e).shape, blend_limits_); };
@@ -50,7 +58,7 @@ void EssidRunner::run(const StretchRange& range, ProgressSteps& steps) {
 
 void EssidRunner::lay_path(const StretchRange& range) {
   blends_.clear();
-  lay_blended_stretch(toolpath_, range, axes_, rules_, builder_, stretch_,
+  lay_blended_stretch(toolpath_, range, axes_, rules_, compressor_, builder_, stretch_,
                       [&](const CornerPlace& place) { return blend_corner(place); });
   blend_index_.clear();
   std::int32_t next = 0;

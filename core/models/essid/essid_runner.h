@@ -18,7 +18,7 @@ CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule);
 class EssidRunner {
  public:
   EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,
-              const PathRules& rules, TrajectoryBuilder& builder);
+              const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder);
 
   /// Lines and arcs without a stop between them. `steps` counts segments.
   void run(const StretchRange& range, ProgressSteps& steps);
@@ -37,6 +37,7 @@ class EssidRunner {
   /// Makes level places of the plan, with one speed for both of their ends, of blends that turn much.
   void hold_level_blends();
 
+  void plan_and_move(ProgressSteps& steps);
   void move(const std::vector<PlanNode>& nodes, ProgressSteps& steps);
   /// Tries the law of the paper on the blend behind node `n`; moves on to the node it returns if that works.
   std::optional<std::size_t> move_over_blend(const std::vector<PlanNode>& nodes, std::size_t n);
@@ -53,6 +54,7 @@ class EssidRunner {
   BlendLimits blend_limits_;
   EssidSettings settings_;
   const PathRules& rules_;
+  Compressor& compressor_;
   TrajectoryBuilder& builder_;
 
   Stretch stretch_;

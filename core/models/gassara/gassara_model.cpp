@@ -136,13 +136,14 @@ Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   TrajectoryBuilder builder(shared, axes.velocity);
   Stretch stretch;
   const PathRules rules(toolpath, settings);
+  Compressor none(toolpath, rules, {});
   const auto blend_corner = [&](const CornerPlace& place) {
     LaidArc arc = lay_arc(place, own.corner);
     arc.piece.limits = arc_blend_limits(place, arc.radius, axes, own);
     return arc.piece;
   };
   run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& steps) {
-    lay_blended_stretch(toolpath, range, axes, rules, builder, stretch, blend_corner);
+    lay_blended_stretch(toolpath, range, axes, rules, none, builder, stretch, blend_corner);
     follow_acceleration_mode(stretch, builder.path(), rules, own.period);
     set_junction_ceilings(stretch, builder.path(), axes.jerk, own.period, own.lookahead);
     const std::vector<PlanNode> nodes = plan_over_blends(stretch, [&](std::size_t e) {
@@ -159,7 +160,9 @@ Trajectory GassaraModel::do_lay_path(const std::shared_ptr<const Toolpath>& shar
   const GassaraSettings own(settings);
   const Vec3 axis_velocity = axis_limit_vector(machine, &AxisLimits::velocity);
   TrajectoryBuilder builder(shared, axis_velocity);
-  lay_blended_path(*shared, axis_velocity, PathRules(*shared, settings), builder, progress,
+  const PathRules rules(*shared, settings);
+  Compressor none(*shared, rules, {});
+  lay_blended_path(*shared, axis_velocity, rules, none, builder, progress,
                    [&](const CornerPlace& place) { return lay_arc(place, own.corner).piece; });
   return builder.finish();
 }

@@ -1,5 +1,7 @@
 #include "core/models/msaddek/msaddek_model.h"
 
+#include <algorithm>
+
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/models/msaddek/msaddek_stretch.h"
@@ -13,7 +15,16 @@ MsaddekSettings::MsaddekSettings(const Settings& settings)
       curvature_jerk(units::from_m(settings.number("curvilinear_jerk_m_s3")) *
                      settings.number("tangential_share")),
       lookahead(static_cast<std::uint32_t>(settings.number("lookahead_blocks"))),
-      law(settings.text("law") == "static" ? MsaddekLaw::static_feed : MsaddekLaw::dynamic_feed) {}
+      law(settings.text("law") == "static" ? MsaddekLaw::static_feed : MsaddekLaw::dynamic_feed),
+      compressor(settings) {}
+
+bool MsaddekSettings::compresses(const Toolpath& toolpath) const {
+  const auto& controls = toolpath.path_controls;
+  return compressor.on && (compressor.rule.everywhere ||
+                           std::any_of(controls.begin(), controls.end(), [](const PathControl& control) {
+                             return control.compressor == Switch::on;
+                           }));
+}
 
 const ModelInfo& MsaddekModel::info() const {
   static const ModelInfo info = [] {
@@ -24,7 +35,8 @@ const ModelInfo& MsaddekModel::info() const {
     compaction.explanation =
         QT_TRANSLATE_NOOP("core",
                           "Blocks shorter than this are merged into segments of at most this length where "
-                          "the tolerance allows it; 0: no compaction.");
+                          "the tolerance allows it; 0: no compaction. Where the compressor is at work it "
+                          "takes the place of this.");
     compaction.maximum = 1000;
     SettingSpec law;
     law.key = "law";
@@ -43,7 +55,7 @@ const ModelInfo& MsaddekModel::info() const {
             "blocks are merged. Static look-ahead assigns one feed to every block and arc; dynamic "
             "look-ahead plans ramps below it. Helices, dwells, rapids and corners at an arc, which the paper "
             "does not cover, keep the static limits of arcs and lines or are exact stops."),
-        {compaction, law},
+        with_compressor({compaction, law}),
         {"contour_tolerance_mm", "program_tolerance", "interpolation_period_s", "lookahead_blocks",
          "curvilinear_jerk_m_s3", "tangential_share"},
         {"Points that compaction omits stay within the tolerance of the chord; a corner blend may deviate "
@@ -69,8 +81,10 @@ Guarantees MsaddekModel::guarantees(const Settings& settings) const {
   promise_tolerance(promised, settings, compacts ? 2 : 1);
   promised.lines = all_kept();
   promised.arcs = promised.blends = static_arc_limits();
+  promise_smooth_curves(promised, settings);
   if (settings.text("law") == "static") {
     promised.lines.acceleration = promised.lines.jerk = {};
+    promised.curves.acceleration = promised.curves.jerk = {};
     promised.continuity = Continuity::position;
     promised.stops_at_reversals = promised.stops_at_rapids = promised.stops_at_line_corners = false;
   } else {
@@ -83,7 +97,12 @@ Guarantees MsaddekModel::guarantees(const Settings& settings) const {
 Trajectory MsaddekModel::do_simulate(const std::shared_ptr<const Toolpath>& shared, const Machine& machine,
                                      const Settings& settings, Progress* progress) const {
   const Toolpath& toolpath = *shared;
-  const MsaddekSettings own(settings);
+  MsaddekSettings own(settings);
+  if (own.compresses(toolpath)) {
+    own.compaction = 0;
+  } else {
+    own.compressor.on = false;
+  }
   const AxisVectors axes(machine);
   const PathRules rules(toolpath, settings);
   const auto compacted = std::make_shared<const CompactedPath>(compact(toolpath, own.compaction, rules));

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "core/blend/junction.h"
+#include "core/trajectory/blended_stretch.h"
+#include "core/trajectory/curve_motion.h"
 
 namespace feedscope {
 namespace {
@@ -21,7 +23,8 @@ MsaddekRunner::MsaddekRunner(const Toolpath& programmed, const CompactedPath& co
       rules_(rules),
       axes_(axes),
       settings_(settings),
-      builder_(builder) {}
+      builder_(builder),
+      compressor_(compacted.path, rules, settings.compressor) {}
 
 void MsaddekRunner::run(const StretchRange& range, ProgressSteps& steps) {
   const auto chord_of = [&](std::size_t segment) {
@@ -45,8 +48,16 @@ void MsaddekRunner::run(const StretchRange& range, ProgressSteps& steps) {
 void MsaddekRunner::lay_path(const StretchRange& chords) {
   const Toolpath& path = compacted_.path;
   stretch_.clear();
+  const std::vector<SmoothCurve> curves = compressor_.compress(chords.first, chords.last);
+  auto curve = curves.begin();
   double cut_before = 0;
   for (std::size_t i = chords.first; i < chords.last; ++i) {
+    for (; curve != curves.end() && curve->run.first == i; ++curve) {
+      add_line(i, cut_before, path.segments[i].length - curve->run.begin, static_limits(i));
+      add_curve(*curve);
+      i = curve->run.last;
+      cut_before = curve->run.end;
+    }
     const MotionLimits limits = static_limits(i);
     if (path.segments[i].kind == SegmentKind::arc) {
       add_arc(i, limits);
@@ -110,6 +121,14 @@ void MsaddekRunner::add_arc(std::size_t segment, const MotionLimits& limits) {
                static_cast<std::uint32_t>(segment));
 }
 
+void MsaddekRunner::add_curve(const SmoothCurve& curve) {
+  add_smooth_curve(curve, compacted_.path, axes_, builder_, stretch_,
+                   [&](const SpanExtremes& extremes, double length, MotionLimits& limits) {
+                     limits.speed.lower(length / settings_.period, {CauseKind::interpolation_period});
+                     lower_by_curvature(limits.speed, extremes.curvature);
+                   });
+}
+
 void MsaddekRunner::add_connection(std::size_t segment, const ConnectingArc& connection) {
   const Toolpath& path = compacted_.path;
   SpeedBound feed = programmed_speed(path, segment, axes_.velocity);
@@ -137,8 +156,10 @@ void MsaddekRunner::move_static(ProgressSteps& steps) {
 
 void MsaddekRunner::move_dynamic(ProgressSteps& steps) {
   follow_acceleration_mode(stretch_, builder_.path(), rules_, settings_.period);
-  set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
-  add_planned_motion(builder_, stretch_, plan_nodes(stretch_.plan, stretch_.ceiling), steps);
+  move_over_curves(builder_, stretch_, axes_, [&] {
+    set_junction_ceilings(stretch_, builder_.path(), axes_.jerk, settings_.period, settings_.lookahead);
+    add_planned_motion(builder_, stretch_, plan_nodes(stretch_.plan, stretch_.ceiling), steps);
+  });
 }
 
 }  // namespace feedscope

@@ -3,6 +3,7 @@
 #include "core/base/progress.h"
 #include "core/blend/compaction.h"
 #include "core/blend/connecting_arc.h"
+#include "core/compressor/compressor.h"
 #include "core/machine/settings.h"
 #include "core/trajectory/stretch.h"
 
@@ -17,8 +18,11 @@ struct MsaddekSettings {
   double curvature_jerk = 0;    ///< J_tcurv = J_curv r_jct [mm/s3]
   std::uint32_t lookahead = 0;  ///< blocks
   MsaddekLaw law = MsaddekLaw::dynamic_feed;
+  CompressorSettings compressor;
 
   explicit MsaddekSettings(const Settings& settings);
+  /// Whether the compressor, and not compaction, joins the blocks of a path.
+  bool compresses(const Toolpath& toolpath) const;
 };
 
 /// Runs stretches, one after the other, into a trajectory: lays connecting arcs into the corners of the
@@ -38,6 +42,7 @@ class MsaddekRunner {
   MotionLimits static_limits(std::size_t segment) const;
   void add_line(std::size_t segment, double cut_before, double cut_after, const MotionLimits& limits);
   void add_arc(std::size_t segment, const MotionLimits& limits);
+  void add_curve(const SmoothCurve& curve);
   void add_connection(std::size_t segment, const ConnectingArc& connection);
   /// eq 17: what the curvilinear jerk allows on curvature `k` [1/mm].
   void lower_by_curvature(SpeedBound& speed, double k) const;
@@ -51,6 +56,7 @@ class MsaddekRunner {
   AxisVectors axes_;
   MsaddekSettings settings_;
   TrajectoryBuilder& builder_;
+  Compressor compressor_;  ///< of the compacted path, which is the programmed one where it is on
   Stretch stretch_;
 };
 

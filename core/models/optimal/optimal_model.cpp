@@ -16,7 +16,7 @@ constexpr const char* usual_path = "essid";
 /// What the limits are exceeded by at most between the places of a curve that are looked at.
 constexpr double between_places = 1.02;
 constexpr double jerk_between_places = 1.05;
-constexpr double on_filtered_path = 1.05;
+constexpr double on_filtered_path = 1.06;
 
 /// What the course of a filtered path may be off, as a share of the contour tolerance.
 constexpr double share_of_tolerance = 1e-3;
@@ -125,6 +125,10 @@ Guarantees OptimalModel::guarantees(const Settings& settings) const {
     promised.arcs.jerk = promised.blends.jerk = {KeptLimit::Of::whole, jerk_between_places};
     promised.blends.of_blend_jerk = true;
   }
+  promised.smooths = inner.smooths;
+  promised.follows_compaction = inner.follows_compaction;
+  promised.curves = promised.blends;
+  promised.curves.of_blend_jerk = false;
   promised.contour = inner.contour;
   if (inner.feed_of_run) {  // a filtered path turns anywhere
     promised.arcs.acceleration.factor = on_filtered_path;

@@ -159,7 +159,7 @@ void append_course(std::span<const CourseKnot> course, PathCell cell, const Cell
     const CourseKnot& from = course[i];
     const CourseKnot& to = course[i + 1];
     const CourseSpan span(from, to);
-    cell.offset = from.s;
+    cell.offset = from.s - course.front().s;
     cell.length = span.length();
     cell.straight =
         from.curvature.isZero(0) && to.curvature.isZero(0) && (to.tangent - from.tangent).norm() <= rounding;
@@ -208,6 +208,7 @@ void append_cells(const BlendedPath& path, std::uint32_t index, const CellRule& 
       append_blend(curve.blend, cell, rule, cells);
       break;
     case ElementKind::fitted:
+    case ElementKind::curve:
       append_course(curve.course, cell, rule, cells);
       break;
     case ElementKind::dwell:

@@ -24,6 +24,7 @@ void PathModes::set_tolerance(std::optional<double> tolerance, std::optional<dou
   tolerance = tolerance.value_or(0) > 0 ? tolerance : std::nullopt;
   control.mode = tolerance ? PathMode::continuous : PathMode::machine;
   control.contour_tolerance = tolerance;
+  control.compressor = tolerance ? Switch::on : Switch::machine;
   control.orientation_tolerance = orientation_tolerance;
   path().set_path_control(control);
 }

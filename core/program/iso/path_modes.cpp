@@ -45,6 +45,9 @@ void PathModes::apply(const GCode& code) {
       break;
     case 51:
       switched('Q', 1);
+      if (words_.has('Q')) {
+        control.compressor = control.look_ahead;
+      }
       report_precision_level();
       break;
     case 80:

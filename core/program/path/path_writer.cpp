@@ -321,7 +321,7 @@ Vec3 PathWriter::curve_as_arcs(const ParametricCurve& curve, double from, double
            is_last ? curve(to).point
            : as_is ? piece.end
                    : frame_.to_programmed(piece.end),
-           feed, {piece.center, piece.axis, 0});
+           feed, {piece.center, piece.axis, 0}, true);
   }
   const Vec3 direction =
       as_is ? fitted.end_direction : Vec3(frame_.to_programmed(shown_ + fitted.end_direction) - programmed_);
@@ -367,7 +367,7 @@ void PathWriter::set_zero_in_use(const Vec3& zero) {
   }
 }
 
-void PathWriter::append(Motion motion, const Vec3& target, double feed, const ArcWords& arc) {
+void PathWriter::append(Motion motion, const Vec3& target, double feed, const ArcWords& arc, bool on_curve) {
   const Vec3 from = shown_;
   const Vec3 programmed_from = programmed_;
   programmed_ = target;
@@ -381,6 +381,7 @@ void PathWriter::append(Motion motion, const Vec3& target, double feed, const Ar
   }
   MotionBlock block = block_to(shown_, motion);
   block.feed = feed;
+  block.on_curve = on_curve;
   if (compensation_.is_off() && corners_.is_idle()) {
     write(block, arc, axes_.named);
   } else {

@@ -139,7 +139,8 @@ class PathWriter {
   void chord(const Vec3& target);
   Vec3 curve_as_arcs(const ParametricCurve& curve, double from, double to);
   Vec3 curve_as_lines(const ParametricCurve& curve, double from, double to);
-  void append(Motion motion, const Vec3& target, double feed, const ArcWords& arc = {});
+  void append(Motion motion, const Vec3& target, double feed, const ArcWords& arc = {},
+              bool on_curve = false);
   void wait(Pause kind, double seconds);
   bool starts_at_known_place(Motion motion, double feed, const Vec3& programmed, const Vec3& shown);
   void write_machine_move(const Vec3& target, double feed);

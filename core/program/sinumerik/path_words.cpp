@@ -16,9 +16,9 @@ void PathWords::apply(std::string_view name) {
              : name == "G644" ? Blend::dynamics
                               : Blend::tolerance;
   } else if (name == "COMPOF") {
-    control_.compaction = Switch::off;
+    control_.compaction = control_.compressor = Switch::off;
   } else if (name.starts_with("COMP")) {
-    control_.compaction = Switch::on;
+    control_.compaction = control_.compressor = Switch::on;
   } else if (name == "SOFT") {
     control_.acceleration = AccelerationMode::soft;
   } else if (name == "BRISK") {

@@ -67,8 +67,8 @@ struct Choice {
   const char* model;
   const char* key;
   const char* value;
-  /// false: those of the Spinner and the DMG only. With enforce=off the feeds of a thousand short blocks
-  /// depend on each other, and on two machines have not settled after as many passes as they are given.
+  /// false: on the DMG only. With enforce=off the feeds of a thousand short blocks depend on each other, and
+  /// on the other machines have not settled after as many passes as they are given.
   bool every_machine = true;
 };
 
@@ -95,7 +95,7 @@ class Rounding : public ::testing::TestWithParam<Choice> {
 
 TEST_P(Rounding, OfASampleChangesNoTime) {
   const MachineLibrary machines = shipped_machines();
-  const std::vector<std::string> few{"spinner-mvc850", "dmg-mori-evo40"};
+  const std::vector<std::string> few{"dmg-mori-evo40"};
   for (const auto& file : std::filesystem::directory_iterator(std::filesystem::path(FEEDSCOPE_SOURCE_DIR) /
                                                               "resources/programs")) {
     constexpr std::uintmax_t small = 100000;

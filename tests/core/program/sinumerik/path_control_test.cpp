@@ -32,7 +32,7 @@ struct Expected {
     all.contour_tolerance = contour_tolerance;
     all.blend_distance = blend_distance;
     all.orientation_tolerance = orientation_tolerance;
-    all.compaction = compaction;
+    all.compaction = all.compressor = compaction;
     all.acceleration = acceleration;
     all.feed_forward = feed_forward;
     return all;

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/blend/fitted_course.h"
+#include "core/compressor/cubic_spline_fit.h"
+
+namespace feedscope {
+
+/// How closely and how smoothly a curve follows a polyline.
+struct SmoothingRule {
+  double tolerance = 0;  ///< largest distance from each other [mm]
+  double smoothing = 0;  ///< as of CubicSplineFit, in intervals
+};
+
+/// A smooth curve along a polyline, or why there is none.
+struct SmoothCourse {
+  std::vector<CourseKnot> knots;     ///< s from 0
+  std::vector<std::size_t> lines;    ///< line of the polyline under each knot but the last
+  std::vector<std::size_t> corners;  ///< points that no smooth curve passes closely enough; then no knots
+  double deviation = 0;              ///< largest distance found [mm]
+};
+
+/// The cubic spline of as few intervals as keep it within the tolerance of the polyline, as quintic Hermite
+/// polynomials by path length between its borders (position, direction and curvature are those of the
+/// spline).
+///
+/// The first intervals are as long as a cubic can bend along the turns of the polyline; those that lie too
+/// far off are halved until none does, neighbours of very different lengths along with them. An interval of
+/// two tolerances that is still too far off gives its points up as corners. Cost linear in points: a bounded
+/// number of fits.
+class CourseSmoother {
+ public:
+  SmoothCourse smooth(const Polyline& polyline, const SmoothingRule& rule);
+
+ private:
+  void set_first_borders(const Polyline& polyline, const SmoothingRule& rule);
+  void level_lengths();
+  /// Halves the marked intervals.
+  void split();
+
+  std::vector<double> borders_;
+  std::vector<char> marked_;
+  std::vector<double> next_;
+};
+
+}  // namespace feedscope
