@@ -291,8 +291,11 @@ std::string summary_text(const Run& run) {
   const std::string where =
       s.max_contour_error > 0 ? fmt::format(" (line {}, at {:.3f} s)", s.worst_place.line, s.worst_place.time)
                               : "";
-  figures.add({"contour error", fmt::format("at most {:.4f} mm{}, {} corner blends", s.max_contour_error,
-                                            where, run.trajectory->blend_count())});
+  const std::size_t count = run.trajectory->path().curve_count();
+  const std::string curves =
+      count == 0 ? "" : fmt::format(", {} smooth {}", count, count == 1 ? "curve" : "curves");
+  figures.add({"contour error", fmt::format("at most {:.4f} mm{}, {} corner blends{}", s.max_contour_error,
+                                            where, run.trajectory->blend_count(), curves)});
   return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + actual_text(s) + load_text(s) +
          "\nTime by limiting cause\n" + cause_table(s);
 }

@@ -632,6 +632,10 @@
         <source>Peak cutting force %1 (%2 at the programmed feed)</source>
         <translation>Effort de coupe de crête %1 (%2 à l&apos;avance programmée)</translation>
     </message>
+    <message>
+        <source>smooth curve</source>
+        <translation>courbe lisse</translation>
+    </message>
 </context>
 <context>
     <name>Tolerance</name>
@@ -813,6 +817,14 @@
     <message>
         <source>Contour error %1, of which the set path has %2: the drives make most of it. The axes are %3 behind across the path; a higher Kv, more feed-forward or a lower feed reduces that.</source>
         <translation>Erreur de contour %1, dont %2 pour la trajectoire de consigne : les entraînements en font l&apos;essentiel. Les axes sont en retard de %3 perpendiculairement à la trajectoire ; un Kv plus élevé, plus d&apos;anticipation ou une avance plus faible réduit cet écart.</translation>
+    </message>
+    <message>
+        <source>The smooth curve through the blocks bends here, and its bend changes: turning takes %1 of the jerk of axis %2, %3; the rest is for changes of speed.</source>
+        <translation>La courbe lisse qui passe par les blocs tourne ici, et sa courbure change : tourner prend %1 du jerk de l&apos;axe %2, %3 ; le reste sert aux changements de vitesse.</translation>
+    </message>
+    <message>
+        <source>The smooth curve through the blocks bends here: turning takes %1 of the acceleration of axis %2, %3; the rest is for changes of speed.</source>
+        <translation>La courbe lisse qui passe par les blocs tourne ici : tourner prend %1 de l&apos;accélération de l&apos;axe %2, %3 ; le reste sert aux changements de vitesse.</translation>
     </message>
 </context>
 <context>
@@ -1342,10 +1354,6 @@
         <translation>Les angles entre droites sont raccordés par des arcs de cercle dans la tolérance de contour et passés à vitesse constante&#xa0;; là où des raccords se touchent, ils sont passés dans des rampes. Limites prises selon la tangente et la normale au lieu de chaque axe&#xa0;; rampes à jerk limité sur les droites, anticipation. Les arcs et les jonctions tangentes gardent les limites statiques de Tapie 2007.</translation>
     </message>
     <message>
-        <source>Blocks shorter than this are merged into segments of at most this length where the tolerance allows it; 0: no compaction.</source>
-        <translation>Les blocs plus courts sont réunis en segments ne dépassant pas cette longueur, là où la tolérance le permet&#xa0;; 0&#xa0;: pas de compactage.</translation>
-    </message>
-    <message>
         <source>dynamic: ramps planned over the blocks ahead; static: every block at its own feed, as if feed changes took no time.</source>
         <translation>dynamique&#xa0;: rampes planifiées sur les blocs à venir&#xa0;; statique&#xa0;: chaque bloc à sa propre avance, comme si les changements d&apos;avance ne prenaient pas de temps.</translation>
     </message>
@@ -1552,6 +1560,46 @@
     <message>
         <source>Time with chips below their least thickness</source>
         <translation>Temps avec des copeaux sous leur épaisseur minimale</translation>
+    </message>
+    <message>
+        <source>Compressor</source>
+        <translation>Compresseur</translation>
+    </message>
+    <message>
+        <source>Lays a smooth curve through dense short blocks within the contour tolerance, in place of a blend in every corner. program: where the program asks for it (COMPON, COMPCURV, COMPCAD, COMPSURF, CYCLE832, cycle 32, G05.1 Q1); off: never; on: everywhere. Our own curve: no maker publishes theirs.</source>
+        <translation>Fait passer une courbe lisse par les blocs courts et denses, dans la tolérance de contour, au lieu d&apos;un raccordement à chaque coin. programme : là où le programme le demande (COMPON, COMPCURV, COMPCAD, COMPSURF, CYCLE832, cycle 32, G05.1 Q1) ; non : jamais ; oui : partout. Cette courbe est la nôtre : aucun fabricant ne publie la sienne.</translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation>programme</translation>
+    </message>
+    <message>
+        <source>Longest compressed block</source>
+        <translation>Plus long bloc compressé</translation>
+    </message>
+    <message>
+        <source>Longer lines stay lines; 20 is the value of a Sinumerik (MD20170) when it is new.</source>
+        <translation>Les droites plus longues restent des droites ; 20 est la valeur d&apos;une Sinumerik (MD20170) à la livraison.</translation>
+    </message>
+    <message>
+        <source>Sharpest smoothed corner</source>
+        <translation>Coin le plus vif à lisser</translation>
+    </message>
+    <message>
+        <source>Corners that turn by more stay corners; 36 is the value of a Sinumerik (SD42470) when it is new.</source>
+        <translation>Les coins qui tournent davantage restent des coins ; 36 est la valeur d&apos;une Sinumerik (SD42470) à la livraison.</translation>
+    </message>
+    <message>
+        <source>Compressor smoothing</source>
+        <translation>Lissage du compresseur</translation>
+    </message>
+    <message>
+        <source>How much waves of the points are damped, in spans of the curve; 0: only by the length of its spans. Assumed: no maker gives a number.</source>
+        <translation>Amortissement des ondulations des points, en tronçons de la courbe ; 0 : seulement par la longueur de ses tronçons. Supposé : aucun fabricant ne donne de nombre.</translation>
+    </message>
+    <message>
+        <source>Blocks shorter than this are merged into segments of at most this length where the tolerance allows it; 0: no compaction. Where the compressor is at work it takes the place of this.</source>
+        <translation>Les blocs plus courts sont réunis en segments d&apos;au plus cette longueur là où la tolérance le permet ; 0 : pas de compactage. Là où le compresseur agit, il le remplace.</translation>
     </message>
 </context>
 <context>

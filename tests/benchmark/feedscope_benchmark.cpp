@@ -1,6 +1,7 @@
 #include <benchmark/benchmark.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <string>
@@ -45,11 +46,14 @@ void read(State& state, const Kind& kind) {
 }
 
 /// Toolpath to trajectory. Memory: text, program, toolpath and trajectory, all that a run holds.
-void simulate(State& state, const Kind& kind, const ControlModel& model) {
+void simulate(State& state, const Kind& kind, const ControlModel& model, bool compressed) {
   const auto blocks = static_cast<std::size_t>(state.range(0));
   const Machine machine =
       MachineLibrary(FEEDSCOPE_SOURCE_DIR "/machines", all_model_settings()).load("spinner-mvc850");
-  const Settings settings = complete_settings(model, machine);
+  Settings settings = complete_settings(model, machine);
+  if (compressed) {
+    settings.set("compressor", std::string("on"));
+  }
   const HeapMeter meter;
   const LoadedProgram program =
       load_program(std::make_shared<const SourceText>("benchmark.nc", kind.text(blocks)));
@@ -97,8 +101,16 @@ void register_all() {
     sizes(::benchmark::RegisterBenchmark(fmt::format("read/{}", kind.name).c_str(), read, kind));
     for (const ControlModel* model : all_models()) {
       const std::string name = fmt::format("simulate/{}/{}", model->info().id, kind.name);
-      sizes(::benchmark::RegisterBenchmark(name.c_str(),
-                                           [&kind, model](State& state) { simulate(state, kind, *model); }));
+      for (const bool compressed : {false, true}) {
+        const auto& specs = model->info().settings;
+        const bool has_compressor = std::any_of(specs.begin(), specs.end(),
+                                                [](const auto& spec) { return spec.key == "compressor"; });
+        if (!compressed || has_compressor) {
+          sizes(::benchmark::RegisterBenchmark(
+              (name + (compressed ? "/compressor" : "")).c_str(),
+              [&kind, model, compressed](State& state) { simulate(state, kind, *model, compressed); }));
+        }
+      }
       const std::string drives = fmt::format("drives/{}/{}", model->info().id, kind.name);
       sizes(::benchmark::RegisterBenchmark(drives.c_str(),
                                            [&kind, model](State& state) { respond(state, kind, *model); }));

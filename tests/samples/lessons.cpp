@@ -124,6 +124,38 @@ Sample wave() {
   return {"lesson_short_wave.nc", nc.text()};
 }
 
+/// Four waves as a CAM system writes them: chords as long as `chord_error` [mm] allows.
+Sample waves(double chord_error, const std::string& name, const std::string& shows) {
+  NcWriter nc =
+      begin(fmt::format("FOUR WAVES OF 25 MM, 8 MM HIGH, WITH A CHORD ERROR OF {:.0f} UM AT 6000 MM/MIN",
+                        1000 * chord_error),
+            shows);
+  constexpr double length = 100;
+  const auto height = [](double x) { return 4 * std::sin(2 * units::pi * x / 25); };
+  const auto chord_leaves = [&](double from, double to) {
+    double largest = 0;
+    const double slope = (height(to) - height(from)) / (to - from);
+    for (int i = 1; i < 20; ++i) {
+      const double x = from + (to - from) * i / 20;
+      largest =
+          std::max(largest, std::abs(height(x) - height(from) - slope * (x - from)) / std::hypot(1, slope));
+    }
+    return largest;
+  };
+  bool first = true;
+  for (double x = 0; x < length;) {
+    double step = 0.02;
+    while (step < 3 && chord_leaves(x, x + step + 0.02) <= chord_error) {
+      step += 0.02;
+    }
+    x = std::min(x + step, length);
+    nc.line({x, height(x), 0}, first ? 6000 : 0);
+    first = false;
+  }
+  nc.raw("M30");
+  return {name, nc.text()};
+}
+
 Sample right_angle() {
   NcWriter nc = begin("ONE RIGHT ANGLE BETWEEN TWO LEGS OF 20 MM AT 3000 MM/MIN",
                       "BLENDS THAT ARE INSERTED AGAINST FILTERS THAT ROUND");
@@ -224,6 +256,8 @@ std::vector<Sample> lesson_programs() {
           row(0.1, 100, 9600, "lesson_short_blocks.nc",
               "BLOCKS SHORTER THAN THE FEED COVERS IN ONE INTERPOLATION PERIOD"),
           wave(),
+          waves(0.005, "lesson_dense.nc", "WHAT A COMPRESSOR MAKES OF DENSE SHORT BLOCKS"),
+          waves(0.05, "lesson_dense_rough.nc", "CHORDS COARSER THAN THE TOLERANCE"),
           row(0.5, 200, 6000, "lesson_lookahead.nc", "A HORIZON OF TOO FEW BLOCKS"),
           right_angle(),
           directions(),

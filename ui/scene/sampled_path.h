@@ -20,7 +20,8 @@ enum class SpanKind : std::uint8_t {
   cut,
   rapid,
   blend,
-  gap,  ///< it goes on elsewhere, and how the tool gets there is not known: nothing is drawn
+  curve,  ///< on a smooth curve through several blocks
+  gap,    ///< it goes on elsewhere, and how the tool gets there is not known: nothing is drawn
 };
 
 /// 8 bits of mantissa: what colours can show.

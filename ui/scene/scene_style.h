@@ -22,6 +22,7 @@ struct SceneColours {
   Rgb rapid;
   Rgb actual;  ///< what the axes run
   Rgb blend_edge;
+  Rgb curve_edge;
   Rgb tool;
   Rgb highlight;  ///< range of the charts, what is measured
   std::array<Rgb, 3> axes;
@@ -36,6 +37,7 @@ struct SceneTexts {
   std::string executed = "executed";
   std::string actual = "actual path";  ///< what the axes run
   std::string blend = "corner blend";
+  std::string curve = "smooth curve";
   std::string assumed = "assumed";                   ///< of a zero point
   std::string exaggerated = "deviation drawn × %1";  ///< %1: the factor
   std::string warning;                               ///< PathScene::set_warning()

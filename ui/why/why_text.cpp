@@ -134,6 +134,28 @@ QString WhyText::blend_sentence(const Reason& reason) {
   }
 }
 
+QString WhyText::arc_sentence(const Reason& reason) {
+  const QString axis = axis_text(reason.cause);
+  const QString radius = of_symbol(reason, Symbol::radius);
+  return reason.cause.kind == CauseKind::radial_jerk
+             ? tr("On the radius of %1, radial jerk uses the full jerk of axis %2, %3.")
+                   .arg(radius, axis, of_symbol(reason, Symbol::axis_jerk))
+             : tr("On the radius of %1, radial acceleration uses the full acceleration of axis %2, %3.")
+                   .arg(radius, axis, of_symbol(reason, Symbol::axis_acceleration));
+}
+
+QString WhyText::curve_sentence(const Reason& reason) {
+  const QString axis = axis_text(reason.cause);
+  return reason.cause.kind == CauseKind::radial_jerk
+             ? tr("The smooth curve through the blocks bends here, and its bend changes: turning takes %1 of "
+                  "the jerk of axis %2, %3; the rest is for changes of speed.")
+                   .arg(percent(reason, Symbol::turning_share), axis, of_symbol(reason, Symbol::axis_jerk))
+             : tr("The smooth curve through the blocks bends here: turning takes %1 of the acceleration of "
+                  "axis %2, %3; the rest is for changes of speed.")
+                   .arg(percent(reason, Symbol::turning_share), axis,
+                        of_symbol(reason, Symbol::axis_acceleration));
+}
+
 QString WhyText::ramp_sentence(const Reason& reason, const State& state) {
   const QString axis = axis_text(reason.cause);
   if (reason.formula.id == FormulaId::filter_delay) {
@@ -191,11 +213,11 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
     case CauseKind::velocity_filter:
       return ramp_sentence(reason, state);
     case CauseKind::radial_acceleration:
-      return tr("On the radius of %1, radial acceleration uses the full acceleration of axis %2, %3.")
-          .arg(radius, axis, of_symbol(reason, Symbol::axis_acceleration));
     case CauseKind::radial_jerk:
-      return tr("On the radius of %1, radial jerk uses the full jerk of axis %2, %3.")
-          .arg(radius, axis, of_symbol(reason, Symbol::axis_jerk));
+      if (reason.formula.find(Symbol::turning_share) != nullptr) {
+        return curve_sentence(reason);
+      }
+      return arc_sentence(reason);
     case CauseKind::curvilinear_jerk:
       return tr("On the radius of %1 the control allows a curvilinear jerk of %2, of which %3 along the "
                 "path.")

@@ -39,6 +39,8 @@ class WhyText {
   static QString limit_sentence(const Reason& reason, const State& state);
   static QString tolerance_sentence(const Reason& reason);
   static QString blend_sentence(const Reason& reason);
+  static QString arc_sentence(const Reason& reason);
+  static QString curve_sentence(const Reason& reason);
   static QString ramp_sentence(const Reason& reason, const State& state);
 };
 

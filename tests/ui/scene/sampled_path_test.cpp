@@ -78,7 +78,7 @@ TEST(SampledPath, LeavesGapsAtMovesToMachinePositions) {
           << "seed " << seed;
       const SampledPath executed = sample_executed(*run.trajectory);
       const double drawn = length_of(executed, SpanKind::cut) + length_of(executed, SpanKind::rapid) +
-                           length_of(executed, SpanKind::blend);
+                           length_of(executed, SpanKind::blend) + length_of(executed, SpanKind::curve);
       EXPECT_NEAR(drawn, run.trajectory->path_length(), 2e-3 * drawn) << model << ", seed " << seed;
       const auto gaps = [](const SampledPath& path) { return std::ranges::count(path.kinds, SpanKind::gap); };
       EXPECT_EQ(gaps(executed), gaps(programmed)) << model << ", seed " << seed;

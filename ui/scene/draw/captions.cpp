@@ -96,6 +96,12 @@ std::vector<Entry> legend(const Captions& captions, double room, double k) {
                       draw_path_sample(canvas, captions, from, to, 2.6 * scale);
                     }});
   }
+  if (entries.curve) {
+    list.push_back({texts.curve, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
+                      canvas.line(from, to, 6 * scale, colours.curve_edge);
+                      draw_path_sample(canvas, captions, from, to, 2.6 * scale);
+                    }});
+  }
   if (entries.blend) {
     list.push_back({texts.blend, [&](Canvas& canvas, const Vec2& from, const Vec2& to, double scale) {
                       canvas.line(from, to, 7 * scale, colours.blend_edge);

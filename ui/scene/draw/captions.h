@@ -20,6 +20,7 @@ struct LegendEntries {
   bool rapid = false;
   bool executed = false;
   bool blend = false;
+  bool curve = false;  ///< smooth curves
   std::vector<Overlay> overlays;
 };
 

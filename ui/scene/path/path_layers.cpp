@@ -24,6 +24,7 @@ constexpr double overlay_width = 1.8;
 constexpr double cut_width = 2.6;
 constexpr double blend_width = 4.4;
 constexpr double blend_edge_width = 7;
+constexpr double curve_edge_width = 6;
 constexpr double range_width = 12;
 
 constexpr double max_covered = 0.5;            // of the path by edges of blends
@@ -36,6 +37,10 @@ bool is_cut(SpanKind kind) {
 
 bool is_blend(SpanKind kind) {
   return kind == SpanKind::blend;
+}
+
+bool is_curve(SpanKind kind) {
+  return kind == SpanKind::curve;
 }
 
 std::size_t count_of_blends(const SampledPath& path) {
@@ -157,12 +162,17 @@ void PathLayers::show_executed(std::shared_ptr<const SampledPath> executed) {
   executed_.reset();
   cut_length_ = executed ? length_of(*executed, SpanKind::cut) : 0;
   blend_length_ = executed ? length_of(*executed, SpanKind::blend) : 0;
+  curve_length_ = executed ? length_of(*executed, SpanKind::curve) : 0;
+  cut_length_ += curve_length_;
   blend_count_ = executed ? count_of_blends(*executed) : 0;
   entries_.executed = cut_length_ + blend_length_ > 0;
   if (executed) {
     executed_ = std::make_unique<DrawnPath>(std::move(executed));
     executed_->exaggerate(look_.exaggeration);
     add(Role::range, executed_.get());
+    if (curve_length_ > 0) {
+      add(Role::curve_edge, executed_.get());
+    }
     add(Role::cut, executed_.get());
     if (blend_length_ > 0) {
       for (const bool discs : {false, true}) {
@@ -257,6 +267,8 @@ Rgb PathLayers::colour_of(const Layer& layer) const {
       return layer.colour;
     case Role::blend_edge:
       return colours.blend_edge;
+    case Role::curve_edge:
+      return colours.curve_edge;
     case Role::cut:
     case Role::blend:
       break;
@@ -287,7 +299,10 @@ vtkSmartPointer<vtkCellArray> PathLayers::cells_of(const Layer& layer, const Pat
     return blend_points(part);
   }
   const bool blends = layer.role == Role::blend || layer.role == Role::blend_edge;
-  return polylines(part, 0, part.size(), blends ? is_blend : is_cut);
+  return polylines(part, 0, part.size(),
+                   blends                           ? is_blend
+                   : layer.role == Role::curve_edge ? is_curve
+                                                    : is_cut);
 }
 
 vtkSmartPointer<vtkActor> PathLayers::make_actor(const Layer& layer, const PathPart& part) const {
@@ -326,6 +341,8 @@ PathLayers::Style PathLayers::style_of(Role role, double thinner) const {
       return {thin_width * thinner, 1.5};
     case Role::range:
       return {range_width, 2.2};
+    case Role::curve_edge:
+      return {curve_edge_width * thinner, 2.6};
     case Role::blend_edge:
       return {blend_edge_width * thinner, 3};
     case Role::cut:
@@ -383,18 +400,21 @@ void PathLayers::update_parts(const SceneFrame& frame, const Projection& view, b
 void PathLayers::place(const SceneFrame& frame, const Projection& view, double scale, bool moving) {
   constexpr double comfortable = 0.35;
   const double lines =
-      crowding(frame, view, scale * (cut_length_ * cut_width + blend_length_ * blend_edge_width));
+      crowding(frame, view,
+               scale * ((cut_length_ - curve_length_) * cut_width + curve_length_ * curve_edge_width +
+                        blend_length_ * blend_edge_width));
   const double thinner = std::min(1.0, comfortable / std::max(lines, 1e-9));
   // Deviations drawn larger show blends by themselves.
   const bool edges = thinner > 0.9 && look_.exaggeration == 1 &&
                      covered_by_edges(view.scale / frame.unit, scale) < max_covered;
   entries_.blend = blend_length_ > 0 && edges;
+  entries_.curve = curve_length_ > 0 && edges;
   const double rapids = crowding(frame, view, scale * rapid_length_ * thin_width / 2);
   const double rapid_opacity = std::clamp(comfortable / std::max(rapids, 1e-9), 0.08, 1.0);
 
   update_parts(frame, view, moving);
   for (Layer& layer : layers_) {
-    const bool emphasis = layer.role == Role::blend_edge || layer.discs;
+    const bool emphasis = layer.role == Role::blend_edge || layer.role == Role::curve_edge || layer.discs;
     const bool shown = (!emphasis || (edges && !moving)) && (layer.role != Role::range || range_) &&
                        (layer.role != Role::overlay || overlays_shown());
     const std::size_t level =

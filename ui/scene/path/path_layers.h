@@ -67,7 +67,7 @@ class PathLayers {
   const DrawnPath* executed() const { return executed_.get(); }
 
  private:
-  enum class Role { rapid, programmed, range, blend_edge, overlay, cut, blend };
+  enum class Role { rapid, programmed, range, curve_edge, blend_edge, overlay, cut, blend };
 
   /// What is drawn of one path in one manner.
   struct Layer {
@@ -124,6 +124,7 @@ class PathLayers {
   double rapid_length_ = 0;        ///< [mm]
   double cut_length_ = 0;          ///< [mm]
   double blend_length_ = 0;        ///< [mm]
+  double curve_length_ = 0;        ///< of cut_length_ [mm]
   std::size_t blend_count_ = 0;
 };
 

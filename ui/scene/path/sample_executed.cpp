@@ -14,6 +14,7 @@ namespace feedscope::ui {
 namespace {
 
 constexpr double spans_of_blend = 24;
+constexpr double spans_of_curve = 8;  // a span of a smooth curve turns little
 constexpr double feed_steps = 24;
 constexpr double spans_a_filter_time = 8;
 constexpr double share_of_actual = 0.4;  // of the time that it takes with drives
@@ -179,6 +180,9 @@ class ExecutedSampling {
     }
     const bool blend = part.law == Law::filtered ? part.cause.kind == CauseKind::contour_tolerance
                                                  : trajectory_.path().in_corner(part.element);
+    if (trajectory_.path().kind(part.element) == ElementKind::curve) {
+      return SpanKind::curve;
+    }
     return blend ? SpanKind::blend : SpanKind::cut;
   }
 
@@ -200,6 +204,9 @@ class ExecutedSampling {
       wanted = std::max(wanted, spans_of_arc(path.curve(part.element).arc, course));
     } else if (kind == ElementKind::blend && part.law == Law::path_length && path.length(part.element) > 0) {
       wanted = std::max(wanted, spans_of_blend * course / path.length(part.element));
+    }
+    if (kind == ElementKind::curve) {
+      wanted = std::max(wanted, spans_of_curve * course / path.length(part.element));
     }
     if (kind == ElementKind::line && compacted()) {
       wanted = std::max(wanted, course / path.length(part.element) * blocks_of(part.element));
