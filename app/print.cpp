@@ -239,7 +239,12 @@ std::string time_text(double seconds) {
 }
 
 void print_diagnostics(const Program& program, DiagnosticStyle style) {
-  for (const RepeatedDiagnostic& diagnostic : without_repeats(program.diagnostics)) {
+  print_diagnostics(program.diagnostics, program, style);
+}
+
+void print_diagnostics(const std::vector<Diagnostic>& diagnostics, const Program& program,
+                       DiagnosticStyle style) {
+  for (const RepeatedDiagnostic& diagnostic : without_repeats(diagnostics)) {
     fmt::print(stderr, "{}\n", format(*diagnostic.first, program.source->name()));
     if (style == DiagnosticStyle::with_source) {
       fmt::print(stderr, "{}", marked_line(program, *diagnostic.first));

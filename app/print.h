@@ -46,6 +46,9 @@ enum class DiagnosticStyle {
   with_source,  ///< and the line of the program, with a mark under the place
 };
 void print_diagnostics(const Program& program, DiagnosticStyle style = DiagnosticStyle::line);
+/// The same of other messages about the program.
+void print_diagnostics(const std::vector<Diagnostic>& diagnostics, const Program& program,
+                       DiagnosticStyle style = DiagnosticStyle::line);
 
 /// Figures of a run for people.
 std::string summary_text(const Run& run);

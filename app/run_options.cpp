@@ -9,6 +9,7 @@
 #include "app/number_option.h"
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/ignored_path_control.h"
+#include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/base/error.h"
 #include "core/base/units.h"
@@ -322,6 +323,12 @@ void note_runs(const LoadedProgram& program, const std::vector<Setup>& setups) {
       }
     }
     for (const std::string& note : drive_notes(setup.machine)) {
+      if (said.insert(note).second) {
+        fmt::print(stderr, "feedscope: note: {}\n", note);
+      }
+    }
+    if (const std::string refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
+      const std::string note = fmt::format("model '{}': {}", setup.model->info().id, refused);
       if (said.insert(note).second) {
         fmt::print(stderr, "feedscope: note: {}\n", note);
       }

@@ -147,6 +147,7 @@ int simulate(const SimulateOptions& options) {
   note_unused_reading(*run.input.program, asked.reading);
   note_runs(run.input, {run.setup});
   print_diagnostics(*run.input.program);
+  print_diagnostics(run.input.lines_not_run, *run.input.program);
   if (!results.to_standard_output()) {
     fmt::print("{}", summary_text(run));
   }

@@ -146,9 +146,11 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   run.input = input;
   run.setup = std::move(setup);
   std::optional<LoadModel> load = load_model(input, run.setup.load);
+  ControlReading reading = run.setup.model->read(input.toolpath, run.setup.settings);
   run.trajectory = std::make_shared<const Trajectory>(
-      run.setup.model->simulate(input.toolpath, run.setup.machine, run.setup.settings, progress));
-  run.input.toolpath = on_machine(input.toolpath, run.setup.settings);
+      run.setup.model->simulate(reading.path, run.setup.machine, run.setup.settings, progress));
+  run.input.toolpath = on_machine(std::move(reading.path), run.setup.settings);
+  run.input.lines_not_run = std::move(reading.refused);
   if (has_drives(run.setup.machine)) {
     run.sources.actual = std::make_shared<const ActualPath>(run.trajectory, run.setup.machine, progress);
   }

@@ -19,6 +19,8 @@ struct LoadedProgram {
   /// Those of the feed motions, each once, in the order of their first use.
   std::vector<PathControl> feed_controls;
   double read_time = 0;  ///< wall clock, text to toolpath [s]
+  /// Of a run: lines that its control refuses, as notes; they are not part of its toolpath.
+  std::vector<Diagnostic> lines_not_run;
   bool refused = false;  ///< cut off at a limit, and ReadOptions do not ask to simulate it
 };
 
@@ -46,7 +48,7 @@ inline constexpr const char* default_machine = "spinner-mvc850";
 /// One program on one machine with one model: everything that is shown or written of it.
 /// Cheap to copy; runs of the same program share program and toolpath.
 struct Run {
-  LoadedProgram input;  ///< its toolpath as on_machine() makes it
+  LoadedProgram input;  ///< its toolpath as the control reads it and on_machine() makes it
   Setup setup;
   std::shared_ptr<const Trajectory> trajectory;
   RunSources sources;

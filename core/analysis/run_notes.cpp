@@ -5,6 +5,7 @@
 
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/ignored_path_control.h"
+#include "core/analysis/refused_lines.h"
 
 namespace feedscope {
 
@@ -68,6 +69,9 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
     notes.insert(
         notes.begin(),
         fmt::format("The program was read with work offsets other than those of the machine ({}).", offsets));
+  }
+  if (std::string refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
+    notes.push_back(std::move(refused));
   }
   const std::vector<std::string> of_drives = drive_notes(setup.machine);
   notes.insert(notes.end(), of_drives.begin(), of_drives.end());

@@ -32,6 +32,10 @@ BlendedPath::BlendedPath(std::shared_ptr<const Toolpath> programmed,
                          std::shared_ptr<const CompactedPath> compacted)
     : programmed_(std::move(programmed)), compacted_(std::move(compacted)) {}
 
+BlendedPath::BlendedPath(std::shared_ptr<const Toolpath> programmed,
+                         std::shared_ptr<const ExecutedPath> executed)
+    : programmed_(std::move(programmed)), executed_(std::move(executed)) {}
+
 void BlendedPath::reserve(std::size_t elements) {
   entries_.reserve(elements);
 }
@@ -73,6 +77,16 @@ std::uint32_t BlendedPath::add_curve(std::uint32_t block, const CourseKnot& to) 
   return element;
 }
 
+std::uint32_t BlendedPath::add_executed(std::uint32_t i) {
+  const Segment& segment = executed_->path.segments[i];
+  const ElementKind kind = segment.kind == SegmentKind::arc     ? ElementKind::arc
+                           : segment.kind == SegmentKind::dwell ? ElementKind::dwell
+                                                                : ElementKind::line;
+  const std::uint32_t element = add(kind, executed_->block[i], segment.length);
+  entries_[element].index = i & 0x1fffffff;
+  return element;
+}
+
 std::span<const CourseKnot> BlendedPath::course(std::size_t i) const {
   const std::size_t first = entries_[i].index;
   const std::size_t last = i + 1 < size() ? entries_[i + 1].index : knots_.size();
@@ -89,6 +103,9 @@ std::size_t BlendedPath::base_segment(std::uint32_t block) const {
 
 /// Where line element `i` begins on its segment of the base [mm].
 double BlendedPath::line_offset(std::size_t i) const {
+  if (executed_) {
+    return 0;
+  }
   if (i > 0 && in_corner(i - 1)) {
     return transitions_[entries_[i - 1].index];
   }
@@ -165,14 +182,14 @@ ElementCurve BlendedPath::curve(std::size_t i) const {
     curve.direction = Vec3::Zero();
     return curve;
   }
-  const std::size_t segment = base_segment(entry.block);
+  const std::size_t segment = base_segment_of(i);
   curve.start = base().start_of(segment);
   curve.end = base().segments[segment].end;
   switch (entry.kind) {
     case ElementKind::line: {
       curve.direction = base().tangent_at_start(segment);
       curve.start += line_offset(i) * curve.direction;
-      const bool next_on_it = i + 1 < size() && base_segment(entries_[i + 1].block) == segment;
+      const bool next_on_it = i + 1 < size() && base_segment_of(i + 1) == segment;
       if (next_on_it) {  // its corner, or the next part of a chord
         curve.end = curve.start + curve.length * curve.direction;
       }

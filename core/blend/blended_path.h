@@ -8,6 +8,7 @@
 
 #include "core/blend/compaction.h"
 #include "core/blend/corner.h"
+#include "core/blend/executed_path.h"
 #include "core/blend/fitted_course.h"
 
 namespace feedscope {
@@ -54,8 +55,11 @@ class BlendedPath {
  public:
   BlendedPath() = default;
   /// `compacted`: what the control made of `programmed` before it went on, if it did.
-  explicit BlendedPath(std::shared_ptr<const Toolpath> programmed,
-                       std::shared_ptr<const CompactedPath> compacted = nullptr);
+  BlendedPath(std::shared_ptr<const Toolpath> programmed, std::shared_ptr<const CompactedPath> compacted);
+  explicit BlendedPath(std::shared_ptr<const Toolpath> programmed)
+      : BlendedPath(std::move(programmed), std::shared_ptr<const CompactedPath>()) {}
+  /// `executed`: what the control runs in place of `programmed`; it may grow until its segments are added.
+  BlendedPath(std::shared_ptr<const Toolpath> programmed, std::shared_ptr<const ExecutedPath> executed);
 
   std::size_t size() const { return entries_.size(); }
   bool empty() const { return entries_.empty(); }
@@ -75,9 +79,21 @@ class BlendedPath {
 
   /// The programmed path, never null but for an empty path.
   const std::shared_ptr<const Toolpath>& programmed() const { return programmed_; }
-  /// What the elements run on: the compacted path where there is one.
-  const Toolpath& base() const { return compacted_ ? compacted_->path : *programmed_; }
-  /// The segment of base() that programmed segment `block` became, or became a part of.
+  /// What the elements run on: the executed or the compacted path where there is one.
+  const Toolpath& base() const {
+    return executed_ ? executed_->path : compacted_ ? compacted_->path : *programmed_;
+  }
+  bool is_executed() const { return executed_ != nullptr; }
+  /// The segment of base() that element `i` runs on.
+  std::size_t base_segment_of(std::size_t i) const {
+    return executed_ ? entries_[i].index : base_segment(entries_[i].block);
+  }
+  /// The segment that gives line, feed and rapid of element `i`.
+  const Segment& source_segment(std::size_t i) const {
+    return executed_ ? executed_->path.segments[entries_[i].index] : programmed_->segments[entries_[i].block];
+  }
+  /// The segment of base() that programmed segment `block` became, or became a part of; without an executed
+  /// path.
   std::size_t base_segment(std::uint32_t block) const;
 
   /// Corners in order of their elements.
@@ -106,6 +122,8 @@ class BlendedPath {
   }
   /// Appends the span of a smooth curve from the knot given last to `to`; it begins on `block`.
   std::uint32_t add_curve(std::uint32_t block, const CourseKnot& to);
+  /// Appends segment `i` of the executed path.
+  std::uint32_t add_executed(std::uint32_t i);
   void set_blend_weight(double alpha) { alpha_ = alpha; }  ///< of all cubic blends
 
  private:
@@ -126,6 +144,7 @@ class BlendedPath {
 
   std::shared_ptr<const Toolpath> programmed_;
   std::shared_ptr<const CompactedPath> compacted_;
+  std::shared_ptr<const ExecutedPath> executed_;
   std::vector<Entry> entries_;
   std::vector<double> transitions_;     ///< a corner
   std::vector<std::uint32_t> corners_;  ///< element of each

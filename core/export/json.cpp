@@ -6,6 +6,7 @@
 #include "core/analysis/contour/contour_report.h"
 #include "core/analysis/not_counted.h"
 #include "core/analysis/program_facts.h"
+#include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "core/analysis/slower_tolerance.h"
 #include "core/base/units.h"
@@ -37,9 +38,9 @@ Json unit_json(const ProgramUnit& unit) {
                                                      : "nobody"}};
 }
 
-Json diagnostics(const Program& program) {
+Json diagnostics(const std::vector<Diagnostic>& diagnostics) {
   Json list = Json::array();
-  for (const Diagnostic& d : program.diagnostics) {
+  for (const Diagnostic& d : diagnostics) {
     Json entry{{"severity", to_string(d.severity)},
                {"line", d.line},
                {"column", d.column},
@@ -297,7 +298,10 @@ std::string simulation_json(const LoadedProgram& program, const ComparedRun& run
   if (contour != nullptr) {
     json.update(contour_json(*contour));
   }
-  json["diagnostics"] = diagnostics(*program.program);
+  std::vector<Diagnostic> all = program.program->diagnostics;
+  const std::vector<Diagnostic> refused = refused_lines(program, run.setup);
+  all.insert(all.end(), refused.begin(), refused.end());
+  json["diagnostics"] = diagnostics(all);
   json["elapsed"] = {{"read_s", program.read_time}, {"simulate_s", run.simulate_time}};
   return text_of(json);
 }
@@ -309,7 +313,7 @@ Json with_runs(const char* kind, const LoadedProgram& program, Json runs) {
   Json json = with_format(kind);
   json["program"] = program_json(*program.program, *program.toolpath);
   json["runs"] = std::move(runs);
-  json["diagnostics"] = diagnostics(*program.program);
+  json["diagnostics"] = diagnostics(program.program->diagnostics);
   return json;
 }
 
@@ -414,7 +418,7 @@ std::string study_json(const LoadedProgram& program, const Study& study) {
 std::string check_json(const LoadedProgram& program) {
   Json json = with_format("check");
   json["program"] = program_json(*program.program, *program.toolpath);
-  json["diagnostics"] = diagnostics(*program.program);
+  json["diagnostics"] = diagnostics(program.program->diagnostics);
   json["elapsed"] = {{"read_s", program.read_time}};
   return text_of(json);
 }

@@ -102,6 +102,12 @@ const std::map<std::string, std::string>& french_words() {
       {"contour tolerance", "tolérance de contour"},
       {"look-ahead horizon", "horizon d’anticipation"},
       {"velocity filters", "filtres de vitesse"},
+      {"junction deviation", "écart de jonction (junction deviation)"},
+      {"square corner velocity", "vitesse de coin à 90° (square corner velocity)"},
+      {"minimum cruise ratio", "part minimale à vitesse constante"},
+      {"kink between blocks", "cassure entre blocs"},
+      {"velocity along the path", "vitesse le long de la trajectoire"},
+      {"acceleration along the path", "accélération le long de la trajectoire"},
       {"braking for a slower place ahead", "ralentissement pour la suite"},
       {"exact stop", "arrêt précis"},
       {"dwell", "temporisation"},
@@ -118,6 +124,8 @@ const std::map<std::string, std::string>& french_words() {
       {"Velocity pulses through FIR filters (Heidenhain TNC 640)",
        "Impulsions de vitesse et filtres RIF (Heidenhain TNC 640)"},
       {"Time-optimal bound", "Borne en temps optimal"},
+      {"Open control grbl 1.1", "Commande ouverte grbl 1.1"},
+      {"Open control Klipper", "Commande ouverte Klipper"},
   };
   return words;
 }

@@ -27,8 +27,14 @@ enum class CauseKind : std::uint8_t {
   interpolation_period,
   contour_tolerance,
   lookahead_horizon,
-  velocity_filter,  ///< filters of the control that spread every change of feed
-  ramp_down,        ///< slowing towards a slower place
+  velocity_filter,         ///< filters of the control that spread every change of feed
+  junction_deviation,      ///< corner rule of grbl
+  square_corner_velocity,  ///< corner rule of Klipper
+  cruise_ratio,            ///< Klipper: part of a way that must be left for cruising
+  kink,                    ///< corner rule of LinuxCNC: acceleration of one period
+  path_velocity,           ///< the control's own limit of the speed
+  path_acceleration,       ///< the same of the acceleration
+  ramp_down,               ///< slowing towards a slower place
   exact_stop,
   dwell,
   tool_change,

@@ -58,6 +58,12 @@ constexpr std::array symbols{
     SymbolText{Symbol::bend_part, Dimension::inverse_length, "|k_{}|"},
     SymbolText{Symbol::bend_change_part, Dimension::inverse_area, "|k'_{}|"},
     SymbolText{Symbol::ceiling, Dimension::feed, "V"},
+    SymbolText{Symbol::junction_deviation, Dimension::length, "d"},
+    SymbolText{Symbol::half_turn_sine, Dimension::number, "s"},
+    SymbolText{Symbol::half_turn_tangent, Dimension::number, "t"},
+    SymbolText{Symbol::corner_velocity, Dimension::feed, "V_sc"},
+    SymbolText{Symbol::path_velocity, Dimension::feed, "V_max"},
+    SymbolText{Symbol::largest_acceleration, Dimension::acceleration, "A_max"},
 };
 
 using Values = std::array<double, 5>;
@@ -144,6 +150,22 @@ constexpr std::array formulas{
                 [](const Values& x) { return (x[0] - square(x[1]) * x[2]) / x[3]; }},
     FormulaText{FormulaId::curve_ramp_jerk, Dimension::jerk, "j", "({0} - {1}^3 {2}) / {3}",
                 [](const Values& x) { return (x[0] - x[1] * square(x[1]) * x[2]) / x[3]; }},
+    FormulaText{FormulaId::junction_deviation, Dimension::feed, "V", "({0} {2} {3} / ({1} (1 - {3})))^(1/2)",
+                [](const Values& x) { return std::sqrt(x[0] * x[2] * x[3] / (x[1] * (1 - x[3]))); }},
+    FormulaText{FormulaId::square_corner, Dimension::feed, "V",
+                "{0} ((2^(1/2) - 1) {1} {2} / ((1 - {1}) {3}))^(1/2)",
+                [](const Values& x) {
+                  return x[0] * std::sqrt((std::sqrt(2.0) - 1) * x[1] * x[2] / ((1 - x[1]) * x[3]));
+                }},
+    FormulaText{FormulaId::corner_within_blocks, Dimension::feed, "V", "({0} {1} {2} / 2)^(1/2)",
+                [](const Values& x) { return std::sqrt(x[0] * x[1] * x[2] / 2); }},
+    FormulaText{FormulaId::stop_within_blocks, Dimension::feed, "V", "(2 {0} {1})^(1/2)",
+                [](const Values& x) { return std::sqrt(2 * x[0] * x[1]); }},
+    FormulaText{FormulaId::braking_evenly, Dimension::length, "L", "({0}^2 - {1}^2) / (2 {2})",
+                [](const Values& x) { return (square(x[0]) - square(x[1])) / (2 * x[2]); }},
+    FormulaText{FormulaId::path_velocity, Dimension::feed, "V", "{0}", [](const Values& x) { return x[0]; }},
+    FormulaText{FormulaId::level_acceleration, Dimension::acceleration, "a", "{0}",
+                [](const Values& x) { return x[0]; }},
 };
 
 template <typename Table, typename Key>
@@ -156,9 +178,9 @@ constexpr bool in_order(const Table& table, Key Table::value_type::*key) {
   return true;
 }
 static_assert(in_order(symbols, &SymbolText::symbol));
-static_assert(symbols.size() == static_cast<std::size_t>(Symbol::ceiling) + 1);
+static_assert(symbols.size() == static_cast<std::size_t>(Symbol::largest_acceleration) + 1);
 static_assert(in_order(formulas, &FormulaText::id));
-static_assert(formulas.size() == static_cast<std::size_t>(FormulaId::curve_ramp_jerk) + 1);
+static_assert(formulas.size() == static_cast<std::size_t>(FormulaId::level_acceleration) + 1);
 
 const FormulaText& text_of(FormulaId id) {
   return formulas[static_cast<std::size_t>(id)];

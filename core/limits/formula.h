@@ -12,44 +12,50 @@ namespace feedscope {
 
 /// The quantities that stand in formulas; of one axis where `Quantity::axis` says which.
 enum class Symbol : std::uint8_t {
-  feed,                 ///< F, programmed
-  axis_velocity,        ///< V_X
-  axis_acceleration,    ///< A_X
-  axis_jerk,            ///< J_X
-  blend_jerk,           ///< Jtb_X
-  tangent_part,         ///< |t_X|, of the unit tangent
-  normal_part,          ///< |n_X|, of the unit normal
-  radius,               ///< R, of curvature
-  curvature_slope,      ///< |k'|, change of the curvature along the path
-  acceleration_share,   ///< R_A, radial
-  jerk_share,           ///< R_J, radial
-  speed_slope,          ///< |s'|, at constant du/dt: change of the speed along the path, v'/v^2
-  speed_bend,           ///< |s'' - k^2|, at constant du/dt: jerk along the path by v^3
-  curvilinear_jerk,     ///< J_curv
-  tangential_share,     ///< r_jct
-  curvature_step,       ///< |dk_X|, of the curvature vector
-  period,               ///< t_cy, interpolation period
-  block_length,         ///< L, of a block or an arc
-  path_acceleration,    ///< A, along the path
-  path_jerk,            ///< J, along the path
-  length_ahead,         ///< L_N, of the blocks that the control knows
-  blocks_ahead,         ///< N, blocks that the control knows
-  speed_before,         ///< V_0, where a ramp begins
-  speed_after,          ///< V_1, where it ends
-  filters,              ///< n, moving averages
-  filter_time,          ///< T_1, of each filter
-  leg_before,           ///< l_1, from the corner, what the filters leave on the way in
-  leg_after,            ///< l_2, on the way out
-  turn,                 ///< phi, direction change
-  filter_angle,         ///< x, V T_1 / (2 R)
-  acceleration_along,   ///< a_tX, part of the acceleration of an axis along the path
-  acceleration_across,  ///< a_nX, across it
-  jerk_along,           ///< j_tX, the same of a jerk
-  jerk_across,          ///< j_nX
+  feed,                  ///< F, programmed
+  axis_velocity,         ///< V_X
+  axis_acceleration,     ///< A_X
+  axis_jerk,             ///< J_X
+  blend_jerk,            ///< Jtb_X
+  tangent_part,          ///< |t_X|, of the unit tangent
+  normal_part,           ///< |n_X|, of the unit normal
+  radius,                ///< R, of curvature
+  curvature_slope,       ///< |k'|, change of the curvature along the path
+  acceleration_share,    ///< R_A, radial
+  jerk_share,            ///< R_J, radial
+  speed_slope,           ///< |s'|, at constant du/dt: change of the speed along the path, v'/v^2
+  speed_bend,            ///< |s'' - k^2|, at constant du/dt: jerk along the path by v^3
+  curvilinear_jerk,      ///< J_curv
+  tangential_share,      ///< r_jct
+  curvature_step,        ///< |dk_X|, of the curvature vector
+  period,                ///< t_cy, interpolation period
+  block_length,          ///< L, of a block or an arc
+  path_acceleration,     ///< A, along the path
+  path_jerk,             ///< J, along the path
+  length_ahead,          ///< L_N, of the blocks that the control knows
+  blocks_ahead,          ///< N, blocks that the control knows
+  speed_before,          ///< V_0, where a ramp begins
+  speed_after,           ///< V_1, where it ends
+  filters,               ///< n, moving averages
+  filter_time,           ///< T_1, of each filter
+  leg_before,            ///< l_1, from the corner, what the filters leave on the way in
+  leg_after,             ///< l_2, on the way out
+  turn,                  ///< phi, direction change
+  filter_angle,          ///< x, V T_1 / (2 R)
+  acceleration_along,    ///< a_tX, part of the acceleration of an axis along the path
+  acceleration_across,   ///< a_nX, across it
+  jerk_along,            ///< j_tX, the same of a jerk
+  jerk_across,           ///< j_nX
   turning_share,        ///< S, of an axis limit, that turning along a smooth curve may take
   bend_part,            ///< |k_X|, of the curvature vector
   bend_change_part,     ///< |k'_X|, of its change along the path
   ceiling,              ///< V, the highest speed on an element
+  junction_deviation,    ///< d
+  half_turn_sine,        ///< s, sine of half the angle between the blocks of a corner; 1: straight on
+  half_turn_tangent,     ///< t, its tangent
+  corner_velocity,       ///< V_sc, square corner velocity
+  path_velocity,         ///< V_max, the control's limit of the speed
+  largest_acceleration,  ///< A_max, the control's limit of the acceleration
 };
 
 struct Quantity {
@@ -97,6 +103,13 @@ enum class FormulaId : std::uint8_t {
   curve_jerk,
   curve_ramp_acceleration,
   curve_ramp_jerk,
+  junction_deviation,
+  square_corner,
+  corner_within_blocks,
+  stop_within_blocks,
+  braking_evenly,
+  path_velocity,
+  level_acceleration,
 };
 
 /// A formula with the numbers of one place, in the order in which its text names them.

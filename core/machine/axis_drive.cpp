@@ -23,7 +23,7 @@ constexpr KeyConversion milliseconds{units::from_ms, units::to_ms};
 constexpr KeyConversion micrometres{units::from_um, units::to_um};
 
 /// In the order of axis_drive_specs().
-constexpr std::array<DriveField, 7> drive_fields{{
+constexpr std::array<DriveField, 8> drive_fields{{
     {&AxisDrive::gain, none},
     {&AxisDrive::feedforward, none},
     {&AxisDrive::lag, milliseconds},
@@ -31,6 +31,7 @@ constexpr std::array<DriveField, 7> drive_fields{{
     {&AxisDrive::backlash_compensation, none},
     {&AxisDrive::friction_spike, micrometres},
     {&AxisDrive::friction_time, milliseconds},
+    {&AxisDrive::steps_per_mm, none},
 }};
 
 SettingSpec drive_spec(std::string key, std::string title, std::string unit, double minimum, double maximum,
@@ -77,6 +78,11 @@ const std::vector<SettingSpec>& axis_drive_specs() {
                                    "circle it shows as a spike where quadrants change.")),
       drive_spec("friction_time", QT_TRANSLATE_NOOP("core", "Decay of the friction spike"), "ms", 0.01, 1e4,
                  QT_TRANSLATE_NOOP("core", "Time constant with which the friction spike decays.")),
+      drive_spec(
+          "steps_per_mm", QT_TRANSLATE_NOOP("core", "Steps per mm"), "", 0.01, 1e6,
+          QT_TRANSLATE_NOOP("core",
+                            "Steps of the motor over 1 mm of the axis: controls of stepper motors round "
+                            "the ends of blocks to whole steps. Without a value they are not rounded.")),
   };
   return specs;
 }

@@ -21,12 +21,15 @@ struct AxisDrive {
   std::optional<double> friction_spike;         ///< by how much the axis stays behind at a reversal [mm]
   std::optional<double> friction_time;          ///< time constant with which that decays [s]
 
+  std::optional<double> steps_per_mm;  ///< of a stepper motor: places that it can stand at [1/mm]
+
   bool follows_exactly() const { return !gain.has_value(); }
   bool operator==(const AxisDrive&) const = default;
 };
 
 /// Keys of a drive for --set, machine files and the editor, each optional: kv (1/s), velocity_feedforward,
-/// velocity_lag (ms), backlash (um), backlash_compensation, friction_spike (um), friction_time (ms).
+/// velocity_lag (ms), backlash (um), backlash_compensation, friction_spike (um), friction_time (ms),
+/// steps_per_mm.
 const std::vector<SettingSpec>& axis_drive_specs();
 /// Value in the unit of axis_drive_specs(), an empty text if there is none; `i` counts there.
 SettingValue drive_value(const AxisDrive& drive, std::size_t i);

@@ -41,7 +41,7 @@ std::string axis_key(char axis, const SettingSpec& spec) {
 
 Trajectory ControlModel::simulate(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                                   const Settings& settings, Progress* progress) const {
-  const std::shared_ptr<const Toolpath> run = on_machine(std::move(toolpath), settings);
+  const std::shared_ptr<const Toolpath> run = on_machine(read(std::move(toolpath), settings).path, settings);
   check_axes(*run, machine);
   return do_simulate(run, machine, settings, progress);
 }
@@ -53,7 +53,7 @@ Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machi
 
 Trajectory ControlModel::lay_path(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                                   const Settings& settings, Progress* progress) const {
-  const std::shared_ptr<const Toolpath> run = on_machine(std::move(toolpath), settings);
+  const std::shared_ptr<const Toolpath> run = on_machine(read(std::move(toolpath), settings).path, settings);
   check_axes(*run, machine);
   return do_lay_path(run, machine, settings, progress);
 }

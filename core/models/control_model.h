@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/diagnostic.h"
 #include "core/base/progress.h"
 #include "core/machine/machine.h"
 #include "core/models/guarantees.h"
@@ -26,6 +27,12 @@ struct ModelInfo {
   LimitTraits limits = {};            ///< for explanations
 };
 
+/// A program as a control reads it.
+struct ControlReading {
+  std::shared_ptr<const Toolpath> path;
+  std::vector<Diagnostic> refused;  ///< lines that the control does not run, as notes of code "refused"
+};
+
 /// A published way in which a control turns a path into motion.
 class ControlModel {
  public:
@@ -33,8 +40,13 @@ class ControlModel {
   virtual const ModelInfo& info() const = 0;
   /// What holds of every motion that simulate() makes with `settings`, as complete_settings gives them.
   virtual Guarantees guarantees(const Settings& settings) const = 0;
+  /// What the control reads in the text of `toolpath`, where it reads it in a way of its own: its path and
+  /// the lines that it refuses. Else `toolpath` as it is.
+  ControlReading read(std::shared_ptr<const Toolpath> toolpath, const Settings& settings) const {
+    return toolpath->source ? do_read(toolpath, settings) : ControlReading{std::move(toolpath), {}};
+  }
   /// Deterministic. `settings` as complete_settings gives them; the trajectory shares `toolpath`, or what
-  /// on_machine() makes of it. Throws
+  /// read() and on_machine() make of it. Throws
   /// InputError if an axis that moves lacks a limit, Cancelled when stopped.
   Trajectory simulate(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                       const Settings& settings, Progress* progress = nullptr) const;
@@ -46,6 +58,10 @@ class ControlModel {
                       const Settings& settings, Progress* progress = nullptr) const;
 
  private:
+  virtual ControlReading do_read(const std::shared_ptr<const Toolpath>& toolpath,
+                                 const Settings& /*settings*/) const {
+    return {toolpath, {}};
+  }
   virtual Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
                                  const Settings& settings, Progress* progress) const = 0;
   /// For models whose path does not hang on the motion.

@@ -76,12 +76,25 @@ std::string covered_sentence(Covered covered) {
 std::string feed_sentence(const Guarantees& g) {
   const std::string feed =
       g.feed_of_run ? "the largest programmed feed between two standstills" : "the programmed feed";
+  if (g.feed == Guarantees::unbounded) {
+    return "The programmed feed is met to whole steps and counts of a timer; very slow feeds are exceeded.";
+  }
+  if (!g.rapids_of_axes) {
+    return fmt::format("Never faster than {}; rapids run at the maximum velocity of the control.", feed);
+  }
   return g.feed == 1 ? fmt::format("Never faster than {}; rapids never faster than the axes allow.", feed)
                      : fmt::format("Never faster than {} times {}.", g.feed, feed);
 }
 
 std::string contour_sentence(const Guarantees& g) {
   std::string text;
+  if (g.contour == 0 && g.rounds_places) {
+    return "The programmed path is followed by straight blocks, arcs by chords within the arc tolerance; no "
+           "corner is blended. Ends of blocks are rounded to whole steps of the axes.";
+  }
+  if (g.contour == 0 && g.arcs_are_chords) {
+    return "The programmed path is followed by straight blocks, arcs by chords; no corner is blended.";
+  }
   if (g.contour == 0) {
     return "The programmed path is followed exactly; no corner is blended.";
   }
@@ -99,7 +112,7 @@ std::string contour_sentence(const Guarantees& g) {
 std::string continuity_sentence(Continuity continuity) {
   switch (continuity) {
     case Continuity::position:
-      return "The speed jumps from block to block.";
+      return "The speed jumps along the path.";
     case Continuity::speed:
       return "The speed is continuous; the acceleration jumps where the curvature of the path does.";
     case Continuity::acceleration:

@@ -57,6 +57,13 @@ struct Guarantees {
   /// The end of every block that goes on tangentially is met exactly.
   bool meets_tangent_ends = true;
 
+  bool rapids_of_axes = true;    ///< rapids run at the axes' speed; else at a speed of the control's own
+  bool arcs_are_chords = false;  ///< arcs are run as lines; one shorter than a chord as a single one
+  /// Programmed points are rounded: to whole steps of the axes, and to numbers of 32 bits.
+  bool rounds_places = false;
+  /// What comes behind a full stop is run as if the program began there.
+  bool begins_again_at_stops = true;
+
   /// Where the program asks for BRISK, jerk along the path is not bounded: the acceleration changes within
   /// one interpolation period. false: ramps are as without it.
   bool follows_brisk = false;

@@ -17,6 +17,15 @@ struct LimitTraits {
   /// An axis limit holds along and across the path together, on ramps too.
   bool along_and_across = false;
 
+  /// Corners are passed as they are programmed, so that the velocity of an axis jumps there.
+  bool jumps_in_corners = false;
+  /// The control limits velocity and acceleration along the path, with limits of its own for Z: settings of
+  /// model `klipper`.
+  bool along_path = false;
+  /// Key of the setting that says within how many blocks the control, which limits no jerk, must be able to
+  /// stop; empty: look-ahead as most share it.
+  std::string_view stops_within = {};
+
   struct Source {
     FormulaId formula = FormulaId::none;
     std::string_view text;  ///< paper and equation

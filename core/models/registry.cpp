@@ -2,6 +2,8 @@
 #include "core/models/control_model.h"
 #include "core/models/essid/essid_model.h"
 #include "core/models/gassara/gassara_model.h"
+#include "core/models/grbl/grbl_model.h"
+#include "core/models/klipper/klipper_model.h"
 #include "core/models/msaddek/msaddek_model.h"
 #include "core/models/optimal/optimal_model.h"
 #include "core/models/tapie/tapie_model.h"
@@ -17,8 +19,10 @@ const std::vector<const ControlModel*>& all_models() {
   static const MsaddekModel msaddek;
   static const WardModel ward;
   static const OptimalModel optimal;
-  static const std::vector<const ControlModel*> models{&cam,     &essid, &gassara, &tapie,
-                                                       &msaddek, &ward,  &optimal};
+  static const GrblModel grbl;
+  static const KlipperModel klipper;
+  static const std::vector<const ControlModel*> models{&cam,  &essid,   &gassara, &tapie,  &msaddek,
+                                                       &ward, &optimal, &grbl,    &klipper};
   return models;
 }
 

@@ -29,6 +29,8 @@ struct ArcWords {
   Vec3 center = Vec3::Zero();  ///< at equal distances from both ends, along the axis as the start point [mm]
   Vec3 axis = Vec3::UnitZ();   ///< unit vector; the motion is counter-clockwise seen against it
   double turns = 0;  ///< whole turns on top of the partial one; 1 for a full circle, whose ends coincide
+  /// From `center` to where the program has it, which need not be as far from both ends [mm].
+  Vec3 misfit = Vec3::Zero();
 };
 
 /// A block that moves or waits, modal state resolved: absolute, metric, modal words filled in.

@@ -31,6 +31,12 @@ Arc arc_between(const Vec3& start, const Vec3& end, const ArcWords& words) {
 /// Largest gap that is left before an arc [mm].
 constexpr double arc_gap = 1e-10;
 
+/// Words of letter and number, as any control of ISO programs reads them.
+bool is_g_code(Dialect dialect) {
+  return dialect == Dialect::iso || dialect == Dialect::fanuc || dialect == Dialect::linuxcnc ||
+         dialect == Dialect::grbl;
+}
+
 Segment line_segment(const Vec3& start, const MotionBlock& block) {
   Segment segment;
   segment.end = block.target;
@@ -79,6 +85,7 @@ double Toolpath::length() const {
 
 Toolpath build_toolpath(const Program& program) {
   Toolpath toolpath;
+  toolpath.source = is_g_code(program.dialect) ? program.source : nullptr;
   toolpath.bounds = program.bounds;
   toolpath.other_axes = program.other_axes;
   for (const OffsetUse& use : program.work_offsets) {
@@ -124,11 +131,15 @@ Toolpath build_toolpath(const Program& program) {
         }
         break;
       case Motion::arc: {
-        const Arc arc =
-            arc_between(position, block.target, program.arcs[static_cast<std::size_t>(block.arc)]);
+        const ArcWords& words = program.arcs[static_cast<std::size_t>(block.arc)];
+        const Arc arc = arc_between(position, block.target, words);
         segment.kind = SegmentKind::arc;
         segment.index = static_cast<std::int32_t>(toolpath.arcs.size());
         segment.length = arc.length();
+        if (words.misfit != Vec3::Zero() || !toolpath.misfits.empty()) {
+          toolpath.misfits.resize(toolpath.arcs.size(), Vec3::Zero());
+          toolpath.misfits.push_back(words.misfit);
+        }
         toolpath.arcs.push_back(arc);
         break;
       }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ struct Toolpath {
   Vec3 start = Vec3::Zero();  ///< [mm]
   std::vector<Segment> segments;
   std::vector<Arc> arcs;
+  std::vector<Vec3> misfits;  ///< ArcWords::misfit by index of `arcs`; empty where all are zero [mm]
   std::vector<ToolpathPause> pauses;
   std::vector<MachineMove> machine_moves;
   std::vector<PathControl> path_controls{PathControl()};  ///< the first is the machine's
@@ -55,12 +57,20 @@ struct Toolpath {
   Bounds bounds;                                          ///< as Program::bounds [mm]
   std::vector<std::string> other_axes;                    ///< as Program::other_axes
   std::vector<ZeroPoint> zero_points;                     ///< of Program::work_offsets
+  /// The text, where it is words of G code that a control may read in a way of its own; null where there is
+  /// none, or where it has been read so.
+  std::shared_ptr<const SourceText> source;
 
   const Vec3& start_of(std::size_t i) const { return i == 0 ? start : segments[i - 1].end; }
   const PathControl& path_control_of(std::size_t i) const { return path_controls[segments[i].path_control]; }
   const SpindleState& spindle_of(std::size_t i) const { return spindles[segments[i].spindle]; }
   /// Of an arc segment of this path.
   const Arc& arc_of(const Segment& segment) const { return arcs[static_cast<std::size_t>(segment.index)]; }
+  /// Centre of an arc segment of this path as it is programmed [mm].
+  Vec3 programmed_center(const Segment& segment) const {
+    return arc_of(segment).center +
+           (misfits.empty() ? Vec3(Vec3::Zero()) : misfits[static_cast<std::size_t>(segment.index)]);
+  }
   /// Of a dwell of this path.
   const ToolpathPause& pause_of(const Segment& segment) const {
     return pauses[static_cast<std::size_t>(segment.index)];

@@ -45,7 +45,11 @@ Cause Trajectory::slower_place(std::size_t index) const {
 }
 
 double Trajectory::feed_of(std::size_t element) const {
-  return programmed_speed(*path().programmed(), path().segment(element), content_.axis_velocity).value;
+  const bool executed = path().is_executed();
+  return programmed_speed(executed ? path().base() : *path().programmed(),
+                          executed ? path().base_segment_of(element) : path().segment(element),
+                          content_.axis_velocity)
+      .value;
 }
 
 State Trajectory::state(double time) const {

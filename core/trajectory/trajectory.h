@@ -110,9 +110,7 @@ class Trajectory {
 
  private:
   friend class TrajectoryBuilder;
-  const Segment& segment_of(std::size_t element) const {
-    return content_.path.programmed()->segments[content_.path.segment(element)];
-  }
+  const Segment& segment_of(std::size_t element) const { return content_.path.source_segment(element); }
   double filtered_end(std::size_t piece) const;  ///< q at the end of a filtered piece [mm]
   /// The span of its motion that a filtered piece is.
   SpanCourse filtered_course(std::size_t piece, FilterWalk& filters) const;

@@ -39,6 +39,12 @@ TrajectoryBuilder::TrajectoryBuilder(std::shared_ptr<const Toolpath> programmed,
   content().axis_velocity = axis_velocity;
 }
 
+TrajectoryBuilder::TrajectoryBuilder(std::shared_ptr<const Toolpath> programmed, const Vec3& axis_velocity,
+                                     std::shared_ptr<const ExecutedPath> executed) {
+  content().path = BlendedPath(std::move(programmed), std::move(executed));
+  content().axis_velocity = axis_velocity;
+}
+
 TrajectoryBuilder::TrajectoryBuilder(const Trajectory& same_path) : so_far_(same_path) {
   content().pieces.clear();
   content().duration = 0;

@@ -14,7 +14,12 @@ class TrajectoryBuilder {
  public:
   /// `axis_velocity`: of rapids and of blocks without feed [mm/s]. `compacted`: as of BlendedPath.
   TrajectoryBuilder(std::shared_ptr<const Toolpath> programmed, const Vec3& axis_velocity,
-                    std::shared_ptr<const CompactedPath> compacted = nullptr);
+                    std::shared_ptr<const CompactedPath> compacted);
+  TrajectoryBuilder(std::shared_ptr<const Toolpath> programmed, const Vec3& axis_velocity)
+      : TrajectoryBuilder(std::move(programmed), axis_velocity, std::shared_ptr<const CompactedPath>()) {}
+  /// `executed`: as of BlendedPath.
+  TrajectoryBuilder(std::shared_ptr<const Toolpath> programmed, const Vec3& axis_velocity,
+                    std::shared_ptr<const ExecutedPath> executed);
   /// The path of another run, to be passed in another time.
   explicit TrajectoryBuilder(const Trajectory& same_path);
 
@@ -48,6 +53,8 @@ class TrajectoryBuilder {
   std::uint32_t add_curve(std::uint32_t block, const CourseKnot& to) {
     return content().path.add_curve(block, to);
   }
+  /// Appends segment `i` of the executed path. Returns the element's index.
+  std::uint32_t add_executed(std::uint32_t i) { return content_.path.add_executed(i); }
   std::uint32_t add_motion(FilteredMotion motion);
   /// Says that the element added last ends at a corner that the filters round.
   void add_filtered_corner() {

@@ -460,6 +460,10 @@
         <source>No drive is given for %1: followed exactly.</source>
         <translation>Aucun entraînement n&apos;est donné pour %1 : suivi exact.</translation>
     </message>
+    <message>
+        <source>Lines that the control refuses are not run: %1.</source>
+        <translation>Les lignes que la commande refuse ne sont pas exécutées : %1.</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
@@ -825,6 +829,30 @@
     <message>
         <source>The smooth curve through the blocks bends here: turning takes %1 of the acceleration of axis %2, %3; the rest is for changes of speed.</source>
         <translation>La courbe lisse qui passe par les blocs tourne ici : tourner prend %1 de l&apos;accélération de l&apos;axe %2, %3 ; le reste sert aux changements de vitesse.</translation>
+    </message>
+    <message>
+        <source>In the corner the control allows the speed at which an arc no farther from it than %1 would use the full acceleration of axis %2, %3.</source>
+        <translation>Dans le coin, la commande permet la vitesse à laquelle un arc qui ne s&apos;en écarte pas de plus de %1 utiliserait toute l&apos;accélération de l&apos;axe %2, %3.</translation>
+    </message>
+    <message>
+        <source>The control allows %1 in a corner of 90°, and here as much more or less as the corner is wider or sharper.</source>
+        <translation>La commande permet %1 dans un coin de 90°, et ici d&apos;autant plus ou moins que le coin est plus ouvert ou plus vif.</translation>
+    </message>
+    <message>
+        <source>The control keeps a part of the way between two slow places for constant speed, so that the tool does not accelerate any further.</source>
+        <translation>La commande réserve une part du trajet entre deux endroits lents à la vitesse constante : l&apos;outil n&apos;accélère pas davantage.</translation>
+    </message>
+    <message>
+        <source>Where the blocks meet the velocity jumps: the axes must absorb that within one period.</source>
+        <translation>À la jonction des blocs, la vitesse saute : les axes doivent l&apos;absorber en une période.</translation>
+    </message>
+    <message>
+        <source>The tool runs at the largest speed that the control allows along the path.</source>
+        <translation>L&apos;outil avance à la plus grande vitesse que la commande permet le long de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>The tool accelerates as much as the control allows along the path.</source>
+        <translation>L&apos;outil accélère autant que la commande le permet le long de la trajectoire.</translation>
     </message>
 </context>
 <context>
@@ -1600,6 +1628,154 @@
     <message>
         <source>Blocks shorter than this are merged into segments of at most this length where the tolerance allows it; 0: no compaction. Where the compressor is at work it takes the place of this.</source>
         <translation>Les blocs plus courts sont réunis en segments d&apos;au plus cette longueur là où la tolérance le permet ; 0 : pas de compactage. Là où le compresseur agit, il le remplace.</translation>
+    </message>
+    <message>
+        <source>junction deviation</source>
+        <translation>écart de jonction (junction deviation)</translation>
+    </message>
+    <message>
+        <source>square corner velocity</source>
+        <translation>vitesse de coin à 90° (square corner velocity)</translation>
+    </message>
+    <message>
+        <source>minimum cruise ratio</source>
+        <translation>part minimale à vitesse constante</translation>
+    </message>
+    <message>
+        <source>kink between blocks</source>
+        <translation>cassure entre blocs</translation>
+    </message>
+    <message>
+        <source>velocity along the path</source>
+        <translation>vitesse le long de la trajectoire</translation>
+    </message>
+    <message>
+        <source>acceleration along the path</source>
+        <translation>accélération le long de la trajectoire</translation>
+    </message>
+    <message>
+        <source>Steps per mm</source>
+        <translation>Pas par mm</translation>
+    </message>
+    <message>
+        <source>Steps of the motor over 1 mm of the axis: controls of stepper motors round the ends of blocks to whole steps. Without a value they are not rounded.</source>
+        <translation>Pas du moteur pour 1 mm de l&apos;axe : les commandes de moteurs pas à pas arrondissent les fins de bloc à des pas entiers. Sans valeur, elles ne sont pas arrondies.</translation>
+    </message>
+    <message>
+        <source>Refuse lines</source>
+        <translation>Refuser des lignes</translation>
+    </message>
+    <message>
+        <source>on: lines that the control rejects are reported and not run; off: they are run as they are meant.</source>
+        <translation>on : les lignes que la commande rejette sont signalées et ne sont pas exécutées ; off : elles sont exécutées comme elles sont voulues.</translation>
+    </message>
+    <message>
+        <source>Junction deviation</source>
+        <translation>Écart de jonction (junction deviation)</translation>
+    </message>
+    <message>
+        <source>$11 of grbl: how far an arc in a corner might leave it; the speed that such an arc would allow is that of the corner, which itself is run as programmed.</source>
+        <translation>$11 de grbl : de combien un arc dans un coin pourrait s&apos;en écarter ; la vitesse que permettrait un tel arc est celle du coin, qui est lui-même suivi tel qu&apos;il est programmé.</translation>
+    </message>
+    <message>
+        <source>Arc tolerance</source>
+        <translation>Tolérance des arcs</translation>
+    </message>
+    <message>
+        <source>$12 of grbl: how far the chords that arcs are cut into may leave them.</source>
+        <translation>$12 de grbl : de combien les cordes des arcs peuvent s&apos;en écarter.</translation>
+    </message>
+    <message>
+        <source>Planner buffer</source>
+        <translation>File de blocs</translation>
+    </message>
+    <message>
+        <source>Blocks that are planned together, the running one included; the last of them always ends at rest.</source>
+        <translation>Blocs planifiés ensemble, celui en cours compris ; le dernier se termine toujours à l&apos;arrêt.</translation>
+    </message>
+    <message>
+        <source>Idle delay</source>
+        <translation>Maintien à l&apos;arrêt</translation>
+    </message>
+    <message>
+        <source>$1 of grbl: time for which the motors hold each time all motion ends.</source>
+        <translation>$1 de grbl : temps pendant lequel les moteurs restent bloqués chaque fois que tout mouvement cesse.</translation>
+    </message>
+    <message>
+        <source>Step timing</source>
+        <translation>Durée des pas</translation>
+    </message>
+    <message>
+        <source>on: times as the step timer makes them, with whole steps and whole timer counts, where steps per mm are given; off: as planned.</source>
+        <translation>on : durées telles que les fait le compteur de pas, en pas entiers et en impulsions entières, si les pas par mm sont donnés ; off : durées planifiées.</translation>
+    </message>
+    <message>
+        <source>Open control grbl 1.1</source>
+        <translation>Commande ouverte grbl 1.1</translation>
+    </message>
+    <message>
+        <source>Corners are passed at the speed that the junction deviation allows, with constant acceleration and no limit of the jerk; arcs are cut into chords. The control plans 15 blocks ahead and must be able to stop within them, so that short blocks are slow. Lines that it does not understand are not run.</source>
+        <translation>Les coins sont passés à la vitesse que permet l&apos;écart de jonction, à accélération constante et sans limite du jerk ; les arcs sont coupés en cordes. La commande planifie 15 blocs d&apos;avance et doit pouvoir s&apos;y arrêter, si bien que les blocs courts sont lents. Les lignes qu&apos;elle ne comprend pas ne sont pas exécutées.</translation>
+    </message>
+    <message>
+        <source>Maximum velocity</source>
+        <translation>Vitesse maximale</translation>
+    </message>
+    <message>
+        <source>max_velocity of Klipper: of the tool along the path. Without a value the least of the axes.</source>
+        <translation>max_velocity de Klipper : de l&apos;outil le long de la trajectoire. Sans valeur, la plus petite des axes.</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration</source>
+        <translation>Accélération maximale</translation>
+    </message>
+    <message>
+        <source>max_accel of Klipper: of the tool along the path. Without a value the least of the axes.</source>
+        <translation>max_accel de Klipper : de l&apos;outil le long de la trajectoire. Sans valeur, la plus petite des axes.</translation>
+    </message>
+    <message>
+        <source>Square corner velocity</source>
+        <translation>Vitesse de coin à 90°</translation>
+    </message>
+    <message>
+        <source>Speed at which the tool may pass a corner of 90 degrees; other corners accordingly.</source>
+        <translation>Vitesse à laquelle l&apos;outil peut passer un coin de 90 degrés ; les autres coins en proportion.</translation>
+    </message>
+    <message>
+        <source>Minimum cruise ratio</source>
+        <translation>Part minimale à vitesse constante</translation>
+    </message>
+    <message>
+        <source>Part of a way between two slow places that is left for constant speed, so that short zigzags do not accelerate all the time.</source>
+        <translation>Part d&apos;un trajet entre deux endroits lents qui reste à vitesse constante, pour que de courts zigzags n&apos;accélèrent pas sans cesse.</translation>
+    </message>
+    <message>
+        <source>Arc resolution</source>
+        <translation>Résolution des arcs</translation>
+    </message>
+    <message>
+        <source>Length of the chords that arcs are cut into.</source>
+        <translation>Longueur des cordes en lesquelles les arcs sont coupés.</translation>
+    </message>
+    <message>
+        <source>Maximum velocity of Z</source>
+        <translation>Vitesse maximale de Z</translation>
+    </message>
+    <message>
+        <source>Without a value that along the path.</source>
+        <translation>Sans valeur, celle de la trajectoire.</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration of Z</source>
+        <translation>Accélération maximale de Z</translation>
+    </message>
+    <message>
+        <source>Open control Klipper</source>
+        <translation>Commande ouverte Klipper</translation>
+    </message>
+    <message>
+        <source>Velocity and acceleration are limited along the path; corners are passed as they are programmed, at a speed that the square corner velocity sets, without any limit of the jerk. The look-ahead has no end, and a part of every way is kept for constant speed. Every line must begin with its command.</source>
+        <translation>Vitesse et accélération sont limitées le long de la trajectoire ; les coins sont passés tels qu&apos;ils sont programmés, à une vitesse que fixe la vitesse de coin à 90°, sans limite du jerk. L&apos;anticipation est sans fin, et une part de chaque trajet reste à vitesse constante. Chaque ligne doit commencer par sa commande.</translation>
     </message>
 </context>
 <context>

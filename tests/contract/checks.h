@@ -24,6 +24,9 @@ struct Inputs {
   const Settings& settings;
 };
 
+/// How far the promised rounding may move a programmed point: half a step of every axis, and 32 bits [mm].
+double open_by_rounding(const Motion& motion, const Guarantees& promised, const Machine& machine);
+
 // What must hold of every motion (motion_checks.cpp).
 
 /// Every part lasts, and the parts add up to the cycle time.
@@ -33,13 +36,13 @@ Result check_finite(const Motion& motion);
 /// Seconds by cause are not negative and add up to the cycle time within 1e-12; no figure is NaN.
 Result check_summary(const Motion& motion, const Machine& machine);
 /// Begins and ends at the programmed points, at rest where the speed does not jump.
-Result check_ends(const Motion& motion, const Guarantees& promised);
+Result check_ends(const Motion& motion, const Guarantees& promised, const Machine& machine);
 /// Position, and what `promised.continuity` says, go on from part to part.
 Result check_continuity(const Motion& motion, const Guarantees& promised);
 /// Velocity, acceleration, jerk and speed are derivatives of what comes before them.
 Result check_derivatives(const Motion& motion);
 /// The velocity adds up to the way from the first to the last point.
-Result check_displacement(const Motion& motion);
+Result check_displacement(const Motion& motion, const Guarantees& promised, const Machine& machine);
 /// state_at_path finds the place of a path length.
 Result check_path_lookup(const Motion& motion);
 
@@ -51,9 +54,10 @@ std::vector<Finding> check_limits(const Motion& motion, const Guarantees& promis
 /// Programmed feed.
 Result check_feed(const Motion& motion, const Guarantees& promised);
 /// Full stops stand, in the programmed point.
-Result check_stops(const Motion& motion, const Guarantees& promised);
+Result check_stops(const Motion& motion, const Guarantees& promised, const Machine& machine);
 /// Distance of programmed corners; tangential ends of blocks are met. `tolerance` [mm].
-Result check_contour(const Motion& motion, const Guarantees& promised, double tolerance);
+Result check_contour(const Motion& motion, const Guarantees& promised, double tolerance,
+                     const Machine& machine);
 
 // Runs that must agree with each other (run_checks.cpp).
 

@@ -21,13 +21,24 @@ std::vector<Finding> check_run(const Toolpath& toolpath, const Inputs& inputs) {
   const double tolerance =
       inputs.settings.has("contour_tolerance_mm") ? inputs.settings.number("contour_tolerance_mm") : 0;
   const Motion motion(toolpath, run);
+  const bool waits_only = std::ranges::all_of(toolpath.segments, [&](const Segment& segment) {
+    return segment.kind == SegmentKind::dwell && toolpath.dwell_of(segment) == 0;
+  });
+  if (motion.parts().empty() && (promised.arcs_are_chords || waits_only)) {
+    return {};  // no block makes a step or a chord, or nothing lasts
+  }
+  if (motion.parts().empty() && !toolpath.segments.empty()) {
+    return {Finding{"time", "nothing moves"}};
+  }
   std::vector<Finding> broken = check_limits(motion, promised, inputs.machine);
   for (const Result& result :
        {check_time(motion), check_finite(motion), check_summary(motion, inputs.machine),
-        check_ends(motion, promised), check_continuity(motion, promised), check_feed(motion, promised),
-        check_stops(motion, promised), check_contour(motion, promised, tolerance), check_derivatives(motion),
-        check_displacement(motion), check_path_lookup(motion), check_again(motion, inputs),
-        check_split(motion, promised, inputs), check_bound(motion, promised, inputs)}) {
+        check_ends(motion, promised, inputs.machine), check_continuity(motion, promised),
+        check_feed(motion, promised), check_stops(motion, promised, inputs.machine),
+        check_contour(motion, promised, tolerance, inputs.machine), check_derivatives(motion),
+        check_displacement(motion, promised, inputs.machine), check_path_lookup(motion),
+        check_again(motion, inputs), check_split(motion, promised, inputs),
+        check_bound(motion, promised, inputs)}) {
     if (result) {
       broken.push_back(*result);
     }
@@ -42,8 +53,9 @@ std::vector<Finding> check_case(const Case& example) {
     const Program program =
         read_program(std::make_shared<const SourceText>(SourceText("program", text_of(example))));
     const ControlModel& model = find_model(example.model);
-    return check_run(build_toolpath(program),
-                     {model, example.machine, complete_settings(model, example.machine)});
+    const Settings settings = complete_settings(model, example.machine);
+    const auto path = std::make_shared<const Toolpath>(build_toolpath(program));
+    return check_run(*model.read(path, settings).path, {model, example.machine, settings});
   } catch (const std::exception& error) {
     return {Finding{"throws", error.what()}};
   }

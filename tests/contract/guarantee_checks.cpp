@@ -175,8 +175,14 @@ std::vector<double> feeds_of_runs(const Motion& motion) {
 }  // namespace
 
 Result check_feed(const Motion& motion, const Guarantees& promised) {
+  if (promised.feed == Guarantees::unbounded) {
+    return {};
+  }
   const std::vector<double> of_run = promised.feed_of_run ? feeds_of_runs(motion) : std::vector<double>();
   for (const Part& part : motion.parts()) {
+    if (!promised.rapids_of_axes && motion.run().is_rapid(part.element)) {
+      continue;
+    }
     const double programmed = promised.feed_of_run ? of_run[part.number] : motion.run().feed_of(part.element);
     for (const double share : {0.0, 0.5, 1.0}) {
       const double speed = motion.at(part, share).speed;
@@ -226,8 +232,9 @@ double distance_at_border(const Motion& motion, std::size_t i) {
 
 }  // namespace
 
-Result check_stops(const Motion& motion, const Guarantees& promised) {
+Result check_stops(const Motion& motion, const Guarantees& promised, const Machine& machine) {
   const Toolpath& toolpath = motion.toolpath();
+  const double open = met + open_by_rounding(motion, promised, machine);
   for (std::size_t i = 1; i < toolpath.segments.size(); ++i) {
     if (!is_promised_stop(toolpath, i, promised)) {
       continue;
@@ -236,7 +243,7 @@ Result check_stops(const Motion& motion, const Guarantees& promised) {
     const double before = next > 0 ? motion.at(motion.parts()[next - 1], 1).speed : 0;
     const double after = next < motion.parts().size() ? motion.at(motion.parts()[next], 0).speed : 0;
     const double off = distance_at_border(motion, i);
-    if (!(before <= rest && after <= rest && off <= met)) {
+    if (!(before <= rest && after <= rest && off <= open)) {
       return Finding{"stops", fmt::format("end of line {}: {} and {} mm/s, {} mm off",
                                           toolpath.segments[i - 1].line, before, after, off)};
     }
@@ -300,15 +307,17 @@ double distance_near(const Motion& motion, std::size_t i, const Vec3& point, dou
 
 }  // namespace
 
-Result check_contour(const Motion& motion, const Guarantees& promised, double tolerance) {
+Result check_contour(const Motion& motion, const Guarantees& promised, double tolerance,
+                     const Machine& machine) {
   const Toolpath& toolpath = motion.toolpath();
+  const double open = met + open_by_rounding(motion, promised, machine);
   for (std::size_t i = 1; i < toolpath.segments.size(); ++i) {
     const JunctionKind kind = junction_kind(toolpath, i);
     const bool exact = promised.contour == 0 || (kind == JunctionKind::pass && promised.meets_tangent_ends);
     if (kind == JunctionKind::stop || (!exact && promised.contour == Guarantees::unbounded)) {
       continue;
     }
-    const double allowed = exact ? met : promised.contour * tolerance * (1 + rounding) + met;
+    const double allowed = exact ? open : promised.contour * tolerance * (1 + rounding) + met;
     const double distance = exact ? distance_at_border(motion, i)
                                   : distance_near(motion, i, toolpath.segments[i - 1].end, allowed);
     if (!(distance <= allowed)) {

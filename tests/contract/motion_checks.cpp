@@ -82,7 +82,24 @@ Result check_summary(const Motion& motion, const Machine& machine) {
   return {};
 }
 
-Result check_ends(const Motion& motion, const Guarantees& promised) {
+double open_by_rounding(const Motion& motion, const Guarantees& promised, const Machine& machine) {
+  if (!promised.rounds_places) {
+    return 0;
+  }
+  double size = motion.toolpath().start.cwiseAbs().maxCoeff();
+  for (const Segment& segment : motion.toolpath().segments) {
+    size = std::max(size, segment.end.cwiseAbs().maxCoeff());
+  }
+  double squares = 0;
+  for (const AxisDrive& drive : machine.drives) {
+    const double half = drive.steps_per_mm ? 0.5 / *drive.steps_per_mm : 0;
+    squares += half * half;
+  }
+  constexpr double of_32_bits = 4e-7;
+  return std::sqrt(squares) + of_32_bits * size;
+}
+
+Result check_ends(const Motion& motion, const Guarantees& promised, const Machine& machine) {
   const Toolpath& toolpath = motion.toolpath();
   if (toolpath.segments.empty()) {
     return {};
@@ -94,8 +111,9 @@ Result check_ends(const Motion& motion, const Guarantees& promised) {
   const double off_start = (start.position - toolpath.start).norm();
   const double off_end = std::max((end.position - target).norm(), (last.position - target).norm());
   const Part& final = motion.parts().back();
-  const double open = open_position(motion, final, motion.at(final, 0.9).speed);
-  if (!(off_start <= met) || !(off_end <= met + open)) {
+  const double rounded = open_by_rounding(motion, promised, machine);
+  const double open = open_position(motion, final, motion.at(final, 0.9).speed) + rounded;
+  if (!(off_start <= met + rounded) || !(off_end <= met + open)) {
     return Finding{"ends", fmt::format("begins {} mm, ends {} mm off", off_start, off_end)};
   }
   if (promised.continuity != Continuity::position && !(start.speed <= rest && last.speed <= rest)) {
@@ -255,13 +273,13 @@ Vec3 way(const Motion& motion, const Part& part, double low, double high, double
 
 }  // namespace
 
-Result check_displacement(const Motion& motion) {
+Result check_displacement(const Motion& motion, const Guarantees& promised, const Machine& machine) {
   if (motion.parts().empty()) {
     return {};
   }
   constexpr double allowed = 1e-10;  // a part [mm]
   Vec3 sum = motion.toolpath().start;
-  double slack = met;
+  double slack = met + 2 * open_by_rounding(motion, promised, machine);
   for (const Part& part : motion.parts()) {
     const std::vector<double> borders = motion.law_borders(part);
     const double turn = motion.turn_rate(part) * part.duration;

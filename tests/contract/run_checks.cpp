@@ -65,6 +65,9 @@ Result check_split(const Motion& motion, const Guarantees& promised, const Input
   constexpr std::size_t max_cuts = 3;  // of a program
   const Toolpath& toolpath = motion.toolpath();
   std::vector<std::size_t> places;
+  if (!promised.begins_again_at_stops) {
+    return {};
+  }
   for (std::size_t i = 1; i < toolpath.segments.size(); ++i) {
     if (can_be_cut(toolpath, i, promised)) {
       places.push_back(i);

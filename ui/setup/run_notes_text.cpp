@@ -4,6 +4,7 @@
 
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/ignored_path_control.h"
+#include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
 #include "ui/language/core_texts.h"
 #include "ui/workbench/reading_faults.h"
@@ -34,6 +35,10 @@ QStringList run_note_texts(const Run& run) {
   }
   for (const std::string& sentence : ignored_path_control(run.input, run.setup)) {
     sentences.append(core_text(sentence));
+  }
+  if (const std::vector<Diagnostic>& refused = run.input.lines_not_run; !refused.empty()) {
+    sentences.append(RunNotes::tr("Lines that the control refuses are not run: %1.")
+                         .arg(QString::fromStdString(line_list(refused))));
   }
   for (const PoorDamping& drive : poorly_damped(run.setup.machine)) {
     sentences.append(

@@ -53,6 +53,15 @@ QString axis_text(Cause cause) {
   return cause.axis < 0 ? QString() : QString(QLatin1Char(axis_name(cause)));
 }
 
+/// The axis that the numbers of the formula are of.
+QString axis_of_formula(const Reason& reason) {
+  const auto of_axis = [](const Quantity& quantity) { return quantity.axis >= 0; };
+  const auto found = std::ranges::find_if(reason.formula.numbers, of_axis);
+  return found == reason.formula.numbers.end()
+             ? QStringLiteral("–")
+             : QString(QLatin1Char(known_axes[static_cast<std::size_t>(found->axis)].name));
+}
+
 QString of_symbol(const Reason& reason, Symbol symbol) {
   const Quantity* found = reason.formula.find(symbol);
   return found == nullptr ? QStringLiteral("–") : WhyText::number(found->value, dimension_of(symbol));
@@ -235,6 +244,25 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
     case CauseKind::lookahead_horizon:
       return tr("The control looks ahead over the next %1 of the path and must be able to stop within them.")
           .arg(of_symbol(reason, Symbol::length_ahead));
+    case CauseKind::junction_deviation:
+      return tr("In the corner the control allows the speed at which an arc no farther from it than %1 would "
+                "use the full acceleration of axis %2, %3.")
+          .arg(of_symbol(reason, Symbol::junction_deviation), axis_of_formula(reason),
+               of_symbol(reason, Symbol::axis_acceleration));
+    case CauseKind::square_corner_velocity:
+      return tr("The control allows %1 in a corner of 90°, and here as much more or less as the corner is "
+                "wider or sharper.")
+          .arg(of_symbol(reason, Symbol::corner_velocity));
+    case CauseKind::cruise_ratio:
+      return tr(
+          "The control keeps a part of the way between two slow places for constant speed, so that the "
+          "tool does not accelerate any further.");
+    case CauseKind::kink:
+      return tr("Where the blocks meet the velocity jumps: the axes must absorb that within one period.");
+    case CauseKind::path_velocity:
+      return tr("The tool runs at the largest speed that the control allows along the path.");
+    case CauseKind::path_acceleration:
+      return tr("The tool accelerates as much as the control allows along the path.");
     case CauseKind::exact_stop:
       return tr("The tool must stop.");
     case CauseKind::dwell:

@@ -156,6 +156,10 @@ void ContourCourse::compacted_nodes(std::uint32_t element, std::vector<double>& 
   const BlendedPath& path = trajectory_.path();
   const auto blocks = static_cast<std::uint32_t>(path.programmed()->segments.size());
   const std::uint32_t first = path.segment(element);
+  if (path.is_executed()) {
+    executed_nodes(element, ends);
+    return;
+  }
   const std::size_t chord = path.base_segment(first);
   std::uint32_t limit = blocks;
   if (element + 1 < path.size()) {
@@ -171,6 +175,24 @@ void ContourCourse::compacted_nodes(std::uint32_t element, std::vector<double>& 
   if (several) {
     divide(0, path.length(element), static_cast<int>(end - first) * spans_of_block, ends);
   }
+}
+
+/// A line of the executed path stands for a part of a block, or for several blocks; one that is the block
+/// itself needs no nodes.
+void ContourCourse::executed_nodes(std::uint32_t element, std::vector<double>& ends) const {
+  const BlendedPath& path = trajectory_.path();
+  const Toolpath& programmed = *path.programmed();
+  const std::uint32_t first = path.segment(element);
+  const ElementCurve line = path.curve(element);
+  const Segment& block = programmed.segments[first];
+  if (block.kind == SegmentKind::line && line.end == block.end && line.start == programmed.start_of(first)) {
+    return;
+  }
+  std::uint32_t before = first;
+  if (element > 0 && path.segment(element - 1) < first) {
+    before = path.segment(element - 1) + 1;
+  }
+  divide(0, path.length(element), static_cast<int>(first - before + 1) * spans_of_block, ends);
 }
 
 ContourCourse::Point ContourCourse::at(const CoursePlace& place) {

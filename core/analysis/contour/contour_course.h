@@ -50,6 +50,7 @@ class ContourCourse {
   void filtered_nodes(std::uint32_t element, std::vector<double>& ends);
   void divide_filtered(const FilteredMotion& motion, double from, double to, std::vector<double>& ends);
   void compacted_nodes(std::uint32_t element, std::vector<double>& ends) const;
+  void executed_nodes(std::uint32_t element, std::vector<double>& ends) const;
   const ElementCurve& curve(std::uint32_t element);
 
   const Trajectory& trajectory_;

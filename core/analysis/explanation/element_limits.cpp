@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/base/units.h"
 #include "core/blend/path_rules.h"
+#include "core/models/klipper/klipper_settings.h"
 #include "core/models/tapie/set_point.h"
 
 namespace feedscope {
@@ -33,7 +35,7 @@ double ElementLimits::setting(std::string_view key) const {
 }
 
 std::size_t ElementLimits::block(std::uint32_t element) const {
-  return path_.base_segment(path_.segment(element));
+  return path_.base_segment_of(element);
 }
 
 const Arc* ElementLimits::programmed_arc(std::uint32_t element) const {
@@ -85,6 +87,9 @@ Formula ElementLimits::blend_rest(FormulaId id, Symbol share, Symbol limit, std:
 
 Formula ElementLimits::path_acceleration(std::uint32_t element) const {
   constexpr auto id = FormulaId::path_acceleration;
+  if (traits_.along_path) {
+    return acceleration_along(element);
+  }
   if (path_.in_corner(element) && traits_.ramps_share_corners) {
     return blend_rest(FormulaId::shared_acceleration, Symbol::acceleration_share, Symbol::axis_acceleration,
                       element);
@@ -95,6 +100,30 @@ Formula ElementLimits::path_acceleration(std::uint32_t element) const {
   const ElementCurve curve = path_.curve(element);
   const Vec3 parts = curve.is_arc() ? ArcExtremes(curve.arc).tangent : curve.direction;
   return min_share(id, Symbol::axis_acceleration, axes_.acceleration, parts);
+}
+
+/// The control's own limit along the path, or its limit of Z where that is lower.
+Formula ElementLimits::acceleration_along(std::uint32_t element) const {
+  constexpr std::int8_t z = 2;
+  const KlipperSettings own(run_.setup.machine, run_.setup.settings);
+  const double part = std::abs(path_.curve(element).direction[z]);
+  if (own.max_z_acceleration < part * own.max_acceleration) {
+    return {FormulaId::path_acceleration,
+            {{Symbol::axis_acceleration, z, own.max_z_acceleration}, {Symbol::tangent_part, z, part}}};
+  }
+  return {FormulaId::level_acceleration, {{Symbol::largest_acceleration, -1, own.max_acceleration}}};
+}
+
+/// The same of the velocity.
+Formula ElementLimits::velocity_along(std::uint32_t element) const {
+  constexpr std::int8_t z = 2;
+  const KlipperSettings own(run_.setup.machine, run_.setup.settings);
+  const double part = std::abs(path_.curve(element).direction[z]);
+  if (own.max_z_velocity < part * own.max_velocity) {
+    return {FormulaId::axis_velocity,
+            {{Symbol::axis_velocity, z, own.max_z_velocity}, {Symbol::tangent_part, z, part}}};
+  }
+  return {FormulaId::path_velocity, {{Symbol::path_velocity, -1, own.max_velocity}}};
 }
 
 Formula ElementLimits::path_jerk(std::uint32_t element) const {
@@ -276,6 +305,11 @@ Formula ElementLimits::speed(Cause cause, std::uint32_t element) const {
   if (kind == ElementKind::curve) {
     return curve_speed(cause, element);
   }
+  const bool of_velocity = cause.kind == CauseKind::path_velocity || cause.kind == CauseKind::rapid ||
+                           cause.kind == CauseKind::axis_velocity;
+  if (traits_.along_path && of_velocity) {
+    return velocity_along(element);
+  }
   const ElementCurve curve = path_.curve(element);
   if (cause.kind == CauseKind::interpolation_period) {
     const Segment& whole = path_.base().segments[block(element)];
@@ -359,7 +393,91 @@ Formula ElementLimits::crossing(std::uint32_t element) const {
            {Symbol::curvature_step, bound.axis, std::abs(step[bound.axis])}}};
 }
 
+/// At constant acceleration over the blocks from `element` on: the mean of theirs, weighted with their
+/// lengths.
+Formula ElementLimits::stop_within(std::uint32_t element) const {
+  const auto blocks = static_cast<std::uint32_t>(setting(traits_.stops_within));
+  double gained = 0;
+  double length = 0;
+  for (std::uint32_t e = element; e < path_.size() && e + 1 - element < blocks; ++e) {
+    if (path_.kind(e) == ElementKind::dwell) {
+      break;
+    }
+    gained += path_acceleration(e).value() * path_.length(e);
+    length += path_.length(e);
+  }
+  if (!(length > 0)) {
+    return {};
+  }
+  return {FormulaId::stop_within_blocks,
+          {{Symbol::path_acceleration, -1, gained / length}, {Symbol::length_ahead, -1, length}}};
+}
+
+namespace {
+
+/// Of a corner: half the angle between the blocks that meet.
+struct HalfTurn {
+  double sine = 1;  ///< 1: straight on
+  double cosine = 0;
+};
+
+std::optional<HalfTurn> half_turn(const BlendedPath& path, std::uint32_t element) {
+  if (element == 0 || element >= path.size() || path.kind(element) == ElementKind::dwell ||
+      path.kind(element - 1) == ElementKind::dwell) {
+    return std::nullopt;
+  }
+  const double cosine = -path.curve(element - 1).direction.dot(path.curve(element).direction);
+  const HalfTurn half{std::sqrt(std::max(0.0, (1 - cosine) / 2)), std::sqrt(std::max(0.0, (1 + cosine) / 2))};
+  return half.cosine > 1e-6 ? std::optional(half) : std::nullopt;
+}
+
+}  // namespace
+
+Formula ElementLimits::junction_deviation(std::uint32_t element) const {
+  const std::optional<HalfTurn> half = half_turn(path_, element);
+  if (!half) {
+    return {};
+  }
+  const Vec3 across = (path_.curve(element).direction - path_.curve(element - 1).direction).normalized();
+  const AxisBound bound = axis_share(axes_.acceleration, across);
+  return {FormulaId::junction_deviation,
+          {{Symbol::axis_acceleration, bound.axis, axes_.acceleration[bound.axis]},
+           {Symbol::normal_part, bound.axis, std::abs(across[bound.axis])},
+           {Symbol::junction_deviation, -1, setting("junction_deviation_mm")},
+           {Symbol::half_turn_sine, -1, half->sine}}};
+}
+
+Formula ElementLimits::square_corner(std::uint32_t element) const {
+  const std::optional<HalfTurn> half = half_turn(path_, element);
+  if (!half || half->sine >= 1) {
+    return {};
+  }
+  const KlipperSettings own(run_.setup.machine, run_.setup.settings);
+  const Quantity sine{Symbol::half_turn_sine, -1, half->sine};
+  const Quantity tangent{Symbol::half_turn_tangent, -1, half->sine / half->cosine};
+  Formula least;
+  for (const std::uint32_t e : {element - 1, element}) {
+    const Quantity acceleration{Symbol::path_acceleration, -1, path_acceleration(e).value()};
+    for (const Formula& formula :
+         {Formula{FormulaId::square_corner,
+                  {{Symbol::corner_velocity, -1, own.square_corner_velocity},
+                   sine,
+                   acceleration,
+                   {Symbol::largest_acceleration, -1, own.max_acceleration}}},
+          Formula{FormulaId::corner_within_blocks,
+                  {acceleration, {Symbol::block_length, -1, path_.length(e)}, tangent}}}) {
+      if (least.empty() || formula.value() < least.value()) {
+        least = formula;
+      }
+    }
+  }
+  return least;
+}
+
 Formula ElementLimits::horizon(std::uint32_t element) const {
+  if (!traits_.stops_within.empty()) {
+    return stop_within(element);
+  }
   const auto blocks = static_cast<std::size_t>(setting("lookahead_blocks"));
   LeastRamp least;
   double length = 0;

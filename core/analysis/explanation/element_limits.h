@@ -28,6 +28,10 @@ class ElementLimits {
   /// From the junction before `element` standstill must be reached within the look-ahead.
   Formula horizon(std::uint32_t element) const;
 
+  /// In the corner before `element`, as grbl and as Klipper have it; none where there is no corner.
+  Formula junction_deviation(std::uint32_t element) const;
+  Formula square_corner(std::uint32_t element) const;
+
   const LimitTraits& traits() const { return traits_; }
   const AxisVectors& axes() const { return axes_; }
   double setting(std::string_view key) const;
@@ -41,6 +45,9 @@ class ElementLimits {
   Formula curve_speed(Cause cause, std::uint32_t element) const;
   Formula curve_ramp(bool by_jerk, std::uint32_t element) const;
   std::size_t block(std::uint32_t element) const;
+  Formula stop_within(std::uint32_t element) const;
+  Formula acceleration_along(std::uint32_t element) const;
+  Formula velocity_along(std::uint32_t element) const;
   /// The arc of an element that runs on one; null for a line.
   const Arc* programmed_arc(std::uint32_t element) const;
   bool accelerates_by_jumps(std::uint32_t element) const;

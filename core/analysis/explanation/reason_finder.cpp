@@ -29,6 +29,13 @@ void look_around(std::uint32_t middle, std::uint32_t farthest, std::size_t size,
   }
 }
 
+/// The place that limits is where two elements meet.
+bool is_of_junction(CauseKind kind) {
+  return kind == CauseKind::curvature_crossing || kind == CauseKind::lookahead_horizon ||
+         kind == CauseKind::junction_deviation || kind == CauseKind::square_corner_velocity ||
+         kind == CauseKind::kink;
+}
+
 bool is_blend_row(CauseKind kind) {
   return kind >= CauseKind::blend_velocity && kind <= CauseKind::blend_tangential_jerk;
 }
@@ -54,7 +61,8 @@ Reason ReasonFinder::made(Cause cause, Formula formula, double reached, std::uin
 }
 
 Reason ReasonFinder::find(const State& state, Cause cause) const {
-  const bool on_ramp_up = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk;
+  const bool on_ramp_up = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk ||
+                          cause.kind == CauseKind::path_acceleration;
   if (cause.kind == CauseKind::exact_stop || is_pause(cause.kind)) {
     return made(cause, {}, 0, state.element);
   }
@@ -64,12 +72,12 @@ Reason ReasonFinder::find(const State& state, Cause cause) const {
   if (on_ramp_up) {
     return limits_.traits().along_and_across ? whole_axis(state, cause) : on_ramp(state, cause);
   }
+  if (is_of_junction(cause.kind)) {
+    return at_junction(state, cause);
+  }
   switch (cause.kind) {
     case CauseKind::ramp_down:
       return braking(state);
-    case CauseKind::curvature_crossing:
-    case CauseKind::lookahead_horizon:
-      return at_junction(state, cause);
     default:
       return is_sampled(state) && is_blend_row(cause.kind) ? sampled_on_blend(state, cause)
                                                            : of_speed(state, cause);
@@ -82,12 +90,11 @@ bool ReasonFinder::is_sampled(const State& state) const {
 }
 
 Reason ReasonFinder::find_at_start(const State& state, Cause cause) const {
-  const bool junction =
-      cause.kind == CauseKind::curvature_crossing || cause.kind == CauseKind::lookahead_horizon;
   const bool stop = cause.kind == CauseKind::exact_stop || is_pause(cause.kind);
-  const bool axis = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk;
+  const bool axis = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk ||
+                    cause.kind == CauseKind::path_acceleration;
   const bool filtered = run_.path().kind(state.element) == ElementKind::filtered;
-  return junction || stop || axis || filtered ? find(state, cause) : of_speed(state, cause);
+  return is_of_junction(cause.kind) || stop || axis || filtered ? find(state, cause) : of_speed(state, cause);
 }
 
 /// The ramp has the limits of the element that allows least; the axis tells which one that is.
@@ -115,6 +122,9 @@ Reason ReasonFinder::braking(const State& state) const {
   const Cause cause{CauseKind::ramp_down};
   const std::size_t index = run_.piece_at(state.time);
   const Piece& piece = run_.pieces()[index];
+  if (piece.law == Law::path_length && piece.a < 0 && piece.j == 0) {
+    return braking_evenly(piece, run_.piece_end(index) - piece.time, state.element);
+  }
   if (piece.law != Law::ramp) {
     return made(cause, {}, 0, state.element);
   }
@@ -130,8 +140,31 @@ Reason ReasonFinder::braking(const State& state) const {
   return made(cause, std::move(formula), end.q - piece.q, state.element);
 }
 
+Reason ReasonFinder::braking_evenly(const Piece& piece, double duration, std::uint32_t element) const {
+  const LawPoint end = advance({piece.q, piece.v, piece.a, piece.j}, duration);
+  return made({CauseKind::ramp_down},
+              {FormulaId::braking_evenly,
+               {{Symbol::speed_before, -1, piece.v},
+                {Symbol::speed_after, -1, std::max(end.v, 0.0)},
+                {Symbol::path_acceleration, -1, -piece.a}}},
+              end.q - piece.q, element);
+}
+
 Reason ReasonFinder::at_junction(const State& state, Cause cause) const {
-  const bool crossing = cause.kind == CauseKind::curvature_crossing;
+  const auto formula_before = [&](std::uint32_t element) {
+    switch (cause.kind) {
+      case CauseKind::curvature_crossing:
+        return limits_.crossing(element);
+      case CauseKind::junction_deviation:
+        return limits_.junction_deviation(element);
+      case CauseKind::square_corner_velocity:
+        return limits_.square_corner(element);
+      case CauseKind::lookahead_horizon:
+        return limits_.horizon(element);
+      default:
+        return Formula();
+    }
+  };
   constexpr std::uint32_t near = 2;  // the instant lies on the junction, or within rounding of it
   Formula best;
   std::uint32_t found = state.element;
@@ -140,7 +173,7 @@ Reason ReasonFinder::at_junction(const State& state, Cause cause) const {
     if (junction >= run_.path().size() || run_.path().kind(junction) == ElementKind::dwell) {
       continue;
     }
-    Formula formula = crossing ? limits_.crossing(junction) : limits_.horizon(junction);
+    Formula formula = formula_before(junction);
     if (best.empty() || mismatch(formula, state.speed) < mismatch(best, state.speed)) {
       best = std::move(formula);
       found = junction;
@@ -312,6 +345,14 @@ std::string_view source_of(FormulaId id, const LimitTraits& traits) {
       return "Ward 2021, eq 25 to 30";
     case FormulaId::arc_error:
       return "Ward 2021, eq 1, on a circle";
+    case FormulaId::junction_deviation:
+    case FormulaId::square_corner:
+    case FormulaId::corner_within_blocks:
+    case FormulaId::stop_within_blocks:
+    case FormulaId::braking_evenly:
+    case FormulaId::path_velocity:
+    case FormulaId::level_acceleration:
+      return {};  // each model has its own
     case FormulaId::whole_acceleration:
     case FormulaId::whole_jerk:
       return "Pham and Pham 2018";

@@ -21,6 +21,8 @@ class ReasonFinder {
   bool is_sampled(const State& state) const;
   Reason on_ramp(const State& state, Cause cause) const;
   Reason braking(const State& state) const;
+  /// A way of even deceleration, of a piece that lasts `duration` [s].
+  Reason braking_evenly(const Piece& piece, double duration, std::uint32_t element) const;
   Reason at_junction(const State& state, Cause cause) const;
   Reason of_speed(const State& state, Cause cause) const;
   Reason on_blend(const State& state, Cause cause, std::uint32_t element) const;

@@ -179,6 +179,22 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
       break;
     case CauseKind::lookahead_horizon:
       candidates.setting("lookahead_blocks", 2);
+      candidates.setting("buffer_blocks", 2);
+      break;
+    case CauseKind::junction_deviation:
+      candidates.setting("junction_deviation_mm", 2);
+      break;
+    case CauseKind::square_corner_velocity:
+      candidates.setting("square_corner_velocity_mm_s", more);
+      break;
+    case CauseKind::cruise_ratio:
+      candidates.setting("minimum_cruise_ratio", 0.5);
+      break;
+    case CauseKind::path_velocity:
+      candidates.setting("max_velocity_m_min", more);
+      break;
+    case CauseKind::path_acceleration:
+      candidates.setting("max_acceleration_m_s2", more);
       break;
     case CauseKind::exact_stop:
       larger_tolerance(candidates);

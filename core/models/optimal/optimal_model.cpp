@@ -24,7 +24,7 @@ constexpr double share_of_tolerance = 1e-3;
 /// What the models whose paths can be taken read, each key once.
 void add_settings_of_paths(ModelInfo& info, SettingSpec& path) {
   for (const ControlModel* model : all_models()) {
-    if (dynamic_cast<const OptimalModel*>(model) != nullptr) {
+    if (dynamic_cast<const OptimalModel*>(model) != nullptr || model->info().limits.jumps_in_corners) {
       continue;
     }
     const ModelInfo& inner = model->info();

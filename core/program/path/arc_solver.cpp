@@ -73,6 +73,9 @@ ArcSolution solve_center_arc(const Vec3& start, const Vec3& end, const Vec3& cen
     solution = sweep > half_turn && shift.norm() > tolerance.of(start_radius)
                    ? two_arcs(start, end, level_center, axis, sweep, extra_turns)
                    : one_arc(end, level_center + shift, axis, extra_turns);
+    if (solution.count == 1) {
+      solution.pieces[0].words.misfit = -shift;
+    }
   }
   solution.start_radius = start_radius;
   solution.end_radius = end_radius;

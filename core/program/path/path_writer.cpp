@@ -173,6 +173,7 @@ void PathWriter::arc(const ArcRequest& request, const ArcSolution& solution) {
     ArcWords shown = piece.words;
     if (!frame_.is_identity()) {
       shown.center = frame_.to_shown(shown.center);
+      shown.misfit = frame_.turned(shown.misfit);
     }
     if (!frame_.is_shift()) {
       if (frame_.scale_across(piece.words.axis) == 0) {

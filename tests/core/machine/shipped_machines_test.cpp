@@ -45,9 +45,10 @@ std::string readme_section(const Machine& machine) {
   return text;
 }
 
-TEST(ShippedMachines, AreTheFiveOfThePapers) {
-  EXPECT_EQ(library().ids(), (std::vector<std::string>{"dmg-mori-evo40", "hermle-c800u", "huron-kx10",
-                                                       "mikron-ucp710", "spinner-mvc850"}));
+TEST(ShippedMachines, AreThoseOfThePapersAndOfOpenControls) {
+  EXPECT_EQ(library().ids(),
+            (std::vector<std::string>{"dmg-mori-evo40", "grbl-router", "hermle-c800u", "huron-kx10",
+                                      "klipper-corexy", "mikron-ucp710", "spinner-mvc850"}));
 }
 
 TEST(ShippedMachines, LoadWithTheirFileNameAsId) {

@@ -1,0 +1,44 @@
+#include "core/analysis/refused_lines.h"
+
+#include <fmt/format.h>
+
+namespace feedscope {
+
+std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup) {
+  return program.toolpath->source ? setup.model->read(program.toolpath, setup.settings).refused
+                                  : program.lines_not_run;
+}
+
+std::string line_list(const std::vector<Diagnostic>& lines) {
+  constexpr std::size_t most = 8;  // ranges that are named
+  std::string list;
+  std::size_t named = 0;
+  std::size_t i = 0;
+  for (; i < lines.size() && named < most; ++named) {
+    std::size_t last = i;
+    while (last + 1 < lines.size() && lines[last + 1].line == lines[last].line + 1) {
+      ++last;
+    }
+    list += fmt::format("{}{}", named == 0 ? "" : ", ", lines[i].line);
+    if (last > i) {
+      list += fmt::format("{}{}", last == i + 1 ? ", " : " to ", lines[last].line);
+    }
+    i = last + 1;
+  }
+  if (i < lines.size()) {
+    list += fmt::format(" and {} more", lines.size() - i);
+  }
+  return list;
+}
+
+std::string refused_note(const std::vector<Diagnostic>& lines) {
+  if (lines.empty()) {
+    return {};
+  }
+  return fmt::format("{} of the program {} by the control and not run ({} {}).",
+                     lines.size() == 1 ? "1 line" : fmt::format("{} lines", lines.size()),
+                     lines.size() == 1 ? "is refused" : "are refused", lines.size() == 1 ? "line" : "lines",
+                     line_list(lines));
+}
+
+}  // namespace feedscope

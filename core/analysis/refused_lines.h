@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/analysis/run.h"
+
+namespace feedscope {
+
+/// The lines of `program` that the control of `setup` refuses, as notes. `program`: as it was loaded, or the
+/// input of a run with this setup.
+std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup);
+
+/// "5, 9, 20 to 22 and 7 more": numbers of the first of these lines.
+std::string line_list(const std::vector<Diagnostic>& lines);
+
+/// How many lines the control refuses, and which; empty for none.
+std::string refused_note(const std::vector<Diagnostic>& lines);
+
+}  // namespace feedscope

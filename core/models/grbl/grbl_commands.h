@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "core/models/grbl/grbl_line.h"
+
+namespace feedscope {
+
+/// What grbl keeps from line to line.
+struct GrblModes {
+  int motion = 0;  ///< G0 to G3, G38 (probing), G80
+  int plane = 17;
+  bool incremental = false;
+  bool inverse_time = false;
+  bool inch = false;
+  std::size_t offset = 0;  ///< of G54 to G59
+  int spindle = 5;         ///< M3, M4, M5
+  bool coolant = false;
+};
+
+/// What a line asks for.
+struct GrblCommands {
+  /// Which command the axis words belong to.
+  enum class Axes : std::uint8_t { none, motion, set_offset, home, second_home, shift, tool_length };
+
+  GrblModes modes;  ///< from this line on
+  Axes axes = Axes::none;
+  bool machine_place = false;  ///< G53
+  bool dwell = false;          ///< G4
+  bool save_home = false;      ///< G28.1
+  bool save_second_home = false;
+  bool clear_shift = false;     ///< G92.1
+  bool no_tool_length = false;  ///< G49
+  bool end = false;             ///< M2, M30
+  bool stop = false;            ///< M0, M1
+};
+
+/// The commands of `line` in a state of `modes`; or why grbl rejects them.
+std::optional<GrblError> find_grbl_commands(const GrblLine& line, const GrblModes& modes,
+                                            GrblCommands& found);
+
+}  // namespace feedscope

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace feedscope {
+
+/// Why grbl rejects a line: the number of its message "error:N", and the word or value it is about.
+struct GrblError {
+  int number = 0;
+  std::string about = {};
+};
+
+/// What a grbl of version 1.1 says of it, in our words.
+std::string_view grbl_error_text(int number);
+
+/// One line as grbl reads it: its commands and values.
+struct GrblLine {
+  struct Code {
+    int number = 0;   ///< G17 17, G38.2 38
+    int decimal = 0;  ///< G38.2 2
+  };
+  std::vector<Code> g;
+  std::vector<int> m;
+  std::array<std::optional<float>, 26> values{};  ///< of the other letters
+
+  bool has(char letter) const { return value(letter).has_value(); }
+  const std::optional<float>& value(char letter) const {
+    return values[static_cast<std::size_t>(letter - 'A')];
+  }
+  bool empty() const;
+};
+
+/// Blanks, control characters, "/" and comments are dropped and letters raised; then words are read. Returns
+/// what is wrong with them.
+std::optional<GrblError> read_grbl_line(std::string_view text, GrblLine& line);
+
+}  // namespace feedscope

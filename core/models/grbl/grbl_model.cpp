@@ -1,0 +1,135 @@
+#include "core/models/grbl/grbl_model.h"
+
+#include "core/base/translatable.h"
+#include "core/base/units.h"
+#include "core/models/control_reading.h"
+#include "core/models/grbl/grbl_reading.h"
+#include "core/models/grbl/grbl_run.h"
+
+namespace feedscope {
+namespace {
+
+SettingSpec number(const char* key, const char* title, const char* unit, double minimum, double maximum,
+                   double fallback, const char* explanation) {
+  SettingSpec spec;
+  spec.key = key;
+  spec.title = title;
+  spec.unit = unit;
+  spec.minimum = minimum;
+  spec.maximum = maximum;
+  spec.fallback = fallback;
+  spec.explanation = explanation;
+  return spec;
+}
+
+std::vector<SettingSpec> own_settings() {
+  std::vector<SettingSpec> specs{
+      number(
+          "junction_deviation_mm", QT_TRANSLATE_NOOP("core", "Junction deviation"), "mm", 0, 10, 0.01,
+          QT_TRANSLATE_NOOP("core",
+                            "$11 of grbl: how far an arc in a corner might leave it; the speed that such an "
+                            "arc would allow is that of the corner, which itself is run as programmed.")),
+      number("arc_tolerance_mm", QT_TRANSLATE_NOOP("core", "Arc tolerance"), "mm", 1e-4, 10, 0.002,
+             QT_TRANSLATE_NOOP("core",
+                               "$12 of grbl: how far the chords that arcs are cut into may leave them.")),
+      number("buffer_blocks", QT_TRANSLATE_NOOP("core", "Planner buffer"), "", 2, 1000, 15,
+             QT_TRANSLATE_NOOP("core",
+                               "Blocks that are planned together, the running one included; the last of them "
+                               "always ends at rest.")),
+      number(
+          "idle_delay_ms", QT_TRANSLATE_NOOP("core", "Idle delay"), "ms", 0, 254, 25,
+          QT_TRANSLATE_NOOP("core", "$1 of grbl: time for which the motors hold each time all motion ends.")),
+  };
+  specs[2].whole = true;
+  SettingSpec timing;
+  timing.key = "step_timing";
+  timing.title = QT_TRANSLATE_NOOP("core", "Step timing");
+  timing.explanation = QT_TRANSLATE_NOOP("core",
+                                         "on: times as the step timer makes them, with whole steps and whole "
+                                         "timer counts, where steps per mm are "
+                                         "given; off: as planned.");
+  timing.choices = {"on", "off"};
+  specs.push_back(std::move(timing));
+  specs.push_back(refuse_setting());
+  return specs;
+}
+
+}  // namespace
+
+GrblSettings::GrblSettings(const Machine& machine, const Settings& settings)
+    : junction_deviation(static_cast<float>(settings.number("junction_deviation_mm"))),
+      arc_tolerance(static_cast<float>(settings.number("arc_tolerance_mm"))),
+      buffer_blocks(static_cast<std::size_t>(settings.number("buffer_blocks"))),
+      idle_delay(units::from_ms(settings.number("idle_delay_ms"))),
+      step_timing(settings.text("step_timing") == "on") {
+  constexpr double minute = 60;
+  for (std::size_t i = 0; i < steps.size(); ++i) {
+    const char name = coordinate_names[i];
+    const AxisDrive* drive = machine.drives.find(name);
+    steps[i] = drive == nullptr ? 0 : static_cast<float>(drive->steps_per_mm.value_or(0));
+    if (const AxisLimits* axis = machine.axes.find(name)) {
+      rate[i] = static_cast<float>(axis->velocity * minute);
+      acceleration[i] = static_cast<float>(axis->acceleration) * 3600.0F;
+    }
+  }
+}
+
+const ModelInfo& GrblModel::info() const {
+  static const ModelInfo info{
+      "grbl",
+      QT_TRANSLATE_NOOP("core", "Open control grbl 1.1"),
+      "grbl 1.1h, rebuilt from a description of its planner and compared with results of its own code",
+      QT_TRANSLATE_NOOP(
+          "core",
+          "Corners are passed at the speed that the junction deviation allows, with constant acceleration "
+          "and no "
+          "limit of the jerk; arcs are cut into chords. The control plans 15 blocks ahead and must be able "
+          "to "
+          "stop within them, so that short blocks are slow. Lines that it does not understand are not run."),
+      own_settings(),
+      {},
+      {"No jerk is limited, and in corners the velocity of an axis jumps.",
+       "Rapids and feed motions meet by the rule of corners; there is no stop between them."},
+      {.jumps_in_corners = true,
+       .stops_within = "buffer_blocks",
+       .sources = {{FormulaId::junction_deviation, "grbl 1.1, junction deviation $11"},
+                   {FormulaId::stop_within_blocks, "grbl 1.1, planner buffer"},
+                   {FormulaId::braking_evenly, "grbl 1.1, constant acceleration"},
+                   {FormulaId::path_acceleration, "grbl 1.1, $120 to $122"},
+                   {FormulaId::axis_velocity, "grbl 1.1, $110 to $112"}}}};
+  return info;
+}
+
+Guarantees GrblModel::guarantees(const Settings& settings) const {
+  constexpr double rounding = 1.01;  // of ramps of few hundredths of a millimetre
+  Guarantees promised;
+  promised.meets_tangent_ends = false;
+  promised.stops_at_rapids = promised.stops_at_reversals = false;
+  promised.rounds_places = promised.arcs_are_chords = true;
+  promised.begins_again_at_stops = false;
+  if (settings.text("step_timing") == "on") {
+    promised.continuity = Continuity::position;
+    promised.feed = Guarantees::unbounded;
+  } else {
+    promised.lines.velocity = {KeptLimit::Of::whole, 1};
+    promised.lines.acceleration = {KeptLimit::Of::whole, rounding};
+    promised.arcs = promised.lines;
+  }
+  return promised;
+}
+
+ControlReading GrblModel::do_read(const std::shared_ptr<const Toolpath>& toolpath,
+                                  const Settings& settings) const {
+  if (settings.text("refuse") == "off") {
+    return {toolpath, {}};
+  }
+  return reading_of(read_as_grbl(toolpath->source, static_cast<float>(settings.number("arc_tolerance_mm"))),
+                    *toolpath);
+}
+
+Trajectory GrblModel::do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
+                                  const Settings& settings, Progress* progress) const {
+  return GrblRun(toolpath, machine, GrblSettings(machine, settings)).run(progress);
+}
+
+}  // namespace feedscope

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+
+#include "core/models/grbl/grbl_settings.h"
+
+namespace feedscope {
+
+/// Why a block cannot be entered faster than GrblBlock::max_entry_squared.
+enum class GrblEntry : std::uint8_t { rest, junction, own_speed, speed_before };
+
+/// A straight block as grbl plans it; mm and minutes.
+struct GrblBlock {
+  float entry_squared = 0;      ///< planned entry speed squared [mm2/min2]
+  float max_entry_squared = 0;  ///< the most that it may be [mm2/min2]
+  float acceleration = 0;       ///< [mm/min2]
+  float nominal = 0;            ///< speed at most [mm/min]
+  float left = 0;               ///< length that is not yet prepared [mm]
+  std::array<std::uint32_t, 3> steps{};
+  std::uint32_t step_count = 0;  ///< of the axis that makes most of them; 0 without steps
+  std::uint32_t id = 0;          ///< number of the segment that it is
+  std::int8_t acceleration_axis = -1;
+  std::int8_t speed_axis = -1;  ///< that limits the nominal speed; -1: the programmed feed does
+  GrblEntry entry = GrblEntry::rest;
+};
+
+/// Where a line begins or ends: machine coordinates as they are kept between blocks.
+struct GrblPlace {
+  std::array<std::int32_t, 3> steps{};
+  std::array<float, 3> mm{};  ///< without steps
+};
+
+/// The blocks that grbl looks ahead over, and their entry speeds (README.md, "Planning").
+class GrblPlanner {
+ public:
+  explicit GrblPlanner(const GrblSettings& settings);
+
+  /// Sets where the tool is, with nothing queued.
+  void set_place(const std::array<float, 3>& mm);
+  const GrblPlace& place() const { return place_; }
+
+  bool empty() const { return blocks_.empty(); }
+  bool full() const { return blocks_.size() >= settings_.buffer_blocks; }
+  std::size_t size() const { return blocks_.size(); }
+  GrblBlock& front() { return blocks_.front(); }
+  const GrblBlock& operator[](std::size_t i) const { return blocks_[i]; }
+
+  struct Line {
+    std::array<float, 3> target{};  ///< [mm]
+    float feed = 0;                 ///< [mm/min]
+    bool rapid = false;
+    std::uint32_t id = 0;  ///< as GrblBlock::id
+  };
+  /// Queues a line. `running_speed`: of the front block, if it is being prepared [mm/min]. False where the
+  /// line makes no step.
+  bool add(const Line& line, std::optional<float> running_speed);
+  /// Whether the last add() looked back as far as the front block: if that is being prepared, it begins again
+  /// from its running speed.
+  bool reached_front() const { return reached_front_; }
+
+  /// Exit speed squared of the front block [mm2/min2].
+  float exit_squared() const { return blocks_.size() > 1 ? blocks_[1].entry_squared : 0; }
+  /// The front block is prepared to its end.
+  void pop();
+
+ private:
+  void replan(std::optional<float> running_speed);
+
+  const GrblSettings& settings_;
+  std::deque<GrblBlock> blocks_;
+  std::size_t planned_ = 0;  ///< first block whose entry speed is final
+  GrblPlace place_;
+  std::array<float, 3> direction_before_{};  ///< of the block queued last
+  float nominal_before_ = 0;                 ///< of the block queued last [mm/min]
+  bool reached_front_ = false;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+
+#include "core/base/progress.h"
+#include "core/models/grbl/grbl_arc.h"
+#include "core/models/grbl/grbl_steps.h"
+#include "core/trajectory/trajectory_builder.h"
+
+namespace feedscope {
+
+/// Feeds a toolpath to a grbl that is never kept waiting, and lays what its step generator runs (README.md,
+/// "What happens when").
+class GrblRun {
+ public:
+  GrblRun(std::shared_ptr<const Toolpath> toolpath, const Machine& machine, const GrblSettings& settings);
+
+  Trajectory run(Progress* progress);
+
+ private:
+  void feed_line(const Segment& segment);
+  void feed_arc(const Segment& segment, const Arc& arc);
+  void queue_line(const std::array<float, 3>& target, const Segment& segment);
+  void run_out();
+  void prepare();
+  /// A part of a block that is laid as one piece.
+  struct Ramp {
+    double before = 0;  ///< speed [mm/s]
+    double after = 0;   ///< speed [mm/s]
+    double way = 0;     ///< [mm]
+    double time = 0;    ///< [s]
+    GrblPhase phase = GrblPhase::cruises;
+    Cause cause, ahead;
+  };
+
+  void lay(const GrblBlock& block, const GrblSegment& segment);
+  Ramp ramp_of(const GrblSpan& span) const;
+  void collect(const Ramp& ramp);
+  void lay_collected();
+  void add(const Ramp& ramp);
+  void name_causes();
+  Cause level_cause(const GrblBlock& block) const;
+  void pause(const Segment& segment);
+  Vec3 place_of(const GrblPlace& place) const;
+
+  const Toolpath& toolpath_;
+  GrblSettings settings_;
+  std::shared_ptr<ExecutedPath> executed_;
+  TrajectoryBuilder builder_;
+  GrblPlanner planner_;
+  GrblSteps steps_;
+  std::uint32_t block_ = 0;      ///< that is fed
+  std::size_t ready_ = 0;        ///< segments that are prepared and not run
+  bool running_ = false;         ///< the step generator runs
+  bool draining_ = false;        ///< all motion that is queued is to end
+  bool moved_ = false;           ///< since all motion ended last
+  std::size_t last_motion_ = 0;  ///< of the toolpath
+  std::uint32_t element_ = 0;    ///< of the block under way
+  std::uint32_t begun_ = 0;      ///< segments of the executed path that are laid
+  double laid_ = 0;              ///< of the block under way [mm]
+  double scale_ = 1;             ///< length of its element over that of the block
+  double acceleration_ = 0;      ///< of the block under way [mm/s2]
+  std::vector<Ramp> ramps_;      ///< of the block under way, where times are as planned
+  Cause up_, level_, ahead_;     ///< of the block under way
+};
+
+}  // namespace feedscope

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/models/control_model.h"
+
+namespace feedscope {
+
+/// Klipper, the firmware of printers (README.md beside this file): square corner velocity, minimum cruise
+/// ratio.
+class KlipperModel : public ControlModel {
+ public:
+  const ModelInfo& info() const override;
+  Guarantees guarantees(const Settings& settings) const override;
+
+ private:
+  ControlReading do_read(const std::shared_ptr<const Toolpath>& toolpath,
+                         const Settings& settings) const override;
+  Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
+                         const Settings& settings, Progress* progress) const override;
+};
+
+}  // namespace feedscope

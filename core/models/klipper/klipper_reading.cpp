@@ -1,0 +1,293 @@
+#include "core/models/klipper/klipper_reading.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "core/models/klipper/klipper_line.h"
+
+namespace feedscope {
+namespace {
+
+/// Why a line is not run; empty: it is.
+using Refusal = std::string;
+
+/// Known commands of printers that neither move nor wait for motion.
+constexpr std::array<std::string_view, 28> without_motion{"G21",
+                                                          "M82",
+                                                          "M83",
+                                                          "M104",
+                                                          "M105",
+                                                          "M106",
+                                                          "M107",
+                                                          "M109",
+                                                          "M110",
+                                                          "M114",
+                                                          "M115",
+                                                          "M117",
+                                                          "M118",
+                                                          "M140",
+                                                          "M190",
+                                                          "M73",
+                                                          "M18",
+                                                          "M84",
+                                                          "M221",
+                                                          "M900",
+                                                          "ECHO",
+                                                          "HELP",
+                                                          "STATUS",
+                                                          "GET_POSITION",
+                                                          "SET_PRESSURE_ADVANCE",
+                                                          "SET_GCODE_VARIABLE",
+                                                          "M201",
+                                                          "M203"};
+
+class KlipperReader {
+ public:
+  explicit KlipperReader(std::shared_ptr<const SourceText> source) {
+    program_.source = std::move(source);
+    program_.dialect = Dialect::grbl;
+    program_.path_controls.emplace_back();
+    program_.spindles.emplace_back();
+  }
+
+  Program read() {
+    const SourceText& text = *program_.source;
+    for (number_ = 1; number_ <= text.line_count(); ++number_) {
+      line_ = read_klipper_line(text.line(number_));
+      if (line_.command.empty()) {
+        continue;
+      }
+      ++program_.block_count;
+      if (Refusal why = run(); !why.empty()) {
+        refuse(why);
+      }
+    }
+    return std::move(program_);
+  }
+
+ private:
+  void refuse(const Refusal& why) {
+    Diagnostic note;
+    note.severity = Severity::info;
+    note.line = number_;
+    note.code = "refused";
+    note.message = fmt::format("Klipper rejects the line ({}); it is not run", why);
+    program_.diagnostics.push_back(std::move(note));
+  }
+
+  Refusal run() {
+    const std::string& command = line_.command;
+    if (command == "G0" || command == "G1") {
+      return move();
+    }
+    if (command == "G2" || command == "G3") {
+      return arc(command == "G2");
+    }
+    if (command == "G4") {
+      return dwell();
+    }
+    if (command == "G17" || command == "G18" || command == "G19") {
+      plane_ = command[2] - '7';
+      return {};
+    }
+    if (command == "G20") {
+      return "G20: inches are not supported";
+    }
+    if (command == "G90" || command == "G91") {
+      incremental_ = command == "G91";
+      return {};
+    }
+    if (command == "G92") {
+      return set_origin();
+    }
+    if (command == "M220") {
+      return set_speed_factor();
+    }
+    if (command == "M400") {
+      wait(0);
+      return {};
+    }
+    const bool known = std::ranges::find(without_motion, command) != without_motion.end();
+    return known ? Refusal() : fmt::format("unknown command {}", command);
+  }
+
+  /// The feed of the line comes into force; what is wrong with it.
+  Refusal take_feed() {
+    if (!line_.has("F")) {
+      return {};
+    }
+    const std::optional<double> feed = line_.number("F");
+    if (!feed || !(*feed > 0)) {
+      return "invalid speed F";
+    }
+    constexpr double seconds_a_minute = 60;
+    speed_ = *feed * factor_ / seconds_a_minute;
+    return {};
+  }
+
+  Refusal move() {
+    Vec3 target = place_;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string_view letter("XYZ" + axis, 1);
+      if (!line_.has(letter)) {
+        continue;
+      }
+      const std::optional<double> value = line_.number(letter);
+      if (!value) {
+        return fmt::format("{} has no number", letter);
+      }
+      target[axis] = *value + (incremental_ ? place_[axis] : origin_[axis]);
+    }
+    if (Refusal why = take_feed(); !why.empty()) {
+      return why;
+    }
+    append(Motion::line, target);
+    return {};
+  }
+
+  MotionBlock& append(Motion motion, const Vec3& target) {
+    MotionBlock& block = program_.motions.emplace_back();
+    block.motion = motion;
+    block.line = number_;
+    block.target = target;
+    block.feed = motion == Motion::dwell ? 0 : speed_;
+    place_ = target;
+    if (motion != Motion::dwell) {
+      program_.bounds.add(target);
+    }
+    return block;
+  }
+
+  Refusal arc(bool clockwise) {
+    static constexpr std::array<std::array<int, 3>, 3> planes{{{0, 1, 2}, {0, 2, 1}, {1, 2, 0}}};
+    const auto [a, b, third] = planes[static_cast<std::size_t>(plane_)];
+    if (incremental_) {
+      return "arcs need absolute coordinates";
+    }
+    if (line_.has("R")) {
+      return "arcs by radius are not supported";
+    }
+    Vec3 target = place_;
+    std::array<double, 2> offset{};
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string_view letter("XYZ" + axis, 1);
+      const std::optional<double> value = line_.number(letter);
+      if (line_.has(letter) && !value) {
+        return fmt::format("{} has no number", letter);
+      }
+      target[axis] = value ? *value + origin_[axis] : place_[axis];
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      offset[i] = line_.number(std::string_view("IJK" + (i == 0 ? a : b), 1)).value_or(0);
+    }
+    if (offset[0] == 0 && offset[1] == 0) {
+      return "centre offsets of the plane are missing";
+    }
+    if (Refusal why = take_feed(); !why.empty()) {
+      return why;
+    }
+    append_arc(target, offset, {a, b, third}, clockwise);
+    return {};
+  }
+
+  void append_arc(const Vec3& target, const std::array<double, 2>& offset, const std::array<int, 3>& axes,
+                  bool clockwise) {
+    constexpr double full_turn = 2 * std::numbers::pi;
+    const auto [a, b, third] = axes;
+    const double x = -offset[0];
+    const double y = -offset[1];
+    Vec3 center = place_;
+    center[a] -= x;
+    center[b] -= y;
+    const double end_x = target[a] - center[a];
+    const double end_y = target[b] - center[b];
+    double angle = std::atan2(x * end_y - y * end_x, x * end_x + y * end_y);
+    angle += angle < 0 ? full_turn : 0;
+    angle -= clockwise ? full_turn : 0;
+    const bool closed = target[a] == place_[a] && target[b] == place_[b];
+    if (angle == 0 && closed) {
+      angle = full_turn;
+    }
+    const double length = std::hypot(angle * std::hypot(x, y), target[third] - place_[third]);
+    if (std::abs(angle) * std::hypot(x, y) <= same_point || length <= same_point) {
+      append(Motion::line, target);
+      return;
+    }
+    ArcWords words;
+    words.center = center;
+    // In the plane ZX as Klipper has it, with X first, the sense is that of the axes X, Z.
+    Vec3 axis = Vec3::Unit(a).cross(Vec3::Unit(b));
+    words.axis = clockwise ? Vec3(-axis) : axis;
+    words.turns = closed ? 1 : 0;
+    MotionBlock& block = append(Motion::arc, target);
+    block.arc = static_cast<std::int32_t>(program_.arcs.size());
+    program_.arcs.push_back(words);
+  }
+
+  Refusal dwell() {
+    constexpr double milliseconds = 1000;
+    const double time = line_.has("P") ? line_.number("P").value_or(-1) : 0;
+    if (time < 0) {
+      return "invalid time P";
+    }
+    wait(time / milliseconds);
+    return {};
+  }
+
+  void wait(double seconds) { append(Motion::dwell, place_).dwell = seconds; }
+
+  Refusal set_origin() {
+    bool any = false;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string_view letter("XYZ" + axis, 1);
+      if (line_.has(letter)) {
+        const std::optional<double> value = line_.number(letter);
+        if (!value) {
+          return fmt::format("{} has no number", letter);
+        }
+        origin_[axis] = place_[axis] - *value;
+        any = true;
+      }
+    }
+    if (!any && !line_.has("E")) {
+      origin_ = place_;
+    }
+    return {};
+  }
+
+  Refusal set_speed_factor() {
+    constexpr double percent = 100;
+    const double factor = line_.number("S").value_or(percent) / percent;
+    if (!(factor > 0)) {
+      return "invalid factor S";
+    }
+    speed_ *= factor / factor_;
+    factor_ = factor;
+    return {};
+  }
+
+  Program program_;
+  KlipperLine line_;
+  std::uint32_t number_ = 0;
+  Vec3 place_ = Vec3::Zero();   ///< [mm]
+  Vec3 origin_ = Vec3::Zero();  ///< of coordinates, moved by G92 [mm]
+  bool incremental_ = false;
+  int plane_ = 0;
+  double speed_ = 25;  ///< [mm/s]; before the first F
+  double factor_ = 1;  ///< of M220
+};
+
+}  // namespace
+
+Program read_as_klipper(std::shared_ptr<const SourceText> source) {
+  return KlipperReader(std::move(source)).read();
+}
+
+}  // namespace feedscope

@@ -1,0 +1,130 @@
+#include "core/models/klipper/klipper_model.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/analysis/run.h"
+#include "tests/support/paths.h"
+
+namespace feedscope {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+constexpr double acceleration = 1000;  // [mm/s2]
+
+/// 100 mm/s and 1000 mm/s2 along the path, square corner velocity 5 mm/s, no cruise ratio.
+Machine machine() {
+  Machine made;
+  made.id = made.name = made.control = made.reference = "klipper";
+  for (const char axis : coordinate_names) {
+    for (const char* limit : {"velocity", "acceleration", "jerk", "blend_jerk"}) {
+      set_axis_limit(made, axis, limit, 500);
+    }
+  }
+  made.settings.set("max_velocity_m_min", 6.0);
+  made.settings.set("max_acceleration_m_s2", acceleration / 1000);
+  made.settings.set("minimum_cruise_ratio", 0.0);
+  return made;
+}
+
+Trajectory run(const Toolpath& path, const Machine& on = machine()) {
+  const ControlModel& klipper = find_model("klipper");
+  return klipper.simulate(path, on, complete_settings(klipper, on));
+}
+
+ControlReading reading(const std::string& text) {
+  const LoadedProgram loaded = load_program(std::make_shared<const SourceText>(SourceText("test.nc", text)));
+  const ControlModel& klipper = find_model("klipper");
+  return klipper.read(loaded.toolpath, complete_settings(klipper, machine()));
+}
+
+TEST(KlipperModel, ALineIsATrapezoid) {
+  const Trajectory line = run(testing::polyline({{0, 0, 0}, {40, 0, 0}}, 50));
+  EXPECT_NEAR(line.duration(), 40.0 / 50 + 50 / acceleration, 1e-12);
+  EXPECT_EQ(line.state(0.01).cause.kind, CauseKind::path_acceleration);
+  EXPECT_EQ(line.state(0.4).cause.kind, CauseKind::programmed_feed);
+  EXPECT_EQ(run(testing::polyline({{0, 0, 0}, {400, 0, 0}}, 500)).state(2).cause.kind,
+            CauseKind::path_velocity);
+}
+
+/// What the square corner velocity is called by: the speed at 90 degrees.
+TEST(KlipperModel, PassesASquareCornerAtTheSquareCornerVelocity) {
+  const Trajectory corner = run(testing::polyline({{0, 0, 0}, {40, 0, 0}, {40, 40, 0}}, 50));
+  EXPECT_NEAR(corner.state_at_path(40).speed, 5, 1e-9);
+  EXPECT_EQ(corner.state_at_path(39.99).slower_place.kind, CauseKind::square_corner_velocity);
+}
+
+TEST(KlipperModel, LimitsZAlongThePath) {
+  Machine slow_z = machine();
+  slow_z.settings.set("max_z_velocity_m_min", 0.6);  // 10 mm/s
+  slow_z.settings.set("max_z_acceleration_m_s2", 0.1);
+  const Trajectory down = run(testing::polyline({{0, 0, 0}, {30, 0, 40}}, 500), slow_z);
+  const double speed = 10 / 0.8;
+  EXPECT_NEAR(down.duration(), 50 / speed + speed / (100 / 0.8), 1e-9);
+  EXPECT_EQ(down.state(2).cause, (Cause{CauseKind::axis_velocity, 2}));
+  EXPECT_EQ(down.state(0.01).cause, (Cause{CauseKind::axis_acceleration, 2}));
+}
+
+/// From rest to rest with half of the way left for constant speed: v^2 = A L / 2 instead of A L.
+TEST(KlipperModel, KeepsAPartOfTheWayForConstantSpeed) {
+  Machine cruising = machine();
+  cruising.settings.set("minimum_cruise_ratio", 0.5);
+  const Trajectory line = run(testing::polyline({{0, 0, 0}, {4, 0, 0}}, 90), cruising);
+  const State middle = line.state(line.duration() / 2);
+  EXPECT_NEAR(middle.speed, std::sqrt(acceleration * 4 / 2), 1e-9);
+  EXPECT_EQ(middle.cause.kind, CauseKind::cruise_ratio);
+}
+
+TEST(KlipperModel, RunsChordsOfTheResolution) {
+  Toolpath path = testing::polyline({{0, 0, 0}, {10, 0, 0}}, 20);
+  testing::append_arc(path, Vec3(10, 10, 0), 1.05, 20);  // 10.5 mm long, resolution 1 mm
+  const Trajectory arc = run(path);
+  ASSERT_EQ(arc.path().size(), 11U);
+  EXPECT_NEAR(arc.path().element(1).length, 2 * 10 * std::sin(0.0525), 1e-9);
+  EXPECT_NEAR((arc.path().element(5).end - Vec3(10, 10, 0)).norm(), 10, 1e-9);
+}
+
+TEST(KlipperReading, RunsNoLineWithoutItsCommand) {
+  const ControlReading read = reading(
+      "G21 G90\n"
+      "G0 X10\n"
+      "X20 Y5\n"
+      "(G1 X30)\n"
+      "G01 X40\n"
+      "M3 S1000\n"
+      "N7 G1 X50 F600\n"
+      "G2 X60 R5\n"
+      "G1 X70 F0\n");
+  std::vector<std::uint32_t> lines;
+  for (const Diagnostic& note : read.refused) {
+    EXPECT_EQ(note.code, "refused");
+    lines.push_back(note.line);
+  }
+  EXPECT_THAT(lines, ElementsAre(3, 4, 5, 6, 8, 9));
+  EXPECT_THAT(read.refused[0].message, HasSubstr("unknown command X20"));
+  ASSERT_EQ(read.path->segments.size(), 2U);
+  EXPECT_DOUBLE_EQ(read.path->segments[0].feed, 25);  // a rapid runs at the feed in force
+  EXPECT_FALSE(read.path->segments[0].rapid);
+  EXPECT_DOUBLE_EQ(read.path->segments[1].feed, 10);
+}
+
+TEST(KlipperReading, WaitsInMilliseconds) {
+  const ControlReading read = reading("G1 X10 F600\nG4 P250\nG1 X20\n");
+  ASSERT_EQ(read.path->segments.size(), 3U);
+  EXPECT_DOUBLE_EQ(read.path->dwell_of(read.path->segments[1]), 0.25);
+}
+
+TEST(KlipperReading, MovesOriginAndSpeed) {
+  const ControlReading read = reading("G1 X10 F600\nG92 X0\nM220 S200\nG1 X5\nG91\nG1 X1 F600\n");
+  ASSERT_EQ(read.path->segments.size(), 3U);
+  EXPECT_DOUBLE_EQ(read.path->segments[1].end.x(), 15);
+  EXPECT_DOUBLE_EQ(read.path->segments[1].feed, 20);
+  EXPECT_DOUBLE_EQ(read.path->segments[2].end.x(), 16);
+}
+
+}  // namespace
+}  // namespace feedscope
