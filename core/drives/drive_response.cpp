@@ -20,8 +20,10 @@ AxisDrives::AxisDrives(const Machine& machine) {
 }
 
 bool has_drives(const Machine& machine) {
-  return std::any_of(machine.drives.begin(), machine.drives.end(),
-                     [](const AxisDrive& drive) { return drive != AxisDrive(); });
+  return std::any_of(machine.drives.begin(), machine.drives.end(), [](AxisDrive drive) {
+    drive.steps_per_mm.reset();  // says where it may stand, not how it follows
+    return drive != AxisDrive();
+  });
 }
 
 DriveResponse::DriveResponse(std::shared_ptr<const Trajectory> trajectory, const Machine& machine,
