@@ -46,10 +46,10 @@ enum class Symbol : std::uint8_t {
   acceleration_across,   ///< a_nX, across it
   jerk_along,            ///< j_tX, the same of a jerk
   jerk_across,           ///< j_nX
-  turning_share,        ///< S, of an axis limit, that turning along a smooth curve may take
-  bend_part,            ///< |k_X|, of the curvature vector
-  bend_change_part,     ///< |k'_X|, of its change along the path
-  ceiling,              ///< V, the highest speed on an element
+  turning_share,         ///< S, of an axis limit, that turning along a smooth curve may take
+  bend_part,             ///< |k_X|, of the curvature vector
+  bend_change_part,      ///< |k'_X|, of its change along the path
+  ceiling,               ///< V, the highest speed on an element
   junction_deviation,    ///< d
   half_turn_sine,        ///< s, sine of half the angle between the blocks of a corner; 1: straight on
   half_turn_tangent,     ///< t, its tangent

@@ -54,7 +54,7 @@ class TrajectoryBuilder {
     return content().path.add_curve(block, to);
   }
   /// Appends segment `i` of the executed path. Returns the element's index.
-  std::uint32_t add_executed(std::uint32_t i) { return content_.path.add_executed(i); }
+  std::uint32_t add_executed(std::uint32_t i) { return content().path.add_executed(i); }
   std::uint32_t add_motion(FilteredMotion motion);
   /// Says that the element added last ends at a corner that the filters round.
   void add_filtered_corner() {

@@ -50,8 +50,8 @@ TEST(GrblTables, TotalTimesAreThoseOfTheControl) {
   }
 }
 
-/// `profile_s`, the sum of the times as they are planned. Ramps are laid from their speeds here; in the control
-/// a last segment of a block may stand nearly still for some 10 ms by the last bit.
+/// `profile_s`, the sum of the times as they are planned. Ramps are laid from their speeds here; in the
+/// control a last segment of a block may stand nearly still for some 10 ms by the last bit.
 TEST(GrblTables, PlannedTimesAreThoseOfTheControl) {
   const ControlTables tables("grbl");
   if (!tables) {
