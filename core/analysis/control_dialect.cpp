@@ -42,6 +42,7 @@ constexpr auto machines_of_dialects = std::to_array<MachineOfDialect>({
     {Dialect::sinumerik, default_machine},
     {Dialect::heidenhain, "dmg-mori-evo40"},
     {Dialect::heidenhain_iso, "dmg-mori-evo40"},
+    {Dialect::grbl, "grbl-router"},
 });
 
 const MachineOfDialect* find_machine_of(Dialect dialect) {
