@@ -70,7 +70,8 @@ std::vector<std::string> ignored_path_control(const LoadedProgram& program, cons
   std::vector<std::string> sentences = ignored_path_control(*program.toolpath, setup);
   const Guarantees promised = setup.model->guarantees(setup.settings);
   const bool has_ramps = promised.continuity != Continuity::position;
-  if (has_ramps && !promised.smooths && has_curves_as_arcs(program)) {
+  const bool limits_jerk = has_ramps && !setup.model->info().limits.jumps_in_corners;
+  if (limits_jerk && !promised.smooths && has_curves_as_arcs(program)) {
     sentences.emplace_back(curves_as_arcs);
   }
   return sentences;
