@@ -281,7 +281,7 @@ double distance_near(const Motion& motion, std::size_t i, const Vec3& point, dou
     samples.push_back(look(from + k * (to - from) / reached));
   }
   for (std::size_t p = begin; p < parts.size() && p <= last; ++p) {
-    constexpr int of_part = 8;
+    const int of_part = parts[p].place == Place::curve ? 64 : 8;  // a span passes several blocks
     for (int k = 0; k <= of_part; ++k) {
       samples.push_back(look(parts[p].time + parts[p].duration * k / of_part));
     }
