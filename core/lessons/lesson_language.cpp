@@ -124,7 +124,7 @@ const std::map<std::string, std::string>& french_words() {
       {"Velocity pulses through FIR filters (Heidenhain TNC 640)",
        "Impulsions de vitesse et filtres RIF (Heidenhain TNC 640)"},
       {"Time-optimal bound", "Borne en temps optimal"},
-      {"Open control grbl 1.1", "Commande ouverte grbl 1.1"},
+      {"Open control grbl", "Commande ouverte grbl"},
       {"Open control Klipper", "Commande ouverte Klipper"},
   };
   return words;

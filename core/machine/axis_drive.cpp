@@ -79,7 +79,7 @@ const std::vector<SettingSpec>& axis_drive_specs() {
       drive_spec("friction_time", QT_TRANSLATE_NOOP("core", "Decay of the friction spike"), "ms", 0.01, 1e4,
                  QT_TRANSLATE_NOOP("core", "Time constant with which the friction spike decays.")),
       drive_spec(
-          "steps_per_mm", QT_TRANSLATE_NOOP("core", "Steps per mm"), "", 0.01, 1e6,
+          "steps_per_mm", QT_TRANSLATE_NOOP("core", "Step resolution"), "", 0.01, 1e6,
           QT_TRANSLATE_NOOP("core",
                             "Steps of the motor over 1 mm of the axis: controls of stepper motors round "
                             "the ends of blocks to whole steps. Without a value they are not rounded.")),

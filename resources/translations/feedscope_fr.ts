@@ -1654,8 +1654,8 @@
         <translation>accélération le long de la trajectoire</translation>
     </message>
     <message>
-        <source>Steps per mm</source>
-        <translation>Pas par mm</translation>
+        <source>Step resolution</source>
+        <translation>Résolution des pas</translation>
     </message>
     <message>
         <source>Steps of the motor over 1 mm of the axis: controls of stepper motors round the ends of blocks to whole steps. Without a value they are not rounded.</source>
@@ -1710,8 +1710,8 @@
         <translation>on : durées telles que les fait le compteur de pas, en pas entiers et en impulsions entières, si les pas par mm sont donnés ; off : durées planifiées.</translation>
     </message>
     <message>
-        <source>Open control grbl 1.1</source>
-        <translation>Commande ouverte grbl 1.1</translation>
+        <source>Open control grbl</source>
+        <translation>Commande ouverte grbl</translation>
     </message>
     <message>
         <source>Corners are passed at the speed that the junction deviation allows, with constant acceleration and no limit of the jerk; arcs are cut into chords. The control plans 15 blocks ahead and must be able to stop within them, so that short blocks are slow. Lines that it does not understand are not run.</source>

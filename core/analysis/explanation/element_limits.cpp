@@ -242,23 +242,18 @@ Formula ElementLimits::curve_ramp(bool by_jerk, std::uint32_t element) const {
   const SpanExtremes extremes(*path_.curve(element).span);
   const MotionLimits limits =
       curve_limits(extremes, programmed_speed_of_span(path_, element, axes_.velocity), axes_);
-  const double ceiling = limits.speed.value;
   const std::int8_t j = (by_jerk ? limits.jerk : limits.acceleration).axis;
   if (j < 0) {
     return {};
   }
-  const Quantity speed{Symbol::ceiling, -1, ceiling};
+  const Quantity speed{Symbol::ceiling, -1, limits.speed.value};
   const Quantity tangent{Symbol::tangent_part, j, extremes.tangent[j]};
-  return by_jerk ? Formula{FormulaId::curve_ramp_jerk,
-                           {{Symbol::axis_jerk, j, axes_.jerk[j]},
-                            speed,
-                            {Symbol::bend_change_part, j, extremes.change[j]},
-                            tangent}}
-                 : Formula{FormulaId::curve_ramp_acceleration,
-                           {{Symbol::axis_acceleration, j, axes_.acceleration[j]},
-                            speed,
-                            {Symbol::bend_part, j, extremes.bend[j]},
-                            tangent}};
+  const Quantity limit = by_jerk ? Quantity{Symbol::axis_jerk, j, axes_.jerk[j]}
+                                 : Quantity{Symbol::axis_acceleration, j, axes_.acceleration[j]};
+  const Quantity turning = by_jerk ? Quantity{Symbol::bend_change_part, j, extremes.change[j]}
+                                   : Quantity{Symbol::bend_part, j, extremes.bend[j]};
+  return {by_jerk ? FormulaId::curve_ramp_jerk : FormulaId::curve_ramp_acceleration,
+          {limit, speed, turning, tangent}};
 }
 
 /// On a circle arc that is passed at constant speed, limits of tangent and normal (models/gassara/README.md).

@@ -77,7 +77,7 @@ GrblSettings::GrblSettings(const Machine& machine, const Settings& settings)
 const ModelInfo& GrblModel::info() const {
   static const ModelInfo info{
       "grbl",
-      QT_TRANSLATE_NOOP("core", "Open control grbl 1.1"),
+      QT_TRANSLATE_NOOP("core", "Open control grbl"),
       "grbl 1.1h, rebuilt from a description of its planner and compared with results of its own code",
       QT_TRANSLATE_NOOP(
           "core",

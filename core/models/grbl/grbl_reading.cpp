@@ -32,7 +32,7 @@ std::array<std::size_t, 3> axes_of(int plane) {
 }
 
 Vec3 as_vector(const Place& place) {
-  return {place[0], place[1], place[2]};
+  return {static_cast<double>(place[0]), static_cast<double>(place[1]), static_cast<double>(place[2])};
 }
 
 class GrblReader {

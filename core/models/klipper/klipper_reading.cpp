@@ -135,7 +135,7 @@ class KlipperReader {
   Refusal move() {
     Vec3 target = place_;
     for (int axis = 0; axis < 3; ++axis) {
-      const std::string_view letter("XYZ" + axis, 1);
+      const std::string_view letter = std::string_view("XYZ").substr(static_cast<std::size_t>(axis), 1);
       if (!line_.has(letter)) {
         continue;
       }
@@ -177,7 +177,7 @@ class KlipperReader {
     Vec3 target = place_;
     std::array<double, 2> offset{};
     for (int axis = 0; axis < 3; ++axis) {
-      const std::string_view letter("XYZ" + axis, 1);
+      const std::string_view letter = std::string_view("XYZ").substr(static_cast<std::size_t>(axis), 1);
       const std::optional<double> value = line_.number(letter);
       if (line_.has(letter) && !value) {
         return fmt::format("{} has no number", letter);
@@ -246,7 +246,7 @@ class KlipperReader {
   Refusal set_origin() {
     bool any = false;
     for (int axis = 0; axis < 3; ++axis) {
-      const std::string_view letter("XYZ" + axis, 1);
+      const std::string_view letter = std::string_view("XYZ").substr(static_cast<std::size_t>(axis), 1);
       if (line_.has(letter)) {
         const std::optional<double> value = line_.number(letter);
         if (!value) {
