@@ -185,7 +185,8 @@ class KlipperReader {
       target[axis] = value ? *value + origin_[axis] : place_[axis];
     }
     for (std::size_t i = 0; i < 2; ++i) {
-      offset[i] = line_.number(std::string_view("IJK" + (i == 0 ? a : b), 1)).value_or(0);
+      offset[i] = line_.number(std::string_view("IJK").substr(static_cast<std::size_t>(i == 0 ? a : b), 1))
+                      .value_or(0);
     }
     if (offset[0] == 0 && offset[1] == 0) {
       return "centre offsets of the plane are missing";
