@@ -1,0 +1,227 @@
+#include "core/models/linuxcnc/linuxcnc_canon.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/models/linuxcnc/linuxcnc_words.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double across_share_of_canon = 0.866;
+constexpr std::size_t longest_chain = 101;
+
+/// Least over the axes that move of what they allow along a displacement of `length` [mm].
+double along(const Vec3& way, double length, const Vec3& limits) {
+  constexpr double no_way = 1e-8;
+  double time = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double part = std::abs(way[i]);
+    time = part < no_way ? time : std::max(time, part / limits[i]);
+  }
+  return time > 0 ? length / time : limits.minCoeff();
+}
+
+}  // namespace
+
+LinuxCncCanon::LinuxCncCanon(const Toolpath& toolpath, const LinuxCncSettings& settings)
+    : toolpath_(toolpath), settings_(settings) {}
+
+LinuxCncCanon::Mode LinuxCncCanon::mode_of(std::size_t block) const {
+  const PathControl& control = toolpath_.path_control_of(block);
+  switch (control.mode) {
+    case PathMode::exact_stop:
+      return {false, 0, 0};
+    case PathMode::continuous: {
+      const double tolerance = control.contour_tolerance.value_or(0);
+      const double naive = control.compaction_tolerance.value_or(tolerance);
+      return {true, tolerance, naive};
+    }
+    case PathMode::machine:
+      break;
+  }
+  return {settings_.blends, settings_.blends ? settings_.blend_tolerance : 0,
+          settings_.blends ? settings_.naive_tolerance : 0};
+}
+
+void LinuxCncCanon::send(LinuxCncMessage::Kind kind, std::uint32_t block, double time) {
+  LinuxCncMessage& message = sent_.emplace_back();
+  message.kind = kind;
+  message.block = block;
+  message.time = time;
+}
+
+void LinuxCncCanon::enter_mode(const Mode& mode, std::uint32_t block) {
+  if (mode == mode_) {
+    return;
+  }
+  flush();
+  mode_ = mode;
+  send(LinuxCncMessage::Kind::mode, block);
+}
+
+std::vector<LinuxCncMessage> LinuxCncCanon::messages() {
+  mode_ = {settings_.blends, settings_.blends ? settings_.blend_tolerance : 0,
+           settings_.blends ? settings_.naive_tolerance : 0};
+  LinuxCncWaits waits(toolpath_);
+  for (std::size_t i = 0; i < toolpath_.segments.size(); ++i) {
+    const auto block = static_cast<std::uint32_t>(i);
+    const LinuxCncWaits::Found found = waits.before(i);
+    if (found.count > 0) {
+      flush();
+      for (int k = 0; k < found.count; ++k) {
+        send(LinuxCncMessage::Kind::wait, block);
+      }
+      spindle_starts_ = spindle_starts_ || found.spindle_starts;
+    }
+    const Segment& segment = toolpath_.segments[i];
+    if (segment.kind != SegmentKind::dwell) {
+      enter_mode(mode_of(i), block);
+    }
+    switch (segment.kind) {
+      case SegmentKind::line:
+        line(i);
+        break;
+      case SegmentKind::arc:
+        arc(i);
+        break;
+      case SegmentKind::dwell:
+        flush();
+        send(LinuxCncMessage::Kind::dwell, block, toolpath_.dwell_of(segment));
+        break;
+    }
+  }
+  flush();
+  return std::move(sent_);
+}
+
+void LinuxCncCanon::line(std::size_t i) {
+  const Segment& segment = toolpath_.segments[i];
+  const auto block = static_cast<std::uint32_t>(i);
+  if (segment.rapid || segment.feed == 0) {
+    flush();
+    send_line(toolpath_.start_of(i), segment.end, 0, true, block, block);
+    return;
+  }
+  if (chain_.empty()) {
+    chain_start_ = toolpath_.start_of(i);
+  }
+  collect(segment.end, block, segment.feed);
+}
+
+bool LinuxCncCanon::linkable(const Vec3& end) const {
+  if (!mode_.blends || !(mode_.naive > 0) || chain_.size() > longest_chain || end == chain_start_) {
+    return false;
+  }
+  const Vec3 way = end - chain_start_;
+  const double square = way.squaredNorm();
+  return std::ranges::all_of(chain_, [&](const Point& point) {
+    const Vec3 to = point.place - chain_start_;
+    const double share = std::clamp(to.dot(way) / square, 0.0, 1.0);
+    return (to - share * way).norm() <= mode_.naive;
+  });
+}
+
+/// A point of a chain of lines, which goes on or is sent and begins again.
+void LinuxCncCanon::collect(const Vec3& end, std::uint32_t block, double feed) {
+  if (!chain_.empty() && (feed != chain_feed_ || !linkable(end))) {
+    const Vec3 start = chain_.back().place;
+    flush();
+    chain_start_ = start;
+  }
+  chain_feed_ = feed;
+  chain_.push_back({end, block});
+}
+
+void LinuxCncCanon::flush() {
+  if (chain_.empty()) {
+    return;
+  }
+  send_line(chain_start_, chain_.back().place, chain_feed_, false, chain_.front().block, chain_.back().block);
+  chain_start_ = chain_.back().place;
+  chain_.clear();
+}
+
+void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, bool rapid, std::uint32_t first,
+                              std::uint32_t block) {
+  LinuxCncMessage& message = sent_.emplace_back();
+  message.block = block;
+  LinuxCncSegment& move = message.move;
+  move.course = LinuxCncCourse::line(from, to);
+  move.block = block;
+  move.first = first;
+  move.rapid = rapid;
+  move.largest = along(to - from, move.course.length, settings_.velocity);
+  move.acceleration = along(to - from, move.course.length, settings_.acceleration);
+  move.requested = rapid ? move.largest : std::min(feed, move.largest);
+  move.tolerance = mode_.tolerance;
+  move.end = mode_.blends ? LinuxCncEnd::parabolic : LinuxCncEnd::exact;
+  move.waits_for_spindle = spindle_starts_ && !rapid;
+  spindle_starts_ = spindle_starts_ && rapid;
+}
+
+void LinuxCncCanon::arc(std::size_t i) {
+  const Segment& segment = toolpath_.segments[i];
+  const auto block = static_cast<std::uint32_t>(i);
+  const Arc& given = toolpath_.arc_of(segment);
+  const Vec3& start = toolpath_.start_of(i);
+  LinuxCncCourse course;
+  course.is_arc = true;
+  course.start = start;
+  course.normal = given.x.cross(given.y);
+  course.height = course.normal.dot(segment.end - start);
+  const Vec3 center = toolpath_.programmed_center(segment);
+  const auto across = [&](const Vec3& place) -> Vec3 {
+    const Vec3 spoke = place - center;
+    return spoke - course.normal.dot(spoke) * course.normal;
+  };
+  const Vec3 from = across(start);
+  const Vec3 to = across(segment.end);
+  course.radius = from.norm();
+  course.spoke = from / course.radius;
+  course.center = start - from;
+  course.angle = given.sweep;
+  course.spiral = to.norm() - course.radius;
+  course.length = course.arc_length();
+  constexpr double flat = 1e-9;
+  const bool in_xy = std::abs(std::abs(course.normal.z()) - 1) < flat && std::abs(course.height) < flat;
+  if (in_xy && mode_.blends && course.radius * (1 - std::cos(course.angle / 2)) < mode_.naive) {
+    if (chain_.empty()) {
+      chain_start_ = start;
+    }
+    collect(course.at(course.length / 2), block, segment.feed);
+    collect(segment.end, block, segment.feed);
+    return;
+  }
+  flush();
+  Eigen::Index third = 0;
+  course.normal.cwiseAbs().maxCoeff(&third);
+  const auto least = [&](const Vec3& limits) {
+    return std::min(limits[(third + 1) % 3], limits[(third + 2) % 3]);
+  };
+  const double speed = least(settings_.velocity);
+  const double acceleration = least(settings_.acceleration);
+  const double smaller = std::min(course.radius, to.norm());
+  const double slope = course.spiral / course.angle;
+  const double effective = std::hypot(slope, smaller);
+  const double in_plane = std::min(std::sqrt(acceleration * across_share_of_canon * effective), speed);
+  const double turn = std::hypot(smaller * course.angle, course.spiral);
+  const double length = std::hypot(turn, course.height);
+  const Vec3 way = segment.end - start;
+  const auto time = [&](const Vec3& limits) { return way.cwiseAbs().cwiseQuotient(limits).maxCoeff(); };
+  LinuxCncMessage& message = sent_.emplace_back();
+  message.block = block;
+  LinuxCncSegment& move = message.move;
+  move.course = course;
+  move.block = move.first = block;
+  move.largest = length / std::max(time(settings_.velocity), turn / in_plane);
+  move.acceleration = length / std::max(time(settings_.acceleration), turn / acceleration);
+  move.requested = std::min(segment.feed > 0 ? segment.feed : move.largest, move.largest);
+  move.tolerance = mode_.tolerance;
+  move.end = mode_.blends ? LinuxCncEnd::parabolic : LinuxCncEnd::exact;
+  move.waits_for_spindle = spindle_starts_;
+  spindle_starts_ = false;
+  chain_start_ = segment.end;
+}
+
+}  // namespace feedscope

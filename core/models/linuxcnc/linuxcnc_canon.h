@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/models/linuxcnc/linuxcnc_segment.h"
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// What the interpreter of LinuxCNC sends, one after the other.
+struct LinuxCncMessage {
+  enum class Kind : std::uint8_t {
+    move,
+    mode,   ///< G64 or G61 changes
+    wait,   ///< until all motion has ended
+    dwell,  ///< the same, then `time`
+  };
+  Kind kind = Kind::move;
+  LinuxCncSegment move;
+  double time = 0;          ///< [s]
+  std::uint32_t block = 0;  ///< of the toolpath
+};
+
+/// Limits of moves, and the joining of short blocks (README.md, "Canon").
+class LinuxCncCanon {
+ public:
+  LinuxCncCanon(const Toolpath& toolpath, const LinuxCncSettings& settings);
+  std::vector<LinuxCncMessage> messages();
+
+ private:
+  struct Mode {
+    bool blends = true;
+    double tolerance = 0;  ///< [mm]
+    double naive = 0;      ///< [mm]
+    bool operator==(const Mode&) const = default;
+  };
+  struct Point {
+    Vec3 place;
+    std::uint32_t block;
+  };
+
+  Mode mode_of(std::size_t block) const;
+  void enter_mode(const Mode& mode, std::uint32_t block);
+  void line(std::size_t block);
+  void arc(std::size_t block);
+  void collect(const Vec3& end, std::uint32_t block, double feed);
+  bool linkable(const Vec3& end) const;
+  void flush();
+  void send_line(const Vec3& from, const Vec3& to, double feed, bool rapid, std::uint32_t first,
+                 std::uint32_t block);
+  void send(LinuxCncMessage::Kind kind, std::uint32_t block, double time = 0);
+
+  const Toolpath& toolpath_;
+  LinuxCncSettings settings_;
+  std::vector<LinuxCncMessage> sent_;
+  std::vector<Point> chain_;
+  Vec3 chain_start_ = Vec3::Zero();
+  double chain_feed_ = 0;
+  Mode mode_;
+  bool spindle_starts_ = false;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,310 @@
+#include "core/models/linuxcnc/linuxcnc_planner.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace feedscope {
+namespace {
+
+constexpr double kink_ratio = 0.1;
+constexpr double no_length = 1e-12;
+constexpr double no_speed = 1e-8;
+
+}  // namespace
+
+void LinuxCncPlanner::add(LinuxCncSegment t) {
+  t.length = t.nominal_length = t.course.length;
+  if (t.length < no_length) {
+    return;
+  }
+  t.largest = std::min(t.largest, t.length / settings_.period);
+  if (settings_.master) {
+    t.limit_arc();
+  }
+  if (!queue_.empty()) {
+    join(t);
+  }
+  queue_.push_back(std::move(t));
+  optimise();
+}
+
+void LinuxCncPlanner::join(LinuxCncSegment& t) {
+  LinuxCncSegment& p = queue_.back();
+  if (p.rapid != t.rapid || t.waits_for_spindle) {
+    p.end = LinuxCncEnd::stop;
+  }
+  const bool open = p.progress <= p.length / 2 && p.end != LinuxCncEnd::stop;
+  Blended blended = Blended::no;
+  if (open && !join_tangentially(p, t) && p.end == LinuxCncEnd::parabolic && !p.finalised) {
+    blended = join_by_blend(t);
+  }
+  if (blended == Blended::in_place_of_it) {
+    return;
+  }
+  LinuxCncSegment& before = queue_[queue_.size() - (blended == Blended::behind_it ? 2 : 1)];
+  t.blends_before = before.end == LinuxCncEnd::parabolic;
+  before.finalise(settings_.period);
+}
+
+/// True where the joint is decided: tangential, or a stop at a reversal.
+bool LinuxCncPlanner::join_tangentially(LinuxCncSegment& p, LinuxCncSegment& t) const {
+  constexpr double two_degrees = std::numbers::pi / 90;
+  const Vec3 e = p.course.tangent(p.course.length);
+  const Vec3 b = t.course.tangent(0);
+  if ((e + b).squaredNorm() < two_degrees * two_degrees) {
+    p.end = LinuxCncEnd::stop;
+    return true;
+  }
+  const auto largest = [&](const LinuxCncSegment& s) {
+    return std::min(s.requested * settings_.max_override, s.largest);
+  };
+  const double v = std::min(largest(p), largest(t));
+  const double a = v / settings_.period + t.acceleration;
+  const Vec3 d = (b - e) * a;
+  double q = 0;
+  for (int i = 0; i < 3; ++i) {
+    q = std::max(q, std::abs(d[i]) / settings_.acceleration[i]);
+  }
+  q *= p.course.is_arc || t.course.is_arc ? 2 : 1;
+  if (q < kink_ratio) {
+    p.end = LinuxCncEnd::tangent;
+    p.kink_speed = v;
+    p.kink_share_next = std::max(p.kink_share_next, q);
+    t.kink_share_before = std::max(t.kink_share_before, q);
+    return true;
+  }
+  p.kink_speed = v * kink_ratio / q;
+  p.kink_share_next = kink_ratio;
+  t.kink_share_before = kink_ratio;
+  return false;
+}
+
+/// The fastest of a parabolic blend, a tangential joint at the kink's speed and a blend arc.
+LinuxCncPlanner::Blended LinuxCncPlanner::join_by_blend(LinuxCncSegment& t) {
+  LinuxCncSegment& p = queue_.back();
+  std::optional<LinuxCncBlend> blend = find_linuxcnc_blend(p, t, settings_);
+  const double parabolic = find_linuxcnc_overlap(p, t, settings_, false).net / 2;
+  const double tangent = p.kink_speed;
+  const double arc = blend ? blend->arc.largest : 0;
+  const auto forget_kink = [&] {
+    p.kink_speed = -1;
+    p.kink_share_next = 0;
+    t.kink_share_before = 0;
+  };
+  if (parabolic >= tangent && parabolic >= arc) {
+    forget_kink();
+    return Blended::no;
+  }
+  if (tangent >= arc) {
+    p.end = LinuxCncEnd::tangent;
+    return Blended::no;
+  }
+  forget_kink();
+  LinuxCncSegment& made = blend->arc;
+  made.tangential_ratio = 0.5;
+  made.largest = std::min(made.largest, made.length / settings_.period);
+  if (settings_.master) {
+    made.limit_arc();
+  }
+  made.finalised = true;
+  t.course.cut_start(blend->cut_second, blend->turn_second);
+  t.length = t.course.length;
+  if (blend->consumes_first) {
+    queue_.pop_back();
+    queue_.push_back(std::move(made));
+    return Blended::in_place_of_it;
+  }
+  p.course.cut_end(blend->cut_first, blend->turn_first);
+  p.length = p.course.length;
+  p.end = LinuxCncEnd::tangent;
+  queue_.push_back(std::move(made));
+  return Blended::behind_it;
+}
+
+/// Final speeds from the newest segment back.
+void LinuxCncPlanner::optimise() {
+  constexpr std::size_t depth = 51;
+  constexpr int most_peaks = 4;
+  constexpr double quarter = 0.25;
+  constexpr double periods = 1.02;
+  int open_joints = 0;
+  int peaks = 0;
+  for (std::size_t k = 0; k < depth && queue_.size() >= k + 2; ++k) {
+    LinuxCncSegment& t = queue_[queue_.size() - 1 - k];
+    LinuxCncSegment& p = queue_[queue_.size() - 2 - k];
+    if (p.end != LinuxCncEnd::tangent) {
+      if (open_joints++ > 0) {
+        return;
+      }
+      continue;
+    }
+    if (p.progress / p.length >= quarter || p.splitting || p.overlaps) {
+      return;
+    }
+    if (t.waits_for_spindle) {
+      t.final_speed = 0;
+    }
+    const double kink = p.kink_speed >= 0 ? p.kink_speed : std::numeric_limits<double>::infinity();
+    const double a = t.along_acceleration();
+    if (!t.finalised) {
+      p.final_speed = std::min({p.largest, std::sqrt(a * t.length), t.target(settings_), kink});
+      t.final_speed = 0;
+    } else {
+      const double limit = std::min({t.largest, p.largest, kink});
+      double v = std::sqrt(t.final_speed * t.final_speed + 2 * a * t.length);
+      p.at_peak = v >= limit;
+      v = std::min(v, limit);
+      p.final_speed = v;
+      t.largest = std::min(t.largest, t.length / (periods * settings_.period));
+    }
+    if (t.at_peak && ++peaks > most_peaks) {
+      return;
+    }
+  }
+}
+
+double LinuxCncPlanner::final_speed(const LinuxCncSegment& t, const LinuxCncSegment* n) const {
+  if (t.end != LinuxCncEnd::tangent || n == nullptr) {
+    return 0;
+  }
+  return std::min({t.final_speed, t.target(settings_), n->target(settings_)});
+}
+
+void LinuxCncPlanner::activate(LinuxCncSegment& t) {
+  constexpr double short_time = 1.0 / 100;  // ARC_BLEND_RAMP_FREQ
+  if (t.active) {
+    return;
+  }
+  t.active = true;
+  const double mean = t.speed + std::min(t.final_speed, t.target(settings_));
+  const double time = mean > 0 ? 2 * t.length / mean : std::numeric_limits<double>::infinity();
+  t.ramps = time < short_time && !t.rapid && t.end == LinuxCncEnd::tangent;
+}
+
+void LinuxCncPlanner::update(LinuxCncSegment& t, const LinuxCncSegment* n, double time, bool overlaps) {
+  activate(t);
+  const double a = t.along_acceleration(only_in_overlap());
+  const double v = t.speed;
+  const double last = final_speed(t, n);
+  const double rest = t.rest();
+  double wanted = 0;
+  double acceleration = 0;
+  if (t.ramps && last >= no_speed) {
+    const double mean = (v + last) / 2;
+    acceleration = std::clamp((last - v) / (rest / mean), -a, a);
+    wanted = std::numeric_limits<double>::infinity();
+  } else {
+    const double k = a * time / 2;
+    const double disc = last * last + a * (2 * rest - v * time) + k * k;
+    wanted = disc > k * k ? -k + std::sqrt(disc) : -k;
+    acceleration = std::clamp((std::min(wanted, t.target(settings_)) - v) / time, -a, a);
+  }
+  double next = v + acceleration * time;
+  const double from = t.progress;
+  if (next < 0) {
+    next = 0;
+    if (rest < v * time) {
+      t.progress = t.length;
+    }
+  } else {
+    t.progress = std::min(t.length, t.progress + (v + next) / 2 * time);
+  }
+  t.brakes_finally = std::abs(wanted - next) < no_speed && acceleration < 0;
+  t.speed = next;
+  steps_.push_back({&t, from, t.progress, v, next, time, overlaps});
+}
+
+/// True where it stands at its end; else it may be found that it gets there within the next period.
+bool LinuxCncPlanner::check_end(LinuxCncSegment& t, const LinuxCncSegment* n) const {
+  const double rest = t.rest();
+  const bool stops = t.end == LinuxCncEnd::stop || t.end == LinuxCncEnd::exact;
+  if (rest <= no_length) {
+    t.progress = t.length;
+    t.splitting = true;
+    t.split_time = 0;
+    t.split_speed = t.speed;
+    return stops;
+  }
+  if (stops) {
+    return false;
+  }
+  double last = final_speed(t, n);
+  const double mean = (t.speed + last) / 2;
+  if (!(mean > 0)) {
+    return false;
+  }
+  double time = rest / mean;
+  const double needed = (last - t.speed) / time;
+  const double a = t.along_acceleration(only_in_overlap());
+  if (std::abs(needed) > a) {
+    const double allowed = needed > 0 ? a : -a;
+    const double disc = t.speed * t.speed + 2 * allowed * rest;
+    time = disc < 0 ? -t.speed / allowed : 2 * rest / (t.speed + std::sqrt(disc));
+    last = t.speed + time * allowed;
+  }
+  if (time < settings_.period) {
+    t.splitting = true;
+    t.split_time = time;
+    t.split_speed = last;
+  }
+  return false;
+}
+
+/// The rest of a segment, then the beginning of the next one. True: the segment leaves.
+bool LinuxCncPlanner::run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCncSegment* after) {
+  const double time = t.split_time;
+  if (time > 0) {
+    steps_.push_back({&t, t.progress, t.length, t.speed, t.split_speed, time, false});
+  }
+  t.progress = t.length;
+  t.speed = t.split_speed;
+  if (n != nullptr) {
+    const bool tangential = t.end == LinuxCncEnd::tangent;
+    if (tangential) {
+      n->speed = t.split_speed;
+    }
+    const double left = tangential ? settings_.period - time : settings_.period;
+    update(*n, after, left, !tangential && time > 0);
+    check_end(*n, after);
+  }
+  return true;
+}
+
+const std::vector<LinuxCncStep>& LinuxCncPlanner::run_period() {
+  steps_.clear();
+  if (first_leaves_) {
+    gone_ = std::move(queue_.front());
+    queue_.pop_front();
+    first_leaves_ = false;
+  }
+  if (queue_.empty()) {
+    return steps_;
+  }
+  LinuxCncSegment& t = queue_[0];
+  LinuxCncSegment* n = queue_.size() > 1 ? &queue_[1] : nullptr;
+  LinuxCncSegment* after = queue_.size() > 2 ? &queue_[2] : nullptr;
+  activate(t);
+  if (t.splitting) {
+    first_leaves_ = run_split(t, n, after);
+    return steps_;
+  }
+  update(t, n, settings_.period, false);
+  if (n != nullptr && t.end == LinuxCncEnd::parabolic) {
+    const LinuxCncOverlap overlap = find_linuxcnc_overlap(t, *n, settings_, only_in_overlap());
+    t.blend_speed = overlap.first;
+    t.overlaps = t.overlaps || (t.brakes_finally && t.speed < t.blend_speed);
+    if (t.overlaps) {
+      t.in_overlap = n->in_overlap = true;
+      update(*n, nullptr, settings_.period, true);
+    }
+  }
+  if (check_end(t, n)) {
+    first_leaves_ = true;
+    t.splitting = false;
+  }
+  return steps_;
+}
+
+}  // namespace feedscope

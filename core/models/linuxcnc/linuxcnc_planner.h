@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <vector>
+
+#include "core/models/linuxcnc/linuxcnc_blend.h"
+
+namespace feedscope {
+
+/// What moved in one servo period, or a part of it.
+struct LinuxCncStep {
+  LinuxCncSegment* segment = nullptr;  ///< valid until the next period
+  double from = 0;                     ///< progress before [mm]
+  double to = 0;                       ///< and after [mm]
+  double before = 0;                   ///< speed before [mm/s]
+  double after = 0;                    ///< and after [mm/s]
+  double time = 0;                     ///< [s]
+  bool overlaps = false;               ///< at the same time as the step before
+};
+
+/// The trapezoidal planner of LinuxCNC: the queue of segments, their joints, and one servo period after the
+/// other (README.md).
+class LinuxCncPlanner {
+ public:
+  explicit LinuxCncPlanner(const LinuxCncSettings& settings) : settings_(settings) {}
+
+  bool empty() const { return queue_.empty(); }
+  std::size_t size() const { return queue_.size(); }
+  /// Appends a segment, of which course, block, rapid, requested, largest, acceleration, tolerance and end
+  /// are given; one of no length is not added.
+  void add(LinuxCncSegment segment);
+  /// Runs one period; what moved in it.
+  const std::vector<LinuxCncStep>& run_period();
+
+ private:
+  void join(LinuxCncSegment& t);
+  bool join_tangentially(LinuxCncSegment& p, LinuxCncSegment& t) const;
+  /// Where the blend arc of a joint went.
+  enum class Blended : std::uint8_t { no, behind_it, in_place_of_it };
+  Blended join_by_blend(LinuxCncSegment& t);
+  void optimise();
+  double final_speed(const LinuxCncSegment& t, const LinuxCncSegment* n) const;
+  void activate(LinuxCncSegment& t);
+  void update(LinuxCncSegment& t, const LinuxCncSegment* n, double time, bool overlaps);
+  bool check_end(LinuxCncSegment& t, const LinuxCncSegment* n) const;
+  bool run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCncSegment* after);
+  bool only_in_overlap() const { return settings_.master; }
+
+  LinuxCncSettings settings_;
+  std::deque<LinuxCncSegment> queue_;
+  std::vector<LinuxCncStep> steps_;
+  bool first_leaves_ = false;
+  LinuxCncSegment gone_;  ///< the one that left last, for its steps
+};
+
+}  // namespace feedscope
