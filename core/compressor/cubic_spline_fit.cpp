@@ -261,7 +261,9 @@ double CubicSplineFit::deviation(std::size_t k) const {
   double largest = 0;
   for_pieces(interval, [&](std::size_t line, double from, double to) {
     const Vec3 direction = polyline_.direction(line);
-    for (const double t : {(from + to) / 2, to}) {
+    const int looks = 2 + static_cast<int>(8 * (to - from) * scale);
+    for (int i = 1; i <= looks; ++i) {
+      const double t = from + (to - from) * i / looks;
       const CurvePoint there = at(k, (t - interval.begin) * scale);
       const Vec3 way = polyline_.points[line] + (t - polyline_.places[line]) * direction - there.position;
       const double along = way.dot(there.d1);

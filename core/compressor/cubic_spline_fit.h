@@ -56,8 +56,8 @@ class CubicSplineFit {
   CurvePoint at(std::size_t k, double x) const;
   /// Difference of the unit tangents at both ends of interval `k`.
   double turn(std::size_t k) const { return (at(k, 1).d1.normalized() - at(k, 0).d1.normalized()).norm(); }
-  /// Largest distance, across the curve, of the polyline from interval `k`, looked for at its points and half
-  /// way between them [mm].
+  /// Largest distance, across the curve, of the polyline from interval `k`, looked for at its points and at
+  /// least half way between them and at every eighth of the interval [mm].
   double deviation(std::size_t k) const;
 
  private:
