@@ -23,8 +23,8 @@ struct SmoothingRun {
   std::size_t last = 0;
   double begin = 0;        ///< where the curve begins, from the start of segment `first` [mm]
   double end = 0;          ///< where it ends, from the start of segment `last` [mm]
-  bool from_rest = false;  ///< the tool stands where it begins
-  bool to_rest = false;    ///< or where it ends
+  bool from_rest = false;  ///< begins at a standstill
+  bool to_rest = false;    ///< ends at one
   bool on_curve = false;   ///< segments that stand for a curve of the program
 };
 

@@ -28,7 +28,7 @@ class ElementLimits {
   /// From the junction before `element` standstill must be reached within the look-ahead.
   Formula horizon(std::uint32_t element) const;
 
-  /// In the corner before `element`, as grbl and as Klipper have it; none where there is no corner.
+  /// Speed limit of grbl and of Klipper in the corner before `element`; none where there is no corner.
   Formula junction_deviation(std::uint32_t element) const;
   Formula square_corner(std::uint32_t element) const;
 

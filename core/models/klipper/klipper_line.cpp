@@ -36,7 +36,7 @@ std::optional<double> KlipperLine::number(std::string_view key) const {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-/// Runs of letters, and what stands behind each, up to a ";".
+/// Words: each run of letters with the text that follows it, up to a ";".
 KlipperLine read_klipper_line(std::string_view text) {
   std::string raised(text.substr(0, text.find(';')));
   for (char& c : raised) {
