@@ -68,11 +68,15 @@ QStringList changes_of(const SetupState& state) {
   return lines;
 }
 
-SetupTable::SetupTable(SetupEdit& edit, QObject* parent) : QAbstractTableModel(parent), edit_(edit) {
-  connect(&edit_, &SetupEdit::values_changed, this,
-          [this] { emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1)); });
+SetupTable::SetupTable(SetupEdit& edit, QObject* parent)
+    : QAbstractTableModel(parent), edit_(edit), state_(edit.state()) {
+  connect(&edit_, &SetupEdit::values_changed, this, [this] {
+    state_ = edit_.state();
+    emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1));
+  });
   connect(&edit_, &SetupEdit::keys_changed, this, [this] {
     beginResetModel();
+    state_ = edit_.state();
     reload();
     endResetModel();
   });
@@ -92,18 +96,18 @@ QVariant SetupTable::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
     case Qt::EditRole:
-      return value_text(edit_.state().value(*key), edit_.state().spec(*key));
+      return value_text(state_.value(*key), state_.spec(*key));
     case Qt::TextAlignmentRole:
       return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     case Qt::FontRole: {
       QFont font;
-      font.setBold(edit_.state().edited(*key));
-      font.setItalic(edit_.state().provenance(*key).assumed);
+      font.setBold(state_.edited(*key));
+      font.setItalic(state_.provenance(*key).assumed);
       return font;
     }
     case ChoiceDelegate::choices_role: {
       QStringList choices;
-      for (const std::string& choice : edit_.state().spec(*key).choices) {
+      for (const std::string& choice : state_.spec(*key).choices) {
         choices.append(core_text(choice));
       }
       return choices;
@@ -118,11 +122,11 @@ bool SetupTable::setData(const QModelIndex& index, const QVariant& value, int ro
     return false;
   }
   const std::string key = *key_at(index);
-  if (value.toString() == value_text(edit_.state().value(key), edit_.state().spec(key))) {
+  if (value.toString() == value_text(state_.value(key), state_.spec(key))) {
     return true;  // not to replace a number by its rounded text
   }
   try {
-    const SettingSpec spec = edit_.state().spec(key);
+    const SettingSpec spec = state_.spec(key);
     const QString text = value.toString().trimmed();
     const auto choice = std::ranges::find(spec.choices, text, core_text);
     const auto number = spec.choices.empty() ? number_of(text) : std::nullopt;
@@ -142,8 +146,8 @@ Qt::ItemFlags SetupTable::flags(const QModelIndex& index) const {
 }
 
 QString SetupTable::explanation(const std::string& key) const {
-  const SettingSpec spec = edit_.state().spec(key);
-  const Provenance provenance = edit_.state().provenance(key);
+  const SettingSpec spec = state_.spec(key);
+  const Provenance provenance = state_.provenance(key);
   QStringList lines;
   lines.append(
       QStringLiteral("<b>%1</b>%2")
@@ -153,9 +157,8 @@ QString SetupTable::explanation(const std::string& key) const {
   if (spec.choices.empty()) {
     lines.append(tr("Range: %1").arg(range_text(spec)));
   }
-  if (edit_.state().edited(key)) {
-    lines.append(
-        tr("Changed; the machine file has %1.").arg(value_text(edit_.state().file_value(key), spec)));
+  if (state_.edited(key)) {
+    lines.append(tr("Changed; the machine file has %1.").arg(value_text(state_.file_value(key), spec)));
   }
   const QString source = QString::fromStdString(provenance.source).toHtmlEscaped();
   if (source.isEmpty() && spec.optional) {
@@ -185,7 +188,7 @@ QModelIndex AxisTable::index_of(const std::string& key) const {
 bool AxisTable::has_values() const {
   for (const AxisInfo& axis : axes()) {
     for (const SettingSpec& spec : specs_) {
-      if (edit().state().value(axis_key(axis.name, spec.key)) != SettingValue(std::string())) {
+      if (state().value(axis_key(axis.name, spec.key)) != SettingValue(std::string())) {
         return true;
       }
     }
@@ -194,7 +197,7 @@ bool AxisTable::has_values() const {
 }
 
 const AxisList& AxisTable::axes() const {
-  return edit().file().machine.axes.axes();
+  return state().file().machine.axes.axes();
 }
 
 int AxisTable::rowCount(const QModelIndex& parent) const {
@@ -235,7 +238,7 @@ SettingsTable::SettingsTable(SetupEdit& edit, QObject* parent) : SetupTable(edit
 }
 
 void SettingsTable::reload() {
-  specs_ = settings_of(*edit().file().model);
+  specs_ = settings_of(*state().file().model);
 }
 
 int SettingsTable::rowCount(const QModelIndex& parent) const {
@@ -271,7 +274,7 @@ int SettingsTable::row_of(const std::string& key) const {
 
 bool SettingsTable::is_unset(int row) const {
   const SettingSpec& spec = specs_[static_cast<std::size_t>(row)];
-  return spec.optional && edit().state().value(spec.key) == SettingValue(std::string());
+  return spec.optional && state().value(spec.key) == SettingValue(std::string());
 }
 
 std::optional<std::string> SettingsTable::key_at(const QModelIndex& index) const {

@@ -14,6 +14,9 @@ namespace feedscope::ui {
 ///
 /// Numbers are shown with the locale's decimal sign; point and comma are both read. Edited values are bold,
 /// assumed ones in italics; the tool tip explains a value and names its source.
+///
+/// A table shows the state it was last told of: whoever hears of a change first may make a view ask for cells
+/// (a field that is disabled passes the focus on) before the table itself has heard.
 class SetupTable : public QAbstractTableModel {
   Q_OBJECT
 
@@ -29,7 +32,7 @@ class SetupTable : public QAbstractTableModel {
   void refused(const QModelIndex& index, const QString& message);
 
  protected:
-  const SetupEdit& edit() const { return edit_; }
+  const SetupState& state() const { return state_; }
 
  private:
   /// Key of the value in a cell; none for cells that only explain.
@@ -41,6 +44,7 @@ class SetupTable : public QAbstractTableModel {
   QString explanation(const std::string& key) const;
 
   SetupEdit& edit_;
+  SetupState state_;
 };
 
 /// What differs from the machine file, a line each: "X Jerk: 15 → 20 m/s³".

@@ -56,6 +56,32 @@ TEST_F(SetupTablesTest, AreSoundItemModels) {
   edit.set_file(spinner());
 }
 
+/// A field that is disabled when the model changes passes the focus to the table, which then draws cells.
+TEST_F(SetupTablesTest, AnswerWhileOthersHearOfAChangeFirst) {
+  RunList run_list(spinner());
+  SetupEdit changed(run_list);
+  std::vector<SetupTable*> tables;
+  int asked = 0;
+  QObject::connect(&changed, &SetupEdit::keys_changed, [&] {
+    for (const SetupTable* table : tables) {
+      for (int row = 0; row < table->rowCount(); ++row) {
+        for (int column = 0; column < table->columnCount(); ++column) {
+          asked += table->data(table->index(row, column)).isValid() ? 1 : 0;
+          asked += table->data(table->index(row, column), Qt::ToolTipRole).isValid() ? 1 : 0;
+        }
+      }
+    }
+  });
+  AxisTable of_axes(changed, axis_limit_specs());
+  SettingsTable of_settings(changed);
+  tables = {&of_axes, &of_settings};
+  for (const char* model : {"grbl", "cam", "ward", "klipper"}) {
+    asked = 0;
+    EXPECT_NO_THROW(changed.set_model(find_model(model)));
+    EXPECT_GT(asked, 10) << model;
+  }
+}
+
 TEST_F(SetupTablesTest, ShowTheFile) {
   EXPECT_EQ(axes.data(jerk_of_x()).toString(), "15");
   EXPECT_EQ(axes.columnCount(), 3);
