@@ -94,6 +94,19 @@ BlendShape::Point BlendShape::at(double u) const {
   return point;
 }
 
+BlendShape::Bend BlendShape::bend_at(double u) const {
+  const double basis = 6 * u * (1 - u);
+  const double p1 = basis + alpha_ * (1 - 4 * u + 3 * u * u);
+  const double q1 = basis + alpha_ * (3 * u * u - 2 * u);
+  const double p2 = 6 - 12 * u + alpha_ * (6 * u - 4);
+  const double q2 = 6 - 12 * u + alpha_ * (6 * u - 2);
+  const double x1 = p1 + q1 * cos_, y1 = q1 * sin_;
+  const double squared = x1 * x1 + y1 * y1;
+  const double norm = std::sqrt(squared);
+  // x1 y2 - y1 x2
+  return {transition_ * norm, (p1 * q2 - q1 * p2) * sin_ / (squared * norm * transition_)};
+}
+
 Vec3 BlendShape::largest_tangent() const {
   // The tangent turns from one direction to the other: p cos(a) + q sin(a) on each axis, 0 <= a <= phi < pi.
   Vec3 largest;
@@ -101,7 +114,7 @@ Vec3 BlendShape::largest_tangent() const {
     const double p = first_[j], q = second_[j];
     const double slope_at_end = q * cos_ - p * sin_;
     const bool crest = q * slope_at_end < 0;
-    largest[j] = crest ? std::hypot(p, q) : std::max(std::abs(p), std::abs(p * cos_ + q * sin_));
+    largest[j] = crest ? std::sqrt(p * p + q * q) : std::max(std::abs(p), std::abs(p * cos_ + q * sin_));
   }
   return largest;
 }

@@ -58,9 +58,16 @@ class BlendShape {
     Vec3 normal;
   };
 
+  /// What a speed asks for there whatever the axes: metric and curvature alone.
+  struct Bend {
+    double sigma = 0;  ///< |S'| [mm]
+    double k = 0;      ///< curvature [1/mm]
+  };
+
   /// `in`, `out`: unit directions that differ.
   BlendShape(const Vec3& in, const Vec3& out, double transition, double alpha);
   Point at(double u) const;
+  Bend bend_at(double u) const;
   /// Per axis the largest part of the unit tangent anywhere on the blend.
   Vec3 largest_tangent() const;
   /// Curvature at u = 1/2: alpha (4 - alpha) tan^2(phi/2) / (8 eps (3/2 - alpha/4)^2).

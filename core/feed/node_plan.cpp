@@ -23,7 +23,7 @@ class NodePlanner {
     const Cause rest{CauseKind::exact_stop};
     nodes_ = {{0, 0, rest}, {static_cast<std::uint32_t>(elements.size()), 0, rest}};
     forward_ = {{0, false}, {0, false}};
-    gaps_ = {{span_limits(elements, 0, elements.size())}};
+    gaps_ = {gap_between(0, elements.size())};
     insert_found();
     make_reachable();
   }
@@ -82,6 +82,7 @@ class NodePlanner {
  private:
   struct Gap {
     SpanLimits limits;
+    double least = 0;       ///< ceiling of its elements and of the junctions inside it [mm/s]
     bool unchecked = true;  ///< whether the law in it passes something too fast
     bool is_new = true;     ///< what can be reached through it is not known yet
   };
@@ -92,9 +93,23 @@ class NodePlanner {
   };
 
   void append(const PlanNode& node, bool unchecked) {
-    gaps_.push_back({span_limits(elements_, nodes_.back().junction, node.junction), unchecked});
+    gaps_.push_back(gap_between(nodes_.back().junction, node.junction));
+    gaps_.back().unchecked = unchecked;
     nodes_.push_back(node);
     forward_.emplace_back();
+  }
+
+  Gap gap_between(std::size_t first, std::size_t last) const {
+    Gap gap;
+    gap.least = std::numeric_limits<double>::infinity();
+    for (std::size_t e = first; e < last; ++e) {
+      gap.limits.add(elements_[e]);
+      gap.least = std::min(gap.least, elements_[e].limits.speed.value);
+      if (e > first) {
+        gap.least = std::min(gap.least, ceiling_[e].value);
+      }
+    }
+    return gap;
   }
 
   bool any_unchecked() const {
@@ -120,6 +135,10 @@ class NodePlanner {
       const SpeedProfile profile =
           plan_profile(nodes_[g].speed, 0, nodes_[g + 1].speed, gaps_[g].limits.length,
                        gaps_[g].limits.ceiling, gaps_[g].limits.ramp());
+      const double fastest = std::max({nodes_[g].speed, nodes_[g + 1].speed, profile.peak});
+      if (fastest <= gaps_[g].least * slack) {
+        continue;
+      }
       ProfileWalk walk(profile);
       double s = 0;
       std::size_t slowest = last;
@@ -132,7 +151,20 @@ class NodePlanner {
         slowest = last;
         run = 0;
       };
+      bool behind = false;  // the walk, where nothing can be too fast
       for (std::size_t e = first; e < last; ++e) {
+        if (fastest <= elements_[e].limits.speed.value * slack &&
+            (e + 1 == last || fastest <= ceiling_[e + 1].value * slack)) {
+          s += elements_[e].length;
+          behind = true;
+          before = false;
+          take();
+          continue;
+        }
+        if (behind) {
+          walk.move_to(s);
+          behind = false;
+        }
         s += elements_[e].length;
         const double v = walk.move_to(s).v;
         const bool inside = walk.largest_speed() > elements_[e].limits.speed.value * slack;
@@ -183,12 +215,12 @@ class NodePlanner {
       }
       for (; left > 0 && found_[left - 1] > nodes_[g].junction; --left) {
         const std::uint32_t junction = found_[left - 1];
-        gaps_[g + left] = {span_limits(elements_, junction, last)};
+        gaps_[g + left] = gap_between(junction, last);
         nodes_[g + left] = {junction, ceiling_[junction].value, ceiling_[junction].cause};
         forward_[g + left] = {};
         last = junction;
       }
-      gaps_[g + left] = {span_limits(elements_, nodes_[g].junction, last)};
+      gaps_[g + left] = gap_between(nodes_[g].junction, last);
     }
   }
 
@@ -320,10 +352,9 @@ void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<co
     while (by_jerk.front() < e) {
       by_jerk.pop_front();
     }
-    if (ahead < elements.size()) {
-      const double reach =
-          reachable_speed(0, length, {acceleration(by_acceleration.front()), jerk(by_jerk.front())});
-      junction_ceiling[e].lower(reach, {CauseKind::lookahead_horizon});
+    const RampLimits ramp{acceleration(by_acceleration.front()), jerk(by_jerk.front())};
+    if (ahead < elements.size() && ramp_length(0, junction_ceiling[e].value, ramp) > length) {
+      junction_ceiling[e].lower(reachable_speed(0, length, ramp), {CauseKind::lookahead_horizon});
     }
     length -= elements[e].length;
   }

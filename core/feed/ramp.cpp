@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace feedscope {
 namespace {
@@ -108,6 +109,47 @@ void fit_length(SpeedProfile& profile, double length) {
   }
 }
 
+/// The peak above both `v0` and `v1` from and to which ramps are `length` long in all, at most `high`, with
+/// which they are longer; `room`: what the ramp from the one to the other leaves of the length. By q, the
+/// root of the step from the faster end: the length is convex in it, so that Newton's steps from above only
+/// fall. Each of its terms alone gives an upper bound.
+double peak_between(double v0, double v1, double length, double room, double high, const RampLimits& limits) {
+  const auto [A, J] = limits;
+  const double fast = std::max(v0, v1);
+  const double slow = std::min(v0, v1);
+  const double apart = fast - slow;
+  const double full = A * A / J;  // the smallest step that reaches A
+  const double root_of_jerk = std::sqrt(J);
+  const double scaled = length * root_of_jerk;
+  const double wide = std::min(scaled / (3 * fast + slow), room * root_of_jerk / (2 * fast));
+  double q = std::sqrt(std::min(high - fast, wide * wide));
+  if (2 * q * q * q > scaled) {
+    q = std::cbrt(scaled / 2);
+  }
+  const double by_root = 2 / root_of_jerk;
+  constexpr double rounding = 1e-15;
+  for (int i = 0; i < 60; ++i) {
+    const double step = q * q;
+    const double other = step + apart;
+    const double root = apart > 0 ? std::sqrt(other) : q;
+    const bool gentle = step <= full;
+    const bool other_gentle = other <= full;
+    const double time = gentle ? by_root * q : step / A + A / J;
+    const double other_time = other_gentle ? by_root * root : other / A + A / J;
+    const double slope = gentle ? by_root : 2 * q / A;
+    const double other_slope = other_gentle ? (root > 0 ? by_root * q / root : by_root) : 2 * q / A;
+    const double mean = fast + step / 2;
+    const double other_mean = slow + other / 2;
+    const double excess = mean * time + other_mean * other_time - length;
+    const double newton = excess / (q * (time + other_time) + mean * slope + other_mean * other_slope);
+    if (!(excess > rounding * length && newton > rounding * q)) {
+      break;
+    }
+    q -= newton;
+  }
+  return fast + q * q;
+}
+
 SpeedProfile plan_unfitted(double v0, double a0, double v1, double length, double ceiling,
                            const RampLimits& limits) {
   constexpr double rounding = 1e-12;
@@ -140,13 +182,26 @@ SpeedProfile plan_unfitted(double v0, double a0, double v1, double length, doubl
   }
   // From the settled speed the length grows with the peak; below it braking needs more and more of it.
   double low = std::max(settled, v1);
-  if (low > high || excess(low) > tolerance) {
+  const double at_low = low <= high ? excess(low) : tolerance;
+  const bool above_both = low <= high && at_low <= tolerance;
+  if (!above_both) {
     low = v1;
     high = std::max(settled, v1);
     if (excess(low) > tolerance) {
       build(low);
       return profile;
     }
+  }
+  if (above_both && a0 == 0) {
+    double peak = peak_between(v0, v1, length, std::max(-at_low, 0.0), high, limits);
+    double rest = -excess(peak);
+    for (double ulps = 1; rest < 0 && peak > low; ulps *= 4) {  // rounding of the peak alone
+      peak = std::max(low, peak * (1 - ulps * std::numeric_limits<double>::epsilon()));
+      rest = -excess(peak);
+    }
+    build(peak);
+    profile.phases[3] = {peak > 0 ? std::max(rest, 0.0) / peak : 0, 0};
+    return profile;
   }
   // Illinois' regula falsi keeps the bracket; a few steps suffice.
   double f_low = excess(low);

@@ -62,9 +62,8 @@ class BlendRunner {
     return use;
   }
 
-  /// The parametric jerk for the next `period`, and what limits it.
-  std::pair<double, Cause> choose(const Sample& now, double period) const {
-    const BlendShape::Point p = shape_.at(now.u);
+  /// The parametric jerk for the next `period`, and what limits it. `p`: the blend at `now`.
+  std::pair<double, Cause> choose(const Sample& now, const BlendShape::Point& p, double period) const {
     const AxisBound jerk = axis_share(limits_.tangential_jerk, p.tangent);
     const double v = p.sigma * now.du;
     const double c =
@@ -82,8 +81,8 @@ class BlendRunner {
     }
     Candidate kept{low, use(low)};
     if (kept.use.share > 1) {
-      const double least = min_excess(low, high, use);
-      kept = {least, use(least)};
+      const double least = min_excess(low, kept.use.share, high, use);
+      kept = least == low ? kept : Candidate{least, use(least)};
       if (kept.use.share > 1) {
         return {kept.jerk, kept.use.cause};
       }
@@ -97,15 +96,18 @@ class BlendRunner {
     Use use;
   };
 
-  /// Where between `kept` and `broken` the share passes 1, to 2^-24 of their distance from below: regula
-  /// falsi (Illinois), in steps that leave both ends by that much at least.
+  /// Where between `kept` and `broken` the share passes 1, to 2^-24 of their distance or 2^-20 of the limit
+  /// from below: regula falsi (Illinois), in steps that leave both ends by that much of the distance at
+  /// least.
   template <typename F>
   static std::pair<double, Cause> largest_kept(Candidate kept, Candidate broken, const F& use) {
-    const double min_step = std::ldexp(broken.jerk - kept.jerk, -24);
+    constexpr double rounding = 0x1p-20;
+    const double min_step = 0x1p-24 * (broken.jerk - kept.jerk);
     double below = 1 - kept.use.share;
     double above = broken.use.share - 1;
     int side = 0;
-    for (int i = 0; i < 60 && broken.jerk - kept.jerk > min_step * (1 + 1e-6); ++i) {
+    for (int i = 0;
+         i < 60 && broken.jerk - kept.jerk > min_step * (1 + 1e-6) && kept.use.share < 1 - rounding; ++i) {
       const double width = broken.jerk - kept.jerk;
       const double step = i < 30 ? width * below / (below + above) : width / 2;
       const double jerk = kept.jerk + std::clamp(step, min_step, width - min_step);
@@ -125,11 +127,16 @@ class BlendRunner {
     return {kept.jerk, broken.use.cause};
   }
 
-  /// The shares are convex in the jerk within one sample.
+  /// The shares are convex in the jerk within one sample. Mostly they rise from `low` on, where the share is
+  /// `at_low`: then that is the place.
   template <typename F>
-  static double min_excess(double low, double high, const F& use) {
+  static double min_excess(double low, double at_low, double high, const F& use) {
     constexpr int steps = 32;
+    constexpr double width = 2e-7;  // to which so many steps narrow it
     const auto share = [&](double jerk) { return use(jerk).share; };
+    if (share(low + width * (high - low)) >= at_low) {
+      return low;
+    }
     const Least least = least_place({low, high}, 0, steps, share);
     return share(least.place.low) <= least.value ? least.place.low : least.place.middle();
   }
@@ -146,8 +153,9 @@ BlendLimits::BlendLimits(const AxisVectors& axes, double radial_acceleration_sha
                 radial_acceleration_share * axes.acceleration, (1 - radial_jerk_share) * axes.blend_jerk,
                 radial_jerk_share * axes.blend_jerk},
       inverse{velocity.cwiseInverse(), tangential_acceleration.cwiseInverse(),
-              radial_acceleration.cwiseInverse(), tangential_jerk.cwiseInverse(),
-              radial_jerk.cwiseInverse()} {}
+              radial_acceleration.cwiseInverse(), tangential_jerk.cwiseInverse(), radial_jerk.cwiseInverse()},
+      least_velocity(velocity.minCoeff()),
+      least_radial_acceleration(radial_acceleration.minCoeff()) {}
 
 SpeedBound entry_speed_limit(const BlendShape::Point& entry, const SpeedBound& feed,
                              const BlendLimits& limits) {
@@ -156,8 +164,12 @@ SpeedBound entry_speed_limit(const BlendShape::Point& entry, const SpeedBound& f
   const AxisBound radial = axis_share(limits.radial_acceleration, entry.k * entry.normal);
   const AxisBound jerk = axis_share(limits.radial_jerk, entry.dk_ds * entry.normal);
   bound.lower(velocity.value, {CauseKind::blend_velocity, velocity.axis});
-  bound.lower(std::sqrt(radial.value), {CauseKind::blend_radial_acceleration, radial.axis});
-  bound.lower(std::cbrt(jerk.value), {CauseKind::blend_radial_jerk, jerk.axis});
+  if (radial.value < bound.value * bound.value) {
+    bound.lower(std::sqrt(radial.value), {CauseKind::blend_radial_acceleration, radial.axis});
+  }
+  if (jerk.value < bound.value * bound.value * bound.value) {
+    bound.lower(std::cbrt(jerk.value), {CauseKind::blend_radial_jerk, jerk.axis});
+  }
   return bound;
 }
 
@@ -184,6 +196,22 @@ void lower_to_steady_rows(SpeedBound& speed, double feed, const BlendShape::Poin
   speed.lower(std::sqrt(across.value), {CauseKind::blend_radial_acceleration, across.axis});
 }
 
+/// Whether every direction would keep rows (0), (1) and (3) on the whole blend, so that no axis has to be
+/// looked at: at so many places from u = 0 to the middle, the other half being its mirror image.
+bool keeps_steady_rows_whatever_axis(const BlendShape& shape, double sigma, double speed, double feed,
+                                     const BlendLimits& limits, int intervals) {
+  const double fastest = std::min(feed, limits.least_velocity);
+  for (int i = 0; i <= intervals / 2; ++i) {
+    const BlendShape::Bend bend = shape.bend_at(static_cast<double>(i) / intervals);
+    const double share = bend.sigma / sigma;
+    const double v = share * speed;
+    if (std::max(1.0, share) * speed > fastest || v * v * bend.k > limits.least_radial_acceleration) {
+      return false;
+    }
+  }
+  return true;
+}
+
 }  // namespace
 
 MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& speed, double feed,
@@ -192,11 +220,12 @@ MotionLimits blend_motion_limits(const BlendShape& shape, const SpeedBound& spee
   const Vec3 tangent = shape.largest_tangent();
   MotionLimits least{speed, axis_share(limits.tangential_acceleration, tangent),
                      axis_share(limits.tangential_jerk, tangent)};
-  const BlendShape::Point entry = shape.at(0);
-  lower_to_steady_rows(least.speed, feed, entry, entry.sigma, limits);
-  for (int i = 1; i <= intervals; ++i) {
-    lower_to_steady_rows(least.speed, feed, shape.at(static_cast<double>(i) / intervals), entry.sigma,
-                         limits);
+  const double sigma = shape.bend_at(0).sigma;
+  if (keeps_steady_rows_whatever_axis(shape, sigma, speed.value, feed, limits, intervals)) {
+    return least;
+  }
+  for (int i = 0; i <= intervals; ++i) {
+    lower_to_steady_rows(least.speed, feed, shape.at(static_cast<double>(i) / intervals), sigma, limits);
   }
   return least;
 }
@@ -210,16 +239,22 @@ BlendMotion run_blend(const BlendShape& shape, double speed, const SpeedBound& c
   Sample now{0, du, -entry.dsigma * du * du / entry.sigma};
 
   BlendMotion motion;
+  const auto look_at = [&](const Sample& sample, const BlendShape::Point& p) {
+    const double v = p.sigma * sample.du;
+    motion.peak_speed = std::max(motion.peak_speed, v);
+    for (int j = 0; j < 3; ++j) {
+      motion.peak_axis_use =
+          std::max(motion.peak_axis_use, v * std::abs(p.tangent[j]) * limits.inverse.velocity[j]);
+    }
+  };
   while (motion.steps.size() < max_samples && now.du > 1e-3 * du) {
-    const auto [jerk, cause] = runner.choose(now, period);
+    const BlendShape::Point here = shape.at(now.u);
+    const auto [jerk, cause] = runner.choose(now, here, period);
     const Sample next = step(now, jerk, period);
     const double duration = next.u < 1 ? period : time_to_end(now, jerk, period);
-    for (const Sample& sample : {now, step(now, jerk, duration / 2)}) {
-      const BlendShape::Point p = shape.at(sample.u);
-      const double v = p.sigma * sample.du;
-      motion.peak_speed = std::max(motion.peak_speed, v);
-      motion.peak_axis_use = std::max(motion.peak_axis_use, v / axis_share(limits.velocity, p.tangent).value);
-    }
+    look_at(now, here);
+    const Sample half_way = step(now, jerk, duration / 2);
+    look_at(half_way, shape.at(half_way.u));
     if (next.u < 1) {
       motion.steps.push_back({period, now.u, now.du, now.ddu, jerk, cause});
       now = next;

@@ -20,7 +20,9 @@ struct BlendRows {
 /// Limits on a corner blend (Essid 2019, eq 14, 15, 24): shares of an axis for radial and tangential motion,
 /// V, (1 - R_A) A, R_A A, (1 - R_J) Jtb, R_J Jtb [mm/s, mm/s2, mm/s3].
 struct BlendLimits : BlendRows {
-  BlendRows inverse;  ///< 1 / limit
+  BlendRows inverse;                 ///< 1 / limit
+  double least_velocity;             ///< of the axes
+  double least_radial_acceleration;  ///< likewise
 
   BlendLimits(const AxisVectors& axes, double radial_acceleration_share, double radial_jerk_share);
 };

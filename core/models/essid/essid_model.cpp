@@ -101,11 +101,12 @@ Trajectory EssidModel::do_lay_path(const std::shared_ptr<const Toolpath>& shared
   const Vec3 axis_velocity = axis_limit_vector(machine, &AxisLimits::velocity);
   TrajectoryBuilder builder(shared, axis_velocity);
   const CornerRule rule = EssidSettings(settings).corner;
+  const GentleBlendLength gentle(rule.alpha);
   builder.set_blend_weight(rule.alpha);
   const PathRules rules(*shared, settings);
   Compressor compressor(*shared, rules, CompressorSettings(settings));
   lay_blended_path(*shared, axis_velocity, rules, compressor, builder, progress,
-                   [&](const CornerPlace& place) { return lay_blend(place, rule); });
+                   [&](const CornerPlace& place) { return lay_blend(place, rule, gentle); });
   return builder.finish();
 }
 

@@ -17,20 +17,27 @@ CornerRule rule_at(const CornerPlace& place, CornerRule rule) {
   return rule;
 }
 
-CornerPiece lay_blend(const CornerPlace& place, const Corner& corner, double alpha) {
-  const CubicBlend curve = corner_blend(place.point, place.in, place.out, corner.transition, alpha);
-  return {ElementKind::blend, corner.transition, curve.length(), {}};
+CornerPiece lay_blend(const CornerPlace& place, const Corner& corner, double alpha,
+                      const GentleBlendLength& gentle) {
+  const double h = (place.out - place.in).squaredNorm() / 2;  // 1 - cos of the turn
+  const auto over_transition = gentle.over_transition(h);
+  const double length =
+      over_transition ? corner.transition * *over_transition
+                      : corner_blend(place.point, place.in, place.out, corner.transition, alpha).length();
+  return {ElementKind::blend, corner.transition, length, {}};
 }
 
 }  // namespace
 
-CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule) {
-  return lay_blend(place, lay_corner(place.in, place.out, place.longest, rule_at(place, rule)), rule.alpha);
+CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule, const GentleBlendLength& gentle) {
+  return lay_blend(place, lay_corner(place.in, place.out, place.longest, rule_at(place, rule)), rule.alpha,
+                   gentle);
 }
 
 EssidRunner::EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,
                          const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder)
     : toolpath_(toolpath),
+      gentle_length_(settings.corner.alpha),
       axes_(axes),
       blend_limits_(axes, settings.radial_acceleration_share, settings.radial_jerk_share),
       settings_(settings),
@@ -57,14 +64,9 @@ void EssidRunner::plan_and_move(ProgressSteps& steps) {
 }
 
 void EssidRunner::lay_path(const StretchRange& range) {
-  blends_.clear();
+  turns_much_.clear();
   lay_blended_stretch(toolpath_, range, axes_, rules_, compressor_, builder_, stretch_,
                       [&](const CornerPlace& place) { return blend_corner(place); });
-  blend_index_.clear();
-  std::int32_t next = 0;
-  for (const std::uint8_t blend : stretch_.blend) {
-    blend_index_.push_back(blend != 0 ? next++ : no_blend);
-  }
   stretch_.blends_by_parameter = settings_.reading == EssidReading::strict;
   for (std::size_t e = 0; e < stretch_.plan.size(); ++e) {
     if (stretch_.by_parameter(e)) {
@@ -76,9 +78,10 @@ void EssidRunner::lay_path(const StretchRange& range) {
 CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
   const Corner corner = lay_corner(place.in, place.out, place.longest, rule_at(place, settings_.corner));
   const BlendShape shape(place.in, place.out, corner.transition, settings_.corner.alpha);
-  CornerPiece piece = lay_blend(place, corner, settings_.corner.alpha);
+  CornerPiece piece = lay_blend(place, corner, settings_.corner.alpha, gentle_length_);
 
   SpeedBound speed = entry_speed_limit(shape.at(0), place.feed, blend_limits_);
+  turns_much_.push_back(corner.turn > level_turn ? 1 : 0);
   if (settings_.reading == EssidReading::strict) {
     speed = steady_speed_limit(shape, place.feed, blend_limits_);
   } else if (corner.turn > sharp_turn) {
@@ -86,13 +89,25 @@ CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
     speed.lower(steady.value, steady.cause);
   }
   piece.limits = blend_motion_limits(shape, speed, place.feed.value, blend_limits_);
-  blends_.push_back({shape, place.feed, corner.turn, piece.limits.jerk.value});
   return piece;
 }
 
+EssidRunner::Blend EssidRunner::blend_of(std::size_t element) const {
+  const std::size_t segment = stretch_.block[element];
+  const Vec3 in = toolpath_.tangent_at_end(segment);
+  const Vec3 out = toolpath_.tangent_at_start(segment + 1);
+  const BlendedPath& path = builder_.path();
+  const double transition = path.corner_transition(path.index(stretch_.element[element]));
+  SpeedBound feed = programmed_speed(toolpath_, segment, axes_.velocity);
+  const SpeedBound next = programmed_speed(toolpath_, segment + 1, axes_.velocity);
+  feed.lower(next.value, next.cause);
+  return {BlendShape(in, out, transition, settings_.corner.alpha), feed, turn_angle(in, out)};
+}
+
 void EssidRunner::hold_level_blends() {
+  std::size_t blend = 0;
   for (std::uint32_t e = 0; e < stretch_.plan.size(); ++e) {
-    if (blend_index_[e] != no_blend && blend_of(e).turn > level_turn) {
+    if (is_blend(e) && turns_much_[blend++] != 0) {
       stretch_.hold_level(e);
     }
   }
@@ -103,7 +118,7 @@ void EssidRunner::move(const std::vector<PlanNode>& nodes, ProgressSteps& steps)
   for (std::size_t n = 0; n + 1 < nodes.size();) {
     const std::size_t first = nodes[n].junction;
     steps.at(stretch_.block[first]);
-    if (blend_index_[first] != no_blend) {
+    if (is_blend(first)) {
       if (const auto reached = move_over_blend(nodes, n)) {
         n = *reached;
         continue;
@@ -124,14 +139,17 @@ void EssidRunner::move(const std::vector<PlanNode>& nodes, ProgressSteps& steps)
 
 std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNode>& nodes, std::size_t n) {
   const std::size_t e = nodes[n].junction;
-  const Blend& blend = blend_of(e);
-  if (settings_.reading == EssidReading::strict || blend.turn > sharp_turn) {
+  if (settings_.reading == EssidReading::strict) {
+    return std::nullopt;
+  }
+  const Blend blend = blend_of(e);
+  if (blend.turn > sharp_turn) {
     return std::nullopt;
   }
   std::size_t target = n + 1;
   // The node at the blend's end only repeats its entry speed: look further, unless another blend starts
   // there.
-  if (nodes[target].junction == e + 1 && blend_index_[e + 1] == no_blend) {
+  if (nodes[target].junction == e + 1 && !is_blend(e + 1)) {
     ++target;
   }
   const std::size_t last = nodes[target].junction;
@@ -158,7 +176,8 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
   const double samples = std::max(time / settings_.period, min_samples);
   const BlendShape::Point entry = blend.shape.at(0);
   const double steady_jerk = std::abs(entry.ddsigma) * std::pow(speed_ / entry.sigma, 3);
-  if (blend.jerk * time * time / 8 < min_gain * speed_ || 16 * steady_jerk > samples * blend.jerk) {
+  const double jerk = axis_share(blend_limits_.tangential_jerk, blend.shape.largest_tangent()).value;
+  if (jerk * time * time / 8 < min_gain * speed_ || 16 * steady_jerk > samples * jerk) {
     return std::nullopt;
   }
   const double period = time / samples;
@@ -194,7 +213,7 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
 }
 
 void EssidRunner::pass_level(std::size_t element) {
-  const Blend& blend = blend_of(element);
+  const Blend blend = blend_of(element);
   const Cause cause = stretch_.plan[element].limits.speed.cause;
   if (settings_.reading != EssidReading::strict && keeps_rows_at(blend.shape, speed_, blend_limits_)) {
     builder_.add_piece({0, 0, speed_, 0, 0, stretch_.element[element], cause},

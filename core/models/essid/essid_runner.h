@@ -6,12 +6,13 @@
 #include "core/base/progress.h"
 #include "core/models/essid/blend_law.h"
 #include "core/models/essid/essid_settings.h"
+#include "core/toolpath/gentle_blend_length.h"
 #include "core/trajectory/blended_stretch.h"
 
 namespace feedscope {
 
-/// Kind, transition and length of the blend in a corner.
-CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule);
+/// Kind, transition and length of the blend in a corner. `gentle`: of the rule's weight.
+CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule, const GentleBlendLength& gentle);
 
 /// Runs stretches from standstill to standstill, one after the other, into a trajectory: lays blends into
 /// their corners, plans, and moves over lines by ramps and over blends by the paper's law.
@@ -24,13 +25,12 @@ class EssidRunner {
   void run(const StretchRange& range, ProgressSteps& steps);
 
  private:
+  /// A blend as the path holds it, worked out again where it is run: most are passed within ramps.
   struct Blend {
     BlendShape shape;
     SpeedBound feed;  ///< the lower of the two blocks'
     double turn;      ///< [rad]
-    double jerk;      ///< tangential, least along the blend [mm/s3]
   };
-  static constexpr std::int32_t no_blend = -1;
 
   void lay_path(const StretchRange& range);
   CornerPiece blend_corner(const CornerPlace& place);
@@ -45,11 +45,11 @@ class EssidRunner {
   void pass_level(std::size_t element);
   /// `slower_place`: what sets the speed of the node ahead.
   void add_blend_steps(const std::vector<BlendStep>& blend_steps, std::size_t element, Cause slower_place);
-  const Blend& blend_of(std::size_t element) const {
-    return blends_[static_cast<std::size_t>(blend_index_[element])];
-  }
+  bool is_blend(std::size_t element) const { return stretch_.blend[element] != 0; }
+  Blend blend_of(std::size_t element) const;
 
   const Toolpath& toolpath_;
+  GentleBlendLength gentle_length_;
   AxisVectors axes_;
   BlendLimits blend_limits_;
   EssidSettings settings_;
@@ -58,9 +58,8 @@ class EssidRunner {
   TrajectoryBuilder& builder_;
 
   Stretch stretch_;
-  std::vector<std::int32_t> blend_index_;  ///< per element of the stretch: into blends_, or no_blend
-  std::vector<Blend> blends_;
-  double speed_ = 0;  ///< at the current node [mm/s]
+  std::vector<std::uint8_t> turns_much_;  ///< a blend of the stretch: 1 if by more than a level place
+  double speed_ = 0;                      ///< at the current node [mm/s]
 };
 
 }  // namespace feedscope
