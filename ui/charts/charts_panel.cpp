@@ -259,13 +259,17 @@ void ChartsPanel::show_alone(std::size_t chart, std::size_t curve) {
 }
 
 void ChartsPanel::set_second_cursor(std::optional<double> time) {
-  const bool shown = time.has_value() && trajectory_ != nullptr && cursor_.valid();
+  const bool shown = time.has_value() && points_into_run();
   second_ = shown ? std::optional(std::clamp(*time, 0.0, trajectory_->duration())) : std::nullopt;
   show_cursor();
 }
 
+bool ChartsPanel::points_into_run() const {
+  return envelope_ != nullptr && cursor_.valid() && cursor_.trajectory() == trajectory_;
+}
+
 QString ChartsPanel::measurement_text() const {
-  if (!second_.has_value() || trajectory_ == nullptr || !cursor_.valid()) {
+  if (!second_.has_value() || !points_into_run()) {
     return {};
   }
   return text_of(measure(cursor_.state(), trajectory_->state(*second_)));
@@ -302,7 +306,7 @@ void ChartsPanel::refresh_columns() {
 }
 
 void ChartsPanel::show_cursor() {
-  const bool shown = envelope_ != nullptr && cursor_.valid();
+  const bool shown = points_into_run();
   const auto second = shown && second_.has_value()
                           ? std::optional(range_.position_of(trajectory_->state(*second_)))
                           : std::nullopt;
@@ -320,7 +324,7 @@ void ChartsPanel::show_cursor() {
 
 /// Names of the other runs, and their values where the cursor is.
 void ChartsPanel::show_other_runs() {
-  const bool valued = envelope_ != nullptr && cursor_.valid();
+  const bool valued = points_into_run();
   const auto position = valued ? std::optional(range_.position_of(cursor_.state())) : std::nullopt;
   for (std::size_t i = 0; i < rows_.headers.size(); ++i) {
     rows_.headers[i]->set_runs(
@@ -329,7 +333,7 @@ void ChartsPanel::show_other_runs() {
 }
 
 void ChartsPanel::zoom(double factor) {
-  const double at = cursor_.valid() ? range_.position_of(cursor_.state()) : -1;
+  const double at = points_into_run() ? range_.position_of(cursor_.state()) : -1;
   range_.zoom(factor,
               at >= range_.lower() && at <= range_.upper() ? at : (range_.lower() + range_.upper()) / 2);
 }
@@ -349,7 +353,7 @@ void ChartsPanel::go_forward() {
 }
 
 void ChartsPanel::move_cursor(int pixels) {
-  if (cursor_.valid()) {
+  if (points_into_run()) {
     const double pixel =
         (range_.upper() - range_.lower()) / rows_.charts.front()->chart()->plotArea().width();
     cursor_.set_time(range_.time_at(range_.position_of(cursor_.state()) + pixels * pixel));
@@ -357,7 +361,7 @@ void ChartsPanel::move_cursor(int pixels) {
 }
 
 void ChartsPanel::zoom_to_cursors() {
-  if (second_.has_value() && cursor_.valid()) {
+  if (second_.has_value() && points_into_run()) {
     const double a = range_.position_of(cursor_.state());
     const double b = range_.position_of(trajectory_->state(*second_));
     range_.show(std::min(a, b), std::max(a, b));

@@ -118,6 +118,8 @@ class ChartsPanel : public Panel {
   void connect_chart(KinematicChart& chart);
   void show_alone(std::size_t chart, std::size_t curve);
   void refresh_columns();
+  /// Whether the cursor points to an instant of the run that is shown: it hears of another one before.
+  bool points_into_run() const;
   void show_cursor();
   void show_charts_of_run();
   void show_other_runs();

@@ -44,6 +44,24 @@ TEST(Measurement, IsTheSecondLessTheFirst) {
   EXPECT_EQ(measure(a, a).mean_feed, 0);
 }
 
+/// The cursor hears of a new run before the charts do, and then points to elements that theirs does not have.
+TEST_F(ChartsCursors, ACursorOfAnotherRunIsNotShownInThisOne) {
+  panel.set_second_cursor(trajectory().duration() / 2);
+  ASSERT_TRUE(panel.chart(0).cursor().has_value());
+  std::string longer = "G21 G90 F3000\n";
+  for (int i = 0; i < 200; ++i) {
+    longer += "G1 X" + std::to_string(i % 5) + " Y" + std::to_string(i) + "\n";
+  }
+  const feedscope::Run other = test::simulate_text(longer);
+  cursor.set_trajectory(other.trajectory);
+  cursor.set_time(other.trajectory->duration());
+  EXPECT_EQ(panel.chart(0).cursor(), std::nullopt);
+  EXPECT_TRUE(panel.measurement_text().isEmpty());
+  panel.set_run(other.trajectory, std::make_shared<const Envelope>(other.trajectory), false, other.sources);
+  panel.refresh();
+  EXPECT_NEAR(panel.chart(0).cursor().value_or(-1), other.trajectory->duration(), 1e-9);
+}
+
 TEST_F(ChartsCursors, AShiftClickSetsTheSecondAndEscRemovesIt) {
   const QPoint at = place(1, 0.6, 0.5);
   const double time = panel.chart(1).position_at(at.x());
