@@ -39,12 +39,21 @@ std::vector<std::string> dialect_ids() {
   return ids;
 }
 
+/// What may stand for the ID of `feedscope machines`.
+std::vector<std::string> machines_words() {
+  std::vector<std::string> words = shipped_machines().ids();
+  words.emplace_back("import");
+  return words;
+}
+
 /// `type`: as CLI11 has it, with what a validator says behind a colon.
-std::vector<std::string> choices_of(const std::string& name, const std::string& type) {
-  return name == "--machine"   ? shipped_machines().ids()
-         : name == "--model"   ? model_ids()
-         : name == "--dialect" ? dialect_ids()
-                               : words_of(type);
+std::vector<std::string> choices_of(const std::string& command, const std::string& name,
+                                    const std::string& type) {
+  return name == "--machine"                     ? shipped_machines().ids()
+         : command == "machines" && name == "ID" ? machines_words()
+         : name == "--model"                     ? model_ids()
+         : name == "--dialect"                   ? dialect_ids()
+                                                 : words_of(type);
 }
 
 CommandRow row_of(const CLI::App& app, const std::string& name) {
@@ -57,7 +66,7 @@ CommandRow row_of(const CLI::App& app, const std::string& name) {
     entry.value =
         entry.positional || option->get_items_expected_max() == 0 ? "" : type.substr(0, type.find(':'));
     entry.text = option->get_description();
-    entry.choices = choices_of(entry.name, type);
+    entry.choices = choices_of(name, entry.name, type);
     row.options.push_back(std::move(entry));
   }
   return row;

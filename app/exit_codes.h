@@ -3,7 +3,7 @@
 namespace feedscope::exit_code {
 
 inline constexpr int done = 0;
-inline constexpr int program_errors = 1;  ///< the NC program had errors; results of the rest are written
+inline constexpr int program_errors = 1;  ///< the NC program or imported file had errors; results of the rest are written
 inline constexpr int claim_fails = 1;     ///< something that a lesson claims does not hold
 inline constexpr int wrong_use =
     2;  ///< wrong option, call or machine file; a file that cannot be read or written

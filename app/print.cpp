@@ -255,6 +255,14 @@ void print_diagnostics(const std::vector<Diagnostic>& diagnostics, const Program
   }
 }
 
+void print_diagnostics(const std::vector<Diagnostic>& diagnostics, std::string_view file) {
+  for (const RepeatedDiagnostic& diagnostic : without_repeats(diagnostics)) {
+    const std::string repeats = repeats_text(diagnostic);
+    fmt::print(stderr, "{}\n{}", format(*diagnostic.first, file),
+               repeats.empty() ? "" : fmt::format("  {}\n", repeats));
+  }
+}
+
 std::string figure_title(const SourceFigure& figure) {
   std::string title(figure.title);
   title.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(title.front())));

@@ -50,6 +50,9 @@ void print_diagnostics(const Program& program, DiagnosticStyle style = Diagnosti
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics, const Program& program,
                        DiagnosticStyle style = DiagnosticStyle::line);
 
+/// The same of a file that is no program.
+void print_diagnostics(const std::vector<Diagnostic>& diagnostics, std::string_view file);
+
 /// Figures of a run for people.
 std::string summary_text(const Run& run);
 

@@ -1,15 +1,22 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
+#include "app/output_file.h"
 #include "app/print.h"
 #include "core/analysis/run.h"
+#include "core/base/error.h"
 #include "core/base/geometry.h"
+#include "core/machine/import/machine_import.h"
 
 namespace feedscope {
 namespace {
+
+constexpr const char* import_word = "import";
 
 std::string source_text(const Machine& machine, const std::string& key) {
   const auto found = machine.provenance.find(key);
@@ -54,21 +61,68 @@ void show_machine(const std::string& id) {
   fmt::print("{}", table.text("lrll"));
 }
 
+struct MachinesOptions {
+  std::string id;
+  std::string file;
+  std::string out;
+};
+
+/// Writes a machine file from the configuration of a control; what it does not say of it is told.
+int import_configuration(const MachinesOptions& options) {
+  const std::string out = options.out.empty() ? "-" : options.out;
+  check_outputs(options.file, {out}, "the file that is imported");
+  ImportedMachine imported = import_machine(options.file, machine_file_settings());
+  if (out != "-") {
+    imported.machine.id = std::filesystem::path(out).stem().string();
+  }
+  OutputFile file(out);
+  file.stream() << write_machine(imported.machine);
+  file.commit();
+  print_diagnostics(imported.notes, options.file);
+  if (out != "-") {
+    const auto assumed = std::ranges::count_if(imported.machine.provenance,
+                                               [](const auto& one) { return one.second.assumed; });
+    fmt::print("{} -> {}: {} numbers from the {}, {} assumed; see: feedscope machines {}\n", options.file,
+               out, static_cast<std::ptrdiff_t>(imported.machine.provenance.size()) - assumed, imported.kind,
+               assumed, out);
+  }
+  return has_errors(imported.notes) ? exit_code::program_errors : exit_code::done;
+}
+
+int run_machines(const MachinesOptions& options) {
+  if (options.id == import_word) {
+    if (options.file.empty()) {
+      throw InputError("machines import needs a FILE: the configuration of a control");
+    }
+    return import_configuration(options);
+  }
+  if (!options.file.empty() || !options.out.empty()) {
+    throw InputError(
+        fmt::format("'{}' is only known with import: write feedscope machines import FILE --out machine.toml",
+                    options.file.empty() ? "--out" : options.file));
+  }
+  if (options.id.empty()) {
+    list_machines();
+  } else {
+    show_machine(options.id);
+  }
+  return exit_code::done;
+}
+
 }  // namespace
 
 Command add_machines_command(CLI::App& app) {
-  const auto id = std::make_shared<std::string>();
-  CLI::App* command =
-      app.add_subcommand("machines", "List the machines, or show one with the source of its numbers");
-  command->add_option("ID", *id, "Machine id or machine file");
-  return {command, [id] {
-            if (id->empty()) {
-              list_machines();
-            } else {
-              show_machine(*id);
-            }
-            return exit_code::done;
-          }};
+  const auto options = std::make_shared<MachinesOptions>();
+  CLI::App* command = app.add_subcommand(
+      "machines",
+      "List the machines, show one with the source of its numbers, or import the configuration of a control");
+  command->add_option("ID", options->id, "Machine id or machine file; import: make a machine file from FILE");
+  command->add_option("FILE", options->file,
+                      "With import: INI file of LinuxCNC, listing of grbl ($$) or configuration of Klipper");
+  command->add_option("--out", options->out, "Machine file that import writes [standard output]")
+      ->type_name("FILE.toml");
+  command->footer("Example: feedscope machines import printer.cfg --out printer.toml");
+  return {command, [options] { return run_machines(*options); }};
 }
 
 }  // namespace feedscope

@@ -68,7 +68,7 @@ void set_load(Run& run, std::optional<LoadModel> load) {
 
 }  // namespace
 
-MachineLibrary shipped_machines() {
+std::vector<SettingSpec> machine_file_settings() {
   std::vector<SettingSpec> specs = all_model_settings();
   SettingSpec model;
   model.key = "model";
@@ -76,7 +76,11 @@ MachineLibrary shipped_machines() {
     model.choices.push_back(known->info().id);
   }
   specs.push_back(std::move(model));
-  return MachineLibrary(data_folder() / "machines", std::move(specs));
+  return specs;
+}
+
+MachineLibrary shipped_machines() {
+  return MachineLibrary(data_folder() / "machines", machine_file_settings());
 }
 
 LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* progress,

@@ -56,6 +56,8 @@ struct Run {
   double simulate_time = 0;  ///< wall clock, summary included [s]
 };
 
+/// What a machine file may hold, for read_machine(): settings of all models, and as "model" which there are.
+std::vector<SettingSpec> machine_file_settings();
 /// The machine files of data_folder().
 MachineLibrary shipped_machines();
 

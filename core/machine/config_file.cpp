@@ -5,37 +5,17 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
-#include <fstream>
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
-#include "core/machine/settings.h"
+#include "core/machine/file_text.h"
 
 namespace feedscope {
-namespace {
-
 namespace fs = std::filesystem;
 
-constexpr std::streamsize largest_file = 1 << 20;  // bytes; a machine file is a few thousand
+namespace {
 
-std::string read_text(const fs::path& file, const std::string& what) {
-  std::error_code ignored;
-  if (fs::is_directory(file, ignored)) {
-    throw InputError(fmt::format("'{}' is a folder; give a {}", file.string(), what));
-  }
-  std::ifstream in(file, std::ios::binary);
-  if (!in) {
-    throw InputError(
-        fmt::format("cannot read {} '{}': {}", what, file.string(), std::generic_category().message(errno)));
-  }
-  std::string text(static_cast<std::size_t>(largest_file) + 1, '\0');
-  in.read(text.data(), largest_file + 1);
-  if (in.gcount() > largest_file) {
-    throw InputError(fmt::format("'{}' is larger than 1 MiB and cannot be a {}", file.string(), what));
-  }
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
-}
+constexpr std::size_t largest_file = 1;  // MiB; a machine file is a few thousand bytes
 
 }  // namespace
 
@@ -134,7 +114,7 @@ const std::string& ConfigNode::need_text(const std::string& key, const std::stri
 }
 
 ConfigNode read_config_file(const fs::path& file, const std::string& what) {
-  return parse_config(read_text(file, what), file.string());
+  return parse_config(file_text(file, what, largest_file), file.string());
 }
 
 ConfigNode parse_config(const std::string& text, const std::string& name) {

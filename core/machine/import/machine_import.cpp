@@ -1,0 +1,99 @@
+#include "core/machine/import/machine_import.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <fstream>
+
+#include "core/base/error.h"
+#include "core/machine/file_text.h"
+#include "core/machine/import/configuration_source.h"
+#include "core/machine/import/grbl_listing.h"
+#include "core/machine/import/klipper_config.h"
+#include "core/machine/import/linuxcnc_ini.h"
+#include "core/machine/import/machine_draft.h"
+
+namespace feedscope {
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::size_t largest_configuration = 4;  // MiB
+const std::array<const ConfigurationFormat*, 3> formats{&linuxcnc_ini, &grbl_listing, &klipper_config};
+
+/// The format that most lines of the text speak for; null if none does.
+const ConfigurationFormat* format_of(std::string_view text) {
+  const ConfigurationFormat* best = nullptr;
+  std::size_t most = 0;
+  if (text.find('\0') != std::string_view::npos) {
+    return nullptr;
+  }
+  for (const ConfigurationFormat* format : formats) {
+    const std::size_t lines = format->recognised(text);
+    if (lines > most) {
+      best = format;
+      most = lines;
+    }
+  }
+  return best;
+}
+
+/// "my-mill.ini" as the id of a machine.
+std::string id_of(const std::string& name) {
+  std::string id = fs::path(name).stem().string();
+  std::ranges::replace_if(
+      id, [](char c) { return c == ' ' || c == '\t'; }, '-');
+  return id.empty() ? "imported" : id;
+}
+
+ImportedMachine import_from(const ConfigurationSource& source, const std::string& name,
+                            const std::vector<SettingSpec>& model_settings) {
+  const ConfigurationFormat* format = format_of(source.text);
+  if (format == nullptr) {
+    std::vector<std::string> kinds;
+    for (const ConfigurationFormat* known : formats) {
+      kinds.emplace_back(known->kind);
+    }
+    throw InputError(fmt::format("'{}' is not the configuration of a control that can be imported; known: {}",
+                                 name, fmt::join(kinds, ", ")));
+  }
+  MachineDraft draft(fs::path(name).filename().string(), model_settings);
+  draft.machine().id = id_of(name);
+  draft.machine().name = draft.machine().id;
+  return format->read(source, std::move(draft));
+}
+
+}  // namespace
+
+std::string configuration_kind(std::string_view text) {
+  const ConfigurationFormat* format = format_of(text);
+  return format == nullptr ? "" : format->kind;
+}
+
+std::string configuration_kind_of(const fs::path& file) {
+  std::error_code error;
+  const auto size = fs::file_size(file, error);
+  if (error || size > (largest_configuration << 20)) {
+    return "";
+  }
+  try {
+    return configuration_kind(file_text(file, "configuration", largest_configuration));
+  } catch (const InputError&) {
+    return "";
+  }
+}
+
+ImportedMachine import_machine(const fs::path& file, const std::vector<SettingSpec>& model_settings) {
+  const std::string text = file_text(file, "configuration of a control", largest_configuration);
+  const fs::path folder = file.parent_path();
+  return import_from({text, folder.empty() ? fs::path(".") : folder}, file.string(), model_settings);
+}
+
+ImportedMachine import_machine_text(std::string_view text, const std::string& name,
+                                    const std::vector<SettingSpec>& model_settings) {
+  return import_from({text, {}}, name, model_settings);
+}
+
+}  // namespace feedscope

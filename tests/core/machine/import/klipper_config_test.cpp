@@ -1,0 +1,115 @@
+#include "core/base/error.h"
+#include "tests/core/machine/import/import_fixture.h"
+
+namespace feedscope {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+class KlipperConfig : public test::ImportTest {};
+
+constexpr const char* printer = R"([mcu]
+serial: /dev/ttyACM0
+[printer]
+kinematics: corexy
+max_velocity: 300  # mm/s
+max_accel = 5000
+max_z_velocity: 15
+max_z_accel: 100
+square_corner_velocity: 8.0
+[gcode_arcs]
+resolution: 0.1
+[gcode_macro START]
+gcode:
+    SET_VELOCITY_LIMIT ACCEL=1000
+    G28
+)";
+
+std::string changed(const std::string& from, const std::string& to, std::string text = printer) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST_F(KlipperConfig, GivesLimitsOfThePathAndOfZ) {
+  const ImportedMachine imported = import(printer, "printer.cfg");
+  const Machine& machine = imported.machine;
+  EXPECT_EQ(machine.model, "klipper");
+  EXPECT_EQ(machine.name, "printer (corexy)");
+  EXPECT_EQ(machine.settings.number("max_velocity_m_min"), 18);
+  EXPECT_EQ(machine.settings.number("max_acceleration_m_s2"), 5);
+  EXPECT_EQ(machine.settings.number("max_z_velocity_m_min"), 0.9);
+  EXPECT_EQ(machine.settings.number("max_z_acceleration_m_s2"), 0.1);
+  EXPECT_EQ(machine.settings.number("square_corner_velocity_mm_s"), 8);
+  EXPECT_EQ(machine.settings.number("arc_resolution_mm"), 0.1);
+  EXPECT_NEAR(machine.axes[1].velocity, 300, 1e-9);
+  EXPECT_NEAR(machine.axes[2].acceleration, 100, 1e-9);
+  EXPECT_EQ(source(imported, "max_velocity_m_min"), "printer.cfg, line 5: [printer] max_velocity = 300 mm/s");
+  EXPECT_EQ(source(imported, "minimum_cruise_ratio"),
+            "assumed: printer.cfg does not give minimum_cruise_ratio: default of Klipper");
+  EXPECT_TRUE(imported.notes.empty()) << notes(imported, "printer.cfg");
+}
+
+TEST_F(KlipperConfig, LaterFilesReplaceEarlierValues) {
+  write("printer.cfg", std::string(printer) + "[include tuned/*.cfg]\n[include more.cfg] ; own\n");
+  write("tuned/b.cfg", "[printer]\nmax_accel: 7000\n");
+  write("tuned/a.cfg", "[printer]\nmax_accel: 6000\n");
+  write("more.cfg", "#[printer]\nmax_nothing\n");
+  const ImportedMachine imported = import_file("printer.cfg");
+  EXPECT_EQ(imported.machine.settings.number("max_acceleration_m_s2"), 7);
+  EXPECT_EQ(source(imported, "max_acceleration_m_s2"),
+            "tuned/b.cfg, line 2: [printer] max_accel = 7000 mm/s2");
+  const std::string said = notes(imported, "printer.cfg");
+  EXPECT_THAT(
+      said, HasSubstr("tuned/a.cfg:2: warning: [printer] max_accel = 6000, but 5000 in printer.cfg, line 6; "
+                      "6000 is used"));
+  EXPECT_THAT(said, HasSubstr("more.cfg:2: warning: 'max_nothing' is neither a section nor a value"));
+}
+
+TEST_F(KlipperConfig, ReadsWhatSaveConfigWrites) {
+  const std::string text = std::string(printer) +
+                           "#*# <---------------------- SAVE_CONFIG ---------------------->\n#*#\n"
+                           "#*# [printer]\n#*# square_corner_velocity = 3\n";
+  EXPECT_EQ(import(text, "printer.cfg").machine.settings.number("square_corner_velocity_mm_s"), 3);
+}
+
+TEST_F(KlipperConfig, MakesACruiseRatioOfTheFormerSetting) {
+  const ImportedMachine imported =
+      import(changed("max_z_velocity", "max_accel_to_decel: 1250\nmax_z_velocity"), "p.cfg");
+  EXPECT_EQ(imported.machine.settings.number("minimum_cruise_ratio"), 0.75);
+  EXPECT_THAT(source(imported, "minimum_cruise_ratio"),
+              StartsWith("p.cfg, line 7: [printer] max_accel_to_decel = 1250 mm/s2 as minimum cruise ratio"));
+}
+
+TEST_F(KlipperConfig, ReportsWhatKlipperRefuses) {
+  EXPECT_THAT(
+      notes(import(changed("max_z_velocity: 15", "max_z_velocity: 400"), "p.cfg"), "p.cfg"),
+      HasSubstr("p.cfg:7: error: [printer] max_z_velocity = 400 mm/s exceeds max_velocity = 300 (p.cfg, line "
+                "5): Klipper does not start with it [limits-contradict]"));
+  EXPECT_THAT(notes(import(changed("max_accel = 5000", "max_accel = 0"), "p.cfg"), "p.cfg"),
+              HasSubstr("p.cfg:6: error: [printer] max_accel = 0 mm/s2 must be above 0"));
+  EXPECT_THAT(notes(import(changed("= 5000", "= much"), "p.cfg"), "p.cfg"),
+              HasSubstr("'much' is not a number"));
+  EXPECT_THAT(notes(import("[mcu]\n[stepper_x]\n", "p.cfg"), "p.cfg"),
+              HasSubstr("p.cfg: error: section [printer] is missing"));
+}
+
+TEST_F(KlipperConfig, NotesWhatTheModelDoesNotShow) {
+  const std::string text = changed("[gcode_arcs]\nresolution: 0.1\n", "[input_shaper]\nshaper_freq_x: 50\n",
+                                   changed("corexy", "delta"));
+  const std::string said = notes(import(text, "p.cfg"), "p.cfg");
+  EXPECT_THAT(said, HasSubstr("p.cfg:4: warning: kinematics delta are not modelled"));
+  EXPECT_THAT(said, HasSubstr("p.cfg:10: info: input shaping is not modelled"));
+  EXPECT_THAT(said, HasSubstr("there is no section [gcode_arcs]"));
+  EXPECT_THAT(said, Not(HasSubstr("SET_VELOCITY_LIMIT ACCEL")));
+  EXPECT_THAT(
+      notes(import(changed("max_accel =", "max_acel ="), "p.cfg"), "p.cfg"),
+      HasSubstr(
+          "p.cfg:6: warning: [printer] max_acel is not used here; skipped [not-understood] (did you mean "
+          "'max_accel'?)"));
+}
+
+}  // namespace
+}  // namespace feedscope
