@@ -29,6 +29,8 @@ expect 'feedscope simulate --machine ' part.nc hermle-c800u
 expect 'feedscope simulate part.nc --model ' essid ward optimal
 expect 'feedscope compare ' part.nc
 expect 'feedscope simulate --unit ' mm inch
+expect 'feedscope machines im' import
+expect 'feedscope machines import --o' --out
 expect 'feedscope help sim' simulate
 expect 'feedscope simulate --dialect si' sinumerik
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "core/base/units.h"
 #include "core/machine/import/machine_draft.h"
 
 namespace feedscope {
@@ -197,11 +198,11 @@ class GrblReader {
     struct Quantity {
       const char* key;
       const char* unit;
-      double factor;  ///< to the unit of the key
+      double (*to_unit)(double);  ///< of the key
     };
-    constexpr std::array quantities{Quantity{"steps_per_mm", "steps/mm", 1},
-                                    Quantity{"velocity", "mm/min", 1e-3},
-                                    Quantity{"acceleration", "mm/s2", 1e-3}};
+    constexpr std::array quantities{Quantity{"steps_per_mm", "steps/mm", units::as_it_is},
+                                    Quantity{"velocity", "mm/min", units::to_m},
+                                    Quantity{"acceleration", "mm/s2", units::to_m}};
     if (place >= static_cast<int>(known_axes.size())) {
       draft_.note(Severity::info, given.place, "axis-skipped",
                   "axes other than X, Y and Z are not part of the simulation; skipped");
@@ -210,7 +211,7 @@ class GrblReader {
     const Quantity& quantity = quantities[group];
     if (const std::optional<double> value = number_of(setting, given)) {
       draft_.give_axis(known_axes[static_cast<std::size_t>(place)].name, quantity.key,
-                       *value * quantity.factor,
+                       quantity.to_unit(*value),
                        {given.place, fmt::format("{} {}", given.what, quantity.unit)});
     }
   }

@@ -7,14 +7,12 @@
 #include <optional>
 
 #include "core/base/nearest_name.h"
+#include "core/base/units.h"
 #include "core/machine/import/machine_draft.h"
 #include "core/machine/import/section_file.h"
 
 namespace feedscope {
 namespace {
-
-constexpr double m_min_of_mm_s = 0.06;
-constexpr double metres_of_mm = 1e-3;
 
 std::size_t recognised_klipper(std::string_view text) {
   constexpr std::array whole{"printer", "mcu", "extruder", "heater_bed", "virtual_sdcard", "gcode_arcs"};
@@ -77,12 +75,12 @@ class KlipperReader {
 
   void read_path_limits() {
     if (const std::optional<double> velocity = printer("max_velocity", "mm/s")) {
-      draft_.give("max_velocity_m_min", *velocity * m_min_of_mm_s, given("max_velocity", "mm/s"));
-      give_plane("velocity", *velocity * m_min_of_mm_s, given("max_velocity", "mm/s"));
+      draft_.give("max_velocity_m_min", units::to_m_min(*velocity), given("max_velocity", "mm/s"));
+      give_plane("velocity", units::to_m_min(*velocity), given("max_velocity", "mm/s"));
     }
     if (const std::optional<double> acceleration = printer("max_accel", "mm/s2")) {
-      draft_.give("max_acceleration_m_s2", *acceleration * metres_of_mm, given("max_accel", "mm/s2"));
-      give_plane("acceleration", *acceleration * metres_of_mm, given("max_accel", "mm/s2"));
+      draft_.give("max_acceleration_m_s2", units::to_m(*acceleration), given("max_accel", "mm/s2"));
+      give_plane("acceleration", units::to_m(*acceleration), given("max_accel", "mm/s2"));
     }
   }
 
@@ -92,12 +90,12 @@ class KlipperReader {
   }
 
   void read_z_limits() {
-    read_z("max_z_velocity", "max_velocity", "mm/s", "velocity", "max_z_velocity_m_min", m_min_of_mm_s);
-    read_z("max_z_accel", "max_accel", "mm/s2", "acceleration", "max_z_acceleration_m_s2", metres_of_mm);
+    read_z("max_z_velocity", "max_velocity", "mm/s", "velocity", "max_z_velocity_m_min", units::to_m_min);
+    read_z("max_z_accel", "max_accel", "mm/s2", "acceleration", "max_z_acceleration_m_s2", units::to_m);
   }
 
   void read_z(const char* name, const char* path_name, const char* unit, const char* key, const char* setting,
-              double factor) {
+              double (*to_unit)(double)) {
     const std::optional<double> value = printer(name, unit);
     const SectionEntry* path = file_.find("printer", path_name);
     const std::optional<double> most =
@@ -109,8 +107,8 @@ class KlipperReader {
                   fmt::format("lower {}", name));
     }
     if (value) {
-      draft_.give_axis('Z', key, *value * factor, given(name, unit));
-      draft_.give(setting, *value * factor, given(name, unit));
+      draft_.give_axis('Z', key, to_unit(*value), given(name, unit));
+      draft_.give(setting, to_unit(*value), given(name, unit));
     }
   }
 

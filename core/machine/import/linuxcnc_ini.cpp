@@ -16,8 +16,6 @@ namespace feedscope {
 namespace {
 
 constexpr double mm_of_inch = units::from_inch(1);
-constexpr double minute = 60;  // [s]
-constexpr double mm_of_metre = 1000;
 constexpr std::array letters{'X', 'Y', 'Z', 'A', 'B', 'C', 'U', 'V', 'W'};
 
 /// Sections that no other program's INI file has.
@@ -143,18 +141,18 @@ class LinuxCncReader {
   }
 
   void read_axis(char axis) {
-    read_limit(axis, "MAX_VELOCITY", "/s", "velocity", unit_ * minute / mm_of_metre);
-    read_limit(axis, "MAX_ACCELERATION", "/s2", "acceleration", unit_ / mm_of_metre);
+    read_limit(axis, "MAX_VELOCITY", "/s", "velocity", units::to_m_min);
+    read_limit(axis, "MAX_ACCELERATION", "/s2", "acceleration", units::to_m);
   }
 
-  /// `factor`: from the unit of the file to the one of the key.
-  void read_limit(char axis, const char* name, const char* per, const char* key, double factor) {
+  /// `to_unit`: from mm to the unit of the key.
+  void read_limit(char axis, const char* name, const char* per, const char* key, double (*to_unit)(double)) {
     const std::string section = axis_section(axis);
     const std::string unit = unit_name_ + per;
     const SectionEntry* entry = file_.find(section, name);
     if (entry != nullptr) {
       if (const std::optional<double> value = number(*entry, unit)) {
-        draft_.give_axis(axis, key, *value * factor, entry->given(unit));
+        draft_.give_axis(axis, key, to_unit(*value * unit_), entry->given(unit));
         compare_with_joints(axis, *entry, *value);
       }
       return;
@@ -167,7 +165,7 @@ class LinuxCncReader {
             Severity::warning, file_.place_of(section), "limit-missing",
             fmt::format("[{}] gives no {}; that of [{}] is assumed", section, name, joint),
             fmt::format("write {} into [{}]: LinuxCNC does not take it from the joint", name, section));
-        draft_.assume_axis(axis, key, *value * factor,
+        draft_.assume_axis(axis, key, to_unit(*value * unit_),
                            fmt::format("[{}] gives none: as {}: {}", section, draft_.place_text(other->place),
                                        other->given(unit).what));
         return;
@@ -212,7 +210,7 @@ class LinuxCncReader {
     velocity = velocity == nullptr ? file_.find("TRAJ", "MAX_VELOCITY") : velocity;
     const std::string unit = unit_name_ + "/s";
     if (const std::optional<double> value = velocity == nullptr ? std::nullopt : number(*velocity, unit)) {
-      draft_.give("max_linear_velocity_m_min", *value * unit_ * minute / mm_of_metre, velocity->given(unit));
+      draft_.give("max_linear_velocity_m_min", units::to_m_min(*value * unit_), velocity->given(unit));
     }
     if (const SectionEntry* entry = file_.find("DISPLAY", "MAX_FEED_OVERRIDE")) {
       if (const std::optional<double> value = number(*entry)) {
@@ -296,11 +294,20 @@ class LinuxCncReader {
                                           "MAX_JERK",
                                           "MAX_LIMIT",
                                           "MIN_LIMIT",
-                                          "MAX_LINEAR_ACCELERATION",
-                                          "MAX_ANGULAR_VELOCITY",
+                                          "MAX_OUTPUT",
+                                          "MAX_LINEAR_JERK",
+                                          "DEFAULT_VELOCITY",
+                                          "DEFAULT_ACCELERATION",
                                           "MIN_LINEAR_VELOCITY",
+                                          "MAX_ANGULAR_VELOCITY",
+                                          "DEFAULT_LINEAR_VELOCITY",
+                                          "DEFAULT_ANGULAR_VELOCITY",
+                                          "MIN_ANGULAR_VELOCITY",
+                                          "MAX_LINEAR_ACCELERATION",
                                           "MAX_ANGULAR_ACCELERATION",
-                                          "MAX_OUTPUT"};
+                                          "DEFAULT_LINEAR_ACCELERATION",
+                                          "DEFAULT_ANGULAR_ACCELERATION",
+                                          "ANGULAR_UNITS"};
     for (const SectionEntry& entry : file_.entries()) {
       const bool of_motion = entry.section == "TRAJ" || entry.section == "EMCMOT" ||
                              entry.section.starts_with("AXIS_") || entry.section.starts_with("JOINT_");

@@ -7,9 +7,7 @@ namespace {
 using testing::HasSubstr;
 using testing::StartsWith;
 
-class GrblListing : public test::ImportTest {};
-
-constexpr const char* listing = R"($0=10
+constexpr const char* grbl_settings = R"($0=10
 $1=25
 $11=0.020
 $12=0.004
@@ -26,14 +24,16 @@ $130=300.000
 ok
 )";
 
-std::string changed(const std::string& from, const std::string& to, std::string text = listing) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
+class GrblListing : public test::ImportTest {
+ protected:
+  static std::string changed(const std::string& from, const std::string& to,
+                             const std::string& text = grbl_settings) {
+    return replaced(text, from, to);
+  }
+};
 
 TEST_F(GrblListing, GivesLimitsStepsAndSettingsWithLines) {
-  const ImportedMachine imported = import(listing, "router.txt");
+  const ImportedMachine imported = import(grbl_settings, "router.txt");
   const Machine& machine = imported.machine;
   EXPECT_EQ(machine.model, "grbl");
   EXPECT_EQ(machine.control, "grbl 1.1");
@@ -66,14 +66,14 @@ TEST_F(GrblListing, NeverReleasedMotorsCostNoTime) {
 }
 
 TEST_F(GrblListing, ReadsTheBufferThatTheControlTells) {
-  const std::string text = std::string(listing) + "[VER:1.1h.20190825:]\n[OPT:VN,14,128]\n";
+  const std::string text = std::string(grbl_settings) + "[VER:1.1h.20190825:]\n[OPT:VN,14,128]\n";
   const ImportedMachine imported = import(text, "a.txt");
   EXPECT_EQ(imported.machine.settings.number("buffer_blocks"), 14);
   EXPECT_THAT(source(imported, "buffer_blocks"), StartsWith("a.txt, line 17: [OPT:VN,14,128]"));
 }
 
 TEST_F(GrblListing, OfGrblHalSkipsWhatNoModelUses) {
-  const std::string text = "GrblHAL 1.1f ['$' or '$HELP' for help]\n" + std::string(listing) +
+  const std::string text = "GrblHAL 1.1f ['$' or '$HELP' for help]\n" + std::string(grbl_settings) +
                            "$103=26.667\n$123=10\n$341=0\n$398=100\n$481=0\n";
   const ImportedMachine imported = import(text, "hal.txt");
   EXPECT_EQ(imported.machine.control, "grblHAL");
@@ -97,7 +97,7 @@ TEST_F(GrblListing, ReadsPathsOfFluidNc) {
 }
 
 TEST_F(GrblListing, ReportsContradictionsAndBadNumbers) {
-  const ImportedMachine twice = import(std::string(listing) + "$110=100\n", "a.txt");
+  const ImportedMachine twice = import(std::string(grbl_settings) + "$110=100\n", "a.txt");
   EXPECT_THAT(notes(twice, "a.txt"),
               HasSubstr("a.txt:16: warning: $110 = 100, but 5000.000 in a.txt, line 8; 100 is "
                         "used"));
@@ -107,7 +107,8 @@ TEST_F(GrblListing, ReportsContradictionsAndBadNumbers) {
   EXPECT_THAT(notes(bad, "a.txt"), HasSubstr("a.txt:8: error: $110 = 0 mm/min cannot be used"));
   EXPECT_THAT(notes(bad, "a.txt"), HasSubstr("a.txt:12: error: $121 = abc: 'abc' is not a number"));
   EXPECT_THAT(source(bad, "X.velocity"), StartsWith("assumed: "));
-  EXPECT_THAT(notes(import(std::string(listing) + "$32=1\n", "a.txt"), "a.txt"), HasSubstr("laser mode"));
+  EXPECT_THAT(notes(import(std::string(grbl_settings) + "$32=1\n", "a.txt"), "a.txt"),
+              HasSubstr("laser mode"));
 }
 
 TEST_F(GrblListing, RefusesTheNumbersOfOldReleases) {

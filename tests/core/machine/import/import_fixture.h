@@ -51,6 +51,12 @@ class ImportTest : public testing::Test {
     return imported;
   }
 
+  /// `text` with its first `from` replaced.
+  static std::string replaced(std::string text, const std::string& from, const std::string& to) {
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return text.replace(at, from.size(), to);
+  }
   /// All notes as they are printed.
   static std::string notes(const ImportedMachine& imported, const std::string& file) {
     std::string text;

@@ -8,9 +8,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-class KlipperConfig : public test::ImportTest {};
-
-constexpr const char* printer = R"([mcu]
+constexpr const char* printer_cfg = R"([mcu]
 serial: /dev/ttyACM0
 [printer]
 kinematics: corexy
@@ -27,14 +25,16 @@ gcode:
     G28
 )";
 
-std::string changed(const std::string& from, const std::string& to, std::string text = printer) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
+class KlipperConfig : public test::ImportTest {
+ protected:
+  static std::string changed(const std::string& from, const std::string& to,
+                             const std::string& text = printer_cfg) {
+    return replaced(text, from, to);
+  }
+};
 
 TEST_F(KlipperConfig, GivesLimitsOfThePathAndOfZ) {
-  const ImportedMachine imported = import(printer, "printer.cfg");
+  const ImportedMachine imported = import(printer_cfg, "printer.cfg");
   const Machine& machine = imported.machine;
   EXPECT_EQ(machine.model, "klipper");
   EXPECT_EQ(machine.name, "printer (corexy)");
@@ -53,7 +53,7 @@ TEST_F(KlipperConfig, GivesLimitsOfThePathAndOfZ) {
 }
 
 TEST_F(KlipperConfig, LaterFilesReplaceEarlierValues) {
-  write("printer.cfg", std::string(printer) + "[include tuned/*.cfg]\n[include more.cfg] ; own\n");
+  write("printer.cfg", std::string(printer_cfg) + "[include tuned/*.cfg]\n[include more.cfg] ; own\n");
   write("tuned/b.cfg", "[printer]\nmax_accel: 7000\n");
   write("tuned/a.cfg", "[printer]\nmax_accel: 6000\n");
   write("more.cfg", "#[printer]\nmax_nothing\n");
@@ -69,7 +69,7 @@ TEST_F(KlipperConfig, LaterFilesReplaceEarlierValues) {
 }
 
 TEST_F(KlipperConfig, ReadsWhatSaveConfigWrites) {
-  const std::string text = std::string(printer) +
+  const std::string text = std::string(printer_cfg) +
                            "#*# <---------------------- SAVE_CONFIG ---------------------->\n#*#\n"
                            "#*# [printer]\n#*# square_corner_velocity = 3\n";
   EXPECT_EQ(import(text, "printer.cfg").machine.settings.number("square_corner_velocity_mm_s"), 3);

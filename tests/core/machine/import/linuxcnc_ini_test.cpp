@@ -11,9 +11,7 @@ using testing::HasSubstr;
 using testing::Not;
 using testing::StartsWith;
 
-class LinuxCncIni : public test::ImportTest {};
-
-constexpr const char* mill = R"(# a retrofitted mill
+constexpr const char* mill_ini = R"(# a retrofitted mill
 [EMC]
 MACHINE = Bridgeport
 [EMCMOT]
@@ -45,14 +43,16 @@ MAX_VELOCITY = 60
 MAX_ACCELERATION = 400
 )";
 
-std::string changed(const std::string& from, const std::string& to, std::string text = mill) {
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, std::string::npos) << from;
-  return text.replace(at, from.size(), to);
-}
+class LinuxCncIni : public test::ImportTest {
+ protected:
+  static std::string changed(const std::string& from, const std::string& to,
+                             const std::string& text = mill_ini) {
+    return replaced(text, from, to);
+  }
+};
 
 TEST_F(LinuxCncIni, GivesLimitsOfTheAxesWithFileAndLine) {
-  const ImportedMachine imported = import(mill, "mill.ini");
+  const ImportedMachine imported = import(mill_ini, "mill.ini");
   const Machine& machine = imported.machine;
   EXPECT_EQ(imported.kind, "INI file of LinuxCNC");
   EXPECT_EQ(machine.id, "mill");
@@ -107,7 +107,7 @@ TEST_F(LinuxCncIni, ReportsFilesThatCannotBeIncluded) {
 }
 
 TEST_F(LinuxCncIni, ReadsSectionsOfOldReleases) {
-  std::string text = mill;
+  std::string text = mill_ini;
   for (const auto& [from, to] : {std::pair("[AXIS_X]", "[AXIS_0]"), std::pair("[AXIS_Y]", "[AXIS_1]"),
                                  std::pair("[AXIS_Z]", "[AXIS_2]")}) {
     text = changed(from, to, text);
@@ -195,7 +195,7 @@ TEST_F(LinuxCncIni, OfTheCompleteControlIsUnderstoodWhole) {
   EXPECT_NEAR(imported.machine.axes[0].velocity, 166.666667, 1e-9);
   EXPECT_NEAR(imported.machine.axes[2].velocity, 83.333333, 1e-9);
   EXPECT_NEAR(imported.machine.axes[2].acceleration, 400, 1e-9);
-  EXPECT_FALSE(has_errors(imported.notes)) << notes(imported, "t.ini");
+  EXPECT_EQ(imported.notes.size(), 1U) << notes(imported, "t.ini");  // on G64 P in the start-up code
 }
 
 }  // namespace
