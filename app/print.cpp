@@ -297,7 +297,10 @@ std::string summary_text(const Run& run) {
   }
   figures.add({"programmed time", time_text(s.programmed_time)});
   const auto tolerance = tolerance_in_force(run.input.feed_controls, run.setup);
-  figures.add({"tolerance", tolerance ? describe(tolerance) : "none: not used by the model"});
+  const bool own = run.setup.model->guarantees(run.setup.settings).own_tolerances;
+  figures.add({"tolerance", tolerance ? describe(tolerance)
+                            : own     ? "P of G64 in the program, else blend_tolerance_mm"
+                                      : "none: not used by the model"});
   figures.add({"path length", fmt::format("{:.3f} mm", run.trajectory->path_length())});
   figures.add({"mean feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.mean_feed))});
   figures.add({"peak feed", fmt::format("{:.1f} mm/min", units::to_mm_min(s.peak_feed))});

@@ -43,6 +43,7 @@ constexpr auto machines_of_dialects = std::to_array<MachineOfDialect>({
     {Dialect::heidenhain, "dmg-mori-evo40"},
     {Dialect::heidenhain_iso, "dmg-mori-evo40"},
     {Dialect::grbl, "grbl-router"},
+    {Dialect::linuxcnc, "linuxcnc-mill"},
 });
 
 const MachineOfDialect* find_machine_of(Dialect dialect) {

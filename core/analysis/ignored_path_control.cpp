@@ -28,7 +28,8 @@ constexpr auto rules = std::to_array<Rule>({
     {QT_TRANSLATE_NOOP(
          "core", "Tolerances and blend distances of the program are not used: the model has no blends."),
      [](const Asked& a) {
-       return (a.control.contour_tolerance || a.control.blend_distance) && !contour_tolerance(a.setup);
+       return (a.control.contour_tolerance || a.control.blend_distance) && !contour_tolerance(a.setup) &&
+              !a.promised.own_tolerances;
      }},
     {QT_TRANSLATE_NOOP("core",
                        "Compaction requested by the program is not simulated: short blocks are not joined."),

@@ -126,6 +126,7 @@ const std::map<std::string, std::string>& french_words() {
       {"Time-optimal bound", "Borne en temps optimal"},
       {"Open control grbl", "Commande ouverte grbl"},
       {"Open control Klipper", "Commande ouverte Klipper"},
+      {"Open control LinuxCNC", "Commande ouverte LinuxCNC"},
   };
   return words;
 }

@@ -76,6 +76,9 @@ std::string covered_sentence(Covered covered) {
 std::string feed_sentence(const Guarantees& g) {
   const std::string feed =
       g.feed_of_run ? "the largest programmed feed between two standstills" : "the programmed feed";
+  if (g.feed == Guarantees::unbounded && !g.rounds_places) {
+    return "The programmed feed is kept along every block; where two blocks overlap their speeds add.";
+  }
   if (g.feed == Guarantees::unbounded) {
     return "The programmed feed is met to whole steps and counts of a timer; very slow feeds are exceeded.";
   }

@@ -69,6 +69,8 @@ struct Guarantees {
   bool follows_brisk = false;
   /// Joins short blocks where the program or the machine asks for it.
   bool follows_compaction = false;
+  /// Tolerances of the program count, by settings of the model's own in place of the common one.
+  bool own_tolerances = false;
 
   Continuity continuity = Continuity::speed;
   bool stops_at_line_corners = false;  ///< of two lines

@@ -4,6 +4,7 @@
 #include "core/models/gassara/gassara_model.h"
 #include "core/models/grbl/grbl_model.h"
 #include "core/models/klipper/klipper_model.h"
+#include "core/models/linuxcnc/linuxcnc_model.h"
 #include "core/models/msaddek/msaddek_model.h"
 #include "core/models/optimal/optimal_model.h"
 #include "core/models/tapie/tapie_model.h"
@@ -21,8 +22,9 @@ const std::vector<const ControlModel*>& all_models() {
   static const OptimalModel optimal;
   static const GrblModel grbl;
   static const KlipperModel klipper;
-  static const std::vector<const ControlModel*> models{&cam,  &essid,   &gassara, &tapie,  &msaddek,
-                                                       &ward, &optimal, &grbl,    &klipper};
+  static const LinuxCncModel linuxcnc;
+  static const std::vector<const ControlModel*> models{&cam,  &essid,   &gassara, &tapie,   &msaddek,
+                                                       &ward, &optimal, &grbl,    &klipper, &linuxcnc};
   return models;
 }
 

@@ -95,9 +95,12 @@ void TrajectoryBuilder::add_pause(std::uint32_t block) {
 }
 
 void TrajectoryBuilder::pass_pause(std::uint32_t element) {
+  pass_pause(element, programmed().dwell_of(programmed().segments[path().segment(element)]));
+}
+
+void TrajectoryBuilder::pass_pause(std::uint32_t element, double time) {
   const Segment& segment = programmed().segments[path().segment(element)];
-  add_piece({0, 0, 0, 0, 0, element, {cause_of(programmed().pause_of(segment).kind)}},
-            programmed().dwell_of(segment));
+  add_piece({0, 0, 0, 0, 0, element, {cause_of(programmed().pause_of(segment).kind)}}, time);
 }
 
 void TrajectoryBuilder::add_piece(Piece piece, double duration) {

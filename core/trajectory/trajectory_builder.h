@@ -39,6 +39,8 @@ class TrajectoryBuilder {
   void add_pause(std::uint32_t block);
   /// The same for one whose element is part of the path already.
   void pass_pause(std::uint32_t element);
+  /// The same for one that the control gives `time` [s].
+  void pass_pause(std::uint32_t element, double time);
   /// Appends the curve, a blend or a connecting arc, from `transition` before the end of `block` to as much
   /// behind it [mm].
   std::uint32_t add_corner(ElementKind kind, std::uint32_t block, double transition, double length);

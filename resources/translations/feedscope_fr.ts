@@ -1777,6 +1777,70 @@
         <source>Velocity and acceleration are limited along the path; corners are passed as they are programmed, at a speed that the square corner velocity sets, without any limit of the jerk. The look-ahead has no end, and a part of every way is kept for constant speed. Every line must begin with its command.</source>
         <translation>Vitesse et accélération sont limitées le long de la trajectoire ; les coins sont passés tels qu&apos;ils sont programmés, à une vitesse que fixe la vitesse de coin à 90°, sans limite du jerk. L&apos;anticipation est sans fin, et une part de chaque trajet reste à vitesse constante. Chaque ligne doit commencer par sa commande.</translation>
     </message>
+    <message>
+        <source>Planner</source>
+        <translation>Planificateur</translation>
+    </message>
+    <message>
+        <source>Version of LinuxCNC. 2.9 gives the last move of a program and one that stands alone half of the acceleration under G64; master gives them all of it, but limits arcs more.</source>
+        <translation>Version de LinuxCNC. Sous G64, 2.9 ne donne que la moitié de l’accélération au dernier déplacement d’un programme et à un déplacement isolé ; master la leur donne toute, mais limite davantage les arcs.</translation>
+    </message>
+    <message>
+        <source>Path control mode</source>
+        <translation>Mode de suivi de trajectoire</translation>
+    </message>
+    <message>
+        <source>Where the program gives none: G64 blends corners within the blend tolerance, G61 stops in them.</source>
+        <translation>Quand le programme n’en donne pas : G64 raccorde les coins dans la tolérance de raccord, G61 s’y arrête.</translation>
+    </message>
+    <message>
+        <source>Blend tolerance</source>
+        <translation>Tolérance de raccord</translation>
+    </message>
+    <message>
+        <source>P of G64 where the program gives none: how far blends may leave the corner. 0: as far as a quarter of the blocks, as fast as possible.</source>
+        <translation>P de G64 quand le programme n’en donne pas : de combien les raccords peuvent s’écarter du coin. 0 : jusqu’au quart des blocs, aussi vite que possible.</translation>
+    </message>
+    <message>
+        <source>Naive CAM tolerance</source>
+        <translation>Tolérance du détecteur FAO (naive CAM)</translation>
+    </message>
+    <message>
+        <source>Q of G64 where the program gives none: blocks whose ends lie within it of a line become one block. 0: none do. Without a value the blend tolerance.</source>
+        <translation>Q de G64 quand le programme n’en donne pas : les blocs dont les fins s’écartent d’une droite de moins que cela deviennent un seul bloc. 0 : aucun. Sans valeur, la tolérance de raccord.</translation>
+    </message>
+    <message>
+        <source>Servo period</source>
+        <translation>Période d’asservissement</translation>
+    </message>
+    <message>
+        <source>SERVO_PERIOD: time of one step of the planner, which takes one block at most from the program in each.</source>
+        <translation>SERVO_PERIOD : durée d’un pas du planificateur, qui prend au plus un bloc du programme à chaque pas.</translation>
+    </message>
+    <message>
+        <source>Maximum linear velocity</source>
+        <translation>Vitesse linéaire maximale</translation>
+    </message>
+    <message>
+        <source>MAX_LINEAR_VELOCITY: of the tool along the path. Without a value only the axes limit it.</source>
+        <translation>MAX_LINEAR_VELOCITY : de l’outil le long de la trajectoire. Sans valeur, seuls les axes la limitent.</translation>
+    </message>
+    <message>
+        <source>Maximum feed override</source>
+        <translation>Correction d’avance maximale</translation>
+    </message>
+    <message>
+        <source>MAX_FEED_OVERRIDE: up to where the operator may raise the feed; blends are laid for that speed. The program runs at 100 %.</source>
+        <translation>MAX_FEED_OVERRIDE : jusqu’où l’opérateur peut monter l’avance ; les raccords sont faits pour cette vitesse. Le programme tourne à 100 %.</translation>
+    </message>
+    <message>
+        <source>Open control LinuxCNC</source>
+        <translation>Commande ouverte LinuxCNC</translation>
+    </message>
+    <message>
+        <source>Every servo period the planner computes the next place, with constant acceleration and no limit of the jerk. Under G64 arcs within the tolerance blend corners, or neighbours overlap, and short blocks along a line become one; under G61 corners are exact stops. Half of the acceleration is kept back for blends.</source>
+        <translation>À chaque période d’asservissement, le planificateur calcule le prochain point, à accélération constante et sans limite de jerk. Sous G64, des arcs raccordent les coins dans la tolérance, ou deux blocs se chevauchent, et les blocs courts le long d’une droite n’en font qu’un ; sous G61, les coins sont des arrêts précis. La moitié de l’accélération est réservée aux raccords.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

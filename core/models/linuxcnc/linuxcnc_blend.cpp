@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/limits/axis_share.h"
+
 namespace feedscope {
 namespace {
 
@@ -13,13 +15,16 @@ using std::numbers::pi;
 
 constexpr double across_of_blend = 0.86602540378443864676;
 
-/// Least over the axes of what they allow in the plane across unit vector `n`.
-double plane_limit(const Vec3& axes, const Vec3& n) {
+/// Least over the axes of what they allow in the plane across unit vector `n`, and of which one.
+AxisBound plane_limit(const Vec3& axes, const Vec3& n) {
   constexpr double least_part = 1e-12;
-  double limit = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < 3; ++i) {
+  AxisBound limit{std::numeric_limits<double>::infinity(), -1};
+  for (std::int8_t i = 0; i < 3; ++i) {
     const double part = std::sqrt(std::max(1 - n[i] * n[i], 0.0));
-    limit = std::min(limit, axes[i] / std::max(part, least_part));
+    const double value = axes[i] / std::max(part, least_part);
+    if (axes[i] > 0 && value < limit.value) {  // 0: the machine does not have it
+      limit = {value, i};
+    }
   }
   return limit;
 }
@@ -212,8 +217,10 @@ std::optional<LinuxCncBlend> find_linuxcnc_blend(const LinuxCncSegment& p, const
       return std::nullopt;
     }
   }
-  const double acceleration = plane_limit(settings.acceleration, normal);
-  const double plane_speed = plane_limit(settings.velocity, normal);
+  const AxisBound plane_acceleration = plane_limit(settings.acceleration, normal);
+  const double acceleration = plane_acceleration.value;
+  const AxisBound plane_velocity = plane_limit(settings.velocity, normal);
+  const double plane_speed = plane_velocity.value;
   const auto tolerance_of = [](const LinuxCncSegment& s) {
     return std::min(s.tolerance > 0 ? s.tolerance : s.nominal_length / 4, s.nominal_length / 4);
   };
@@ -290,6 +297,13 @@ std::optional<LinuxCncBlend> find_linuxcnc_blend(const LinuxCncSegment& p, const
   arc.requested = speeds.requested;
   arc.largest = planned;
   arc.acceleration = acceleration;
+  arc.acceleration_axis = plane_acceleration.axis;
+  const bool is_feed = planned >= speeds.requested;
+  const LinuxCncSegment& faster = std::min(p.requested, p.largest) > std::min(t.requested, t.largest) ? p : t;
+  const bool by_corner = planned < speeds.goal;
+  arc.speed_cause = is_feed     ? faster.speed_cause
+                    : by_corner ? Cause{CauseKind::contour_tolerance}
+                                : Cause{CauseKind::axis_velocity, plane_velocity.axis};
   arc.end = LinuxCncEnd::tangent;
   arc.tolerance = tolerance;
   return blend;

@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
-#include "core/models/linuxcnc/linuxcnc_words.h"
+#include "core/limits/axis_share.h"
 
 namespace feedscope {
 namespace {
@@ -11,21 +12,37 @@ namespace {
 constexpr double across_share_of_canon = 0.866;
 constexpr std::size_t longest_chain = 101;
 
-/// Least over the axes that move of what they allow along a displacement of `length` [mm].
-double along(const Vec3& way, double length, const Vec3& limits) {
+/// Least over the axes that move of what they allow along a displacement of `length` [mm], and which.
+AxisBound along(const Vec3& way, double length, const Vec3& limits) {
   constexpr double no_way = 1e-8;
   double time = 0;
-  for (int i = 0; i < 3; ++i) {
+  std::int8_t axis = -1;
+  for (std::int8_t i = 0; i < 3; ++i) {
     const double part = std::abs(way[i]);
-    time = part < no_way ? time : std::max(time, part / limits[i]);
+    if (part >= no_way && part / limits[i] > time) {
+      time = part / limits[i];
+      axis = i;
+    }
   }
-  return time > 0 ? length / time : limits.minCoeff();
+  return {time > 0 ? length / time : limits.minCoeff(), axis};
+}
+
+/// From spoke `from` to `to` about `normal`, with the full turns of `sweep` [rad].
+double angle_between(const Vec3& from, const Vec3& to, const Vec3& normal, double sweep) {
+  constexpr double full_turn = 2 * std::numbers::pi;
+  constexpr double least = 1e-12;
+  const double angle = std::atan2(normal.dot(from.cross(to)), from.dot(to));
+  const double whole = angle + full_turn * std::round((sweep - angle) / full_turn);
+  return whole > least ? whole : whole + full_turn;
 }
 
 }  // namespace
 
 LinuxCncCanon::LinuxCncCanon(const Toolpath& toolpath, const LinuxCncSettings& settings)
-    : toolpath_(toolpath), settings_(settings) {}
+    : toolpath_(toolpath), settings_(settings), waits_(toolpath) {
+  mode_ = {settings_.blends, settings_.blends ? settings_.blend_tolerance : 0,
+           settings_.blends ? settings_.naive_tolerance : 0};
+}
 
 LinuxCncCanon::Mode LinuxCncCanon::mode_of(std::size_t block) const {
   const PathControl& control = toolpath_.path_control_of(block);
@@ -60,39 +77,47 @@ void LinuxCncCanon::enter_mode(const Mode& mode, std::uint32_t block) {
   send(LinuxCncMessage::Kind::mode, block);
 }
 
-std::vector<LinuxCncMessage> LinuxCncCanon::messages() {
-  mode_ = {settings_.blends, settings_.blends ? settings_.blend_tolerance : 0,
-           settings_.blends ? settings_.naive_tolerance : 0};
-  LinuxCncWaits waits(toolpath_);
-  for (std::size_t i = 0; i < toolpath_.segments.size(); ++i) {
-    const auto block = static_cast<std::uint32_t>(i);
-    const LinuxCncWaits::Found found = waits.before(i);
-    if (found.count > 0) {
+std::optional<LinuxCncMessage> LinuxCncCanon::next() {
+  while (sent_.empty() && block_ < toolpath_.segments.size()) {
+    read_block(block_++);
+    if (block_ == toolpath_.segments.size()) {
       flush();
-      for (int k = 0; k < found.count; ++k) {
-        send(LinuxCncMessage::Kind::wait, block);
-      }
-      spindle_starts_ = spindle_starts_ || found.spindle_starts;
-    }
-    const Segment& segment = toolpath_.segments[i];
-    if (segment.kind != SegmentKind::dwell) {
-      enter_mode(mode_of(i), block);
-    }
-    switch (segment.kind) {
-      case SegmentKind::line:
-        line(i);
-        break;
-      case SegmentKind::arc:
-        arc(i);
-        break;
-      case SegmentKind::dwell:
-        flush();
-        send(LinuxCncMessage::Kind::dwell, block, toolpath_.dwell_of(segment));
-        break;
     }
   }
-  flush();
-  return std::move(sent_);
+  if (sent_.empty()) {
+    return std::nullopt;
+  }
+  std::optional<LinuxCncMessage> first(std::move(sent_.front()));
+  sent_.pop_front();
+  return first;
+}
+
+void LinuxCncCanon::read_block(std::size_t i) {
+  const auto block = static_cast<std::uint32_t>(i);
+  const LinuxCncWaits::Found found = waits_.before(i);
+  if (found.count > 0) {
+    flush();
+    for (int k = 0; k < found.count; ++k) {
+      send(LinuxCncMessage::Kind::wait, block);
+    }
+    spindle_starts_ = spindle_starts_ || found.spindle_starts;
+  }
+  const Segment& segment = toolpath_.segments[i];
+  if (segment.kind != SegmentKind::dwell) {
+    enter_mode(mode_of(i), block);
+  }
+  switch (segment.kind) {
+    case SegmentKind::line:
+      line(i);
+      break;
+    case SegmentKind::arc:
+      arc(i);
+      break;
+    case SegmentKind::dwell:
+      flush();
+      send(LinuxCncMessage::Kind::dwell, block, toolpath_.dwell_of(segment));
+      break;
+  }
 }
 
 void LinuxCncCanon::line(std::size_t i) {
@@ -110,7 +135,7 @@ void LinuxCncCanon::line(std::size_t i) {
 }
 
 bool LinuxCncCanon::linkable(const Vec3& end) const {
-  if (!mode_.blends || !(mode_.naive > 0) || chain_.size() > longest_chain || end == chain_start_) {
+  if (!mode_.blends || !(mode_.naive > 0) || chain_.size() >= longest_chain || end == chain_start_) {
     return false;
   }
   const Vec3 way = end - chain_start_;
@@ -151,9 +176,15 @@ void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, boo
   move.block = block;
   move.first = first;
   move.rapid = rapid;
-  move.largest = along(to - from, move.course.length, settings_.velocity);
-  move.acceleration = along(to - from, move.course.length, settings_.acceleration);
+  const AxisBound velocity = along(to - from, move.course.length, settings_.velocity);
+  const AxisBound acceleration = along(to - from, move.course.length, settings_.acceleration);
+  move.largest = velocity.value;
+  move.acceleration = acceleration.value;
+  move.acceleration_axis = acceleration.axis;
   move.requested = rapid ? move.largest : std::min(feed, move.largest);
+  const bool of_axis = rapid || feed > move.largest;
+  move.speed_cause = !of_axis ? Cause{CauseKind::programmed_feed}
+                              : Cause{rapid ? CauseKind::rapid : CauseKind::axis_velocity, velocity.axis};
   move.tolerance = mode_.tolerance;
   move.end = mode_.blends ? LinuxCncEnd::parabolic : LinuxCncEnd::exact;
   move.waits_for_spindle = spindle_starts_ && !rapid;
@@ -171,16 +202,16 @@ void LinuxCncCanon::arc(std::size_t i) {
   course.normal = given.x.cross(given.y);
   course.height = course.normal.dot(segment.end - start);
   const Vec3 center = toolpath_.programmed_center(segment);
-  const auto across = [&](const Vec3& place) -> Vec3 {
+  const auto spoke_to = [&](const Vec3& place) -> Vec3 {
     const Vec3 spoke = place - center;
     return spoke - course.normal.dot(spoke) * course.normal;
   };
-  const Vec3 from = across(start);
-  const Vec3 to = across(segment.end);
+  const Vec3 from = spoke_to(start);
+  const Vec3 to = spoke_to(segment.end);
   course.radius = from.norm();
   course.spoke = from / course.radius;
   course.center = start - from;
-  course.angle = given.sweep;
+  course.angle = angle_between(from, to, course.normal, given.sweep);
   course.spiral = to.norm() - course.radius;
   course.length = course.arc_length();
   constexpr double flat = 1e-9;
@@ -217,6 +248,10 @@ void LinuxCncCanon::arc(std::size_t i) {
   move.largest = length / std::max(time(settings_.velocity), turn / in_plane);
   move.acceleration = length / std::max(time(settings_.acceleration), turn / acceleration);
   move.requested = std::min(segment.feed > 0 ? segment.feed : move.largest, move.largest);
+  const bool turns_fast = in_plane < speed && turn / in_plane >= time(settings_.velocity);
+  move.speed_cause = segment.feed > 0 && segment.feed <= move.largest
+                         ? Cause{CauseKind::programmed_feed}
+                         : Cause{turns_fast ? CauseKind::radial_acceleration : CauseKind::axis_velocity};
   move.tolerance = mode_.tolerance;
   move.end = mode_.blends ? LinuxCncEnd::parabolic : LinuxCncEnd::exact;
   move.waits_for_spindle = spindle_starts_;

@@ -1,9 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
+#include <optional>
 #include <vector>
 
 #include "core/models/linuxcnc/linuxcnc_segment.h"
+#include "core/models/linuxcnc/linuxcnc_words.h"
 #include "core/toolpath/toolpath.h"
 
 namespace feedscope {
@@ -26,7 +29,8 @@ struct LinuxCncMessage {
 class LinuxCncCanon {
  public:
   LinuxCncCanon(const Toolpath& toolpath, const LinuxCncSettings& settings);
-  std::vector<LinuxCncMessage> messages();
+  /// The next message; none at the end of the program.
+  std::optional<LinuxCncMessage> next();
 
  private:
   struct Mode {
@@ -40,6 +44,7 @@ class LinuxCncCanon {
     std::uint32_t block;
   };
 
+  void read_block(std::size_t block);
   Mode mode_of(std::size_t block) const;
   void enter_mode(const Mode& mode, std::uint32_t block);
   void line(std::size_t block);
@@ -53,7 +58,9 @@ class LinuxCncCanon {
 
   const Toolpath& toolpath_;
   LinuxCncSettings settings_;
-  std::vector<LinuxCncMessage> sent_;
+  LinuxCncWaits waits_;
+  std::size_t block_ = 0;             ///< to be read next
+  std::deque<LinuxCncMessage> sent_;  ///< and not yet taken
   std::vector<Point> chain_;
   Vec3 chain_start_ = Vec3::Zero();
   double chain_feed_ = 0;

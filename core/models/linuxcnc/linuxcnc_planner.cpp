@@ -19,7 +19,7 @@ void LinuxCncPlanner::add(LinuxCncSegment t) {
   if (t.length < no_length) {
     return;
   }
-  t.largest = std::min(t.largest, t.length / settings_.period);
+  t.lower_largest(t.length / settings_.period, {CauseKind::interpolation_period});
   if (settings_.master) {
     t.limit_arc();
   }
@@ -104,7 +104,7 @@ LinuxCncPlanner::Blended LinuxCncPlanner::join_by_blend(LinuxCncSegment& t) {
   forget_kink();
   LinuxCncSegment& made = blend->arc;
   made.tangential_ratio = 0.5;
-  made.largest = std::min(made.largest, made.length / settings_.period);
+  made.lower_largest(made.length / settings_.period, {CauseKind::interpolation_period});
   if (settings_.master) {
     made.limit_arc();
   }
@@ -145,19 +145,29 @@ void LinuxCncPlanner::optimise() {
     }
     if (t.waits_for_spindle) {
       t.final_speed = 0;
+      t.final_cause = {CauseKind::exact_stop};
     }
     const double kink = p.kink_speed >= 0 ? p.kink_speed : std::numeric_limits<double>::infinity();
     const double a = t.along_acceleration();
     if (!t.finalised) {
-      p.final_speed = std::min({p.largest, std::sqrt(a * t.length), t.target(settings_), kink});
+      const double stop = std::sqrt(a * t.length);
+      const double target = t.target(settings_);
+      p.final_speed = std::min({p.largest, stop, target, kink});
+      p.final_cause = p.final_speed == kink     ? Cause{CauseKind::kink}
+                      : p.final_speed == target ? t.cause(settings_)
+                      : p.final_speed == stop   ? Cause{CauseKind::lookahead_horizon}
+                                                : p.cause(settings_);
       t.final_speed = 0;
     } else {
       const double limit = std::min({t.largest, p.largest, kink});
       double v = std::sqrt(t.final_speed * t.final_speed + 2 * a * t.length);
       p.at_peak = v >= limit;
+      p.final_cause = !p.at_peak      ? t.final_cause
+                      : limit == kink ? Cause{CauseKind::kink}
+                                      : (limit == t.largest ? t : p).cause(settings_);
       v = std::min(v, limit);
       p.final_speed = v;
-      t.largest = std::min(t.largest, t.length / (periods * settings_.period));
+      t.lower_largest(t.length / (periods * settings_.period), {CauseKind::interpolation_period});
     }
     if (t.at_peak && ++peaks > most_peaks) {
       return;
@@ -172,6 +182,33 @@ double LinuxCncPlanner::final_speed(const LinuxCncSegment& t, const LinuxCncSegm
   return std::min({t.final_speed, t.target(settings_), n->target(settings_)});
 }
 
+/// What sets the speed at the end of `t`.
+Cause LinuxCncPlanner::final_cause(const LinuxCncSegment& t, const LinuxCncSegment* n) const {
+  if (t.end != LinuxCncEnd::tangent || n == nullptr) {
+    return {t.end == LinuxCncEnd::parabolic && n != nullptr ? CauseKind::contour_tolerance
+                                                            : CauseKind::exact_stop};
+  }
+  const double of_this = t.target(settings_);
+  const double of_next = n->target(settings_);
+  if (t.final_speed < std::min(of_this, of_next)) {
+    return t.final_cause;
+  }
+  return of_this < of_next ? t.cause(settings_) : n->cause(settings_);
+}
+
+void LinuxCncPlanner::give_causes(LinuxCncStep& step, const LinuxCncSegment* n) const {
+  constexpr double rounding = 1e-9;
+  const LinuxCncSegment& t = *step.segment;
+  step.ahead = final_cause(t, n);
+  if (step.after > step.before + rounding) {
+    step.cause = {CauseKind::axis_acceleration, t.acceleration_axis};
+  } else if (step.after < step.before - rounding) {
+    step.cause = {CauseKind::ramp_down};
+  } else {
+    step.cause = step.after >= t.target(settings_) - rounding ? t.cause(settings_) : step.ahead;
+  }
+}
+
 void LinuxCncPlanner::activate(LinuxCncSegment& t) {
   constexpr double short_time = 1.0 / 100;  // ARC_BLEND_RAMP_FREQ
   if (t.active) {
@@ -184,7 +221,6 @@ void LinuxCncPlanner::activate(LinuxCncSegment& t) {
 }
 
 void LinuxCncPlanner::update(LinuxCncSegment& t, const LinuxCncSegment* n, double time, bool overlaps) {
-  activate(t);
   const double a = t.along_acceleration(only_in_overlap());
   const double v = t.speed;
   const double last = final_speed(t, n);
@@ -213,7 +249,8 @@ void LinuxCncPlanner::update(LinuxCncSegment& t, const LinuxCncSegment* n, doubl
   }
   t.brakes_finally = std::abs(wanted - next) < no_speed && acceleration < 0;
   t.speed = next;
-  steps_.push_back({&t, from, t.progress, v, next, time, overlaps});
+  steps_.push_back({&t, from, t.progress, v, next, time, overlaps, {}, {}});
+  give_causes(steps_.back(), n);
 }
 
 /// True where it stands at its end; else it may be found that it gets there within the next period.
@@ -256,7 +293,8 @@ bool LinuxCncPlanner::check_end(LinuxCncSegment& t, const LinuxCncSegment* n) co
 bool LinuxCncPlanner::run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCncSegment* after) {
   const double time = t.split_time;
   if (time > 0) {
-    steps_.push_back({&t, t.progress, t.length, t.speed, t.split_speed, time, false});
+    steps_.push_back({&t, t.progress, t.length, t.speed, t.split_speed, time, false, {}, {}});
+    give_causes(steps_.back(), n);
   }
   t.progress = t.length;
   t.speed = t.split_speed;

@@ -17,6 +17,8 @@ struct LinuxCncStep {
   double after = 0;                    ///< and after [mm/s]
   double time = 0;                     ///< [s]
   bool overlaps = false;               ///< at the same time as the step before
+  Cause cause;                         ///< why it is not faster
+  Cause ahead;                         ///< what it slows down for
 };
 
 /// The trapezoidal planner of LinuxCNC: the queue of segments, their joints, and one servo period after the
@@ -41,6 +43,8 @@ class LinuxCncPlanner {
   Blended join_by_blend(LinuxCncSegment& t);
   void optimise();
   double final_speed(const LinuxCncSegment& t, const LinuxCncSegment* n) const;
+  Cause final_cause(const LinuxCncSegment& t, const LinuxCncSegment* n) const;
+  void give_causes(LinuxCncStep& step, const LinuxCncSegment* n) const;
   void activate(LinuxCncSegment& t);
   void update(LinuxCncSegment& t, const LinuxCncSegment* n, double time, bool overlaps);
   bool check_end(LinuxCncSegment& t, const LinuxCncSegment* n) const;

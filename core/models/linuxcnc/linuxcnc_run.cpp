@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/limits/axis_share.h"
 
@@ -11,6 +12,20 @@ namespace {
 constexpr std::size_t queue_room = 1880;
 constexpr double no_way = 1e-12;     // [mm]
 constexpr double least_time = 1e-9;  // what rounding leaves of a period [s]
+constexpr double rounding = 1e-7;    // of a speed, relative
+
+/// Its way is that of even acceleration.
+bool is_even(const LinuxCncStep& step) {
+  const double mean = (step.before + step.after) / 2;
+  return std::abs((step.to - step.from) / step.time - mean) <= rounding * mean;
+}
+
+bool is_same_ramp(const LinuxCncStep& first, const LinuxCncStep& second) {
+  const double a = (first.after - first.before) / first.time;
+  const double b = (second.after - second.before) / second.time;
+  return first.cause == second.cause && first.ahead == second.ahead && first.after == second.before &&
+         std::abs(a - b) <= rounding * std::max(std::abs(a), std::abs(b));
+}
 
 }  // namespace
 
@@ -21,38 +36,52 @@ LinuxCncRun::LinuxCncRun(std::shared_ptr<const Toolpath> toolpath, const Machine
       executed_(std::make_shared<ExecutedPath>()),
       builder_(std::move(toolpath), axis_limit_vector(machine, &AxisLimits::velocity),
                std::shared_ptr<const ExecutedPath>(executed_)),
-      planner_(settings_) {}
+      planner_(settings_),
+      canon_(toolpath_, settings_),
+      message_(canon_.next()) {}
 
 /// False: there is none left.
 bool LinuxCncRun::take_message() {
-  if (next_ >= messages_.size()) {
+  if (!message_) {
     return false;
   }
-  LinuxCncMessage& message = messages_[next_];
-  switch (message.kind) {
+  bool taken = true;
+  switch (message_->kind) {
     case LinuxCncMessage::Kind::move:
-      if (planner_.size() < queue_room) {
-        planner_.add(std::move(message.move));
-        ++next_;
+      taken = planner_.size() < queue_room;
+      if (taken) {
+        planner_.add(std::move(message_->move));
       }
       break;
     case LinuxCncMessage::Kind::mode:
-      ++next_;
       break;
     case LinuxCncMessage::Kind::wait:
-      next_ += planner_.empty() ? 1 : 0;
+      taken = planner_.empty();
       break;
     case LinuxCncMessage::Kind::dwell:
-      if (!planner_.empty()) {
-        break;
-      }
-      dwell_left_ = dwell_left_ < 0 ? message.time : dwell_left_ - settings_.period;
-      if (dwell_left_ <= settings_.period / 2) {
-        dwell_left_ = -1;
-        lay_pause(message.block);
-        ++next_;
-      }
+      taken = planner_.empty() && wait_for(*message_);
       break;
+  }
+  if (taken) {
+    message_ = canon_.next();
+  }
+  return true;
+}
+
+/// True: the dwell is over with this period.
+bool LinuxCncRun::wait_for(const LinuxCncMessage& dwell) {
+  dwell_left_ = (dwell_left_ < 0 ? dwell.time : dwell_left_) - settings_.period;
+  if (dwell_left_ > settings_.period / 2) {
+    return false;
+  }
+  dwell_left_ = -1;
+  const double periods = std::round(dwell.time / settings_.period);
+  if (periods > 0) {
+    stand(-(periods - 1) * settings_.period);
+  }
+  standing_.push_back({dwell.block, periods * settings_.period});
+  if (periods > 0) {
+    stand(-settings_.period);  // which this period is going to add
   }
   return true;
 }
@@ -64,19 +93,27 @@ Trajectory LinuxCncRun::run(Progress* progress) {
   path.spindles = toolpath_.spindles;
   path.pauses = toolpath_.pauses;
   path.bounds = toolpath_.bounds;
-  messages_ = LinuxCncCanon(toolpath_, settings_).messages();
-  ProgressSteps steps(progress, std::max<std::size_t>(messages_.size(), 1));
+  const std::size_t blocks = toolpath_.segments.size();
+  ProgressSteps steps(progress, std::max<std::size_t>(blocks, 1));
   while (take_message() || !planner_.empty()) {
     lay(planner_.run_period());
-    steps.at(std::min(next_, messages_.size()));
+    steps.at(message_ ? message_->block : blocks);
   }
   close();
-  lay_standing(last_of_period_);  // what follows the last motion is not counted
+  if (builder_.time() > 0 && last_of_period_ > 0) {
+    stand_on_last(last_of_period_);  // but for that, what follows the last motion is not counted
+    lay_standing(false);
+  } else {
+    lay_standing(builder_.time() == 0);
+  }
   return builder_.finish();
 }
 
 void LinuxCncRun::stand(double time) {
-  standing_ += builder_.time() > 0 || stretch_.open ? time : 0;
+  if (standing_.empty() || standing_.back().pause) {
+    standing_.emplace_back();
+  }
+  standing_.back().time += time;
 }
 
 void LinuxCncRun::lay(const std::vector<LinuxCncStep>& steps) {
@@ -85,8 +122,7 @@ void LinuxCncRun::lay(const std::vector<LinuxCncStep>& steps) {
     stand(settings_.period);
     return;
   }
-  lay_standing(standing_);
-  standing_ = 0;
+  lay_standing(builder_.time() > 0 || stretch_.open);
   for (std::size_t i = 0; i < steps.size(); ++i) {
     if (i + 1 < steps.size() && steps[i + 1].overlaps) {
       lay_overlap(steps[i], steps[i + 1]);
@@ -99,22 +135,38 @@ void LinuxCncRun::lay(const std::vector<LinuxCncStep>& steps) {
   for (const LinuxCncStep& step : steps) {
     time += step.overlaps ? 0 : step.time;
   }
-  standing_ = last_of_period_ = settings_.period - time > least_time ? settings_.period - time : 0;
+  last_of_period_ = settings_.period - time > least_time ? settings_.period - time : 0;
+  if (last_of_period_ > 0) {
+    stand(last_of_period_);
+  }
 }
 
-/// Nothing moves for `time` [s].
-void LinuxCncRun::lay_standing(double time) {
-  if (!(time > 0)) {
+/// What has been waited for since the last motion, with its time if that `counts`.
+void LinuxCncRun::lay_standing(bool counts) {
+  if (standing_.empty()) {
     return;
   }
   close();
+  for (const Standing& standing : standing_) {
+    const double time = counts ? standing.time : 0;
+    if (standing.pause) {
+      lay_pause(*standing.pause, time);
+    } else {
+      stand_on_last(time);
+    }
+  }
+  standing_.clear();
+}
+
+/// A stop of `time` [s] at the end of what is laid.
+void LinuxCncRun::stand_on_last(double time) {
   if (const std::size_t size = builder_.path().size(); size > 0) {
     const auto last = static_cast<std::uint32_t>(size - 1);
     builder_.add_piece({0, builder_.path().length(last), 0, 0, 0, last, {CauseKind::exact_stop}}, time);
   }
 }
 
-/// A step of one segment alone.
+/// A step of one segment alone; one that goes on as the one before becomes a part of it.
 void LinuxCncRun::extend(const LinuxCncStep& step) {
   const LinuxCncSegment& segment = *step.segment;
   const bool goes_on = stretch_.open && stretch_.segment.block == segment.block &&
@@ -128,8 +180,16 @@ void LinuxCncRun::extend(const LinuxCncStep& step) {
     stretch_.from = step.from;
     stretch_.steps.clear();
   }
+  stretch_.segment.course = segment.course;  // of which the next block may have cut something
   stretch_.to = step.to;
-  stretch_.segment.splitting = false;
+  if (!stretch_.steps.empty() && is_even(step) && is_even(stretch_.steps.back()) &&
+      is_same_ramp(stretch_.steps.back(), step)) {
+    LinuxCncStep& last = stretch_.steps.back();
+    last.to = step.to;
+    last.after = step.after;
+    last.time += step.time;
+    return;
+  }
   stretch_.steps.push_back(step);
   stretch_.steps.back().segment = nullptr;
 }
@@ -146,31 +206,78 @@ std::uint32_t LinuxCncRun::add_line(const Vec3& to, const LinuxCncSegment& of) {
   return builder_.add_executed(static_cast<std::uint32_t>(executed_->block.size() - 1));
 }
 
-Cause LinuxCncRun::cause_of(const LinuxCncStep& step, const LinuxCncSegment& segment) const {
-  constexpr double rounding = 1e-9;
-  if (step.after > step.before + rounding) {
-    return {CauseKind::path_acceleration};
-  }
-  if (step.after < step.before - rounding) {
-    return {CauseKind::ramp_down};
-  }
-  if (segment.is_blend && segment.largest < segment.requested) {
-    return {CauseKind::contour_tolerance};
-  }
-  if (settings_.max_velocity < std::min(segment.requested, segment.largest)) {
-    return {CauseKind::path_velocity};
-  }
-  return {segment.rapid ? CauseKind::rapid : CauseKind::programmed_feed};
+/// The open arc is no spiral, and what is laid ends on it.
+bool LinuxCncRun::is_circle_from(double from) const {
+  constexpr double same_place = 1e-11;  // [mm]
+  const LinuxCncCourse& course = stretch_.segment.course;
+  return std::abs(course.spiral) < same_place && (course.at(from) - place_).norm() < same_place;
 }
 
-/// What is open becomes elements: the lead of a blend arc and its arc are two.
+/// An arc of the course up to `to`. A spiral, or an arc that begins a little beside what is laid, becomes
+/// several, each through its ends.
+std::uint32_t LinuxCncRun::add_arc(double from, double to) {
+  const LinuxCncSegment& segment = stretch_.segment;
+  const LinuxCncCourse& course = segment.course;
+  const double share = course.angle / (course.length - course.lead);
+  Arc arc;
+  arc.sweep = (to - from) * share;
+  const Vec3 way = course.at(to) - place_;
+  arc.rise = course.normal.dot(way) / arc.sweep * course.normal;
+  const Vec3 chord = way - course.normal.dot(way) * course.normal;
+  if (is_circle_from(from)) {
+    const double turned = (from - course.lead) * share;
+    arc.x = std::cos(turned) * course.spoke + std::sin(turned) * course.normal.cross(course.spoke);
+    arc.x = (arc.x - course.normal.dot(arc.x) * course.normal).normalized();
+    arc.radius = course.radius;
+    arc.center = place_ - arc.radius * arc.x;
+  } else {
+    arc.center = place_ + chord / 2 + course.normal.cross(chord) / (2 * std::tan(arc.sweep / 2));
+    arc.x = place_ - arc.center;
+    arc.radius = arc.x.norm();
+    arc.x /= arc.radius;
+  }
+  arc.y = course.normal.cross(arc.x);
+  Segment run = toolpath_.segments[segment.block];
+  run.kind = SegmentKind::arc;
+  run.index = static_cast<std::int32_t>(executed_->path.arcs.size());
+  run.length = arc.length();
+  run.rapid = false;
+  run.end = arc.at(run.length).position;
+  executed_->path.arcs.push_back(arc);
+  executed_->add(run, segment.block);
+  place_ = run.end;
+  return builder_.add_executed(static_cast<std::uint32_t>(executed_->block.size() - 1));
+}
+
+/// What is open becomes elements, of which the first is returned: the lead of a blend arc and its arc are
+/// two.
+std::uint32_t LinuxCncRun::lay_course() {
+  constexpr double most_of_spiral = std::numbers::pi / 2;
+  const LinuxCncSegment& segment = stretch_.segment;
+  const LinuxCncCourse& course = segment.course;
+  if (!course.is_arc || stretch_.to <= course.lead) {
+    return add_line(course.at(stretch_.to), segment);
+  }
+  std::optional<std::uint32_t> first;
+  if (stretch_.from < course.lead) {
+    first = add_line(course.at(course.lead), segment);
+  }
+  const double from = std::max(stretch_.from, course.lead);
+  const double length = stretch_.to - from;
+  const double turn = length * course.angle / (course.length - course.lead);
+  const double parts = is_circle_from(from) ? 1 : std::ceil(turn / most_of_spiral);
+  for (double i = 0; i < parts; ++i) {
+    const std::uint32_t added = add_arc(from + i / parts * length, from + (i + 1) / parts * length);
+    first = first.value_or(added);
+  }
+  return *first;
+}
+
 void LinuxCncRun::close() {
   if (!stretch_.open) {
     return;
   }
   stretch_.open = false;
-  const LinuxCncSegment& segment = stretch_.segment;
-  const LinuxCncCourse& course = segment.course;
   const double length = stretch_.to - stretch_.from;
   if (!(length > 0)) {
     for (const LinuxCncStep& step : stretch_.steps) {
@@ -178,60 +285,31 @@ void LinuxCncRun::close() {
     }
     return;
   }
-  std::uint32_t element = 0;
-  const bool whole_line = !course.is_arc;
-  if (whole_line) {
-    element = add_line(course.at(stretch_.to), segment);
-  } else {
-    if (stretch_.from < course.lead) {
-      element = add_line(course.at(std::min(course.lead, stretch_.to)), segment);
-    }
-    const double from = std::max(stretch_.from, course.lead);
-    if (stretch_.to > from) {
-      const double share = course.angle / (course.length - course.lead);
-      const double turned = (from - course.lead) * share;
-      const Vec3 side = course.normal.cross(course.spoke);
-      Arc arc;
-      arc.x = std::cos(turned) * course.spoke + std::sin(turned) * side;
-      arc.y = course.normal.cross(arc.x);
-      arc.radius = course.radius + (from - course.lead) / (course.length - course.lead) * course.spiral;
-      arc.center = place_ - arc.radius * arc.x;
-      arc.sweep = (stretch_.to - from) * share;
-      arc.rise = course.height / course.angle * course.normal;
-      Segment run = toolpath_.segments[segment.block];
-      run.kind = SegmentKind::arc;
-      run.index = static_cast<std::int32_t>(executed_->path.arcs.size());
-      run.length = arc.length();
-      run.rapid = false;
-      run.end = arc.at(run.length).position;
-      executed_->path.arcs.push_back(arc);
-      executed_->add(run, segment.block);
-      place_ = run.end;
-      const std::uint32_t added =
-          builder_.add_executed(static_cast<std::uint32_t>(executed_->block.size() - 1));
-      element = stretch_.from < course.lead ? element : added;
-    }
-  }
-  const double start = builder_.path().s(element);
-  const double laid = builder_.path().length() - start;
+  const std::uint32_t element = lay_course();
+  const double laid = builder_.path().length() - builder_.path().s(element);
   const double scale = laid / length;
-  double q = 0;
-  for (const LinuxCncStep& step : stretch_.steps) {
-    const double way = (step.to - step.from) * scale;
-    const double mean = way / step.time;
-    const double sum = step.before + step.after;
-    const double before = sum > 0 ? 2 * mean * step.before / sum : mean;
-    const double after = sum > 0 ? 2 * mean - before : mean;
-    std::uint32_t at = element;
-    double local = q;
-    while (at + 1 < builder_.path().size() && local >= builder_.path().length(at)) {
-      local -= builder_.path().length(at);
-      ++at;
-    }
-    builder_.add_piece({0, local, before, (after - before) / step.time, 0, at, cause_of(step, segment)},
-                       step.time);
-    q += way;
+  for (LinuxCncStep step : stretch_.steps) {
+    step.to = (step.to - stretch_.from) * scale;
+    step.from = (step.from - stretch_.from) * scale;
+    lay_step(step, element, step.to - step.from);
   }
+}
+
+/// A step of `length` from `step.from` behind the start of `element` on; its speeds are those of the control,
+/// brought to that length.
+void LinuxCncRun::lay_step(const LinuxCncStep& step, std::uint32_t element, double length) {
+  const double mean = length / step.time;
+  const double sum = step.before + step.after;
+  const double before = sum > 0 ? 2 * mean * step.before / sum : mean;
+  const double after = sum > 0 ? 2 * mean - before : mean;
+  double local = step.from;
+  while (element + 1 < builder_.path().size() && local >= builder_.path().length(element)) {
+    local -= builder_.path().length(element);
+    ++element;
+  }
+  Piece piece{0, local, before, (after - before) / step.time, 0, element, step.cause};
+  piece.second = static_cast<std::uint8_t>(cause_index(step.ahead));
+  builder_.add_piece(piece, step.time);
 }
 
 /// Both at the same time: the place at the end of the period, reached in a straight line.
@@ -247,19 +325,25 @@ void LinuxCncRun::lay_overlap(const LinuxCncStep& first, const LinuxCncStep& sec
     stand(time);
     return;
   }
-  const std::uint32_t element = add_line(to, t);
-  builder_.add_piece({0, 0, length / time, 0, 0, element, {CauseKind::contour_tolerance}}, time);
+  const auto speed = [&](double share) {
+    const auto velocity = [&](const LinuxCncStep& step) -> Vec3 {
+      const double s = step.from + share * (step.to - step.from);
+      return (step.before + share * (step.after - step.before)) * step.segment->course.tangent(s);
+    };
+    return (velocity(first) + velocity(second)).norm();
+  };
+  const Cause blends{CauseKind::contour_tolerance};
+  lay_step({nullptr, 0, length, speed(0), speed(1), time, false, blends, blends}, add_line(to, t), length);
 }
 
-void LinuxCncRun::lay_pause(std::uint32_t block) {
-  close();
+void LinuxCncRun::lay_pause(std::uint32_t block, double time) {
   Segment run = toolpath_.segments[block];
   if (toolpath_.is_gap(run)) {
     place_ = run.end;
   }
   run.end = place_;
   executed_->add(run, block);
-  builder_.add_executed(static_cast<std::uint32_t>(executed_->block.size() - 1));
+  builder_.pass_pause(builder_.add_executed(static_cast<std::uint32_t>(executed_->block.size() - 1)), time);
 }
 
 }  // namespace feedscope

@@ -30,14 +30,19 @@ class LinuxCncRun {
   };
 
   bool take_message();
+  bool wait_for(const LinuxCncMessage& dwell);
   void lay(const std::vector<LinuxCncStep>& steps);
   void extend(const LinuxCncStep& step);
   void close();
   void lay_overlap(const LinuxCncStep& first, const LinuxCncStep& second);
-  void lay_pause(std::uint32_t block);
   void stand(double time);
-  void lay_standing(double time);
-  Cause cause_of(const LinuxCncStep& step, const LinuxCncSegment& segment) const;
+  void lay_standing(bool counts);
+  void stand_on_last(double time);
+  void lay_pause(std::uint32_t block, double time);
+  std::uint32_t lay_course();
+  bool is_circle_from(double from) const;
+  std::uint32_t add_arc(double from, double to);
+  void lay_step(const LinuxCncStep& step, std::uint32_t element, double length);
   std::uint32_t add_line(const Vec3& to, const LinuxCncSegment& of);
 
   const Toolpath& toolpath_;
@@ -45,13 +50,18 @@ class LinuxCncRun {
   std::shared_ptr<ExecutedPath> executed_;
   TrajectoryBuilder builder_;
   LinuxCncPlanner planner_;
-  std::vector<LinuxCncMessage> messages_;
-  std::size_t next_ = 0;
-  double dwell_left_ = -1;  ///< of the message under way [s]; < 0: none
+  LinuxCncCanon canon_;
+  std::optional<LinuxCncMessage> message_;  ///< that waits to be taken
+  double dwell_left_ = -1;                  ///< of the message under way [s]; < 0: none
   Stretch stretch_;
   Vec3 place_ = Vec3::Zero();  ///< at the end of what is laid [mm]
-  double standing_ = 0;        ///< since the last motion [s]
-  double last_of_period_ = 0;  ///< after the last motion, to the end of its period [s]
+  /// Time without motion, of a pause or between moves.
+  struct Standing {
+    std::optional<std::uint32_t> pause;  ///< block of it
+    double time = 0;                     ///< [s]
+  };
+  std::vector<Standing> standing_;  ///< since the last motion
+  double last_of_period_ = 0;       ///< after the last motion, to the end of its period [s]
 };
 
 }  // namespace feedscope

@@ -104,7 +104,7 @@ void LinuxCncSegment::limit_arc() {
   const double most = across_share * all;
   const double across = largest * largest / radius;
   if (across > most) {
-    largest = std::sqrt(most * radius);
+    lower_largest(std::sqrt(most * radius), {CauseKind::radial_acceleration});
     tangential_ratio = 0.5;
   } else {
     tangential_ratio = std::sqrt(1 - across * across / (all * all));
@@ -115,13 +115,24 @@ void LinuxCncSegment::finalise(double period) {
   if (finalised) {
     return;
   }
-  largest = std::min(largest, length / period);
+  lower_largest(length / period, {CauseKind::interpolation_period});
   limit_arc();
   finalised = true;
 }
 
+void LinuxCncSegment::lower_largest(double speed, Cause by) {
+  if (speed < std::min(largest, requested)) {
+    speed_cause = by;
+  }
+  largest = std::min(largest, speed);
+}
+
 double LinuxCncSegment::target(const LinuxCncSettings& settings) const {
   return std::min({requested, requested * settings.max_override, largest, settings.max_velocity});
+}
+
+Cause LinuxCncSegment::cause(const LinuxCncSettings& settings) const {
+  return settings.max_velocity < std::min(requested, largest) ? Cause{CauseKind::path_velocity} : speed_cause;
 }
 
 }  // namespace feedscope

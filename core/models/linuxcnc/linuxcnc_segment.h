@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "core/limits/cause.h"
 #include "core/models/linuxcnc/linuxcnc_settings.h"
 
 namespace feedscope {
@@ -43,13 +44,16 @@ struct LinuxCncSegment {
   std::uint32_t first = 0;  ///< the first block of those that were joined
   bool rapid = false;
   bool is_blend = false;
-  double length = 0;          ///< l [mm]
-  double nominal_length = 0;  ///< l0, as it was added [mm]
-  double requested = 0;       ///< v_r [mm/s]
-  double largest = 0;         ///< v_m [mm/s]
-  double acceleration = 0;    ///< a [mm/s2]
-  double final_speed = 0;     ///< v_f [mm/s]
-  double tolerance = 0;       ///< P [mm]
+  double length = 0;                         ///< l [mm]
+  double nominal_length = 0;                 ///< l0, as it was added [mm]
+  double requested = 0;                      ///< v_r [mm/s]
+  double largest = 0;                        ///< v_m [mm/s]
+  double acceleration = 0;                   ///< a [mm/s2]
+  double final_speed = 0;                    ///< v_f [mm/s]
+  std::int8_t acceleration_axis = -1;        ///< that sets a; -1: several
+  Cause speed_cause;                         ///< of the lower one of v_r and v_m
+  Cause final_cause{CauseKind::exact_stop};  ///< of v_f
+  double tolerance = 0;                      ///< P [mm]
   LinuxCncEnd end = LinuxCncEnd::parabolic;
   bool finalised = false;
   bool blends_before = false;  ///< blend_prev
@@ -81,8 +85,12 @@ struct LinuxCncSegment {
   /// Final limits, when its end is known.
   void limit_arc();
   void finalise(double period);
+  /// v_m at most `speed` [mm/s].
+  void lower_largest(double speed, Cause by);
   /// Speed that it is to run at.
   double target(const LinuxCncSettings& settings) const;
+  /// What sets that.
+  Cause cause(const LinuxCncSettings& settings) const;
 };
 
 }  // namespace feedscope

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "core/base/geometry.h"
+#include "core/machine/machine.h"
+#include "core/machine/settings.h"
 
 namespace feedscope {
 
@@ -15,6 +17,11 @@ struct LinuxCncSettings {
   bool blends = true;                ///< G64 where the program says nothing, else G61
   double blend_tolerance = 0;        ///< P of that G64; 0: as fast as possible [mm]
   double naive_tolerance = 0;        ///< Q of it; 0: blocks are not joined [mm]
+
+  LinuxCncSettings() = default;
+  /// `settings` as complete_settings() gives them for the model: without a largest velocity there is none
+  /// along the path, without a tolerance of joining that of blending, as of a G64 P without Q.
+  LinuxCncSettings(const Machine& machine, const Settings& settings);
 };
 
 }  // namespace feedscope

@@ -48,7 +48,7 @@ std::string readme_section(const Machine& machine) {
 TEST(ShippedMachines, AreThoseOfThePapersAndOfOpenControls) {
   EXPECT_EQ(library().ids(),
             (std::vector<std::string>{"dmg-mori-evo40", "grbl-router", "hermle-c800u", "huron-kx10",
-                                      "klipper-corexy", "mikron-ucp710", "spinner-mvc850"}));
+                                      "klipper-corexy", "linuxcnc-mill", "mikron-ucp710", "spinner-mvc850"}));
 }
 
 TEST(ShippedMachines, LoadWithTheirFileNameAsId) {

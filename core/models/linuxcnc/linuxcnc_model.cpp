@@ -1,0 +1,135 @@
+#include "core/models/linuxcnc/linuxcnc_model.h"
+
+#include <limits>
+
+#include "core/base/translatable.h"
+#include "core/base/units.h"
+#include "core/limits/axis_share.h"
+#include "core/models/linuxcnc/linuxcnc_run.h"
+
+namespace feedscope {
+namespace {
+
+SettingSpec choice(const char* key, const char* title, std::vector<std::string> choices,
+                   const char* explanation) {
+  SettingSpec spec;
+  spec.key = key;
+  spec.title = title;
+  spec.choices = std::move(choices);
+  spec.explanation = explanation;
+  return spec;
+}
+
+SettingSpec number(const char* key, const char* title, const char* unit, double minimum, double maximum,
+                   double fallback, const char* explanation) {
+  SettingSpec spec;
+  spec.key = key;
+  spec.title = title;
+  spec.unit = unit;
+  spec.minimum = minimum;
+  spec.maximum = maximum;
+  spec.fallback = fallback;
+  spec.explanation = explanation;
+  return spec;
+}
+
+std::vector<SettingSpec> own_settings() {
+  std::vector<SettingSpec> specs{
+      choice(
+          "planner", QT_TRANSLATE_NOOP("core", "Planner"), {"2.9", "master"},
+          QT_TRANSLATE_NOOP("core",
+                            "Version of LinuxCNC. 2.9 gives the last move of a program and one that stands "
+                            "alone half of the acceleration under G64; master gives them all of it, but "
+                            "limits arcs more.")),
+      choice("blend_mode", QT_TRANSLATE_NOOP("core", "Path control mode"), {"G64", "G61"},
+             QT_TRANSLATE_NOOP("core",
+                               "Where the program gives none: G64 blends corners within the blend tolerance, "
+                               "G61 stops in them.")),
+      number("blend_tolerance_mm", QT_TRANSLATE_NOOP("core", "Blend tolerance"), "mm", 0, 100, 0,
+             QT_TRANSLATE_NOOP("core",
+                               "P of G64 where the program gives none: how far blends may leave the corner. "
+                               "0: as far as a quarter of the blocks, as fast as possible.")),
+      number("naive_tolerance_mm", QT_TRANSLATE_NOOP("core", "Naive CAM tolerance"), "mm", 0, 100, 0,
+             QT_TRANSLATE_NOOP("core",
+                               "Q of G64 where the program gives none: blocks whose ends lie within it of a "
+                               "line become one block. 0: none do. Without a value the blend tolerance.")),
+      number("servo_period_s", QT_TRANSLATE_NOOP("core", "Servo period"), "s", 1e-5, 0.1, 1e-3,
+             QT_TRANSLATE_NOOP("core",
+                               "SERVO_PERIOD: time of one step of the planner, which takes one block at "
+                               "most from the program in each.")),
+      number("max_linear_velocity_m_min", QT_TRANSLATE_NOOP("core", "Maximum linear velocity"), "m/min", 1e-6,
+             1e9, 0,
+             QT_TRANSLATE_NOOP("core",
+                               "MAX_LINEAR_VELOCITY: of the tool along the path. Without a value only the "
+                               "axes limit it.")),
+      number("max_feed_override", QT_TRANSLATE_NOOP("core", "Maximum feed override"), "", 1, 10, 1,
+             QT_TRANSLATE_NOOP("core",
+                               "MAX_FEED_OVERRIDE: up to where the operator may raise the feed; blends are "
+                               "laid for that speed. The program runs at 100 %.")),
+  };
+  specs[3].optional = specs[5].optional = true;
+  return specs;
+}
+
+}  // namespace
+
+LinuxCncSettings::LinuxCncSettings(const Machine& machine, const Settings& settings)
+    : velocity(axis_limit_vector(machine, &AxisLimits::velocity)),
+      acceleration(axis_limit_vector(machine, &AxisLimits::acceleration)),
+      period(settings.number("servo_period_s")),
+      max_velocity(std::numeric_limits<double>::infinity()),
+      max_override(settings.number("max_feed_override")),
+      master(settings.text("planner") == "master"),
+      blends(settings.text("blend_mode") == "G64"),
+      blend_tolerance(settings.number("blend_tolerance_mm")),
+      naive_tolerance(blend_tolerance) {
+  if (settings.has("max_linear_velocity_m_min")) {
+    max_velocity = units::from_m_min(settings.number("max_linear_velocity_m_min"));
+  }
+  if (settings.has("naive_tolerance_mm")) {
+    naive_tolerance = settings.number("naive_tolerance_mm");
+  }
+}
+
+const ModelInfo& LinuxCncModel::info() const {
+  static const ModelInfo info{
+      "linuxcnc",
+      QT_TRANSLATE_NOOP("core", "Open control LinuxCNC"),
+      "LinuxCNC 2.9 and master, rebuilt from a description of their planner and compared with results of "
+      "their own code",
+      QT_TRANSLATE_NOOP(
+          "core",
+          "Every servo period the planner computes the next place, with constant acceleration and no limit "
+          "of the jerk. Under G64 arcs within the tolerance blend corners, or neighbours overlap, and short "
+          "blocks along a line become one; under G61 corners are exact stops. Half of the acceleration is "
+          "kept back for blends."),
+      own_settings(),
+      {},
+      {"No jerk is limited, and where blocks meet within a small kink the velocity of an axis jumps.",
+       "The time runs from the first to the last motion: a dwell before or behind all of it is not counted.",
+       "Rapids blend among each other; next to a feed motion they stop."},
+      {.jumps_in_corners = true,
+       .sources = {{FormulaId::braking_evenly, "LinuxCNC, constant acceleration"},
+                   {FormulaId::path_acceleration, "LinuxCNC, MAX_ACCELERATION"},
+                   {FormulaId::axis_velocity, "LinuxCNC, MAX_VELOCITY"}}}};
+  return info;
+}
+
+Guarantees LinuxCncModel::guarantees(const Settings& /*settings*/) const {
+  Guarantees promised;
+  promised.feed = Guarantees::unbounded;     // speeds of two that overlap add
+  promised.contour = Guarantees::unbounded;  // without P up to a quarter of the blocks, and lines are joined
+  promised.meets_tangent_ends = false;
+  promised.follows_compaction = promised.own_tolerances = true;
+  promised.begins_again_at_stops = false;
+  promised.continuity = Continuity::position;
+  promised.stops_at_rapids = promised.stops_at_reversals = false;
+  return promised;
+}
+
+Trajectory LinuxCncModel::do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
+                                      const Settings& settings, Progress* progress) const {
+  return LinuxCncRun(toolpath, machine, LinuxCncSettings(machine, settings)).run(progress);
+}
+
+}  // namespace feedscope

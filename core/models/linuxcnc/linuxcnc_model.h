@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/models/control_model.h"
+
+namespace feedscope {
+
+/// LinuxCNC with its trapezoidal planner (README.md beside this file): G64 P Q, blend arcs, exact stops.
+class LinuxCncModel : public ControlModel {
+ public:
+  const ModelInfo& info() const override;
+  Guarantees guarantees(const Settings& settings) const override;
+
+ private:
+  Trajectory do_simulate(const std::shared_ptr<const Toolpath>& toolpath, const Machine& machine,
+                         const Settings& settings, Progress* progress) const override;
+};
+
+}  // namespace feedscope
