@@ -16,6 +16,8 @@ constexpr std::array<std::array<double, 2>, 5> gauss_rule{{{0.046910077030668004
 
 constexpr int max_steps = 30;
 constexpr double rounding = 1e-15;
+/// What a step of Newton leaves goes with its square, times how much the speed by the parameter changes.
+constexpr double square_is_rounding = 1e-7;
 
 }  // namespace
 
@@ -59,7 +61,7 @@ CurvePoint CourseSpan::at(double s) const {
   for (int i = 0; i < max_steps && x > 0 && x < 1; ++i) {
     const double step = (target - covered(x)) / by_parameter(x).d1.norm();
     x = std::clamp(x + step, 0.0, 1.0);
-    if (std::abs(step) <= rounding) {
+    if (std::abs(step) <= square_is_rounding) {
       break;
     }
   }

@@ -257,6 +257,7 @@ CurvePoint CubicSplineFit::at(std::size_t k, double x) const {
 
 double CubicSplineFit::deviation(std::size_t k) const {
   const Interval& interval = intervals_[k];
+  const auto& c = interval.coefficients;
   const double scale = 1 / interval.length();
   double largest = 0;
   for_pieces(interval, [&](std::size_t line, double from, double to) {
@@ -264,10 +265,15 @@ double CubicSplineFit::deviation(std::size_t k) const {
     const int looks = 2 + static_cast<int>(8 * (to - from) * scale);
     for (int i = 1; i <= looks; ++i) {
       const double t = from + (to - from) * i / looks;
-      const CurvePoint there = at(k, (t - interval.begin) * scale);
-      const Vec3 way = polyline_.points[line] + (t - polyline_.places[line]) * direction - there.position;
-      const double along = way.dot(there.d1);
-      largest = std::max(largest, way.squaredNorm() - along * along / there.d1.squaredNorm());
+      const double x = (t - interval.begin) * scale;
+      const Vec3 there = c[0] + x * (c[1] + x * (c[2] + x * c[3]));
+      const Vec3 way = polyline_.points[line] + (t - polyline_.places[line]) * direction - there;
+      const double whole = way.squaredNorm();
+      if (whole > largest) {  // what lies across is less
+        const Vec3 slope = c[1] + x * (2 * c[2] + 3 * x * c[3]);
+        const double along = way.dot(slope);
+        largest = std::max(largest, whole - along * along / slope.squaredNorm());
+      }
     }
   });
   return std::sqrt(std::max(largest, 0.0));

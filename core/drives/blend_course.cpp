@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/trajectory/part_walk.h"
+
 namespace feedscope {
 namespace {
 
@@ -19,10 +21,6 @@ alignas(Rule) constexpr std::array<double, 8> gauss_weights{
 
 /// Of lengths: closer to an end than this share of the blend is the end.
 constexpr double rounding = 1e-12;
-
-LawPoint law_at(const Part& part, double tau) {
-  return advance({part.q, part.v, part.a, part.j}, tau);
-}
 
 }  // namespace
 

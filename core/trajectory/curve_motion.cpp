@@ -47,11 +47,16 @@ bool lower_curve_ceilings(const TrajectoryBuilder& builder, const TrajectoryBuil
     while (stretch.element[e] < part.element) {
       ++e;
     }
-    const PartMotion motion = walk.motion();
+    if (part.a == 0 && part.j == 0) {
+      continue;  // at one speed, below the ceiling
+    }
+    const ElementCurve curve = path.curve(part.element);
     double factor = 1;
     double speed = 0;
     for (const double share : {0.0, 0.5, 1.0}) {
-      const Kinematics at = motion.kinematics(share * part.duration);
+      const LawPoint law = law_at(part, share * part.duration);
+      const double place = std::clamp(law.q / curve.length, 0.0, 1.0);
+      const Kinematics at = kinematics_of(curve.span->by_share(place), law);
       factor = std::min(factor, fitting_speed(at, axes));
       speed = std::max(speed, at.velocity.norm());
     }

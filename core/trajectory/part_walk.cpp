@@ -4,7 +4,6 @@
 #include <cmath>
 
 namespace feedscope {
-namespace {
 
 Kinematics kinematics_of(const CurvePoint& at, const LawPoint& law) {
   return {at.position, at.d1 * law.v, at.d2 * (law.v * law.v) + at.d1 * law.a,
@@ -14,8 +13,6 @@ Kinematics kinematics_of(const CurvePoint& at, const LawPoint& law) {
 LawPoint law_at(const Part& part, double tau) {
   return advance({part.q, part.v, part.a, part.j}, tau);
 }
-
-}  // namespace
 
 PartWalk::PartWalk(const Trajectory& trajectory, std::size_t piece) : PartWalk(trajectory, piece, 0) {}
 

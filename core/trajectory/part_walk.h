@@ -4,6 +4,11 @@
 
 namespace feedscope {
 
+/// The law of a part that is run by path length or by its parameter, `tau` from its start [s].
+LawPoint law_at(const Part& part, double tau);
+/// Motion at a place of a curve, given with derivatives by the q of `law`.
+Kinematics kinematics_of(const CurvePoint& at, const LawPoint& law);
+
 /// Position and its derivatives on one part, for many instants of it.
 class PartMotion {
  public:

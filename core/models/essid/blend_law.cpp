@@ -81,7 +81,7 @@ class BlendRunner {
     }
     Candidate kept{low, use(low)};
     if (kept.use.share > 1) {
-      const double least = min_excess(low, kept.use.share, high, use);
+      const double least = least_excess(kept, broken, use);
       kept = least == low ? kept : Candidate{least, use(least)};
       if (kept.use.share > 1) {
         return {kept.jerk, kept.use.cause};
@@ -127,18 +127,46 @@ class BlendRunner {
     return {kept.jerk, broken.use.cause};
   }
 
-  /// The shares are convex in the jerk within one sample. Mostly they rise from `low` on, where the share is
-  /// `at_low`: then that is the place.
+  /// Where the share is least, to 2^-24 of it: it is convex in the jerk within one sample, and mostly the
+  /// larger of two rows that hardly bend. So the next place is where the tangents at both ends meet; often
+  /// the share rises from `low`, or falls to `high`, and that is the place.
   template <typename F>
-  static double min_excess(double low, double at_low, double high, const F& use) {
-    constexpr int steps = 32;
-    constexpr double width = 2e-7;  // to which so many steps narrow it
-    const auto share = [&](double jerk) { return use(jerk).share; };
-    if (share(low + width * (high - low)) >= at_low) {
-      return low;
+  static double least_excess(const Candidate& low, const Candidate& high, const F& use) {
+    constexpr int steps = 16;
+    constexpr double rounding = 0x1p-24;
+    const double probe = 1e-6 * (high.jerk - low.jerk);
+    struct Tangent {
+      double jerk, share, slope;
+      double at(double there) const { return share + slope * (there - jerk); }
+    };
+    const auto tangent_at = [&](double jerk, double share, double probed) {
+      return Tangent{jerk, share, (use(jerk + probed).share - share) / probed};
+    };
+    Tangent left = tangent_at(low.jerk, low.use.share, probe);
+    if (left.slope >= 0) {
+      return low.jerk;
     }
-    const Least least = least_place({low, high}, 0, steps, share);
-    return share(least.place.low) <= least.value ? least.place.low : least.place.middle();
+    Tangent right = tangent_at(high.jerk, high.use.share, -probe);
+    if (right.slope <= 0) {
+      return high.jerk;
+    }
+    double best = low.use.share < high.use.share ? low.jerk : high.jerk;
+    double least = std::min(low.use.share, high.use.share);
+    for (int i = 0; i < steps && right.jerk - left.jerk > 2 * probe; ++i) {
+      const double meet = (right.at(0) - left.at(0)) / (left.slope - right.slope);
+      const double jerk = std::clamp(meet, left.jerk + probe, right.jerk - probe);
+      const double share = use(jerk).share;
+      if (share < least) {
+        least = share;
+        best = jerk;
+      }
+      if (share - left.at(meet) <= rounding * share) {
+        break;
+      }
+      const Tangent there = tangent_at(jerk, share, probe);
+      (there.slope < 0 ? left : right) = there;
+    }
+    return best;
   }
 
   const BlendShape& shape_;
