@@ -34,6 +34,22 @@ bool sees_one_line(const FilteredMotion& motion, double from, double to) {
   return block && motion.train().segment(*block).kind == SegmentKind::line;
 }
 
+/// Whether the arc that a control runs lies on the one that is programmed there: others it lays itself.
+bool is_programmed_arc(const BlendedPath& path, std::uint32_t element, const Arc& arc) {
+  constexpr double same = 1e-9;  // [mm]
+  const Toolpath& programmed = *path.programmed();
+  const Segment& block = programmed.segments[path.segment(element)];
+  if (block.kind != SegmentKind::arc) {
+    return false;
+  }
+  const Arc& own = programmed.arc_of(block);
+  const Vec3 axis = own.x.cross(own.y);
+  const Vec3 apart = arc.center - own.center;
+  return std::abs(arc.radius - own.radius) <= same && (arc.rise - own.rise).norm() <= same &&
+         (arc.x.cross(arc.y) - axis).norm() * arc.radius <= same &&
+         (apart - apart.dot(axis) * axis).norm() <= same;
+}
+
 }  // namespace
 
 ContourCourse::ContourCourse(const Trajectory& trajectory)
@@ -80,6 +96,10 @@ void ContourCourse::nodes(std::uint32_t element, std::vector<double>& ends) {
       }
       break;
     case ElementKind::arc:
+      if (path.is_executed() && !is_programmed_arc(path, element, curve(element).arc)) {
+        corner_nodes(element, ends);
+      }
+      break;
     case ElementKind::dwell:
       break;
   }

@@ -100,6 +100,19 @@ TEST(ContourErrors, OfAModelThatFollowsExactlyAreNone) {
   }
 }
 
+TEST(ContourErrors, OfArcsThatAControlLaysInCornersMatchFineSampling) {
+  const ControlModel& control = find_model("linuxcnc");
+  const Machine machine = testing::spinner();
+  for (const double tolerance : {0.0, 0.2}) {
+    Settings settings = complete_settings(control, machine);
+    settings.set("blend_tolerance_mm", tolerance);
+    const Trajectory trajectory = control.simulate(corner(1.2), machine, settings);
+    const double largest = largest_contour_error(trajectory);
+    EXPECT_GT(largest, 0.05) << tolerance;
+    EXPECT_NEAR(largest, sampled_error(trajectory, 20000), 3e-5) << tolerance;
+  }
+}
+
 TEST(ContourErrors, OfNothingAreNone) {
   EXPECT_EQ(contour_errors({}).largest, 0);
 }
