@@ -81,8 +81,10 @@ class NodePlanner {
 
  private:
   struct Gap {
-    SpanLimits limits;
+    double length = 0;      ///< [mm]
+    double ceiling = 0;     ///< highest of its elements [mm/s]
     double least = 0;       ///< ceiling of its elements and of the junctions inside it [mm/s]
+    RampLimits ramp{};      ///< least of its elements
     bool unchecked = true;  ///< whether the law in it passes something too fast
     bool is_new = true;     ///< what can be reached through it is not known yet
   };
@@ -100,16 +102,16 @@ class NodePlanner {
   }
 
   Gap gap_between(std::size_t first, std::size_t last) const {
-    Gap gap;
-    gap.least = std::numeric_limits<double>::infinity();
+    SpanLimits limits;
+    double least = std::numeric_limits<double>::infinity();
     for (std::size_t e = first; e < last; ++e) {
-      gap.limits.add(elements_[e]);
-      gap.least = std::min(gap.least, elements_[e].limits.speed.value);
+      limits.add(elements_[e]);
+      least = std::min(least, elements_[e].limits.speed.value);
       if (e > first) {
-        gap.least = std::min(gap.least, ceiling_[e].value);
+        least = std::min(least, ceiling_[e].value);
       }
     }
-    return gap;
+    return {limits.length, limits.ceiling, least, limits.ramp()};
   }
 
   bool any_unchecked() const {
@@ -132,9 +134,8 @@ class NodePlanner {
       if (last - first < 2) {
         continue;
       }
-      const SpeedProfile profile =
-          plan_profile(nodes_[g].speed, 0, nodes_[g + 1].speed, gaps_[g].limits.length,
-                       gaps_[g].limits.ceiling, gaps_[g].limits.ramp());
+      const SpeedProfile profile = plan_profile(nodes_[g].speed, 0, nodes_[g + 1].speed, gaps_[g].length,
+                                                gaps_[g].ceiling, gaps_[g].ramp);
       const double fastest = std::max({nodes_[g].speed, nodes_[g + 1].speed, profile.peak});
       if (fastest <= gaps_[g].least * slack) {
         continue;
@@ -201,9 +202,14 @@ class NodePlanner {
   void insert_found() {
     std::size_t left = found_.size();
     std::size_t g = gaps_.size();
-    nodes_.resize(nodes_.size() + left);
-    forward_.resize(nodes_.size());
-    gaps_.resize(gaps_.size() + left);
+    // Exactly what is needed: the rounds are few, and room for twice as many is the peak of a simulation.
+    const std::size_t count = nodes_.size() + left;
+    nodes_.reserve(count);
+    forward_.reserve(count);
+    gaps_.reserve(count - 1);
+    nodes_.resize(count);
+    forward_.resize(count);
+    gaps_.resize(count - 1);
     while (left > 0) {
       --g;
       std::size_t last = nodes_[g + 1].junction;
@@ -258,8 +264,8 @@ class NodePlanner {
 
   /// The speed, at most `wanted`, that gap `g` lets reach from `other` at its far end.
   double through(std::size_t g, double other, double wanted) const {
-    const double length = gaps_[g].limits.length;
-    const RampLimits ramp = gaps_[g].limits.ramp();
+    const double length = gaps_[g].length;
+    const RampLimits ramp = gaps_[g].ramp;
     if (wanted <= other || ramp_length(other, wanted, ramp) <= length) {
       return wanted;
     }

@@ -36,13 +36,12 @@ CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std:
 }
 
 /// `laid_segment(index, block, length)` and `laid_corner(index, block, piece)` are told of every element;
-/// `lay_curve(curve)` lays a smooth curve.
+/// `lay_curve(curve)` lays each of `curves`, smooth ones in their order.
 template <typename LaidSegment, typename LaidCorner, typename LayCurve>
 void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec3& axis_velocity,
-                  const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder,
+                  const PathRules& rules, const std::vector<SmoothCurve>& curves, TrajectoryBuilder& builder,
                   const BlendCorner& blend, const LaidSegment& laid_segment, const LaidCorner& laid_corner,
                   const LayCurve& lay_curve) {
-  const std::vector<SmoothCurve> curves = compressor.compress(range.first, range.last);
   auto curve = curves.begin();
   double cut_before = 0;
   for (std::size_t i = range.first; i < range.last; ++i) {
@@ -73,6 +72,17 @@ void lay_elements(const Toolpath& toolpath, const StretchRange& range, const Vec
     }
     cut_before = piece.transition;
   }
+}
+
+/// Most elements that range and curves make: a line and a blend a block, and the spans in place of the blocks
+/// that a curve runs over.
+std::size_t most_elements(const StretchRange& range, const std::vector<SmoothCurve>& curves) {
+  std::size_t count = 2 * (range.last - range.first);
+  for (const SmoothCurve& curve : curves) {
+    count += curve.blocks.size() + 2;
+    count -= 2 * (curve.run.last - curve.run.first);
+  }
+  return count;
 }
 
 void add_curve_alone(const SmoothCurve& curve, TrajectoryBuilder& builder) {
@@ -108,12 +118,11 @@ void add_smooth_curve(const SmoothCurve& curve, const Toolpath& toolpath, const 
 void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, const AxisVectors& axes,
                          const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder,
                          Stretch& stretch, const BlendCorner& blend) {
+  const std::vector<SmoothCurve> curves = compressor.compress(range.first, range.last);
   stretch.clear();
-  if (!compressor.is_on()) {
-    stretch.reserve(2 * (range.last - range.first));
-  }
+  stretch.reserve(most_elements(range, curves));
   lay_elements(
-      toolpath, range, axes.velocity, rules, compressor, builder, blend,
+      toolpath, range, axes.velocity, rules, curves, builder, blend,
       [&](std::uint32_t index, std::uint32_t block, double length) {
         stretch.add({length, segment_limits(toolpath, block, axes)}, index, block);
       },
@@ -128,8 +137,8 @@ void lay_blended_path(const Toolpath& toolpath, const Vec3& axis_velocity, const
                       const BlendCorner& blend) {
   const auto ignore = [](auto&&...) {};
   run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& /*steps*/) {
-    lay_elements(toolpath, range, axis_velocity, rules, compressor, builder, blend, ignore, ignore,
-                 [&](const SmoothCurve& curve) { add_curve_alone(curve, builder); });
+    lay_elements(toolpath, range, axis_velocity, rules, compressor.compress(range.first, range.last), builder,
+                 blend, ignore, ignore, [&](const SmoothCurve& curve) { add_curve_alone(curve, builder); });
   });
 }
 

@@ -90,9 +90,11 @@ Trajectory EssidModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
   builder.set_blend_weight(own.corner.alpha);
   const PathRules rules(toolpath, settings);
   Compressor compressor(toolpath, rules, CompressorSettings(settings));
-  EssidRunner runner(toolpath, AxisVectors(machine), own, rules, compressor, builder);
-  run_stretches(toolpath, builder, progress, rules,
-                [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
+  {  // what it plans with goes before the path is copied into just the room it needs
+    EssidRunner runner(toolpath, AxisVectors(machine), own, rules, compressor, builder);
+    run_stretches(toolpath, builder, progress, rules,
+                  [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
+  }
   return builder.finish();
 }
 

@@ -114,10 +114,16 @@ void EssidRunner::hold_level_blends() {
 }
 
 void EssidRunner::move(const std::vector<PlanNode>& nodes, ProgressSteps& steps) {
+  constexpr std::size_t reserve_each = 4096;  // nodes
+  std::size_t next_reserve = reserve_each;
   speed_ = 0;
   for (std::size_t n = 0; n + 1 < nodes.size();) {
     const std::size_t first = nodes[n].junction;
     steps.at(stretch_.block[first]);
+    if (n >= next_reserve) {
+      builder_.reserve_for_path(4 * reserve_each, stretch_.element[first]);
+      next_reserve += reserve_each;
+    }
     if (is_blend(first)) {
       if (const auto reached = move_over_blend(nodes, n)) {
         n = *reached;
