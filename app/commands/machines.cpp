@@ -117,8 +117,10 @@ Command add_machines_command(CLI::App& app) {
       "machines",
       "List the machines, show one with the source of its numbers, or import the configuration of a control");
   command->add_option("ID", options->id, "Machine id or machine file; import: make a machine file from FILE");
-  command->add_option("FILE", options->file,
-                      "With import: INI file of LinuxCNC, listing of grbl ($$) or configuration of Klipper");
+  command->add_option(
+      "FILE", options->file,
+      "With import: INI file of LinuxCNC, listing of grbl ($$) or Marlin (M503), printer.cfg of "
+      "Klipper, machine data of a Sinumerik, parameters of a Fanuc or Heidenhain");
   command->add_option("--out", options->out, "Machine file that import writes [standard output]")
       ->type_name("FILE.toml");
   command->footer("Example: feedscope machines import printer.cfg --out printer.toml");

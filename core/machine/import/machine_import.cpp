@@ -10,10 +10,14 @@
 #include "core/base/error.h"
 #include "core/machine/file_text.h"
 #include "core/machine/import/configuration_source.h"
+#include "core/machine/import/fanuc_parameters.h"
 #include "core/machine/import/grbl_listing.h"
+#include "core/machine/import/heidenhain_parameters.h"
 #include "core/machine/import/klipper_config.h"
 #include "core/machine/import/linuxcnc_ini.h"
 #include "core/machine/import/machine_draft.h"
+#include "core/machine/import/marlin_report.h"
+#include "core/machine/import/sinumerik_data.h"
 
 namespace feedscope {
 namespace fs = std::filesystem;
@@ -21,7 +25,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t largest_configuration = 4;  // MiB
-const std::array<const ConfigurationFormat*, 3> formats{&linuxcnc_ini, &grbl_listing, &klipper_config};
+const std::array<const ConfigurationFormat*, 7> formats{
+    &linuxcnc_ini,   &grbl_listing,     &klipper_config,       &marlin_report,
+    &sinumerik_data, &fanuc_parameters, &heidenhain_parameters};
 
 /// The format that most lines of the text speak for; null if none does.
 const ConfigurationFormat* format_of(std::string_view text) {
@@ -78,11 +84,15 @@ std::string configuration_kind_of(const fs::path& file) {
   if (error || size > (largest_configuration << 20)) {
     return "";
   }
-  try {
-    return configuration_kind(file_text(file, "configuration", largest_configuration));
-  } catch (const InputError&) {
-    return "";
+  constexpr std::size_t looked_at = 1 << 18;  // bytes
+  std::string text(std::min<std::size_t>(size, looked_at), '\0');
+  std::ifstream in(file, std::ios::binary);
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  if (text.size() < size) {
+    text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n'));
   }
+  return configuration_kind(text);
 }
 
 ImportedMachine import_machine(const fs::path& file, const std::vector<SettingSpec>& model_settings) {

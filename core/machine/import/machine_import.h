@@ -22,7 +22,7 @@ struct ImportedMachine {
 /// What a text is the configuration of, for people: "INI file of LinuxCNC". "" for every other text, NC
 /// programs among them.
 std::string configuration_kind(std::string_view text);
-/// The same of the first part of a file; "" for one that cannot be read.
+/// The same of the first 256 KiB of a file of at most 4 MiB; "" for another one, or one that cannot be read.
 std::string configuration_kind_of(const std::filesystem::path& file);
 
 /// Makes a machine from a configuration, found by its content: INI of LinuxCNC, listing of grbl ($$),

@@ -1,0 +1,212 @@
+#include "core/machine/import/fanuc_parameters.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/base/typed_number.h"
+#include "core/base/units.h"
+#include "core/machine/import/numbered_parameters.h"
+
+namespace feedscope {
+namespace {
+
+constexpr int rapid_traverse = 1420;
+constexpr int cutting_feed = 1432;
+constexpr int acceleration_limit = 1660;
+constexpr int acceleration_change = 1772;
+constexpr int loop_gain = 1825;
+constexpr int axis_names = 1020;
+constexpr int machine_unit = 1001;
+constexpr int axis_kinds = 1006;
+constexpr std::array used_parameters{rapid_traverse, cutting_feed, acceleration_limit, acceleration_change,
+                                     loop_gain,      axis_names,   machine_unit,       axis_kinds};
+
+/// A letter with what stands behind it.
+struct FanucWord {
+  char letter;
+  std::string_view value;
+};
+
+/// Of a line of parameters; none for another one.
+std::vector<FanucWord> fanuc_words(std::string_view line) {
+  constexpr std::string_view letters = "NQALTSP";
+  std::vector<FanucWord> words;
+  while (!(line = without_blanks(line)).empty()) {
+    const std::size_t end = std::min(line.find_first_not_of("0123456789.-", 1), line.size());
+    if (letters.find(line.front()) == std::string_view::npos || end == 1) {
+      return {};
+    }
+    words.push_back({line.front(), line.substr(1, end - 1)});
+    line.remove_prefix(end);
+  }
+  const bool has_value = std::ranges::find(words, 'P', &FanucWord::letter) != words.end();
+  return has_value && words.front().letter == 'N' && words.front().value.size() <= 5
+             ? words
+             : std::vector<FanucWord>();
+}
+
+int whole(std::string_view text) {
+  constexpr double most = 99999;
+  const double value = typed_number(text).value.value_or(0);
+  return value >= 0 && value <= most ? static_cast<int>(value) : 0;
+}
+
+std::size_t recognised_fanuc(std::string_view text) {
+  std::size_t parameters = 0;
+  std::size_t others = 0;
+  bool has_limits = false;
+  for (const ConfigurationLine& line : lines_of(text)) {
+    const std::vector<FanucWord> words = fanuc_words(line.text);
+    if (!words.empty()) {
+      ++parameters;
+      const int number = whole(words.front().value);
+      has_limits = has_limits || number == rapid_traverse || number == acceleration_limit;
+    } else if (!line.text.empty() && line.text != "%") {
+      ++others;
+    }
+  }
+  return has_limits && parameters > others ? parameters : 0;
+}
+
+class FanucReader {
+ public:
+  explicit FanucReader(MachineDraft draft) : draft_(std::move(draft)) {}
+
+  ImportedMachine read(std::string_view text) {
+    for (const ConfigurationLine& line : lines_of(text)) {
+      read_line(line);
+    }
+    Machine& machine = draft_.machine();
+    machine.control = "Fanuc";
+    machine.reference = fmt::format("{}, parameters of the machine's Fanuc", draft_.file());
+    draft_.choose_model({"essid"});
+    draft_.note(Severity::info, {}, "not-modelled",
+                "there is no model of a Fanuc: that of another control runs its limits");
+    if (is_inch_machine()) {
+      return draft_.finish(fanuc_parameters.kind, {24, 3, 50});
+    }
+    for (const AxisInfo& axis : known_axes) {
+      read_axis(axis.name);
+    }
+    return draft_.finish(fanuc_parameters.kind, {24, 3, 50});
+  }
+
+ private:
+  void read_line(const ConfigurationLine& line) {
+    const ConfigurationPlace place{line.number, ""};
+    const std::vector<FanucWord> words = fanuc_words(line.text);
+    if (words.empty()) {
+      if (!line.text.empty() && line.text != "%") {
+        draft_.note(Severity::info, place, "not-understood",
+                    fmt::format("'{}' is no parameter; skipped", line.text));
+      }
+      return;
+    }
+    const int number = whole(words.front().value);
+    if (std::ranges::find(used_parameters, number) == used_parameters.end()) {
+      return;  // a listing holds some thousand others
+    }
+    int axis = NumberedParameters::no_axis;
+    for (const FanucWord& word : words) {
+      if (word.letter == 'A') {
+        axis = whole(word.value);
+      } else if (word.letter == 'P') {
+        const GivenValue given{place, axis < 0 ? fmt::format("N{} P{}", number, word.value)
+                                               : fmt::format("N{} A{} P{}", number, axis, word.value)};
+        if (const std::optional<double> value = draft_.number(word.value, given)) {
+          parameters_.add(number, axis, {*value, given}, draft_);
+        }
+      }
+    }
+  }
+
+  /// Bit 0 of 1001, which stands as eight digits.
+  bool is_inch_machine() {
+    const NumberedParameters::Entry* unit = parameters_.find(machine_unit);
+    if (unit == nullptr || std::fmod(unit->value, 10) != 1) {
+      return false;
+    }
+    draft_.note(
+        Severity::error, unit->given.place, "inch-system",
+        "the machine measures in inches (1001, bit 0), in which parameters are not imported; all limits are "
+        "assumed",
+        "write its limits into a machine file");
+    return true;
+  }
+
+  /// Number of the axis with this name, by the ASCII codes of 1020; without them in the usual order.
+  int axis_number(char axis) {
+    constexpr int most_axes = 32;
+    for (int i = 1; i <= most_axes; ++i) {
+      const NumberedParameters::Entry* name = parameters_.find(axis_names, i);
+      if (name != nullptr && name->value == static_cast<double>(axis)) {
+        return i;
+      }
+    }
+    if (parameters_.has(axis_names)) {
+      return 0;
+    }
+    if (axis == known_axes[0].name) {
+      draft_.note(Severity::info, {}, "axes-assumed",
+                  "which axes X, Y and Z are is not told; the first three are assumed", "add parameter 1020");
+    }
+    return static_cast<int>(*known_axes.find(axis)) + 1;
+  }
+
+  void read_axis(char axis) {
+    const int number = axis_number(axis);
+    const NumberedParameters::Entry* kind = parameters_.find(axis_kinds, number);
+    if (number == 0 || (kind != nullptr && std::fmod(kind->value, 10) == 1)) {
+      draft_.note(Severity::warning, kind == nullptr ? ConfigurationPlace() : kind->given.place,
+                  "axis-skipped", fmt::format("there is no linear axis {}; its limits are assumed", axis));
+      return;
+    }
+    give(axis, "velocity", rapid_traverse, number, units::to_m, "mm/min");
+    give(axis, "acceleration", acceleration_limit, number, units::to_m, "mm/s2");
+    give(
+        axis, "kv", loop_gain, number, [](double value) { return value / 100; }, "of 0.01/s");
+    const NumberedParameters::Entry* change = parameters_.find(acceleration_change);
+    if (change != nullptr && change->value > 0 && draft_.has_axis(axis, "acceleration")) {
+      draft_.give_axis(axis, "jerk", draft_.axis(axis, "acceleration") / units::from_ms(change->value),
+                       {change->given.place,
+                        fmt::format("{} ms, in which the acceleration is reached", change->given.what)});
+    }
+    note_cutting_feed(number);
+  }
+
+  void give(char axis, const char* key, int parameter, int number, double (*to_unit)(double),
+            const char* unit) {
+    if (const NumberedParameters::Entry* entry = parameters_.find(parameter, number)) {
+      draft_.give_axis(axis, key, to_unit(entry->value),
+                       {entry->given.place, fmt::format("{} {}", entry->given.what, unit)});
+    }
+  }
+
+  void note_cutting_feed(int number) {
+    const NumberedParameters::Entry* cutting = parameters_.find(cutting_feed, number);
+    const NumberedParameters::Entry* rapid = parameters_.find(rapid_traverse, number);
+    if (cutting != nullptr && rapid != nullptr && cutting->value > 0 && cutting->value < rapid->value) {
+      draft_.note(
+          Severity::info, cutting->given.place, "not-modelled",
+          fmt::format(
+              "the cutting feed is limited to {} mm/min by {}: only the rapid traverse {} limits here",
+              cutting->value, cutting->given.what, rapid->given.what));
+    }
+  }
+
+  MachineDraft draft_;
+  NumberedParameters parameters_;
+};
+
+ImportedMachine read_fanuc(const ConfigurationSource& source, MachineDraft draft) {
+  return FanucReader(std::move(draft)).read(source.text);
+}
+
+}  // namespace
+
+const ConfigurationFormat fanuc_parameters{"parameters of a Fanuc", recognised_fanuc, read_fanuc};
+
+}  // namespace feedscope
