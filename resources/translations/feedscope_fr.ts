@@ -1838,8 +1838,36 @@
         <translation>Commande ouverte LinuxCNC</translation>
     </message>
     <message>
+        <source>parameters of a Fanuc</source>
+        <translation>paramètres d’une Fanuc</translation>
+    </message>
+    <message>
+        <source>listing of grbl settings</source>
+        <translation>liste de réglages de grbl</translation>
+    </message>
+    <message>
+        <source>machine parameters of a Heidenhain</source>
+        <translation>paramètres machine d’une Heidenhain</translation>
+    </message>
+    <message>
+        <source>configuration of Klipper</source>
+        <translation>configuration de Klipper</translation>
+    </message>
+    <message>
+        <source>INI file of LinuxCNC</source>
+        <translation>fichier INI de LinuxCNC</translation>
+    </message>
+    <message>
+        <source>listing of Marlin settings</source>
+        <translation>liste de réglages de Marlin</translation>
+    </message>
+    <message>
+        <source>machine data of a Sinumerik</source>
+        <translation>paramètres machine d’une Sinumerik</translation>
+    </message>
+    <message>
         <source>Every servo period the planner computes the next place, with constant acceleration and no limit of the jerk. Under G64 arcs within the tolerance blend corners, or neighbours overlap, and short blocks along a line become one; under G61 corners are exact stops. Half of the acceleration is kept back for blends.</source>
-        <translation>À chaque période d’asservissement, le planificateur calcule le prochain point, à accélération constante et sans limite de jerk. Sous G64, des arcs raccordent les coins dans la tolérance, ou deux blocs se chevauchent, et les blocs courts le long d’une droite n’en font qu’un ; sous G61, les coins sont des arrêts précis. La moitié de l’accélération est réservée aux raccords.</translation>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -3024,10 +3052,6 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <translation>Ctrl+M</translation>
     </message>
     <message>
-        <source>Open a machine file of your own</source>
-        <translation>Utiliser sa propre machine</translation>
-    </message>
-    <message>
         <source>Save machine as …</source>
         <translation>Enregistrer la machine sous …</translation>
     </message>
@@ -3090,6 +3114,14 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>Dialect of the program, cutter radii, limits of loops and calls</source>
         <translation>Dialecte du programme, rayons des fraises, limites des boucles et des appels</translation>
+    </message>
+    <message>
+        <source>Open a machine file of your own, or the configuration of a control</source>
+        <translation>Ouvrir un fichier machine personnel, ou la configuration d’une commande</translation>
+    </message>
+    <message>
+        <source>Machine files and configurations of controls (*.toml *.ini *.cfg *.g *.txt *.tea *.mp);;All files (*)</source>
+        <translation>Fichiers machine et configurations de commandes (*.toml *.ini *.cfg *.g *.txt *.tea *.mp);;Tous les fichiers (*)</translation>
     </message>
 </context>
 <context>
@@ -3553,6 +3585,35 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Save load file</source>
         <translation>Enregistrer le fichier de charge</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::MachineOpening</name>
+    <message>
+        <source>Import machine</source>
+        <translation>Importer une machine</translation>
+    </message>
+    <message>
+        <source>%1 is the configuration of a control: %2.
+Use the machine that it describes for the current run?</source>
+        <translation>%1 est la configuration d’une commande : %2.
+Utiliser la machine qu’elle décrit pour la simulation courante ?</translation>
+    </message>
+    <message>
+        <source>Numbers from the file: %1, assumed: %2.</source>
+        <translation>Nombres du fichier : %1, supposés : %2.</translation>
+    </message>
+    <message>
+        <source>Notes: %1.</source>
+        <translation>Remarques : %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Import</source>
+        <translation>&amp;Importer</translation>
+    </message>
+    <message>
+        <source>Machine imported from %1. File &gt; Save machine as … keeps it as a machine file.</source>
+        <translation>Machine importée de %1. Fichier &gt; Enregistrer la machine sous … la garde comme fichier machine.</translation>
     </message>
 </context>
 <context>

@@ -72,7 +72,8 @@ void FileMenu::add_sessions() {
 }
 
 void FileMenu::add_machines() {
-  connect(add(tr("Open &machine file …"), QKeySequence(tr("Ctrl+M")), tr("Open a machine file of your own")),
+  connect(add(tr("Open &machine file …"), QKeySequence(tr("Ctrl+M")),
+              tr("Open a machine file of your own, or the configuration of a control")),
           &QAction::triggered, this, &FileMenu::ask_for_machine);
   connect(add(tr("Save machine as …"), QKeySequence(tr("Ctrl+Shift+M")),
               tr("Save the machine with all changes as a machine file")),
@@ -132,9 +133,11 @@ void FileMenu::ask_how_to_read() {
 
 void FileMenu::ask_for_machine() {
   const QString file =
-      QFileDialog::getOpenFileName(&window_, tr("Open machine file"), {}, tr("Machine files (*.toml)"));
+      QFileDialog::getOpenFileName(&window_, tr("Open machine file"), {},
+                                   tr("Machine files and configurations of controls (*.toml *.ini *.cfg *.g "
+                                      "*.txt *.tea *.mp);;All files (*)"));
   if (!file.isEmpty()) {
-    workbench_.choose_machine(file);
+    window_.open_machine(to_path(file));
   }
 }
 

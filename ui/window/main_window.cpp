@@ -35,6 +35,7 @@
 #include "ui/window/dock_sizes.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/help_menu.h"
+#include "ui/window/machine_opening.h"
 #include "ui/window/start_hint.h"
 #include "ui/window/status_panel.h"
 #include "ui/window/view_menu.h"
@@ -71,7 +72,8 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
       load_(new LoadView(workbench, this)),
       panels_{program_,     setup_,       why_,   annotations_, lessons_,  charts_, runs_,
               slow_places_, diagnostics_, study_, contour_,     circular_, load_},
-      session_(new WindowSession(*this, workbench)) {
+      session_(new WindowSession(*this, workbench)),
+      machines_(new MachineOpening(workbench, *this)) {
   setWindowTitle(tr("Feedscope"));
   resize(default_size);
   setAcceptDrops(true);
@@ -87,6 +89,8 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
   connect(&workbench_, &Workbench::failed, this, &MainWindow::show_failure);
   connect(session_, &WindowSession::file_changed, this, &MainWindow::show_title);
   connect(session_, &WindowSession::failed, this, &MainWindow::show_failure);
+  connect(machines_, &MachineOpening::failed, this, &MainWindow::show_failure);
+  connect(machines_, &MachineOpening::noted, diagnostics_, &DiagnosticsView::add_message);
   connect(session_, &WindowSession::noticed, this,
           [this](const QString& message) { diagnostics_->add_message(Severity::info, message); });
   for (Panel* panel : panels_) {
@@ -295,6 +299,10 @@ void MainWindow::show_title() {
 }
 
 void MainWindow::open(const std::filesystem::path& file) {
+  if (MachineOpening::is_machine(file)) {
+    open_machine(file);
+    return;
+  }
   if (!session_->may_go()) {
     return;
   }
@@ -304,6 +312,10 @@ void MainWindow::open(const std::filesystem::path& file) {
     session_->forget_file();
     workbench_.open(file);
   }
+}
+
+void MainWindow::open_machine(const std::filesystem::path& file) {
+  machines_->open(file);
 }
 
 void MainWindow::open_lesson(const std::filesystem::path& file) {

@@ -23,6 +23,7 @@ class DockSizes;
 class FileMenu;
 class HelpMenu;
 class LessonView;
+class MachineOpening;
 class PlaybackBar;
 class ProgramPanel;
 class RunsView;
@@ -53,8 +54,11 @@ class MainWindow : public QMainWindow {
   bool busy() const;
   /// Opens a lesson in its panel, and what it begins with in all others.
   void open_lesson(const std::filesystem::path& file);
-  /// A program or a session, by the end of its name; asks before what is not saved goes.
+  /// A program, a session or a machine file by the end of its name, the configuration of a control by its
+  /// content; asks before what is not saved goes.
   void open(const std::filesystem::path& file);
+  /// A machine file, or the configuration of a control.
+  void open_machine(const std::filesystem::path& file);
   /// As QMainWindow::restoreState(), with sizes that hold when the window becomes smaller and larger again.
   void restore_layout(const QByteArray& layout);
   /// What the window shows, to be shown again by another window on the same workbench, in another language or
@@ -117,6 +121,7 @@ class MainWindow : public QMainWindow {
   LoadView* load_;
   std::array<Panel*, 13> panels_;  ///< in the order of their tabs
   WindowSession* session_;
+  MachineOpening* machines_;
   FileMenu* file_menu_ = nullptr;
   DockSizes* dock_sizes_ = nullptr;
   QByteArray first_layout_;

@@ -153,9 +153,9 @@ void Workbench::simulate_again(std::size_t row) {
   }
 }
 
-Setup Workbench::plain_setup(const std::string& id_or_file) const {
+Setup Workbench::plain_setup(Machine machine) {
   Setup setup;
-  setup.machine = machines_.load(id_or_file);
+  setup.machine = std::move(machine);
   setup.model = &find_model(setup.machine.model);
   setup.settings = complete_settings(*setup.model, setup.machine);
   return setup;
@@ -163,11 +163,15 @@ Setup Workbench::plain_setup(const std::string& id_or_file) const {
 
 void Workbench::choose_machine(const QString& id_or_file) {
   try {
-    setup_.set_file(plain_setup(id_or_file.toStdString()));
-    machine_chosen_ = true;
+    use_machine(machines_.load(id_or_file.toStdString()));
   } catch (const InputError& error) {
     emit failed(QString::fromUtf8(error.what()));
   }
+}
+
+void Workbench::use_machine(Machine machine) {
+  setup_.set_file(plain_setup(std::move(machine)));
+  machine_chosen_ = true;
 }
 
 void Workbench::choose_model(const QString& id) {
@@ -275,7 +279,7 @@ void Workbench::use_default_machine() {
   }
   try {
     RunItem run = only;
-    run.setup = SetupState(plain_setup(id));
+    run.setup = SetupState(plain_setup(machines_.load(id)));
     runs_.replace({std::move(run)}, 0);
     emit noticed(tr("%1 is used: its control reads %2 programs.")
                      .arg(QString::fromStdString(runs_.current_item().setup.file().machine.name),

@@ -54,6 +54,8 @@ class Workbench : public QObject {
   void simulate_again(std::size_t row);
   /// Id or file; its own model is chosen with it. An unusable file is reported by failed().
   void choose_machine(const QString& id_or_file);
+  /// A machine that stands in no file; its own model is chosen with it.
+  void use_machine(Machine machine);
   /// The machine of the current run is wanted: no program that is opened chooses another one by its dialect.
   void hold_machine() { machine_chosen_ = true; }
   void choose_model(const QString& id);
@@ -102,7 +104,7 @@ class Workbench : public QObject {
  private:
   void begin_runs_again();
   void read_file();
-  Setup plain_setup(const std::string& id_or_file) const;
+  static Setup plain_setup(Machine machine);
   void use_default_machine();
   void schedule();
   bool wanted(std::size_t row) const;

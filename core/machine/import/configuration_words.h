@@ -19,6 +19,8 @@ struct ConfigurationLine {
   bool indented = false;     ///< begins with a blank
 };
 
+/// The bytes of a file as UTF-8: UTF-16 by its mark, else bytes that are no UTF-8 as Latin-1.
+std::string utf8_text(std::string_view bytes);
 /// Lines of a text, whatever ends them; a mark of the byte order is not part of the first.
 std::vector<ConfigurationLine> lines_of(std::string_view text);
 std::string_view without_blanks(std::string_view text);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/translatable.h"
 #include "core/base/typed_number.h"
 #include "core/base/units.h"
 #include "core/machine/import/numbered_parameters.h"
@@ -207,6 +208,7 @@ ImportedMachine read_fanuc(const ConfigurationSource& source, MachineDraft draft
 
 }  // namespace
 
-const ConfigurationFormat fanuc_parameters{"parameters of a Fanuc", recognised_fanuc, read_fanuc};
+const ConfigurationFormat fanuc_parameters{QT_TRANSLATE_NOOP("core", "parameters of a Fanuc"),
+                                           recognised_fanuc, read_fanuc};
 
 }  // namespace feedscope

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/machine/import/machine_draft.h"
 
@@ -285,6 +286,7 @@ ImportedMachine read_grbl(const ConfigurationSource& source, MachineDraft draft)
 
 }  // namespace
 
-const ConfigurationFormat grbl_listing{"listing of grbl settings", recognised_grbl, read_grbl};
+const ConfigurationFormat grbl_listing{QT_TRANSLATE_NOOP("core", "listing of grbl settings"), recognised_grbl,
+                                       read_grbl};
 
 }  // namespace feedscope

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <optional>
 
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/machine/import/numbered_parameters.h"
 
@@ -142,7 +143,7 @@ ImportedMachine read_tnc(const ConfigurationSource& source, MachineDraft draft) 
 
 }  // namespace
 
-const ConfigurationFormat heidenhain_parameters{"machine parameters of a Heidenhain", recognised_tnc,
-                                                read_tnc};
+const ConfigurationFormat heidenhain_parameters{
+    QT_TRANSLATE_NOOP("core", "machine parameters of a Heidenhain"), recognised_tnc, read_tnc};
 
 }  // namespace feedscope

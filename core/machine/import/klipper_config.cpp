@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "core/base/nearest_name.h"
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/machine/import/machine_draft.h"
 #include "core/machine/import/section_file.h"
@@ -200,6 +201,7 @@ ImportedMachine read_klipper(const ConfigurationSource& source, MachineDraft dra
 
 }  // namespace
 
-const ConfigurationFormat klipper_config{"configuration of Klipper", recognised_klipper, read_klipper};
+const ConfigurationFormat klipper_config{QT_TRANSLATE_NOOP("core", "configuration of Klipper"),
+                                         recognised_klipper, read_klipper};
 
 }  // namespace feedscope

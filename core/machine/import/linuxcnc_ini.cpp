@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/nearest_name.h"
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/machine/import/machine_draft.h"
 #include "core/machine/import/section_file.h"
@@ -335,6 +336,7 @@ ImportedMachine read_linuxcnc(const ConfigurationSource& source, MachineDraft dr
 
 }  // namespace
 
-const ConfigurationFormat linuxcnc_ini{"INI file of LinuxCNC", recognised_linuxcnc, read_linuxcnc};
+const ConfigurationFormat linuxcnc_ini{QT_TRANSLATE_NOOP("core", "INI file of LinuxCNC"), recognised_linuxcnc,
+                                       read_linuxcnc};
 
 }  // namespace feedscope

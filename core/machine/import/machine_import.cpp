@@ -54,9 +54,10 @@ std::string id_of(const std::string& name) {
   return id.empty() ? "imported" : id;
 }
 
-ImportedMachine import_from(const ConfigurationSource& source, const std::string& name,
+ImportedMachine import_from(std::string_view bytes, const fs::path& folder, const std::string& name,
                             const std::vector<SettingSpec>& model_settings) {
-  const ConfigurationFormat* format = format_of(source.text);
+  const std::string text = utf8_text(bytes);
+  const ConfigurationFormat* format = format_of(text);
   if (format == nullptr) {
     std::vector<std::string> kinds;
     for (const ConfigurationFormat* known : formats) {
@@ -65,16 +66,16 @@ ImportedMachine import_from(const ConfigurationSource& source, const std::string
     throw InputError(fmt::format("'{}' is not the configuration of a control that can be imported; known: {}",
                                  name, fmt::join(kinds, ", ")));
   }
-  MachineDraft draft(fs::path(name).filename().string(), model_settings);
-  draft.machine().id = id_of(name);
+  MachineDraft draft(utf8_text(fs::path(name).filename().string()), model_settings);
+  draft.machine().id = utf8_text(id_of(name));
   draft.machine().name = draft.machine().id;
-  return format->read(source, std::move(draft));
+  return format->read({text, folder}, std::move(draft));
 }
 
 }  // namespace
 
 std::string configuration_kind(std::string_view text) {
-  const ConfigurationFormat* format = format_of(text);
+  const ConfigurationFormat* format = format_of(utf8_text(text));
   return format == nullptr ? "" : format->kind;
 }
 
@@ -98,12 +99,12 @@ std::string configuration_kind_of(const fs::path& file) {
 ImportedMachine import_machine(const fs::path& file, const std::vector<SettingSpec>& model_settings) {
   const std::string text = file_text(file, "configuration of a control", largest_configuration);
   const fs::path folder = file.parent_path();
-  return import_from({text, folder.empty() ? fs::path(".") : folder}, file.string(), model_settings);
+  return import_from(text, folder.empty() ? fs::path(".") : folder, file.string(), model_settings);
 }
 
 ImportedMachine import_machine_text(std::string_view text, const std::string& name,
                                     const std::vector<SettingSpec>& model_settings) {
-  return import_from({text, {}}, name, model_settings);
+  return import_from(text, {}, name, model_settings);
 }
 
 }  // namespace feedscope

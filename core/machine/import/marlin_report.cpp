@@ -10,6 +10,7 @@
 #include <optional>
 #include <set>
 
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/machine/import/machine_draft.h"
 
@@ -246,6 +247,7 @@ ImportedMachine read_marlin(const ConfigurationSource& source, MachineDraft draf
 
 }  // namespace
 
-const ConfigurationFormat marlin_report{"listing of Marlin settings", recognised_report, read_marlin};
+const ConfigurationFormat marlin_report{QT_TRANSLATE_NOOP("core", "listing of Marlin settings"),
+                                        recognised_report, read_marlin};
 
 }  // namespace feedscope

@@ -179,7 +179,7 @@ void SectionFile::include_one(const fs::path& file, const std::string& name,
     refuse(fmt::format("more than {} files", most_files));
   } else {
     try {
-      const std::string text = file_text(file, "configuration", largest_included);
+      const std::string text = utf8_text(file_text(file, "configuration", largest_included));
       const std::string section = section_;
       open_.push_back(file);
       read(text, {name, file.parent_path()});

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/machine/import/machine_draft.h"
 
@@ -324,6 +325,7 @@ ImportedMachine read_sinumerik(const ConfigurationSource& source, MachineDraft d
 
 }  // namespace
 
-const ConfigurationFormat sinumerik_data{"machine data of a Sinumerik", recognised_data, read_sinumerik};
+const ConfigurationFormat sinumerik_data{QT_TRANSLATE_NOOP("core", "machine data of a Sinumerik"),
+                                         recognised_data, read_sinumerik};
 
 }  // namespace feedscope

@@ -49,6 +49,22 @@ TEST_F(MachineImport, RefusesOtherFilesByName) {
   EXPECT_EQ(configuration_kind_of(folder_), "");
 }
 
+TEST_F(MachineImport, ReadsOtherEncodings) {
+  const std::string listing = "$110=5000 (\xB0)\n$111=4000\n$112=500\n$\xE9=1\n";
+  EXPECT_NEAR(import(listing, "latin.txt").machine.axes[0].velocity, 5000.0 / 60, 1e-9);
+  EXPECT_EQ(notes(import(listing, "latin.txt"), "latin.txt"),
+            "latin.txt:4: info: '$\xC3\xA9=1' is no setting; skipped [not-understood]\n");
+  std::string wide = "\xFF\xFE";  // as a redirected output of PowerShell
+  for (const char c : std::string("$110=5000\r\n$111=4000\r\n$112=500\r\n")) {
+    wide += {c, '\0'};
+  }
+  EXPECT_EQ(configuration_kind(wide), "listing of grbl settings");
+  EXPECT_EQ(source(import(wide, "wide.txt"), "Y.velocity"), "wide.txt, line 2: $111 = 4000 mm/min");
+  const ImportedMachine named =
+      import("[EMC]\nMACHINE = Fr\xE4se \xE2\x82\xAC\n[TRAJ]\nLINEAR_UNITS = mm\n", "a.ini");
+  EXPECT_EQ(named.machine.name, "Fr\xC3\xA4se \xE2\x82\xAC");
+}
+
 TEST_F(MachineImport, MakesAnIdOfTheFileName) {
   write("my old mill.ini", "[EMC]\n[TRAJ]\nLINEAR_UNITS = mm\n");
   EXPECT_EQ(import_file("my old mill.ini").machine.id, "my-old-mill");
