@@ -1838,6 +1838,10 @@
         <translation>Commande ouverte LinuxCNC</translation>
     </message>
     <message>
+        <source>Every servo period the planner computes the next place, with constant acceleration and no limit of the jerk. Under G64 arcs within the tolerance blend corners, or neighbours overlap, and short blocks along a line become one; under G61 corners are exact stops. Half of the acceleration is kept back for blends.</source>
+        <translation>À chaque période d’asservissement, le planificateur calcule le prochain point, à accélération constante et sans limite de jerk. Sous G64, des arcs raccordent les coins dans la tolérance, ou deux blocs se chevauchent, et les blocs courts le long d’une droite n’en font qu’un ; sous G61, les coins sont des arrêts précis. La moitié de l’accélération est réservée aux raccords.</translation>
+    </message>
+    <message>
         <source>parameters of a Fanuc</source>
         <translation>paramètres d’une Fanuc</translation>
     </message>
@@ -1864,10 +1868,6 @@
     <message>
         <source>machine data of a Sinumerik</source>
         <translation>paramètres machine d’une Sinumerik</translation>
-    </message>
-    <message>
-        <source>Every servo period the planner computes the next place, with constant acceleration and no limit of the jerk. Under G64 arcs within the tolerance blend corners, or neighbours overlap, and short blocks along a line become one; under G61 corners are exact stops. Half of the acceleration is kept back for blends.</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -36,6 +36,24 @@ std::size_t recognised_linuxcnc(std::string_view text) {
   return count > 1 ? count : 0;
 }
 
+struct StartUpWord {
+  char letter;
+  std::string text;  ///< behind it
+};
+
+/// "G21G64 P0.02" in words, which need no blanks between them.
+std::vector<StartUpWord> start_up_words(std::string_view code) {
+  std::vector<StartUpWord> words;
+  for (const char c : in_upper_case(code)) {
+    if (c >= 'A' && c <= 'Z' && (words.empty() || !words.back().text.empty())) {
+      words.push_back({c, ""});
+    } else if (c != ' ' && c != '\t' && !words.empty()) {
+      words.back().text += c;
+    }
+  }
+  return words;
+}
+
 class LinuxCncReader {
  public:
   LinuxCncReader(const ConfigurationSource& source, MachineDraft draft)
@@ -247,36 +265,49 @@ class LinuxCncReader {
     if (entry == nullptr) {
       return;
     }
+    const std::vector<StartUpWord> words = start_up_words(entry->value);
     double unit = unit_;
-    for (const std::string_view word : words_of_line(entry->value)) {
-      const std::string upper = in_upper_case(word);
-      if (upper == "G20" || upper == "G21") {
-        unit = upper == "G20" ? mm_of_inch : 1;
-      } else if (upper == "G64" || upper == "G61") {
-        draft_.give("blend_mode", upper, entry->given());
-      } else if (upper == "G61.1") {
+    for (const StartUpWord& word : words) {
+      const std::string code = word.letter == 'G' ? word.text : "";
+      if (code == "20" || code == "21") {
+        unit = code == "20" ? mm_of_inch : 1;
+      } else if (code == "64" || code == "61") {
+        draft_.give("blend_mode", "G" + code, entry->given());
+      } else if (code == "61.1") {
         draft_.note(Severity::warning, entry->place, "not-modelled",
                     "G61.1 as start-up code is not modelled; write it into the program");
       }
     }
-    for (const std::string_view word : words_of_line(entry->value)) {
-      const char letter = in_upper_case(word).front();
-      if ((letter == 'P' || letter == 'Q') && word.size() > 1) {
-        read_start_up_tolerance(letter, word.substr(1), *entry, unit);
+    for (const StartUpWord& word : words) {
+      if (word.letter == 'P' || word.letter == 'Q') {
+        read_start_up_tolerance(word.letter, word.text, *entry, unit);
       }
     }
   }
 
+  /// The complete control, 2.9, was seen to take only the tolerance for joining blocks from the start-up
+  /// code, and to run blends with P 0 (traces of its own motion). Without Q that tolerance is P.
   void read_start_up_tolerance(char letter, std::string_view text, const SectionEntry& entry, double unit) {
     const std::optional<double> value = draft_.number(text, entry.given());
     if (!value) {
       return;
     }
-    draft_.give(letter == 'P' ? "blend_tolerance_mm" : "naive_tolerance_mm", *value * unit, entry.given());
-    if (letter == 'P') {
-      draft_.note(Severity::info, entry.place, "start-up-tolerance",
-                  "LinuxCNC 2.9 has been seen to run blends with P 0 where G64 P stands in the start-up code",
-                  "write G64 P into the program to be sure");
+    const bool is_q = letter == 'Q';
+    if (is_q || !has_start_up_q_) {
+      draft_.give("naive_tolerance_mm", *value * unit, entry.given());
+      has_start_up_q_ = is_q;
+    }
+    if (!is_q) {
+      draft_.assume("blend_tolerance_mm", 0.0,
+                    fmt::format("{}: LinuxCNC 2.9 was seen to run blends with P 0 in spite of {}",
+                                draft_.place_text(entry.place), entry.given().what));
+      draft_.note(
+          Severity::warning, entry.place, "start-up-tolerance",
+          fmt::format(
+              "P of G64 in the start-up code has no effect on blends in LinuxCNC 2.9; P{} is used for "
+              "joining blocks alone",
+              text),
+          "write G64 P into the program, or set blend_tolerance_mm if your release takes it");
     }
   }
 
@@ -328,6 +359,7 @@ class LinuxCncReader {
   double unit_ = 1;  ///< of the machine [mm]
   std::string unit_name_ = "mm";
   std::string joints_;
+  bool has_start_up_q_ = false;
 };
 
 ImportedMachine read_linuxcnc(const ConfigurationSource& source, MachineDraft draft) {

@@ -68,6 +68,38 @@ TEST_F(LinuxCncIni, GivesLimitsOfTheAxesWithFileAndLine) {
   EXPECT_TRUE(imported.notes.empty()) << notes(imported, "mill.ini");
 }
 
+TEST_F(LinuxCncIni, GivesWhatThePlannerNeeds) {
+  const ImportedMachine imported =
+      import(changed("[EMCMOT]", "[DISPLAY]\nMAX_FEED_OVERRIDE = 1.5\n[EMCMOT]"), "mill.ini");
+  const Settings& settings = imported.machine.settings;
+  EXPECT_EQ(imported.machine.model, "linuxcnc");
+  EXPECT_EQ(settings.number("servo_period_s"), 0.001);
+  EXPECT_EQ(settings.number("max_linear_velocity_m_min"), 6);
+  EXPECT_EQ(settings.number("max_feed_override"), 1.5);
+  EXPECT_EQ(source(imported, "max_linear_velocity_m_min"),
+            "mill.ini, line 11: [TRAJ] MAX_LINEAR_VELOCITY = 100 mm/s");
+  EXPECT_EQ(source(imported, "planner"), "assumed: mill.ini does not tell the release of LinuxCNC");
+}
+
+TEST_F(LinuxCncIni, ReadsTolerancesOfTheStartUpCode) {
+  const auto with = [](const std::string& entry) {
+    return import(changed("[EMCMOT]", "[RS274NGC]\n" + entry + "\n[EMCMOT]"), "mill.ini");
+  };
+  const ImportedMachine q = with("RS274NGC_STARTUP_CODE = G20 G64 P0.001 Q0.002");
+  EXPECT_NEAR(q.machine.settings.number("naive_tolerance_mm"), 0.0508, 1e-12);
+  EXPECT_EQ(q.machine.settings.number("blend_tolerance_mm"), 0);
+  EXPECT_EQ(q.machine.settings.text("blend_mode"), "G64");
+  EXPECT_THAT(notes(q, "mill.ini"),
+              HasSubstr("mill.ini:5: warning: P of G64 in the start-up code has no effect on blends"));
+  EXPECT_EQ(with("RS274NGC_STARTUP_CODE = g21g64p0.02").machine.settings.number("naive_tolerance_mm"), 0.02);
+  EXPECT_EQ(with("RS274NGC_STARTUP_CODE = G21 G61").machine.settings.text("blend_mode"), "G61");
+  const ImportedMachine usual = with("G64_DEFAULT_TOLERANCE = 0.03\nG64_DEFAULT_NAIVETOLERANCE = 0.01");
+  EXPECT_EQ(usual.machine.settings.number("blend_tolerance_mm"), 0.03);
+  EXPECT_EQ(usual.machine.settings.number("naive_tolerance_mm"), 0.01);
+  EXPECT_THAT(notes(with("RS274NGC_STARTUP_CODE = G64 P0.0.2"), "mill.ini"),
+              HasSubstr("'0.0.2' is not a number"));
+}
+
 TEST_F(LinuxCncIni, ConvertsInches) {
   for (const std::string unit : {"inch", "in", "Imperial", "0.03937007874015748"}) {
     const ImportedMachine imported = import(changed("LINEAR_UNITS = mm", "LINEAR_UNITS = " + unit), "a.ini");
