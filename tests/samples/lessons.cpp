@@ -165,6 +165,21 @@ Sample right_angle() {
   return {"lesson_right_angle.nc", nc.text()};
 }
 
+/// Every line begins with its command, as Klipper wants it, whose comments begin with a semicolon.
+Sample five_controls() {
+  NcWriter nc(decimals);
+  nc.raw("; ONE RIGHT ANGLE BETWEEN TWO LEGS OF 20 MM AT 3000 MM/MIN");
+  nc.raw(
+      "; SHOWS: WHAT THE CORNER RULES OF FIVE CONTROLS MAKE OF IT; A COMMAND IN EVERY LINE, AS KLIPPER WANTS "
+      "IT");
+  nc.raw("G21");
+  nc.raw("G90");
+  nc.raw("G1 X20 F3000");
+  nc.raw("G1 Y20");
+  nc.raw("M30");
+  return {"lesson_five_controls.nc", nc.text()};
+}
+
 Sample directions() {
   NcWriter nc =
       begin("LINES OF 50 MM ALONG X, AT 45 DEGREES AND ALONG Y, AT 12 M/MIN, OUT AND BACK, FROM REST TO REST",
@@ -260,6 +275,7 @@ std::vector<Sample> lesson_programs() {
           waves(0.05, "lesson_dense_rough.nc", "CHORDS COARSER THAN THE TOLERANCE"),
           row(0.5, 200, 6000, "lesson_lookahead.nc", "A HORIZON OF TOO FEW BLOCKS"),
           right_angle(),
+          five_controls(),
           directions(),
           drives(),
           chip(),
