@@ -157,14 +157,28 @@ void MachineDraft::fill_jerk(const UsualLimits& usual) {
   }
 }
 
+void MachineDraft::close_notes() {
+  constexpr std::size_t most_notes = 200;
+  std::vector<Diagnostic>& notes = imported_.notes;
+  std::ranges::stable_sort(notes, [](const Diagnostic& a, const Diagnostic& b) {
+    return std::pair(a.file, a.line) < std::pair(b.file, b.line);
+  });
+  if (notes.size() <= most_notes) {
+    return;
+  }
+  const std::vector<Diagnostic> rest(notes.begin() + most_notes, notes.end());
+  notes.resize(most_notes);
+  note(std::ranges::max(rest, {}, &Diagnostic::severity).severity, {}, "more-notes",
+       fmt::format("{} more notes are not listed", rest.size()),
+       "correct what is listed, and import the file once more");
+}
+
 ImportedMachine MachineDraft::finish(std::string kind, const UsualLimits& usual) {
   fill("velocity", usual.velocity);
   fill("acceleration", usual.acceleration);
   fill_jerk(usual);
   imported_.kind = std::move(kind);
-  std::ranges::stable_sort(imported_.notes, [](const Diagnostic& a, const Diagnostic& b) {
-    return std::pair(a.file, a.line) < std::pair(b.file, b.line);
-  });
+  close_notes();
   return std::move(imported_);
 }
 

@@ -61,6 +61,8 @@ class MachineDraft {
   bool is_within(const SettingSpec& spec, const SettingValue& value, const GivenValue& given);
   void fill(std::string_view key, double usual);
   void fill_jerk(const UsualLimits& usual);
+  /// In the order of the files; the last one stands for those beyond 200.
+  void close_notes();
 
   std::string file_;
   std::vector<SettingSpec> specs_;

@@ -65,6 +65,17 @@ TEST_F(MachineImport, ReadsOtherEncodings) {
   EXPECT_EQ(named.machine.name, "Fr\xC3\xA4se \xE2\x82\xAC");
 }
 
+TEST_F(MachineImport, ListsAtMostTwoHundredNotes) {
+  std::string text = "[EMC]\n[TRAJ]\nLINEAR_UNITS = mm\n";
+  for (int i = 0; i < 1000; ++i) {
+    text += "what is this\n";
+  }
+  const ImportedMachine imported = import(text + "[AXIS_X]\nMAX_VELOCITY = -1\n", "a.ini");
+  ASSERT_EQ(imported.notes.size(), 201U);
+  EXPECT_THAT(imported.notes.back().message, HasSubstr("more notes are not listed"));
+  EXPECT_EQ(imported.notes.back().severity, Severity::error) << "one of them is an error";
+}
+
 TEST_F(MachineImport, MakesAnIdOfTheFileName) {
   write("my old mill.ini", "[EMC]\n[TRAJ]\nLINEAR_UNITS = mm\n");
   EXPECT_EQ(import_file("my old mill.ini").machine.id, "my-old-mill");
