@@ -113,10 +113,13 @@ void LinuxCncCanon::read_block(std::size_t i) {
     case SegmentKind::arc:
       arc(i);
       break;
-    case SegmentKind::dwell:
+    case SegmentKind::dwell: {
       flush();
-      send(LinuxCncMessage::Kind::dwell, block, toolpath_.dwell_of(segment));
+      const double time = toolpath_.dwell_of(segment);
+      const bool is_dwell = toolpath_.pause_of(segment).kind == Pause::dwell;
+      send(is_dwell || time > 0 ? LinuxCncMessage::Kind::dwell : LinuxCncMessage::Kind::pause, block, time);
       break;
+    }
   }
 }
 

@@ -18,6 +18,7 @@ struct LinuxCncMessage {
     mode,   ///< G64 or G61 changes
     wait,   ///< until all motion has ended
     dwell,  ///< the same, then `time`
+    pause,  ///< a pause of the path that has no time; its command has waited already
   };
   Kind kind = Kind::move;
   LinuxCncSegment move;

@@ -87,6 +87,13 @@ LinuxCncPlanner::Blended LinuxCncPlanner::join_by_blend(LinuxCncSegment& t) {
   std::optional<LinuxCncBlend> blend = find_linuxcnc_blend(p, t, settings_);
   const double parabolic = find_linuxcnc_overlap(p, t, settings_, false).net / 2;
   const double tangent = p.kink_speed;
+  if (blend) {
+    blend->arc.tangential_ratio = 0.5;
+    blend->arc.lower_largest(blend->arc.length / settings_.period, {CauseKind::interpolation_period});
+    if (settings_.master) {
+      blend->arc.limit_arc();
+    }
+  }
   const double arc = blend ? blend->arc.largest : 0;
   const auto forget_kink = [&] {
     p.kink_speed = -1;
@@ -103,11 +110,6 @@ LinuxCncPlanner::Blended LinuxCncPlanner::join_by_blend(LinuxCncSegment& t) {
   }
   forget_kink();
   LinuxCncSegment& made = blend->arc;
-  made.tangential_ratio = 0.5;
-  made.lower_largest(made.length / settings_.period, {CauseKind::interpolation_period});
-  if (settings_.master) {
-    made.limit_arc();
-  }
   made.finalised = true;
   t.course.cut_start(blend->cut_second, blend->turn_second);
   t.length = t.course.length;
@@ -216,7 +218,7 @@ void LinuxCncPlanner::activate(LinuxCncSegment& t) {
   }
   t.active = true;
   const double mean = t.speed + std::min(t.final_speed, t.target(settings_));
-  const double time = mean > 0 ? 2 * t.length / mean : std::numeric_limits<double>::infinity();
+  const double time = mean > 0 ? 2 * t.rest() / mean : std::numeric_limits<double>::infinity();
   t.ramps = time < short_time && !t.rapid && t.end == LinuxCncEnd::tangent;
 }
 
@@ -300,6 +302,7 @@ bool LinuxCncPlanner::run_split(LinuxCncSegment& t, LinuxCncSegment* n, LinuxCnc
   t.speed = t.split_speed;
   if (n != nullptr) {
     const bool tangential = t.end == LinuxCncEnd::tangent;
+    n->in_overlap = false;
     if (tangential) {
       n->speed = t.split_speed;
     }
@@ -328,9 +331,10 @@ const std::vector<LinuxCncStep>& LinuxCncPlanner::run_period() {
     first_leaves_ = run_split(t, n, after);
     return steps_;
   }
+  t.in_overlap = t.overlaps;
   update(t, n, settings_.period, false);
   if (n != nullptr && t.end == LinuxCncEnd::parabolic) {
-    const LinuxCncOverlap overlap = find_linuxcnc_overlap(t, *n, settings_, only_in_overlap());
+    const LinuxCncOverlap overlap = find_linuxcnc_overlap(t, *n, settings_, false);
     t.blend_speed = overlap.first;
     t.overlaps = t.overlaps || (t.brakes_finally && t.speed < t.blend_speed);
     if (t.overlaps) {

@@ -42,6 +42,10 @@ LinuxCncRun::LinuxCncRun(std::shared_ptr<const Toolpath> toolpath, const Machine
 
 /// False: there is none left.
 bool LinuxCncRun::take_message() {
+  while (message_ && message_->kind == LinuxCncMessage::Kind::pause && planner_.empty()) {
+    standing_.push_back({message_->block, 0});
+    message_ = canon_.next();
+  }
   if (!message_) {
     return false;
   }
@@ -60,6 +64,9 @@ bool LinuxCncRun::take_message() {
       break;
     case LinuxCncMessage::Kind::dwell:
       taken = planner_.empty() && wait_for(*message_);
+      break;
+    case LinuxCncMessage::Kind::pause:
+      taken = false;  // until all motion has ended
       break;
   }
   if (taken) {
@@ -133,7 +140,7 @@ void LinuxCncRun::lay(const std::vector<LinuxCncStep>& steps) {
   }
   double time = 0;
   for (const LinuxCncStep& step : steps) {
-    time += step.overlaps ? 0 : step.time;
+    time = step.overlaps ? std::max(time, step.time) : time + step.time;
   }
   last_of_period_ = settings_.period - time > least_time ? settings_.period - time : 0;
   if (last_of_period_ > 0) {

@@ -16,7 +16,8 @@ class LinuxCncWaits {
     int count = 0;
     bool spindle_starts = false;
   };
-  /// Of the lines behind segment `i` - 1 up to that of segment `i`; to be asked in rising order.
+  /// Of the lines behind segment `i` - 1 up to that of segment `i`; to be asked in rising order. Where O
+  /// words stand between them: up to the first of them, and behind the last one before segment `i`.
   Found before(std::size_t i);
 
  private:

@@ -233,9 +233,16 @@ void Cycles::run() {
     return;
   }
   if (const std::optional<DrillingCycle> cycle = drilling_cycle(words_.first_column("XYZR"), repeats)) {
+    const PathControl modal = path().path_control();
+    if (is_linuxcnc()) {  // which runs cycles as under G61
+      PathControl exact = modal;
+      exact.mode = PathMode::exact_stop;
+      path().set_path_control(exact);
+    }
     for (double i = 0; i < repeats; ++i) {
       drill(path(), *cycle, targets_.target());
     }
+    path().set_path_control(modal);
   }
 }
 

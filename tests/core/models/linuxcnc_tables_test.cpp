@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <sstream>
 
@@ -35,30 +37,48 @@ LinuxCncSettings settings_of(const nlohmann::json& configurations, const std::st
   return settings;
 }
 
-/// The planner is not yet a model: short chains, dwells and subprograms are open. It must not become worse.
-TEST(LinuxCncTables, MostTimesAreThoseOfTheControl) {
+/// What differs, by program, and why (core/models/linuxcnc/README.md).
+struct Open {
+  const char* program;
+  double most;  ///< [s]
+};
+
+double off_of(const testing::ControlRow& row, const testing::ControlTables& tables) {
+  const LoadedProgram program = load_program(row.program);
+  LinuxCncRun run(program.toolpath, shipped_machines().load("spinner-mvc850"),
+                  settings_of(tables.configurations(), row.configuration));
+  return std::abs(run.run(nullptr).duration() - row.total);
+}
+
+bool is_cut_short(const testing::ControlRow& row) {
+  return row.text.find("\tERR") != std::string::npos;  // the control stopped at a line that it refuses
+}
+
+TEST(LinuxCncTables, TimesOfSamplesAreThoseOfTheControlToTheMillisecond) {
+  constexpr double millisecond = 5e-4;
+  constexpr auto open = std::to_array<Open>({
+      {"lesson_short_wave.nc", 0.018},  // blocks of 0.1 mm with an arc in every joint
+      {"msaddek_pocket.nc", 0.0015},    // G61
+  });
   const testing::ControlTables tables("linuxcnc");
   if (!tables) {
     GTEST_SKIP() << "no results of controls at " << testing::ControlTables::folder();
   }
   int rows = 0;
   int equal = 0;
-  int close = 0;
   for (const testing::ControlRow& row : tables.rows()) {
-    if (row.text.find("\tsample\t") == std::string::npos || row.total > 60) {
+    if (row.text.find("\tsample\t") == std::string::npos || row.total > 100 || is_cut_short(row)) {
       continue;
     }
-    const LoadedProgram program = load_program(row.program);
-    LinuxCncRun run(program.toolpath, shipped_machines().load("spinner-mvc850"),
-                    settings_of(tables.configurations(), row.configuration));
-    const double off = std::abs(run.run(nullptr).duration() - row.total);
+    const double off = off_of(row, tables);
     ++rows;
-    equal += off <= 6e-4 ? 1 : 0;
-    close += off <= 1e-3 * row.total ? 1 : 0;
+    equal += off < millisecond ? 1 : 0;
+    const auto* const known =
+        std::ranges::find_if(open, [&](const Open& one) { return row.program.filename() == one.program; });
+    EXPECT_LT(off, known == open.end() ? millisecond : known->most) << row.text;
   }
-  EXPECT_EQ(rows, 576);
-  EXPECT_GE(equal, 425);
-  EXPECT_GE(close, 480);
+  EXPECT_EQ(rows, 548);
+  EXPECT_GE(equal, 536);
 }
 
 }  // namespace
