@@ -11,6 +11,7 @@
 #include "core/analysis/tolerance_in_force.h"
 #include "core/base/clock_text.h"
 #include "core/base/units.h"
+#include "core/models/guarantees.h"
 
 namespace feedscope {
 namespace {
@@ -285,6 +286,21 @@ std::string figure_text(const SourceFigure& figure, const Summary& summary) {
                            shown_unit(figure.dimension).decimals);
 }
 
+namespace {
+
+/// What the largest values do not hold.
+std::string jumps_text(const Run& run) {
+  const Guarantees promised = run.setup.model->guarantees(run.setup.settings);
+  if (promised.continuity == Continuity::position) {
+    return "  without the jumps of the speed and of the acceleration, which this model does not limit\n";
+  }
+  return promised.lines.jerk.of == KeptLimit::Of::nothing
+             ? "  without the jumps of the acceleration, which this model does not limit\n"
+             : "";
+}
+
+}  // namespace
+
 std::string summary_text(const Run& run) {
   const Summary& s = run.summary;
   const Program& program = *run.input.program;
@@ -310,10 +326,14 @@ std::string summary_text(const Run& run) {
   const std::size_t count = run.trajectory->path().curve_count();
   const std::string curves =
       count == 0 ? "" : fmt::format(", {} smooth {}", count, count == 1 ? "curve" : "curves");
-  figures.add({"contour error", fmt::format("at most {:.4f} mm{}, {} corner blends{}", s.max_contour_error,
-                                            where, run.trajectory->blend_count(), curves)});
-  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + actual_text(s) + load_text(s) +
-         "\nTime by limiting cause\n" + cause_table(s);
+  // What an open control lays in corners is not told from its other elements.
+  const std::string blends = run.trajectory->path().is_executed()
+                                 ? ""
+                                 : fmt::format(", {} corner blends", run.trajectory->blend_count());
+  figures.add(
+      {"contour error", fmt::format("at most {:.4f} mm{}{}{}", s.max_contour_error, where, blends, curves)});
+  return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + jumps_text(run) +
+         actual_text(s) + load_text(s) + "\nTime by limiting cause\n" + cause_table(s);
 }
 
 }  // namespace feedscope
