@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iostream>
+#include <iterator>
 #include <memory>
 
 #include "app/commands/command.h"
@@ -67,11 +69,20 @@ struct MachinesOptions {
   std::string out;
 };
 
+/// Of a file, or of standard input for "-", which includes nothing.
+ImportedMachine import_from(const std::string& file) {
+  if (file != "-") {
+    return import_machine(file, machine_file_settings());
+  }
+  const std::string text{std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
+  return import_machine_text(text, "standard-input", machine_file_settings());
+}
+
 /// Writes a machine file from the configuration of a control; what it does not say of it is told.
 int import_configuration(const MachinesOptions& options) {
   const std::string out = options.out.empty() ? "-" : options.out;
   check_outputs(options.file, {out}, "the file that is imported");
-  ImportedMachine imported = import_machine(options.file, machine_file_settings());
+  ImportedMachine imported = import_from(options.file);
   if (out != "-") {
     imported.machine.id = std::filesystem::path(out).stem().string();
   }

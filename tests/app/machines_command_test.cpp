@@ -38,6 +38,13 @@ TEST_F(MachinesCommand, WritesWhatItUnderstoodAndReportsTheRest) {
               HasSubstr("limits.cfg:3: error: [printer] max_accel = fast mm/s2: 'fast' is not a number"));
 }
 
+TEST_F(MachinesCommand, ImportsStandardInput) {
+  const Result result = run("machines import - <router.txt");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, HasSubstr("standard-input, line 2: $110 = 5000 mm/min"));
+  expect_wrong_use("machines import - </dev/null", "'standard-input' is not the configuration of a control");
+}
+
 TEST_F(MachinesCommand, RefusesWhatItCannotImport) {
   expect_wrong_use("machines import", "machines import needs a FILE");
   expect_wrong_use("machines import corner.nc", "'corner.nc' is not the configuration of a control");
