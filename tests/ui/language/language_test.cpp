@@ -59,7 +59,8 @@ TEST(CoreTexts, EveryTextThatIsShownIsFrenchInAFrenchWindow) {
   QTranslator french;
   ASSERT_TRUE(french.load(":/translations/feedscope_fr"));
   QCoreApplication::installTranslator(&french);
-  const std::set<std::string> the_same{"jerk", "Jerk"};
+  // Besides words that both languages share, names of releases and codes of programs.
+  const std::set<std::string> the_same{"jerk", "Jerk", "2.9", "master", "G61", "G64"};
   for (const std::string& text : shown_texts()) {
     if (!the_same.contains(text)) {
       EXPECT_NE(core_text(text).toStdString(), text);
