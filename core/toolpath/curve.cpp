@@ -1,6 +1,7 @@
 #include "core/toolpath/curve.h"
 
 #include <cmath>
+#include <optional>
 
 #include "core/toolpath/blend_length.h"
 
@@ -21,6 +22,25 @@ Cubic cubic_of(const CubicBlend& blend) {
   const Vec3 m1 = blend.alpha * (blend.end - blend.corner);
   const Vec3 chord = blend.end - blend.start;
   return {blend.start, m0, 3 * chord - 2 * m0 - m1, m0 + m1 - 2 * chord};
+}
+
+bool same(const CubicBlend& a, const CubicBlend& b) {
+  return a.start == b.start && a.corner == b.corner && a.end == b.end && a.alpha == b.alpha;
+}
+
+/// Lengths along `blend`, valid until the same thread asks for those of another one: who samples a run asks
+/// many times for places of one blend, and preparing costs far more than each of them.
+const BlendLength& lengths_along(const CubicBlend& blend) {
+  struct Prepared {
+    explicit Prepared(const CubicBlend& of) : blend(of), length(of) {}
+    CubicBlend blend;
+    BlendLength length;
+  };
+  thread_local std::optional<Prepared> last;
+  if (!last || !same(last->blend, blend)) {
+    last.emplace(blend);
+  }
+  return last->length;
 }
 
 }  // namespace
@@ -64,11 +84,11 @@ double CubicBlend::length() const {
 }
 
 double CubicBlend::length_to(double u) const {
-  return BlendLength(*this).to(u);
+  return lengths_along(*this).to(u);
 }
 
 double CubicBlend::parameter_at(double s) const {
-  return BlendLength(*this).parameter_at(s);
+  return lengths_along(*this).parameter_at(s);
 }
 
 }  // namespace feedscope

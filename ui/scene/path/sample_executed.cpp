@@ -259,7 +259,7 @@ class ExecutedSampling {
 
   void add(SampledPath& path, Sampler& sampler, const PartMotion& motion, const Part& part, double tau,
            double span) {
-    const Kinematics at = motion.kinematics(tau);
+    const State at = motion.state_without_length(tau);
     const double speed = at.velocity.norm();
     const SpanKind kind = kind_of(part);
     if (kind != SpanKind::rapid) {
@@ -272,7 +272,7 @@ class ExecutedSampling {
       const double time = part.time + tau;
       path.times.push_back(path.times.empty() ? time : std::max(path.times.back(), time));
       path.causes.push_back(part.cause.kind);
-      add_values(path, motion.state_without_length(tau));
+      add_values(path, at);
       const auto deviation =
           follows_exactly(part) ? PathDeviation::Result() : deviation_(at.position, segment_of(part));
       store(path.values[sample_index(Colouring::contour_error)], deviation.nearest.norm());
