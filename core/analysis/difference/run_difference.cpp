@@ -1,11 +1,13 @@
 #include "core/analysis/difference/run_difference.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
 #include "core/analysis/difference/course_walk.h"
 #include "core/analysis/difference/nearest_place.h"
+#include "core/base/parallel.h"
 
 namespace feedscope {
 namespace {
@@ -20,11 +22,21 @@ void check(const Trajectory& run, const Trajectory& reference) {
   }
 }
 
-/// The parts of a run, found by times in order.
+constexpr std::size_t places_a_chunk = 8192;  // compared by one thread; the same however many there are
+constexpr double share_of_courses = 0.4;      // of the time that a comparison takes
+
+/// The piece before the one under way at `time`, so that at a border the earlier part is found.
+std::size_t piece_before(const Trajectory& trajectory, double time) {
+  const std::vector<Piece>& pieces = trajectory.pieces();
+  const auto after = std::ranges::lower_bound(pieces, time, {}, &Piece::time);
+  return static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, after - pieces.begin() - 2));
+}
+
+/// The parts of a run, found by times in order, `from` being the first.
 class PartFinder {
  public:
-  explicit PartFinder(const Trajectory& trajectory)
-      : trajectory_(trajectory), walk_(trajectory), part_(walk_.part()) {}
+  PartFinder(const Trajectory& trajectory, double from)
+      : trajectory_(trajectory), walk_(trajectory, piece_before(trajectory, from)), part_(walk_.part()) {}
 
   /// The part at `time`; the earlier one at a border.
   const Part& at(double time) {
@@ -106,6 +118,32 @@ std::vector<float> paces(const std::vector<double>& lost, const std::vector<doub
   return pace;
 }
 
+/// From the places of the run at `times` to the path of the reference, which is there at `then` [s]. Reports
+/// the share of `progress` that is left.
+std::vector<float> distances(const Trajectory& run, const Trajectory& reference,
+                             std::span<const double> times, std::span<const double> then,
+                             Progress& progress) {
+  std::vector<float> distances(times.size());
+  const std::size_t chunks = (times.size() + places_a_chunk - 1) / places_a_chunk;
+  std::atomic<std::size_t> done{0};
+  in_parallel(chunks, [&](std::size_t chunk) {
+    const std::size_t first = chunk * places_a_chunk;
+    const std::size_t end = std::min(times.size(), first + places_a_chunk);
+    PartFinder run_parts(run, std::clamp(times[first], 0.0, run.duration()));
+    PartFinder reference_parts(reference, then[first]);
+    NearestPlace nearest(reference);
+    for (std::size_t i = first; i < end; ++i) {
+      const Vec3 place = run_parts.position(std::clamp(times[i], 0.0, run.duration()));
+      const Part& part = reference_parts.at(then[i]);
+      distances[i] = static_cast<float>(nearest.distance(place, part, reference_parts.tau(then[i])));
+    }
+    const double share = static_cast<double>(++done) / static_cast<double>(chunks);
+    progress.report(share_of_courses + (1 - share_of_courses) * share);
+  });
+  progress.report(1);
+  return distances;
+}
+
 }  // namespace
 
 std::vector<double> times_at_places(const Trajectory& run, const Trajectory& other,
@@ -126,27 +164,23 @@ RunDifference compare_places(const Trajectory& run, const Trajectory& reference,
   check(run, reference);
   RunDifference difference;
   difference.lost.reserve(times.size());
-  difference.distance.reserve(times.size());
   difference.reference_time.reserve(times.size());
   std::vector<double> places;
   places.reserve(times.size());
+  Progress unwatched;
+  Progress& watched = progress != nullptr ? *progress : unwatched;
   TwoCourses courses(run, reference);
-  PartFinder run_parts(run);
-  PartFinder reference_parts(reference);
-  NearestPlace nearest(reference);
-  ProgressSteps steps(progress, times.size());
+  ProgressSteps steps(&watched,
+                      static_cast<std::size_t>(static_cast<double>(times.size()) / share_of_courses));
   for (const double asked : times) {
     const double time = std::clamp(asked, 0.0, run.duration());
     courses.go_to(time);
     places.push_back(courses.place());
     difference.reference_time.push_back(courses.reference_time());
     difference.lost.push_back(time - courses.reference_time());
-    const double then = courses.reference_time();
-    const Part& part = reference_parts.at(then);
-    difference.distance.push_back(
-        static_cast<float>(nearest.distance(run_parts.position(time), part, reference_parts.tau(then))));
     steps.at(places.size());
   }
+  difference.distance = distances(run, reference, times, difference.reference_time, watched);
   difference.pace = paces(difference.lost, places);
   return difference;
 }

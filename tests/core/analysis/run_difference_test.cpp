@@ -260,6 +260,27 @@ TEST(RunDifference, OfRandomProgramsAddsUpAndIsTheOppositeTheOtherWay) {
   }
 }
 
+/// Many places are divided between threads.
+TEST(RunDifference, OfManyPlacesIsThatOfEach) {
+  const LoadedProgram program = read(of_everything);
+  for (const ControlModel* model : all_models()) {
+    const std::string& id = model->info().id;
+    const auto fine = run_with(program, id, 0.005);
+    const auto coarse = run_with(program, id, 0.1);
+    const std::vector<double> times = evenly(fine->duration(), 20'000);
+    Progress progress;
+    const RunDifference difference = compare_places(*fine, *coarse, times, &progress);
+    EXPECT_EQ(progress.fraction(), 1) << id;
+    ASSERT_EQ(difference.distance.size(), times.size());
+    for (std::size_t i = 0; i < times.size(); i += 89) {
+      const RunDifference alone = compare_places(*fine, *coarse, std::vector{times[i]});
+      EXPECT_NEAR(difference.distance[i], alone.distance[0], 1e-6) << id << ' ' << i;
+    }
+    progress.cancel();
+    EXPECT_THROW(compare_places(*fine, *coarse, times, &progress), Cancelled);
+  }
+}
+
 TEST(RunDifference, NeedsTwoRunsOfOneProgram) {
   const Trajectory run = steady(100, 50);
   EXPECT_THROW(compare_places(run, Trajectory(), std::vector{0.0}), std::invalid_argument);
