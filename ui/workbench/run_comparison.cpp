@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "ui/scene/path/compare_sampled.h"
+
 namespace feedscope::ui {
 namespace {
 
@@ -79,11 +81,11 @@ void RunComparison::start(Pair& pair) {
   connect(&pair.job, &JobBase::progressed, this, &RunComparison::progressed);
   pair.job.start(
       [run = pair.run->run.trajectory, sources = pair.run->run.sources,
-       reference = pair.reference->run.trajectory,
+       reference = pair.reference->run.trajectory, sampled = pair.run->samples,
        drawn = pair.reference->samples](JobControl& control) -> Samples {
         try {
           return std::make_shared<const SampledPath>(
-              sample_compared(*run, *reference, drawn->times, &control.progress, sources));
+              compare_sampled(*sampled, *run, *reference, drawn->times, &control.progress, sources));
         } catch (const std::invalid_argument&) {
           return nullptr;  // one of them does not move
         }

@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "core/analysis/difference/run_difference.h"
 #include "core/analysis/run.h"
-#include "ui/scene/sampled_path.h"
+#include "ui/scene/path/compare_sampled.h"
 
 namespace feedscope::ui {
 namespace {
@@ -43,6 +44,30 @@ TEST(SampleCompared, HoldsTheDifferencesAtItsPoints) {
   }
   EXPECT_NEAR(double{path.lost.back()}, fine->duration() - coarse->duration(), 1e-6);
   EXPECT_FALSE(sample_executed(*fine).compared());
+}
+
+void expect_same(const SampledPath& one, const SampledPath& other) {
+  EXPECT_EQ(one.times, other.times);
+  EXPECT_TRUE(one.positions == other.positions);
+  EXPECT_EQ(one.lost, other.lost);
+  EXPECT_TRUE(one.values == other.values);
+}
+
+/// Whether points of both runs are needed or, in the long program, those of one are close enough.
+TEST(SampleCompared, IsTheSameOfARunThatHasBeenDrawn) {
+  std::string zigzag = "G1 F3000\n";
+  for (int i = 1; i <= 12'000; ++i) {
+    zigzag += "X" + std::to_string(i) + (i % 2 == 0 ? " Y0\n" : " Y1\n");
+  }
+  for (const std::string& text : {std::string(corners), zigzag}) {
+    const LoadedProgram program = read(text.c_str());
+    const auto fine = run_with(program, "essid", 0.005);
+    const auto coarse = run_with(program, "essid", 0.1);
+    const std::vector<double> times = sample_executed(*coarse).times;
+    EXPECT_EQ(times.size() > 300'000, text == zigzag) << times.size();
+    expect_same(compare_sampled(sample_executed(*fine), *fine, *coarse, times),
+                sample_compared(*fine, *coarse, times));
+  }
 }
 
 /// A run at one feed has two points on a line; where the other one brakes there must be more.

@@ -1,27 +1,21 @@
 #include <algorithm>
 
 #include "core/analysis/difference/run_difference.h"
-#include "ui/scene/sampled_path.h"
+#include "ui/scene/path/compare_sampled.h"
 
 namespace feedscope::ui {
 namespace {
 
 constexpr std::size_t close_enough = 300'000;  // points of one path
 
-}  // namespace
+bool are_close(std::span<const double> reference_times) {
+  return reference_times.size() > close_enough;
+}
 
-SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference,
-                            std::span<const double> reference_times, Progress* progress,
-                            const RunSources& sources) {
-  Progress unwatched;
-  Progress& whole = progress != nullptr ? *progress : unwatched;
-  Progress sampling(whole, 0.5);
-  Progress comparing(whole, 0.5);
-  const std::vector<double> places = reference_times.size() > close_enough
-                                         ? std::vector<double>()
-                                         : times_at_places(reference, trajectory, reference_times);
-  SampledPath path = sample_executed(trajectory, default_max_points, places, &sampling, sources);
-  const RunDifference difference = compare_places(trajectory, reference, path.times, &comparing);
+/// `path` with what it does unlike the reference at its points.
+SampledPath with_differences(SampledPath path, const Trajectory& trajectory, const Trajectory& reference,
+                             Progress& progress) {
+  const RunDifference difference = compare_places(trajectory, reference, path.times, &progress);
   const auto store = [](std::vector<Stored>& to, const std::vector<float>& from) {
     to.reserve(from.size());
     std::ranges::transform(from, std::back_inserter(to), [](float value) { return Stored(value); });
@@ -32,6 +26,32 @@ SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& refe
   std::ranges::transform(difference.lost, std::back_inserter(path.lost),
                          [](double lost) { return static_cast<float>(lost); });
   return path;
+}
+
+}  // namespace
+
+SampledPath sample_compared(const Trajectory& trajectory, const Trajectory& reference,
+                            std::span<const double> reference_times, Progress* progress,
+                            const RunSources& sources) {
+  Progress unwatched;
+  Progress& whole = progress != nullptr ? *progress : unwatched;
+  Progress sampling(whole, 0.5);
+  Progress comparing(whole, 0.5);
+  const std::vector<double> places = are_close(reference_times)
+                                         ? std::vector<double>()
+                                         : times_at_places(reference, trajectory, reference_times);
+  return with_differences(sample_executed(trajectory, default_max_points, places, &sampling, sources),
+                          trajectory, reference, comparing);
+}
+
+SampledPath compare_sampled(const SampledPath& sampled, const Trajectory& trajectory,
+                            const Trajectory& reference, std::span<const double> reference_times,
+                            Progress* progress, const RunSources& sources) {
+  if (!are_close(reference_times)) {
+    return sample_compared(trajectory, reference, reference_times, progress, sources);
+  }
+  Progress unwatched;
+  return with_differences(sampled, trajectory, reference, progress != nullptr ? *progress : unwatched);
 }
 
 }  // namespace feedscope::ui
