@@ -85,6 +85,10 @@ std::string facts_text(const Program& program, const ProgramFacts& facts) {
                           ? fmt::format("{:.6g} to {:.6g} mm/min", units::to_mm_min(facts.min_feed),
                                         units::to_mm_min(facts.largest_feed))
                           : "none programmed"});
+  if (facts.chord_error) {
+    table.add({"chord error", fmt::format("about {:.2g} mm, estimated from {} short lines",
+                                          facts.chord_error->value, facts.chord_error->chords)});
+  }
   table.add({"tools", tools_text(program)});
   if (!program.cutters.empty()) {
     table.add({"cutters", cutters_text(program)});

@@ -44,6 +44,7 @@ ProgramFacts facts_of(const Program& program, const Toolpath& toolpath) {
   facts.rapid_bounds = program.rapid_bounds;
   facts.path_control = path_control_ranges(toolpath);
   facts.not_counted = not_counted(toolpath);
+  facts.chord_error = chord_error_of(toolpath);
   for (const Segment& segment : toolpath.segments) {
     facts.segments += segment.kind != SegmentKind::dwell || is_dwell(toolpath, segment) ? 1 : 0;
     facts.path_length += segment.length;

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/analysis/chord_error.h"
 #include "core/toolpath/machine_toolpath.h"
 #include "core/toolpath/toolpath.h"
 
@@ -18,19 +19,20 @@ struct PathControlRange {
 /// What a program holds, before any machine or model.
 struct ProgramFacts {
   std::size_t lines = 0;
-  std::size_t blocks = 0;    ///< lines that hold a word
-  std::size_t segments = 0;  ///< lines, arcs and dwells
-  std::size_t arcs = 0;      ///< arcs and helices among the segments
-  std::size_t dwells = 0;    ///< among the segments
-  NotCounted not_counted;    ///< what the program gives no time for
-  Bounds bounds;             ///< as Program::bounds [mm]
-  Bounds cutting_bounds;     ///< of the feed motions [mm]
-  Bounds rapid_bounds;       ///< of the rapids [mm]
-  double path_length = 0;    ///< rapids included [mm]
-  double rapid_length = 0;   ///< [mm]
-  double dwell_time = 0;     ///< [s]
-  double min_feed = 0;       ///< of what moves at a programmed feed; 0 if nothing does [mm/s]
-  double largest_feed = 0;   ///< [mm/s]
+  std::size_t blocks = 0;                 ///< lines that hold a word
+  std::size_t segments = 0;               ///< lines, arcs and dwells
+  std::size_t arcs = 0;                   ///< arcs and helices among the segments
+  std::size_t dwells = 0;                 ///< among the segments
+  NotCounted not_counted;                 ///< what the program gives no time for
+  Bounds bounds;                          ///< as Program::bounds [mm]
+  Bounds cutting_bounds;                  ///< of the feed motions [mm]
+  Bounds rapid_bounds;                    ///< of the rapids [mm]
+  double path_length = 0;                 ///< rapids included [mm]
+  double rapid_length = 0;                ///< [mm]
+  double dwell_time = 0;                  ///< [s]
+  double min_feed = 0;                    ///< of what moves at a programmed feed; 0 if nothing does [mm/s]
+  double largest_feed = 0;                ///< [mm/s]
+  std::optional<ChordError> chord_error;  ///< of short lines, if there are enough
   std::vector<PathControlRange> path_control;  ///< in programmed order, dwells omitted
 };
 

@@ -90,8 +90,13 @@ LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* p
   Program program = read_program(std::move(source), progress, options);
   loaded.toolpath = std::make_shared<const Toolpath>(take_toolpath(program));
   loaded.refused = program.cut_off && !options.simulate_cut_off;
-  loaded.program = std::make_shared<const Program>(std::move(program));
   loaded.feed_controls = controls_of_feed_motions(*loaded.toolpath);
+  loaded.chord_error = chord_error_of(*loaded.toolpath);
+  if (loaded.chord_error) {
+    program.diagnostics.insert(program.diagnostics.begin(),
+                               chord_error_message(*loaded.chord_error, loaded.feed_controls));
+  }
+  loaded.program = std::make_shared<const Program>(std::move(program));
   loaded.read_time = watch.seconds();
   return loaded;
 }

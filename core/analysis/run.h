@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/analysis/chord_error.h"
 #include "core/analysis/run_sources.h"
 #include "core/analysis/summary.h"
 #include "core/models/control_model.h"
@@ -18,7 +19,8 @@ struct LoadedProgram {
   std::shared_ptr<const Toolpath> toolpath;
   /// Those of the feed motions, each once, in the order of their first use.
   std::vector<PathControl> feed_controls;
-  double read_time = 0;  ///< wall clock, text to toolpath [s]
+  std::optional<ChordError> chord_error;  ///< of its short lines, if it has enough
+  double read_time = 0;                   ///< wall clock, text to toolpath [s]
   /// Of a run: lines that its control refuses, as notes; they are not part of its toolpath.
   std::vector<Diagnostic> lines_not_run;
   bool refused = false;  ///< cut off at a limit, and ReadOptions do not ask to simulate it

@@ -6,6 +6,7 @@
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/ignored_path_control.h"
 #include "core/analysis/refused_lines.h"
+#include "core/analysis/unadvised_tolerance.h"
 
 namespace feedscope {
 
@@ -72,6 +73,10 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   }
   if (std::string refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
     notes.push_back(std::move(refused));
+  }
+  if (const auto unadvised =
+          unadvised_tolerance(program.chord_error, tolerance_in_force(program.feed_controls, setup))) {
+    notes.push_back(describe(*unadvised));
   }
   const std::vector<std::string> of_drives = drive_notes(setup.machine);
   notes.insert(notes.end(), of_drives.begin(), of_drives.end());

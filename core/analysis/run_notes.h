@@ -24,7 +24,7 @@ std::vector<std::string> drive_notes(const Machine& machine);
 
 /// What is to be known of a run before its figures are trusted, one sentence each: a control that does not
 /// read the program's dialect, a machine that gives work offsets which the program was not read with,
-/// ignored_path_control(), refused_note(), then drive_notes().
+/// ignored_path_control(), refused_note(), a tolerance that Heidenhain advises against, then drive_notes().
 std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup);
 
 }  // namespace feedscope

@@ -124,6 +124,8 @@ Json program_json(const Program& program, const Toolpath& toolpath) {
           {"feed_mm_min",
            {{"min", finite(units::to_mm_min(facts.min_feed))},
             {"max", finite(units::to_mm_min(facts.largest_feed))}}},
+          {"chord_error_mm", facts.chord_error ? Json(facts.chord_error->value) : Json()},
+          {"chord_error_lines", facts.chord_error ? facts.chord_error->chords : 0},
           {"tools", tools(program)},
           {"cutters", cutters(program)},
           {"work_offsets", work_offsets(program)},

@@ -97,6 +97,12 @@ QString program_facts_block(const ReportInput& input) {
                 .arg(significant(facts.min_feed, Dimension::feed, 6),
                      significant(facts.largest_feed, Dimension::feed, 6), unit_of(Dimension::feed))
           : QStringLiteral("none"));
+  if (facts.chord_error) {
+    add("Chord error",
+        QStringLiteral("about %1 %2, estimated from %3 short lines")
+            .arg(significant(facts.chord_error->value, Dimension::length, 2), unit_of(Dimension::length))
+            .arg(facts.chord_error->chords));
+  }
   add("Tools", tools_text(program));
   if (const std::string events = describe(facts.not_counted); !events.empty()) {
     add("Not in the cycle time", html_text(events));
