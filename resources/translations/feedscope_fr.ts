@@ -854,6 +854,10 @@
         <source>The tool accelerates as much as the control allows along the path.</source>
         <translation>L&apos;outil accélère autant que la commande le permet le long de la trajectoire.</translation>
     </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
 </context>
 <context>
     <name>core</name>

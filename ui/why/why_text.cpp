@@ -364,6 +364,9 @@ QString WhyText::remedy(const Remedy& remedy, const Setup& setup) {
   const bool axis = key.size() > 2 && key[1] == '.';
   const std::string name = axis ? key.substr(2) : key;
   for (const SettingSpec& spec : axis ? axis_limit_specs() : settings_of(*setup.model)) {
+    if (spec.key == name && std::holds_alternative<std::string>(value)) {
+      return tr("%1: %2").arg(core_text(spec.title), core_text(std::get<std::string>(value)));
+    }
     if (spec.key == name && std::holds_alternative<double>(value)) {
       const double before =
           axis ? axis_limit(setup.machine, key[0], name) : remedy.before.value_or(setup.settings.number(key));

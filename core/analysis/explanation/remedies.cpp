@@ -78,6 +78,7 @@ class Candidates {
     return tolerance_ ? std::optional(tolerance_->max) : std::nullopt;
   }
   bool has(const std::string& key) const { return setup_.settings.has(key); }
+  std::string text(const std::string& key) const { return setup_.settings.text(key); }
   std::vector<Remedy> take() { return std::move(found_); }
 
  private:
@@ -104,6 +105,17 @@ void larger_tolerance(Candidates& candidates) {
   if (const std::optional<double> now = candidates.tolerance()) {
     auto [tolerance, program] = settings_for_tolerance(2 * *now);
     candidates.set(tolerance.first, std::move(tolerance.second), {std::move(program)});
+  }
+}
+
+/// Smooth curves through dense short blocks, unless the program asks for them wherever it feeds.
+void compressor(Candidates& candidates, std::span<const PathControl> feed_controls) {
+  const bool asked_for =
+      !feed_controls.empty() && std::ranges::all_of(feed_controls, [](const PathControl& control) {
+        return control.compressor == Switch::on;
+      });
+  if (candidates.has("compressor") && (!asked_for || candidates.text("compressor") == "off")) {
+    candidates.set("compressor", std::string("on"));
   }
 }
 
@@ -230,6 +242,7 @@ std::vector<Remedy> remedies(const Setup& setup, const Explanation& why,
                              std::span<const PathControl> feed_controls) {
   Candidates candidates(setup, tolerance_in_force(feed_controls, setup));
   add_for(candidates, why.ahead ? why.ahead->reason.cause : why.reason.cause, setup);
+  compressor(candidates, feed_controls);
   faster_filters(candidates, setup);
   candidates.all_axes("jerk");
   candidates.all_axes("acceleration");
@@ -278,6 +291,13 @@ SegmentRange segments_between(const Trajectory& trajectory, double from, double 
 double passage_time(const Trajectory& trajectory, const SegmentRange& segments) {
   const BlendedPath& path = trajectory.path();
   const auto& pieces = trajectory.pieces();
+  /// Time on curve `element`, which passes the start of `segment` between its ends.
+  const auto on_curve = [&](std::uint32_t element, std::uint32_t segment) {
+    const ElementCurve curve = path.curve(element);
+    double s = curve.length / 2;
+    curve.span->distance(path.programmed()->start_of(segment), s);
+    return trajectory.state_at_path(path.s(element) + s).time;
+  };
   /// Time at which the first element of `segment` or a later one begins.
   const auto begin = [&](std::uint32_t segment) {
     std::uint32_t low = 0;
@@ -289,6 +309,9 @@ double passage_time(const Trajectory& trajectory, const SegmentRange& segments) 
       } else {
         high = middle;
       }
+    }
+    if (low > 0 && path.kind(low - 1) == ElementKind::curve && segment < path.programmed()->segments.size()) {
+      return on_curve(low - 1, segment);
     }
     if (low >= path.size()) {
       return trajectory.duration();

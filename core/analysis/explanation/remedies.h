@@ -19,9 +19,9 @@ struct Remedy {
   bool operator==(const Remedy&) const = default;
 };
 
-/// What is worth trying where `why` holds: first what its formula names, then limits of all axes, contour
-/// tolerance, look-ahead, interpolation period and feed. Only what the model of `setup` reads and its bounds
-/// allow; each once.
+/// What is worth trying where `why` holds: first what its formula names, then the compressor, limits of all
+/// axes, contour tolerance, look-ahead, interpolation period and feed. Only what the model of `setup` reads
+/// and its bounds allow; each once.
 std::vector<Remedy> remedies(const Setup& setup, const Explanation& why,
                              std::span<const PathControl> feed_controls = {});
 
@@ -41,7 +41,8 @@ struct SegmentRange {
 };
 /// The blocks under way from one instant to another [s].
 SegmentRange segments_between(const Trajectory& trajectory, double from, double to);
-/// Time that a run of the same program takes for them, the corners at their ends included [s].
+/// Time that a run of the same program takes for them, the corners at their ends included [s]; on a smooth
+/// curve from where it is nearest to the first of their points to where it is to the last.
 double passage_time(const Trajectory& trajectory, const SegmentRange& segments);
 
 }  // namespace feedscope

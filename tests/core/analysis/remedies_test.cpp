@@ -1,5 +1,6 @@
 #include "core/analysis/explanation/remedies.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -126,6 +127,49 @@ TEST(PassageTime, OfAllBlocksIsTheCycleTime) {
       sum += passage_time(*run.trajectory, {i, i});
     }
     EXPECT_NEAR(sum, run.trajectory->duration(), 1e-9);
+  }
+}
+
+std::string dense_wave() {
+  std::string program = "G21 G90\nG0 X0 Y0\nG1 F6000\n";
+  for (int i = 1; i <= 200; ++i) {
+    program += fmt::format("X{:.4f} Y{:.4f}\n", 0.2 * i, 3 * std::sin(0.2 * i / 3));
+  }
+  return program + "M30\n";
+}
+
+TEST(Remedies, ProposeTheCompressorWhereItIsNotAtWork) {
+  const Remedy compressor{{{"compressor", std::string("on")}}};
+  const Explanation why = caused_by({CauseKind::blend_radial_jerk, 0});
+  for (const char* id : {"essid", "msaddek", "optimal"}) {
+    EXPECT_TRUE(has(remedies(make_setup({"", id, {}}), why), compressor)) << id;
+    EXPECT_FALSE(has(remedies(make_setup({"", id, {}, {"compressor=on"}}), why), compressor)) << id;
+    PathControl asks;
+    asks.compressor = Switch::on;
+    EXPECT_FALSE(has(remedies(make_setup({"", id, {}}), why, std::span(&asks, 1)), compressor)) << id;
+    EXPECT_TRUE(
+        has(remedies(make_setup({"", id, {}, {"compressor=off"}}), why, std::span(&asks, 1)), compressor));
+  }
+  EXPECT_FALSE(has(remedies(make_setup({"", "gassara", {}}), why), compressor));
+}
+
+TEST(Remedies, TheCompressorGainsOnDensePrograms) {
+  const SimulatedRun run = run_of(dense_wave(), "essid");
+  const Trajectory smooth = try_remedy(run.input, run.setup, {{{"compressor", std::string("on")}}});
+  EXPECT_LT(smooth.duration(), 0.7 * run.trajectory->duration());
+  const SegmentRange middle{80, 120};
+  EXPECT_LT(passage_time(smooth, middle), 0.7 * passage_time(*run.trajectory, middle));
+}
+
+TEST(PassageTime, OfBlocksUnderASmoothCurveIsThatBetweenTheirPoints) {
+  for (const char* id : {"essid", "msaddek"}) {
+    const SimulatedRun run = run_of(dense_wave(), id, {"compressor=on"});
+    const auto& segments = run.input.toolpath->segments;
+    for (std::uint32_t i = 20; i < 180; ++i) {
+      const double time = passage_time(*run.trajectory, {i, i});
+      EXPECT_GT(time, 0.5 * segments[i].length / 100) << id << " " << i;
+      EXPECT_LT(time, segments[i].length / 10) << id << " " << i;
+    }
   }
 }
 
