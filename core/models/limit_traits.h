@@ -22,6 +22,8 @@ struct LimitTraits {
   /// The control limits velocity and acceleration along the path, with limits of its own for Z: settings of
   /// model `klipper`.
   bool along_path = false;
+  /// Blends of corners and joints of blocks take a part of the acceleration of the axes: model `linuxcnc`.
+  bool joints_take_acceleration = false;
   /// Key of the setting that says within how many blocks the control, which limits no jerk, must be able to
   /// stop; empty: look-ahead as most share it.
   std::string_view stops_within = {};

@@ -858,6 +858,26 @@
         <source>%1: %2</source>
         <translation>%1&#xa0;: %2</translation>
     </message>
+    <message>
+        <source>The tool accelerates with %1, what turning and blends leave of the acceleration of the axes.</source>
+        <translation>L’outil accélère à %1, ce que virages et raccords laissent de l’accélération des axes.</translation>
+    </message>
+    <message>
+        <source>In the corner the control goes over from one block to the next within the blend tolerance, with what that leaves of the acceleration.</source>
+        <translation>Dans le coin, la commande passe d’un bloc au suivant dans la tolérance de raccord, avec ce qui reste pour cela de l’accélération.</translation>
+    </message>
+    <message>
+        <source>Turning on the arc takes the part of the acceleration that the control keeps for it.</source>
+        <translation>Le virage sur l’arc prend la part de l’accélération que la commande lui réserve.</translation>
+    </message>
+    <message>
+        <source>The control rounds the corner with an arc of radius %1 within the blend tolerance; turning on it takes %2 of the acceleration of axis %3.</source>
+        <translation>La commande arrondit le coin par un arc de rayon %1 dans la tolérance de raccord ; y tourner prend %2 de l’accélération de l’axe %3.</translation>
+    </message>
+    <message>
+        <source>On the radius of %1 turning takes %2 of the acceleration of axis %3; the control keeps the rest for changes of speed.</source>
+        <translation>Sur le rayon de %1, le virage prend %2 de l’accélération de l’axe %3 ; la commande garde le reste pour changer de vitesse.</translation>
+    </message>
 </context>
 <context>
     <name>core</name>

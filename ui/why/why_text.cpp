@@ -181,6 +181,10 @@ QString WhyText::ramp_sentence(const Reason& reason, const State& state) {
                    : tr("Axis %1 is at its maximum acceleration, %2, along and across the path combined.")
                          .arg(axis, limit);
   }
+  if (!by_jerk && reason.formula.empty()) {
+    return tr("The tool accelerates with %1, what turning and blends leave of the acceleration of the axes.")
+        .arg(number(reason.reached, Dimension::acceleration));
+  }
   const QString limit = number(reason.formula.value(), by_jerk ? Dimension::jerk : Dimension::acceleration);
   if (state.tangential_jerk == 0 && state.tangential_acceleration == 0) {
     return tr("The tool keeps its speed between two speed changes; with a jerk of %1 along the path they "
@@ -200,6 +204,31 @@ QString WhyText::tolerance_sentence(const Reason& reason) {
                  : tr("These places are closer together than the filters of the control reach: this one "
                       "alone uses %1 of the contour tolerance, %2; together they need more.")
                        .arg(number(reason.formula.value(), Dimension::length), tolerance);
+}
+
+/// Of a model whose joints take a part of the acceleration: the arc is one that it runs, or there is none.
+bool WhyText::is_of_joints(const Reason& reason) {
+  return reason.formula.id == FormulaId::shared_radial_acceleration ||
+         (reason.formula.empty() && reason.reached == 0);
+}
+
+QString WhyText::joint_sentence(const Reason& reason) {
+  const bool in_corner = reason.cause.kind == CauseKind::contour_tolerance;
+  if (reason.formula.empty()) {
+    return in_corner ? tr("In the corner the control goes over from one block to the next within the blend "
+                          "tolerance, with what that leaves of the acceleration.")
+                     : tr("Turning on the arc takes the part of the acceleration that the control keeps "
+                          "for it.");
+  }
+  const QString radius = of_symbol(reason, Symbol::radius);
+  const QString share = percent(reason, Symbol::acceleration_share);
+  const QString axis = axis_of_formula(reason);
+  return in_corner ? tr("The control rounds the corner with an arc of radius %1 within the blend tolerance; "
+                        "turning on it takes %2 of the acceleration of axis %3.")
+                         .arg(radius, share, axis)
+                   : tr("On the radius of %1 turning takes %2 of the acceleration of axis %3; the control "
+                        "keeps the rest for changes of speed.")
+                         .arg(radius, share, axis);
 }
 
 QString WhyText::limit_sentence(const Reason& reason, const State& state) {
@@ -226,7 +255,7 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
       if (reason.formula.find(Symbol::turning_share) != nullptr) {
         return curve_sentence(reason);
       }
-      return arc_sentence(reason);
+      return is_of_joints(reason) ? joint_sentence(reason) : arc_sentence(reason);
     case CauseKind::curvilinear_jerk:
       return tr("On the radius of %1 the control allows a curvilinear jerk of %2, of which %3 along the "
                 "path.")
@@ -240,7 +269,7 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
       return tr("The block is %1 long and takes the control at least one interpolation period, %2.")
           .arg(of_symbol(reason, Symbol::block_length), of_symbol(reason, Symbol::period));
     case CauseKind::contour_tolerance:
-      return tolerance_sentence(reason);
+      return is_of_joints(reason) ? joint_sentence(reason) : tolerance_sentence(reason);
     case CauseKind::lookahead_horizon:
       return tr("The control looks ahead over the next %1 of the path and must be able to stop within them.")
           .arg(of_symbol(reason, Symbol::length_ahead));

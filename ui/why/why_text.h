@@ -38,6 +38,8 @@ class WhyText {
  private:
   static QString limit_sentence(const Reason& reason, const State& state);
   static QString tolerance_sentence(const Reason& reason);
+  static bool is_of_joints(const Reason& reason);
+  static QString joint_sentence(const Reason& reason);
   static QString blend_sentence(const Reason& reason);
   static QString arc_sentence(const Reason& reason);
   static QString curve_sentence(const Reason& reason);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/explanation/joint_limits.h"
+
 namespace feedscope {
 namespace {
 
@@ -68,6 +70,11 @@ Reason ReasonFinder::find(const State& state, Cause cause) const {
   }
   if (run_.path().kind(state.element) == ElementKind::filtered) {
     return filtered(state, cause);
+  }
+  const bool of_arc =
+      cause.kind == CauseKind::contour_tolerance || cause.kind == CauseKind::radial_acceleration;
+  if (limits_.traits().joints_take_acceleration && (on_ramp_up || of_arc)) {
+    return of_joints(state, cause);
   }
   if (on_ramp_up) {
     return limits_.traits().along_and_across ? whole_axis(state, cause) : on_ramp(state, cause);
@@ -180,6 +187,31 @@ Reason ReasonFinder::at_junction(const State& state, Cause cause) const {
     }
   }
   return made(cause, std::move(best), state.speed, found);
+}
+
+/// Of LinuxCNC: a ramp, an arc, or the blend in a corner.
+Reason ReasonFinder::of_joints(const State& state, Cause cause) const {
+  if (run_.path().kind(state.element) == ElementKind::dwell) {
+    return made(cause, {}, 0, state.element);
+  }
+  if (cause.kind == CauseKind::axis_acceleration) {
+    const double reached = std::abs(state.tangential_acceleration);
+    return made(
+        cause, acceleration_of_joints(run_.path().curve(state.element), limits_.axes().acceleration, reached),
+        reached, state.element);
+  }
+  Reason best = made(cause, {}, 0, state.element);
+  look_around(state.element, farthest_of_speed, run_.path().size(), [&](std::uint32_t element) {
+    Formula formula =
+        run_.path().kind(element) == ElementKind::dwell
+            ? Formula()
+            : speed_across_arc(run_.path().curve(element), limits_.axes().acceleration, state.speed);
+    if (!formula.empty()) {
+      best = made(cause, std::move(formula), state.speed, element);
+    }
+    return best.sets_it();
+  });
+  return best.sets_it() ? best : made(cause, {}, 0, state.element);
 }
 
 Reason ReasonFinder::of_speed(const State& state, Cause cause) const {

@@ -24,6 +24,7 @@ class ReasonFinder {
   /// A way of even deceleration, of a piece that lasts `duration` [s].
   Reason braking_evenly(const Piece& piece, double duration, std::uint32_t element) const;
   Reason at_junction(const State& state, Cause cause) const;
+  Reason of_joints(const State& state, Cause cause) const;
   Reason of_speed(const State& state, Cause cause) const;
   Reason on_blend(const State& state, Cause cause, std::uint32_t element) const;
   Reason sampled_on_blend(const State& state, Cause cause) const;

@@ -109,9 +109,13 @@ const ModelInfo& LinuxCncModel::info() const {
        "The time runs from the first to the last motion: a dwell before or behind all of it is not counted.",
        "Rapids blend among each other; next to a feed motion they stop."},
       {.jumps_in_corners = true,
-       .sources = {{FormulaId::braking_evenly, "LinuxCNC, constant acceleration"},
-                   {FormulaId::path_acceleration, "LinuxCNC, MAX_ACCELERATION"},
-                   {FormulaId::axis_velocity, "LinuxCNC, MAX_VELOCITY"}}}};
+       .joints_take_acceleration = true,
+       .sources = {
+           {FormulaId::braking_evenly, "LinuxCNC, constant acceleration"},
+           {FormulaId::path_acceleration, "LinuxCNC, MAX_ACCELERATION"},
+           {FormulaId::shared_acceleration, "LinuxCNC, what a blend leaves of MAX_ACCELERATION"},
+           {FormulaId::shared_radial_acceleration, "LinuxCNC, the part of MAX_ACCELERATION across an arc"},
+           {FormulaId::axis_velocity, "LinuxCNC, MAX_VELOCITY"}}}};
   return info;
 }
 
