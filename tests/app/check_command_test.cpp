@@ -162,7 +162,7 @@ TEST_F(CheckCommand, SaysOnceWhatAppliesToManyLines) {
 
 TEST_F(CheckCommand, ToleranceReplacesTheProgramsOwnAndSaysSo) {
   write("control.ngc", "G21 G64 P0.2\nG1 X10 F3000\nY10\n");
-  const Result own = run("simulate control.ngc --json - --blends blends.csv");
+  const Result own = run("simulate control.ngc --machine spinner-mvc850 --json - --blends blends.csv");
   EXPECT_EQ(
       own.err,
       "feedscope: note: The program is written for LinuxCNC, but Spinner MVC 850 has a Siemens Sinumerik "
@@ -171,7 +171,7 @@ TEST_F(CheckCommand, ToleranceReplacesTheProgramsOwnAndSaysSo) {
       "feedscope: note: model 'essid': Compaction requested by the program is not simulated: "
       "short blocks are not joined.\n");
   EXPECT_NEAR(json::parse(own.out)["max_corner_distance_mm"].get<double>(), 0.16, 1e-9);
-  const Result replaced = run("simulate control.ngc --tolerance 0.05 --json -");
+  const Result replaced = run("simulate control.ngc --machine spinner-mvc850 --tolerance 0.05 --json -");
   EXPECT_THAT(replaced.err, HasSubstr("note: --tolerance replaces the program's own path control"));
   EXPECT_NEAR(json::parse(replaced.out)["max_corner_distance_mm"].get<double>(), 0.04, 1e-9);
 }

@@ -68,7 +68,9 @@ class TwoCourses {
   TwoCourses(const Trajectory& run, const Trajectory& reference)
       : lengths_(lengths_before(*run.path().programmed())),
         run_(run, lengths_),
-        reference_(reference, lengths_) {}
+        reference_(reference, lengths_),
+        end_(run.duration()),
+        reference_end_(reference.duration()) {}
 
   /// `time` of the run.
   void go_to(double time) {
@@ -91,6 +93,9 @@ class TwoCourses {
     } else {
       reference_time_ += there.tau_at(here.begin == there.begin ? offset : place_ - there.begin);
     }
+    if (time >= end_) {  // both end there; at rest the place tells the time badly
+      reference_time_ = reference_end_;
+    }
   }
   double place() const { return place_; }  ///< programmed path length [mm]
   double reference_time() const { return reference_time_; }
@@ -99,6 +104,8 @@ class TwoCourses {
   std::vector<double> lengths_;
   CourseWalk run_;
   CourseWalk reference_;
+  double end_;            ///< of the run [s]
+  double reference_end_;  ///< [s]
   double place_ = 0;
   double reference_time_ = 0;
 };

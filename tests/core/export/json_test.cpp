@@ -72,7 +72,7 @@ TEST(SimulationJson, HoldsTheKeysOfTheDesignInTheirOrder) {
     "program": {"file": "part \"1\".nc", "lines": 2, "dialect": "iso",
                 "unit": {"name": "mm", "said_by": "nobody"}, "blocks": 2, "segments": 1, "arcs": 0,
                 "dwells": 0, "path_mm": 3.0, "rapid_mm": 0.0, "dwell_s": 0.0,
-                "feed_mm_min": {"min": 60.0, "max": 60.0}, "tools": [], "cutters": [],
+                "feed_mm_min": {"min": 60.0, "max": 60.0}, "chord_error_mm": null, "chord_error_lines": 0, "tools": [], "cutters": [],
                 "work_offsets": [], "calls": 0, "not_counted": [],
                 "path_control": "?",
                 "bounds": {"min": [0.0, 0.0, 0.0], "max": [3.0, 0.0, 0.0]},

@@ -126,10 +126,10 @@ TEST_F(LessonDeskTest, ANumberIsOfTheLessonsOwnProgramOrNone) {
 
 TEST_F(LessonDeskTest, QuestionsStayWithinTheLesson) {
   open("6");
-  desk.choose_question(3);
+  desk.choose_question(4);
   EXPECT_EQ(desk.question(), 0U);
-  desk.choose_question(2);
-  EXPECT_EQ(desk.question(), 2U);
+  desk.choose_question(3);
+  EXPECT_EQ(desk.question(), 3U);
   open("7");
   EXPECT_EQ(desk.question(), 0U);
 }

@@ -112,7 +112,10 @@ TEST_F(LessonViewTest, StepsThroughTheQuestions) {
   EXPECT_FALSE(view.answer_button().isChecked()) << "the next question hides its answer";
   EXPECT_EQ(view.values().size(), 5);
   after->trigger();
+  EXPECT_TRUE(after->isEnabled());
+  after->trigger();
   EXPECT_FALSE(after->isEnabled());
+  before->trigger();
   before->trigger();
   EXPECT_THAT(question(), HasSubstr("Switch compaction on."));
 }

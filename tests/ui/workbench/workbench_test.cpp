@@ -239,6 +239,8 @@ TEST_F(WorkbenchTest, AFileThatChangesIsReadAgainAndTheCursorStaysAtItsLine) {
 TEST_F(WorkbenchTest, AToleranceReplacesTheProgramsOwn) {
   model.open(write("part.nc", "G64 P0.2\n" + test::small_program));
   wait_until_idle(model);
+  model.choose_machine("spinner-mvc850");  // by itself it would run on a LinuxCNC, which has no such setting
+  wait_until_idle(model);
   ASSERT_TRUE(model.set_tolerance(0.01));
   EXPECT_EQ(std::get<std::string>(model.setup().state().value("program_tolerance")), "off");
   EXPECT_FALSE(model.set_tolerance(-1));
@@ -282,6 +284,8 @@ TEST_F(WorkbenchTest, TheFirstProgramRunsAsItWasSetUpBefore) {
 TEST_F(WorkbenchTest, AToleranceGivesTheSettingsOfTheCommandLine) {
   for (const char* words : {"G64 P0.2\n", ""}) {
     model.open(write("part.nc", words + test::small_program));
+    wait_until_idle(model);
+    model.choose_machine("spinner-mvc850");
     wait_until_idle(model);
     ASSERT_TRUE(model.set_tolerance(0.042));
     EXPECT_EQ(model.setup().setup(), make_setup({model.setup().file().machine.id, "essid", 0.042})) << words;
