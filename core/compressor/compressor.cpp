@@ -92,7 +92,8 @@ std::vector<SmoothCurve> Compressor::compress(std::size_t first, std::size_t las
   return curves;
 }
 
-void Compressor::set_polyline(const SmoothingRun& run, double chord_error) {
+void Compressor::set_polyline(const SmoothingRun& run) {
+  constexpr double chord_error = 0.1 * curve_tolerance;
   polyline_.clear();
   segments_.clear();
   polyline_.add(toolpath_.start_of(run.first) + run.begin * toolpath_.tangent_at_start(run.first));
@@ -119,6 +120,7 @@ void Compressor::set_polyline(const SmoothingRun& run, double chord_error) {
 
 void Compressor::lay(const SmoothingRun& run, std::vector<SmoothCurve>& curves,
                      std::vector<std::size_t>& corners) {
+  set_polyline(run);
   SmoothingRule rule{curve_tolerance, settings_.smoothing};
   if (!run.on_curve) {
     rule.tolerance = std::numeric_limits<double>::infinity();
@@ -126,10 +128,6 @@ void Compressor::lay(const SmoothingRun& run, std::vector<SmoothCurve>& curves,
       rule.tolerance = std::min(rule.tolerance, rules_.corner_tolerance(i));
     }
   }
-  // Of the arcs of a run among lines less than the smoother leaves of the tolerance.
-  constexpr double of_curves = 0.1;
-  constexpr double of_arcs = 0.01;
-  set_polyline(run, (run.on_curve ? of_curves : of_arcs) * rule.tolerance);
   SmoothCourse course = smoother_.smooth(polyline_, rule);
   for (const std::size_t point : course.corners) {
     if (!run.on_curve) {  // else it stays arcs

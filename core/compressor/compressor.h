@@ -52,8 +52,8 @@ class Compressor {
   std::vector<SmoothCurve> compress(std::size_t first, std::size_t last);
 
  private:
-  /// The polyline through the points of a run and along its arcs, closer to these than `chord_error` [mm].
-  void set_polyline(const SmoothingRun& run, double chord_error);
+  /// The polyline through the points of a run, or along its arcs.
+  void set_polyline(const SmoothingRun& run);
   /// Adds the curve of a run, or to `corners` the junctions at which it must be parted.
   void lay(const SmoothingRun& run, std::vector<SmoothCurve>& curves, std::vector<std::size_t>& corners);
 

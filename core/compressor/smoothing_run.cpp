@@ -58,17 +58,6 @@ class RunFinder {
 
   bool is_long(std::size_t i) const { return toolpath_.segments[i].length > rule_.longest_block; }
 
-  /// Whether a run may pass over it: a line, or an arc that is short in length and turn.
-  bool is_taken(std::size_t i) const {
-    const Segment& segment = toolpath_.segments[i];
-    if (segment.kind == SegmentKind::dwell || segment.on_curve || segment.rapid) {
-      return false;
-    }
-    return !is_arc(i) || (!is_long(i) && toolpath_.arc_of(segment).sweep <= rule_.largest_turn);
-  }
-
-  bool is_arc(std::size_t i) const { return toolpath_.segments[i].kind == SegmentKind::arc; }
-
   /// Whether its direction says nothing about that of the path.
   bool is_tiny(std::size_t i) const { return toolpath_.segments[i].length < 2 * rules_.tolerance(i); }
 
@@ -76,7 +65,9 @@ class RunFinder {
   bool is_smoothed(std::size_t i, bool& bends) {
     const Segment& before = toolpath_.segments[i - 1];
     const Segment& after = toolpath_.segments[i];
-    if (!is_taken(i - 1) || !is_taken(i) || !rules_.may_compress(i - 1, i, rule_.everywhere)) {
+    if (before.on_curve || after.on_curve || before.kind != SegmentKind::line ||
+        after.kind != SegmentKind::line || before.rapid || after.rapid ||
+        !rules_.may_compress(i - 1, i, rule_.everywhere)) {
       return false;
     }
     while (next_corner_ < corners_.size() && corners_[next_corner_] < i) {
@@ -96,7 +87,7 @@ class RunFinder {
     if (transition <= half_sine * shorter / 2) {
       return false;
     }
-    bends = bends || half_sine > straight_angle / 2 || is_arc(i - 1) || is_arc(i);
+    bends = bends || half_sine > straight_angle / 2;
     return true;
   }
 
@@ -104,11 +95,9 @@ class RunFinder {
   bool begins_at_rest(std::size_t i) const { return i == first_ && !is_long(i); }
   bool ends_at_rest(std::size_t i) const { return i + 1 == last_ && !is_long(i); }
   double begin_on(std::size_t i) const {
-    return begins_at_rest(i) || is_arc(i) ? 0 : toolpath_.segments[i].length - room(i);
+    return begins_at_rest(i) ? 0 : toolpath_.segments[i].length - room(i);
   }
-  double end_on(std::size_t i) const {
-    return ends_at_rest(i) || is_arc(i) ? toolpath_.segments[i].length : room(i);
-  }
+  double end_on(std::size_t i) const { return ends_at_rest(i) ? toolpath_.segments[i].length : room(i); }
 
   const Toolpath& toolpath_;
   std::size_t first_;

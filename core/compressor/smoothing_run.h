@@ -39,9 +39,8 @@ struct SmoothingRun {
 /// and ends in the middle of its first and last line, or half of the longest block into it where that is
 /// less, so that corners at its ends have room for their blends and lines beyond it stay; at a standstill,
 /// where the line does. Lines at its ends that are shorter than two tolerances stay outside: their direction
-/// would be that of the curve. An arc counts as a line where it is no longer than the longest block and turns
-/// by no more than the largest corner, as those that CAM systems put among the lines of a surface; a run
-/// takes it whole. `corners`: junctions, by the segment behind them and in order, that no run may smooth.
+/// would be that of the curve. `corners`: junctions, by the segment behind them and in order, that no run may
+/// smooth.
 std::vector<SmoothingRun> find_smoothing_runs(const Toolpath& toolpath, std::size_t first, std::size_t last,
                                               const PathRules& rules, const CompressorRule& rule,
                                               const std::vector<std::size_t>& corners);

@@ -156,59 +156,6 @@ TEST(Compressor, ChordsOfAHelixBecomeItsCurvatureWithinOnePercent) {
   }
 }
 
-/// Lines from the first point of `path` on, then arcs of `sweep` that bend to the left and right in turn,
-/// each with a line of its chord's length behind it.
-Toolpath lines_and_arcs(double radius, double sweep, int count) {
-  Toolpath path;
-  path.start = Vec3::Zero();
-  double direction = 0;
-  testing::append_line(path, {radius * sweep, 0, 0}, 50);
-  for (int i = 0; i < count; ++i) {
-    const double side = i % 2 == 0 ? 1 : -1;
-    const Vec3 from = path.segments.back().end;
-    const Vec3 center = from + side * radius * Vec3(-std::sin(direction), std::cos(direction), 0);
-    testing::append_arc(path, center, side * sweep, 50);
-    direction += side * sweep;
-    testing::append_line(
-        path, path.segments.back().end + radius * sweep * Vec3(std::cos(direction), std::sin(direction), 0),
-        50);
-  }
-  return path;
-}
-
-std::vector<SmoothCurve> curves_of(const Toolpath& path, double tolerance) {
-  const PathRules rules(path, settings_within(tolerance));
-  CompressorSettings settings;
-  settings.on = true;
-  settings.rule = {20, units::from_deg(36), true};
-  return Compressor(path, rules, settings).compress(0, path.segments.size());
-}
-
-TEST(Compressor, TakesShortArcsAndKeepsTheToleranceOfThem) {
-  constexpr double tolerance = 0.005;
-  const Toolpath path = lines_and_arcs(10, units::from_deg(12), 20);
-  const std::vector<SmoothCurve> curves = curves_of(path, tolerance);
-  ASSERT_EQ(curves.size(), 1U);
-  EXPECT_EQ(curves[0].run.first, 0U);
-  EXPECT_EQ(curves[0].run.last, path.segments.size() - 1);
-  Points programmed{path.start};
-  for (const Segment& segment : path.segments) {
-    constexpr int chords = 40;
-    for (int i = 1; i < chords && segment.kind == SegmentKind::arc; ++i) {
-      programmed.push_back(path.arc_of(segment).at(segment.length * i / chords).position);
-    }
-    programmed.push_back(segment.end);
-  }
-  const Points places = places_of(curves[0], 30);
-  EXPECT_LE(largest_distance(programmed, places), tolerance);
-  EXPECT_LE(largest_distance(places, programmed), tolerance);
-}
-
-TEST(Compressor, ArcsThatTurnFarOrAreLongStayArcs) {
-  EXPECT_TRUE(curves_of(lines_and_arcs(10, units::from_deg(40), 6), 0.01).empty());
-  EXPECT_TRUE(curves_of(lines_and_arcs(100, units::from_deg(15), 6), 0.01).empty());
-}
-
 TEST(Compressor, StraightStaysLines) {
   EXPECT_TRUE(compress(sampled(100, [](double x) { return Vec3(30 * x, 40 * x, 0); }), 0.01).curves.empty());
 }

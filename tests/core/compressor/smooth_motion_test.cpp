@@ -6,7 +6,6 @@
 
 #include "core/analysis/run.h"
 #include "core/analysis/run_stages.h"
-#include "core/base/geometry.h"
 
 namespace feedscope {
 namespace {
@@ -144,42 +143,6 @@ TEST_P(WithCompressor, FollowsTheProgramWhereItIsToldTo) {
     EXPECT_EQ(time_of(sinumerik(words), GetParam(), 0.01, "off"), off) << words;
   }
   EXPECT_EQ(time_of(sinumerik("COMPCAD\nCOMPOF"), GetParam(), 0.01, "program"), off);
-}
-
-/// A winding path of lines and tangent arcs of 12 degrees, to the left and right in turn; the arcs as they
-/// are
-/// (`chords` 0) or as chords.
-std::string winding(int chords) {
-  constexpr double radius = 10;
-  constexpr double sweep = 12 * std::numbers::pi / 180;
-  std::string text = "G21 G90 G17\nG0 X0 Y0\nG1 F6000\nX2 Y0\n";
-  Vec3 at(2, 0, 0);
-  double direction = 0;
-  for (int i = 0; i < 20; ++i) {
-    const double side = i % 2 == 0 ? 1 : -1;
-    const Vec3 center = at + side * radius * Vec3(-std::sin(direction), std::cos(direction), 0);
-    const auto on_arc = [&](double angle) {
-      const double to = direction + side * angle;
-      return Vec3(center + side * radius * Vec3(std::sin(to), -std::cos(to), 0));
-    };
-    for (int k = 1; k < chords; ++k) {
-      const Vec3 there = on_arc(sweep * k / chords);
-      text += "G1 " + point(there.x(), there.y());
-    }
-    const Vec3 end = on_arc(sweep);
-    text += chords > 0 ? fmt::format("G1 X{:.6f} Y{:.6f}\n", end.x(), end.y())
-                       : fmt::format("{} X{:.6f} Y{:.6f} I{:.6f} J{:.6f}\n", side > 0 ? "G3" : "G2", end.x(),
-                                     end.y(), center.x() - at.x(), center.y() - at.y());
-    direction += side * sweep;
-    at = end + 2 * Vec3(std::cos(direction), std::sin(direction), 0);
-    text += fmt::format("G1 X{:.6f} Y{:.6f}\n", at.x(), at.y());
-  }
-  return text + "M30\n";
-}
-
-TEST_P(WithCompressor, SmoothsShortArcsAmongTheLines) {
-  const double chords = time_of(winding(16), GetParam(), 0.01, "on");
-  EXPECT_NEAR(time_of(winding(0), GetParam(), 0.01, "on"), chords, 0.05 * chords);
 }
 
 INSTANTIATE_TEST_SUITE_P(Models, WithCompressor, ::testing::Values("essid", "msaddek", "optimal"));
