@@ -166,8 +166,8 @@ TEST_F(CheckCommand, ToleranceReplacesTheProgramsOwnAndSaysSo) {
   EXPECT_EQ(
       own.err,
       "feedscope: note: The program is written for LinuxCNC, but Spinner MVC 850 has a Siemens Sinumerik "
-      "840D: path and times are those of that control. No published machine has a LinuxCNC control; use "
-      "your own machine file.\n"
+      "840D: path and times are those of that control. Use machine linuxcnc-mill, whose control "
+      "reads it.\n"
       "feedscope: note: model 'essid': Compaction requested by the program is not simulated: "
       "short blocks are not joined.\n");
   EXPECT_NEAR(json::parse(own.out)["max_corner_distance_mm"].get<double>(), 0.16, 1e-9);
