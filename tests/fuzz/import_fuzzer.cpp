@@ -1,5 +1,5 @@
-// Any bytes as the configuration of a control: what is made of it is a machine file that reads back the same, every
-// number has a source, and notes stand at lines of the text.
+// Any bytes as the configuration of a control: what is made of it is a machine file that reads back the same,
+// every number has a source, and notes stand at lines of the text.
 #include <algorithm>
 #include <cstdint>
 #include <string>
