@@ -50,7 +50,7 @@ void print_diagnostics(const Program& program, DiagnosticStyle style = Diagnosti
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics, const Program& program,
                        DiagnosticStyle style = DiagnosticStyle::line);
 
-/// The same of a file that is no program.
+/// The same of another file than a program.
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics, std::string_view file);
 
 /// Figures of a run for people.

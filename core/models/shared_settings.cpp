@@ -4,6 +4,19 @@
 
 namespace feedscope {
 
+SettingSpec number_setting(const char* key, const char* title, const char* unit, double minimum,
+                           double maximum, double fallback, const char* explanation) {
+  SettingSpec spec;
+  spec.key = key;
+  spec.title = title;
+  spec.unit = unit;
+  spec.minimum = minimum;
+  spec.maximum = maximum;
+  spec.fallback = fallback;
+  spec.explanation = explanation;
+  return spec;
+}
+
 SettingSpec used_tolerance_setting() {
   SettingSpec beta;
   beta.key = "beta";

@@ -102,7 +102,7 @@ class FanucReader {
     if (words.empty()) {
       if (!line.text.empty() && line.text != "%") {
         draft_.note(Severity::info, place, "not-understood",
-                    fmt::format("'{}' is no parameter; skipped", line.text));
+                    fmt::format("'{}' is not a parameter; it is skipped", line.text));
       }
       return;
     }

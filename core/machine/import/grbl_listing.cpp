@@ -97,7 +97,7 @@ class GrblReader {
       read_options(line.text.substr(options + 1), place);
     } else if (!is_chatter(line.text)) {
       draft_.note(Severity::info, place, "not-understood",
-                  fmt::format("'{}' is no setting; skipped", line.text));
+                  fmt::format("'{}' is not a setting; it is skipped", line.text));
     }
   }
 

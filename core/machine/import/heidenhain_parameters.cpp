@@ -98,7 +98,7 @@ class TncReader {
     if (!parameter) {
       if (!line.text.empty() && line.text.front() != ';') {
         draft_.note(Severity::info, place, "not-understood",
-                    fmt::format("'{}' is no machine parameter; skipped", line.text));
+                    fmt::format("'{}' is not a machine parameter; it is skipped", line.text));
       }
       return;
     }

@@ -102,7 +102,7 @@ class LinuxCncReader {
         unit_name_ = "units";
       } else if (per_mm) {
         draft_.note(Severity::error, entry->place, "no-units",
-                    fmt::format("LINEAR_UNITS = {} is no unit; mm is assumed", entry->value),
+                    fmt::format("LINEAR_UNITS = {} is not a unit; mm is assumed", entry->value),
                     "write LINEAR_UNITS = mm or inch");
       }
     }

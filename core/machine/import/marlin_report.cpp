@@ -112,7 +112,7 @@ class MarlinReader {
     const char letter = in_upper_case(word).front();
     if (letter < 'A' || letter > 'Z') {
       draft_.note(Severity::info, place, "not-understood",
-                  fmt::format("{}: '{}' is no value; skipped", code, word));
+                  fmt::format("{}: '{}' is not a value; it is skipped", code, word));
       return;
     }
     if (letter == 'E') {

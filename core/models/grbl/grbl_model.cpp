@@ -5,38 +5,27 @@
 #include "core/models/control_reading.h"
 #include "core/models/grbl/grbl_reading.h"
 #include "core/models/grbl/grbl_run.h"
+#include "core/models/shared_settings.h"
 
 namespace feedscope {
 namespace {
 
-SettingSpec number(const char* key, const char* title, const char* unit, double minimum, double maximum,
-                   double fallback, const char* explanation) {
-  SettingSpec spec;
-  spec.key = key;
-  spec.title = title;
-  spec.unit = unit;
-  spec.minimum = minimum;
-  spec.maximum = maximum;
-  spec.fallback = fallback;
-  spec.explanation = explanation;
-  return spec;
-}
-
 std::vector<SettingSpec> own_settings() {
   std::vector<SettingSpec> specs{
-      number(
+      number_setting(
           "junction_deviation_mm", QT_TRANSLATE_NOOP("core", "Junction deviation"), "mm", 0, 10, 0.01,
           QT_TRANSLATE_NOOP("core",
                             "$11 of grbl: how far an arc in a corner might leave it; the speed that such an "
                             "arc would allow is that of the corner, which itself is run as programmed.")),
-      number("arc_tolerance_mm", QT_TRANSLATE_NOOP("core", "Arc tolerance"), "mm", 1e-4, 10, 0.002,
-             QT_TRANSLATE_NOOP("core",
-                               "$12 of grbl: how far the chords that arcs are cut into may leave them.")),
-      number("buffer_blocks", QT_TRANSLATE_NOOP("core", "Planner buffer"), "", 2, 1000, 15,
-             QT_TRANSLATE_NOOP("core",
-                               "Blocks that are planned together, the running one included; the last of them "
-                               "always ends at rest.")),
-      number(
+      number_setting("arc_tolerance_mm", QT_TRANSLATE_NOOP("core", "Arc tolerance"), "mm", 1e-4, 10, 0.002,
+                     QT_TRANSLATE_NOOP(
+                         "core", "$12 of grbl: how far the chords that arcs are cut into may leave them.")),
+      number_setting(
+          "buffer_blocks", QT_TRANSLATE_NOOP("core", "Planner buffer"), "", 2, 1000, 15,
+          QT_TRANSLATE_NOOP("core",
+                            "Blocks that are planned together, the running one included; the last of them "
+                            "always ends at rest.")),
+      number_setting(
           "idle_delay_ms", QT_TRANSLATE_NOOP("core", "Idle delay"), "ms", 0, 254, 25,
           QT_TRANSLATE_NOOP("core", "$1 of grbl: time for which the motors hold each time all motion ends.")),
   };

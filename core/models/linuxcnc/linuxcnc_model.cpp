@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "core/limits/axis_share.h"
 #include "core/models/linuxcnc/linuxcnc_run.h"
+#include "core/models/shared_settings.h"
 
 namespace feedscope {
 namespace {
@@ -16,19 +17,6 @@ SettingSpec choice(const char* key, const char* title, std::vector<std::string> 
   spec.key = key;
   spec.title = title;
   spec.choices = std::move(choices);
-  spec.explanation = explanation;
-  return spec;
-}
-
-SettingSpec number(const char* key, const char* title, const char* unit, double minimum, double maximum,
-                   double fallback, const char* explanation) {
-  SettingSpec spec;
-  spec.key = key;
-  spec.title = title;
-  spec.unit = unit;
-  spec.minimum = minimum;
-  spec.maximum = maximum;
-  spec.fallback = fallback;
   spec.explanation = explanation;
   return spec;
 }
@@ -45,27 +33,32 @@ std::vector<SettingSpec> own_settings() {
              QT_TRANSLATE_NOOP("core",
                                "Where the program gives none: G64 blends corners within the blend tolerance, "
                                "G61 stops in them.")),
-      number("blend_tolerance_mm", QT_TRANSLATE_NOOP("core", "Blend tolerance"), "mm", 0, 100, 0,
-             QT_TRANSLATE_NOOP("core",
-                               "P of G64 where the program gives none: how far blends may leave the corner. "
-                               "0: as far as a quarter of the blocks, as fast as possible.")),
-      number("naive_tolerance_mm", QT_TRANSLATE_NOOP("core", "Naive CAM tolerance"), "mm", 0, 100, 0,
-             QT_TRANSLATE_NOOP("core",
-                               "Q of G64 where the program gives none: blocks whose ends lie within it of a "
-                               "line become one block. 0: none do. Without a value the blend tolerance.")),
-      number("servo_period_s", QT_TRANSLATE_NOOP("core", "Servo period"), "s", 1e-5, 0.1, 1e-3,
-             QT_TRANSLATE_NOOP("core",
-                               "SERVO_PERIOD: time of one step of the planner, which takes one block at "
-                               "most from the program in each.")),
-      number("max_linear_velocity_m_min", QT_TRANSLATE_NOOP("core", "Maximum linear velocity"), "m/min", 1e-6,
-             1e9, 0,
-             QT_TRANSLATE_NOOP("core",
-                               "MAX_LINEAR_VELOCITY: of the tool along the path. Without a value only the "
-                               "axes limit it.")),
-      number("max_feed_override", QT_TRANSLATE_NOOP("core", "Maximum feed override"), "", 1, 10, 1,
-             QT_TRANSLATE_NOOP("core",
-                               "MAX_FEED_OVERRIDE: up to where the operator may raise the feed; blends are "
-                               "laid for that speed. The program runs at 100 %.")),
+      number_setting(
+          "blend_tolerance_mm", QT_TRANSLATE_NOOP("core", "Blend tolerance"), "mm", 0, 100, 0,
+          QT_TRANSLATE_NOOP("core",
+                            "P of G64 where the program gives none: how far blends may leave the corner. "
+                            "0: as far as a quarter of the blocks, as fast as possible.")),
+      number_setting(
+          "naive_tolerance_mm", QT_TRANSLATE_NOOP("core", "Naive CAM tolerance"), "mm", 0, 100, 0,
+          QT_TRANSLATE_NOOP("core",
+                            "Q of G64 where the program gives none: blocks whose ends lie within it of a "
+                            "line become one block. 0: none do. Without a value the blend tolerance.")),
+      number_setting(
+          "servo_period_s", QT_TRANSLATE_NOOP("core", "Servo period"), "s", 1e-5, 0.1, 1e-3,
+          QT_TRANSLATE_NOOP("core",
+                            "SERVO_PERIOD: time of one step of the planner, which takes one block at "
+                            "most from the program in each.")),
+      number_setting(
+          "max_linear_velocity_m_min", QT_TRANSLATE_NOOP("core", "Maximum linear velocity"), "m/min", 1e-6,
+          1e9, 0,
+          QT_TRANSLATE_NOOP("core",
+                            "MAX_LINEAR_VELOCITY: of the tool along the path. Without a value only the "
+                            "axes limit it.")),
+      number_setting(
+          "max_feed_override", QT_TRANSLATE_NOOP("core", "Maximum feed override"), "", 1, 10, 1,
+          QT_TRANSLATE_NOOP("core",
+                            "MAX_FEED_OVERRIDE: up to where the operator may raise the feed; blends are "
+                            "laid for that speed. The program runs at 100 %.")),
   };
   specs[3].optional = specs[5].optional = true;
   return specs;

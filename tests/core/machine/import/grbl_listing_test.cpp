@@ -58,7 +58,7 @@ TEST_F(GrblListing, ReadsCommentsAndWhatSendersWrite) {
   EXPECT_NEAR(imported.machine.axes[0].velocity, 5000.0 / 60, 1e-9);
   EXPECT_TRUE(imported.notes.empty()) << notes(imported, "router.txt");
   EXPECT_THAT(notes(import(changed("ok", "hello"), "a.txt"), "a.txt"),
-              HasSubstr("a.txt:15: info: 'hello' is no setting; skipped"));
+              HasSubstr("a.txt:15: info: 'hello' is not a setting; it is skipped"));
 }
 
 TEST_F(GrblListing, NeverReleasedMotorsCostNoTime) {

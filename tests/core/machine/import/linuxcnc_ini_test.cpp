@@ -115,7 +115,7 @@ TEST_F(LinuxCncIni, SaysWhichUnitItAssumes) {
   EXPECT_THAT(notes(wrong, "a.ini"),
               HasSubstr("a.ini:8: error: [TRAJ] LINEAR_UNITS = furlong: 'furlong' is not"));
   EXPECT_THAT(notes(import(changed("LINEAR_UNITS = mm", "LINEAR_UNITS = 0"), "a.ini"), "a.ini"),
-              HasSubstr("LINEAR_UNITS = 0 is no unit"));
+              HasSubstr("LINEAR_UNITS = 0 is not a unit"));
 }
 
 TEST_F(LinuxCncIni, ReadsIncludedFilesAndNamesThem) {

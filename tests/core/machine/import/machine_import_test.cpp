@@ -53,7 +53,7 @@ TEST_F(MachineImport, ReadsOtherEncodings) {
   const std::string listing = "$110=5000 (\xB0)\n$111=4000\n$112=500\n$\xE9=1\n";
   EXPECT_NEAR(import(listing, "latin.txt").machine.axes[0].velocity, 5000.0 / 60, 1e-9);
   EXPECT_EQ(notes(import(listing, "latin.txt"), "latin.txt"),
-            "latin.txt:4: info: '$\xC3\xA9=1' is no setting; skipped [not-understood]\n");
+            "latin.txt:4: info: '$\xC3\xA9=1' is not a setting; it is skipped [not-understood]\n");
   std::string wide = "\xFF\xFE";  // as a redirected output of PowerShell
   for (const char c : std::string("$110=5000\r\n$111=4000\r\n$112=500\r\n")) {
     wide += {c, '\0'};

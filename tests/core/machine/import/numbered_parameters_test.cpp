@@ -85,12 +85,12 @@ TEST_F(NumberedParametersTest, ReportContradictionsAndBadLines) {
   EXPECT_THAT(
       notes(import(std::string(fanuc_listing) + "N01420A1P100.\nhello\n", "a.txt"), "a.txt"),
       testing::AllOf(HasSubstr("a.txt:11: warning: N1420 A1 P100., but 36000 in a.txt, line 5; 100 is used"),
-                     HasSubstr("a.txt:12: info: 'hello' is no parameter; skipped")));
+                     HasSubstr("a.txt:12: info: 'hello' is not a parameter; it is skipped")));
   EXPECT_THAT(
       notes(import(std::string(tnc_listing) + "MP1060.0 : fast\nMP1010.1 : 5\n!!\n", "a.txt"), "a.txt"),
       testing::AllOf(HasSubstr("a.txt:13: error: MP1060.0 = fast: 'fast' is not a number"),
                      HasSubstr("a.txt:14: warning: MP1010.1 = 5, but 30000 in a.txt, line 3; 5 is used"),
-                     HasSubstr("a.txt:15: info: '!!' is no machine parameter; skipped")));
+                     HasSubstr("a.txt:15: info: '!!' is not a machine parameter; it is skipped")));
 }
 
 }  // namespace
