@@ -326,13 +326,14 @@ LinuxCncOverlap find_linuxcnc_overlap(const LinuxCncSegment& p, const LinuxCncSe
       std::min(std::min(p.length / reach_p, t.length / reach_t), std::max(reach_p / a_p, reach_t / a_t));
   overlap.first = std::min(reach_p, time * a_p);
   overlap.second = std::min(reach_t, time * a_t);
-  Vec3 out = t.course.tangent(0);
+  const Vec3 in = p.course.flat_tangent(p.course.length);
+  Vec3 out = t.course.flat_tangent(0);
   if (t.course.is_arc) {
     const double half = t.requested / 2;
     out = (out * t.reduced_acceleration(only_in_overlap) - half * half / t.course.radius * t.course.spoke)
               .normalized();
   }
-  const double theta = half_angle(p.course.tangent(p.course.length), out);
+  const double theta = half_angle(in, out);
   if (p.tolerance > 0 && std::cos(theta) > std::cos(pi / 2 - 0.001)) {
     const double most = 2 * std::sqrt(a_p * p.tolerance / std::cos(theta));
     overlap.first = std::min(overlap.first, most);

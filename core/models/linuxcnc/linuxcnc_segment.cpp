@@ -47,13 +47,20 @@ Vec3 LinuxCncCourse::tangent(double s) const {
   return (spiral / angle * out + (radius + share * spiral) * along + height / angle * normal).normalized();
 }
 
+Vec3 LinuxCncCourse::flat_tangent(double s) const {
+  if (!is_arc || s < lead) {
+    return direction;
+  }
+  const double turned = length > lead ? (s - lead) / (length - lead) * angle : angle;
+  return std::cos(turned) * normal.cross(spoke) - std::sin(turned) * spoke;
+}
+
 double LinuxCncCourse::effective_radius() const {
   const double r = std::min(radius, radius + spiral);
   const double slope = spiral / angle;
   const double n = slope * slope + r * r;
   const double of_spiral = n * std::sqrt(n) / (n + slope * slope);
-  const double climb = height / angle;
-  return of_spiral + climb * climb / of_spiral;
+  return of_spiral + height * height / of_spiral;  // of the whole helix, not of a radian
 }
 
 void LinuxCncCourse::cut_end(double way, double turn) {

@@ -29,7 +29,9 @@ struct LinuxCncCourse {
   static LinuxCncCourse line(const Vec3& from, const Vec3& to);
   Vec3 at(double s) const;       ///< [mm]
   Vec3 tangent(double s) const;  ///< unit
-  double arc_length() const;     ///< of the arc alone, from its shape [mm]
+  /// Of an arc across its radius, without what a helix climbs; unit.
+  Vec3 flat_tangent(double s) const;
+  double arc_length() const;  ///< of the arc alone, from its shape [mm]
   /// Radius that tells the acceleration across the path, least along the arc [mm].
   double effective_radius() const;
   /// Shortens it by `way` [mm] or, of an arc, by `turn` [rad].
