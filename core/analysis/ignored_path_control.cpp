@@ -72,7 +72,7 @@ std::vector<std::string> ignored_path_control(const LoadedProgram& program, cons
   const Guarantees promised = setup.model->guarantees(setup.settings);
   const bool has_ramps = promised.continuity != Continuity::position;
   const bool limits_jerk = has_ramps && !setup.model->info().limits.jumps_in_corners;
-  if (limits_jerk && !promised.smooths && has_curves_as_arcs(program)) {
+  if (limits_jerk && !promised.lays_curves && has_curves_as_arcs(program)) {
     sentences.emplace_back(curves_as_arcs);
   }
   return sentences;

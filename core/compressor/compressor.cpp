@@ -69,6 +69,13 @@ CompressorSettings::CompressorSettings(const Settings& settings)
            settings.text("compressor") == "on"},
       smoothing(settings.number("compressor_smoothing")) {}
 
+bool CompressorSettings::smooths(const Toolpath& toolpath) const {
+  return on &&
+         (rule.everywhere || std::ranges::any_of(toolpath.path_controls, [](const PathControl& control) {
+            return control.compressor == Switch::on;
+          }));
+}
+
 std::vector<SmoothCurve> Compressor::compress(std::size_t first, std::size_t last) {
   std::vector<SmoothCurve> curves;
   if (!is_on()) {
@@ -127,6 +134,7 @@ void Compressor::lay(const SmoothingRun& run, std::vector<SmoothCurve>& curves,
     for (std::size_t i = run.first; i < run.last; ++i) {
       rule.tolerance = std::min(rule.tolerance, rules_.corner_tolerance(i));
     }
+    rule.tolerance *= settings_.tolerance_share;
   }
   SmoothCourse course = smoother_.smooth(polyline_, rule);
   for (const std::size_t point : course.corners) {
@@ -138,6 +146,7 @@ void Compressor::lay(const SmoothingRun& run, std::vector<SmoothCurve>& curves,
     SmoothCurve& curve = curves.emplace_back();
     curve.run = run;
     curve.knots = std::move(course.knots);
+    curve.tolerance = rule.tolerance;
     curve.blocks.reserve(course.lines.size());
     for (const std::size_t line : course.lines) {
       curve.blocks.push_back(static_cast<std::uint32_t>(segments_[line]));

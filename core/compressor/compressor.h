@@ -13,10 +13,13 @@ namespace feedscope {
 struct CompressorSettings {
   bool on = false;
   CompressorRule rule;
-  double smoothing = 0;  ///< as SmoothingRule
+  double smoothing = 0;        ///< as SmoothingRule
+  double tolerance_share = 1;  ///< of the contour tolerance that curves through blocks may use
 
   CompressorSettings() = default;
   explicit CompressorSettings(const Settings& settings);
+  /// Whether any block of `toolpath` may be smoothed.
+  bool smooths(const Toolpath& toolpath) const;
 };
 
 /// The settings that models with a compressor read: compressor, compressor_block_mm, compressor_angle_deg,
@@ -31,6 +34,7 @@ struct SmoothCurve {
   SmoothingRun run;
   std::vector<CourseKnot> knots;      ///< s from 0; at least two
   std::vector<std::uint32_t> blocks;  ///< segment under each knot but the last
+  double tolerance = 0;               ///< largest distance from the run that was allowed [mm]
 };
 
 /// Lays smooth curves along curves of the program (splines, polynomials) that the reader has made tangent

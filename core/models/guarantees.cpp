@@ -163,7 +163,7 @@ std::vector<std::string> sentences(const Guarantees& g) {
   if (g.contour > 0) {
     text.push_back(place_sentence("On corner blends", g.blends));
   }
-  if (g.smooths) {
+  if (g.lays_curves) {
     text.push_back(place_sentence("On smooth curves", g.curves));
   }
   text.push_back(continuity_sentence(g.continuity));

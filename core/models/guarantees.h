@@ -44,7 +44,9 @@ struct Guarantees {
   KeptLimits arcs;       ///< programmed arcs and helices
   KeptLimits blends;     ///< corner blends; meaningless where there are none
   KeptLimits curves;     ///< smooth curves of a compressor; meaningless where there are none
-  bool smooths = false;  ///< lays smooth curves through dense short blocks
+  bool smooths = false;  ///< dense short blocks are smoothed where the program or a setting asks for it
+  /// Smooth curves are elements of its path, in the place of dense blocks and of curves of the program.
+  bool lays_curves = false;
 
   /// Largest speed as a multiple of the programmed feed, for a rapid of the axes' speed along it.
   double feed = 1;

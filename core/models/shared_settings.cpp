@@ -41,6 +41,7 @@ void promise_tolerance(Guarantees& promised, const Settings& settings, double fa
 void promise_smooth_curves(Guarantees& promised, const Settings& settings) {
   using Of = KeptLimit::Of;
   promised.smooths = true;
+  promised.lays_curves = true;
   constexpr double between_places = 1.001;  // of SpanExtremes
   promised.curves.velocity = {Of::whole, between_places * promised.lines.velocity.factor};
   promised.curves.acceleration = {Of::whole, 1.05};

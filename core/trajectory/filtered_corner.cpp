@@ -44,12 +44,12 @@ BlendRecord filtered_corner(FilterWalk& walk, const PulseTrain& train, std::size
   const double middle = train.blocks[block].start + train.half_delay();
   const double before = train.widths(block - 1).right;
   const double after = train.widths(block).left;
-  const Approach nearest = closest_approach(walk, train, train.point(block), middle);
+  const Approach nearest = closest_approach(walk, train, train.programmed_point(block), middle);
   const double bend = nearest.motion.velocity.cross(nearest.motion.acceleration).norm();
 
   BlendRecord record;
   record.line = train.segment(block - 1).line;
-  record.corner = train.point(block);
+  record.corner = train.programmed_point(block);
   record.turn = corner_turn(train, block);
   record.transition = train.blocks[block].corner_speed * std::max(before, after);
   record.epsilon = nearest.distance;

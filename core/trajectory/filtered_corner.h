@@ -16,7 +16,8 @@ Approach closest_approach(FilterWalk& walk, const PulseTrain& train, const Vec3&
 /// Direction change at the start of `block`, 0 at the start of the motion [rad].
 double corner_turn(const PulseTrain& train, std::size_t block);
 
-/// The corner at the start of `block`, as the pulses round it; `element` is left to the caller.
+/// The programmed corner at the start of `block`, as the pulses round it; its turn is that of the pulses.
+/// `element` is left to the caller.
 BlendRecord filtered_corner(FilterWalk& walk, const PulseTrain& train, std::size_t block);
 
 }  // namespace feedscope

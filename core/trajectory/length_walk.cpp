@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "core/base/roots.h"
 
@@ -140,20 +141,28 @@ double SpanCourse::share_at(double t) const {
 }
 
 double SpanCourse::time_at(double share) const {
-  const double whole = LengthWalk(walk_, train_, from_).advance_to(to_);
+  // The steps are kept: those of a second walk could differ, since the filters remember what they saw last.
+  std::vector<LengthStep> steps;
+  double whole = 0;
+  LengthWalk(walk_, train_, from_).advance_to(to_, [&](const LengthStep& step) {
+    steps.push_back(step);
+    whole += step.length();
+  });
   if (!(whole > 0)) {
     return from_ + share * (to_ - from_);
   }
   const double target = share * whole;
+  if (!(target > 0)) {
+    return from_;
+  }
   double covered = 0;
-  double time = to_;
-  LengthWalk(walk_, train_, from_).advance_to(to_, [&](const LengthStep& step) {
-    if (covered < target && covered + step.length() >= target) {
-      time = step.time_at(target - covered);
+  for (const LengthStep& step : steps) {
+    if (covered + step.length() >= target) {
+      return step.time_at(target - covered);
     }
     covered += step.length();
-  });
-  return target > 0 ? time : from_;
+  }
+  return to_;
 }
 
 }  // namespace feedscope

@@ -49,6 +49,8 @@ struct PulseTrain {
   double filter_time = 0;           ///< T1 > 0 [s]
   double largest_feed = 0;          ///< of the pulses [mm/s]
   std::vector<BlockPulses> blocks;  ///< and one more for the end: standstill from its `start` on
+  /// Where `path` is not the programmed one, which it goes along segment by segment: that one; else null.
+  std::shared_ptr<const Toolpath> programmed = nullptr;
 
   std::size_t size() const { return blocks.size() - 1; }
   double delay() const { return filters * filter_time; }           ///< n T1 [s]
@@ -59,6 +61,10 @@ struct PulseTrain {
   /// Of a block that is one.
   const Arc& arc(std::size_t block) const { return path->arc_of(segment(block)); }
   const Vec3& point(std::size_t block) const { return path->start_of(first + block); }  ///< its start [mm]
+  /// Where the program has the start of a block [mm].
+  const Vec3& programmed_point(std::size_t block) const {
+    return (programmed != nullptr ? programmed : path)->start_of(first + block);
+  }
 
   /// From the heights of the pulses and the start of the next block.
   PulseWidths widths(std::size_t block) const;

@@ -1893,6 +1893,10 @@
         <source>machine data of a Sinumerik</source>
         <translation>paramètres machine d’une Sinumerik</translation>
     </message>
+    <message>
+        <source>Moves the points of dense short blocks onto a smooth curve, within a tenth of the contour tolerance, before the pulses are made. program: where the program asks for it; off: never; on: everywhere. Our own addition: the filters smooth by themselves, and no time is gained by it.</source>
+        <translation>Déplace les points des blocs courts et serrés sur une courbe lisse, à moins d’un dixième de la tolérance de contour, avant la formation des impulsions. program : là où le programme le demande ; off : jamais ; on : partout. Ajout de Feedscope : les filtres lissent d’eux-mêmes, aucun temps n’est gagné.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

@@ -79,6 +79,8 @@ class Candidates {
   }
   bool has(const std::string& key) const { return setup_.settings.has(key); }
   std::string text(const std::string& key) const { return setup_.settings.text(key); }
+  /// Smooth curves take the place of dense blocks where its compressor is on; else it gains nothing.
+  bool lays_curves() const { return setup_.model->guarantees(setup_.settings).lays_curves; }
   std::vector<Remedy> take() { return std::move(found_); }
 
  private:
@@ -114,7 +116,8 @@ void compressor(Candidates& candidates, std::span<const PathControl> feed_contro
       !feed_controls.empty() && std::ranges::all_of(feed_controls, [](const PathControl& control) {
         return control.compressor == Switch::on;
       });
-  if (candidates.has("compressor") && (!asked_for || candidates.text("compressor") == "off")) {
+  if (candidates.has("compressor") && candidates.lays_curves() &&
+      (!asked_for || candidates.text("compressor") == "off")) {
     candidates.set("compressor", std::string("on"));
   }
 }

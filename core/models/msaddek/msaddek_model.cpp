@@ -1,7 +1,5 @@
 #include "core/models/msaddek/msaddek_model.h"
 
-#include <algorithm>
-
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/models/msaddek/msaddek_stretch.h"
@@ -17,14 +15,6 @@ MsaddekSettings::MsaddekSettings(const Settings& settings)
       lookahead(static_cast<std::uint32_t>(settings.number("lookahead_blocks"))),
       law(settings.text("law") == "static" ? MsaddekLaw::static_feed : MsaddekLaw::dynamic_feed),
       compressor(settings) {}
-
-bool MsaddekSettings::compresses(const Toolpath& toolpath) const {
-  const auto& controls = toolpath.path_controls;
-  return compressor.on && (compressor.rule.everywhere ||
-                           std::any_of(controls.begin(), controls.end(), [](const PathControl& control) {
-                             return control.compressor == Switch::on;
-                           }));
-}
 
 const ModelInfo& MsaddekModel::info() const {
   static const ModelInfo info = [] {
@@ -98,7 +88,7 @@ Trajectory MsaddekModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
                                      const Settings& settings, Progress* progress) const {
   const Toolpath& toolpath = *shared;
   MsaddekSettings own(settings);
-  if (own.compresses(toolpath)) {
+  if (own.compressor.smooths(toolpath)) {
     own.compaction = 0;
   } else {
     own.compressor.on = false;

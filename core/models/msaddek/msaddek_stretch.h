@@ -21,8 +21,6 @@ struct MsaddekSettings {
   CompressorSettings compressor;
 
   explicit MsaddekSettings(const Settings& settings);
-  /// Whether the compressor, and not compaction, joins the blocks of a path.
-  bool compresses(const Toolpath& toolpath) const;
 };
 
 /// Runs stretches, one after the other, into a trajectory: lays connecting arcs into the corners of the

@@ -126,6 +126,7 @@ Guarantees OptimalModel::guarantees(const Settings& settings) const {
     promised.blends.of_blend_jerk = true;
   }
   promised.smooths = inner.smooths;
+  promised.lays_curves = inner.lays_curves;
   promised.follows_compaction = inner.follows_compaction;
   promised.curves = promised.blends;
   promised.curves.of_blend_jerk = false;

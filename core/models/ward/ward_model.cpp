@@ -1,5 +1,7 @@
 #include "core/models/ward/ward_model.h"
 
+#include <algorithm>
+
 #include "core/base/translatable.h"
 #include "core/base/units.h"
 #include "core/models/ward/ward_runner.h"
@@ -11,7 +13,31 @@ WardSettings::WardSettings(const Settings& settings)
     : filters(static_cast<int>(settings.number("filters"))),
       jerk(units::from_m(settings.number("filter_jerk_m_s3"))),
       time(settings.number("filter_time_s")),
-      enforce(settings.text("enforce") == "on") {}
+      enforce(settings.text("enforce") == "on"),
+      compressor(settings) {
+  // What the points' curve takes is missing where the filters cut bends off: a little smooths as well as
+  // much.
+  constexpr double share_of_curve = 0.1;
+  compressor.tolerance_share = share_of_curve;
+}
+
+namespace {
+
+/// The common settings; off at first, since the source knows no such stage and the filters need none.
+std::vector<SettingSpec> with_smoothed_points(std::vector<SettingSpec> own) {
+  std::vector<SettingSpec> specs = with_compressor(std::move(own));
+  SettingSpec& compressor = *std::ranges::find(specs, "compressor", &SettingSpec::key);
+  compressor.explanation = QT_TRANSLATE_NOOP(
+      "core",
+      "Moves the points of dense short blocks onto a smooth curve, within a tenth of the contour tolerance, "
+      "before the pulses are made. program: where the program asks for it; off: never; on: everywhere. Our "
+      "own addition: the filters smooth by themselves, and no time is gained by it.");
+  compressor.choices = {QT_TRANSLATE_NOOP("core", "off"), QT_TRANSLATE_NOOP("core", "program"),
+                        QT_TRANSLATE_NOOP("core", "on")};
+  return specs;
+}
+
+}  // namespace
 
 const ModelInfo& WardModel::info() const {
   static const ModelInfo info = [] {
@@ -64,7 +90,7 @@ const ModelInfo& WardModel::info() const {
                           "tolerance is kept; two or three equal moving averages smooth the pulses of each "
                           "axis. On arcs, which the paper does not cover, the pulses follow the tangent; "
                           "they keep the static limits of Tapie 2007 and, as at corners, the tolerance."),
-        {filters, jerk, time, enforce},
+        with_smoothed_points({filters, jerk, time, enforce}),
         {"contour_tolerance_mm", "program_tolerance"},
         {"A filtered velocity is an average of commanded ones, which keeps the axes' velocities.",
          "Acceleration and jerk follow from the filters alone: a change of feed dF takes the jerk dF/T1^2; "
@@ -82,6 +108,7 @@ Guarantees WardModel::guarantees(const Settings& settings) const {
   promised.lines.velocity.of = KeptLimit::Of::whole;
   promised.arcs = promised.blends = promised.lines;
   promised.feed_of_run = true;
+  promised.smooths = settings.text("compressor") != "off";
   const bool exact = settings.number("contour_tolerance_mm") == 0;
   promised.contour = WardSettings(settings).enforce && !exact ? 1 : Guarantees::unbounded;
   promised.stops_at_line_corners = promised.stops_at_arc_corners = exact;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/compressor/smoothed_points.h"
 #include "core/models/ward/corner_pulse.h"
 #include "core/models/ward/short_blocks.h"
 
@@ -11,14 +12,24 @@ namespace feedscope {
 
 WardRunner::WardRunner(std::shared_ptr<const Toolpath> toolpath, const AxisVectors& axes,
                        const WardSettings& settings, const PathRules& rules, TrajectoryBuilder& builder)
-    : toolpath_(std::move(toolpath)), axes_(axes), settings_(settings), rules_(rules), builder_(builder) {
+    : programmed_(std::move(toolpath)),
+      smoothed_(settings.compressor.smooths(*programmed_) ? std::make_shared<Toolpath>(*programmed_)
+                                                          : nullptr),
+      commanded_(smoothed_ != nullptr ? smoothed_ : programmed_),
+      compressor_(*programmed_, rules, settings.compressor),
+      axes_(axes),
+      settings_(settings),
+      rules_(rules),
+      builder_(builder) {
   if (!(settings_.jerk > 0)) {
     settings_.jerk = axes.jerk.minCoeff();
   }
 }
 
 void WardRunner::run(const StretchRange& range, ProgressSteps& steps) {
-  train_ = {toolpath_, range.first, settings_.filters, 0, 0, {}};
+  smooth_points(range);
+  train_ = {
+      commanded_, range.first, settings_.filters, 0, 0, {}, smoothed_ != nullptr ? programmed_ : nullptr};
   train_.blocks.resize(range.last - range.first + 1);
   find_limits(range);
   choose_filter_time();
@@ -35,10 +46,21 @@ void WardRunner::run(const StretchRange& range, ProgressSteps& steps) {
   lay_motion(steps);
 }
 
+void WardRunner::smooth_points(const StretchRange& range) {
+  if (smoothed_ == nullptr) {
+    return;
+  }
+  for (const SmoothCurve& curve : compressor_.compress(range.first, range.last)) {
+    if (!curve.run.on_curve) {
+      move_points(curve, *smoothed_);
+    }
+  }
+}
+
 void WardRunner::find_limits(const StretchRange& range) {
   limits_.clear();
   for (std::size_t i = range.first; i < range.last; ++i) {
-    limits_.push_back(segment_limits(*toolpath_, i, axes_).speed);
+    limits_.push_back(segment_limits(*commanded_, i, axes_).speed);
   }
 }
 

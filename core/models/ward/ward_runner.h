@@ -43,6 +43,8 @@ class WardRunner {
     bool settled = false;
   };
 
+  /// Moves the points of dense blocks onto the compressor's curves.
+  void smooth_points(const StretchRange& range);
   void find_limits(const StretchRange& range);
   void choose_filter_time();
   void limit_arcs();
@@ -84,7 +86,10 @@ class WardRunner {
   double arc_gain(std::size_t block) const;
   bool slowed_by_tolerance(std::size_t corner) const;
 
-  std::shared_ptr<const Toolpath> toolpath_;
+  std::shared_ptr<const Toolpath> programmed_;
+  std::shared_ptr<Toolpath> smoothed_;  ///< with points moved by the compressor; null: it is not at work
+  std::shared_ptr<const Toolpath> commanded_;  ///< one of these
+  Compressor compressor_;
   AxisVectors axes_;
   WardSettings settings_;
   const PathRules& rules_;

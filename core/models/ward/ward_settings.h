@@ -1,5 +1,6 @@
 #pragma once
 
+#include "core/compressor/compressor.h"
 #include "core/machine/settings.h"
 
 namespace feedscope {
@@ -10,6 +11,7 @@ struct WardSettings {
   double jerk = 0;      ///< J, for T1 = sqrt(F/J); 0: the least of the axes [mm/s3]
   double time = 0;      ///< T1 where above 0 [s]
   bool enforce = true;  ///< lower corners until the true contour error keeps the tolerance
+  CompressorSettings compressor;
 
   explicit WardSettings(const Settings& settings);
 };

@@ -150,8 +150,8 @@ double WardRunner::distance_of_arc(std::size_t block) {
 WardRunner::BlockDistance WardRunner::distance_of_block(std::size_t block) {
   BlockDistance distance;
   if (block > 0) {
-    distance.corner = distance_of(train_.point(block), train_.blocks[block].start + train_.half_delay(),
-                                  corner_tolerance(block));
+    distance.corner = distance_of(train_.programmed_point(block),
+                                  train_.blocks[block].start + train_.half_delay(), corner_tolerance(block));
   }
   if (is_arc(block)) {
     distance.arc = distance_of_arc(block);
