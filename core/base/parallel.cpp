@@ -1,6 +1,8 @@
 #include "core/base/parallel.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
 
 #include <exception>
 #include <vector>
@@ -32,6 +34,36 @@ void in_parallel(std::size_t count, const std::function<void(std::size_t)>& work
       std::rethrow_exception(error);
     }
   }
+}
+
+void in_order(std::size_t count, const std::function<std::function<void()>(std::size_t)>& make) {
+  using Take = std::function<void()>;
+  std::size_t next = 0;
+  HappensBefore handed_over;
+  const auto number = tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order,
+                                                          [&](tbb::flow_control& flow) -> std::size_t {
+                                                            if (next == count) {
+                                                              flow.stop();
+                                                              return 0;
+                                                            }
+                                                            handed_over.before();
+                                                            return next++;
+                                                          });
+  const auto work =
+      tbb::make_filter<std::size_t, Take>(tbb::filter_mode::parallel, [&](std::size_t i) -> Take {
+        handed_over.after();
+        Take take = make(i);
+        handed_over.before();
+        return take;
+      });
+  const auto take = tbb::make_filter<Take, void>(tbb::filter_mode::serial_in_order, [&](const Take& made) {
+    handed_over.after();
+    made();
+    handed_over.before();
+  });
+  const auto ahead = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) + 1;
+  tbb::parallel_pipeline(ahead, number & work & take);
+  handed_over.after();
 }
 
 void in_parallel(std::initializer_list<std::function<void()>> tasks) {

@@ -47,20 +47,24 @@ class Progress {
 /// Reports to a Progress, or to nobody, only every few thousand steps.
 class ProgressSteps {
  public:
-  ProgressSteps(Progress* progress, std::size_t total) : progress_(progress), total_(total) {}
-  /// `done` of the total is done; throws Cancelled as Progress::report.
+  ProgressSteps(Progress* progress, std::size_t total) : ProgressSteps(progress, 0, total) {}
+  /// Steps [first, first + total) of a whole.
+  ProgressSteps(Progress* progress, std::size_t first, std::size_t total)
+      : progress_(progress), first_(first), total_(total), next_(first) {}
+  /// All before `done` is done; throws Cancelled as Progress::report.
   void at(std::size_t done) {
     if (progress_ != nullptr && (done >= next_ || progress_->cancelled())) {
       next_ = done + every;
-      progress_->report(static_cast<double>(done) / static_cast<double>(total_));
+      progress_->report(static_cast<double>(done - first_) / static_cast<double>(total_));
     }
   }
 
  private:
   static constexpr std::size_t every = 4096;
   Progress* progress_;
+  std::size_t first_;
   std::size_t total_;
-  std::size_t next_ = 0;
+  std::size_t next_;
 };
 
 }  // namespace feedscope

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/make_room.h"
 #include "core/blend/junction.h"
 
 namespace feedscope {
@@ -35,6 +36,52 @@ BlendedPath::BlendedPath(std::shared_ptr<const Toolpath> programmed,
 BlendedPath::BlendedPath(std::shared_ptr<const Toolpath> programmed,
                          std::shared_ptr<const ExecutedPath> executed)
     : programmed_(std::move(programmed)), executed_(std::move(executed)) {}
+
+BlendedPath BlendedPath::without_elements() const {
+  BlendedPath path(programmed_, compacted_);
+  path.executed_ = executed_;
+  path.alpha_ = alpha_;
+  return path;
+}
+
+void BlendedPath::append(const BlendedPath& part, std::uint32_t motions, double done) {
+  make_room(entries_, part.entries_.size(), done);
+  make_room(transitions_, part.transitions_.size(), done);
+  make_room(corners_, part.corners_.size(), done);
+  make_room(knots_, part.knots_.size(), done);
+  const auto elements = static_cast<std::uint32_t>(entries_.size());
+  const auto corners = static_cast<std::uint32_t>(corners_.size());
+  const std::uint32_t knots = knot_count();
+  const auto index_grows = [&](ElementKind kind) -> std::uint32_t {
+    switch (kind) {
+      case ElementKind::blend:
+      case ElementKind::connecting_arc:
+        return corners;
+      case ElementKind::fitted:
+      case ElementKind::curve:
+      case ElementKind::dwell:
+        return executed_ ? 0 : knots;
+      case ElementKind::filtered:
+        return motions;
+      case ElementKind::line:
+      case ElementKind::arc:
+        break;
+    }
+    return 0;
+  };
+  for (Entry entry : part.entries_) {
+    entry.s += length_;
+    entry.index = (entry.index + index_grows(entry.kind)) & 0x1fffffff;
+    entries_.push_back(entry);
+  }
+  transitions_.insert(transitions_.end(), part.transitions_.begin(), part.transitions_.end());
+  for (const std::uint32_t element : part.corners_) {
+    corners_.push_back(elements + element);
+  }
+  knots_.insert(knots_.end(), part.knots_.begin(), part.knots_.end());
+  curves_ += part.curves_;
+  length_ += part.length_;
+}
 
 void BlendedPath::reserve(std::size_t elements) {
   entries_.reserve(elements);

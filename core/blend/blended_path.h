@@ -106,6 +106,11 @@ class BlendedPath {
   double min_radius(std::size_t corner) const;         ///< [mm]
   const Vec3& corner_point(std::size_t corner) const;  ///< programmed [mm]
 
+  /// Another path of the same program and blend weight, without elements.
+  BlendedPath without_elements() const;
+  /// Appends the elements of `part`, made without_elements() of this one; `motions`: what the numbers of its
+  /// motions grow by; `done`: share of the whole path that is there then, by which room is made, (0, 1].
+  void append(const BlendedPath& part, std::uint32_t motions, double done);
   void reserve(std::size_t elements);
   void shrink();  ///< gives back room that is not needed
   /// Appends an element of `length` [mm] of programmed segment `block`; index as PathElement::index.

@@ -133,12 +133,15 @@ void lay_blended_stretch(const Toolpath& toolpath, const StretchRange& range, co
 }
 
 void lay_blended_path(const Toolpath& toolpath, const Vec3& axis_velocity, const PathRules& rules,
-                      Compressor& compressor, TrajectoryBuilder& builder, Progress* progress,
+                      const CompressorSettings& compressor, TrajectoryBuilder& builder, Progress* progress,
                       const BlendCorner& blend) {
-  const auto ignore = [](auto&&...) {};
-  run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& /*steps*/) {
-    lay_elements(toolpath, range, axis_velocity, rules, compressor.compress(range.first, range.last), builder,
-                 blend, ignore, ignore, [&](const SmoothCurve& curve) { add_curve_alone(curve, builder); });
+  run_stretches(toolpath, builder, progress, rules, [&](TrajectoryBuilder& part) -> StretchRun {
+    const auto curves = std::make_shared<Compressor>(toolpath, rules, compressor);
+    return [&, curves](const StretchRange& range, ProgressSteps& /*steps*/) {
+      const auto ignore = [](auto&&...) {};
+      lay_elements(toolpath, range, axis_velocity, rules, curves->compress(range.first, range.last), part,
+                   blend, ignore, ignore, [&](const SmoothCurve& curve) { add_curve_alone(curve, part); });
+    };
   });
 }
 

@@ -42,9 +42,9 @@ void add_smooth_curve(const SmoothCurve& curve, const Toolpath& toolpath, const 
                       TrajectoryBuilder& builder, Stretch& stretch, const LimitSpan& limit_span = {});
 
 /// Lays the path of a whole program as lay_blended_stretch() lays it stretch by stretch, dwells included, and
-/// nothing else: `blend` need not say limits.
+/// nothing else: `blend` need not say limits; it is called by several threads.
 void lay_blended_path(const Toolpath& toolpath, const Vec3& axis_velocity, const PathRules& rules,
-                      Compressor& compressor, TrajectoryBuilder& builder, Progress* progress,
+                      const CompressorSettings& compressor, TrajectoryBuilder& builder, Progress* progress,
                       const BlendCorner& blend);
 
 }  // namespace feedscope

@@ -15,6 +15,7 @@ class FilteredMotion {
   FilteredMotion(double start, PulseTrain train, double contour_error = 0);
 
   double start() const { return start_; }                    ///< [s]
+  void begin_later(double by) { start_ += by; }              ///< [s]
   double filter_time() const { return train_.filter_time; }  ///< T1 [s]
   double delay() const { return train_.delay(); }            ///< n T1 [s]
   double duration() const { return train_.duration(); }      ///< [s]

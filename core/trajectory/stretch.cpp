@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
+#include <optional>
 #include <span>
 
+#include "core/base/parallel.h"
 #include "core/base/roots.h"
 #include "core/blend/junction.h"
 
@@ -54,33 +57,86 @@ void Stretch::hold_level(std::uint32_t e) {
   level.push_back(e + 1);
 }
 
+namespace {
+
+/// Whether a stretch ends where `segment` begins.
+bool begins_stretch(const Toolpath& toolpath, const PathRules& rules, std::size_t segment,
+                    bool stop_at_arc_corners) {
+  const JunctionKind kind = junction_kind(toolpath, segment);
+  const bool corner = kind == JunctionKind::corner || kind == JunctionKind::arc_corner;
+  return kind == JunctionKind::stop || (stop_at_arc_corners && kind == JunctionKind::arc_corner) ||
+         (corner && rules.corner_tolerance(segment - 1) == 0);
+}
+
+std::size_t next_begin(const Toolpath& toolpath, const PathRules& rules, std::size_t segment,
+                       bool stop_at_arc_corners) {
+  while (segment < toolpath.segments.size() &&
+         !begins_stretch(toolpath, rules, segment, stop_at_arc_corners)) {
+    ++segment;
+  }
+  return std::min(segment, toolpath.segments.size());
+}
+
+/// Where parts of the program begin that are run on their own, and its end.
+std::vector<std::size_t> part_borders(const Toolpath& toolpath, const PathRules& rules,
+                                      bool stop_at_arc_corners) {
+  constexpr std::size_t least_segments = 8192;
+  const std::size_t count = toolpath.segments.size();
+  std::vector<std::size_t> borders{0};
+  while (count - borders.back() > least_segments) {
+    borders.push_back(next_begin(toolpath, rules, borders.back() + least_segments, stop_at_arc_corners));
+  }
+  if (borders.back() < count) {
+    borders.push_back(count);
+  }
+  return borders;
+}
+
+}  // namespace
+
 StretchRange next_stretch(const Toolpath& toolpath, const PathRules& rules, std::size_t first,
                           bool stop_at_arc_corners) {
-  std::size_t last = first + 1;
-  for (; last < toolpath.segments.size(); ++last) {
-    const JunctionKind kind = junction_kind(toolpath, last);
-    const bool corner = kind == JunctionKind::corner || kind == JunctionKind::arc_corner;
-    if (kind == JunctionKind::stop || (stop_at_arc_corners && kind == JunctionKind::arc_corner) ||
-        (corner && rules.corner_tolerance(last - 1) == 0)) {
-      break;
-    }
-  }
-  return {first, last};
+  return {first, next_begin(toolpath, rules, first + 1, stop_at_arc_corners)};
 }
 
 void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
-                   const PathRules& rules, const StretchRun& run, bool stop_at_arc_corners) {
-  ProgressSteps steps(progress, toolpath.segments.size());
-  for (std::size_t first = 0; first < toolpath.segments.size();) {
-    const StretchRange range = next_stretch(toolpath, rules, first, stop_at_arc_corners);
-    steps.at(first);
-    if (toolpath.segments[first].kind == SegmentKind::dwell) {
-      builder.add_pause(static_cast<std::uint32_t>(first));
-    } else {
-      run(range, steps);
+                   const PathRules& rules, const StretchRunner& runner, bool stop_at_arc_corners) {
+  const auto run_part = [&](const StretchRange& part, TrajectoryBuilder& into, ProgressSteps steps) {
+    const StretchRun run = runner(into);
+    for (std::size_t first = part.first; first < part.last;) {
+      const StretchRange range = next_stretch(toolpath, rules, first, stop_at_arc_corners);
+      steps.at(first);
+      if (toolpath.segments[first].kind == SegmentKind::dwell) {
+        into.add_pause(static_cast<std::uint32_t>(first));
+      } else {
+        run(range, steps);
+      }
+      first = range.last;
     }
-    first = range.last;
+  };
+  const std::size_t count = toolpath.segments.size();
+  const std::vector<std::size_t> borders = part_borders(toolpath, rules, stop_at_arc_corners);
+  if (borders.size() <= 2) {
+    run_part({0, count}, builder, {progress, count});
+    return;
   }
+  in_order(borders.size() - 1, [&](std::size_t i) -> std::function<void()> {
+    const StretchRange range{borders[i], borders[i + 1]};
+    const std::size_t size = range.last - range.first;
+    const auto share = [&](std::size_t segments) {
+      return static_cast<double>(segments) / static_cast<double>(count);
+    };
+    std::optional<Progress> own;
+    if (progress != nullptr) {
+      own.emplace(*progress, share(size));
+    }
+    const auto part = std::make_shared<TrajectoryBuilder>(builder.part());
+    run_part(range, *part, {own ? &*own : nullptr, range.first, size});
+    if (own) {
+      own->report(1);
+    }
+    return [&builder, part, done = share(range.last)] { builder.append(std::move(*part), done); };
+  });
 }
 
 void follow_acceleration_mode(Stretch& stretch, const BlendedPath& path, const PathRules& rules,

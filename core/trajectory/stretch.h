@@ -56,9 +56,13 @@ StretchRange next_stretch(const Toolpath& toolpath, const PathRules& rules, std:
 
 /// What a model does with a stretch of lines and arcs; `steps` counts segments.
 using StretchRun = std::function<void(const StretchRange& range, ProgressSteps& steps)>;
-/// Calls `run` for every stretch in order, cut as by next_stretch(), and lays the dwells between them.
+/// Makes what runs stretches into `builder`, for one thread.
+using StretchRunner = std::function<StretchRun(TrajectoryBuilder& builder)>;
+/// Runs every stretch, cut as by next_stretch(), and lays the dwells between them. Long programs are run in
+/// parts, each by a runner of its own, on several cores; where they are cut hangs on the program alone, so
+/// that the result does not hang on how many cores there are.
 void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
-                   const PathRules& rules, const StretchRun& run, bool stop_at_arc_corners = true);
+                   const PathRules& rules, const StretchRunner& runner, bool stop_at_arc_corners = true);
 
 /// Ramps of the stretch as the program's BRISK asks for them (with_acceleration_jumps() of segment_limits.h),
 /// on corner pieces where both segments do. Before set_junction_ceilings().

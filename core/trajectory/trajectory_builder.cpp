@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/base/make_room.h"
+
 namespace feedscope {
 namespace {
 
@@ -66,6 +68,40 @@ void TrajectoryBuilder::reserve_for_path(std::size_t most, std::size_t done) {
     const auto expected = static_cast<std::size_t>(slack * share * static_cast<double>(pieces.size()));
     pieces.reserve(std::clamp(expected + most, needed, growth * needed));
   }
+}
+
+TrajectoryBuilder TrajectoryBuilder::part() const {
+  TrajectoryBuilder part;
+  part.content().path = path().without_elements();
+  part.content().axis_velocity = content().axis_velocity;
+  return part;
+}
+
+void TrajectoryBuilder::append(TrajectoryBuilder part, double done) {
+  Trajectory::Content& more = part.content();
+  Trajectory::Content& whole = content();
+  const auto elements = static_cast<std::uint32_t>(whole.path.size());
+  const double start = whole.duration;
+  whole.path.append(more.path, motion_count(), done);
+  make_room(whole.pieces, more.pieces.size(), done);
+  for (std::size_t p = 0; p < more.pieces.size(); ++p) {
+    Piece piece = more.pieces[p];
+    const double end = p + 1 < more.pieces.size() ? more.pieces[p + 1].time : more.duration;
+    piece.time += start;
+    piece.element += elements;
+    if (start + end > piece.time) {  // else the clock resolves it no more
+      whole.pieces.push_back(piece);
+    }
+  }
+  for (FilteredMotion& motion : more.motions) {
+    motion.begin_later(start);
+    whole.motions.push_back(std::move(motion));
+  }
+  for (const std::uint32_t element : more.filtered_corners) {
+    whole.filtered_corners.push_back(elements + element);
+  }
+  whole.compaction_error = std::max(whole.compaction_error, more.compaction_error);
+  whole.duration = start + more.duration;
 }
 
 std::uint32_t TrajectoryBuilder::add_segment(std::uint32_t block, double length) {

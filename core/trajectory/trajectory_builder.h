@@ -28,6 +28,11 @@ class TrajectoryBuilder {
   /// The same for `most` more pieces, and, going by those of the first `done` elements, for all that are to
   /// come on the path.
   void reserve_for_path(std::size_t most, std::size_t done);
+  /// A builder of the same program that begins at the clock's zero and is to be appended to this one.
+  TrajectoryBuilder part() const;
+  /// Appends what a part() holds. `done`: share of the whole program that is run then, by which room is made
+  /// for the rest, (0, 1].
+  void append(TrajectoryBuilder part, double done);
   void set_blend_weight(double alpha) { content().path.set_blend_weight(alpha); }
 
   /// Appends programmed segment `block`, a line, an arc or a dwell; `length`: what corners leave of it, or
@@ -96,6 +101,7 @@ class TrajectoryBuilder {
   Trajectory finish();
 
  private:
+  TrajectoryBuilder() = default;
   void name_slower_places();
 
   Trajectory::Content& content() { return so_far_.content_; }

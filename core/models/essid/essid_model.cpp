@@ -1,5 +1,7 @@
 #include "core/models/essid/essid_model.h"
 
+#include <memory>
+
 #include "core/base/translatable.h"
 #include "core/models/essid/essid_runner.h"
 #include "core/models/essid/essid_settings.h"
@@ -89,12 +91,11 @@ Trajectory EssidModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
   const EssidSettings own(settings);
   builder.set_blend_weight(own.corner.alpha);
   const PathRules rules(toolpath, settings);
-  Compressor compressor(toolpath, rules, CompressorSettings(settings));
-  {  // what it plans with goes before the path is copied into just the room it needs
-    EssidRunner runner(toolpath, AxisVectors(machine), own, rules, compressor, builder);
-    run_stretches(toolpath, builder, progress, rules,
-                  [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
-  }
+  run_stretches(toolpath, builder, progress, rules, [&](TrajectoryBuilder& part) -> StretchRun {
+    const auto runner = std::make_shared<EssidRunner>(toolpath, AxisVectors(machine), own, rules,
+                                                      CompressorSettings(settings), part);
+    return [runner](const StretchRange& range, ProgressSteps& steps) { runner->run(range, steps); };
+  });
   return builder.finish();
 }
 
@@ -106,8 +107,7 @@ Trajectory EssidModel::do_lay_path(const std::shared_ptr<const Toolpath>& shared
   const GentleBlendLength gentle(rule.alpha);
   builder.set_blend_weight(rule.alpha);
   const PathRules rules(*shared, settings);
-  Compressor compressor(*shared, rules, CompressorSettings(settings));
-  lay_blended_path(*shared, axis_velocity, rules, compressor, builder, progress,
+  lay_blended_path(*shared, axis_velocity, rules, CompressorSettings(settings), builder, progress,
                    [&](const CornerPlace& place) { return lay_blend(place, rule, gentle); });
   return builder.finish();
 }

@@ -35,14 +35,15 @@ CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule, const Ge
 }
 
 EssidRunner::EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,
-                         const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder)
+                         const PathRules& rules, const CompressorSettings& compressor,
+                         TrajectoryBuilder& builder)
     : toolpath_(toolpath),
       gentle_length_(settings.corner.alpha),
       axes_(axes),
       blend_limits_(axes, settings.radial_acceleration_share, settings.radial_jerk_share),
       settings_(settings),
       rules_(rules),
-      compressor_(compressor),
+      compressor_(toolpath, rules, compressor),
       builder_(builder) {}
 
 void EssidRunner::run(const StretchRange& range, ProgressSteps& steps) {

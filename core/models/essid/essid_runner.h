@@ -19,7 +19,7 @@ CornerPiece lay_blend(const CornerPlace& place, const CornerRule& rule, const Ge
 class EssidRunner {
  public:
   EssidRunner(const Toolpath& toolpath, const AxisVectors& axes, const EssidSettings& settings,
-              const PathRules& rules, Compressor& compressor, TrajectoryBuilder& builder);
+              const PathRules& rules, const CompressorSettings& compressor, TrajectoryBuilder& builder);
 
   /// Lines and arcs without a stop between them. `steps` counts segments.
   void run(const StretchRange& range, ProgressSteps& steps);
@@ -54,7 +54,7 @@ class EssidRunner {
   BlendLimits blend_limits_;
   EssidSettings settings_;
   const PathRules& rules_;
-  Compressor& compressor_;
+  Compressor compressor_;
   TrajectoryBuilder& builder_;
 
   Stretch stretch_;

@@ -134,23 +134,26 @@ Trajectory GassaraModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   const GassaraSettings own(settings);
   const AxisVectors axes(machine);
   TrajectoryBuilder builder(shared, axes.velocity);
-  Stretch stretch;
   const PathRules rules(toolpath, settings);
-  Compressor none(toolpath, rules, {});
   const auto blend_corner = [&](const CornerPlace& place) {
     LaidArc arc = lay_arc(place, own.corner);
     arc.piece.limits = arc_blend_limits(place, arc.radius, axes, own);
     return arc.piece;
   };
-  run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& steps) {
-    lay_blended_stretch(toolpath, range, axes, rules, none, builder, stretch, blend_corner);
-    follow_acceleration_mode(stretch, builder.path(), rules, own.period);
-    set_junction_ceilings(stretch, builder.path(), axes.jerk, own.period, own.lookahead);
-    const std::vector<PlanNode> nodes = plan_over_blends(stretch, [&](std::size_t e) {
-      return arc_blend_ramps(stretch.plan[e].limits,
-                             builder.path().min_radius(builder.path().index(stretch.element[e])), own);
-    });
-    add_planned_motion(builder, stretch, nodes, steps);
+  run_stretches(toolpath, builder, progress, rules, [&](TrajectoryBuilder& part) -> StretchRun {
+    const auto stretch = std::make_shared<Stretch>();
+    const auto none = std::make_shared<Compressor>(toolpath, rules, CompressorSettings());
+    return [&, stretch, none](const StretchRange& range, ProgressSteps& steps) {
+      const BlendedPath& path = part.path();
+      lay_blended_stretch(toolpath, range, axes, rules, *none, part, *stretch, blend_corner);
+      follow_acceleration_mode(*stretch, path, rules, own.period);
+      set_junction_ceilings(*stretch, path, axes.jerk, own.period, own.lookahead);
+      const std::vector<PlanNode> nodes = plan_over_blends(*stretch, [&](std::size_t e) {
+        return arc_blend_ramps(stretch->plan[e].limits, path.min_radius(path.index(stretch->element[e])),
+                               own);
+      });
+      add_planned_motion(part, *stretch, nodes, steps);
+    };
   });
   return builder.finish();
 }
@@ -161,8 +164,7 @@ Trajectory GassaraModel::do_lay_path(const std::shared_ptr<const Toolpath>& shar
   const Vec3 axis_velocity = axis_limit_vector(machine, &AxisLimits::velocity);
   TrajectoryBuilder builder(shared, axis_velocity);
   const PathRules rules(*shared, settings);
-  Compressor none(*shared, rules, {});
-  lay_blended_path(*shared, axis_velocity, rules, none, builder, progress,
+  lay_blended_path(*shared, axis_velocity, rules, {}, builder, progress,
                    [&](const CornerPlace& place) { return lay_arc(place, own.corner).piece; });
   return builder.finish();
 }

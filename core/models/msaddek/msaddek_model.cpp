@@ -100,9 +100,10 @@ Trajectory MsaddekModel::do_simulate(const std::shared_ptr<const Toolpath>& shar
   TrajectoryBuilder builder(shared, axes.velocity, merges ? compacted : nullptr);
   builder.set_compaction_error(compacted->deviation);
   const PathRules chord_rules(compacted->path, settings);
-  MsaddekRunner runner(toolpath, *compacted, chord_rules, axes, own, builder);
-  run_stretches(toolpath, builder, progress, rules,
-                [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); });
+  run_stretches(toolpath, builder, progress, rules, [&](TrajectoryBuilder& part) -> StretchRun {
+    const auto runner = std::make_shared<MsaddekRunner>(toolpath, *compacted, chord_rules, axes, own, part);
+    return [runner](const StretchRange& range, ProgressSteps& steps) { runner->run(range, steps); };
+  });
   return builder.finish();
 }
 

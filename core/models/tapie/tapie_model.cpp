@@ -47,17 +47,19 @@ Trajectory TapieModel::do_simulate(const std::shared_ptr<const Toolpath>& shared
       settings.number("interpolation_period_s")};
   const auto lookahead = static_cast<std::uint32_t>(settings.number("lookahead_blocks"));
   TrajectoryBuilder builder(shared, rule.axes.velocity);
-  Stretch stretch;
   const PathRules rules = PathRules::exact_corners(toolpath);
-  run_stretches(toolpath, builder, progress, rules, [&](const StretchRange& range, ProgressSteps& steps) {
-    stretch.clear();
-    for (std::size_t i = range.first; i < range.last; ++i) {
-      const auto block = static_cast<std::uint32_t>(i);
-      stretch.add({toolpath.segments[i].length, rule.limits(toolpath, i)}, builder.add_segment(block), block);
-    }
-    follow_acceleration_mode(stretch, builder.path(), rules, rule.period);
-    set_junction_ceilings(stretch, builder.path(), rule.axes.jerk, rule.period, lookahead);
-    add_planned_motion(builder, stretch, plan_nodes(stretch.plan, stretch.ceiling), steps);
+  run_stretches(toolpath, builder, progress, rules, [&](TrajectoryBuilder& part) -> StretchRun {
+    const auto stretch = std::make_shared<Stretch>();
+    return [&, stretch](const StretchRange& range, ProgressSteps& steps) {
+      stretch->clear();
+      for (std::size_t i = range.first; i < range.last; ++i) {
+        const auto block = static_cast<std::uint32_t>(i);
+        stretch->add({toolpath.segments[i].length, rule.limits(toolpath, i)}, part.add_segment(block), block);
+      }
+      follow_acceleration_mode(*stretch, part.path(), rules, rule.period);
+      set_junction_ceilings(*stretch, part.path(), rule.axes.jerk, rule.period, lookahead);
+      add_planned_motion(part, *stretch, plan_nodes(stretch->plan, stretch->ceiling), steps);
+    };
   });
   return builder.finish();
 }

@@ -123,14 +123,17 @@ Trajectory WardModel::do_simulate(const std::shared_ptr<const Toolpath>& shared,
   TrajectoryBuilder builder(shared, axes.velocity);
   const std::size_t count = shared->segments.size();
   builder.reserve(count, count + count / 4);
-  {
-    const WardSettings own(settings);
-    const PathRules rules(*shared, settings);
-    WardRunner runner(shared, axes, own, rules, builder);
-    run_stretches(
-        *shared, builder, progress, rules,
-        [&](const StretchRange& range, ProgressSteps& steps) { runner.run(range, steps); }, false);
-  }
+  const WardSettings own(settings);
+  const PathRules rules(*shared, settings);
+  const auto smoothed =
+      own.compressor.smooths(*shared) ? std::make_shared<Toolpath>(*shared) : std::shared_ptr<Toolpath>();
+  run_stretches(
+      *shared, builder, progress, rules,
+      [&](TrajectoryBuilder& part) -> StretchRun {
+        const auto runner = std::make_shared<WardRunner>(shared, smoothed, axes, own, rules, part);
+        return [runner](const StretchRange& range, ProgressSteps& steps) { runner->run(range, steps); };
+      },
+      false);
   return builder.finish();
 }
 

@@ -10,11 +10,11 @@
 
 namespace feedscope {
 
-WardRunner::WardRunner(std::shared_ptr<const Toolpath> toolpath, const AxisVectors& axes,
-                       const WardSettings& settings, const PathRules& rules, TrajectoryBuilder& builder)
+WardRunner::WardRunner(std::shared_ptr<const Toolpath> toolpath, std::shared_ptr<Toolpath> smoothed,
+                       const AxisVectors& axes, const WardSettings& settings, const PathRules& rules,
+                       TrajectoryBuilder& builder)
     : programmed_(std::move(toolpath)),
-      smoothed_(settings.compressor.smooths(*programmed_) ? std::make_shared<Toolpath>(*programmed_)
-                                                          : nullptr),
+      smoothed_(std::move(smoothed)),
       commanded_(smoothed_ != nullptr ? smoothed_ : programmed_),
       compressor_(*programmed_, rules, settings.compressor),
       axes_(axes),

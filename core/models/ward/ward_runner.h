@@ -18,8 +18,11 @@ namespace feedscope {
 /// filtered motion out as elements, pieces and records (ward_motion.cpp).
 class WardRunner {
  public:
-  WardRunner(std::shared_ptr<const Toolpath> toolpath, const AxisVectors& axes, const WardSettings& settings,
-             const PathRules& rules, TrajectoryBuilder& builder);
+  /// `smoothed`: a copy of `toolpath` whose points the compressor moves, stretch by stretch; null: it is not
+  /// at work.
+  WardRunner(std::shared_ptr<const Toolpath> toolpath, std::shared_ptr<Toolpath> smoothed,
+             const AxisVectors& axes, const WardSettings& settings, const PathRules& rules,
+             TrajectoryBuilder& builder);
 
   /// Lines and arcs without a stop between them. `steps` counts segments.
   void run(const StretchRange& range, ProgressSteps& steps);
@@ -87,7 +90,7 @@ class WardRunner {
   bool slowed_by_tolerance(std::size_t corner) const;
 
   std::shared_ptr<const Toolpath> programmed_;
-  std::shared_ptr<Toolpath> smoothed_;  ///< with points moved by the compressor; null: it is not at work
+  std::shared_ptr<Toolpath> smoothed_;         ///< null: the compressor is not at work
   std::shared_ptr<const Toolpath> commanded_;  ///< one of these
   Compressor compressor_;
   AxisVectors axes_;

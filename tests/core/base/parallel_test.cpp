@@ -42,5 +42,38 @@ TEST(InParallel, DoesAllTasks) {
   EXPECT_EQ(a + b, 3);
 }
 
+TEST(InOrder, MakesAnywhereAndTakesOneAfterTheOther) {
+  std::vector<std::atomic<int>> made(500);
+  std::vector<std::size_t> taken;
+  in_order(made.size(), [&](std::size_t i) -> std::function<void()> {
+    ++made[i];
+    return [&taken, i] { taken.push_back(i); };
+  });
+  EXPECT_THAT(std::vector<int>(made.begin(), made.end()), Each(1));
+  ASSERT_EQ(taken.size(), made.size());
+  for (std::size_t i = 0; i < taken.size(); ++i) {
+    EXPECT_EQ(taken[i], i);
+  }
+  in_order(0, [](std::size_t) -> std::function<void()> {
+    ADD_FAILURE();
+    return [] {};
+  });
+}
+
+TEST(InOrder, EndsWithWhatIsThrown) {
+  std::atomic<int> calls = 0;
+  const auto work = [&] {
+    in_order(100000, [&](std::size_t i) -> std::function<void()> {
+      ++calls;
+      if (i == 7) {
+        throw std::runtime_error("seven");
+      }
+      return [] {};
+    });
+  };
+  EXPECT_THAT(work, ThrowsMessage<std::runtime_error>("seven"));
+  EXPECT_LT(calls, 100000);
+}
+
 }  // namespace
 }  // namespace feedscope
