@@ -177,13 +177,13 @@ std::string machine_help() {
                      default_machine_of(Dialect::heidenhain));
 }
 
-CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values) {
+CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values, const std::string& name) {
   std::vector<std::string_view> dialects;
   for (const DialectInfo& info : all_dialects()) {
     dialects.push_back(info.id);
   }
   CLI::Option* file =
-      command.add_option("FILE", values.file, "NC program, or a session (.feedscope); - for standard input")
+      command.add_option(name, values.file, "NC program, or a session (.feedscope); - for standard input")
           ->required();
   command
       .add_option("--dialect", values.dialect,
@@ -240,8 +240,8 @@ CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values) {
   return file;
 }
 
-CLI::Option* add_run_options(CLI::App& command, RunOptions& values) {
-  CLI::Option* file = add_program_options(command, values);
+CLI::Option* add_run_options(CLI::App& command, RunOptions& values, const std::string& name) {
+  CLI::Option* file = add_program_options(command, values, name);
   command.add_option("--machine", values.machine, machine_help())->type_name("ID|FILE");
   command.add_option("--model", values.model, "Control model [the machine's own]")->type_name("ID");
   command

@@ -67,9 +67,10 @@ void move_tolerance(RunOptions& options);
 /// What --machine says of itself.
 std::string machine_help();
 /// Adds them to a command, and returns FILE, which is required; `values` must live as long as the command.
-CLI::Option* add_run_options(CLI::App& command, RunOptions& values);
+/// `name`: of FILE, where another one is meant.
+CLI::Option* add_run_options(CLI::App& command, RunOptions& values, const std::string& name = "FILE");
 /// Adds those of the program alone.
-CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values);
+CLI::Option* add_program_options(CLI::App& command, ProgramOptions& values, const std::string& name = "FILE");
 /// Adds --load: how the tools are engaged.
 void add_load_option(CLI::App& command, std::string& file);
 /// What `load` says, `otherwise` where it is empty. Throws InputError as read_load_file().

@@ -22,5 +22,6 @@ Command add_machines_command(CLI::App& app);
 Command add_models_command(CLI::App& app);
 Command add_help_command(CLI::App& app);
 Command add_lessons_command(CLI::App& app);
+Command add_trace_command(CLI::App& app);
 
 }  // namespace feedscope

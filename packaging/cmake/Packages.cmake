@@ -42,7 +42,7 @@ arrays.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libfeedscope-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-  "feedscope (= ${PROJECT_VERSION}-${FEEDSCOPE_DEBIAN_RELEASE}), libeigen3-dev, libfmt-dev, libtbb-dev, libtomlplusplus-dev, libcmark-dev")
+  "feedscope (= ${PROJECT_VERSION}-${FEEDSCOPE_DEBIAN_RELEASE}), libeigen3-dev, libfmt-dev, libtbb-dev, libtomlplusplus-dev, libcmark-dev, libexpat1-dev, zlib1g-dev, libnlopt-dev")
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION
   "simulate NC programs from C++
 The simulation library of Feedscope with headers and a CMake package, to be

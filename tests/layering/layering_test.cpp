@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 /// What may include what: each includes itself and what stands before it.
 const std::vector<std::string> stages{"core/base",       "core/machine",    "core/program", "core/toolpath",
                                       "core/blend",      "core/compressor", "core/limits",  "core/feed",
-                                      "core/trajectory", "core/drives",     "core/load",    "core/models",
+                                      "core/trajectory", "core/drives",     "core/load",    "core/trace",   "core/models",
                                       "core/analysis",   "core/lessons",    "core/export",  "core/handbook",
                                       "ui/units",        "ui/language",     "ui/theme",     "ui/fields",
                                       "ui/shared",       "ui/help",         "ui/scene",     "ui/workbench",

@@ -1,0 +1,161 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <memory>
+
+#include "app/commands/command.h"
+#include "app/exit_codes.h"
+#include "app/output_file.h"
+#include "app/print.h"
+#include "app/run_options.h"
+#include "app/trace_columns_option.h"
+#include "app/watch.h"
+#include "core/base/error.h"
+#include "core/base/units.h"
+#include "core/export/trace.h"
+#include "core/trace/read_trace.h"
+
+namespace feedscope {
+namespace {
+
+struct TraceOptions {
+  RunOptions run;
+  std::string trace;
+  std::string columns;
+  std::string json;
+};
+
+std::string trace_text(const Trace& trace) {
+  std::string text = fmt::format("{}: {}, {} samples, {:.6g} s, one each {:.4g} ms\n", trace.name,
+                                 trace.format, trace.size(), trace.duration(), units::to_ms(trace.period));
+  for (const std::string& column : trace.columns) {
+    text += fmt::format("  {}\n", column);
+  }
+  TextTable table;
+  table.add({"axis", "from mm", "to mm", "fastest mm/min"});
+  for (std::size_t axis = 0; axis < trace.place.size(); ++axis) {
+    if (!trace.has(axis)) {
+      continue;
+    }
+    const std::vector<double>& place = trace.place[axis];
+    const auto [low, high] = std::ranges::minmax_element(place);
+    double fastest = 0;
+    constexpr std::size_t over = 4;  // samples
+    for (std::size_t i = over; i < place.size(); ++i) {
+      fastest =
+          std::max(fastest, std::abs(place[i] - place[i - over]) / (trace.time[i] - trace.time[i - over]));
+    }
+    table.add({std::string(1, coordinate_names[axis]), fmt::format("{:.4f}", *low),
+               fmt::format("{:.4f}", *high), fmt::format("{:.0f}", units::to_mm_min(fastest))});
+  }
+  return text + table.text("lrrr");
+}
+
+std::string agreement_text(const TraceOnProgram& found, const Agreement& agreement, const Run& run) {
+  std::string text = fmt::format("\nbeside {} on {}, model {}:\n", run.input.program->source->name(),
+                                 run.setup.machine.id, run.setup.model->info().id);
+  if (found.pose.offset.norm() > 1e-3) {
+    text += fmt::format("  offset of the trace: {:.4g} {:.4g} {:.4g} mm\n", found.pose.offset.x(),
+                        found.pose.offset.y(), found.pose.offset.z());
+  }
+  TextTable table;
+  table.add({"", "trace", "simulated", "difference"});
+  table.add({agreement.whole ? "cycle time" : "time of the part compared", time_text(agreement.measured_time),
+             time_text(agreement.simulated_time), fmt::format("{:+.2f} %", 100 * agreement.time_error())});
+  table.add({"largest distance from the path", fmt::format("{:.4f} mm", agreement.distance),
+             fmt::format("{:.4f} mm", agreement.simulated_distance), ""});
+  for (const OperationAgreement& operation : agreement.operations) {
+    table.add({fmt::format("line {}: {}", operation.line, operation.title),
+               time_text(operation.measured_time), time_text(operation.simulated_time),
+               fmt::format("{:+.3f} s", operation.simulated_time - operation.measured_time)});
+  }
+  text += table.text("lrrr");
+  text += fmt::format("difference of the feeds over the path (rms): {:.1f} mm/min\n",
+                      units::to_mm_min(agreement.feed_rms));
+  if (!agreement.worst.empty()) {
+    TextTable places;
+    places.add({"worst places: line", "at mm", "trace mm/min", "simulated mm/min", "trace slower by ms"});
+    for (const WorstPlace& place : agreement.worst) {
+      places.add({fmt::format("{}", place.line), fmt::format("{:.3f}", place.s),
+                  fmt::format("{:.0f}", units::to_mm_min(place.measured_feed)),
+                  fmt::format("{:.0f}", units::to_mm_min(place.simulated_feed)),
+                  fmt::format("{:+.2f}", units::to_ms(place.lost))});
+    }
+    text += places.text("rrrrr");
+  }
+  return text;
+}
+
+/// Reading and simulating the program that the trace is laid beside.
+Run run_of(const TraceOptions& options, Watch& watch) {
+  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.run.file));
+  const ReadOptions reading = options.run.reading();
+  const Setup setup = make_setup(options.run.request(dialect_of(options.run, *source)));
+  const LoadedProgram program =
+      load_program(source, watch.stage("reading"), reading_on(reading, setup.machine));
+  return simulate_run(program, setup, watch.stage("simulating"));
+}
+
+int show_trace(const TraceOptions& options) {
+  check_outputs(options.trace, {options.json}, "the trace itself");
+  check_outputs(options.run.file, {options.json});
+  const TraceColumns columns = asked_columns(options.columns);
+  OutputFiles files;
+  std::ostream* json = options.json.empty() ? nullptr : &files.add(options.json);
+  Trace trace;
+  std::optional<Run> run;
+  std::optional<TraceOnProgram> found;
+  std::optional<Agreement> agreement;
+  {
+    Watch watch;
+    trace = read_trace(options.trace, columns, watch.stage("trace"));
+    if (!options.run.file.empty()) {
+      run = run_of(options, watch);
+      const ProgrammedCourse course(*run->input.toolpath, {trace.has(0), trace.has(1), trace.has(2)});
+      const double deviation = deviation_of(*run->trajectory, course, 1e-3);
+      found = find_on_program(trace, course, deviation, watch.stage("matching"));
+      agreement = agreement_of(*found, course, *run, watch.stage("comparing"));
+    }
+  }
+  print_diagnostics(trace.notes, options.trace);
+  if (run) {
+    print_diagnostics(*run->input.program);
+    note_runs(run->input, {run->setup});
+    for (const std::string& remark : found->remarks) {
+      fmt::print(stderr, "feedscope: note: {}\n", remark);
+    }
+  }
+  if (json != nullptr) {
+    *json << (run ? trace_json(trace, *found, *agreement, *run) : trace_json(trace));
+    files.commit();
+  }
+  if (options.json != "-") {
+    fmt::print("{}{}", trace_text(trace), run ? agreement_text(*found, *agreement, *run) : "");
+  }
+  return run && has_errors(run->input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+}
+
+}  // namespace
+
+Command add_trace_command(CLI::App& app) {
+  const auto options = std::make_shared<TraceOptions>();
+  CLI::App* command = app.add_subcommand(
+      "trace", "Read what a control recorded, and lay it beside the simulation of its program");
+  command
+      ->add_option("FILE", options->trace,
+                   "Trace: LinuxCNC halsampler, SINUMERIK trace (XML), TwinCAT Scope (text), or any table of "
+                   "samples; packed by gzip or not")
+      ->required();
+  add_run_options(*command, options->run, "PROGRAM")->required(false);
+  add_columns_option(*command, options->columns);
+  command->add_option("--json", options->json, "Write numbers and messages; - for standard output")
+      ->type_name("FILE");
+  command->footer("Example: feedscope trace scope.csv part.nc --machine my-mill.toml --json agreement.json");
+  return {command, [options] {
+            move_tolerance(options->run);
+            return show_trace(*options);
+          }};
+}
+
+}  // namespace feedscope

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "core/trace/trace_columns.h"
+
+namespace feedscope {
+
+/// Adds --columns.
+void add_columns_option(CLI::App& command, std::string& columns);
+/// What it says: a specification, a preset, or a file that holds a specification. Throws InputError.
+TraceColumns asked_columns(const std::string& columns);
+
+}  // namespace feedscope

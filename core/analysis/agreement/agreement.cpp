@@ -1,0 +1,294 @@
+#include "core/analysis/agreement/agreement.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/analysis/study/operations.h"
+#include "core/base/error.h"
+#include "core/trajectory/state_walk.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double usual_deviation = 0.2;  // [mm] beyond what the run leaves the path
+constexpr double moving = 2e-3;          // [mm]: so far from where it stood, a motion has begun
+constexpr std::size_t most_worst = 10;
+
+/// Places at which both have begun and not yet ended, so that both are measured alike.
+struct Compared {
+  double from = 0;  ///< [mm]
+  double to = 0;
+};
+
+Compared compared_part(const TraceOnProgram& trace, const TimeLaw& simulated) {
+  const double margin = std::max(moving, 4 * trace.noise);
+  return {std::max(trace.law.first_s(), simulated.first_s()) + margin,
+          std::min(trace.law.last_s(), simulated.last_s()) - margin};
+}
+
+/// From rest to `part.from` and from `part.to` to rest, of a run from its start to its end [s].
+double ends_of(const Trajectory& trajectory, const TimeLaw& simulated, const Compared& part, double step) {
+  double first = 0;
+  double last = trajectory.duration();
+  StateWalk walk(trajectory);
+  for (double t = 0; t < trajectory.duration() && walk.at_without_length(t).speed <= 0; t += step) {
+    first = t;
+  }
+  for (double t = last; t > 0 && trajectory.state(t).speed <= 0; t -= step) {
+    last = t;
+  }
+  return std::max(0.0, simulated.at(part.from) - first) + std::max(0.0, last - simulated.at(part.to));
+}
+
+std::vector<OperationAgreement> operations_of(const Run& run, const ProgrammedCourse& course,
+                                              const TimeLaw& measured, const TimeLaw& simulated,
+                                              const Compared& part) {
+  std::vector<Operation> operations = split_operations(run.input, OperationSplit::tool);
+  if (operations.size() < 2) {
+    operations = split_operations(run.input, OperationSplit::comment);
+  }
+  std::vector<OperationAgreement> times;
+  if (operations.size() < 2) {
+    return times;
+  }
+  for (const Operation& operation : operations) {
+    const double from = std::clamp(course.start_of(operation.first), part.from, part.to);
+    const double to = std::clamp(course.start_of(operation.last), part.from, part.to);
+    if (to > from) {
+      times.push_back({operation.title, operation.line, measured.at(to) - measured.at(from),
+                       simulated.at(to) - simulated.at(from)});
+    }
+  }
+  return times;
+}
+
+Vec3 place_at(const ProgrammedCourse& course, double s) {
+  std::size_t low = 0;
+  std::size_t high = course.size() - 1;
+  while (high - low > 1) {
+    const std::size_t middle = (low + high) / 2;
+    (course.s(middle) <= s ? low : high) = middle;
+  }
+  const double length = course.s(high) - course.s(low);
+  const double share = length > 0 ? std::clamp((s - course.s(low)) / length, 0.0, 1.0) : 0;
+  return course.point(low) + share * (course.point(high) - course.point(low));
+}
+
+std::vector<WorstPlace> worst_of(const std::vector<AgreementCell>& cells, const ProgrammedCourse& course,
+                                 const Toolpath& toolpath) {
+  constexpr std::ptrdiff_t apart = 4;  // cells
+  std::vector<std::size_t> order(cells.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    order[i] = i;
+  }
+  const auto off = [&](std::size_t i) { return std::abs(cells[i].measured_time - cells[i].simulated_time); };
+  std::ranges::stable_sort(order, [&](std::size_t a, std::size_t b) { return off(a) > off(b); });
+  std::vector<WorstPlace> worst;
+  std::vector<std::size_t> taken;
+  for (const std::size_t i : order) {
+    if (worst.size() == most_worst || off(i) <= 0) {
+      break;
+    }
+    if (std::ranges::any_of(taken, [&](std::size_t other) {
+          return std::abs(static_cast<std::ptrdiff_t>(other) - static_cast<std::ptrdiff_t>(i)) < apart;
+        })) {
+      continue;
+    }
+    taken.push_back(i);
+    const AgreementCell& cell = cells[i];
+    const double middle = cell.s + cell.length / 2;
+    worst.push_back({toolpath.segments[course.segment_at(middle)].line, middle, place_at(course, middle),
+                     cell.measured_feed(), cell.simulated_feed(), cell.measured_time - cell.simulated_time});
+  }
+  return worst;
+}
+
+}  // namespace
+
+MotionRecord record_of(const Trajectory& trajectory, double step) {
+  MotionRecord record;
+  StateWalk walk(trajectory);
+  const auto count = static_cast<std::size_t>(std::ceil(trajectory.duration() / step));
+  record.time.reserve(count + 1);
+  record.place.reserve(count + 1);
+  for (std::size_t i = 0; i <= count; ++i) {
+    const double time = std::min(static_cast<double>(i) * step, trajectory.duration());
+    record.time.push_back(time);
+    record.place.push_back(walk.at_without_length(time).position);
+  }
+  return record;
+}
+
+MotionRecord record_of(const Trace& trace) {
+  MotionRecord record;
+  record.time = trace.time;
+  record.place.reserve(trace.size());
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    record.place.push_back(trace.place_at(i));
+  }
+  return record;
+}
+
+double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course, double step) {
+  const MotionRecord record = record_of(trajectory, step);
+  const double widest = (course.bounds().max - course.bounds().min).norm() / 4 + usual_deviation;
+  // With no more tolerance than it takes: a wide one lets the matching take short cuts.
+  MatchedRecord matched;
+  for (double tolerance = usual_deviation; tolerance <= widest; tolerance *= 2) {
+    matched = match_record(course, record, {tolerance, 0});
+    if (!matched.empty() && matched.lost == 0) {
+      break;
+    }
+  }
+  float largest = 0;
+  for (std::size_t i = matched.first; i < matched.end; ++i) {
+    largest = std::isnan(matched.s[i]) ? largest : std::max(largest, matched.distance[i]);
+  }
+  return static_cast<double>(largest);
+}
+
+TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& course, double deviation,
+                               Progress* progress) {
+  TraceOnProgram found;
+  found.record = record_of(trace);
+  found.pose = find_pose(course, found.record);
+  found.noise = found.pose.scale * noise_of(found.record);
+  found.tolerance = usual_deviation + 2 * deviation + 6 * found.noise;
+  for (Vec3& place : found.record.place) {
+    place = found.pose.apply(place);
+  }
+  const MatchOptions options{found.tolerance, found.noise};
+  found.matched = match_record(course, found.record, options, 0, progress);
+  if (!found.matched.empty()) {
+    const Vec3 left = offset_left(course, found.record, found.matched, found.noise);
+    if (left.norm() > 0) {
+      found.pose.offset -= left;
+      for (Vec3& place : found.record.place) {
+        place -= left;
+      }
+      found.matched = match_record(course, found.record, options, 0, progress);
+    }
+  }
+  found.remarks = found.pose.remarks();
+  if (found.matched.empty()) {
+    return found;
+  }
+  found.law = TimeLaw(found.record.time, found.matched);
+  for (std::size_t i = found.matched.first; i < found.matched.end; ++i) {
+    if (!std::isnan(found.matched.s[i])) {
+      found.largest_distance =
+          std::max(found.largest_distance, static_cast<double>(found.matched.distance[i]));
+    }
+  }
+  if (!found.law.empty() && course.length() > 0) {
+    found.share = (found.law.last_s() - found.law.first_s()) / course.length();
+  }
+  constexpr double whole = 0.99;
+  MatchedRecord pass = found.matched;
+  while (!pass.empty()) {
+    const TimeLaw law(found.record.time, pass);
+    if (law.empty() || law.last_s() - law.first_s() < whole * course.length()) {
+      break;
+    }
+    const double margin = std::max(moving, 4 * found.noise);
+    found.pass_times.push_back(law.at(law.last_s() - margin) - law.at(law.first_s() + margin));
+    if (pass.arrival + 1 >= found.record.place.size()) {
+      break;
+    }
+    pass = match_record(course, found.record, options, pass.arrival, progress);
+  }
+  const auto seconds = [&](std::size_t samples) { return static_cast<double>(samples) * trace.period; };
+  if (found.matched.lost > 0) {
+    found.remarks.push_back(fmt::format(
+        "{:.4g} s of the trace are farther than {:.3g} mm from the path of the program; they are not "
+        "compared",
+        seconds(found.matched.lost), found.tolerance));
+  }
+  if (found.share < whole) {
+    found.remarks.push_back(fmt::format(
+        "the trace covers {:.1f} % of the path of the program; only that is compared", 100 * found.share));
+  }
+  if (found.pass_times.size() > 1) {
+    found.remarks.push_back(fmt::format(
+        "the trace holds {} passes through the program; the first is compared", found.pass_times.size()));
+  }
+  return found;
+}
+
+std::vector<double> cell_borders(const TimeLaw& law, double least_time, double least_length) {
+  std::vector<double> borders;
+  double time = 0;
+  for (std::size_t i = 0; i < law.places().size(); ++i) {
+    if (borders.empty() ||
+        (law.places()[i] - borders.back() >= least_length && law.times()[i] - time >= least_time)) {
+      borders.push_back(law.places()[i]);
+      time = law.times()[i];
+    }
+  }
+  return borders;
+}
+
+Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& course, const Run& run,
+                       Progress* progress) {
+  constexpr double samples_a_cell = 5;
+  constexpr double cells_a_trace = 5000;
+  constexpr double finest_step = 5e-4;  // [s]
+  if (trace.law.empty()) {
+    throw InputError(fmt::format(
+        "the trace is nowhere within {:.3g} mm of the path of the program; it is of another program, "
+        "or its zero point is another",
+        trace.tolerance));
+  }
+  const double period =
+      trace.record.time.back() / static_cast<double>(std::max<std::size_t>(1, trace.record.time.size() - 1));
+  const double step = std::max(finest_step, std::min(period, run.trajectory->duration() / 1000));
+  const MotionRecord simulated_record = record_of(*run.trajectory, step);
+  const MatchedRecord simulated_match =
+      match_record(course, simulated_record, {trace.tolerance, 0}, 0, progress);
+  const TimeLaw simulated(simulated_record.time, simulated_match);
+  if (simulated.empty()) {
+    throw InputError(
+        "the run does not follow the path of the program within the tolerance of the comparison");
+  }
+  const Compared part = compared_part(trace, simulated);
+  if (!(part.to > part.from)) {
+    throw InputError("trace and run have no part of the path in common");
+  }
+  Agreement agreement;
+  agreement.whole = !trace.pass_times.empty();
+  agreement.measured_time = trace.law.at(part.to) - trace.law.at(part.from);
+  agreement.simulated_time = simulated.at(part.to) - simulated.at(part.from);
+  if (agreement.whole) {
+    const double ends = ends_of(*run.trajectory, simulated, part, step);
+    agreement.measured_time += ends;
+    agreement.simulated_time += ends;
+  }
+  agreement.distance = trace.largest_distance;
+  agreement.simulated_distance =
+      simulated.distance(std::min(part.from, part.to), std::max(part.from, part.to));
+  std::vector<double> borders =
+      cell_borders(trace.law, std::max(samples_a_cell * period, agreement.measured_time / cells_a_trace),
+                   std::max(moving, 20 * trace.noise));
+  std::erase_if(borders, [&](double s) { return s < part.from || s > part.to; });
+  double squares = 0;
+  double length = 0;
+  for (std::size_t i = 1; i < borders.size(); ++i) {
+    const AgreementCell cell{borders[i - 1], borders[i] - borders[i - 1],
+                             trace.law.at(borders[i]) - trace.law.at(borders[i - 1]),
+                             simulated.at(borders[i]) - simulated.at(borders[i - 1])};
+    agreement.cells.push_back(cell);
+    if (cell.measured_time > 0 && cell.simulated_time > 0) {
+      const double off = cell.measured_feed() - cell.simulated_feed();
+      squares += cell.length * off * off;
+      length += cell.length;
+    }
+  }
+  agreement.feed_rms = length > 0 ? std::sqrt(squares / length) : 0;
+  agreement.worst = worst_of(agreement.cells, course, *run.input.toolpath);
+  agreement.operations = operations_of(run, course, trace.law, simulated, part);
+  return agreement;
+}
+
+}  // namespace feedscope

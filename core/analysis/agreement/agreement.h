@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/analysis/agreement/time_law.h"
+#include "core/analysis/agreement/trace_pose.h"
+#include "core/analysis/run.h"
+#include "core/trace/trace.h"
+
+namespace feedscope {
+
+/// A trace found on the path of its program.
+struct TraceOnProgram {
+  TracePose pose;
+  double tolerance = 0;              ///< that was allowed from the programmed path [mm]
+  double noise = 0;                  ///< of its places [mm]
+  MotionRecord record;               ///< in the coordinates of the program
+  MatchedRecord matched;             ///< of the first pass
+  TimeLaw law;                       ///< of the first pass
+  double largest_distance = 0;       ///< from the programmed path [mm]
+  std::vector<double> pass_times;    ///< of whole passes through the program [s]
+  std::vector<std::string> remarks;  ///< what is wrong with it, one sentence each
+  double share = 0;                  ///< of the programmed path that it covers
+};
+
+/// A stretch of the programmed path, run by a trace and by a simulation.
+struct AgreementCell {
+  double s = 0;              ///< programmed path length where it begins [mm]
+  double length = 0;         ///< [mm]
+  double measured_time = 0;  ///< [s]
+  double simulated_time = 0;
+
+  double measured_feed() const { return measured_time > 0 ? length / measured_time : 0; }  ///< [mm/s]
+  double simulated_feed() const { return simulated_time > 0 ? length / simulated_time : 0; }
+};
+
+/// A place where trace and simulation differ most.
+struct WorstPlace {
+  std::uint32_t line = 0;
+  double s = 0;  ///< programmed path length [mm]
+  Vec3 place = Vec3::Zero();
+  double measured_feed = 0;  ///< over a short stretch [mm/s]
+  double simulated_feed = 0;
+  double lost = 0;  ///< measured less simulated time of it [s]
+};
+
+/// Times of one operation of the program.
+struct OperationAgreement {
+  std::string title;
+  std::uint32_t line = 0;
+  double measured_time = 0;  ///< [s]
+  double simulated_time = 0;
+};
+
+/// How well a run says what a trace shows, over the part of the program that the trace covers.
+struct Agreement {
+  double measured_time = 0;       ///< from the first to the last motion [s]
+  double simulated_time = 0;      ///< of the same part [s]
+  bool whole = false;             ///< the trace covers the program: the times are cycle times
+  double feed_rms = 0;            ///< root mean square of the difference of the feeds over the path [mm/s]
+  double distance = 0;            ///< largest of the trace from the programmed path [mm]
+  double simulated_distance = 0;  ///< of the run, measured alike [mm]
+  std::vector<AgreementCell> cells;
+  std::vector<WorstPlace> worst;               ///< at most ten, the largest difference of time first
+  std::vector<OperationAgreement> operations;  ///< empty: the program has one alone
+
+  double time_error() const { return measured_time > 0 ? simulated_time / measured_time - 1 : 0; }
+};
+
+/// The motion of a run, sampled each `step` [s].
+MotionRecord record_of(const Trajectory& trajectory, double step);
+/// Positions of a trace as they are recorded.
+MotionRecord record_of(const Trace& trace);
+
+/// Finds a trace on the path of a run: unit, signs and offset of its axes, start and end, passes.
+/// `deviation`: how far a control may leave the path here [mm]. Throws Cancelled.
+TraceOnProgram find_on_program(const Trace& trace, const ProgrammedCourse& course, double deviation,
+                               Progress* progress = nullptr);
+
+/// The largest distance of a run from its programmed path, as the matching measures it [mm].
+double deviation_of(const Trajectory& trajectory, const ProgrammedCourse& course, double step);
+
+/// Compares. Throws InputError if the trace is nowhere on the path of the program, saying how far away it is.
+Agreement agreement_of(const TraceOnProgram& trace, const ProgrammedCourse& course, const Run& run,
+                       Progress* progress = nullptr);
+
+/// Stretches of the programmed path, none shorter in time than `least_time` [s], at whose ends the trace is
+/// known; `least_length` [mm].
+std::vector<double> cell_borders(const TimeLaw& law, double least_time, double least_length);
+
+}  // namespace feedscope

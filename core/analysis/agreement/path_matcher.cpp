@@ -1,0 +1,186 @@
+#include "core/analysis/agreement/path_matcher.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace feedscope {
+namespace {
+
+constexpr double window_share = 3;       // of what was recorded
+constexpr double window_tolerances = 4;  // and as many tolerances
+constexpr double finest = 1e-3;          // [mm]: nearer than that two places are equally near
+constexpr double search_growth = 1.05;   // of the way between two searches where the path is lost
+constexpr double most_searched = 2e8;    // points in all while looking for the start
+
+struct Found {
+  std::size_t part = 0;  ///< from point `part` to the next
+  double share = 0;
+  double distance = std::numeric_limits<double>::infinity();
+};
+
+class Matcher {
+ public:
+  Matcher(const ProgrammedCourse& course, const MotionRecord& record, const MatchOptions& options)
+      : course_(course), record_(record), options_(options), equal_(std::max(finest, 3 * options.noise)) {}
+
+  MatchedRecord match(std::size_t from, Progress* progress) {
+    const std::size_t count = record_.place.size();
+    matched_.s.assign(count, MatchedRecord::unmatched);
+    matched_.distance.assign(count, 0);
+    matched_.first = matched_.end = matched_.arrival = count;
+    const auto start = find_start(from);
+    if (!start) {
+      return std::move(matched_);
+    }
+    ProgressSteps steps(progress, count);
+    matched_.first = *start;
+    Vec3 before = course_.visible(record_.place[*start]);
+    double next_search = 0;
+    for (std::size_t i = *start; i < count; ++i) {
+      steps.at(i);
+      const Vec3 here = course_.visible(record_.place[i]);
+      moved_ += (here - before).norm();
+      before = here;
+      if (at_end() && moved_ > options_.tolerance) {
+        break;
+      }
+      if (moved_ < next_search) {
+        continue;
+      }
+      const Found found = nearest(here);
+      matched_.distance[i] = static_cast<float>(found.distance);
+      if (found.distance <= options_.tolerance) {
+        part_ = found.part;
+        share_ = found.share;
+        moved_ = next_search = 0;
+        matched_.s[i] = s_of(found);
+        matched_.end = i + 1;
+        if (matched_.arrival == count && at_end()) {
+          matched_.arrival = i;
+        }
+      } else {
+        next_search = search_growth * moved_;
+      }
+    }
+    for (std::size_t i = matched_.first; i < matched_.end; ++i) {
+      matched_.lost += std::isnan(matched_.s[i]) ? 1 : 0;
+    }
+    return std::move(matched_);
+  }
+
+ private:
+  double s_of(const Found& found) const {
+    return course_.s(found.part) + found.share * (course_.s(found.part + 1) - course_.s(found.part));
+  }
+  bool at_end() const { return course_.length() - s_of({part_, share_, 0}) <= std::max(equal_, same_point); }
+
+  Found project(std::size_t part, double least_share, const Vec3& place) const {
+    const Vec3& a = course_.point(part);
+    const Vec3 along = course_.point(part + 1) - a;
+    const double square = along.squaredNorm();
+    const double share =
+        std::clamp(square > 0 ? (place - a).dot(along) / square : least_share, least_share, 1.0);
+    return {part, share, (place - a - share * along).norm()};
+  }
+
+  /// The first of the nearest places ahead.
+  Found nearest(const Vec3& place) const {
+    const double limit = course_.seen_length(part_) +
+                         share_ * (course_.seen_length(part_ + 1) - course_.seen_length(part_)) +
+                         window_share * moved_ + window_tolerances * options_.tolerance;
+    double least = std::numeric_limits<double>::infinity();
+    std::size_t end = part_;
+    for (; end + 1 < course_.size() && (end == part_ || course_.seen_length(end) <= limit); ++end) {
+      least = std::min(least, project(end, end == part_ ? share_ : 0, place).distance);
+    }
+    Found best;
+    for (std::size_t part = part_; part < end; ++part) {
+      const Found here = project(part, part == part_ ? share_ : 0, place);
+      const bool near_enough = best.distance <= least + equal_;
+      if (near_enough && best.share < 1) {
+        break;  // the nearest place is within its part: what is nearer behind is another pass
+      }
+      if (here.distance < best.distance) {
+        best = here;
+      } else if (near_enough) {
+        break;
+      }
+    }
+    return best;
+  }
+
+  std::optional<std::size_t> find_start(std::size_t from) {
+    if (course_.size() < 2) {
+      return std::nullopt;
+    }
+    const std::size_t count = record_.place.size();
+    for (std::size_t i = from; i < count; ++i) {
+      if ((course_.visible(record_.place[i]) - course_.point(0)).norm() <= options_.tolerance) {
+        part_ = 0;
+        share_ = 0;
+        return i;
+      }
+    }
+    double searched = 0;
+    Vec3 last = Vec3::Constant(std::numeric_limits<double>::infinity());
+    for (std::size_t i = from; i < count && searched < most_searched; ++i) {
+      const Vec3 here = course_.visible(record_.place[i]);
+      if ((here - last).norm() < options_.tolerance) {
+        continue;
+      }
+      last = here;
+      for (std::size_t part = 0; part + 1 < course_.size(); ++part) {
+        const Found found = project(part, 0, here);
+        if (found.distance <= options_.tolerance) {
+          part_ = found.part;
+          share_ = found.share;
+          return i;
+        }
+      }
+      searched += static_cast<double>(course_.size());
+    }
+    return std::nullopt;
+  }
+
+  const ProgrammedCourse& course_;
+  const MotionRecord& record_;
+  const MatchOptions& options_;
+  double equal_;
+  MatchedRecord matched_;
+  std::size_t part_ = 0;  ///< where the last sample that fits is
+  double share_ = 0;
+  double moved_ = 0;  ///< since then [mm]
+};
+
+}  // namespace
+
+MatchedRecord match_record(const ProgrammedCourse& course, const MotionRecord& record,
+                           const MatchOptions& options, std::size_t from, Progress* progress) {
+  return Matcher(course, record, options).match(from, progress);
+}
+
+double noise_of(const MotionRecord& record) {
+  constexpr double scale = 0.6745 * 8.3666;  // median of a normal distribution; sqrt(1 + 16 + 36 + 16 + 1)
+  constexpr std::size_t most_looked_at = 100'000;
+  constexpr std::size_t least_differences = 50;  // fewer are a jump, no noise
+  double largest = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    std::vector<double> differences;
+    for (std::size_t i = 4; i < record.place.size() && differences.size() < most_looked_at; ++i) {
+      const auto at = [&](std::size_t back) { return record.place[i - back][axis]; };
+      const double moved = std::abs(at(0) - at(4));
+      if (moved > 0) {
+        differences.push_back(std::abs(at(0) - 4 * at(1) + 6 * at(2) - 4 * at(3) + at(4)));
+      }
+    }
+    if (differences.size() > least_differences) {
+      const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
+      std::nth_element(differences.begin(), middle, differences.end());
+      largest = std::max(largest, *middle / scale);
+    }
+  }
+  return largest;
+}
+
+}  // namespace feedscope

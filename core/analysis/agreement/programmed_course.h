@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/toolpath/toolpath.h"
+
+namespace feedscope {
+
+/// Which of X, Y and Z a trace has.
+using SeenAxes = std::array<bool, 3>;
+
+/// The programmed path as short lines, arcs within 2 um, to find recorded places on. Axes that are not seen
+/// have no extent.
+class ProgrammedCourse {
+ public:
+  ProgrammedCourse(const Toolpath& toolpath, const SeenAxes& seen);
+
+  std::size_t size() const { return points_.size(); }                  ///< points
+  const Vec3& point(std::size_t i) const { return points_[i]; }        ///< [mm]
+  double s(std::size_t i) const { return s_[i]; }                      ///< programmed path length [mm]
+  double seen_length(std::size_t i) const { return seen_length_[i]; }  ///< of the axes that are seen [mm]
+  double length() const { return s_.empty() ? 0 : s_.back(); }         ///< [mm]
+  const SeenAxes& seen() const { return seen_; }
+  const Bounds& bounds() const { return bounds_; }
+  /// Without the axes that are not seen.
+  Vec3 visible(const Vec3& place) const;
+  /// Index into the toolpath of the segment at `s` [mm]; the earlier one at a border.
+  std::uint32_t segment_at(double s) const;
+  double start_of(std::uint32_t segment) const { return starts_[segment]; }  ///< [mm]
+
+ private:
+  void add(const Vec3& place, double length);
+
+  SeenAxes seen_;
+  std::vector<Vec3> points_;
+  std::vector<double> s_;
+  std::vector<double> seen_length_;
+  std::vector<double> starts_;  ///< of the segments, and the end [mm]
+  Bounds bounds_;
+};
+
+}  // namespace feedscope

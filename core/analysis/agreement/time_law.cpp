@@ -1,0 +1,54 @@
+#include "core/analysis/agreement/time_law.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace feedscope {
+
+TimeLaw::TimeLaw(const std::vector<double>& time, const MatchedRecord& matched) {
+  std::size_t last = 0;
+  for (std::size_t i = matched.first; i < matched.end; ++i) {
+    const double s = matched.s[i];
+    if (std::isnan(s)) {
+      continue;
+    }
+    if (!s_.empty() && s <= s_.back()) {
+      distance_.back() = std::max(distance_.back(), matched.distance[i]);
+      last = i;
+      continue;
+    }
+    // The motion stood until the sample before: it comes on from there, not from when it came there.
+    if (!s_.empty() && time[last] > t_.back()) {
+      s_.push_back(s_.back());
+      t_.push_back(time[last]);
+      distance_.push_back(distance_.back());
+    }
+    s_.push_back(s);
+    t_.push_back(time[i]);
+    distance_.push_back(matched.distance[i]);
+    last = i;
+  }
+}
+
+double TimeLaw::at(double s) const {
+  const auto found = std::lower_bound(s_.begin(), s_.end(), s);
+  if (found == s_.end()) {
+    return t_.back();
+  }
+  const auto i = static_cast<std::size_t>(found - s_.begin());
+  if (i == 0 || *found == s) {
+    return t_[i];
+  }
+  return t_[i - 1] + (t_[i] - t_[i - 1]) * (s - s_[i - 1]) / (s_[i] - s_[i - 1]);
+}
+
+double TimeLaw::distance(double from, double to) const {
+  auto i = static_cast<std::size_t>(std::lower_bound(s_.begin(), s_.end(), from) - s_.begin());
+  float largest = 0;
+  for (; i < s_.size() && s_[i] <= to; ++i) {
+    largest = std::max(largest, distance_[i]);
+  }
+  return static_cast<double>(largest);
+}
+
+}  // namespace feedscope

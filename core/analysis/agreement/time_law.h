@@ -1,0 +1,31 @@
+#pragma once
+
+#include <vector>
+
+#include "core/analysis/agreement/path_matcher.h"
+
+namespace feedscope {
+
+/// When a motion first comes to a place of the programmed path.
+class TimeLaw {
+ public:
+  TimeLaw() = default;
+  /// Of the samples that fit; between them the time is that of an even motion.
+  TimeLaw(const std::vector<double>& time, const MatchedRecord& matched);
+
+  bool empty() const { return s_.size() < 2; }
+  double first_s() const { return s_.front(); }  ///< [mm]
+  double last_s() const { return s_.back(); }    ///< [mm]
+  double at(double s) const;                     ///< clamped to what it covers [s]
+  /// Farthest distance from the path between two places [mm].
+  double distance(double from, double to) const;
+  const std::vector<double>& places() const { return s_; }  ///< rising [mm]
+  const std::vector<double>& times() const { return t_; }   ///< [s]
+
+ private:
+  std::vector<double> s_;
+  std::vector<double> t_;
+  std::vector<float> distance_;  ///< largest while the motion is at s_[i]
+};
+
+}  // namespace feedscope

@@ -1,0 +1,191 @@
+#include "core/analysis/agreement/trace_pose.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace feedscope {
+namespace {
+
+constexpr std::size_t shape_points = 500;
+constexpr double inch = 25.4;
+constexpr double another_shape = 0.1;  // of the size: so far apart in the mean
+constexpr double same_size = 0.03;     // share by which the extents of one shape may differ
+
+/// Points at equal steps of the way: a shape without its time.
+std::vector<Vec3> shape_of(const std::vector<Vec3>& places, double least_step) {
+  std::vector<Vec3> kept;
+  for (const Vec3& place : places) {
+    if (kept.empty() || (place - kept.back()).norm() >= least_step) {
+      kept.push_back(place);
+    }
+  }
+  std::vector<double> way{0};
+  for (std::size_t i = 1; i < kept.size(); ++i) {
+    way.push_back(way.back() + (kept[i] - kept[i - 1]).norm());
+  }
+  std::vector<Vec3> shape;
+  if (way.back() <= 0) {
+    return shape;
+  }
+  std::size_t i = 1;
+  for (std::size_t k = 0; k < shape_points; ++k) {
+    const double at = way.back() * static_cast<double>(k) / static_cast<double>(shape_points - 1);
+    while (i + 1 < way.size() && way[i] < at) {
+      ++i;
+    }
+    const double share = (at - way[i - 1]) / (way[i] - way[i - 1]);
+    shape.push_back(kept[i - 1] + std::clamp(share, 0.0, 1.0) * (kept[i] - kept[i - 1]));
+  }
+  return shape;
+}
+
+Bounds bounds_of(const std::vector<Vec3>& places) {
+  Bounds bounds;
+  for (const Vec3& place : places) {
+    bounds.add(place);
+  }
+  return bounds;
+}
+
+std::vector<Vec3> visible(const ProgrammedCourse& course, const std::vector<Vec3>& places) {
+  std::vector<Vec3> seen;
+  seen.reserve(places.size());
+  for (const Vec3& place : places) {
+    seen.push_back(course.visible(place));
+  }
+  return seen;
+}
+
+double mean_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i) {
+    sum += (a[i] - b[i]).norm();
+  }
+  return a.empty() ? 0 : sum / static_cast<double>(a.size());
+}
+
+}  // namespace
+
+bool TracePose::plain() const {
+  return scale == 1 && mirror == Vec3::Ones();
+}
+
+std::vector<std::string> TracePose::remarks() const {
+  std::vector<std::string> found;
+  if (scale > 1) {
+    found.emplace_back("the trace is in inches; it is used as 25.4 times what it says");
+  } else if (scale < 1) {
+    found.emplace_back("the trace is 25.4 times as large as the program; it is used as that part of it");
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    if (mirror[axis] < 0) {
+      found.push_back(
+          fmt::format("axis {} of the trace is mirrored", coordinate_names[static_cast<std::size_t>(axis)]));
+    }
+  }
+  return found;
+}
+
+TracePose find_pose(const ProgrammedCourse& course, const MotionRecord& record) {
+  TracePose pose;
+  std::vector<Vec3> path;
+  for (std::size_t i = 0; i < course.size(); ++i) {
+    path.push_back(course.point(i));
+  }
+  const std::vector<Vec3> recorded = visible(course, record.place);
+  const Vec3 wanted = course.bounds().max - course.bounds().min;
+  const Bounds bounds = bounds_of(recorded);
+  if (recorded.empty() || !(wanted.norm() > 0)) {
+    return pose;
+  }
+  const Vec3 extent = bounds.max - bounds.min;
+  for (const double scale : {inch, 1 / inch}) {
+    if (std::abs(scale * extent.norm() / wanted.norm() - 1) < same_size) {
+      pose.scale = scale;
+    }
+  }
+  const auto same_extent = [&] {
+    for (int axis = 0; axis < 3; ++axis) {
+      if (std::abs(pose.scale * extent[axis] - wanted[axis]) > same_size * wanted.norm()) {
+        return false;
+      }
+    }
+    return true;
+  }();
+  if (!same_extent) {  // more or less than one run of the program: only its own coordinates can be trusted
+    pose.scale = 1;
+    return pose;
+  }
+  const std::vector<Vec3> shape = shape_of(path, wanted.norm() * 1e-3);
+  const std::vector<Vec3> raw = shape_of(recorded, extent.norm() * 1e-3);
+  const Vec3 middle = (course.bounds().min + course.bounds().max) / 2;
+  double best = std::numeric_limits<double>::infinity();
+  for (int signs = 0; signs < 8; ++signs) {
+    TracePose candidate;
+    candidate.scale = pose.scale;
+    bool seen = true;
+    for (int axis = 0; axis < 3; ++axis) {
+      const bool mirrored = (signs >> axis & 1) != 0;
+      candidate.mirror[axis] = mirrored ? -1 : 1;
+      seen = seen && (!mirrored || wanted[axis] > same_size * wanted.norm());
+    }
+    if (!seen) {
+      continue;  // an axis without extent has no sign
+    }
+    candidate.offset =
+        middle - candidate.scale * candidate.mirror.cwiseProduct((bounds.min + bounds.max) / 2);
+    std::vector<Vec3> moved;
+    for (const Vec3& place : raw) {
+      moved.push_back(candidate.apply(place));
+    }
+    const double off = mean_distance(shape, moved);
+    if (off < 0.5 * best) {  // clearly: the plain one comes first
+      best = off;
+      pose = candidate;
+    }
+  }
+  if (best > another_shape * wanted.norm()) {
+    return {};  // another shape: nothing that its reach says can be trusted
+  }
+  return pose;
+}
+
+Vec3 offset_left(const ProgrammedCourse& course, const MotionRecord& record, const MatchedRecord& matched,
+                 double noise) {
+  constexpr double least_offset = 5e-3;  // [mm]: below, it is as good as none
+  constexpr int rounds = 3;
+  Vec3 offset = Vec3::Zero();
+  for (int round = 0; round < rounds; ++round) {
+    Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
+    Vec3 right = Vec3::Zero();
+    std::size_t part = 0;
+    for (std::size_t i = matched.first; i < matched.end; ++i) {
+      const double s = matched.s[i];
+      if (std::isnan(s)) {
+        continue;
+      }
+      while (part + 2 < course.size() && course.s(part + 1) < s) {
+        ++part;
+      }
+      const Vec3 line = course.point(part + 1) - course.point(part);
+      if (!(line.norm() > 0)) {
+        continue;
+      }
+      const Vec3 t = line.normalized();
+      const Vec3 off = course.visible(record.place[i]) - course.point(part);
+      const Eigen::Matrix3d across = Eigen::Matrix3d::Identity() - t * t.transpose();
+      const double weight = 1 / (1e-3 + (across * (off - offset)).norm());  // the many that agree decide
+      sum += weight * across;
+      right += weight * (across * off);
+    }
+    const double ridge = 1e-6 * (sum.trace() + 1);
+    offset = (sum + ridge * Eigen::Matrix3d::Identity()).ldlt().solve(right);
+  }
+  return offset.norm() > std::max(least_offset, 3 * noise) ? offset : Vec3(Vec3::Zero());
+}
+
+}  // namespace feedscope

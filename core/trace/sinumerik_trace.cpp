@@ -1,0 +1,187 @@
+#include <expat.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "core/base/error.h"
+#include "core/trace/channel_titles.h"
+#include "core/trace/trace_formats.h"
+#include "core/trace/trace_row.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double not_a_value = 9.2e18;  // the bits of a missing 64-bit number, written as a whole number
+
+using Attributes = std::map<std::string, std::string, std::less<>>;
+
+std::string attribute(const Attributes& attributes, std::string_view name) {
+  const auto found = attributes.find(name);
+  return found == attributes.end() ? "" : found->second;
+}
+
+/// Takes the elements of a file one after the other.
+class SinumerikReader {
+ public:
+  SinumerikReader(TraceText& text, const TraceColumns& asked)
+      : text_(text),
+        asked_(asked),
+        builder_(text.name(), "SINUMERIK trace"),
+        parser_(XML_ParserCreate(nullptr), XML_ParserFree) {
+    if (parser_ == nullptr) {
+      throw std::bad_alloc();
+    }
+    XML_SetUserData(parser_.get(), this);
+    XML_SetStartElementHandler(parser_.get(), &SinumerikReader::start);
+  }
+
+  Trace read() {
+    for (std::string_view piece = text_.next_piece(); !piece.empty(); piece = text_.next_piece()) {
+      parse(piece, false);
+    }
+    parse({}, true);
+    if (error_) {
+      std::rethrow_exception(error_);
+    }
+    if (!used_) {
+      throw InputError(fmt::format("'{}' has no record of a SINUMERIK trace", text_.name()));
+    }
+    return builder_.finish();
+  }
+
+ private:
+  void parse(std::string_view piece, bool last) {
+    if (XML_Parse(parser_.get(), piece.data(), static_cast<int>(piece.size()), last ? 1 : 0) ==
+            XML_STATUS_ERROR &&
+        !error_) {
+      if (used_) {  // a file that was cut off: what came before counts
+        builder_.note(Severity::warning, line(), "trace-xml",
+                      fmt::format("the XML ends early: {}", XML_ErrorString(XML_GetErrorCode(parser_.get()))),
+                      "the records before it are used");
+        drain();
+        return;
+      }
+      throw InputError(fmt::format("{}:{}: {}; this is no whole XML file", text_.name(), line(),
+                                   XML_ErrorString(XML_GetErrorCode(parser_.get()))));
+    }
+    if (error_) {
+      drain();
+    }
+  }
+  void drain() {
+    while (!text_.next_piece().empty()) {
+    }
+  }
+  std::uint32_t line() const { return static_cast<std::uint32_t>(XML_GetCurrentLineNumber(parser_.get())); }
+
+  static void XMLCALL start(void* self, const XML_Char* name, const XML_Char** attributes) {
+    auto& reader = *static_cast<SinumerikReader*>(self);
+    try {
+      reader.element(name, attributes);
+    } catch (...) {  // through the parser, which is C
+      reader.error_ = std::current_exception();
+      XML_StopParser(reader.parser_.get(), XML_FALSE);
+    }
+  }
+
+  void element(std::string_view name, const XML_Char** attributes) {
+    if (name == "rec") {
+      record(attributes);
+      return;
+    }
+    if (name != "signal" && name != "dataSignal") {
+      return;
+    }
+    Attributes all;
+    for (const XML_Char** a = attributes; *a != nullptr; a += 2) {
+      all.emplace(a[0], a[1]);
+    }
+    const std::string title = attribute(all, "description") + " " + attribute(all, "name");
+    if (name == "signal") {
+      signals_[attribute(all, "key")] = title;
+      return;
+    }
+    if (used_) {
+      return;  // of a further frame
+    }
+    const std::string key = attribute(all, "key");
+    const auto known = signals_.find(key);
+    std::string id = attribute(all, "id");
+    if (id.empty()) {
+      id = fmt::format("f{}", fields_.size() + 1);
+    }
+    fields_.push_back(id);
+    titles_.push_back(title.size() > 1 || known == signals_.end() ? title : known->second);
+  }
+
+  void begin_records() {
+    used_ = used_channels(titles_, asked_, text_.name(), builder_);
+    for (const UsedChannel& channel : *used_) {
+      names_.push_back(fields_[channel.channel]);
+    }
+  }
+
+  void record(const XML_Char** attributes) {
+    if (!used_) {
+      begin_records();
+    }
+    TraceSample sample;
+    for (const XML_Char** a = attributes; *a != nullptr; a += 2) {
+      const std::string_view name = a[0];
+      const auto number = field_number(a[1], '.');
+      if (!number || *number > not_a_value) {
+        continue;
+      }
+      if (name == "time") {
+        sample.time = *number;
+        continue;
+      }
+      for (std::size_t c = 0; c < names_.size(); ++c) {
+        if (name == names_[c]) {
+          set(sample, (*used_)[c], *number);
+        }
+      }
+    }
+    builder_.add(sample, line());
+  }
+
+  static void set(TraceSample& sample, const UsedChannel& channel, double number) {
+    const double value = number * channel.factor;
+    if (channel.quantity == TraceQuantity::feed) {
+      sample.feed = value;
+    } else if (channel.quantity == TraceQuantity::line) {
+      sample.line = value;
+    } else {
+      sample.place[static_cast<std::size_t>(channel.quantity) - static_cast<std::size_t>(TraceQuantity::x)] =
+          value;
+    }
+  }
+
+  TraceText& text_;
+  const TraceColumns& asked_;
+  TraceBuilder builder_;
+  std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)> parser_;
+  std::exception_ptr error_;
+  Attributes signals_;               ///< title by key
+  std::vector<std::string> fields_;  ///< attribute of `rec` by signal
+  std::vector<std::string> titles_;
+  std::optional<std::vector<UsedChannel>> used_;
+  std::vector<std::string> names_;  ///< attributes of the used ones
+};
+
+}  // namespace
+
+bool is_sinumerik_trace(std::string_view head) {
+  const auto first = head.find_first_not_of(" \t\r\n");
+  return first != std::string_view::npos && head[first] == '<';
+}
+
+Trace read_sinumerik_trace(TraceText& text, const TraceColumns& columns) {
+  return SinumerikReader(text, columns).read();
+}
+
+}  // namespace feedscope

@@ -1,0 +1,106 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/trace/table_columns.h"
+#include "core/trace/trace_builder.h"
+#include "core/trace/trace_formats.h"
+#include "core/trace/trace_row.h"
+
+namespace feedscope {
+namespace {
+
+constexpr std::array places{TraceQuantity::x, TraceQuantity::y, TraceQuantity::z};
+
+class TableReader {
+ public:
+  TableReader(TraceText& text, const TraceColumns& columns)
+      : text_(text),
+        head_(find_table(text.head(), text.name(), columns)),
+        builder_(text.name(), head_.titles.empty() && head_.style.separator == ' ' ? "LinuxCNC halsampler"
+                                                                                   : "table of samples"),
+        found_(find_columns(head_, columns, text.name(), builder_)) {
+    for (std::size_t axis = 0; axis < places.size(); ++axis) {
+      if (found_.of(places[axis])) {
+        builder_.has_axis(axis);
+      }
+    }
+    if (found_.of(TraceQuantity::feed)) {
+      builder_.has_feed();
+    }
+    if (found_.of(TraceQuantity::line)) {
+      builder_.has_line();
+    }
+    if (!builder_.axis(0) && !builder_.axis(1) && !builder_.axis(2) && !head_.titles.empty()) {
+      throw InputError(fmt::format(
+          "'{}' has no column that is known as the position of X, Y or Z; it has {}; say which, as --columns "
+          "x=2:mm,y=3:mm",
+          text.name(), fmt::join(head_.titles, ", ")));
+    }
+  }
+
+  Trace read() {
+    std::string_view line;
+    while (text_.next_line(line)) {
+      if (text_.line_number() > head_.first_row && !line.empty()) {
+        read_row(line);
+      }
+    }
+    return builder_.finish();
+  }
+
+ private:
+  double value(TraceQuantity quantity) const {
+    const auto& column = found_.of(quantity);
+    if (!column || column->place >= fields_.size()) {
+      return TraceSample::missing;
+    }
+    const auto number = field_number(fields_[column->place], head_.style.decimal);
+    return number ? *number * column->factor : TraceSample::missing;
+  }
+
+  double time_of_row() {
+    if (found_.of(TraceQuantity::time)) {
+      return value(TraceQuantity::time);
+    }
+    if (found_.of(TraceQuantity::number)) {
+      return value(TraceQuantity::number) * found_.period;
+    }
+    return static_cast<double>(rows_++) * found_.period;
+  }
+
+  void read_row(std::string_view line) {
+    split_row(line, head_.style.separator, fields_);
+    TraceSample sample;
+    bool any = false;
+    for (std::size_t axis = 0; axis < places.size(); ++axis) {
+      sample.place[axis] = value(places[axis]);
+      any = any || std::isfinite(sample.place[axis]);
+    }
+    sample.time = any ? time_of_row() : TraceSample::missing;
+    sample.feed = value(TraceQuantity::feed);
+    sample.line = value(TraceQuantity::line);
+    if (std::isfinite(sample.time)) {
+      builder_.add(sample, text_.line_number());
+    } else {
+      builder_.skip(text_.line_number(), line);
+    }
+  }
+
+  TraceText& text_;
+  TableHead head_;
+  TraceBuilder builder_;
+  FoundColumns found_;
+  std::vector<std::string_view> fields_;
+  std::size_t rows_ = 0;
+};
+
+}  // namespace
+
+Trace read_table_trace(TraceText& text, const TraceColumns& columns) {
+  return TableReader(text, columns).read();
+}
+
+}  // namespace feedscope

@@ -1,0 +1,292 @@
+#include "core/trace/trace_builder.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+constexpr std::size_t most_samples = 200'000'000;
+constexpr std::size_t least_samples = 10;
+constexpr std::size_t most_listed = 20;
+constexpr std::size_t shown_text = 60;
+
+/// Fills what is not a number between two numbers along a straight line over the time; what stands in front
+/// of the first or behind the last stays.
+template <class Number>
+std::size_t fill_between(const std::vector<double>& time, std::vector<Number>& values, bool hold) {
+  std::size_t filled = 0;
+  std::size_t known = values.size();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isnan(values[i])) {
+      continue;
+    }
+    for (std::size_t k = known + 1; known < values.size() && k < i; ++k) {
+      const double share = hold ? 0 : (time[k] - time[known]) / (time[i] - time[known]);
+      const auto from = static_cast<double>(values[known]);
+      values[k] = static_cast<Number>(from + share * (static_cast<double>(values[i]) - from));
+      ++filled;
+    }
+    known = i;
+  }
+  return filled;
+}
+
+template <class Number>
+void cut(std::vector<Number>& values, std::size_t begin, std::size_t end) {
+  if (!values.empty()) {
+    values.erase(values.begin() + static_cast<std::ptrdiff_t>(end), values.end());
+    values.erase(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(begin));
+  }
+}
+
+}  // namespace
+
+TraceBuilder::TraceBuilder(std::string name, std::string format) {
+  trace_.name = std::move(name);
+  trace_.format = std::move(format);
+}
+
+void TraceBuilder::note(Severity severity, std::uint32_t source_line, std::string code, std::string message,
+                        std::string hint) {
+  trace_.notes.push_back({.severity = severity,
+                          .line = source_line,
+                          .column = 0,
+                          .code = std::move(code),
+                          .message = std::move(message),
+                          .hint = std::move(hint)});
+}
+
+void TraceBuilder::skip(std::uint32_t source_line, std::string_view row) {
+  if (skipped_++ == 0) {
+    first_skipped_ = source_line;
+    for (const char c : row.substr(0, shown_text)) {
+      const auto byte = static_cast<unsigned char>(c);
+      skipped_text_ += byte < 0x20 || byte >= 0x7F ? '?' : c;
+    }
+  }
+}
+
+void TraceBuilder::add(const TraceSample& sample, std::uint32_t source_line) {
+  if (!std::isfinite(sample.time)) {
+    skip(source_line, "a row without a time");
+    return;
+  }
+  if (!trace_.time.empty()) {
+    const double step = sample.time - trace_.time.back();
+    if (step == 0) {
+      first_repeated_ = repeated_++ == 0 ? source_line : first_repeated_;
+      return;
+    }
+    if (step < 0) {
+      if (parts_.size() <= most_listed) {
+        note(Severity::warning, source_line, "trace-time-back",
+             fmt::format("the time goes back from {:.6g} s to {:.6g} s", trace_.time.back(), sample.time),
+             "only the longest part between two such places is used");
+      }
+      parts_.push_back({trace_.time.size(), source_line});
+    }
+  } else {
+    parts_.push_back({0, source_line});
+  }
+  if (trace_.time.size() >= most_samples) {
+    throw InputError(fmt::format("{}:{}: the trace has more than {} million samples", trace_.name,
+                                 source_line, most_samples / 1'000'000));
+  }
+  if (source_line != last_source_line_ + 1 || trace_.time.empty()) {
+    lines_of_samples_.emplace_back(trace_.time.size(), source_line);
+  }
+  last_source_line_ = source_line;
+  trace_.time.push_back(sample.time);
+  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
+    if (axes_[axis]) {
+      trace_.place[axis].push_back(sample.place[axis]);
+    }
+  }
+  if (feed_) {
+    trace_.feed.push_back(static_cast<float>(sample.feed));
+  }
+  if (line_) {
+    lines_.push_back(static_cast<float>(sample.line));
+  }
+}
+
+std::uint32_t TraceBuilder::line_of(std::size_t sample) const {
+  const auto after =
+      std::ranges::upper_bound(lines_of_samples_, sample, {}, &std::pair<std::size_t, std::uint32_t>::first);
+  if (after == lines_of_samples_.begin()) {
+    return 0;
+  }
+  const auto& [first, line] = *std::prev(after);
+  return line + static_cast<std::uint32_t>(sample - first);
+}
+
+void TraceBuilder::keep_longest_part() {
+  std::size_t begin = 0;
+  std::size_t end = trace_.time.size();
+  if (parts_.size() > 1) {
+    std::size_t most = 0;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+      const std::size_t until = i + 1 < parts_.size() ? parts_[i + 1].begin : trace_.time.size();
+      if (until - parts_[i].begin > most) {
+        most = until - parts_[i].begin;
+        begin = parts_[i].begin;
+        end = until;
+      }
+    }
+    note(Severity::warning, line_of(begin), "trace-parts",
+         fmt::format("the time goes back {} times; the longest part with {} of {} samples is used",
+                     parts_.size() - 1, most, trace_.time.size()),
+         "record one run in one trace");
+  }
+  cut(trace_.time, begin, end);
+  for (auto& values : trace_.place) {
+    cut(values, begin, end);
+  }
+  cut(trace_.feed, begin, end);
+  cut(lines_, begin, end);
+  for (auto& [sample, line] : lines_of_samples_) {
+    sample = sample > begin ? sample - begin : 0;
+  }
+}
+
+void TraceBuilder::fill_missing() {
+  std::size_t filled = 0;
+  for (auto& values : trace_.place) {
+    filled += fill_between(trace_.time, values, false);
+  }
+  fill_between(trace_.time, trace_.feed, false);
+  fill_between(trace_.time, lines_, true);
+  if (filled > 0) {
+    note(Severity::info, 0, "trace-interpolated",
+         fmt::format("{} missing positions are interpolated between their neighbours", filled),
+         "signals recorded at one rate need none");
+  }
+}
+
+void TraceBuilder::drop_unknown_ends() {
+  const auto known = [&](std::size_t i) {
+    return std::ranges::all_of(
+        trace_.place, [&](const auto& values) { return values.empty() || std::isfinite(values[i]); });
+  };
+  std::size_t begin = 0;
+  std::size_t end = trace_.time.size();
+  while (begin < end && !known(begin)) {
+    ++begin;
+  }
+  while (end > begin && !known(end - 1)) {
+    --end;
+  }
+  cut(trace_.time, begin, end);
+  for (auto& values : trace_.place) {
+    cut(values, begin, end);
+  }
+  cut(trace_.feed, begin, end);
+  cut(lines_, begin, end);
+  for (auto& [sample, line] : lines_of_samples_) {
+    sample = sample > begin ? sample - begin : 0;
+  }
+  for (float& feed : trace_.feed) {
+    feed = std::isfinite(feed) ? feed : 0;
+  }
+}
+
+void TraceBuilder::look_at_times() {
+  constexpr double gap_share = 1.75;  // of the period: a sample is missing
+  constexpr double coarse = 0.0101;   // [s]
+  std::vector<double> steps;
+  steps.reserve(trace_.time.size() - 1);
+  for (std::size_t i = 1; i < trace_.time.size(); ++i) {
+    steps.push_back(trace_.time[i] - trace_.time[i - 1]);
+  }
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  trace_.period = *middle;
+  double squares = 0;
+  std::size_t counted = 0;
+  for (std::size_t i = 1; i < trace_.time.size(); ++i) {
+    const double step = trace_.time[i] - trace_.time[i - 1];
+    if (step <= gap_share * trace_.period) {
+      squares += (step - trace_.period) * (step - trace_.period);
+      ++counted;
+      continue;
+    }
+    trace_.lost += step - trace_.period;
+    if (trace_.gaps++ < most_listed) {
+      note(Severity::warning, line_of(i), "trace-gap",
+           fmt::format("{:.6g} ms without a sample at {:.6g} s", units::to_ms(step),
+                       trace_.time[i - 1] - trace_.time.front()),
+           "what happened there is not known; ramps and corners there tell nothing");
+    }
+  }
+  if (trace_.gaps > most_listed) {
+    note(Severity::warning, 0, "trace-gap",
+         fmt::format("{} more stretches without samples, {:.6g} s in all", trace_.gaps - most_listed,
+                     trace_.lost),
+         "record less signals, or at a lower rate");
+  }
+  trace_.jitter = counted > 0 ? std::sqrt(squares / static_cast<double>(counted)) : 0;
+  if (trace_.jitter > 0.1 * trace_.period) {
+    note(Severity::info, 0, "trace-jitter",
+         fmt::format("samples are {:.3g} ms apart, give or take {:.3g} ms", units::to_ms(trace_.period),
+                     units::to_ms(trace_.jitter)),
+         "times are used as they stand");
+  }
+  if (trace_.period > coarse) {
+    note(Severity::warning, 0, "trace-coarse",
+         fmt::format("one sample each {:.4g} ms: ramps and corners that last less than {:.4g} ms cannot be "
+                     "told apart",
+                     units::to_ms(trace_.period), units::to_ms(3 * trace_.period)),
+         "record at 1 to 4 ms");
+  }
+}
+
+Trace TraceBuilder::finish() {
+  if (skipped_ > 0) {
+    note(Severity::warning, first_skipped_, "trace-row",
+         fmt::format("{} without numbers {} skipped, the first is '{}'",
+                     skipped_ == 1 ? "a row" : fmt::format("{} rows", skipped_), skipped_ == 1 ? "is" : "are",
+                     skipped_text_),
+         "remove what is no table, or check the columns");
+  }
+  if (repeated_ > 0) {
+    note(Severity::warning, first_repeated_, "trace-time-repeated",
+         fmt::format("{} samples at the time of the one before are skipped", repeated_),
+         "record the time with more digits");
+  }
+  if (std::ranges::none_of(axes_, [](bool has) { return has; })) {
+    throw InputError(
+        fmt::format("'{}' has no position of X, Y or Z; name their columns, as --columns "
+                    "x=2:mm,y=3:mm",
+                    trace_.name));
+  }
+  keep_longest_part();
+  if (trace_.time.size() > 1) {
+    fill_missing();
+    drop_unknown_ends();
+  }
+  if (trace_.time.size() < least_samples) {
+    throw InputError(fmt::format("'{}' has {} samples; a trace has at least {}", trace_.name,
+                                 trace_.time.size(), least_samples));
+  }
+  look_at_times();
+  const double first = trace_.time.front();
+  for (double& time : trace_.time) {
+    time -= first;
+  }
+  if (line_) {
+    trace_.line.reserve(lines_.size());
+    constexpr float largest = 16'777'216;  // whole numbers of a float end there
+    for (const float line : lines_) {
+      trace_.line.push_back(line >= 0 && line < largest ? static_cast<std::uint32_t>(line) : 0);
+    }
+  }
+  return std::move(trace_);
+}
+
+}  // namespace feedscope

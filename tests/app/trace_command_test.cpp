@@ -1,0 +1,55 @@
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command_line.h"
+
+namespace feedscope::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class TraceCommand : public CommandLine {
+ protected:
+  /// What a control would have recorded of corner.nc.
+  TraceCommand() { run("simulate corner.nc --machine linuxcnc-mill --csv trace.csv --step 0.001"); }
+};
+
+TEST_F(TraceCommand, TellsWhatATraceHolds) {
+  const Result result = run("trace trace.csv");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.out, HasSubstr("trace.csv: table of samples"));
+  EXPECT_THAT(result.out, HasSubstr("x: column 4 'x_mm' [mm]"));
+  EXPECT_THAT(result.err, IsEmpty());
+}
+
+TEST_F(TraceCommand, LaysItBesideTheSimulationOfItsProgram) {
+  const Result result = run("trace trace.csv corner.nc --machine linuxcnc-mill --json -");
+  EXPECT_EQ(result.code, 0) << result.err;
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["format"]["name"], "feedscope-trace");
+  const json& agreement = report["agreement"];
+  EXPECT_NEAR(agreement["cycle_time_s"].get<double>(), agreement["measured_s"].get<double>(), 2e-3);
+  EXPECT_LT(agreement["feed_rms_mm_min"].get<double>(), 5);
+  EXPECT_TRUE(agreement["whole"].get<bool>());
+  const json other = json::parse(
+      run("trace trace.csv corner.nc --machine linuxcnc-mill --set X.acceleration=0.3 --json -").out);
+  EXPECT_GT(other["agreement"]["feed_rms_mm_min"].get<double>(), 100);
+}
+
+TEST_F(TraceCommand, TakesColumnsFromAFileToo) {
+  write("spec.txt", "time=1:s,x=x_mm:-mm\n");
+  const Result result = run("trace trace.csv --columns spec.txt");
+  EXPECT_THAT(result.out, HasSubstr("[-mm]"));
+}
+
+TEST_F(TraceCommand, RefusesWhatItCannotRead) {
+  expect_wrong_use("trace none.csv", "cannot read trace 'none.csv'");
+  expect_wrong_use("trace corner.nc", "'corner.nc' is no trace");
+  expect_wrong_use("trace .", "is a folder");
+  expect_wrong_use("trace trace.csv --columns q=1", "unknown key 'q'");
+  expect_wrong_use("trace trace.csv --json trace.csv", "trace.csv");
+}
+
+}  // namespace
+}  // namespace feedscope::test

@@ -1,0 +1,190 @@
+#include "core/analysis/agreement/agreement.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Out and back along one line, round a closed circle, a pause, and a line that is run twice.
+constexpr const char* program_text =
+    "G21 G90 G17\nG1 X60 F6000\nX0\nG1 X20 Y10\nG3 X20 Y10 I0 J8\nG4 P0.3\nG1 X50 Y40\nX20 Y10\nX50 "
+    "Y40\nM30\n";
+
+Run run_of(const std::string& text, const std::vector<std::string>& settings = {}) {
+  SetupRequest request;
+  request.machine = "linuxcnc-mill";
+  request.assignments = settings;
+  const auto source = std::make_shared<const SourceText>(SourceText("p.ngc", text));
+  return simulate_run(load_program(source), make_setup(request));
+}
+
+/// What a control would have recorded of a run.
+Trace trace_of(const Run& run, double period, double noise = 0) {
+  const MotionRecord record = record_of(*run.trajectory, period);
+  std::mt19937 random(7);
+  std::normal_distribution<double> error(0, 1);
+  Trace trace;
+  for (std::size_t i = 0; i < record.time.size(); ++i) {
+    if (i > 0 && record.time[i] <= record.time[i - 1]) {
+      break;
+    }
+    trace.time.push_back(record.time[i]);
+    for (int axis = 0; axis < 3; ++axis) {
+      trace.place[static_cast<std::size_t>(axis)].push_back(record.place[i][axis] + noise * error(random));
+    }
+  }
+  trace.period = period;
+  return trace;
+}
+
+void change(Trace& trace, std::size_t axis, double factor, double offset) {
+  for (double& value : trace.place[axis]) {
+    value = factor * value + offset;
+  }
+}
+
+struct Compared {
+  TraceOnProgram found;
+  Agreement agreement;
+};
+
+Compared compare(const Trace& trace, const Run& run) {
+  const ProgrammedCourse course(*run.input.toolpath, {trace.has(0), trace.has(1), trace.has(2)});
+  const TraceOnProgram found = find_on_program(trace, course, deviation_of(*run.trajectory, course, 1e-3));
+  return {found, agreement_of(found, course, run)};
+}
+
+TEST(Agreement, OfATraceWithItsOwnRunIsExact) {
+  const auto run = run_of(program_text);
+  const auto [found, agreement] = compare(trace_of(run, 1e-3), run);
+  EXPECT_THAT(found.remarks, IsEmpty());
+  EXPECT_TRUE(agreement.whole);
+  EXPECT_NEAR(agreement.measured_time, run.trajectory->duration(), 2e-3);
+  EXPECT_NEAR(agreement.simulated_time, agreement.measured_time, 1e-3);
+  EXPECT_LT(agreement.feed_rms, 0.05);
+  EXPECT_NEAR(found.share, 1, 1e-4);
+}
+
+TEST(Agreement, ToleratesNoiseAndACoarseRate) {
+  const auto run = run_of(program_text);
+  const Agreement agreement = compare(trace_of(run, 4e-3, 1e-3), run).agreement;
+  EXPECT_NEAR(agreement.measured_time / run.trajectory->duration(), 1, 2e-3);
+  EXPECT_LT(agreement.feed_rms, 0.02 * 100);
+}
+
+TEST(Agreement, SaysByHowMuchAnotherMachineIsOff) {
+  const auto slow = run_of(program_text, {"X.acceleration=0.4", "Y.acceleration=0.4"});
+  const auto run = run_of(program_text);
+  const Agreement agreement = compare(trace_of(slow, 1e-3), run).agreement;
+  EXPECT_NEAR(agreement.measured_time, slow.trajectory->duration(), 3e-3);
+  EXPECT_NEAR(agreement.simulated_time, run.trajectory->duration(), 3e-3);
+  EXPECT_GT(agreement.feed_rms, 2);
+  ASSERT_FALSE(agreement.worst.empty());
+  EXPECT_GT(agreement.worst.front().lost, 0);
+}
+
+TEST(Agreement, FindsOffsetsMirroredAxesAndInches) {
+  const auto run = run_of(program_text);
+  Trace moved = trace_of(run, 1e-3);
+  change(moved, 0, 1, 123.4);
+  change(moved, 1, 1, -0.6);
+  const Compared shifted = compare(moved, run);
+  EXPECT_NEAR(shifted.found.pose.offset.x(), -123.4, 0.02);
+  EXPECT_NEAR(shifted.found.pose.offset.y(), 0.6, 0.02);
+  EXPECT_LT(shifted.agreement.feed_rms, 0.5);
+
+  Trace mirrored = trace_of(run, 1e-3);
+  change(mirrored, 1, -1, 0);
+  const Compared turned = compare(mirrored, run);
+  EXPECT_THAT(turned.found.remarks, Contains(HasSubstr("axis Y of the trace is mirrored")));
+  EXPECT_LT(turned.agreement.feed_rms, 0.5);
+
+  Trace inches = trace_of(run, 1e-3);
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    change(inches, axis, 1 / 25.4, 0);
+  }
+  const Compared scaled = compare(inches, run);
+  EXPECT_THAT(scaled.found.remarks, Contains(HasSubstr("in inches")));
+  EXPECT_LT(scaled.agreement.feed_rms, 0.5);
+}
+
+TEST(Agreement, MarksWhatDoesNotFitAndComparesTheRest) {
+  const auto run = run_of(program_text);
+  Trace trace = trace_of(run, 1e-3);
+  const std::size_t half = trace.size() / 2;
+  for (std::size_t i = half; i < half + 200; ++i) {
+    trace.place[2][i] += 30;
+  }
+  const Compared lost = compare(trace, run);
+  EXPECT_EQ(lost.found.matched.lost, 200U);
+  EXPECT_THAT(lost.found.remarks, Contains(HasSubstr("farther than")));
+  EXPECT_NEAR(lost.agreement.measured_time, run.trajectory->duration(), 3e-3);
+
+  Trace beginning = trace_of(run, 1e-3);
+  beginning.time.resize(half);
+  for (auto& place : beginning.place) {
+    place.resize(half);
+  }
+  const Compared part = compare(beginning, run);
+  EXPECT_FALSE(part.agreement.whole);
+  EXPECT_THAT(part.found.remarks, Contains(HasSubstr("of the path of the program; only that is compared")));
+  EXPECT_NEAR(part.agreement.measured_time, part.agreement.simulated_time, 3e-3);
+}
+
+TEST(Agreement, ComparesTheFirstOfSeveralPasses) {
+  const std::string there_and_back = "G21 G90 G17\nG1 X60 F6000\nX60 Y20\nX0\nY0\n";
+  const auto twice = run_of(there_and_back + "G4 P0.5\n" + there_and_back + "M30\n");
+  const auto once = run_of(there_and_back + "M30\n");
+  const Compared compared = compare(trace_of(twice, 1e-3), once);
+  ASSERT_EQ(compared.found.pass_times.size(), 2U);
+  EXPECT_NEAR(compared.agreement.measured_time, once.trajectory->duration(), 0.01);
+}
+
+TEST(Agreement, LearnsFromOneAxis) {
+  const auto run = run_of(program_text);
+  Trace trace = trace_of(run, 1e-3);
+  trace.place[1].clear();
+  trace.place[2].clear();
+  const Agreement agreement = compare(trace, run).agreement;
+  EXPECT_NEAR(agreement.measured_time, agreement.simulated_time, 5e-3);
+}
+
+TEST(Agreement, RefusesATraceOfAnotherProgram) {
+  const auto run = run_of(program_text);
+  const auto other = run_of("G21 G90\nG0 X200 Y200\nG1 X300 F3000\nY220\nM30\n");
+  Trace trace = trace_of(other, 1e-3);
+  for (auto& place : trace.place) {
+    place.erase(place.begin(), place.begin() + 3000);
+  }
+  trace.time.resize(trace.place[0].size());
+  EXPECT_THROW(compare(trace, run), InputError);
+}
+
+TEST(PathMatcher, NeverGoesBackAndStaysDuringAPause) {
+  const auto run = run_of(program_text);
+  const ProgrammedCourse course(*run.input.toolpath, {true, true, true});
+  const MotionRecord record = record_of(*run.trajectory, 1e-3);
+  const MatchedRecord matched = match_record(course, record, {0.3, 0});
+  double before = 0;
+  std::size_t still = 0;
+  for (const double s : matched.s) {
+    ASSERT_FALSE(std::isnan(s));
+    ASSERT_GE(s, before);
+    still += s == before ? 1 : 0;
+    before = s;
+  }
+  EXPECT_GE(still, 290U);
+  EXPECT_NEAR(before, course.length(), 1e-3);
+}
+
+}  // namespace
+}  // namespace feedscope

@@ -1,0 +1,203 @@
+#include "core/trace/read_trace.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// Twenty rows, X = 10 i, Y = -i, at i milliseconds.
+std::string table(const std::string& head, const std::string& row, const std::string& last = "") {
+  std::string text = head;
+  for (int i = 0; i < 20; ++i) {
+    text += fmt::format(fmt::runtime(row), fmt::arg("t", i * 0.001), fmt::arg("ms", i),
+                        fmt::arg("n", 500 + i), fmt::arg("x", 10.25 * i), fmt::arg("y", -0.5 * i));
+  }
+  return text + last;
+}
+
+std::string with_commas(std::string text) {
+  std::ranges::replace(text, '.', ',');
+  return text;
+}
+
+void expect_table(const Trace& trace) {
+  ASSERT_EQ(trace.size(), 20U);
+  EXPECT_NEAR(trace.period, 1e-3, 1e-12);
+  EXPECT_NEAR(trace.time[19], 0.019, 1e-12);
+  ASSERT_TRUE(trace.has(0) && trace.has(1));
+  EXPECT_NEAR(trace.place[0][19], 10.25 * 19, 1e-9);
+  EXPECT_NEAR(trace.place[1][19], -0.5 * 19, 1e-9);
+}
+
+std::string codes(const Trace& trace) {
+  std::string all;
+  for (const Diagnostic& note : trace.notes) {
+    all += note.code + fmt::format(":{} ", note.line);
+  }
+  return all;
+}
+
+std::string refusal(const std::string& text, const TraceColumns& columns = {}) {
+  try {
+    parse_trace(text, "t.csv", columns);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "read";
+}
+
+TEST(ReadTrace, FindsSeparatorDecimalMarkAndUnits) {
+  expect_table(parse_trace(table("time_s,x_mm,y_mm\n", "{t},{x},{y}\n"), "t.csv"));
+  expect_table(parse_trace(table("Zeit [ms];X [mm];Y [mm]\r\n", "{ms};{x};{y}\r\n"), "t.csv"));
+  expect_table(
+      parse_trace(with_commas(table("Zeit [s];X [mm];Y [mm]\n", "{t:.3f};{x:.2f};{y:.2f}\n")), "t.csv"));
+  expect_table(parse_trace(table("# t x y\n", "{t} {x} {y}\n"), "t.csv"));
+  expect_table(parse_trace(table("\xEF\xBB\xBFt\tX\tY\ns\tmm\tmm\n", "{t}\t{x}\t{y}\n"), "t.csv"));
+  EXPECT_THAT(parse_trace(table("time_s,x_mm,y_mm\n", "{t},{x},{y}\n"), "t.csv").notes, IsEmpty());
+}
+
+TEST(ReadTrace, ConvertsInches) {
+  const Trace trace = parse_trace(table("time_s,x_inch\n", "{t},{x}\n"), "t.csv");
+  EXPECT_NEAR(trace.place[0][19], 25.4 * 10.25 * 19, 1e-9);
+  EXPECT_FALSE(trace.has(1));
+}
+
+TEST(ReadTrace, ReadsHalsamplerByItsValues) {
+  const Trace trace = parse_trace(table("", "{n} {x} {y} 0.5 7 12.5\n"), "t.txt");
+  expect_table(trace);
+  EXPECT_EQ(trace.format, "LinuxCNC halsampler");
+  EXPECT_EQ(trace.line[3], 7U);
+  EXPECT_FLOAT_EQ(trace.feed[3], 12.5F);
+  EXPECT_THAT(codes(trace), HasSubstr("trace-columns:1 trace-period:0"));
+}
+
+TEST(ReadTrace, TakesThePeriodAndColumnsThatAreGiven) {
+  const Trace trace =
+      parse_trace(table("", "{n} {y} {x}\n"), "t.txt", parse_trace_columns("number=1,x=3:-mm,rate=500"));
+  EXPECT_NEAR(trace.period, 2e-3, 1e-12);
+  EXPECT_NEAR(trace.place[0][19], -10.25 * 19, 1e-9);
+  EXPECT_THAT(trace.notes, IsEmpty());
+}
+
+TEST(ReadTrace, ReportsGapsWithTheirLine) {
+  const Trace trace = parse_trace(table("time_s,x_mm\n", "{t},{x}\n", "0.050,1\n0.051,2\n"), "t.csv");
+  EXPECT_EQ(trace.gaps, 1U);
+  EXPECT_NEAR(trace.lost, 0.030, 1e-9);
+  EXPECT_EQ(codes(trace), "trace-gap:22 ");
+}
+
+TEST(ReadTrace, SeesSamplesThatTheRecorderLost) {
+  const Trace trace = parse_trace(table("", "{n} {x} {y}\n", "overrun\n530 1.5 2.5\n"), "t.txt");
+  EXPECT_EQ(trace.gaps, 1U);
+  EXPECT_THAT(codes(trace), HasSubstr("trace-row:21 "));
+}
+
+TEST(ReadTrace, KeepsTheLongestPartWhereTimeGoesBack) {
+  const Trace trace =
+      parse_trace(table(table("time_s,x_mm\n", "{t},{x}\n"), "{t},{x}\n", "0.020,3\n"), "t.csv");
+  EXPECT_EQ(trace.size(), 21U);
+  EXPECT_EQ(trace.time.front(), 0);
+  EXPECT_EQ(codes(trace), "trace-time-back:22 trace-parts:22 ");
+}
+
+TEST(ReadTrace, SaysWhatAnUnknownTimeUnitWasTakenFor) {
+  const Trace trace = parse_trace(table("t,x\n", "{ms},{x}\n"), "t.csv");
+  EXPECT_NEAR(trace.period, 1e-3, 1e-12);
+  EXPECT_THAT(codes(trace), HasSubstr("trace-time-unit"));
+}
+
+TEST(ReadTrace, WarnsOfCoarseSampling) {
+  const Trace trace =
+      parse_trace(table("t,x\n", "{ms},{x}\n"), "t.csv", parse_trace_columns("number=t,x=x,rate=50"));
+  EXPECT_NEAR(trace.period, 0.02, 1e-12);
+  EXPECT_THAT(codes(trace), HasSubstr("trace-coarse"));
+}
+
+TEST(ReadTrace, RefusesWhatIsNoTraceAndSaysWhy) {
+  EXPECT_THAT(refusal(""), HasSubstr("'t.csv' is no trace"));
+  EXPECT_THAT(refusal("G1 X20\nhello\n"), HasSubstr("'t.csv' is no trace"));
+  EXPECT_THAT(refusal(table("time_s,torque\n", "{t},{x}\n")), HasSubstr("it has time_s, torque; say which"));
+  EXPECT_THAT(refusal("time_s,x_mm\n0,1\n0.001,2\n"), HasSubstr("has 2 samples"));
+  EXPECT_THAT(refusal(table("time_s,x_mm\n", "{t},{x}\n"), parse_trace_columns("x=X_mn")),
+              HasSubstr("did you mean 'x_mm'?"));
+  EXPECT_THAT(refusal("\xFF\xFE"
+                      "a"),
+              HasSubstr("UTF-16"));
+  EXPECT_THAT(refusal("1 2\n" + std::string(3U << 20U, '7')),
+              HasSubstr("t.csv:2: the line is longer than 1 MiB"));
+}
+
+constexpr const char* scope_head =
+    "Name\tScope\nFile\tc:\\a.csv\nStarttime of export\t132959733843760000\nEndtime of "
+    "export\t132959733853750000\n\n"
+    "Name\tPos X\tName\tPos "
+    "Y\tCurrent\nSymbolComment\t\tSymbolComment\t\t\nData-Type\tREAL64\tData-Type\tREAL64\tREAL64\n"
+    "SampleTime[ms]\t1\tSampleTime[ms]\t2\t2\nSymbolName\tMAIN.a\tSymbolName\tMAIN.b\tMAIN.c\n\n";
+
+TEST(ReadTrace, ReadsChannelsOfTwinCatScopeAtTheirOwnRates) {
+  std::string text = scope_head;
+  for (int i = 0; i < 21; ++i) {
+    text += i <= 10 ? fmt::format("{}\t{},5\t{}\t{},25\t9\n", i, i, 2 * i, 2 * i)
+                    : fmt::format("{}\t{},5\t\t\t\n", i, i);
+  }
+  const Trace trace = parse_trace(text + "EOF\n", "t.csv");
+  EXPECT_EQ(trace.format, "TwinCAT Scope");
+  ASSERT_EQ(trace.size(), 21U);
+  EXPECT_NEAR(trace.period, 1e-3, 1e-12);
+  EXPECT_NEAR(trace.place[0][7], 7.5, 1e-9);
+  EXPECT_NEAR(trace.place[1][7], 7.25, 1e-9);  // between 6.25 and 8.25
+  EXPECT_THAT(trace.notes, IsEmpty());
+  EXPECT_THAT(refusal(scope_head), HasSubstr("no samples follow the head"));
+}
+
+std::string sinumerik(const std::string& records,
+                      const std::string& end = "</dataFrame></traceData></traceSession>") {
+  return "<?xml version=\"1.0\"?>\n<traceSession><traceDisplaySetup><signals>\n"
+         "<signal key=\"a\" name=\"/Nck/x[1]\" description=\"Position setpoint X1\"/>\n"
+         "<signal key=\"b\" name=\"/Nck/y[2]\" description=\"Position setpoint Y1\"/>\n"
+         "<signal key=\"c\" name=\"/Nck/z[2]\" description=\"Torque Y1\"/>\n"
+         "</signals></traceDisplaySetup><traceData><dataFrame>\n"
+         "<dataSignal id=\"f1\" key=\"c\"/><dataSignal id=\"f2\" key=\"a\"/><dataSignal id=\"f3\" "
+         "key=\"b\"/>\n" +
+         records + end;
+}
+
+std::string sinumerik_records() {
+  std::string records;
+  for (int i = 0; i < 20; ++i) {
+    records += fmt::format("<rec time=\"{}\" f1=\"1\" f2=\"{}\"{}/>\n", 0.004 * i, 3 * i,
+                           i % 2 == 0 ? fmt::format(" f3=\"{}\"", -i) : "");
+  }
+  return records;
+}
+
+TEST(ReadTrace, ReadsSinumerikXmlByItsKeysAndInterpolatesMissingFields) {
+  const Trace trace = parse_trace(sinumerik(sinumerik_records()), "t.xml");
+  EXPECT_EQ(trace.format, "SINUMERIK trace");
+  ASSERT_EQ(trace.size(), 19U);  // the last Y is missing
+  EXPECT_NEAR(trace.period, 4e-3, 1e-12);
+  EXPECT_NEAR(trace.place[0][5], 15, 1e-9);
+  EXPECT_NEAR(trace.place[1][5], -5, 1e-9);
+  EXPECT_THAT(trace.notes, Contains(Field(&Diagnostic::code, "trace-interpolated")));
+}
+
+TEST(ReadTrace, UsesWhatComesBeforeTheEndOfBrokenXml) {
+  const Trace trace = parse_trace(sinumerik(sinumerik_records(), ""), "t.xml");
+  EXPECT_EQ(trace.size(), 19U);
+  EXPECT_THAT(codes(trace), HasSubstr("trace-xml"));
+  EXPECT_THAT(refusal("<a>"), HasSubstr("this is no whole XML file"));
+  EXPECT_THAT(refusal("<a></a>"), HasSubstr("no record of a SINUMERIK trace"));
+}
+
+}  // namespace
+}  // namespace feedscope
