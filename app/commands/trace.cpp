@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "app/asked_program.h"
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
 #include "app/output_file.h"
@@ -87,20 +88,40 @@ std::string agreement_text(const TraceOnProgram& found, const Agreement& agreeme
   return text;
 }
 
-/// Reading and simulating the program that the trace is laid beside.
-Run run_of(const TraceOptions& options, Watch& watch) {
-  const auto source = std::make_shared<const SourceText>(SourceText::from_file(options.run.file));
-  const ReadOptions reading = options.run.reading();
-  const Setup setup = make_setup(options.run.request(dialect_of(options.run, *source)));
-  const LoadedProgram program =
-      load_program(source, watch.stage("reading"), reading_on(reading, setup.machine));
-  return simulate_run(program, setup, watch.stage("simulating"));
+/// The program that the trace is laid beside, and what it runs on.
+struct Beside {
+  AskedProgram asked;
+  Setup setup;
+
+  Run run(Watch& watch) const {
+    const LoadedProgram program =
+        load_program(asked.source, watch.stage("reading"), reading_on(asked.reading, setup.machine));
+    return simulate_run(program, setup, watch.stage("simulating"));
+  }
+};
+
+std::optional<Beside> beside(const TraceOptions& options) {
+  if (options.run.file.empty()) {
+    for (const auto& given : {given_of(options.run), given_of_run(options.run)}) {
+      for (const auto& [name, is_given] : given) {
+        if (is_given) {
+          throw InputError(fmt::format("{} has no effect without a PROGRAM beside the trace", name));
+        }
+      }
+    }
+    return std::nullopt;
+  }
+  Beside found{asked_program(options.run, given_of_run(options.run)), {}};
+  found.setup = found.asked.is_session() ? found.asked.setups[found.asked.current]
+                                         : make_setup(options.run.request(found.asked.dialect()));
+  return found;
 }
 
 int show_trace(const TraceOptions& options) {
   check_outputs(options.trace, {options.json}, "the trace itself");
   check_outputs(options.run.file, {options.json});
   const TraceColumns columns = asked_columns(options.columns);
+  const std::optional<Beside> program = beside(options);
   OutputFiles files;
   std::ostream* json = options.json.empty() ? nullptr : &files.add(options.json);
   Trace trace;
@@ -110,8 +131,8 @@ int show_trace(const TraceOptions& options) {
   {
     Watch watch;
     trace = read_trace(options.trace, columns, watch.stage("trace"));
-    if (!options.run.file.empty()) {
-      run = run_of(options, watch);
+    if (program) {
+      run = program->run(watch);
       const ProgrammedCourse course(*run->input.toolpath, {trace.has(0), trace.has(1), trace.has(2)});
       const double deviation = deviation_of(*run->trajectory, course, 1e-3);
       found = find_on_program(trace, course, deviation, watch.stage("matching"));
@@ -151,7 +172,9 @@ Command add_trace_command(CLI::App& app) {
   add_columns_option(*command, options->columns);
   command->add_option("--json", options->json, "Write numbers and messages; - for standard output")
       ->type_name("FILE");
-  command->footer("Example: feedscope trace scope.csv part.nc --machine my-mill.toml --json agreement.json");
+  command->footer(
+      command->get_footer() +
+      "\nExample: feedscope trace scope.csv part.nc --machine my-mill.toml --json agreement.json");
   return {command, [options] {
             move_tolerance(options->run);
             return show_trace(*options);

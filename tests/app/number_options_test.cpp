@@ -51,6 +51,7 @@ const std::set<std::string> other_types{"Excludes",
                                         "LANGUAGE",
                                         "PLANE",
                                         "ID|FILE",
+                                        "SPEC|PRESET|FILE",
                                         "UNIT",
                                         "UNITS",
                                         "JSON",
@@ -71,6 +72,14 @@ const std::set<std::string> other_types{"Excludes",
 /// forgotten.
 class NumberOptions : public CommandLine {
  protected:
+  NumberOptions() {
+    std::string samples = "time_s,x_mm,y_mm\n";
+    for (int i = 0; i < 100; ++i) {
+      samples += std::to_string(0.01 * i) + "," + std::to_string(0.2 * i) + ",0\n";
+    }
+    write("samples.csv", samples);
+  }
+
   std::vector<std::string> commands() const {
     std::vector<std::string> names;
     std::istringstream lines(run("--help").out);
@@ -125,6 +134,9 @@ class NumberOptions : public CommandLine {
       line += option.name == "--radius" ? "" : " --radius 5";
       line += option.name == "--feed" ? "" : " --feed 500";
       line += option.name == "--size" ? " --out a.png" : "";
+    }
+    if (option.command == "trace") {
+      line = "trace samples.csv " + program + " " + option.name + " '" + value + "'";
     }
     if (option.command == "render" || option.command == "report") {
       line += option.command == "render" ? " --out a.png" : " --out a.html";
