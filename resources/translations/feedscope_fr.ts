@@ -464,6 +464,14 @@
         <source>Lines that the control refuses are not run: %1.</source>
         <translation>Les lignes que la commande refuse ne sont pas exécutées : %1.</translation>
     </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 à %2</translation>
+    </message>
+    <message>
+        <source>The contour tolerance of %1 is %2 % of the estimated chord error of the short lines (%3); Heidenhain advises 110 to 200 %.</source>
+        <translation>La tolérance de contour de %1 vaut %2 % de l’erreur de corde estimée des lignes courtes (%3) ; Heidenhain conseille 110 à 200 %.</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>

@@ -1,12 +1,15 @@
 #include "ui/setup/run_notes_text.h"
 
 #include <QCoreApplication>
+#include <QLocale>
 
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/ignored_path_control.h"
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/run_notes.h"
+#include "core/analysis/unadvised_tolerance.h"
 #include "ui/language/core_texts.h"
+#include "ui/language/shown_numbers.h"
 #include "ui/workbench/reading_faults.h"
 
 namespace feedscope::ui {
@@ -16,6 +19,22 @@ namespace {
 struct RunNotes {
   Q_DECLARE_TR_FUNCTIONS(RunNotes)
 };
+
+QString tolerance_text(const UnadvisedTolerance& unadvised) {
+  const auto length = [](double value) { return significant_text(value, Dimension::length, 3); };
+  const auto share = [](double value) { return QLocale().toString(qRound(100 * value)); };
+  const bool range = unadvised.tolerance.is_range();
+  const QString up_to = RunNotes::tr("%1 to %2");
+  const QString tolerances = range
+                                 ? up_to.arg(length(unadvised.tolerance.min), length(unadvised.tolerance.max))
+                                 : length(unadvised.tolerance.min);
+  const QString shares =
+      range ? up_to.arg(share(unadvised.least), share(unadvised.largest)) : share(unadvised.least);
+  return RunNotes::tr(
+             "The contour tolerance of %1 is %2 % of the estimated chord error of the short lines "
+             "(%3); Heidenhain advises 110 to 200 %.")
+      .arg(tolerances, shares, significant_text(unadvised.chord_error, Dimension::length, 2));
+}
 
 }  // namespace
 
@@ -39,6 +58,10 @@ QStringList run_note_texts(const Run& run) {
   if (const std::vector<Diagnostic>& refused = run.input.lines_not_run; !refused.empty()) {
     sentences.append(RunNotes::tr("Lines that the control refuses are not run: %1.")
                          .arg(QString::fromStdString(line_list(refused))));
+  }
+  if (const auto unadvised = unadvised_tolerance(run.input.chord_error,
+                                                 tolerance_in_force(run.input.feed_controls, run.setup))) {
+    sentences.append(tolerance_text(*unadvised));
   }
   for (const PoorDamping& drive : poorly_damped(run.setup.machine)) {
     sentences.append(
