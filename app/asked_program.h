@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,12 @@ struct AskedProgram {
 /// has changed since. Throws InputError naming what is wrong: unreadable file, unusable session, missing
 /// program, an option that does not go with a session.
 AskedProgram asked_program(const ProgramOptions& options, std::vector<GivenOption> more = {});
+
+/// Adds --run: which run of a session a command with one run is about.
+void add_run_number_option(CLI::App& command, std::optional<std::size_t>& number);
+/// What the options ask for, or of a session the run `number`, from 1, else its current one, which is told on
+/// standard error where there are several. Throws InputError as make_setup, and for a number without session
+/// or run.
+Setup asked_setup(const RunOptions& options, std::optional<std::size_t> number, const AskedProgram& asked);
 
 }  // namespace feedscope

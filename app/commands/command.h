@@ -12,6 +12,7 @@ struct Command {
 };
 
 Command add_simulate_command(CLI::App& app);
+Command add_explain_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_check_command(CLI::App& app);
 Command add_circular_command(CLI::App& app);

@@ -12,7 +12,6 @@
 #include "app/print.h"
 #include "app/run_options.h"
 #include "app/watch.h"
-#include "core/base/error.h"
 #include "core/export/contour.h"
 #include "core/export/export.h"
 
@@ -100,31 +99,9 @@ class Results {
   bool to_standard_output_ = false;
 };
 
-/// That of the options, or the run of a session that --run names.
-Setup setup_of(const SimulateOptions& options, const AskedProgram& asked) {
-  if (!asked.is_session()) {
-    if (options.number) {
-      throw InputError(fmt::format("--run {} selects a run of a session, but '{}' is not a session",
-                                   *options.number, options.run.file));
-    }
-    return make_setup(options.run.request(asked.dialect()));
-  }
-  const std::size_t number = options.number.value_or(asked.current + 1);
-  if (number < 1 || number > asked.setups.size()) {
-    throw InputError(fmt::format("--run {} is not a run of session '{}'; it has runs 1 to {}", number,
-                                 options.run.file, asked.setups.size()));
-  }
-  if (!options.number && asked.setups.size() > 1) {
-    fmt::print(stderr,
-               "feedscope: note: session '{}' has {} runs; run {} is simulated; --run selects another one\n",
-               options.run.file, asked.setups.size(), number);
-  }
-  return asked.setups[number - 1];
-}
-
 int simulate(const SimulateOptions& options) {
   const AskedProgram asked = asked_program(options.run, given_of_run(options.run));
-  Setup setup = setup_of(options, asked);
+  Setup setup = asked_setup(options.run, options.number, asked);
   setup.load = asked_load(options.load, std::move(setup.load));
   note_unused_tolerance(options.run, setup);
   const double step = parse_step(options.step).value_or(default_step(setup));
@@ -161,11 +138,7 @@ Command add_simulate_command(CLI::App& app) {
   CLI::App* command =
       app.add_subcommand("simulate", "Simulate an NC program on a machine and write the results");
   add_run_options(*command, options->run);
-  add_number_option(
-      *command, "--run", whole_numbers(1, 1'000'000),
-      [options](double number) { options->number = static_cast<std::size_t>(number); },
-      "Number of the run in a session [the current one]")
-      ->type_name("N");
+  add_run_number_option(*command, options->number);
   add_load_option(*command, options->load);
   command->add_option("--csv", options->csv, "Write the motion, one row per step; - for standard output")
       ->type_name("FILE");

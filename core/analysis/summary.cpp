@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/programmed_time.h"
+#include "core/base/exact_sum.h"
 #include "core/trajectory/part_walk.h"
 
 namespace feedscope {
@@ -14,63 +16,6 @@ constexpr double turn_per_sample = 0.02;          // rad of an arc
 constexpr double blend_per_sample = 0.05;         // share of a blend's parameter range
 constexpr double blend_length_per_sample = 0.25;  // share of a blend's length
 constexpr double peak_spans_per_filter_time = 16;
-constexpr int arc_time_samples = 64;
-
-/// Sum with a running correction, so that a million small times add up as exactly as ten (Neumaier).
-class ExactSum {
- public:
-  void add(double x) {
-    const double sum = sum_ + x;
-    correction_ += std::abs(sum_) >= std::abs(x) ? (sum_ - sum) + x : (x - sum) + sum_;
-    sum_ = sum;
-  }
-  double value() const { return sum_ + correction_; }
-
- private:
-  double sum_ = 0;
-  double correction_ = 0;
-};
-
-/// Speed along `direction` (unit) at which the first axis reaches its rapid speed [mm/s].
-double axes_speed(const Vec3& direction, const Vec3& rapid_speed) {
-  double speed = std::numeric_limits<double>::infinity();
-  for (int axis = 0; axis < 3; ++axis) {
-    if (direction[axis] != 0) {
-      speed = std::min(speed, rapid_speed[axis] / std::abs(direction[axis]));
-    }
-  }
-  return speed;
-}
-
-double time_at_axes_speed(const Toolpath& toolpath, std::size_t index, const Vec3& rapid_speed) {
-  const Segment& segment = toolpath.segments[index];
-  if (segment.kind == SegmentKind::line) {
-    return segment.length /
-           axes_speed((segment.end - toolpath.start_of(index)) / segment.length, rapid_speed);
-  }
-  const Arc& arc = toolpath.arc_of(segment);
-  const double step = segment.length / arc_time_samples;
-  double time = 0;
-  for (int i = 0; i < arc_time_samples; ++i) {
-    time += step / axes_speed(arc.at((i + 0.5) * step).d1.normalized(), rapid_speed);
-  }
-  return time;
-}
-
-double programmed_time(const Toolpath& toolpath, const Vec3& rapid_speed) {
-  ExactSum time;
-  for (std::size_t i = 0; i < toolpath.segments.size(); ++i) {
-    const Segment& segment = toolpath.segments[i];
-    if (segment.kind == SegmentKind::dwell) {
-      time.add(toolpath.dwell_of(segment));
-    } else if (!segment.rapid && segment.feed > 0) {
-      time.add(segment.length / segment.feed);
-    } else {
-      time.add(time_at_axes_speed(toolpath, i, rapid_speed));
-    }
-  }
-  return time.value();
-}
 
 /// Largest values over the pieces of a trajectory.
 class Peaks {

@@ -10,6 +10,7 @@
 namespace feedscope {
 
 struct ContourReport;
+struct TimeReport;
 
 /// Samples as CSV, columns of README.md beside this file; one row each `step` [s] and one for the very end.
 /// `sources`: of the trajectory's run, whose columns stand behind those of the motion; those of the cutting
@@ -28,6 +29,8 @@ void write_blends(std::ostream& out, const Trajectory& trajectory);
 /// A run. With a contour report also its places and histogram.
 std::string simulation_json(const LoadedProgram& program, const ComparedRun& run,
                             const ContourReport* contour = nullptr);
+/// A run, where its time goes and what would help.
+std::string explanation_json(const LoadedProgram& program, const ComparedRun& run, const TimeReport& report);
 /// Several runs of a program.
 std::string comparison_json(const LoadedProgram& program, std::span<const ComparedRun> runs);
 /// What `check` found.

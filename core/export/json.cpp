@@ -292,19 +292,28 @@ Json contour_json(const ContourReport& report) {
 
 }  // namespace
 
-std::string simulation_json(const LoadedProgram& program, const ComparedRun& run,
-                            const ContourReport* contour) {
-  Json json = with_format("simulation");
-  json["program"] = program_json(*program.program, *program.toolpath);
+Json run_head_json(const LoadedProgram& program, const ComparedRun& run) {
+  Json json{{"program", program_json(*program.program, *program.toolpath)}};
   json.update(run_json(program, run));
-  if (contour != nullptr) {
-    json.update(contour_json(*contour));
-  }
+  return json;
+}
+
+Json run_end_json(const LoadedProgram& program, const ComparedRun& run) {
   std::vector<Diagnostic> all = program.program->diagnostics;
   const std::vector<Diagnostic> refused = refused_lines(program, run.setup);
   all.insert(all.end(), refused.begin(), refused.end());
-  json["diagnostics"] = diagnostics(all);
-  json["elapsed"] = {{"read_s", program.read_time}, {"simulate_s", run.simulate_time}};
+  return {{"diagnostics", diagnostics(all)},
+          {"elapsed", {{"read_s", program.read_time}, {"simulate_s", run.simulate_time}}}};
+}
+
+std::string simulation_json(const LoadedProgram& program, const ComparedRun& run,
+                            const ContourReport* contour) {
+  Json json = with_format("simulation");
+  json.update(run_head_json(program, run));
+  if (contour != nullptr) {
+    json.update(contour_json(*contour));
+  }
+  json.update(run_end_json(program, run));
   return text_of(json);
 }
 

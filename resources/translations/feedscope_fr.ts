@@ -1905,6 +1905,58 @@
         <source>Moves the points of dense short blocks onto a smooth curve, within a tenth of the contour tolerance, before the pulses are made. program: where the program asks for it; off: never; on: everywhere. Our own addition: the filters smooth by themselves, and no time is gained by it.</source>
         <translation>Déplace les points des blocs courts et serrés sur une courbe lisse, à moins d’un dixième de la tolérance de contour, avant la formation des impulsions. program : là où le programme le demande ; off : jamais ; on : partout. Ajout de Feedscope : les filtres lissent d’eux-mêmes, aucun temps n’est gagné.</translation>
     </message>
+    <message>
+        <source>corners</source>
+        <translation>coins</translation>
+    </message>
+    <message>
+        <source>turn</source>
+        <translation>angle</translation>
+    </message>
+    <message>
+        <source>arcs</source>
+        <translation>arcs</translation>
+    </message>
+    <message>
+        <source>radius</source>
+        <translation>rayon</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>droites</translation>
+    </message>
+    <message>
+        <source>block length</source>
+        <translation>longueur de bloc</translation>
+    </message>
+    <message>
+        <source>smooth curves</source>
+        <translation>courbes lissées</translation>
+    </message>
+    <message>
+        <source>rapids</source>
+        <translation>rapides</translation>
+    </message>
+    <message>
+        <source>starts and stops</source>
+        <translation>départs et arrêts</translation>
+    </message>
+    <message>
+        <source>feed motions</source>
+        <translation>déplacements en avance</translation>
+    </message>
+    <message>
+        <source>dwells</source>
+        <translation>temporisations</translation>
+    </message>
+    <message>
+        <source>tool changes</source>
+        <translation>changements d’outil</translation>
+    </message>
+    <message>
+        <source>spindle starts</source>
+        <translation>démarrages de broche</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

@@ -70,6 +70,7 @@ with tempfile.TemporaryDirectory() as folder:
     for program in own + samples:
         check_command("check", program)
         check_command("simulate", program, "--contour", work / "contour.csv")
+        check_command("explain", program)
         check_command("compare", program, "--model", "essid", "--model", "cam", "--tolerance", "0.01", "--tolerance", "0.05")
     drives = [part for axis in "XY" for part in ("--set", f"{axis}.kv=60", "--set", f"{axis}.velocity_feedforward=1")]
     check_command("simulate", samples[0], *drives)

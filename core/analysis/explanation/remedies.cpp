@@ -1,6 +1,7 @@
 #include "core/analysis/explanation/remedies.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,16 @@ namespace {
 
 constexpr double more = 1.5;       // of limits and shares
 constexpr double more_feed = 1.2;  // of the programmed feed
+
+/// To four digits: a value that people can type.
+double rounded(double value) {
+  if (value == 0) {
+    return 0;
+  }
+  const int decimals = 3 - static_cast<int>(std::floor(std::log10(std::abs(value))));
+  const double power = std::pow(10.0, std::abs(decimals));
+  return decimals >= 0 ? std::round(value * power) / power : std::round(value / power) * power;
+}
 
 /// Collects changes that have an effect, each once.
 class Candidates {
@@ -38,7 +49,7 @@ class Candidates {
   void setting(const std::string& key, double factor,
                std::vector<std::pair<std::string, SettingValue>> besides = {}) {
     if (has(key)) {
-      set(key, setup_.settings.number(key) * factor, std::move(besides));
+      set(key, rounded(setup_.settings.number(key) * factor), std::move(besides));
     }
   }
 
@@ -87,7 +98,7 @@ class Candidates {
   Remedy axis_changes(char name, const std::string& limit, double factor) const {
     const SettingSpec& spec = *std::ranges::find(axis_limit_specs(), limit, &SettingSpec::key);
     const double value = axis_limit(setup_.machine, name, limit);
-    const double changed = nearest_within(spec, value * factor);
+    const double changed = nearest_within(spec, rounded(value * factor));
     return changed == value ? Remedy() : Remedy{{{fmt::format("{}.{}", name, limit), changed}}};
   }
 
@@ -108,6 +119,7 @@ void larger_tolerance(Candidates& candidates) {
     auto [tolerance, program] = settings_for_tolerance(2 * *now);
     candidates.set(tolerance.first, std::move(tolerance.second), {std::move(program)});
   }
+  candidates.setting("blend_tolerance_mm", 2);
 }
 
 /// Smooth curves through dense short blocks, unless the program asks for them wherever it feeds.
@@ -239,12 +251,48 @@ void add_for(Candidates& candidates, Cause cause, const Setup& setup) {
   }
 }
 
+/// KEY=VALUE as --set has it.
+std::string assignment(const std::pair<std::string, SettingValue>& change) {
+  const auto& [key, value] = change;
+  return key + '=' +
+         (std::holds_alternative<double>(value) ? fmt::format("{}", std::get<double>(value))
+                                                : std::get<std::string>(value));
+}
+
+/// The machine with its limits and settings; what is compared with must not change besides.
+Setup on_other_machine(const Setup& setup, const std::string& machine) {
+  SetupRequest request;
+  request.machine = machine;
+  request.model = setup.model->info().id;
+  Setup other = make_setup(request);
+  const auto keep = [&](const std::string& key) {
+    if (setup.settings.has(key) || other.settings.has(key)) {
+      other.settings.set(key, setup.settings.value(key));
+    }
+  };
+  keep(contour_tolerance_key);
+  keep(program_tolerance_key);
+  for (const SettingSpec& spec : machine_settings()) {
+    keep(spec.key);
+  }
+  other.load = setup.load;
+  return other;
+}
+
 }  // namespace
 
 std::vector<Remedy> remedies(const Setup& setup, const Explanation& why,
                              std::span<const PathControl> feed_controls) {
+  const Cause cause = why.ahead ? why.ahead->reason.cause : why.reason.cause;
+  return remedies(setup, std::span(&cause, 1), feed_controls);
+}
+
+std::vector<Remedy> remedies(const Setup& setup, std::span<const Cause> causes,
+                             std::span<const PathControl> feed_controls) {
   Candidates candidates(setup, tolerance_in_force(feed_controls, setup));
-  add_for(candidates, why.ahead ? why.ahead->reason.cause : why.reason.cause, setup);
+  for (const Cause cause : causes) {
+    add_for(candidates, cause, setup);
+  }
   compressor(candidates, feed_controls);
   faster_filters(candidates, setup);
   candidates.all_axes("jerk");
@@ -257,13 +305,30 @@ std::vector<Remedy> remedies(const Setup& setup, const Explanation& why,
 }
 
 Setup with_remedy(Setup setup, const Remedy& remedy) {
-  for (const auto& [key, value] : remedy.changes) {
-    const std::string text = std::holds_alternative<double>(value)
-                                 ? fmt::format("{}", std::get<double>(value))
-                                 : std::get<std::string>(value);
-    apply_setting(key + '=' + text, *setup.model, setup.machine, setup.settings);
+  if (!remedy.machine.empty()) {
+    setup = on_other_machine(setup, remedy.machine);
+  }
+  for (const auto& change : remedy.changes) {
+    apply_setting(assignment(change), *setup.model, setup.machine, setup.settings);
   }
   return setup;
+}
+
+std::string as_options(const Remedy& remedy) {
+  std::vector<std::string> options;
+  if (!remedy.machine.empty()) {
+    options.push_back("--machine " + remedy.machine);
+  }
+  const bool sets_tolerance = std::ranges::any_of(
+      remedy.changes, [](const auto& change) { return change.first == contour_tolerance_key; });
+  for (const auto& change : remedy.changes) {
+    if (change.first == contour_tolerance_key) {
+      options.push_back(fmt::format("--tolerance {}", std::get<double>(change.second)));
+    } else if (!sets_tolerance || change.first != program_tolerance_key) {  // --tolerance says it too
+      options.push_back("--set " + assignment(change));
+    }
+  }
+  return fmt::format("{}", fmt::join(options, " "));
 }
 
 LoadedProgram with_feed(const LoadedProgram& program, double factor) {

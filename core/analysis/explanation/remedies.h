@@ -15,6 +15,9 @@ struct Remedy {
   double feed_factor = 1;  ///< of every programmed feed; such a change is made in the program, not in a setup
   /// What holds now of the first change, where that is not the setup's value: a tolerance of the program.
   std::optional<double> before = std::nullopt;
+  /// Id of another machine of the library, "" for the same one: with its limits and settings, but with model,
+  /// contour tolerance, times of pauses and positions of the setup that is changed.
+  std::string machine = {};
 
   bool operator==(const Remedy&) const = default;
 };
@@ -24,9 +27,15 @@ struct Remedy {
 /// and its bounds allow; each once.
 std::vector<Remedy> remedies(const Setup& setup, const Explanation& why,
                              std::span<const PathControl> feed_controls = {});
+/// The same for several causes, that which is worth most first.
+std::vector<Remedy> remedies(const Setup& setup, std::span<const Cause> causes,
+                             std::span<const PathControl> feed_controls = {});
 
-/// `setup` with the changes. Throws InputError as apply_setting.
+/// `setup` with the changes. Throws InputError as apply_setting and make_setup.
 Setup with_remedy(Setup setup, const Remedy& remedy);
+/// How the command line asks for it: "--tolerance 0.2", "--set X.jerk=7.5", "--machine ID"; "" where the
+/// program has to be changed.
+std::string as_options(const Remedy& remedy);
 /// The same program with all its feeds times `factor`; rapids stay.
 LoadedProgram with_feed(const LoadedProgram& program, double factor);
 

@@ -44,7 +44,7 @@ std::vector<ToolLine> tool_lines(const Program& program) {
 std::vector<Operation> by_tool(const LoadedProgram& program) {
   const Toolpath& path = *program.toolpath;
   const std::vector<ToolLine> lines = tool_lines(*program.program);
-  std::vector<Operation> operations{{"start", 0, 0, 0}};
+  std::vector<Operation> operations{{before_first_tool, 0, 0, 0}};
   std::string tool;
   for (std::uint32_t i = 0; i < path.segments.size(); ++i) {
     const auto after = std::ranges::upper_bound(lines, path.segments[i].line, {}, &ToolLine::line);
@@ -99,8 +99,10 @@ std::vector<Operation> by_comment(const LoadedProgram& program) {
     if (line == before) {
       continue;
     }
-    const std::uint32_t after = line > before ? before : line - 1;  // a loop came back
-    if (const Heading* title = title_between(headings, after, line)) {
+    const bool goes_back = line < before;  // a loop, or a call that returns
+    const Heading* title = title_between(headings, goes_back ? 0 : before, line);
+    const bool goes_on = goes_back && title != nullptr && title->line == operations.back().line;
+    if (title != nullptr && !goes_on) {
       operations.push_back(
           {title->title.empty() ? fmt::format("line {}", title->line) : title->title, title->line, i, 0});
     }

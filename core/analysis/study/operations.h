@@ -15,6 +15,9 @@ enum class OperationSplit : std::uint8_t {
   comment,  ///< a line that holds a comment alone
 };
 
+/// Title of what runs before the first tool, split by tool.
+inline constexpr const char* before_first_tool = "start";
+
 /// Segments of a toolpath that are one operation, [first, last).
 struct Operation {
   std::string title;
@@ -32,7 +35,8 @@ OperationSplit operation_split(const std::string& name);
 /// one is "start". By comment: CAM systems head an operation with a line that holds a comment alone, (...),
 /// ;... or "* - ..." of Heidenhain, MSG("...") of Sinumerik. Of the comment lines between two motions the
 /// last run of neighbouring ones counts, and of that the first that holds a letter. A subprogram belongs to
-/// the operation that calls it; where a loop comes back to a heading its operation begins again.
+/// the operation that calls it unless it has headings of its own; where a loop or a return goes back, the
+/// operation of the last heading above begins again, unless it is under way.
 std::vector<Operation> split_operations(const LoadedProgram& program, OperationSplit split);
 
 /// Figures of one operation in one run.

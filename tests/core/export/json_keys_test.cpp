@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/analysis/contour/contour_report.h"
+#include "core/analysis/time_use/time_report.h"
 #include "core/export/circular.h"
 #include "core/export/export.h"
 #include "core/export/merge.h"
@@ -23,7 +24,7 @@ using KeyTable = std::map<std::string, std::set<char>>;
 
 KeyTable read_table() {
   std::ifstream file(FEEDSCOPE_SOURCE_DIR "/core/export/README.md");
-  static const std::regex row(R"(\| `([^`]+)` \| ([sctkmr]+) \|.*)");
+  static const std::regex row(R"(\| `([^`]+)` \| ([sectkmr]+) \|.*)");
   KeyTable keys;
   std::smatch found;
   for (std::string line; std::getline(file, line);) {
@@ -102,6 +103,7 @@ class Files {
     for (const Run* each : {&run, &second}) {
       const ContourReport contour = contour_report(*each, 50);
       add('s', simulation_json(each->input, figures_of(*each), &contour));
+      add('e', explanation_json(each->input, figures_of(*each), time_report(*each, OperationSplit::tool)));
     }
     for (const LoadedProgram* each : {&program, &corners}) {
       add('k', check_json(*each));
@@ -169,6 +171,14 @@ class Files {
         json.erase(key);
       }
       json["runs"] = Json::array({run});
+    }
+    if (kind == 'e') {  // besides its own keys it has those of a simulation
+      for (const auto& [key, value] : all_[all_.size() - 2].items()) {
+        if (key != "format" && !key.starts_with("contour_")) {
+          EXPECT_EQ(json.count(key), 1U) << key;
+          json.erase(key);
+        }
+      }
     }
     add_keys(json, "", kind, keys_);
   }

@@ -1,0 +1,82 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <optional>
+
+#include "app/asked_program.h"
+#include "app/commands/command.h"
+#include "app/exit_codes.h"
+#include "app/explanation_text.h"
+#include "app/output_file.h"
+#include "app/print.h"
+#include "app/run_options.h"
+#include "app/watch.h"
+#include "core/export/export.h"
+
+namespace feedscope {
+namespace {
+
+struct ExplainOptions {
+  RunOptions run;
+  std::string operations;  ///< as typed
+  std::string json;
+  std::optional<std::size_t> number;  ///< of a run of a session, from 1
+};
+
+int explain(const ExplainOptions& options) {
+  const AskedProgram asked = asked_program(options.run, given_of_run(options.run));
+  const Setup setup = asked_setup(options.run, options.number, asked);
+  const OperationSplit split =
+      options.operations.empty() ? OperationSplit::none : operation_split(options.operations);
+  note_unused_tolerance(options.run, setup);
+  for (const std::string& input : {options.run.file, asked.file}) {
+    check_outputs(input, {options.json});
+  }
+  OutputFiles files;
+  std::ostream* json = options.json.empty() ? nullptr : &files.add(options.json);
+  Run run;
+  TimeReport report;
+  {
+    Watch watch;
+    const LoadedProgram program =
+        load_program(asked.source, watch.stage("reading"), reading_on(asked.reading, setup.machine));
+    run = simulate_run(program, setup, watch.stage("simulating"));
+    report = time_report(run, split, watch.stage("trying changes"));
+    if (json != nullptr) {
+      *json << explanation_json(program, figures_of(run), report);
+    }
+    files.commit();
+  }
+  if (!options.run.tolerance.empty()) {
+    note_replaced_tolerance(*run.input.toolpath);
+  }
+  note_unused_reading(*run.input.program, asked.reading);
+  note_runs(run.input, {run.setup});
+  print_diagnostics(*run.input.program);
+  print_diagnostics(run.input.lines_not_run, *run.input.program);
+  if (options.json != "-") {
+    fmt::print("{}", explanation_text(run, report));
+  }
+  return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+}
+
+}  // namespace
+
+Command add_explain_command(CLI::App& app) {
+  const auto options = std::make_shared<ExplainOptions>();
+  CLI::App* command =
+      app.add_subcommand("explain", "Say where the time of an NC program goes and what would help");
+  add_run_options(*command, options->run);
+  add_run_number_option(*command, options->number);
+  command
+      ->add_option("--operations", options->operations,
+                   "Operations by tool or by comment [by tool where several work, else by comment]")
+      ->type_name("tool|comment");
+  command->add_option("--json", options->json, "Write all of it; - for standard output")->type_name("FILE");
+  return {command, [options] {
+            move_tolerance(options->run);
+            return explain(*options);
+          }};
+}
+
+}  // namespace feedscope

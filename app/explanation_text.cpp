@@ -1,0 +1,295 @@
+#include "app/explanation_text.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "app/print.h"
+#include "core/analysis/not_counted.h"
+#include "core/base/units.h"
+#include "core/machine/contour_tolerance.h"
+
+namespace feedscope {
+namespace {
+
+constexpr std::size_t most_rows = 12;
+constexpr double worth_a_row = 5e-4;  // of the cycle time
+
+std::string seconds(double time) {
+  return fmt::format("{:.3f} s", time);
+}
+
+std::string percent(double part, double of) {
+  return of > 0 ? fmt::format("{:.1f} %", 100 * part / of) : "-";
+}
+
+/// "57.5 s more than programmed (2.3 times). Most is lost in corners, to ...".
+std::string conclusion(const TimeReport& report) {
+  const TimeUse& use = report.use;
+  std::string text = fmt::format("{} for {} programmed: {} {} than the programmed feeds give",
+                                 time_text(use.cycle_time), time_text(use.programmed_time),
+                                 seconds(std::abs(use.lost())), use.lost() >= 0 ? "more" : "less");
+  if (use.programmed_time > 0) {
+    text += fmt::format(" ({:.2f} times)", use.cycle_time / use.programmed_time);
+  }
+  text += ". ";
+  if (!report.slow.groups.empty() && report.slow.groups.front().loss > worth_a_row * use.cycle_time) {
+    const SlowGroup& most = report.slow.groups.front();
+    text += fmt::format("Most is lost in {}, to {}: {}. ", info_of(most.shape).title, cause_title(most.cause),
+                        seconds(most.loss));
+  }
+  if (!report.changes.best.empty()) {
+    const TriedChange& best = report.changes.tried[report.changes.best.front()];
+    text +=
+        fmt::format("The change that helps most gains {} ({}).", seconds(use.cycle_time - best.cycle_time),
+                    percent(use.cycle_time - best.cycle_time, use.cycle_time));
+  } else if (!report.changes.tried.empty()) {
+    text += "None of the changes that were simulated helps.";
+  }
+  return wrapped(text, 0) + "\n";
+}
+
+std::string kinds_text(const TimeUse& use) {
+  TextTable table;
+  table.add({"", "time", "share", "programmed", "lost"});
+  const auto add = [&](const std::string& title, const TimeShare& share) {
+    table.add({title, seconds(share.time), percent(share.time, use.cycle_time), seconds(share.programmed),
+               seconds(share.lost())});
+  };
+  for (std::size_t i = 0; i < time_kind_count; ++i) {
+    if (use.kinds[i].time > 0 || use.kinds[i].programmed > 0) {
+      add(std::string(time_kind_title(static_cast<TimeKind>(i))), use.kinds[i]);
+    }
+  }
+  add("all", {use.cycle_time, use.programmed_time});
+  return table.text("lrrrr");
+}
+
+std::string causes_text(const TimeUse& use) {
+  TextTable table;
+  table.add({"", "time", "share", "lost"});
+  CauseCost rest;
+  std::size_t rows = 0;
+  for (const CauseCost& cost : use.causes) {
+    const double weight = std::max(cost.time, std::abs(cost.lost));
+    if (rows < most_rows && weight > worth_a_row * use.cycle_time) {
+      table.add({cause_title(cost.cause), seconds(cost.time), percent(cost.time, use.cycle_time),
+                 seconds(cost.lost)});
+      ++rows;
+    } else {
+      rest.time += cost.time;
+      rest.lost += cost.lost;
+    }
+  }
+  if (std::abs(use.saved_by_path) > worth_a_row * use.cycle_time) {
+    table.add({use.saved_by_path > 0 ? "path shorter than programmed" : "path longer than programmed", "", "",
+               seconds(-use.saved_by_path)});
+  } else {
+    rest.lost -= use.saved_by_path;
+  }
+  if (rest.time > 0) {
+    table.add({"others", seconds(rest.time), percent(rest.time, use.cycle_time), seconds(rest.lost)});
+  }
+  table.add({"all", seconds(use.cycle_time), percent(use.cycle_time, use.cycle_time), seconds(use.lost())});
+  return table.text("lrrr");
+}
+
+std::string operations_text(const TimeUse& use) {
+  TextTable table;
+  table.add({"", "line", "time", "share", "programmed", "lost", "rapids", "loses most to"});
+  std::vector<const OperationTime*> shown;
+  for (const OperationTime& operation : use.operations) {
+    shown.push_back(&operation);
+  }
+  const std::size_t count = std::min(most_rows, shown.size());
+  std::ranges::nth_element(
+      shown, shown.begin() + static_cast<std::ptrdiff_t>(count == shown.size() ? count - 1 : count),
+      [](const OperationTime* a, const OperationTime* b) { return a->all.time > b->all.time; });
+  OperationTime rest;
+  for (std::size_t i = count; i < shown.size(); ++i) {
+    rest.all.time += shown[i]->all.time;
+    rest.all.programmed += shown[i]->all.programmed;
+    rest.rapid += shown[i]->rapid;
+  }
+  const std::size_t others = shown.size() - count;
+  shown.resize(count);
+  std::ranges::sort(shown);  // as they come in the program
+  const auto add = [&](const std::string& title, const std::string& line, const OperationTime& operation,
+                       const std::string& cause) {
+    table.add({title, line, seconds(operation.all.time), percent(operation.all.time, use.cycle_time),
+               seconds(operation.all.programmed), seconds(operation.all.lost()), seconds(operation.rapid),
+               cause});
+  };
+  for (const OperationTime* operation : shown) {
+    const bool loses = operation->worst.lost > worth_a_row * use.cycle_time;
+    add(operation->title, fmt::format("{}", operation->line), *operation,
+        loses ? cause_title(operation->worst.cause) : "");
+  }
+  if (others > 0) {
+    add(fmt::format("{} others", others), "", rest, "");
+  }
+  return table.text("lrrrrrrl");
+}
+
+/// "turn 12 to 90 deg, median 45".
+std::string measure_text(const SlowGroup& group) {
+  const PlaceShapeInfo& info = info_of(group.shape);
+  if (info.measure.empty()) {
+    return "";
+  }
+  const bool angle = info.dimension == Dimension::angle;
+  const auto value = [&](double inside) {
+    return fmt::format("{:.3g}", angle ? units::to_deg(inside) : inside);
+  };
+  const std::string unit = angle ? "deg" : "mm";
+  const bool all_the_same = value(group.smallest) == value(group.largest);
+  return all_the_same ? fmt::format("{} {} {}", info.measure, value(group.median), unit)
+                      : fmt::format("{} {} to {} {}, median {}", info.measure, value(group.smallest),
+                                    value(group.largest), unit, value(group.median));
+}
+
+std::string groups_text(const TimeReport& report) {
+  TextTable table;
+  table.add({"", "lost", "places", "lines", "worst at", "what they have in common"});
+  double other = report.slow.other;
+  std::size_t rows = 0;
+  for (const SlowGroup& group : report.slow.groups) {
+    if (rows == most_rows || group.loss < worth_a_row * report.use.cycle_time) {
+      other += group.loss;
+      continue;
+    }
+    ++rows;
+    const SlowPlace& worst = group.worst.front();
+    table.add({fmt::format("{}: {}", info_of(group.shape).title, cause_title(group.cause)),
+               seconds(group.loss), fmt::format("{}", group.count),
+               fmt::format("{}-{}", group.first_line, group.last_line), fmt::format("{}", worst.line),
+               measure_text(group)});
+  }
+  table.add({"elsewhere", seconds(other), "", "", "", ""});
+  table.add({"all", seconds(report.slow.loss), "", "", "", ""});
+  return table.text("lrrrrl");
+}
+
+/// "jerk of all axes +50 %", where that is all that changes of the setup; else "".
+std::string all_axes_text(const Remedy& remedy, const Setup& setup) {
+  std::optional<double> factor;
+  std::string limit;
+  for (const auto& [key, value] : remedy.changes) {
+    const bool of_axis = key.size() > 2 && key[1] == '.' && std::holds_alternative<double>(value);
+    if (!of_axis || (!limit.empty() && key.substr(2) != limit)) {
+      return "";
+    }
+    limit = key.substr(2);
+    const double now = std::get<double>(value) / axis_limit(setup.machine, key[0], limit);
+    if (std::abs(now - factor.value_or(now)) > 1e-3) {
+      return "";
+    }
+    factor = now;
+  }
+  return factor && remedy.changes.size() == setup.machine.axes.size() && remedy.changes.size() > 1
+             ? fmt::format("{} of all axes {:+.3g} %", limit, 100 * (*factor - 1))
+             : "";
+}
+
+/// "contour tolerance 0.2 mm (0.1 mm now)".
+std::string change_text(const Remedy& remedy, const Setup& setup) {
+  std::vector<std::string> parts;
+  if (!remedy.machine.empty()) {
+    parts.push_back(fmt::format("on {}", shipped_machines().load(remedy.machine).name));
+  }
+  if (remedy.feed_factor != 1) {
+    parts.push_back(fmt::format("programmed feed +{:.3g} %", 100 * (remedy.feed_factor - 1)));
+  }
+  const auto now = [&](const std::string& key) -> SettingValue {
+    const bool of_axis = key.size() > 2 && key[1] == '.';
+    return of_axis ? SettingValue(axis_limit(setup.machine, key[0], key.substr(2)))
+           : key == contour_tolerance_key && remedy.before ? SettingValue(*remedy.before)
+                                                           : setup.settings.value(key);
+  };
+  const auto text = [](const SettingValue& value) {
+    return std::holds_alternative<double>(value) ? fmt::format("{:.5g}", std::get<double>(value))
+                                                 : std::get<std::string>(value);
+  };
+  if (const std::string all = all_axes_text(remedy, setup); !all.empty()) {
+    parts.push_back(all);
+    return fmt::format("{}", fmt::join(parts, ", "));
+  }
+  for (const auto& [key, value] : remedy.changes) {
+    if (key != program_tolerance_key) {
+      parts.push_back(fmt::format("{} {} (now {})", key, text(value), text(now(key))));
+    }
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string error_text(const TriedChange& change) {
+  return change.max_contour_error ? fmt::format("{:.4f} mm", *change.max_contour_error) : "";
+}
+
+std::string changes_text(const Run& run, const TimeReport& report) {
+  const ChangeTrials& trials = report.changes;
+  const double now = report.use.cycle_time;
+  TextTable table;
+  table.add({"", "cycle time", "gain", "", "contour error", "change"});
+  table.add({"now", seconds(now), "", "", fmt::format("{:.4f} mm", run.summary.max_contour_error), ""});
+  const auto add = [&](const std::string& rank, const TriedChange& change) {
+    table.add({rank, seconds(change.cycle_time), seconds(now - change.cycle_time),
+               percent(now - change.cycle_time, now), error_text(change),
+               change_text(change.remedy, run.setup)});
+  };
+  for (std::size_t i = 0; i < trials.best.size(); ++i) {
+    add(fmt::format("{}.", i + 1), trials.tried[trials.best[i]]);
+  }
+  if (trials.together) {
+    TriedChange together = *trials.together;
+    const std::string options = as_options(together.remedy);
+    table.add({"together", seconds(together.cycle_time), seconds(now - together.cycle_time),
+               percent(now - together.cycle_time, now), error_text(together), "those of this machine"});
+  }
+  std::size_t others = 0;
+  for (std::size_t i = 0; i < trials.tried.size() && others < most_rows; ++i) {
+    const bool is_best = std::ranges::find(trials.best, i) != trials.best.end();
+    const double gain = now - trials.tried[i].cycle_time;
+    if (!is_best && trials.tried[i].failure.empty() && gain > ChangeTrials::worth_it * now) {
+      if (others++ == 0) {
+        table.add_heading("Also simulated");
+      }
+      add("", trials.tried[i]);
+    }
+  }
+  std::string text = table.text("lrrrrl");
+  for (const std::size_t i : trials.best) {
+    const Remedy& remedy = trials.tried[i].remedy;
+    if (const std::string options = as_options(remedy); !options.empty()) {
+      text += fmt::format("{}  feedscope simulate ... {}\n", i == trials.best.front() ? "\n" : "", options);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string explanation_text(const Run& run, const TimeReport& report) {
+  const TimeUse& use = report.use;
+  std::string out =
+      fmt::format("{} on {} ({}), model {}\n\n{}", run.input.program->source->name(), run.setup.machine.name,
+                  run.setup.machine.control, run.setup.model->info().id, conclusion(report));
+  if (const std::string missing = describe(run.summary.not_counted); !missing.empty()) {
+    out += fmt::format("Not in the cycle time: {}\n", missing);
+  }
+  out += "\nWhat it consists of\n" + kinds_text(use);
+  out += "\nWhat limits it\n" + causes_text(use);
+  if (!use.operations.empty()) {
+    out += fmt::format("\nOperations by {}\n", use.split == OperationSplit::tool ? "tool" : "comment");
+    out += operations_text(use);
+  }
+  out += "\nPlaces that lose most\n" + groups_text(report);
+  out += "\nWhat would help (each simulated; whether machine, tool and material bear it is not checked)\n" +
+         changes_text(run, report);
+  return out;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,179 @@
+#include "core/analysis/time_use/program_changes.h"
+
+#include <algorithm>
+#include <exception>
+#include <limits>
+#include <set>
+
+#include "core/analysis/contour/contour_errors.h"
+#include "core/analysis/control_dialect.h"
+#include "core/base/error.h"
+#include "core/base/parallel.h"
+#include "core/machine/contour_tolerance.h"
+#include "core/program/dialect.h"
+
+namespace feedscope {
+namespace {
+
+constexpr std::size_t most_causes = 5;
+constexpr double worth_a_change = 0.01;  // of the cycle time that a cause loses
+
+/// Those that lose most, and the programmed feed where it limits most of the time.
+std::vector<Cause> causes_to_change(const TimeUse& use) {
+  std::vector<Cause> causes;
+  for (const CauseCost& cost : use.causes) {
+    if (causes.size() < most_causes && !is_pause(cost.cause.kind) &&
+        cost.lost > worth_a_change * use.cycle_time) {
+      causes.push_back(cost.cause);
+    }
+  }
+  return causes;
+}
+
+bool has_larger_limit(const Machine& machine, const Machine& than) {
+  for (const AxisInfo& axis : than.axes.axes()) {
+    for (const SettingSpec& spec : axis_limit_specs()) {
+      if (machine.axes.find(axis.name) != nullptr &&
+          axis_limit(machine, axis.name, spec.key) > axis_limit(than, axis.name, spec.key)) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+/// Whether the programs of one machine run on the other, as far as their controls are known.
+bool reads_the_same(const Machine& machine, const Machine& as) {
+  return std::ranges::all_of(all_dialects(), [&](const DialectInfo& dialect) {
+    return !control_reads(as, dialect.dialect).value_or(false) ||
+           control_reads(machine, dialect.dialect).value_or(true);
+  });
+}
+
+std::vector<Remedy> other_machines(const Setup& setup) {
+  std::vector<Remedy> found;
+  const MachineLibrary library = shipped_machines();
+  for (const std::string& id : library.ids()) {
+    const Machine machine = library.load(id);
+    if (id != setup.machine.id && reads_the_same(machine, setup.machine) &&
+        has_larger_limit(machine, setup.machine)) {
+      Remedy remedy;
+      remedy.machine = id;
+      found.push_back(std::move(remedy));
+    }
+  }
+  return found;
+}
+
+/// Both in one.
+Remedy joined(Remedy first, const Remedy& second) {
+  first.changes.insert(first.changes.end(), second.changes.begin(), second.changes.end());
+  first.feed_factor *= second.feed_factor;
+  return first;
+}
+
+TriedChange tried(const Run& run, const Remedy& remedy, bool with_error, Progress* progress) {
+  TriedChange change;
+  change.remedy = remedy;
+  try {
+    const Trajectory faster = try_remedy(run.input, run.setup, remedy, progress);
+    change.cycle_time = faster.duration();
+    if (with_error) {
+      change.max_contour_error = contour_errors(faster, {1}, progress).largest;
+    }
+  } catch (const InputError& error) {
+    change.failure = error.what();
+  }
+  return change;
+}
+
+/// The best of each kind, those that gain most.
+std::vector<std::size_t> best_of(const std::vector<TriedChange>& tried, double cycle_time) {
+  std::vector<std::size_t> best;
+  std::set<std::string> kinds;
+  for (std::size_t i = 0; i < tried.size() && best.size() < ChangeTrials::most; ++i) {
+    const bool helps =
+        tried[i].failure.empty() && cycle_time - tried[i].cycle_time > ChangeTrials::worth_it * cycle_time;
+    if (helps && kinds.insert(kind_of(tried[i].remedy)).second) {
+      best.push_back(i);
+    }
+  }
+  return best;
+}
+
+}  // namespace
+
+std::string kind_of(const Remedy& remedy) {
+  if (!remedy.machine.empty()) {
+    return "machine";
+  }
+  if (remedy.changes.empty()) {
+    return "feed";
+  }
+  const std::string& key = remedy.changes.front().first;
+  if (key == contour_tolerance_key || key == "blend_tolerance_mm") {
+    return "tolerance";
+  }
+  const bool of_axis = key.size() > 2 && key[1] == '.';
+  const std::string limit = of_axis ? key.substr(2) : key;
+  return limit == "blend_jerk" ? "jerk" : limit;
+}
+
+std::vector<Remedy> changes_worth_trying(const Run& run, const TimeUse& use) {
+  std::vector<Remedy> changes = remedies(run.setup, causes_to_change(use), run.input.feed_controls);
+  const std::vector<Remedy> machines = other_machines(run.setup);
+  changes.insert(changes.end(), machines.begin(), machines.end());
+  return changes;
+}
+
+ChangeTrials try_changes(const Run& run, const std::vector<Remedy>& changes, Progress* progress,
+                         const std::function<void(std::size_t, const TriedChange&)>& tell) {
+  Progress unwatched;
+  Progress& whole = progress != nullptr ? *progress : unwatched;
+  const auto steps = static_cast<double>(changes.size() + ChangeTrials::most + 1);
+  const auto try_all = [&](std::vector<TriedChange>& results, const std::vector<Remedy>& remedies,
+                           bool with_error) {
+    results.resize(remedies.size());
+    in_parallel(remedies.size(), [&](std::size_t i) {
+      Progress part(whole, 1 / steps);
+      part.report(0);
+      results[i] = tried(run, remedies[i], with_error, &part);
+      part.report(1);
+      if (tell && !with_error) {
+        tell(i, results[i]);
+      }
+    });
+  };
+  ChangeTrials trials;
+  try_all(trials.tried, changes, false);
+  std::ranges::stable_sort(trials.tried, {}, [](const TriedChange& change) {
+    return change.failure.empty() ? change.cycle_time : std::numeric_limits<double>::infinity();
+  });
+  trials.best = best_of(trials.tried, run.trajectory->duration());
+  std::vector<Remedy> again;
+  Remedy together;
+  std::size_t joins = 0;
+  for (const std::size_t i : trials.best) {
+    const Remedy& remedy = trials.tried[i].remedy;
+    again.push_back(remedy);
+    if (remedy.machine.empty()) {
+      together = joined(std::move(together), remedy);
+      ++joins;
+    }
+  }
+  if (joins > 1) {
+    again.push_back(std::move(together));
+  }
+  std::vector<TriedChange> with_error;
+  try_all(with_error, again, true);
+  for (std::size_t i = 0; i < trials.best.size(); ++i) {
+    trials.tried[trials.best[i]] = with_error[i];
+  }
+  if (joins > 1) {
+    trials.together = with_error.back();
+  }
+  whole.report(1);
+  return trials;
+}
+
+}  // namespace feedscope

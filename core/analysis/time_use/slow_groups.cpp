@@ -1,0 +1,239 @@
+#include "core/analysis/time_use/slow_groups.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+
+#include "core/base/exact_sum.h"
+#include "core/base/translatable.h"
+#include "core/base/units.h"
+#include "core/trajectory/part_walk.h"
+
+namespace feedscope {
+namespace {
+
+constexpr std::size_t most_places = 1'000'000;
+const double least_turn = units::from_deg(1);  // of a corner [rad]
+constexpr double most_of_it = 0.8;             // of a group's loss: one axis makes it
+constexpr double at_border = 1e-3;             // of an element's length
+constexpr double close_to_corner = 1 / 2.0;    // of an element's length, where filters spread a stop
+
+/// In the order of PlaceShape.
+constexpr std::array<PlaceShapeInfo, place_shape_count> shapes{{
+    {"corner", QT_TRANSLATE_NOOP("core", "corners"), QT_TRANSLATE_NOOP("core", "turn"), Dimension::angle},
+    {"arc", QT_TRANSLATE_NOOP("core", "arcs"), QT_TRANSLATE_NOOP("core", "radius"), Dimension::length},
+    {"line", QT_TRANSLATE_NOOP("core", "lines"), QT_TRANSLATE_NOOP("core", "block length"),
+     Dimension::length},
+    {"curve", QT_TRANSLATE_NOOP("core", "smooth curves"), "", Dimension::length},
+    {"rapid", QT_TRANSLATE_NOOP("core", "rapids"), QT_TRANSLATE_NOOP("core", "block length"),
+     Dimension::length},
+    {"stop", QT_TRANSLATE_NOOP("core", "starts and stops"), "", Dimension::length},
+}};
+
+/// What the path is like at one instant.
+struct Shape {
+  PlaceShape shape = PlaceShape::line;
+  double measure = 0;  ///< as SlowGroup::median
+};
+
+class ShapeFinder {
+ public:
+  explicit ShapeFinder(const Trajectory& trajectory) : trajectory_(trajectory), path_(trajectory.path()) {}
+
+  Shape at(double time) const {
+    const std::size_t piece = trajectory_.piece_at(time);
+    PartWalk walk(trajectory_, piece, time - trajectory_.pieces()[piece].time);
+    const std::uint32_t element = walk.done() ? last_element() : walk.part().element;
+    if (path_.kind(element) == ElementKind::dwell) {
+      return {PlaceShape::stop, 0};
+    }
+    if (trajectory_.is_rapid(element)) {
+      return {PlaceShape::rapid, segment_of(element).length};
+    }
+    if (path_.in_corner(element)) {
+      const std::size_t segment = path_.base_segment_of(element);
+      return {PlaceShape::corner, turn_between(segment, segment + 1)};
+    }
+    if (is_corner_arc(element)) {
+      return {PlaceShape::corner, corner_arc_turn(element)};
+    }
+    const double length = path_.length(element);
+    const double from_start = walk.done() ? length : place_in(walk);
+    const bool filtered = path_.kind(element) == ElementKind::filtered;
+    const double near = length * (filtered ? close_to_corner : at_border);
+    if (from_start <= near) {
+      if (const auto found = junction(element, -1)) {
+        return *found;
+      }
+    }
+    if (length - from_start <= near) {
+      if (const auto found = junction(element, +1)) {
+        return *found;
+      }
+    }
+    return along(element);
+  }
+
+ private:
+  std::uint32_t last_element() const { return static_cast<std::uint32_t>(path_.size() - 1); }
+  const Segment& segment_of(std::uint32_t element) const {
+    return path_.base().segments[path_.base_segment_of(element)];
+  }
+
+  /// Whether an open control put an arc there that the program does not have.
+  bool is_corner_arc(std::uint32_t element) const {
+    return path_.is_executed() && segment_of(element).kind == SegmentKind::arc &&
+           path_.programmed()->segments[path_.segment(element)].kind != SegmentKind::arc;
+  }
+  double corner_arc_turn(std::uint32_t element) const {
+    return path_.length(element) / path_.base().arc_of(segment_of(element)).length_per_radian();
+  }
+
+  /// From the start of its element to the start of the part [mm].
+  double place_in(PartWalk& walk) const {
+    const Part& part = walk.part();
+    return part.law == Law::path_length ? part.q : walk.motion().state(0).path_length - path_.s(part.element);
+  }
+
+  double turn_between(std::size_t segment, std::size_t next) const {
+    const Toolpath& base = path_.base();
+    if (next >= base.segments.size()) {
+      return 0;
+    }
+    const Vec3 in = base.tangent_at_end(segment);
+    const Vec3 out = base.tangent_at_start(next);
+    return std::atan2(in.cross(out).norm(), in.dot(out));
+  }
+
+  /// What is at the start (-1) or the end (+1) of `element`; none where the path just goes on.
+  std::optional<Shape> junction(std::uint32_t element, int side) const {
+    if ((side < 0 && element == 0) || (side > 0 && element == last_element())) {
+      return Shape{PlaceShape::stop, 0};
+    }
+    const auto other = static_cast<std::uint32_t>(static_cast<std::int64_t>(element) + side);
+    if (path_.kind(other) == ElementKind::dwell) {
+      return Shape{PlaceShape::stop, 0};
+    }
+    if (path_.in_corner(other)) {
+      const std::size_t segment = path_.base_segment_of(other);
+      return Shape{PlaceShape::corner, turn_between(segment, segment + 1)};
+    }
+    if (is_corner_arc(other)) {
+      return Shape{PlaceShape::corner, corner_arc_turn(other)};
+    }
+    const std::uint32_t before = side < 0 ? other : element;
+    const std::uint32_t behind = side < 0 ? element : other;
+    if (is_smooth(before) || is_smooth(behind)) {
+      return std::nullopt;
+    }
+    const double turn = turn_between(path_.base_segment_of(before), path_.base_segment_of(behind));
+    if (turn >= least_turn) {
+      return Shape{PlaceShape::corner, turn};
+    }
+    if (!trajectory_.is_rapid(other) && segment_of(other).kind == SegmentKind::arc &&
+        segment_of(element).kind != SegmentKind::arc) {
+      return along(other);
+    }
+    return std::nullopt;
+  }
+
+  bool is_smooth(std::uint32_t element) const {
+    return path_.kind(element) == ElementKind::curve || path_.kind(element) == ElementKind::fitted;
+  }
+
+  Shape along(std::uint32_t element) const {
+    if (path_.kind(element) == ElementKind::curve) {
+      return {PlaceShape::curve, 0};
+    }
+    const Segment& segment = segment_of(element);
+    return segment.kind == SegmentKind::arc ? Shape{PlaceShape::arc, path_.base().arc_of(segment).radius}
+                                            : Shape{PlaceShape::line, segment.length};
+  }
+
+  const Trajectory& trajectory_;
+  const BlendedPath& path_;
+};
+
+/// A group while places come in.
+struct GroupSums {
+  SlowGroup group;
+  ExactSum loss;
+  std::vector<float> measures;
+  std::map<int, double> by_axis;
+
+  void add(const SlowPlace& place, const Shape& shape) {
+    if (group.count == 0) {
+      group.shape = shape.shape;
+      group.kind = place.cause.kind;
+      group.first_line = place.first_line;
+    }
+    ++group.count;
+    loss.add(place.loss);
+    group.first_line = std::min(group.first_line, place.first_line);
+    group.last_line = std::max(group.last_line, place.last_line);
+    measures.push_back(static_cast<float>(shape.measure));
+    by_axis[place.cause.axis] += place.loss;
+    group.worst.push_back(place);
+    if (group.worst.size() >= 4 * SlowGroups::worst_places) {
+      keep_worst();
+    }
+  }
+
+  SlowGroup finish() {
+    keep_worst();
+    const auto most = std::ranges::max_element(by_axis, {}, [](const auto& entry) { return entry.second; });
+    group.loss = loss.value();
+    group.cause.kind = group.kind;
+    if (most->second > most_of_it * group.loss) {
+      group.cause.axis = static_cast<std::int8_t>(most->first);
+    }
+    const auto middle = measures.begin() + static_cast<std::ptrdiff_t>(measures.size() / 2);
+    std::ranges::nth_element(measures, middle);
+    group.median = static_cast<double>(*middle);
+    const auto [smallest, largest] = std::ranges::minmax_element(measures);
+    group.smallest = static_cast<double>(*smallest);
+    group.largest = static_cast<double>(*largest);
+    return std::move(group);
+  }
+
+ private:
+  void keep_worst() {
+    std::ranges::stable_sort(group.worst, std::greater(), &SlowPlace::loss);
+    group.worst.resize(std::min(group.worst.size(), SlowGroups::worst_places));
+  }
+};
+
+}  // namespace
+
+const PlaceShapeInfo& info_of(PlaceShape shape) {
+  return shapes[static_cast<std::size_t>(shape)];
+}
+
+SlowGroups find_slow_groups(const Trajectory& trajectory, Progress* progress) {
+  const SlowPlaces slow = find_slow_places(trajectory, most_places, progress);
+  SlowGroups found;
+  found.loss = slow.loss;
+  const ShapeFinder shapes_of(trajectory);
+  std::map<std::pair<PlaceShape, CauseKind>, GroupSums> groups;
+  ProgressSteps steps(progress, slow.places.size());
+  for (std::size_t i = 0; i < slow.places.size(); ++i) {
+    steps.at(i);
+    const SlowPlace& place = slow.places[i];
+    const Shape shape = shapes_of.at(place.slowest);
+    groups[{shape.shape, place.cause.kind}].add(place, shape);
+  }
+  ExactSum grouped;
+  for (auto& [key, sums] : groups) {
+    found.groups.push_back(sums.finish());
+    grouped.add(found.groups.back().loss);
+  }
+  std::ranges::stable_sort(found.groups, std::greater(), &SlowGroup::loss);
+  found.other = found.loss - grouped.value();
+  return found;
+}
+
+}  // namespace feedscope

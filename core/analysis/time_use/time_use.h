@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/analysis/run.h"
+#include "core/analysis/study/operations.h"
+
+namespace feedscope {
+
+/// What the time of a run is spent on.
+enum class TimeKind : std::uint8_t { cutting, rapid, dwell, tool_change, spindle_start };
+inline constexpr std::size_t time_kind_count = static_cast<std::size_t>(TimeKind::spindle_start) + 1;
+/// Stable key for files: "cutting", "rapid", "dwell", "tool_change", "spindle_start".
+std::string_view time_kind_key(TimeKind kind);
+/// For people: "cutting (programmed feed)", "rapids" ...
+std::string_view time_kind_title(TimeKind kind);
+
+/// A part of the cycle time, and what the same part of the program takes at its programmed feed.
+struct TimeShare {
+  double time = 0;        ///< [s]
+  double programmed = 0;  ///< [s]
+  double lost() const { return time - programmed; }
+};
+
+/// What a limiting cause takes and what it costs.
+struct CauseCost {
+  Cause cause;
+  double time = 0;  ///< [s]
+  double lost = 0;  ///< beyond the time of the executed path at its programmed feed [s]
+};
+
+struct OperationTime {
+  std::string title;       ///< as Operation::title
+  std::uint32_t line = 0;  ///< that it begins with
+  double start = 0;        ///< first instant of it [s]
+  TimeShare all;
+  double rapid = 0;  ///< part of all.time [s]
+  double pause = 0;  ///< part of all.time: dwells, tool changes, spindle starts [s]
+  CauseCost worst;   ///< the cause that loses most in it
+};
+
+/// Where the cycle time of a run goes, in three ways, each of which adds up to all of it.
+///
+/// cycle_time = programmed_time - saved_by_path + the `lost` of all causes
+///            = the `time` of all kinds = of all causes = of all operations
+/// programmed_time = the `programmed` of all kinds = of all operations
+struct TimeUse {
+  double cycle_time = 0;       ///< [s]
+  double programmed_time = 0;  ///< as Summary::programmed_time [s]
+  /// Programmed time less that of the executed path at its programmed feed: corners that are cut make the
+  /// path shorter [s]; negative where the executed path is longer.
+  double saved_by_path = 0;
+  std::array<TimeShare, time_kind_count> kinds;  ///< by TimeKind
+  /// Those with any time, that which loses most first; slowing down counts for what sets the speed of the
+  /// slower place ahead.
+  std::vector<CauseCost> causes;
+  OperationSplit split = OperationSplit::none;
+  std::vector<OperationTime>
+      operations;  ///< in the order of their first start; empty where there is one only
+
+  double lost() const { return cycle_time - programmed_time; }
+  const TimeShare& of(TimeKind kind) const { return kinds[static_cast<std::size_t>(kind)]; }
+};
+
+/// Linear in pieces and segments. `split` none: by tool where more than one works, else by comment where they
+/// make two to 200 operations, else not at all. An operation that a loop comes back to is one.
+/// Throws Cancelled.
+TimeUse time_use(const Run& run, OperationSplit split = OperationSplit::none, Progress* progress = nullptr);
+
+}  // namespace feedscope

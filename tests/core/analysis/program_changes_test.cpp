@@ -1,0 +1,152 @@
+#include "core/analysis/time_use/program_changes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace feedscope {
+namespace {
+
+using SimulatedRun = feedscope::Run;  // in tests Run is a member of testing::Test
+
+SimulatedRun run_of(const SetupRequest& request) {
+  std::string program = "G21 G90 F6000\nG1 X0 Y0\n";
+  for (int i = 1; i <= 30; ++i) {
+    program += "X" + std::to_string(5 * i) + "\nY" + std::to_string(3 * i) + "\n";
+  }
+  return simulate_run(load_program(std::make_shared<const SourceText>("test.nc", program + "M30\n")),
+                      make_setup(request));
+}
+
+ChangeTrials trials_of(const SimulatedRun& run) {
+  return try_changes(run, changes_worth_trying(run, time_use(run)));
+}
+
+TEST(ProgramChanges, GainWhatARunWithThemGains) {
+  for (const char* model : {"essid", "tapie", "ward", "grbl", "klipper"}) {
+    SetupRequest request;
+    request.model = model;
+    const SimulatedRun run = run_of(request);
+    const ChangeTrials trials = trials_of(run);
+    SCOPED_TRACE(model);
+    ASSERT_FALSE(trials.tried.empty());
+    for (const TriedChange& change : trials.tried) {
+      ASSERT_EQ(change.failure, "");
+      const LoadedProgram input =
+          change.remedy.feed_factor == 1 ? run.input : with_feed(run.input, change.remedy.feed_factor);
+      const SimulatedRun changed = simulate_run(input, with_remedy(run.setup, change.remedy));
+      EXPECT_NEAR(change.cycle_time, changed.summary.cycle_time, 1e-9);
+      if (change.max_contour_error) {
+        EXPECT_NEAR(*change.max_contour_error, changed.summary.max_contour_error, 1e-9);
+      }
+    }
+  }
+}
+
+TEST(ProgramChanges, TheBestAreOfDifferentKindsAndGainMost) {
+  const SimulatedRun run = run_of({});
+  const ChangeTrials trials = trials_of(run);
+  ASSERT_GE(trials.best.size(), 2U);
+  EXPECT_LE(trials.best.size(), ChangeTrials::most);
+  EXPECT_TRUE(std::ranges::is_sorted(trials.tried, {}, &TriedChange::cycle_time));
+  std::set<std::string> kinds;
+  for (const std::size_t i : trials.best) {
+    EXPECT_TRUE(kinds.insert(kind_of(trials.tried[i].remedy)).second);
+    EXPECT_LT(trials.tried[i].cycle_time, run.summary.cycle_time);
+    EXPECT_TRUE(trials.tried[i].max_contour_error.has_value());
+  }
+  EXPECT_EQ(trials.best.front(), 0U);
+}
+
+TEST(ProgramChanges, TogetherTheyAreOneRunWithAllOfThem) {
+  const SimulatedRun run = run_of({});
+  const ChangeTrials trials = trials_of(run);
+  ASSERT_TRUE(trials.together.has_value());
+  LoadedProgram input = run.input;
+  auto setup = run.setup;
+  for (const std::size_t i : trials.best) {
+    const Remedy& remedy = trials.tried[i].remedy;
+    if (remedy.machine.empty()) {
+      setup = with_remedy(std::move(setup), remedy);
+      input = with_feed(input, remedy.feed_factor);
+    }
+  }
+  EXPECT_NEAR(trials.together->cycle_time, simulate_run(input, setup).summary.cycle_time, 1e-9);
+}
+
+TEST(ProgramChanges, OtherMachinesRunTheSameProgramsWithTheSameToleranceAndPauses) {
+  SetupRequest request;
+  request.machine = "spinner-mvc850";
+  request.tolerance = 0.037;
+  request.assignments = {"tool_change_time_s=3"};
+  const SimulatedRun run = run_of(request);
+  std::set<std::string> machines;
+  for (const Remedy& remedy : changes_worth_trying(run, time_use(run))) {
+    if (!remedy.machine.empty()) {
+      machines.insert(remedy.machine);
+      const auto setup = with_remedy(run.setup, remedy);
+      EXPECT_EQ(setup.machine.id, remedy.machine);
+      EXPECT_EQ(setup.model, run.setup.model);
+      EXPECT_EQ(contour_tolerance(setup), 0.037);
+      EXPECT_EQ(setup.settings.number("tool_change_time_s"), 3);
+    }
+  }
+  EXPECT_TRUE(machines.contains("mikron-ucp710"));
+  for (const char* other : {"spinner-mvc850", "klipper-corexy", "grbl-router", "dmg-mori-evo40"}) {
+    EXPECT_FALSE(machines.contains(other)) << other;
+  }
+}
+
+TEST(ProgramChanges, OptionsOfTheCommandLineMakeTheSameSetup) {
+  SetupRequest request;
+  request.machine = "spinner-mvc850";
+  const SimulatedRun run = run_of(request);
+  std::size_t checked = 0;
+  for (const Remedy& remedy : changes_worth_trying(run, time_use(run))) {
+    if (!remedy.machine.empty() || remedy.feed_factor != 1) {
+      continue;
+    }
+    SetupRequest asked = request;
+    std::istringstream words(as_options(remedy));
+    for (std::string option, value; words >> option >> value;) {
+      if (option == "--tolerance") {
+        asked.tolerance = std::stod(value);
+      } else {
+        EXPECT_EQ(option, "--set");
+        asked.assignments.push_back(value);
+      }
+    }
+    EXPECT_EQ(make_setup(asked), with_remedy(run.setup, remedy)) << as_options(remedy);
+    ++checked;
+  }
+  EXPECT_GE(checked, 4U);
+  Remedy machine;
+  machine.machine = "mikron-ucp710";
+  EXPECT_EQ(as_options(machine), "--machine mikron-ucp710");
+  Remedy feed;
+  feed.feed_factor = 1.2;
+  EXPECT_EQ(as_options(feed), "");
+}
+
+TEST(ProgramChanges, AreOfOneKindWhateverTheAxis) {
+  EXPECT_EQ(kind_of({{{"X.jerk", 1.0}}}), "jerk");
+  EXPECT_EQ(kind_of({{{"Y.blend_jerk", 1.0}}}), "jerk");
+  EXPECT_EQ(kind_of({{{"X.acceleration", 1.0}, {"Y.acceleration", 1.0}}}), "acceleration");
+  EXPECT_EQ(kind_of({{{"contour_tolerance_mm", 0.1}}}), "tolerance");
+  EXPECT_EQ(kind_of({{{"compressor", std::string("on")}}}), "compressor");
+  Remedy feed;
+  feed.feed_factor = 1.2;
+  EXPECT_EQ(kind_of(feed), "feed");
+}
+
+TEST(ProgramChanges, StopWhenCancelled) {
+  const SimulatedRun run = run_of({});
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(try_changes(run, changes_worth_trying(run, time_use(run)), &progress), Cancelled);
+}
+
+}  // namespace
+}  // namespace feedscope

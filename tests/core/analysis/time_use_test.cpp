@@ -1,0 +1,185 @@
+#include "core/analysis/time_use/time_use.h"
+
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/analysis/time_use/slow_groups.h"
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+using SimulatedRun = feedscope::Run;  // in tests Run is a member of testing::Test
+
+SimulatedRun run_of(const std::string& program, const std::string& model,
+                    const std::vector<std::string>& assignments = {}) {
+  SetupRequest request;
+  request.model = model;
+  request.assignments = assignments;
+  return simulate_run(load_program(std::make_shared<const SourceText>("test.nc", program)),
+                      make_setup(request));
+}
+
+// Rapids, corners, an arc, a dwell, two tools with a spindle start each, and a loop of short lines.
+const std::string mixed =
+    "G21 G90 G17 F4000\nT1 M6\nM3 S8000\nG0 X0 Y0 Z5\nG1 Z-1 F500\nX30 F4000\nY20\nX25 Y24\nG2 X35 Y14 I10\n"
+    "G4 P500\nG0 Z20\nT2 M6\nM3 S9000\nG0 X50 Y0\nG1 Z-1 F500\nX50.4 Y.1 F4000\nX50.8 Y.3\nX51.2 Y.6\n"
+    "X51.6 Y1\nX80\nG0 Z50\nM30\n";
+const std::vector<std::string> timed{"tool_change_time_s=4", "spindle_start_time_s=1.5"};
+
+double sum_of(const TimeUse& use, double TimeShare::*part) {
+  return std::accumulate(use.kinds.begin(), use.kinds.end(), 0.0,
+                         [part](double sum, const TimeShare& share) { return sum + share.*part; });
+}
+
+TEST(TimeUse, AddsUpInEveryWayWithEveryModel) {
+  for (const ControlModel* model : all_models()) {
+    for (const auto& assignments : {std::vector<std::string>(), timed}) {
+      const SimulatedRun run = run_of(mixed, model->info().id, assignments);
+      SCOPED_TRACE(model->info().id);
+      const TimeUse use = time_use(run);
+      const double near = 1e-9 * use.cycle_time;
+      EXPECT_EQ(use.cycle_time, run.summary.cycle_time);
+      EXPECT_NEAR(use.programmed_time, run.summary.programmed_time, near);
+      EXPECT_NEAR(sum_of(use, &TimeShare::time), use.cycle_time, near);
+      EXPECT_NEAR(sum_of(use, &TimeShare::programmed), use.programmed_time, near);
+      double time = 0, lost = 0;
+      for (const CauseCost& cost : use.causes) {
+        time += cost.time;
+        lost += cost.lost;
+      }
+      EXPECT_NEAR(time, use.cycle_time, near);
+      EXPECT_NEAR(use.programmed_time - use.saved_by_path + lost, use.cycle_time, near);
+      ASSERT_GE(use.operations.size(), 2U);
+      EXPECT_EQ(use.split, OperationSplit::tool);
+      TimeShare all;
+      for (const OperationTime& operation : use.operations) {
+        all.time += operation.all.time;
+        all.programmed += operation.all.programmed;
+        EXPECT_LE(operation.rapid + operation.pause, operation.all.time + near);
+      }
+      EXPECT_NEAR(all.time, use.cycle_time, near);
+      EXPECT_NEAR(all.programmed, use.programmed_time, near);
+    }
+  }
+}
+
+TEST(TimeUse, PausesAreWhatProgramAndMachineSay) {
+  const TimeUse use = time_use(run_of(mixed, "essid", timed));
+  EXPECT_NEAR(use.of(TimeKind::dwell).time, 0.5, 1e-9);
+  EXPECT_NEAR(use.of(TimeKind::tool_change).time, 8, 1e-9);
+  EXPECT_NEAR(use.of(TimeKind::spindle_start).time, 3, 1e-9);
+  for (const TimeKind kind : {TimeKind::dwell, TimeKind::tool_change, TimeKind::spindle_start}) {
+    EXPECT_NEAR(use.of(kind).lost(), 0, 1e-9);
+  }
+}
+
+TEST(TimeUse, NothingIsLostAtTheProgrammedFeed) {
+  // The reference model runs every motion at its programmed feed: 100 mm at 50 mm/s and 20 mm of rapid.
+  const TimeUse use = time_use(run_of("G21 G90 F3000\nG1 X100\nG0 X120\nM30\n", "cam"));
+  EXPECT_NEAR(use.of(TimeKind::cutting).time, 2, 1e-12);
+  EXPECT_NEAR(use.of(TimeKind::cutting).lost(), 0, 1e-12);
+  EXPECT_NEAR(use.lost(), 0, 1e-12);
+  EXPECT_TRUE(use.operations.empty());
+}
+
+TEST(TimeUse, TheSlowerPlaceAheadBearsWhatBrakingCosts) {
+  const TimeUse use = time_use(run_of("G21 G90 G61 F6000\nG1 X50\nY50\nM30\n", "essid"));
+  for (const CauseCost& cost : use.causes) {
+    EXPECT_NE(cost.cause.kind, CauseKind::ramp_down);
+  }
+  EXPECT_TRUE(std::ranges::any_of(
+      use.causes, [](const CauseCost& cost) { return cost.cause.kind == CauseKind::exact_stop; }));
+}
+
+TEST(TimeUse, CommentsMakeOperationsWhereOneToolWorksAndALoopComesBackToOne) {
+  const std::string loop =
+      "#1=0\nWHILE [#1 LT 3] DO1\n(LEFT)\nG1 X10 F3000\n(RIGHT)\nX0\n#1=[#1+1]\nEND1\nM30\n";
+  const SimulatedRun run = run_of(loop, "essid");
+  const TimeUse use = time_use(run);
+  EXPECT_EQ(use.split, OperationSplit::comment);
+  ASSERT_EQ(use.operations.size(), 2U);
+  EXPECT_EQ(use.operations[0].title, "LEFT");
+  EXPECT_EQ(use.operations[1].title, "RIGHT");
+  EXPECT_NEAR(use.operations[0].all.time + use.operations[1].all.time, use.cycle_time, 1e-9);
+  EXPECT_NEAR(use.operations[0].all.programmed, 3 * 10 / 50.0, 1e-9);
+  EXPECT_EQ(use.operations[0].start, 0);
+}
+
+TEST(TimeUse, StopsWhenCancelled) {
+  const SimulatedRun run = run_of(mixed, "essid");
+  Progress progress;
+  progress.cancel();
+  EXPECT_THROW(time_use(run, OperationSplit::none, &progress), Cancelled);
+  EXPECT_THROW(find_slow_groups(*run.trajectory, &progress), Cancelled);
+}
+
+TEST(TimeUse, OfAnEmptyProgramIsNothing) {
+  const SimulatedRun run = run_of("M30\n", "essid");
+  EXPECT_EQ(time_use(run).cycle_time, 0);
+  EXPECT_TRUE(find_slow_groups(*run.trajectory).groups.empty());
+}
+
+/// Right angles, one after the other, 20 mm apart.
+std::string stairs(int corners) {
+  std::string program = "G21 G90 F6000\nG1 X0 Y0\n";
+  for (int i = 0; i < corners; ++i) {
+    program += "G91 " + std::string(i % 2 == 0 ? "X20\n" : "Y20\n");
+  }
+  return program + "M30\n";
+}
+
+const SlowGroup* group_of(const SlowGroups& slow, PlaceShape shape) {
+  const auto found = std::ranges::find(slow.groups, shape, &SlowGroup::shape);
+  return found == slow.groups.end() ? nullptr : &*found;
+}
+
+TEST(SlowGroups, CornersOfOneKindAreOneGroup) {
+  const SimulatedRun run = run_of(stairs(41), "essid");
+  const SlowGroups slow = find_slow_groups(*run.trajectory);
+  const SlowGroup* corners = group_of(slow, PlaceShape::corner);
+  ASSERT_NE(corners, nullptr);
+  EXPECT_NEAR(units::to_deg(corners->median), 90, 1e-3);
+  EXPECT_EQ(corners->cause, Cause({CauseKind::blend_radial_jerk, -1})) << "X and Y limit alternately";
+  std::size_t count = 0;
+  std::size_t stops = 0;
+  double loss = 0;
+  for (const SlowGroup& group : slow.groups) {
+    count += group.shape == PlaceShape::corner ? group.count : 0;
+    stops += group.shape == PlaceShape::stop ? group.count : 0;
+    loss += group.loss;
+    EXPECT_LE(group.worst.size(), SlowGroups::worst_places);
+    EXPECT_GE(group.worst.front().loss, group.worst.back().loss);
+  }
+  EXPECT_EQ(count, 40U);
+  EXPECT_NEAR(loss + slow.other, slow.loss, 1e-9);
+  EXPECT_EQ(stops, 2U) << "the start and the end of the program";
+}
+
+TEST(SlowGroups, WithEveryModelLossesAddUpToAll) {
+  for (const ControlModel* model : all_models()) {
+    SCOPED_TRACE(model->info().id);
+    const SimulatedRun run = run_of(mixed, model->info().id);
+    const SlowGroups slow = find_slow_groups(*run.trajectory);
+    const TimeUse use = time_use(run);
+    double loss = slow.other;
+    for (const SlowGroup& group : slow.groups) {
+      loss += group.loss;
+      EXPECT_LE(group.smallest, group.median);
+      EXPECT_LE(group.median, group.largest);
+    }
+    EXPECT_NEAR(loss, use.lost() + use.saved_by_path, 1e-6 * use.cycle_time);
+  }
+}
+
+TEST(SlowGroups, ArcsAreKnownByTheirRadius) {
+  const SimulatedRun run =
+      run_of("G21 G90 G17 F12000\nG1 X20\nG3 X20 Y4 J2\nG1 X0\nG2 X0 Y8 J2\nG1 X20\nM30\n", "tapie");
+  const SlowGroup* arcs = group_of(find_slow_groups(*run.trajectory), PlaceShape::arc);
+  ASSERT_NE(arcs, nullptr);
+  EXPECT_NEAR(arcs->median, 2, 1e-6);
+}
+
+}  // namespace
+}  // namespace feedscope
