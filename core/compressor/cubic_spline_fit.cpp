@@ -147,11 +147,11 @@ void CubicSplineFit::set_basis() {
   }
 }
 
-void CubicSplineFit::solve() {
+/// The normal equations: of control points, of which each interval has four.
+void CubicSplineFit::set_equations() {
   const std::size_t count = intervals_.size() + 3;
-  std::vector<Vec3>& values = right_;
   band_.assign(count, {});
-  values.assign(count, Vec3::Zero());
+  right_.assign(count, Vec3::Zero());
   const double penalty = 36 * std::pow(smoothing_, 6);
   for (std::size_t k = 0; k < intervals_.size(); ++k) {
     const Interval& interval = intervals_[k];
@@ -162,7 +162,7 @@ void CubicSplineFit::solve() {
         for (std::size_t b = 0; b < 4; ++b) {
           weighted[a] += interval.rows[b][i] / static_cast<double>(a + b + 1);
         }
-        values[k + i] += (h * interval.rows[a][i]) * interval.moments[a];
+        right_[k + i] += (h * interval.rows[a][i]) * interval.moments[a];
       }
       for (std::size_t j = 0; j <= i; ++j) {
         double sum = penalty * interval.rows[3][i] * interval.rows[3][j];
@@ -173,77 +173,101 @@ void CubicSplineFit::solve() {
       }
     }
   }
+}
 
-  // Three control points at either end are those of position, direction and no curvature there.
+/// Gives a free end its position, by a weight that it meets.
+void CubicSplineFit::hold(const Interval& interval, bool at_end, const Vec3& point) {
+  constexpr double met = 1e5;  // in intervals
+  const std::size_t row = at_end ? right_.size() - 4 : 0;
+  std::array<double, 4> basis{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto& rows = interval.rows;
+    basis[i] = at_end ? rows[0][i] + rows[1][i] + rows[2][i] + rows[3][i] : rows[0][i];
+  }
+  const double weight = met * interval.length();
+  for (std::size_t i = 0; i < 4; ++i) {
+    right_[row + i] += weight * basis[i] * point;
+    for (std::size_t j = 0; j <= i; ++j) {
+      band_[row + i][i - j] += weight * basis[i] * basis[j];
+    }
+  }
+}
+
+/// The three control points at an end that make its position, direction and no curvature.
+std::array<Vec3, 3> CubicSplineFit::control_points(const Interval& interval, bool at_end, const Vec3& point,
+                                                   const Vec3& direction) {
+  Eigen::Matrix3d basis;
+  for (int column = 0; column < 3; ++column) {
+    const std::size_t i = static_cast<std::size_t>(column) + (at_end ? 1 : 0);
+    const auto row = [&](std::size_t a) { return interval.rows[a][i]; };
+    basis(0, column) = at_end ? row(0) + row(1) + row(2) + row(3) : row(0);
+    basis(1, column) = at_end ? row(1) + 2 * row(2) + 3 * row(3) : row(1);
+    basis(2, column) = at_end ? row(2) + 3 * row(3) : row(2);
+  }
+  Eigen::Matrix3d wanted;
+  wanted << point.transpose(), interval.length() * direction.transpose(), Eigen::RowVector3d::Zero();
+  const Eigen::Matrix3d control = basis.inverse() * wanted;
+  return {control.row(0).transpose(), control.row(1).transpose(), control.row(2).transpose()};
+}
+
+/// Takes known control points out of the equations of the others.
+void CubicSplineFit::take_out_first(const std::array<Vec3, 3>& known) {
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t d = 3 - i; d <= 3 && i + d < right_.size(); ++d) {
+      right_[i + d] -= band_[i + d][d] * known[i];
+      band_[i + d][d] = 0;
+    }
+  }
+}
+void CubicSplineFit::take_out_last(const std::array<Vec3, 3>& known) {
+  const std::size_t end = right_.size() - 3;
+  for (std::size_t i = 0; i < 3; ++i) {
+    for (std::size_t d = i + 1; d <= 3; ++d) {
+      right_[end + i - d] -= band_[end + i][d] * known[i];
+    }
+  }
+}
+
+void CubicSplineFit::solve() {
+  set_equations();
+  std::span<std::array<double, 4>> band(band_);
+  std::span<Vec3> unknown(right_);
+  const Interval& front = intervals_.front();
+  const Interval& back = intervals_.back();
   std::array<Vec3, 3> first;
   std::array<Vec3, 3> last;
-  const auto clamp = [&](const Interval& interval, bool at_end, const Vec3& point, const Vec3& direction) {
-    Eigen::Matrix3d basis;
-    for (int column = 0; column < 3; ++column) {
-      const std::size_t i = static_cast<std::size_t>(column) + (at_end ? 1 : 0);
-      const auto row = [&](std::size_t a) { return interval.rows[a][i]; };
-      basis(0, column) = at_end ? row(0) + row(1) + row(2) + row(3) : row(0);
-      basis(1, column) = at_end ? row(1) + 2 * row(2) + 3 * row(3) : row(1);
-      basis(2, column) = at_end ? row(2) + 3 * row(3) : row(2);
-    }
-    Eigen::Matrix3d wanted;
-    wanted << point.transpose(), interval.length() * direction.transpose(), Eigen::RowVector3d::Zero();
-    const Eigen::Matrix3d control = basis.inverse() * wanted;
-    return std::array<Vec3, 3>{control.row(0).transpose(), control.row(1).transpose(),
-                               control.row(2).transpose()};
-  };
-  constexpr double met = 1e5;  // weight of the position of a free end, in intervals
-  const auto hold = [&](const Interval& interval, bool at_end, std::size_t row, const Vec3& point) {
-    std::array<double, 4> basis{};
-    for (std::size_t i = 0; i < 4; ++i) {
-      const auto& rows = interval.rows;
-      basis[i] = at_end ? rows[0][i] + rows[1][i] + rows[2][i] + rows[3][i] : rows[0][i];
-    }
-    const double weight = met * interval.length();
-    for (std::size_t i = 0; i < 4; ++i) {
-      values[row + i] += weight * basis[i] * point;
-      for (std::size_t j = 0; j <= i; ++j) {
-        band_[row + i][i - j] += weight * basis[i] * basis[j];
-      }
-    }
-  };
-  const std::size_t before = polyline_.free_start ? 0 : 3;
-  const std::size_t behind = polyline_.free_end ? 0 : 3;
-  const std::size_t end = count - behind;
-  if (before == 0) {
-    hold(intervals_.front(), false, 0, polyline_.points.front());
+  if (polyline_.free_start) {
+    hold(front, false, polyline_.points.front());
   } else {
-    first = clamp(intervals_.front(), false, polyline_.points.front(), polyline_.start_direction);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t d = 3 - i; d <= 3 && i + d < count; ++d) {
-        values[i + d] -= band_[i + d][d] * first[i];
-        band_[i + d][d] = 0;
-      }
-    }
+    first = control_points(front, false, polyline_.points.front(), polyline_.start_direction);
+    take_out_first(first);
+    band = band.subspan(3);
+    unknown = unknown.subspan(3);
   }
-  if (behind == 0) {
-    hold(intervals_.back(), true, count - 4, polyline_.points.back());
+  if (polyline_.free_end) {
+    hold(back, true, polyline_.points.back());
   } else {
-    last = clamp(intervals_.back(), true, polyline_.points.back(), polyline_.end_direction);
-    for (std::size_t i = 0; i < 3; ++i) {
-      for (std::size_t d = i + 1; d <= 3; ++d) {
-        values[end + i - d] -= band_[end + i][d] * last[i];
-      }
-    }
+    last = control_points(back, true, polyline_.points.back(), polyline_.end_direction);
+    take_out_last(last);
+    band = band.first(band.size() - 3);
+    unknown = unknown.first(unknown.size() - 3);
   }
-  solve_band(std::span(band_).subspan(before, end - before), std::span(values).subspan(before, end - before));
-  if (before > 0) {
-    std::copy(first.begin(), first.end(), values.begin());
+  solve_band(band, unknown);
+  if (!polyline_.free_start) {
+    std::ranges::copy(first, right_.begin());
   }
-  if (behind > 0) {
-    std::copy(last.begin(), last.end(), values.end() - 3);
+  if (!polyline_.free_end) {
+    std::ranges::copy(last, right_.end() - 3);
   }
+  set_coefficients();
+}
 
+void CubicSplineFit::set_coefficients() {
   for (std::size_t k = 0; k < intervals_.size(); ++k) {
     Interval& interval = intervals_[k];
     for (std::size_t a = 0; a < 4; ++a) {
-      interval.coefficients[a] = interval.rows[a][0] * values[k] + interval.rows[a][1] * values[k + 1] +
-                                 interval.rows[a][2] * values[k + 2] + interval.rows[a][3] * values[k + 3];
+      interval.coefficients[a] = interval.rows[a][0] * right_[k] + interval.rows[a][1] * right_[k + 1] +
+                                 interval.rows[a][2] * right_[k + 2] + interval.rows[a][3] * right_[k + 3];
     }
   }
 }

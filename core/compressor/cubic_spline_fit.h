@@ -76,6 +76,13 @@ class CubicSplineFit {
   void set_intervals(std::span<const double> borders);
   void set_basis();
   void solve();
+  void set_equations();
+  void hold(const Interval& interval, bool at_end, const Vec3& point);
+  static std::array<Vec3, 3> control_points(const Interval& interval, bool at_end, const Vec3& point,
+                                            const Vec3& direction);
+  void take_out_first(const std::array<Vec3, 3>& known);
+  void take_out_last(const std::array<Vec3, 3>& known);
+  void set_coefficients();
   template <typename Visit>
   void for_pieces(const Interval& interval, const Visit& visit) const;
 
@@ -84,7 +91,7 @@ class CubicSplineFit {
   std::vector<Interval> intervals_;
   std::vector<Interval> before_;  ///< of the fit before, whose moments hold where an interval stays
   std::vector<std::array<double, 4>> band_;
-  std::vector<Vec3> right_;
+  std::vector<Vec3> right_;  ///< of the equations, then the control points
 };
 
 }  // namespace feedscope
