@@ -62,7 +62,8 @@ void in_order(std::size_t count, const std::function<std::function<void()>(std::
     handed_over.before();
   });
   const auto ahead = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency()) + 1;
-  tbb::parallel_pipeline(ahead, number & work & take);
+  // Isolated: a thread that waits here must not begin what the caller does elsewhere.
+  tbb::this_task_arena::isolate([&] { tbb::parallel_pipeline(ahead, number & work & take); });
   handed_over.after();
 }
 
