@@ -72,6 +72,10 @@ class BlendedPath {
   bool in_corner(std::size_t i) const {
     return kind(i) == ElementKind::blend || kind(i) == ElementKind::connecting_arc;
   }
+  /// The same, or part of a corner that the control rounds in a way of its own.
+  bool rounds_corner(std::size_t i) const {
+    return in_corner(i) || (executed_ && executed_->rounds_corner(static_cast<std::uint32_t>(i)));
+  }
   PathElement element(std::size_t i) const;
   ElementCurve curve(std::size_t i) const;
   /// Number of the element on which path length `s` lies, the earlier one at a border; 0 <= s <= length().
@@ -96,6 +100,9 @@ class BlendedPath {
   /// path.
   std::size_t base_segment(std::uint32_t block) const;
 
+  /// Corners that the control rounds in a way of its own, in order of their elements.
+  std::size_t rounded_count() const { return executed_ ? executed_->corners.size() : 0; }
+  const RoundedCorner& rounded(std::size_t i) const { return executed_->corners[i]; }
   /// Corners in order of their elements.
   std::size_t corner_count() const { return corners_.size(); }
   std::uint32_t corner_element(std::size_t corner) const { return corners_[corner]; }

@@ -190,6 +190,20 @@ void write_csv(std::ostream& out, const Trajectory& trajectory, std::span<const 
   rows.end();
 }
 
+std::string_view blend_kind(ElementKind kind) {
+  switch (kind) {
+    case ElementKind::arc:
+    case ElementKind::connecting_arc:
+      return "arc";
+    case ElementKind::filtered:
+      return "filtered";
+    case ElementKind::line:
+      return "overlap";
+    default:
+      return "cubic";
+  }
+}
+
 void write_blends(std::ostream& out, const Trajectory& trajectory) {
   TextSink sink(out);
   sink.text(
@@ -201,9 +215,8 @@ void write_blends(std::ostream& out, const Trajectory& trajectory) {
     const BlendRecord blend = trajectory.blend(i, filters);
     const ElementKind kind = trajectory.path().kind(blend.element);
     sink.count(blend.line);
-    sink.text(kind == ElementKind::connecting_arc ? "arc,"
-              : kind == ElementKind::filtered     ? "filtered,"
-                                                  : "cubic,");
+    sink.text(blend_kind(kind));
+    sink.text(",");
     sink.vector(blend.corner, 1);
     sink.number(units::to_deg(blend.turn));
     sink.number(blend.transition);

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/limits/segment_limits.h"
+#include "core/trajectory/corner_record.h"
 #include "core/trajectory/filtered_corner.h"
 #include "core/trajectory/part_walk.h"
 
@@ -182,7 +183,7 @@ double Trajectory::filtered_length(const Part& part) const {
 }
 
 std::size_t Trajectory::blend_count() const {
-  return path().corner_count() + content_.filtered_corners.size();
+  return path().corner_count() + content_.filtered_corners.size() + path().rounded_count();
 }
 
 BlendRecord Trajectory::blend(std::size_t i) const {
@@ -198,17 +199,19 @@ BlendRecord Trajectory::blend(std::size_t i, FilterWalk& filters) const {
     rounded.element = before;
     return rounded;
   }
-  const std::uint32_t element = path().corner_element(i);
-  const Corner corner = path().corner(i);
-  BlendRecord record{line_of(element),  element,        path().corner_point(i), corner.turn,
-                     corner.transition, corner.epsilon, path().length(element), path().min_radius(i)};
-  PartWalk walk = walk_from(element);
+  const bool own = path().rounded_count() > 0;
+  const BlendRecord record = own ? rounded_corner(path(), path().rounded(i)) : laid_corner(path(), i);
+  return with_speeds(record, own ? path().rounded(i).last : record.element);
+}
+
+BlendRecord Trajectory::with_speeds(BlendRecord record, std::uint32_t last_element) const {
+  PartWalk walk = walk_from(record.element);
   if (walk.done()) {
     return record;
   }
   record.entry_speed = PartMotion(*this, walk.part()).kinematics(0).velocity.norm();
   Part last = walk.part();
-  for (; !walk.done() && walk.part().element <= element; walk.next()) {
+  for (; !walk.done() && walk.part().element <= last_element; walk.next()) {
     last = walk.part();
   }
   record.exit_speed = PartMotion(*this, last).kinematics(last.duration).velocity.norm();

@@ -31,7 +31,8 @@ struct State {
   Cause slower_place;  ///< what sets the speed of the place ahead where `cause` is ramp_down, else `cause`
 };
 
-/// One curve that the control put into a corner, a cubic blend or a connecting arc: ask its element which.
+/// One curve that the control put into a corner, a cubic blend or an arc: ask its element which. Where two
+/// blocks overlap in it, `element` is the first of several lines and `min_radius` is not known (NaN).
 /// On filtered motion the part that the blending pulses of the corner make: `transition` the programmed
 /// length of the longer one, `epsilon` by closest approach, `min_radius` there.
 struct BlendRecord {
@@ -110,6 +111,8 @@ class Trajectory {
 
  private:
   friend class TrajectoryBuilder;
+  /// `record` with the speeds at the start of its element and at the end of `last_element`.
+  BlendRecord with_speeds(BlendRecord record, std::uint32_t last_element) const;
   const Segment& segment_of(std::size_t element) const { return content_.path.source_segment(element); }
   double filtered_end(std::size_t piece) const;  ///< q at the end of a filtered piece [mm]
   /// The span of its motion that a filtered piece is.

@@ -293,6 +293,7 @@ std::optional<LinuxCncBlend> find_linuxcnc_blend(const LinuxCncSegment& p, const
   arc.block = t.block;
   arc.first = blend.consumes_first ? p.first : t.block;
   arc.is_blend = true;
+  arc.joint = {p.block, joint, pi - 2 * theta0};
   arc.length = arc.nominal_length = course.length;
   arc.requested = speeds.requested;
   arc.largest = planned;

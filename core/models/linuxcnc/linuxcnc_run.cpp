@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/blend/junction.h"
 #include "core/limits/axis_share.h"
 
 namespace feedscope {
@@ -256,6 +257,19 @@ std::uint32_t LinuxCncRun::add_arc(double from, double to) {
   return builder_.add_executed(static_cast<std::uint32_t>(executed_->block.size() - 1));
 }
 
+/// Elements from `first` on, up to the last one, round a joint; they may go on with what rounds it already.
+void LinuxCncRun::round(const LinuxCncJoint& joint, std::uint32_t first) {
+  const auto last = static_cast<std::uint32_t>(builder_.path().size() - 1);
+  std::vector<RoundedCorner>& corners = executed_->corners;
+  const bool goes_on = !corners.empty() && corners.back().last + 1 == first &&
+                       corners.back().block == joint.block && corners.back().point == joint.point;
+  if (goes_on) {
+    corners.back().last = last;
+  } else {
+    corners.push_back({first, last, joint.block, joint.point, joint.turn});
+  }
+}
+
 /// What is open becomes elements, of which the first is returned: the lead of a blend arc and its arc are
 /// two.
 std::uint32_t LinuxCncRun::lay_course() {
@@ -276,6 +290,9 @@ std::uint32_t LinuxCncRun::lay_course() {
   for (double i = 0; i < parts; ++i) {
     const std::uint32_t added = add_arc(from + i / parts * length, from + (i + 1) / parts * length);
     first = first.value_or(added);
+    if (segment.is_blend) {
+      round(segment.joint, added);
+    }
   }
   return *first;
 }
@@ -340,7 +357,11 @@ void LinuxCncRun::lay_overlap(const LinuxCncStep& first, const LinuxCncStep& sec
     return (velocity(first) + velocity(second)).norm();
   };
   const Cause blends{CauseKind::contour_tolerance};
-  lay_step({nullptr, 0, length, speed(0), speed(1), time, false, blends, blends}, add_line(to, t), length);
+  const std::uint32_t element = add_line(to, t);
+  const Vec3 in = p.course.tangent(p.course.length);
+  const Vec3 out = t.course.tangent(0);
+  round({p.block, t.course.at(0), turn_angle(in, out)}, element);
+  lay_step({nullptr, 0, length, speed(0), speed(1), time, false, blends, blends}, element, length);
 }
 
 void LinuxCncRun::lay_pause(std::uint32_t block, double time) {

@@ -39,6 +39,7 @@ class LinuxCncRun {
   void lay_standing(bool counts);
   void stand_on_last(double time);
   void lay_pause(std::uint32_t block, double time);
+  void round(const LinuxCncJoint& joint, std::uint32_t first);
   std::uint32_t lay_course();
   bool is_circle_from(double from) const;
   std::uint32_t add_arc(double from, double to);

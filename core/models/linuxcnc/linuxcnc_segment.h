@@ -39,6 +39,13 @@ struct LinuxCncCourse {
   void cut_start(double way, double turn);
 };
 
+/// Where two segments meet before the planner rounds it.
+struct LinuxCncJoint {
+  std::uint32_t block = 0;    ///< that ends there
+  Vec3 point = Vec3::Zero();  ///< [mm]
+  double turn = 0;            ///< [rad]
+};
+
 /// A segment in the queue of the planner; symbols as in README.md.
 struct LinuxCncSegment {
   LinuxCncCourse course;
@@ -46,6 +53,7 @@ struct LinuxCncSegment {
   std::uint32_t first = 0;  ///< the first block of those that were joined
   bool rapid = false;
   bool is_blend = false;
+  LinuxCncJoint joint;                       ///< of a blend: the one that it rounds
   double length = 0;                         ///< l [mm]
   double nominal_length = 0;                 ///< l0, as it was added [mm]
   double requested = 0;                      ///< v_r [mm/s]

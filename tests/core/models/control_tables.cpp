@@ -56,7 +56,10 @@ ControlTables::ControlTables(const std::string& control) {
     const fs::path sample = fs::path(FEEDSCOPE_SOURCE_DIR) / "resources" / "programs" / fields[0];
     const auto found = corpus.find(fields[0]);
     const fs::path program = fields[1] == "sample" || found == corpus.end() ? sample : found->second;
-    rows_.push_back({program, fields[2], std::stod(fields[3]), std::stoul(fields[4]), line});
+    constexpr std::size_t blend_arcs = 12;
+    const bool has_arcs = control == "linuxcnc" && fields.size() > blend_arcs && !fields[blend_arcs].empty();
+    rows_.push_back({program, fields[2], std::stod(fields[3]), std::stoul(fields[4]),
+                     has_arcs ? std::stoul(fields[blend_arcs]) : 0, line});
   }
 }
 

@@ -11,9 +11,10 @@ namespace feedscope::testing {
 struct ControlRow {
   std::filesystem::path program;
   std::string configuration;
-  double total = 0;        ///< [s]
-  std::size_t blocks = 0;  ///< that were run
-  std::string text;        ///< the row, for messages
+  double total = 0;            ///< [s]
+  std::size_t blocks = 0;      ///< that were run
+  std::size_t blend_arcs = 0;  ///< of LinuxCNC: laid in corners
+  std::string text;            ///< the row, for messages
 };
 
 /// The results of controls that lie beside the project, where they do.

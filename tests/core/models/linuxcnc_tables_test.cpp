@@ -43,11 +43,20 @@ struct Open {
   double most;  ///< [s]
 };
 
-double off_of(const testing::ControlRow& row, const testing::ControlTables& tables) {
+Trajectory run_of(const testing::ControlRow& row, const testing::ControlTables& tables) {
   const LoadedProgram program = load_program(row.program);
   LinuxCncRun run(program.toolpath, shipped_machines().load("spinner-mvc850"),
                   settings_of(tables.configurations(), row.configuration));
-  return std::abs(run.run(nullptr).duration() - row.total);
+  return run.run(nullptr);
+}
+
+/// Corners with an arc that the planner laid.
+std::size_t arcs_laid(const Trajectory& motion) {
+  std::size_t arcs = 0;
+  for (std::size_t i = 0; i < motion.path().rounded_count(); ++i) {
+    arcs += motion.path().kind(motion.path().rounded(i).first) == ElementKind::arc ? 1 : 0;
+  }
+  return arcs;
 }
 
 bool is_cut_short(const testing::ControlRow& row) {
@@ -66,11 +75,15 @@ TEST(LinuxCncTables, TimesOfSamplesAreThoseOfTheControlToTheMillisecond) {
   }
   int rows = 0;
   int equal = 0;
+  int equal_arcs = 0;
   for (const testing::ControlRow& row : tables.rows()) {
     if (row.text.find("\tsample\t") == std::string::npos || row.total > 100 || is_cut_short(row)) {
       continue;
     }
-    const double off = off_of(row, tables);
+    const Trajectory motion = run_of(row, tables);
+    const double off = std::abs(motion.duration() - row.total);
+    const std::size_t arcs = arcs_laid(motion);
+    equal_arcs += arcs == row.blend_arcs ? 1 : 0;
     ++rows;
     equal += off < millisecond ? 1 : 0;
     const auto* const known =
@@ -79,6 +92,7 @@ TEST(LinuxCncTables, TimesOfSamplesAreThoseOfTheControlToTheMillisecond) {
   }
   EXPECT_EQ(rows, 548);
   EXPECT_GE(equal, 536);
+  EXPECT_GE(equal_arcs, 538);
 }
 
 }  // namespace

@@ -179,7 +179,7 @@ class ExecutedSampling {
       return SpanKind::rapid;
     }
     const bool blend = part.law == Law::filtered ? part.cause.kind == CauseKind::contour_tolerance
-                                                 : trajectory_.path().in_corner(part.element);
+                                                 : trajectory_.path().rounds_corner(part.element);
     if (trajectory_.path().kind(part.element) == ElementKind::curve) {
       return SpanKind::curve;
     }

@@ -1,0 +1,92 @@
+#include "core/models/linuxcnc/linuxcnc_model.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <sstream>
+
+#include "core/analysis/run.h"
+#include "core/export/export.h"
+
+namespace feedscope {
+namespace {
+
+using std::numbers::pi;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+constexpr double acceleration = 1000;  // [mm/s2]
+
+/// Axes of 200 mm/s and 1000 mm/s2.
+Machine machine() {
+  Machine made;
+  made.id = made.name = made.control = made.reference = "linuxcnc";
+  for (const char axis : coordinate_names) {
+    set_axis_limit(made, axis, "velocity", 12);
+    set_axis_limit(made, axis, "acceleration", acceleration / 1000);
+    set_axis_limit(made, axis, "jerk", 500);
+    set_axis_limit(made, axis, "blend_jerk", 500);
+  }
+  return made;
+}
+
+Trajectory run(const std::string& text) {
+  const LoadedProgram loaded = load_program(std::make_shared<const SourceText>(SourceText("test.ngc", text)));
+  const ControlModel& linuxcnc = find_model("linuxcnc");
+  return linuxcnc.simulate(loaded.toolpath, machine(), complete_settings(linuxcnc, machine()));
+}
+
+std::string blends_csv(const Trajectory& motion) {
+  std::ostringstream out;
+  write_blends(out, motion);
+  const std::string text = out.str();
+  return text.substr(text.find('\n') + 1);
+}
+
+/// The circle that touches both lines and passes the corner at P: its radius R has P = R (sqrt(2) - 1), and
+/// its speed takes 0.866 of the acceleration across it.
+TEST(LinuxCncModel, RoundsASquareCornerByAnArcWithinP) {
+  constexpr double tolerance = 0.05;
+  const double radius = tolerance / (std::numbers::sqrt2 - 1);
+  const double speed = std::sqrt(std::sqrt(3) / 2 * acceleration * radius);
+  const Trajectory motion = run("G21 G90 G64 P0.05\nG1 X20 F3000\nY20\nM2\n");
+  ASSERT_EQ(motion.blend_count(), 1U);
+  const BlendRecord blend = motion.blend(0);
+  EXPECT_EQ(blend.line, 2U);
+  EXPECT_EQ(motion.path().kind(blend.element), ElementKind::arc);
+  EXPECT_NEAR((blend.corner - Vec3(20, 0, 0)).norm(), 0, 1e-12);
+  EXPECT_NEAR(blend.turn, pi / 2, 1e-12);
+  EXPECT_NEAR(blend.epsilon, tolerance, 1e-9);
+  EXPECT_NEAR(blend.min_radius, radius, 1e-9);
+  EXPECT_NEAR(blend.transition, radius, 1e-9);
+  EXPECT_NEAR(blend.length, radius * pi / 2, 1e-9);
+  EXPECT_NEAR(blend.entry_speed, speed, 1e-6);
+  EXPECT_NEAR(blend.exit_speed, speed, 1e-6);
+  EXPECT_THAT(blends_csv(motion), StartsWith("2,arc,20,0,0,90,"));
+}
+
+/// A helix cannot be shortened for an arc: it begins while the line before it ends.
+TEST(LinuxCncModel, BlocksThatOverlapRoundOneCornerOfUnknownRadius) {
+  const Trajectory motion = run("G21 G90 G64 P0.05\nG1 X20 F3000\nG2 X40 Z2 I10 J0\nM2\n");
+  ASSERT_EQ(motion.blend_count(), 1U);
+  const BlendRecord blend = motion.blend(0);
+  EXPECT_EQ(motion.path().kind(blend.element), ElementKind::line);
+  EXPECT_NEAR(blend.turn, pi / 2, 1e-12);
+  EXPECT_GT(blend.epsilon, 0);
+  EXPECT_LT(blend.epsilon, blend.transition);
+  EXPECT_TRUE(std::isnan(blend.min_radius));
+  EXPECT_TRUE(motion.path().rounds_corner(blend.element));
+  EXPECT_FALSE(motion.path().rounds_corner(blend.element - 1));
+  EXPECT_FALSE(motion.path().rounds_corner(motion.path().size() - 1));
+  EXPECT_THAT(blends_csv(motion), StartsWith("2,overlap,20,0,0,"));
+  EXPECT_THAT(blends_csv(motion), HasSubstr(",,"));
+}
+
+TEST(LinuxCncModel, RoundsNothingUnderAnExactStop) {
+  EXPECT_EQ(run("G21 G90 G61\nG1 X20 F3000\nY20\nM2\n").blend_count(), 0U);
+}
+
+}  // namespace
+}  // namespace feedscope
