@@ -1,6 +1,7 @@
 #include "tests/app/command_line.h"
 #include "tests/support/folders.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <map>
@@ -264,10 +265,17 @@ TEST_F(CommandLine, KeepsRunningWhereAHangUpIsIgnored) {
 
 /// What is printed and does not arrive is no success, whichever command prints it.
 TEST_F(CommandLine, FailsWhereItsTextCannotBeWritten) {
+  std::string trace = "time [s],x [mm],y [mm]\n";
+  for (int i = 0; i < 20; ++i) {
+    trace += fmt::format("{:.3f},{:.3f},0\n", 0.001 * i, 0.05 * i);
+  }
+  write("trace.csv", trace);
   const std::map<std::string, std::vector<std::string>> calls{
       {"simulate", {"simulate corner.nc", "simulate corner.nc --csv -"}},
       {"compare", {"compare corner.nc --model cam", "compare corner.nc --model cam --csv -"}},
       {"check", {"check corner.nc", "check corner.nc --json -"}},
+      {"explain", {"explain corner.nc", "explain corner.nc --json -"}},
+      {"trace", {"trace trace.csv", "trace trace.csv --json -"}},
       {"circular", {"circular --radius 5 --feed 500", "circular --radius 5 --feed 500 --json -"}},
       {"help", {"help", "help check"}},
       {"lessons", {"lessons", "lessons 1", "lessons 1 --out -"}},
