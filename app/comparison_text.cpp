@@ -114,8 +114,10 @@ std::string times_table(std::span<const ComparedRun> runs) {
 void add_shares(Cells& cells, const ComparedRun& run, double AxisPeaks::*peak, double AxisLimits::*limit) {
   for (const AxisInfo& axis : known_axes) {
     const AxisPeaks* const found = run.summary.axes.find(axis.name);
-    cells.push_back(
-        found == nullptr ? "" : percent(found->*peak / run.setup.machine.axes.find(axis.name)->*limit));
+    cells.push_back(found == nullptr ? ""
+                    : std::isnan(found->*peak)
+                        ? "jumps"
+                        : percent(found->*peak / run.setup.machine.axes.find(axis.name)->*limit));
   }
 }
 

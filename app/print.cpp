@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <numeric>
 #include <sstream>
 
@@ -28,7 +29,7 @@ std::string padded(const std::string& text, std::size_t width, bool right) {
 }
 
 std::string peak_and_limit(double peak, double limit) {
-  return fmt::format("{:.4g} of {:.4g}", peak, limit);
+  return std::isnan(peak) ? "jumps" : fmt::format("{:.4g} of {:.4g}", peak, limit);
 }
 
 /// On blends, where the limit is another one: "; 10 on blends".
@@ -48,7 +49,7 @@ std::string axis_table(const Run& run) {
          peak_and_limit(units::to_m_min(peak.velocity), axis_limit(run.setup.machine, axis, "velocity")),
          peak_and_limit(units::to_m(peak.acceleration), axis_limit(run.setup.machine, axis, "acceleration")),
          peak_and_limit(units::to_m(peak.jerk), axis_limit(run.setup.machine, axis, "jerk")) +
-             blend_limit(run.setup.machine, axis)});
+             (std::isnan(peak.jerk) ? std::string() : blend_limit(run.setup.machine, axis))});
   }
   return table.text("lrrr");
 }
@@ -291,12 +292,14 @@ namespace {
 /// What the largest values do not hold.
 std::string jumps_text(const Run& run) {
   const Guarantees promised = run.setup.model->guarantees(run.setup.settings);
-  if (promised.continuity == Continuity::position) {
-    return "  without the jumps of the speed and of the acceleration, which this model does not limit\n";
+  if (promised.limits_jerk) {
+    return "";
   }
-  return promised.lines.jerk.of == KeptLimit::Of::nothing
-             ? "  without the jumps of the acceleration, which this model does not limit\n"
-             : "";
+  const bool of_speed =
+      promised.continuity == Continuity::position || run.setup.model->info().limits.jumps_in_corners;
+  return of_speed
+             ? "  without the jumps of the speed and of the acceleration, which this model does not limit\n"
+             : "  without the jumps of the acceleration, which this model does not limit\n";
 }
 
 }  // namespace
@@ -326,10 +329,7 @@ std::string summary_text(const Run& run) {
   const std::size_t count = run.trajectory->path().curve_count();
   const std::string curves =
       count == 0 ? "" : fmt::format(", {} smooth {}", count, count == 1 ? "curve" : "curves");
-  // What an open control lays in corners is not told from its other elements.
-  const std::string blends = run.trajectory->path().is_executed()
-                                 ? ""
-                                 : fmt::format(", {} corner blends", run.trajectory->blend_count());
+  const std::string blends = fmt::format(", {} corner blends", run.trajectory->blend_count());
   figures.add(
       {"contour error", fmt::format("at most {:.4f} mm{}{}{}", s.max_contour_error, where, blends, curves)});
   return out + figures.text("ll") + "\nLargest values\n" + axis_table(run) + jumps_text(run) +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "core/analysis/control_dialect.h"
 #include "core/analysis/run_stages.h"
@@ -160,6 +161,7 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
       run.setup.model->simulate(reading.path, run.setup.machine, run.setup.settings, progress));
   run.input.toolpath = on_machine(std::move(reading.path), run.setup.settings);
   run.input.lines_not_run = std::move(reading.refused);
+  run.sources.limits_jerk = run.setup.model->guarantees(run.setup.settings).limits_jerk;
   if (has_drives(run.setup.machine)) {
     run.sources.actual = std::make_shared<const ActualPath>(run.trajectory, run.setup.machine, progress);
   }
@@ -182,6 +184,11 @@ void add_summary(Run& run, Progress* progress) {
   const StopWatch watch;
   run.summary = summarise(*run.trajectory, *run.input.toolpath,
                           axis_limit_vector(run.setup.machine, &AxisLimits::velocity));
+  if (!run.sources.limits_jerk) {
+    for (std::size_t i = 0; i < run.summary.axes.size(); ++i) {
+      run.summary.axes[i].jerk = std::numeric_limits<double>::quiet_NaN();
+    }
+  }
   if (run.sources.actual) {
     run.summary.actual = actual_figures(*run.sources.actual, progress);
   }

@@ -7,6 +7,7 @@
 #include "core/analysis/ignored_path_control.h"
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/unadvised_tolerance.h"
+#include "core/base/translatable.h"
 
 namespace feedscope {
 
@@ -60,6 +61,24 @@ std::vector<std::string> drive_notes(const Machine& machine) {
   return notes;
 }
 
+const char* jump_note(const Setup& setup) {
+  const Guarantees promised = setup.model->guarantees(setup.settings);
+  if (promised.limits_jerk) {
+    return nullptr;
+  }
+  if (setup.model->info().limits.jumps_in_corners) {
+    return QT_TRANSLATE_NOOP("core",
+                             "No jerk is limited: the acceleration jumps, and where blocks meet the velocity "
+                             "of an axis, too. There is no largest jerk, and the largest accelerations are "
+                             "those between the jumps.");
+  }
+  const bool has_ramps = promised.continuity != Continuity::position;
+  return has_ramps ? QT_TRANSLATE_NOOP("core",
+                                       "No jerk is limited: the acceleration jumps, and there is no largest "
+                                       "jerk.")
+                   : nullptr;
+}
+
 std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup) {
   std::vector<std::string> notes = ignored_path_control(program, setup);
   if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
@@ -73,6 +92,9 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   }
   if (std::string refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
     notes.push_back(std::move(refused));
+  }
+  if (const char* const jumps = jump_note(setup)) {
+    notes.emplace_back(jumps);
   }
   if (const auto unadvised =
           unadvised_tolerance(program.chord_error, tolerance_in_force(program.feed_controls, setup))) {

@@ -22,9 +22,14 @@ std::string axes_without_drive(const Machine& machine);
 /// Both in words, one sentence each.
 std::vector<std::string> drive_notes(const Machine& machine);
 
+/// Of a model that limits no jerk though it has ramps: which of the largest values it has not; else null;
+/// translatable.
+const char* jump_note(const Setup& setup);
+
 /// What is to be known of a run before its figures are trusted, one sentence each: a control that does not
 /// read the program's dialect, a machine that gives work offsets which the program was not read with,
-/// ignored_path_control(), refused_note(), a tolerance that Heidenhain advises against, then drive_notes().
+/// ignored_path_control(), refused_note(), jump_note(), a tolerance that Heidenhain advises against, then
+/// drive_notes().
 std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup);
 
 }  // namespace feedscope

@@ -12,6 +12,7 @@ namespace feedscope {
 struct RunSources {
   std::shared_ptr<const ActualPath> actual;  ///< null where all axes follow their set values exactly
   std::shared_ptr<const RunLoad> load;       ///< null where no operations are known
+  bool limits_jerk = true;  ///< else the acceleration jumps, and jerks are those between the jumps
 
   /// Whether a run has quantities of this source.
   bool has(QuantitySource source) const;

@@ -16,7 +16,7 @@ namespace feedscope {
 struct AxisPeaks {
   double velocity = 0;      ///< largest absolute value [mm/s]
   double acceleration = 0;  ///< [mm/s2]
-  double jerk = 0;          ///< [mm/s3]
+  double jerk = 0;          ///< [mm/s3]; NaN where the acceleration jumps: Guarantees::limits_jerk
 };
 
 /// Figures of a run.

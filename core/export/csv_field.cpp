@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace feedscope {
 
 std::string csv_field(const std::string& text) {
@@ -19,7 +21,7 @@ std::string csv_field(const std::string& text) {
 }
 
 std::string csv_number(double value) {
-  return fmt::format("{:.11g}", value + 0.0);
+  return std::isnan(value) ? "" : fmt::format("{:.11g}", value + 0.0);
 }
 
 }  // namespace feedscope

@@ -297,6 +297,10 @@ double of_axes(const Measure& measure, const Summary& summary, double AxisPeaks:
   double largest = 0;
   for (std::size_t axis = 0; axis < summary.axes.size(); ++axis) {
     if (measure.axis == 0 || measure.axis == summary.axes.name(axis)) {
+      if (std::isnan(summary.axes[axis].*value)) {
+        throw InputError(fmt::format("the model limits no jerk, so that the acceleration jumps: no {}",
+                                     measure.spec->title));
+      }
       largest = std::max(largest, summary.axes[axis].*value);
     }
   }

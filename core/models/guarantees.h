@@ -74,6 +74,8 @@ struct Guarantees {
   /// Tolerances of the program count, by settings of the model's own in place of the common one.
   bool own_tolerances = false;
 
+  /// Else the acceleration jumps, and the largest jerk has no value.
+  bool limits_jerk = true;
   Continuity continuity = Continuity::speed;
   bool stops_at_line_corners = false;  ///< of two lines
   bool stops_at_arc_corners = false;   ///< that touch an arc

@@ -13,7 +13,7 @@ namespace feedscope {
 /// What a control does where blocks meet.
 enum class PathMode : std::uint8_t {
   machine,     ///< what the machine file and the model say
-  exact_stop,  ///< stops at the end of every block: G9, G60, G61, G61.1
+  exact_stop,  ///< stops at the end of every block, but see PathControl::exact_path: G9, G60, G61, G61.1
   continuous,  ///< runs through: G64, G641 to G645, M120
 };
 
@@ -40,6 +40,8 @@ enum class Switch : std::uint8_t { machine, on, off };
 struct PathControl {
   PathMode mode = PathMode::machine;
   ExactStopWindow exact_stop_window = ExactStopWindow::machine;  ///< of mode exact_stop
+  bool exact_path =
+      false;  ///< of mode exact_stop: what LinuxCNC does not stop at, blocks that meet tangentially: G61
   /// Largest distance of the executed from the programmed path [mm]: CTOL, CYCLE832, G64 P, cycle 32 T.
   std::optional<double> contour_tolerance;
   /// Distance from a corner at which its blend may begin [mm]: ADIS, ADISPOS.

@@ -1957,6 +1957,14 @@
         <source>spindle starts</source>
         <translation>démarrages de broche</translation>
     </message>
+    <message>
+        <source>No jerk is limited: the acceleration jumps, and where blocks meet the velocity of an axis, too. There is no largest jerk, and the largest accelerations are those between the jumps.</source>
+        <translation>Le jerk n&apos;est pas limité : l&apos;accélération saute et, là où les blocs se rejoignent, la vitesse d&apos;un axe aussi. Il n&apos;y a pas de jerk maximal, et les accélérations maximales sont celles entre les sauts.</translation>
+    </message>
+    <message>
+        <source>No jerk is limited: the acceleration jumps, and there is no largest jerk.</source>
+        <translation>Le jerk n&apos;est pas limité : l&apos;accélération saute, et il n&apos;y a pas de jerk maximal.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -2401,6 +2409,10 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
     <message>
         <source>Charts</source>
         <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>jumps of the acceleration are not drawn</source>
+        <translation>sauts de l&apos;accélération non tracés</translation>
     </message>
 </context>
 <context>

@@ -65,6 +65,14 @@ void ChartHeader::set_runs(std::vector<LegendEntry> runs) {
   update();
 }
 
+void ChartHeader::set_note(const QString& note) {
+  if (note != note_) {
+    note_ = note;
+    updateGeometry();
+    update();
+  }
+}
+
 int ChartHeader::row_height() const {
   return QFontMetrics(font()).height() + 4;
 }
@@ -119,6 +127,14 @@ ChartHeader::Layout ChartHeader::lay_out(int width) const {
     layout.curves.emplace_back(x, y, room, row_height());
     x += room + curve_gap;
   }
+  if (!note_.isEmpty()) {
+    const int room = metrics.horizontalAdvance(note_) + curve_gap;  // a printed font may be wider
+    if (x + room > width && x > plot_left_margin) {
+      x = plot_left_margin;
+      y += row_height();
+    }
+    layout.note = QRect(x, y, std::max(0, std::min(room, width - x)), row_height());
+  }
   layout.curves_height = layout.height = y + row_height();
   if (!runs_.empty()) {
     add_runs(layout, width);
@@ -164,6 +180,9 @@ QString ChartHeader::tip_at(const QPoint& place) const {
         .arg(spec_.title, spec_.curves[*curve].name, spec_.unit);
   }
   const Layout layout = lay_out(width());
+  if (layout.note.contains(place)) {
+    return note_;
+  }
   if (place.y() < layout.curves_height) {
     return {};
   }
@@ -214,7 +233,16 @@ void ChartHeader::draw(QPainter& painter) const {
   for (std::size_t i = 0; i < spec_.curves.size(); ++i) {
     draw_curve(painter, i, layout.curves[i]);
   }
+  draw_note(painter, layout.note);
   draw_runs(painter, layout);
+}
+
+void ChartHeader::draw_note(QPainter& painter, const QRect& place) const {
+  if (!note_.isEmpty()) {
+    painter.setPen(palette().color(QPalette::WindowText));
+    painter.drawText(place, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(note_, Qt::ElideRight, place.width()));
+  }
 }
 
 void ChartHeader::draw_title(QPainter& painter) const {

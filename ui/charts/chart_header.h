@@ -30,6 +30,9 @@ class ChartHeader : public QWidget {
   void show_curve(std::size_t curve, bool shown);
   void set_runs(std::vector<LegendEntry> runs);
   const std::vector<LegendEntry>& runs() const { return runs_; }
+  /// What the curves do not show, behind them; empty: nothing.
+  void set_note(const QString& note);
+  const QString& note() const { return note_; }
   /// Where a curve stands, value included.
   QRect item(std::size_t curve) const;
   QString tip_at(const QPoint& place) const;
@@ -52,6 +55,7 @@ class ChartHeader : public QWidget {
  private:
   struct Layout {
     std::vector<QRect> curves;
+    QRect note;
     std::vector<QRect> runs;  ///< those that there is room for
     int curves_height = 0;
     int height = 0;
@@ -67,11 +71,13 @@ class ChartHeader : public QWidget {
   std::optional<std::size_t> curve_at(const QPoint& place) const;
   void draw_title(QPainter& painter) const;
   void draw_curve(QPainter& painter, std::size_t curve, const QRect& place) const;
+  void draw_note(QPainter& painter, const QRect& place) const;
   void draw_runs(QPainter& painter, const Layout& layout) const;
 
   ChartSpec spec_;
   std::vector<bool> shown_;
   std::vector<LegendEntry> runs_;
+  QString note_;
   std::vector<std::optional<double>> values_;  ///< a curve each, in the chart's unit
 };
 

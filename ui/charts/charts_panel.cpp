@@ -330,6 +330,10 @@ void ChartsPanel::show_other_runs() {
     rows_.headers[i]->set_runs(
         overlays_.legend(i, rows_.charts[i]->spec(), range_, trajectory_.get(), position));
   }
+  const bool smooth =
+      sources_.limits_jerk &&
+      std::ranges::all_of(overlays_.runs(), [](const RunOverlay& run) { return run.sources.limits_jerk; });
+  rows_.headers[jerk_chart]->set_note(smooth ? QString() : tr("jumps of the acceleration are not drawn"));
 }
 
 void ChartsPanel::zoom(double factor) {

@@ -267,6 +267,10 @@ QString peaks_block(const ReportInput& input) {
           continue;
         }
         const double peak = peaks->*quantity.peak;
+        if (std::isnan(peak)) {
+          cells.append(QStringLiteral("jumps"));
+          continue;
+        }
         const double limit = run.shown->run.setup.machine.axes.find(axis.name)->*quantity.limit;
         cells.append(QStringLiteral("%1<br/><span class=\"muted\">%2 %</span>")
                          .arg(significant(peak, quantity.dimension, 3), percent(peak / limit, 0)));

@@ -55,6 +55,9 @@ QStringList run_note_texts(const Run& run) {
   for (const std::string& sentence : ignored_path_control(run.input, run.setup)) {
     sentences.append(core_text(sentence));
   }
+  if (const char* const jumps = jump_note(run.setup)) {
+    sentences.append(core_text(jumps));
+  }
   if (const std::vector<Diagnostic>& refused = run.input.lines_not_run; !refused.empty()) {
     sentences.append(RunNotes::tr("Lines that the control refuses are not run: %1.")
                          .arg(QString::fromStdString(line_list(refused))));

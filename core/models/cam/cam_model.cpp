@@ -23,6 +23,7 @@ const ModelInfo& CamModel::info() const {
 Guarantees CamModel::guarantees(const Settings&) const {
   Guarantees promised;
   promised.continuity = Continuity::position;
+  promised.limits_jerk = false;
   promised.stops_at_reversals = promised.stops_at_rapids = false;
   return promised;
 }

@@ -95,7 +95,7 @@ Guarantees GrblModel::guarantees(const Settings& settings) const {
   promised.meets_tangent_ends = false;
   promised.stops_at_rapids = promised.stops_at_reversals = false;
   promised.rounds_places = promised.arcs_are_chords = true;
-  promised.begins_again_at_stops = false;
+  promised.begins_again_at_stops = promised.limits_jerk = false;
   if (settings.text("step_timing") == "on") {
     promised.continuity = Continuity::position;
     promised.feed = Guarantees::unbounded;

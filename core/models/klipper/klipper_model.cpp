@@ -124,7 +124,7 @@ Guarantees KlipperModel::guarantees(const Settings&) const {
   Guarantees promised;
   promised.meets_tangent_ends = false;
   promised.stops_at_rapids = promised.stops_at_reversals = false;
-  promised.rapids_of_axes = false;
+  promised.rapids_of_axes = promised.limits_jerk = false;
   promised.arcs_are_chords = true;
   promised.begins_again_at_stops = false;  // where the path turns back it stands still, but plans across
   return promised;

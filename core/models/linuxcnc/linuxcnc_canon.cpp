@@ -40,25 +40,28 @@ double angle_between(const Vec3& from, const Vec3& to, const Vec3& normal, doubl
 
 LinuxCncCanon::LinuxCncCanon(const Toolpath& toolpath, const LinuxCncSettings& settings)
     : toolpath_(toolpath), settings_(settings), waits_(toolpath) {
-  mode_ = {settings_.blends, settings_.blends ? settings_.blend_tolerance : 0,
-           settings_.blends ? settings_.naive_tolerance : 0};
+  mode_ = mode_of_settings();
+}
+
+LinuxCncCanon::Mode LinuxCncCanon::mode_of_settings() const {
+  return settings_.blends ? Mode{LinuxCncEnd::parabolic, settings_.blend_tolerance, settings_.naive_tolerance}
+                          : Mode{LinuxCncEnd::exact, 0, 0};
 }
 
 LinuxCncCanon::Mode LinuxCncCanon::mode_of(std::size_t block) const {
   const PathControl& control = toolpath_.path_control_of(block);
   switch (control.mode) {
     case PathMode::exact_stop:
-      return {false, 0, 0};
+      return {control.exact_path ? LinuxCncEnd::exact : LinuxCncEnd::stop, 0, 0};
     case PathMode::continuous: {
       const double tolerance = control.contour_tolerance.value_or(0);
       const double naive = control.compaction_tolerance.value_or(tolerance);
-      return {true, tolerance, naive};
+      return {LinuxCncEnd::parabolic, tolerance, naive};
     }
     case PathMode::machine:
       break;
   }
-  return {settings_.blends, settings_.blends ? settings_.blend_tolerance : 0,
-          settings_.blends ? settings_.naive_tolerance : 0};
+  return mode_of_settings();
 }
 
 void LinuxCncCanon::send(LinuxCncMessage::Kind kind, std::uint32_t block, double time) {
@@ -138,7 +141,7 @@ void LinuxCncCanon::line(std::size_t i) {
 }
 
 bool LinuxCncCanon::linkable(const Vec3& end) const {
-  if (!mode_.blends || !(mode_.naive > 0) || chain_.size() >= longest_chain || end == chain_start_) {
+  if (!mode_.blends() || !(mode_.naive > 0) || chain_.size() >= longest_chain || end == chain_start_) {
     return false;
   }
   const Vec3 way = end - chain_start_;
@@ -189,7 +192,7 @@ void LinuxCncCanon::send_line(const Vec3& from, const Vec3& to, double feed, boo
   move.speed_cause = !of_axis ? Cause{CauseKind::programmed_feed}
                               : Cause{rapid ? CauseKind::rapid : CauseKind::axis_velocity, velocity.axis};
   move.tolerance = mode_.tolerance;
-  move.end = mode_.blends ? LinuxCncEnd::parabolic : LinuxCncEnd::exact;
+  move.end = mode_.end;
   move.waits_for_spindle = spindle_starts_ && !rapid;
   spindle_starts_ = spindle_starts_ && rapid;
 }
@@ -219,7 +222,7 @@ void LinuxCncCanon::arc(std::size_t i) {
   course.length = course.arc_length();
   constexpr double flat = 1e-9;
   const bool in_xy = std::abs(std::abs(course.normal.z()) - 1) < flat && std::abs(course.height) < flat;
-  if (in_xy && mode_.blends && course.radius * (1 - std::cos(course.angle / 2)) < mode_.naive) {
+  if (in_xy && mode_.blends() && course.radius * (1 - std::cos(course.angle / 2)) < mode_.naive) {
     if (chain_.empty()) {
       chain_start_ = start;
     }
@@ -256,7 +259,7 @@ void LinuxCncCanon::arc(std::size_t i) {
                          ? Cause{CauseKind::programmed_feed}
                          : Cause{turns_fast ? CauseKind::radial_acceleration : CauseKind::axis_velocity};
   move.tolerance = mode_.tolerance;
-  move.end = mode_.blends ? LinuxCncEnd::parabolic : LinuxCncEnd::exact;
+  move.end = mode_.end;
   move.waits_for_spindle = spindle_starts_;
   spindle_starts_ = false;
   chain_start_ = segment.end;

@@ -35,9 +35,10 @@ class LinuxCncCanon {
 
  private:
   struct Mode {
-    bool blends = true;
-    double tolerance = 0;  ///< [mm]
-    double naive = 0;      ///< [mm]
+    LinuxCncEnd end = LinuxCncEnd::parabolic;  ///< of G64, else exact or stop
+    double tolerance = 0;                      ///< [mm]
+    double naive = 0;                          ///< [mm]
+    bool blends() const { return end == LinuxCncEnd::parabolic; }
     bool operator==(const Mode&) const = default;
   };
   struct Point {
@@ -47,6 +48,7 @@ class LinuxCncCanon {
 
   void read_block(std::size_t block);
   Mode mode_of(std::size_t block) const;
+  Mode mode_of_settings() const;
   void enter_mode(const Mode& mode, std::uint32_t block);
   void line(std::size_t block);
   void arc(std::size_t block);

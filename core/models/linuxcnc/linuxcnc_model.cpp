@@ -120,6 +120,7 @@ Guarantees LinuxCncModel::guarantees(const Settings& /*settings*/) const {
   promised.follows_compaction = promised.own_tolerances = true;
   promised.begins_again_at_stops = false;
   promised.continuity = Continuity::position;
+  promised.limits_jerk = false;
   promised.stops_at_rapids = promised.stops_at_reversals = false;
   return promised;
 }

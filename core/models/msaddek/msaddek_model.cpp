@@ -76,6 +76,7 @@ Guarantees MsaddekModel::guarantees(const Settings& settings) const {
     promised.lines.acceleration = promised.lines.jerk = {};
     promised.curves.acceleration = promised.curves.jerk = {};
     promised.continuity = Continuity::position;
+    promised.limits_jerk = false;
     promised.stops_at_reversals = promised.stops_at_rapids = promised.stops_at_line_corners = false;
   } else {
     promised.follows_brisk = true;

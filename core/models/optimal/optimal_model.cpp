@@ -116,6 +116,7 @@ const ModelInfo& OptimalModel::info() const {
 Guarantees OptimalModel::guarantees(const Settings& settings) const {
   const Guarantees inner = find_model(settings.text("path")).guarantees(settings);
   Guarantees promised;
+  promised.limits_jerk = settings.text("jerk") == "on";
   promised.lines.velocity = promised.lines.acceleration = {KeptLimit::Of::whole};
   promised.arcs = promised.blends = promised.lines;
   promised.arcs.acceleration.factor = promised.blends.acceleration.factor = between_places;

@@ -237,6 +237,7 @@ void Cycles::run() {
     if (is_linuxcnc()) {  // which runs cycles as under G61
       PathControl exact = modal;
       exact.mode = PathMode::exact_stop;
+      exact.exact_path = true;
       path().set_path_control(exact);
     }
     for (double i = 0; i < repeats; ++i) {

@@ -31,6 +31,7 @@ void Motions::move_to_exact_stop() {
   const PathControl modal = path().path_control();
   PathControl control = modal;
   control.mode = PathMode::exact_stop;
+  control.exact_path = false;
   path().set_path_control(control);
   move();
   path().set_path_control(modal);

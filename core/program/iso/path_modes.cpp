@@ -28,14 +28,17 @@ void PathModes::apply(const GCode& code) {
     case exact_path:
     case exact_stop:
       control.mode = PathMode::exact_stop;
+      control.exact_path = code.number == exact_path;
       break;
     case continuous:
       control.mode = PathMode::continuous;
+      control.exact_path = false;
       set_tolerances(control);
       break;
     case corner_override:
     case tapping:
       control.mode = PathMode::continuous;
+      control.exact_path = false;
       break;
     case smoothness:
       control.contour_tolerance = tolerance('E', "G187");

@@ -38,6 +38,10 @@ fs::path ControlTables::folder() {
   return shared / "controls";
 }
 
+bool ControlTables::has_corpus() {
+  return fs::is_directory(shared / "corpus");
+}
+
 ControlTables::ControlTables(const std::string& control) {
   std::ifstream table(folder() / (control + ".tsv"));
   std::ifstream configurations(folder() / (control + "_configurations.json"));

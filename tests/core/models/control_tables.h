@@ -27,6 +27,8 @@ class ControlTables {
   const std::vector<ControlRow>& rows() const { return rows_; }
   const nlohmann::json& configurations() const { return configurations_; }
   static std::filesystem::path folder();
+  /// Whether the programs are there that are no samples of the project.
+  static bool has_corpus();
 
  private:
   std::vector<ControlRow> rows_;

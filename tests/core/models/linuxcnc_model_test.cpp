@@ -84,6 +84,13 @@ TEST(LinuxCncModel, BlocksThatOverlapRoundOneCornerOfUnknownRadius) {
   EXPECT_THAT(blends_csv(motion), HasSubstr(",,"));
 }
 
+/// Two lines in one direction: G61 passes their joint, G61.1 stops in it, which takes v/a more.
+TEST(LinuxCncModel, StopsInTangentialJointsUnderG61Point1Alone) {
+  const double whole = run("G21 G90 G61\nG1 X40 F3000\nM2\n").duration();
+  EXPECT_NEAR(run("G21 G90 G61\nG1 X20 F3000\nX40\nM2\n").duration(), whole, 2e-3);
+  EXPECT_NEAR(run("G21 G90 G61.1\nG1 X20 F3000\nX40\nM2\n").duration(), whole + 50 / acceleration, 4e-3);
+}
+
 TEST(LinuxCncModel, RoundsNothingUnderAnExactStop) {
   EXPECT_EQ(run("G21 G90 G61\nG1 X20 F3000\nY20\nM2\n").blend_count(), 0U);
 }

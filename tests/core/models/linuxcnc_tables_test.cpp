@@ -95,5 +95,44 @@ TEST(LinuxCncTables, TimesOfSamplesAreThoseOfTheControlToTheMillisecond) {
   EXPECT_GE(equal_arcs, 538);
 }
 
+/// Those of up to 1000 s.
+TEST(LinuxCncTables, TimesOfOtherProgramsStayAsNearTheControlAsTheyAre) {
+  constexpr double millisecond = 5e-4;
+  constexpr double usual = 1e-3;
+  struct Known {
+    const char* program;
+    double share;
+  };
+  constexpr auto open = std::to_array<Known>({
+      {"LinuxCNC__Cereal.ngc", 0.02},  // G53, whose place only the machine knows
+      {"LinuxCNC__g18-g98-g81.ngc", 0.01},
+      {"LinuxCNC__nurbs_G5_Curva_Delfino.ngc", 0.0015},
+      {"LinuxCNC__polar.ngc", 0.0025},
+  });
+  const testing::ControlTables tables("linuxcnc");
+  if (!tables || !testing::ControlTables::has_corpus()) {
+    GTEST_SKIP() << "no results of controls, or no programs, at " << testing::ControlTables::folder();
+  }
+  constexpr double longest = 1000;  // [s]
+  int rows = 0;
+  int equal = 0;
+  int near = 0;
+  for (const testing::ControlRow& row : tables.rows()) {
+    if (row.text.find("\tcorpus\t") == std::string::npos || row.total > longest || is_cut_short(row)) {
+      continue;
+    }
+    const double off = std::abs(run_of(row, tables).duration() - row.total);
+    const auto* const known = std::ranges::find_if(
+        open, [&](const Known& one) { return row.text.starts_with(std::string(one.program) + "\t"); });
+    ++rows;
+    equal += off < millisecond ? 1 : 0;
+    near += off < usual * row.total + millisecond ? 1 : 0;
+    EXPECT_LT(off, (known == open.end() ? usual : known->share) * row.total + millisecond) << row.text;
+  }
+  EXPECT_EQ(rows, 288);
+  EXPECT_GE(equal, 161);
+  EXPECT_GE(near, 256);
+}
+
 }  // namespace
 }  // namespace feedscope
