@@ -72,13 +72,10 @@ std::string causes_text(const TimeUse& use) {
   TextTable table;
   table.add({"", "time", "share", "lost"});
   CauseCost rest;
-  std::size_t rows = 0;
   for (const CauseCost& cost : use.causes) {
-    const double weight = std::max(cost.time, std::abs(cost.lost));
-    if (rows < most_rows && weight > worth_a_row * use.cycle_time) {
+    if (std::max(cost.time, std::abs(cost.lost)) > worth_a_row * use.cycle_time) {
       table.add({cause_title(cost.cause), seconds(cost.time), percent(cost.time, use.cycle_time),
                  seconds(cost.lost)});
-      ++rows;
     } else {
       rest.time += cost.time;
       rest.lost += cost.lost;

@@ -650,6 +650,150 @@
     </message>
 </context>
 <context>
+    <name>TimeRows</name>
+    <message>
+        <source>What it consists of</source>
+        <translation>Ce qui le compose</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Lost</source>
+        <translation>Perdu</translation>
+    </message>
+    <message>
+        <source>%1 of the cycle time; %2 at the programmed feed</source>
+        <translation>%1 du temps de cycle ; %2 à l’avance programmée</translation>
+    </message>
+    <message>
+        <source>Places that lose most</source>
+        <translation>Endroits qui perdent le plus</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Part</translation>
+    </message>
+    <message>
+        <source>%1.
+Click to go to the worst place, in line %2.</source>
+        <translation>%1.
+Cliquer pour aller au pire endroit, ligne %2.</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Ligne %1</translation>
+    </message>
+    <message>
+        <source>What would help (simulated)</source>
+        <translation>Quels remèdes (simulés)</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Gain</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Erreur</translation>
+    </message>
+    <message>
+        <source>Those of this machine together</source>
+        <translation>Ceux de cette machine ensemble</translation>
+    </message>
+    <message>
+        <source>Also simulated</source>
+        <translation>Également simulés</translation>
+    </message>
+    <message>
+        <source>None of the changes that were simulated helps</source>
+        <translation>Aucun des changements simulés n’aide</translation>
+    </message>
+    <message>
+        <source>Limited by</source>
+        <translation>Limité par</translation>
+    </message>
+    <message>
+        <source>Others</source>
+        <translation>Autres</translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation>Opérations</translation>
+    </message>
+    <message>
+        <source>From line %1; %2 of it rapids. It loses most to: %3.</source>
+        <translation>À partir de la ligne %1 ; dont %2 en rapide. Perd le plus à : %3.</translation>
+    </message>
+    <message>
+        <source>%1 instead of %2 (%3 less).</source>
+        <translation>%1 au lieu de %2 (%3 de moins).</translation>
+    </message>
+    <message>
+        <source>Max. contour error %1, now %2.</source>
+        <translation>Erreur de contour max. %1, actuellement %2.</translation>
+    </message>
+    <message>
+        <source>Whether machine, tool and material bear it is not checked.</source>
+        <translation>Si machine, outil et matière le supportent n’est pas vérifié.</translation>
+    </message>
+</context>
+<context>
+    <name>TimeTexts</name>
+    <message>
+        <source>&lt;b&gt;%1&lt;/b&gt; for %2 programmed: &lt;b&gt;%3&lt;/b&gt; (%4).</source>
+        <translation>&lt;b&gt;%1&lt;/b&gt; pour %2 programmés : &lt;b&gt;%3&lt;/b&gt; (%4).</translation>
+    </message>
+    <message>
+        <source>Most is lost here: &lt;b&gt;%1&lt;/b&gt; (%2 s).</source>
+        <translation>Le plus se perd ici : &lt;b&gt;%1&lt;/b&gt; (%2 s).</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>%1°</source>
+        <translation>%1°</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3</source>
+        <translation>%1&#xa0;: %2 %3 {1,?}</translation>
+    </message>
+    <message>
+        <source>%1, %2 %3 to %4, median %5</source>
+        <translation>%1, %2 %3 à %4, médiane %5</translation>
+    </message>
+    <message>
+        <source>Before the first tool</source>
+        <translation>Avant le premier outil</translation>
+    </message>
+    <message>
+        <source>Tool %1</source>
+        <translation>Outil %1</translation>
+    </message>
+    <message>
+        <source>%1%2 s</source>
+        <translation>%1%2&#xa0;s</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1&#xa0;%</translation>
+    </message>
+    <message>
+        <source>1 place</source>
+        <translation>1 endroit</translation>
+    </message>
+    <message>
+        <source>%1 places</source>
+        <translation>%1 endroits</translation>
+    </message>
+    <message>
+        <source>Nothing in this program takes time.</source>
+        <translation>Rien dans ce programme ne prend de temps.</translation>
+    </message>
+</context>
+<context>
     <name>Tolerance</name>
     <message>
         <source>The tolerance comes from the program.</source>
@@ -5690,6 +5834,61 @@ Ensemble&#xa0;: %4</translation>
     </message>
 </context>
 <context>
+    <name>feedscope::ui::TimeView</name>
+    <message>
+        <source>Time</source>
+        <translation>Temps</translation>
+    </message>
+    <message>
+        <source>Try changes</source>
+        <translation>Essayer des changements</translation>
+    </message>
+    <message>
+        <source>New run with this change</source>
+        <translation>Nouvelle simulation ainsi</translation>
+    </message>
+    <message>
+        <source>Where the time goes</source>
+        <translation>Où passe le temps</translation>
+    </message>
+    <message>
+        <source>Where does the time go? Try changes</source>
+        <translation>Où passe le temps ? Essayer des changements</translation>
+    </message>
+    <message>
+        <source>Simulate what would help the whole program, each change separately</source>
+        <translation>Simule ce qui aiderait tout le programme, chaque changement séparément</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+W</source>
+        <translation>Ctrl+Shift+W</translation>
+    </message>
+    <message>
+        <source>New run with the chosen change</source>
+        <translation>Nouvelle simulation avec le changement choisi</translation>
+    </message>
+    <message>
+        <source>Make a run of the change that is chosen under Time</source>
+        <translation>Crée une simulation avec le changement choisi sous Temps</translation>
+    </message>
+    <message>
+        <source>Open a program to see where its time goes.</source>
+        <translation>Ouvrir un programme pour voir où passe son temps.</translation>
+    </message>
+    <message>
+        <source>Looking where the time goes …</source>
+        <translation>Recherche où passe le temps …</translation>
+    </message>
+    <message>
+        <source>Simulating what would help …</source>
+        <translation>Simulation des remèdes …</translation>
+    </message>
+    <message>
+        <source>The feed is in the program: change its F words. Runs differ only in machine, control and settings.</source>
+        <translation>L&apos;avance est dans le programme&#xa0;: modifier ses mots F. Les simulations ne diffèrent que par la machine, la commande et les réglages.</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::ViewMenu</name>
     <message>
         <source>&amp;View</source>
@@ -6049,6 +6248,11 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>A tolerance of %1 takes %2 s longer than %3, mostly due to %4 (%5 s more): a corner blend can take longer than a narrower one or an exact stop, because it is passed at a limited speed along its whole length.</source>
         <translation>Une tolérance de %1 demande %2 s de plus que %3, surtout par %4 (%5 s de plus)&#xa0;: un raccord d’angle peut durer plus longtemps qu’un raccord plus étroit ou qu’un arrêt précis, car il est parcouru à vitesse limitée sur toute sa longueur.</translation>
+    </message>
+    <message>
+        <source>On %1</source>
+        <comment>a machine</comment>
+        <translation>Sur %1</translation>
     </message>
 </context>
 </TS>

@@ -9,6 +9,7 @@
 #include <algorithm>
 
 #include "ui/fields/choice_delegate.h"
+#include "ui/fields/focus_outline.h"
 #include "ui/language/core_texts.h"
 #include "ui/setup/run_notes_text.h"
 #include "ui/theme/theme.h"
@@ -34,6 +35,7 @@ QTableView* make_table(QAbstractItemModel* model, const QString& name, QWidget* 
   table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table->horizontalHeader()->setHighlightSections(false);
   table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  new FocusOutline(*table);
   return table;
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/language/remedy_text.h"
 #include "ui/language/texts.h"
-#include "ui/why/why_text.h"
 
 namespace feedscope::ui {
 
@@ -39,7 +39,7 @@ void RemedyTable::begin(const Setup& setup, const std::vector<Remedy>& remedies,
   before_ = before;
   rows_.clear();
   for (const Remedy& remedy : remedies) {
-    rows_.push_back({rows_.size(), remedy, WhyText::remedy(remedy, setup), std::nullopt});
+    rows_.push_back({rows_.size(), remedy, remedy_text(remedy, setup), std::nullopt});
   }
   endResetModel();
 }

@@ -10,26 +10,11 @@
 #include "core/base/units.h"
 #include "ui/language/core_texts.h"
 #include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
 
 namespace feedscope::ui {
 
 namespace {
-
-/// `digits` significant ones, none behind the point for large numbers, no exponent but for tiny ones.
-QString significant(double value, int digits) {
-  const double size = std::abs(value);
-  constexpr double tiny = 1e-4;
-  if (size > 0 && size < tiny) {
-    return QLocale().toString(value, 'g', digits);
-  }
-  const int before = size > 0 ? static_cast<int>(std::floor(std::log10(size))) + 1 : 1;
-  QString text = QLocale().toString(value, 'f', std::clamp(digits - before, 0, digits + 3));
-  const QString point = QLocale().decimalPoint();
-  while (text.contains(point) && (text.endsWith('0') || text.endsWith(point))) {
-    text.chop(1);
-  }
-  return text;
-}
 
 /// What rounding leaves of nothing, in the units of people: 1 nm, 1 ns, 1 nm/s and the like.
 double without_noise(double value, Dimension dimension) {
@@ -70,7 +55,7 @@ QString of_symbol(const Reason& reason, Symbol symbol) {
 QString percent(const Reason& reason, Symbol symbol) {
   const Quantity* found = reason.formula.find(symbol);
   return found == nullptr ? QStringLiteral("–")
-                          : QStringLiteral("%1 %").arg(significant(100 * found->value, 3));
+                          : QStringLiteral("%1 %").arg(significant_number(100 * found->value, 3));
 }
 
 /// Powers and indices as such, Greek letters by their signs.
@@ -92,23 +77,24 @@ QString WhyText::number(double asked, Dimension dimension) {
   const double value = without_noise(asked, dimension);
   switch (dimension) {
     case Dimension::number:
-      return significant(value, 3);
+      return significant_number(value, 3);
     case Dimension::time:
-      return value < 0.1 ? tr("%1 ms").arg(significant(1000 * value, 4))
-                         : tr("%1 s").arg(significant(value, 4));
+      return value < 0.1 ? tr("%1 ms").arg(significant_number(1000 * value, 4))
+                         : tr("%1 s").arg(significant_number(value, 4));
     case Dimension::feed:
       return speed(value);
     case Dimension::angle:
-      return tr("%1°").arg(significant(units::to_deg(value), 4));
+      return tr("%1°").arg(significant_number(units::to_deg(value), 4));
     default:
-      return QStringLiteral("%1 %2").arg(significant(in_shown_unit(value, dimension), 4), unit_of(dimension));
+      return QStringLiteral("%1 %2").arg(significant_number(in_shown_unit(value, dimension), 4),
+                                         unit_of(dimension));
   }
 }
 
 QString WhyText::speed(double value) {
   const double feed = in_shown_unit(without_noise(value, Dimension::feed), Dimension::feed);
-  return QStringLiteral("%1 %2").arg(feed >= 100 ? QLocale().toString(feed, 'f', 0) : significant(feed, 3),
-                                     unit_of(Dimension::feed));
+  return QStringLiteral("%1 %2").arg(
+      feed >= 100 ? QLocale().toString(feed, 'f', 0) : significant_number(feed, 3), unit_of(Dimension::feed));
 }
 
 QString WhyText::cause(Cause cause) {
@@ -375,40 +361,6 @@ QString WhyText::source(const Reason& reason) {
     return tr("from the program");
   }
   return QString::fromStdString(reason.source);
-}
-
-QString WhyText::remedy(const Remedy& remedy, const Setup& setup) {
-  if (remedy.feed_factor != 1) {
-    return tr("Programmed feed %1 %")
-        .arg(QStringLiteral("+%1").arg(significant(100 * (remedy.feed_factor - 1), 3)));
-  }
-  if (remedy.changes.size() == 3 && remedy.changes.front().first.starts_with("X.")) {
-    const std::string limit = remedy.changes.front().first.substr(2);
-    const double factor =
-        std::get<double>(remedy.changes.front().second) / axis_limit(setup.machine, 'X', limit);
-    const QString title = limit == "jerk" ? tr("Jerk of all axes") : tr("Acceleration of all axes");
-    return tr("%1 %2 %").arg(title, QStringLiteral("+%1").arg(significant(100 * (factor - 1), 3)));
-  }
-  const auto& [key, value] = remedy.changes.front();
-  const bool axis = key.size() > 2 && key[1] == '.';
-  const std::string name = axis ? key.substr(2) : key;
-  for (const SettingSpec& spec : axis ? axis_limit_specs() : settings_of(*setup.model)) {
-    if (spec.key == name && std::holds_alternative<std::string>(value)) {
-      return tr("%1: %2").arg(core_text(spec.title), core_text(std::get<std::string>(value)));
-    }
-    if (spec.key == name && std::holds_alternative<double>(value)) {
-      const double before =
-          axis ? axis_limit(setup.machine, key[0], name) : remedy.before.value_or(setup.settings.number(key));
-      const QString title = core_text(spec.title);
-      const KeyUnit unit = key_unit(spec.unit);
-      return tr("%1 %2 → %3 %4")
-          .arg(axis ? tr("%1 of %2").arg(title, QString(QLatin1Char(key[0]))) : title,
-               significant(before * unit.factor, 4), significant(std::get<double>(value) * unit.factor, 4),
-               unit.text)
-          .trimmed();
-    }
-  }
-  return QString::fromStdString(key);
 }
 
 }  // namespace feedscope::ui

@@ -4,7 +4,6 @@
 #include <QString>
 
 #include "core/analysis/explanation/explanation.h"
-#include "core/analysis/explanation/remedies.h"
 
 namespace feedscope::ui {
 
@@ -28,8 +27,6 @@ class WhyText {
   static QString formula(const Reason& reason);
   /// "Tapie 2007, eq 10 and 11", or who else asks for it.
   static QString source(const Reason& reason);
-  /// "Jerk of axis X 5 → 7.5 m/s³".
-  static QString remedy(const Remedy& remedy, const Setup& setup);
   /// "2 008 mm/min".
   static QString speed(double value);
   /// With the unit of people: "2.5 mm", "10 m/s³".

@@ -31,6 +31,7 @@
 #include "ui/slow_places/slow_places_view.h"
 #include "ui/study/study_view.h"
 #include "ui/theme/icons.h"
+#include "ui/time_use/time_view.h"
 #include "ui/why/why_view.h"
 #include "ui/window/dock_sizes.h"
 #include "ui/window/file_menu.h"
@@ -58,6 +59,7 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
       playback_(new PlaybackBar(workbench, this)),
       program_(new ProgramPanel(this)),
       setup_(new SetupView(workbench.setup(), this)),
+      time_(new TimeView(this)),
       why_(new WhyView(workbench.cursor(), this)),
       annotations_(new AnnotationsView(workbench.annotations(), workbench.cursor(), this)),
       desk_(workbench, chosen_language().toStdString()),
@@ -70,8 +72,8 @@ MainWindow::MainWindow(Workbench& workbench, RenderBackend backend, QWidget* par
       contour_(new ContourView(workbench, this)),
       circular_(new CircularView(workbench, this)),
       load_(new LoadView(workbench, this)),
-      panels_{program_,     setup_,       why_,   annotations_, lessons_,  charts_, runs_,
-              slow_places_, diagnostics_, study_, contour_,     circular_, load_},
+      panels_{program_, time_,        setup_,       why_,   annotations_, lessons_,  charts_,
+              runs_,    slow_places_, diagnostics_, study_, contour_,     circular_, load_},
       session_(new WindowSession(*this, workbench)),
       machines_(new MachineOpening(workbench, *this)) {
   setWindowTitle(tr("Feedscope"));
@@ -125,7 +127,7 @@ void MainWindow::make_docks() {
   for (Panel* panel : panels_) {
     add_dock(*panel);
   }
-  dock_of(*setup_).raise();
+  dock_of(*time_).raise();
   dock_of(*charts_).raise();
   resizeDocks({&dock_of(*program_), &dock_of(*setup_)}, {program_width, setup_width}, Qt::Horizontal);
   resizeDocks({&dock_of(*charts_)}, {charts_height}, Qt::Vertical);
@@ -188,7 +190,10 @@ void MainWindow::make_menus() {
                               &MainWindow::cancel_wanted));
 
   menuBar()->addMenu(tr("&Charts"))->addActions(charts_->panel_actions());
-  menuBar()->addMenu(tr("&Why here?"))->addActions(why_->panel_actions());
+  QMenu* why = menuBar()->addMenu(tr("&Why here?"));
+  why->addActions(why_->panel_actions());
+  why->addSeparator();
+  why->addActions(time_->panel_actions());
   menuBar()->addMenu(tr("&Annotations"))->addActions(annotations_->panel_actions());
   menuBar()->addMenu(tr("&Playback"))->addActions(playback_->panel_actions());
   QMenu* go = menuBar()->addMenu(tr("&Go"));
@@ -223,6 +228,7 @@ void MainWindow::make_status() {
   statusBar()->addPermanentWidget(status);
   connect(status, &StatusPanel::diagnostics_clicked, &dock_of(*diagnostics_), &QDockWidget::raise);
   connect(this, &MainWindow::cancel_wanted, status, &StatusPanel::cancel);
+  connect(this, &MainWindow::cancel_wanted, time_, &TimeView::cancel);
   const auto say = [this](const QString& message) { statusBar()->showMessage(message); };
   connect(charts_, &ChartsPanel::exported, this, say);
   connect(file_menu_, &FileMenu::done, this, say);

@@ -30,6 +30,7 @@ class RunsView;
 class SetupView;
 class SlowPlacesView;
 class StudyView;
+class TimeView;
 class WhyView;
 
 /// The 3D view with the panels around it and their commands in menus. Panels follow the workbench by
@@ -107,6 +108,7 @@ class MainWindow : public QMainWindow {
   PlaybackBar* playback_;
   ProgramPanel* program_;
   SetupView* setup_;
+  TimeView* time_;
   WhyView* why_;
   AnnotationsView* annotations_;
   LessonDesk desk_;
@@ -119,7 +121,7 @@ class MainWindow : public QMainWindow {
   ContourView* contour_;
   CircularView* circular_;
   LoadView* load_;
-  std::array<Panel*, 13> panels_;  ///< in the order of their tabs
+  std::array<Panel*, 14> panels_;  ///< in the order of their tabs
   WindowSession* session_;
   MachineOpening* machines_;
   FileMenu* file_menu_ = nullptr;

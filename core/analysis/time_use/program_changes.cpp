@@ -69,6 +69,7 @@ std::vector<Remedy> other_machines(const Setup& setup) {
 Remedy joined(Remedy first, const Remedy& second) {
   first.changes.insert(first.changes.end(), second.changes.begin(), second.changes.end());
   first.feed_factor *= second.feed_factor;
+  first.before = first.before ? first.before : second.before;
   return first;
 }
 

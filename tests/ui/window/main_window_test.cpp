@@ -344,6 +344,8 @@ TEST_F(MainWindowTest, ADroppedFileIsOpened) {
 }
 
 TEST_F(MainWindowTest, EverythingStandsWithinTheDefaultWindow) {
+  emit window.part<SetupView>().attention_wanted();
+  QTest::qWait(50);  // for the layout of what came to the front
   const QRect inside = window.rect();
   for (QWidget* view : std::initializer_list<QWidget*>{&window.part<ProgramPanel>().view(), &window.scene(),
                                                        &window.part<ChartsPanel>(), &window.part<SetupView>(),

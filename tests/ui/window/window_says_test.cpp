@@ -148,6 +148,7 @@ TEST_F(WindowSaysTest, SettingsWithoutAValueAreShownWhenWanted) {
 
 TEST_F(WindowSaysTest, SentencesOfTheMachinePanelAreWholeAtAnyWidth) {
   open(test::small_program);
+  emit window.part<SetupView>().attention_wanted();
   window.part<SetupView>().show_run_notes(
       {QString("The program asks for words ").repeated(9), "And for more."});
   for (const int width : {240, 300, 371, 500}) {
@@ -171,7 +172,7 @@ TEST_F(WindowSaysTest, TabStopsOnlyWhereTheFocusIsSeenAndGoesThroughEveryPanel) 
   for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
     dock->show();
     dock->raise();
-    QTest::qWait(20);
+    QTest::qWait(100);
     window.findChild<SetupBar*>()->findChild<QComboBox*>()->setFocus(Qt::TabFocusReason);
     QTest::keyClick(QApplication::focusWidget(), Qt::Key_Tab);
     std::set<QWidget*> seen;

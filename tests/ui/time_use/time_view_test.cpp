@@ -1,0 +1,130 @@
+#include "ui/time_use/time_view.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeWidget>
+#include <optional>
+
+#include "tests/ui/patience.h"
+#include "tests/ui/run_fixture.h"
+
+namespace feedscope::ui {
+namespace {
+
+using testing::HasSubstr;
+
+class TimeViewTest : public testing::Test {
+ protected:
+  TimeViewTest() {
+    QLocale::setDefault(QLocale::c());
+    view.resize(380, 600);
+    view.show();
+  }
+
+  void set_run(const feedscope::Run& run) {
+    shown = make_shown(run);
+    view.set_run(shown, SetupState(run.setup));
+  }
+  bool finishes() {
+    return QTest::qWaitFor([this] { return !view.busy(); }, patience);
+  }
+  QTreeWidgetItem* section(const QString& title) {
+    for (int i = 0; i < view.tree().topLevelItemCount(); ++i) {
+      if (view.tree().topLevelItem(i)->text(0).startsWith(title)) {
+        return view.tree().topLevelItem(i);
+      }
+    }
+    return nullptr;
+  }
+  void click(QTreeWidgetItem* item) {
+    view.tree().scrollToItem(item);
+    QTest::mouseClick(view.tree().viewport(), Qt::LeftButton, {}, view.tree().visualItemRect(item).center());
+  }
+
+  feedscope::Run run = test::simulate_text(test::small_program);
+  std::shared_ptr<const ShownRun> shown;
+  TimeView view;
+};
+
+TEST_F(TimeViewTest, SaysWhereTheTimeGoesAndWhatWouldHelp) {
+  set_run(run);
+  ASSERT_TRUE(finishes());
+  EXPECT_THAT(view.conclusion().toStdString(), HasSubstr("programmed"));
+  ASSERT_NE(section("What it consists of"), nullptr);
+  ASSERT_NE(section("Places that lose most"), nullptr);
+  ASSERT_NE(section("What would help"), nullptr);
+  ASSERT_NE(section("Limited by"), nullptr);
+  ASSERT_NE(view.report(), nullptr);
+  EXPECT_FALSE(view.report()->changes.best.empty());
+  EXPECT_EQ(view.report()->use.cycle_time, run.summary.cycle_time);
+}
+
+TEST_F(TimeViewTest, AClickGoesToTheWorstPlaceOfAGroup) {
+  set_run(run);
+  ASSERT_TRUE(finishes());
+  QSignalSpy chosen(&view, &TimeView::place_chosen);
+  click(section("Places that lose most")->child(0));
+  ASSERT_EQ(chosen.size(), 1);
+  EXPECT_EQ(chosen[0][0].toDouble(), view.report()->slow.groups.front().worst.front().slowest);
+}
+
+TEST_F(TimeViewTest, AChangeBecomesARunThatTakesWhatWasSaid) {
+  set_run(run);
+  ASSERT_TRUE(finishes());
+  std::optional<SetupState> wanted;
+  QObject::connect(&view, &TimeView::run_wanted, [&](const SetupState& setup) { wanted = setup; });
+  QTreeWidgetItem* changes = section("What would help");
+  std::size_t checked = 0;
+  const ChangeTrials trials = view.report()->changes;
+  for (std::size_t i = 0; i < trials.best.size(); ++i) {
+    const TriedChange& change = trials.tried[trials.best[i]];
+    view.tree().setCurrentItem(changes->child(static_cast<int>(i)));
+    QAction* new_run = view.panel_actions().last();
+    EXPECT_EQ(new_run->isEnabled(), change.remedy.feed_factor == 1);
+    if (!new_run->isEnabled()) {
+      continue;
+    }
+    new_run->trigger();
+    ASSERT_TRUE(wanted.has_value());
+    EXPECT_NEAR(simulate_run(run.input, wanted->setup()).summary.cycle_time, change.cycle_time, 1e-9);
+    ++checked;
+  }
+  EXPECT_GE(checked, 1U);
+}
+
+TEST_F(TimeViewTest, WorksOnlyWhileItCanBeSeen) {
+  view.set_on_screen(false);
+  set_run(run);
+  EXPECT_FALSE(view.busy());
+  EXPECT_EQ(view.report(), nullptr);
+  view.set_on_screen(true);
+  EXPECT_TRUE(view.busy());
+  ASSERT_TRUE(finishes());
+  EXPECT_NE(view.report(), nullptr);
+}
+
+TEST_F(TimeViewTest, NoProgramEmptiesIt) {
+  set_run(run);
+  ASSERT_TRUE(finishes());
+  view.set_run(nullptr, SetupState(run.setup));
+  EXPECT_EQ(view.tree().topLevelItemCount(), 0);
+  EXPECT_FALSE(view.busy());
+  EXPECT_THAT(view.conclusion().toStdString(), HasSubstr("Open a program"));
+}
+
+TEST_F(TimeViewTest, ALongProgramTriesChangesWhenAsked) {
+  feedscope::Run slow = run;
+  slow.simulate_time = 60;
+  set_run(slow);
+  ASSERT_TRUE(finishes());
+  EXPECT_TRUE(view.report()->changes.tried.empty());
+  view.panel_actions().first()->trigger();
+  ASSERT_TRUE(finishes());
+  EXPECT_FALSE(view.report()->changes.tried.empty());
+}
+
+}  // namespace
+}  // namespace feedscope::ui

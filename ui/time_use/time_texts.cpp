@@ -1,0 +1,106 @@
+#include "ui/time_use/time_texts.h"
+
+#include <QLocale>
+#include <cmath>
+
+#include "core/base/units.h"
+#include "ui/language/core_texts.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/significant.h"
+#include "ui/language/texts.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr double nothing = 5e-4;  // [s]
+
+QString with_capital(QString text) {
+  if (!text.isEmpty()) {
+    text[0] = text[0].toUpper();
+  }
+  return text;
+}
+
+/// Seconds for comparing: as many decimals as their size is worth.
+QString seconds_text(double seconds) {
+  const double size = std::abs(seconds);
+  return QLocale().toString(size, 'f', size < 1 ? 3 : size < 1000 ? 1 : 0);
+}
+
+QString core_title(std::string_view text) {
+  return core_text(std::string(text));
+}
+
+}  // namespace
+
+QString TimeTexts::conclusion(const TimeReport& report) {
+  const TimeUse& use = report.use;
+  if (!(use.cycle_time > 0)) {
+    return tr("Nothing in this program takes time.");
+  }
+  QString text = tr("<b>%1</b> for %2 programmed: <b>%3</b> (%4).")
+                     .arg(clock_text(use.cycle_time), clock_text(use.programmed_time), change(use.lost()),
+                          percent(use.lost(), use.cycle_time));
+  if (!report.slow.groups.empty() && report.slow.groups.front().loss > nothing) {
+    const SlowGroup& most = report.slow.groups.front();
+    text +=
+        QLatin1Char(' ') +
+        tr("Most is lost here: <b>%1</b> (%2 s).").arg(group(most).toHtmlEscaped(), seconds_text(most.loss));
+  }
+  return text;
+}
+
+QString TimeTexts::kind(TimeKind kind) {
+  return with_capital(core_title(time_kind_title(kind)));
+}
+
+QString TimeTexts::cause(Cause cause) {
+  return with_capital(core_text(cause_title(cause)));
+}
+
+QString TimeTexts::group(const SlowGroup& group) {
+  return tr("%1: %2").arg(with_capital(core_title(info_of(group.shape).title)),
+                          core_text(cause_title(group.cause)));
+}
+
+QString TimeTexts::in_common(const SlowGroup& group) {
+  const PlaceShapeInfo& info = info_of(group.shape);
+  const QString count = group.count == 1
+                            ? tr("1 place")
+                            : tr("%1 places").arg(QLocale().toString(static_cast<qulonglong>(group.count)));
+  if (info.measure.empty()) {
+    return count;
+  }
+  const auto value = [&](double inside) {
+    return info.dimension == Dimension::angle ? tr("%1°").arg(significant_number(units::to_deg(inside), 3))
+                                              : significant_text(inside, Dimension::length, 3);
+  };
+  const QString what = core_title(info.measure);
+  return value(group.smallest) == value(group.largest)
+             ? tr("%1, %2 %3").arg(count, what, value(group.median))
+             : tr("%1, %2 %3 to %4, median %5")
+                   .arg(count, what, value(group.smallest), value(group.largest), value(group.median));
+}
+
+QString TimeTexts::operation(const OperationTime& operation, OperationSplit split) {
+  const QString title = QString::fromStdString(operation.title);
+  if (split != OperationSplit::tool) {
+    return title;
+  }
+  return operation.title == before_first_tool ? tr("Before the first tool")
+                                              : tr("Tool %1").arg(title.section(QLatin1Char(' '), 1));
+}
+
+QString TimeTexts::change(double seconds) {
+  if (std::abs(seconds) < nothing) {
+    return QStringLiteral("0");
+  }
+  return tr("%1%2 s").arg(QString(QChar(seconds < 0 ? 0x2212 : '+')), seconds_text(seconds));
+}
+
+QString TimeTexts::percent(double part, double of) {
+  return of > 0 ? tr("%1 %").arg(QLocale().toString(100 * part / of, 'f', 1)) : QString();
+}
+
+}  // namespace feedscope::ui

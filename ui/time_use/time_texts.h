@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+
+#include "core/analysis/time_use/time_report.h"
+
+namespace feedscope::ui {
+
+/// Words for where the time goes, in the language and with the numbers of the user.
+class TimeTexts {
+  Q_DECLARE_TR_FUNCTIONS(TimeTexts)
+
+ public:
+  /// Rich text in two or three sentences: cycle time against programmed time, where most is lost, what helps
+  /// most.
+  static QString conclusion(const TimeReport& report);
+  static QString kind(TimeKind kind);
+  /// "Jerk of axis X".
+  static QString cause(Cause cause);
+  /// "Corners: radial jerk on a blend".
+  static QString group(const SlowGroup& group);
+  /// "3200 places, turn 4.9° to 90°, median 5°".
+  static QString in_common(const SlowGroup& group);
+  /// "Tool 3", the heading as it is, or what runs before the first tool.
+  static QString operation(const OperationTime& operation, OperationSplit split);
+  /// "−12.3 s", "+0.004 s"; "0" for nothing that digits show.
+  static QString change(double seconds);
+  /// "12.3 %" of something; "" of nothing.
+  static QString percent(double part, double of);
+};
+
+}  // namespace feedscope::ui
