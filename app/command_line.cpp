@@ -150,11 +150,11 @@ int run_checked(int argc, char** argv) {
       "Shows what a CNC control really does with an NC program, and why it is slow where it is slow.");
   app.name("feedscope");
   app.set_version_flag("--version", "feedscope " FEEDSCOPE_VERSION);
-  std::vector<Command> commands{add_simulate_command(app), add_explain_command(app),
-                                add_compare_command(app),  add_check_command(app),
-                                add_circular_command(app), add_machines_command(app),
-                                add_models_command(app),   add_lessons_command(app),
-                                add_trace_command(app),    add_help_command(app)};
+  std::vector<Command> commands{
+      add_simulate_command(app), add_explain_command(app),  add_compare_command(app),
+      add_check_command(app),    add_circular_command(app), add_machines_command(app),
+      add_models_command(app),   add_lessons_command(app),  add_trace_command(app),
+      add_identify_command(app), add_help_command(app)};
 #ifdef FEEDSCOPE_WITH_UI
   commands.push_back(add_render_command(app));
   commands.push_back(add_report_command(app));

@@ -24,5 +24,6 @@ Command add_models_command(CLI::App& app);
 Command add_help_command(CLI::App& app);
 Command add_lessons_command(CLI::App& app);
 Command add_trace_command(CLI::App& app);
+Command add_identify_command(CLI::App& app);
 
 }  // namespace feedscope

@@ -52,6 +52,7 @@ const std::set<std::string> other_types{"Excludes",
                                         "PLANE",
                                         "ID|FILE",
                                         "SPEC|PRESET|FILE",
+                                        "KEY,...",
                                         "UNIT",
                                         "UNITS",
                                         "JSON",
@@ -137,6 +138,10 @@ class NumberOptions : public CommandLine {
     }
     if (option.command == "trace") {
       line = "trace samples.csv " + program + " " + option.name + " '" + value + "'";
+    }
+    if (option.command == "identify") {
+      line = "identify samples.csv --model linuxcnc --fit X.velocity --program " + program + " " +
+             option.name + " '" + value + "'";
     }
     if (option.command == "render" || option.command == "report") {
       line += option.command == "render" ? " --out a.png" : " --out a.html";

@@ -1,0 +1,223 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <memory>
+
+#include "app/commands/command.h"
+#include "app/exit_codes.h"
+#include "app/identification_text.h"
+#include "app/number_option.h"
+#include "app/output_file.h"
+#include "app/print.h"
+#include "app/run_options.h"
+#include "app/trace_columns_option.h"
+#include "app/watch.h"
+#include "core/base/error.h"
+#include "core/export/identification.h"
+#include "core/trace/read_trace.h"
+
+namespace feedscope {
+namespace {
+
+struct IdentifyCommandOptions {
+  std::vector<std::string> traces;
+  std::vector<std::string> programs;
+  std::vector<std::string> models;
+  std::vector<std::string> fit;
+  std::vector<std::string> set;
+  std::string machine;
+  std::string dialect;
+  std::string columns;
+  std::string out;
+  std::string json;
+};
+
+/// "2026-11-25".
+std::string today() {
+  const std::chrono::year_month_day date(
+      std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now()));
+  return fmt::format("{:04}-{:02}-{:02}", static_cast<int>(date.year()), static_cast<unsigned>(date.month()),
+                     static_cast<unsigned>(date.day()));
+}
+
+std::vector<std::string> keys_of(const std::vector<std::string>& lists) {
+  std::vector<std::string> keys;
+  for (const std::string& list : lists) {
+    for (std::size_t begin = 0; begin <= list.size();) {
+      const auto end = std::min(list.find(',', begin), list.size());
+      if (end > begin) {
+        keys.push_back(list.substr(begin, end - begin));
+      }
+      begin = end + 1;
+    }
+  }
+  return keys;
+}
+
+void check(const IdentifyCommandOptions& options) {
+  if (options.programs.empty()) {
+    throw InputError("identify needs the program of each trace: --program FILE...");
+  }
+  if (options.programs.size() != 1 && options.programs.size() != options.traces.size()) {
+    throw InputError(fmt::format("{} traces and {} programs: give one program for each trace, or one for all",
+                                 options.traces.size(), options.programs.size()));
+  }
+  if (options.models.empty() && options.machine.empty()) {
+    throw InputError("identify needs the model that is fitted: --model ID, see feedscope models");
+  }
+  for (const std::string& input : options.traces) {
+    check_outputs(input, {options.out, options.json}, "a trace");
+  }
+  for (const std::string& input : options.programs) {
+    check_outputs(input, {options.out, options.json});
+  }
+}
+
+/// A machine that is typical for the control that a model is of.
+std::string usual_machine(const std::string& model) {
+  const MachineLibrary library = shipped_machines();
+  for (const std::string& id : library.ids()) {
+    if (library.load(id).model == model) {
+      return id;
+    }
+  }
+  return default_machine;
+}
+
+class Work {
+ public:
+  Work(const IdentifyCommandOptions& options, Watch& watch) : options_(options), watch_(watch) {
+    const TraceColumns columns = asked_columns(options.columns);
+    ReadOptions reading;
+    if (!options.dialect.empty()) {
+      reading.dialect = dialect_of_id(options.dialect);
+    }
+    for (const std::string& file : options.programs) {
+      sources_.push_back(std::make_shared<const SourceText>(SourceText::from_file(file)));
+    }
+    for (const std::string& file : options.traces) {
+      traces_.push_back(read_trace(file, columns, watch.stage("traces")));
+    }
+    for (const auto& source : sources_) {
+      programs_.push_back(load_program(source, watch.stage("programs"), reading));
+    }
+  }
+
+  Identification fit(const std::string& model) const {
+    SetupRequest request;
+    request.machine = options_.machine.empty() ? usual_machine(model) : options_.machine;
+    request.model = model;
+    request.assignments = options_.set;
+    request.dialect = programs_.front().program->dialect;
+    const Setup start = make_setup(request);
+    const std::vector<FitParameter> parameters =
+        options_.fit.empty() ? usual_fit_parameters(start) : fit_parameters_of(start, keys_of(options_.fit));
+    std::vector<FitCase> cases;
+    for (std::size_t i = 0; i < traces_.size(); ++i) {
+      cases.emplace_back(traces_[i], programs_[programs_.size() == 1 ? 0 : i], start,
+                         watch_.stage("matching"));
+    }
+    IdentifyOptions how;
+    how.date = today();
+    return identify(cases, start, parameters, how, watch_.stage("fitting"));
+  }
+
+  const std::vector<Trace>& traces() const { return traces_; }
+  const std::vector<LoadedProgram>& programs() const { return programs_; }
+
+ private:
+  const IdentifyCommandOptions& options_;
+  Watch& watch_;
+  std::vector<std::shared_ptr<const SourceText>> sources_;
+  std::vector<Trace> traces_;
+  std::vector<LoadedProgram> programs_;
+};
+
+Machine named_after(Machine machine, const std::string& out) {
+  if (out != "-") {
+    machine.id = std::filesystem::path(out).stem().string();
+  }
+  machine.name = machine.id;
+  return machine;
+}
+
+int identify_machine(const IdentifyCommandOptions& options) {
+  check(options);
+  OutputFiles files;
+  std::ostream* out = options.out.empty() ? nullptr : &files.add(options.out);
+  std::ostream* json = options.json.empty() ? nullptr : &files.add(options.json);
+  std::vector<Identification> found;
+  bool wrong_programs = false;
+  {
+    Watch watch;
+    const Work work(options, watch);
+    for (std::size_t i = 0; i < options.traces.size(); ++i) {
+      print_diagnostics(work.traces()[i].notes, options.traces[i]);
+    }
+    for (const LoadedProgram& program : work.programs()) {
+      print_diagnostics(*program.program);
+      wrong_programs = wrong_programs || has_errors(program.program->diagnostics);
+    }
+    for (const std::string& model : options.models.empty() ? std::vector<std::string>{""} : options.models) {
+      found.push_back(work.fit(model));
+    }
+  }
+  std::ranges::stable_sort(found, {}, &Identification::residual);
+  if (out != nullptr) {
+    *out << write_machine(named_after(found.front().setup.machine, options.out));
+  }
+  if (json != nullptr) {
+    *json << identification_json(found, options.traces);
+  }
+  files.commit();
+  if (options.out != "-" && options.json != "-") {
+    fmt::print("{}", identification_text(found, options.traces));
+    if (!options.out.empty()) {
+      fmt::print("{}: machine file; see: feedscope machines {}\n", options.out, options.out);
+    }
+  }
+  return wrong_programs || !found.front().explains ? exit_code::program_errors : exit_code::done;
+}
+
+}  // namespace
+
+Command add_identify_command(CLI::App& app) {
+  const auto options = std::make_shared<IdentifyCommandOptions>();
+  CLI::App* command =
+      app.add_subcommand("identify", "Find the limits and settings of a machine from traces of its control");
+  command->add_option("TRACE", options->traces, "Traces, as feedscope trace reads them");
+  command->add_option("--program", options->programs, "NC program of each trace, in their order")
+      ->type_name("FILE")
+      ->expected(0, -1);
+  command->add_option("--model", options->models, "Model that is fitted; repeat to compare several")
+      ->type_name("ID")
+      ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--fit", options->fit,
+          "What is to be found, such as X.acceleration,jerk,blend_tolerance_mm [limits of the axes, and "
+          "settings with a unit]")
+      ->type_name("KEY,...")
+      ->allow_extra_args(false);
+  command
+      ->add_option("--machine", options->machine, "Machine that is begun with [one of the model's control]")
+      ->type_name("ID|FILE");
+  add_set_option(*command, options->set);
+  command->add_option("--dialect", options->dialect, "Dialect of the programs [auto-detected]")
+      ->type_name("ID");
+  add_columns_option(*command, options->columns);
+  command->add_option("--out", options->out, "Machine file that is written; - for standard output")
+      ->type_name("FILE.toml");
+  command->add_option("--json", options->json, "Write numbers and uncertainties; - for standard output")
+      ->type_name("FILE");
+  state_number_rule(*command);
+  command->footer(
+      command->get_footer() +
+      "\nExample: feedscope identify sampler.txt --program part.ngc --model linuxcnc --out mill.toml");
+  return {command, [options] { return identify_machine(*options); }};
+}
+
+}  // namespace feedscope

@@ -1,0 +1,63 @@
+#include "app/identification_text.h"
+
+#include <fmt/format.h>
+
+#include "app/print.h"
+#include "core/base/units.h"
+
+namespace feedscope {
+namespace {
+
+std::string parameters_text(const Identification& found) {
+  TextTable table;
+  table.add({"", "value", "+-", "unit", "before", ""});
+  for (const IdentifiedParameter& one : found.parameters) {
+    if (one.told) {
+      table.add({one.parameter.key, fmt::format("{:.5g}", one.value), fmt::format("{:.2g}", one.uncertainty),
+                 one.parameter.unit, fmt::format("{:.4g}", one.start), ""});
+    } else {
+      table.add({one.parameter.key, "-", "", one.parameter.unit, fmt::format("{:.4g}", one.start),
+                 one.at_least ? fmt::format("at least {:.4g}. {}", *one.at_least, one.reason) : one.reason});
+    }
+  }
+  return table.text("lrrlrl");
+}
+
+std::string traces_text(const Identification& found, const std::vector<std::string>& traces) {
+  TextTable table;
+  table.add({"trace", "measured", "simulated", "difference", "feed rms mm/min"});
+  for (std::size_t i = 0; i < found.agreements.size(); ++i) {
+    const Agreement& agreement = found.agreements[i];
+    table.add({traces[i], time_text(agreement.measured_time), time_text(agreement.simulated_time),
+               fmt::format("{:+.2f} %", 100 * agreement.time_error()),
+               fmt::format("{:.1f}", units::to_mm_min(agreement.feed_rms))});
+  }
+  return table.text("lrrrr");
+}
+
+}  // namespace
+
+std::string identification_text(const std::vector<Identification>& models,
+                                const std::vector<std::string>& traces) {
+  std::string text;
+  if (models.size() > 1) {
+    TextTable table;
+    table.add({"model", "residual (noise = 1)", "feed error", "explains the traces"});
+    for (const Identification& found : models) {
+      table.add({found.setup.model->info().id, fmt::format("{:.2f}", found.residual),
+                 fmt::format("{:.2f} %", 100 * found.feed_error), found.explains ? "yes" : "no"});
+    }
+    text += table.text("lrrl") + "\n";
+  }
+  const Identification& best = models.front();
+  text += fmt::format("model {}, {} simulations\n", best.setup.model->info().id, best.simulations);
+  text += parameters_text(best) + traces_text(best, traces);
+  text +=
+      best.explains
+          ? ""
+          : fmt::format("model {} does not explain the traces: no value of it is told; try another --model\n",
+                        best.setup.model->info().id);
+  return text;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,105 @@
+#include "core/identification/fit_case.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/base/error.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double most_stretches = 1500;
+constexpr double samples_a_stretch = 4;
+constexpr double least_length = 5e-3;    // [mm]
+constexpr double finest_step = 5e-4;     // [s]
+constexpr double coarsest_step = 1e-3;   // [s]
+constexpr double freedom = 0.5;          // [mm]: how far another tolerance may take a control from the path
+constexpr double sampling_share = 0.03;  // of the period: what the places of samples leave open of a time
+constexpr double clear_distance = 6;     // times the noise
+constexpr double least_distance = 3e-3;  // [mm]
+constexpr double distance_unit = 1e-3;   // [mm]
+constexpr double hopeless = 1e4;         // residual where there is nothing to compare
+
+}  // namespace
+
+FitCase::FitCase(Trace trace, const LoadedProgram& program, const Setup& start, Progress* progress)
+    : trace_(std::move(trace)), program_(program) {
+  const Trajectory run = start.model->simulate(program.toolpath, start.machine, start.settings, progress);
+  const auto as_read = start.model->read(program.toolpath, start.settings).path;
+  course_ = std::make_shared<const ProgrammedCourse>(*as_read,
+                                                     SeenAxes{trace_.has(0), trace_.has(1), trace_.has(2)});
+  found_ =
+      find_on_program(trace_, *course_, freedom / 2 + deviation_of(run, *course_, coarsest_step), progress);
+  if (found_.law.empty()) {
+    throw InputError(trace_.name + ": the trace is nowhere on the path of its program");
+  }
+  step_ = std::clamp(trace_.period / 4, finest_step, coarsest_step);
+  const double duration = found_.law.times().back() - found_.law.times().front();
+  borders_ = cell_borders(found_.law, std::max(samples_a_stretch * trace_.period, duration / most_stretches),
+                          std::max(least_length, 20 * found_.noise));
+  const double margin = std::max(least_length, 6 * found_.noise);
+  std::erase_if(borders_, [&](double s) {
+    return s < found_.law.first_s() + margin || s > found_.law.last_s() - margin;
+  });
+  constexpr std::size_t least_borders = 10;
+  if (borders_.size() < least_borders) {
+    throw InputError(trace_.name + ": the trace holds too little of its program to find anything from it");
+  }
+  for (std::size_t i = 0; i < borders_.size(); ++i) {
+    times_.push_back(found_.law.at(borders_[i]));
+    const std::size_t before = i > 0 ? i - 1 : 0;
+    const std::size_t after = std::min(i + 1, borders_.size() - 1);
+    const double speed = (borders_[after] - borders_[before]) /
+                         std::max(1e-9, found_.law.at(borders_[after]) - found_.law.at(borders_[before]));
+    time_noise_.push_back(
+        std::hypot(sampling_share * trace_.period + trace_.jitter, found_.noise / std::max(speed, 1e-3)));
+  }
+  constexpr std::size_t several = 8;
+  constexpr std::size_t many = 64;
+  for (const std::size_t width : {std::size_t{1}, several, many, borders_.size() - 1}) {
+    for (std::size_t i = 0; i + width < borders_.size(); i += width) {
+      add_span(i, i + width);
+    }
+  }
+  for (std::size_t i = 0; i + 1 < borders_.size(); ++i) {
+    distances_.push_back(found_.law.distance(borders_[i], borders_[i + 1]));
+    if (distances_.back() > std::max(least_distance, clear_distance * found_.noise)) {
+      far_stretches_.push_back(i);
+      scale_.push_back(distance_unit + 2 * found_.noise + 0.02 * distances_.back());
+      stretch_.push_back(i);
+    }
+  }
+}
+
+void FitCase::add_span(std::size_t first, std::size_t last) {
+  spans_.push_back({first, last});
+  scale_.push_back(std::hypot(time_noise_[first], time_noise_[last]));
+  stretch_.push_back((first + last) / 2);
+}
+
+std::vector<double> FitCase::residuals(const Setup& setup) const {
+  const Trajectory run = setup.model->simulate(program_.toolpath, setup.machine, setup.settings);
+  const MotionRecord record = record_of(run, step_);
+  const TimeLaw law(record.time, match_record(*course_, record, {found_.tolerance, 0}));
+  std::vector<double> off(size(), hopeless);
+  if (law.empty() || law.last_s() < borders_.back() || law.first_s() > borders_.front()) {
+    return off;
+  }
+  std::vector<double> times;
+  times.reserve(borders_.size());
+  for (const double s : borders_) {
+    times.push_back(law.at(s));
+  }
+  std::size_t i = 0;
+  for (const Span& span : spans_) {
+    off[i] = ((times[span.last] - times[span.first]) - (times_[span.last] - times_[span.first])) / scale_[i];
+    ++i;
+  }
+  for (const std::size_t stretch : far_stretches_) {
+    off[i] = (law.distance(borders_[stretch], borders_[stretch + 1]) - distances_[stretch]) / scale_[i];
+    ++i;
+  }
+  return off;
+}
+
+}  // namespace feedscope

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/analysis/agreement/agreement.h"
+
+namespace feedscope {
+
+/// A trace and the program that it is of, prepared for many simulations.
+///
+/// What is compared are the times over stretches of the programmed path, each ending where a sample of the
+/// trace lies: short ones, eight, and 64 together, and the whole; and the distance from the path in each,
+/// where it is clearly above the noise. Residuals are in units of what noise and sampling make of them.
+class FitCase {
+ public:
+  /// `start`: a setup of the model. Throws InputError if the trace is nowhere on the path.
+  FitCase(Trace trace, const LoadedProgram& program, const Setup& start, Progress* progress = nullptr);
+
+  std::size_t size() const { return scale_.size(); }  ///< residuals
+  /// Simulated less measured, of a setup; a run that leaves the path altogether gets large ones.
+  std::vector<double> residuals(const Setup& setup) const;
+  /// Number of the short stretch that a residual belongs to, of `stretches()`; blocks of them are left out to
+  /// see how far a value hangs on a part of the trace.
+  std::size_t stretch_of(std::size_t residual) const { return stretch_[residual]; }
+  /// Whether it is the time of one short stretch.
+  bool is_short(std::size_t residual) const { return residual + 1 < borders_.size(); }
+  std::size_t stretches() const { return borders_.empty() ? 0 : borders_.size() - 1; }
+
+  const Trace& trace() const { return trace_; }
+  const LoadedProgram& program() const { return program_; }
+  const ProgrammedCourse& course() const { return *course_; }
+  const TraceOnProgram& found() const { return found_; }
+
+ private:
+  struct Span {
+    std::size_t first = 0;  ///< borders
+    std::size_t last = 0;
+  };
+  void add_span(std::size_t first, std::size_t last);
+
+  Trace trace_;
+  LoadedProgram program_;
+  std::shared_ptr<const ProgrammedCourse> course_;
+  TraceOnProgram found_;
+  double step_ = 1e-3;           ///< of sampling a run [s]
+  std::vector<double> borders_;  ///< programmed path length [mm]
+  std::vector<double> times_;    ///< measured there [s]
+  std::vector<double> time_noise_;
+  std::vector<Span> spans_;
+  std::vector<double> distances_;           ///< measured, by short stretch [mm]
+  std::vector<std::size_t> far_stretches_;  ///< whose distance counts
+  std::vector<double> scale_;               ///< one unit of each residual [s], [mm]
+  std::vector<std::size_t> stretch_;
+};
+
+}  // namespace feedscope

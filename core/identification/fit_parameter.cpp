@@ -1,0 +1,111 @@
+#include "core/identification/fit_parameter.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "core/base/error.h"
+#include "core/base/nearest_name.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double least_value = 1e-6;
+constexpr double most_value = 1e6;
+
+FitParameter parameter_of(const SettingSpec& spec, std::string key) {
+  return {std::move(key), spec.unit, std::max({spec.minimum, spec.least_above_zero, least_value}),
+          std::min(spec.maximum, most_value)};
+}
+
+bool is_number(const SettingSpec& spec) {
+  return spec.choices.empty() && !spec.whole;
+}
+
+bool is_period(const SettingSpec& spec) {
+  return spec.key.find("period") != std::string::npos;
+}
+
+bool is_of_machine(const SettingSpec& spec) {
+  return std::ranges::any_of(machine_settings(),
+                             [&](const SettingSpec& other) { return other.key == spec.key; });
+}
+
+}  // namespace
+
+std::vector<FitParameter> fit_parameters(const Setup& setup) {
+  std::vector<FitParameter> all;
+  for (const auto& [axis, kind] : setup.machine.axes.axes()) {
+    for (const SettingSpec& spec : axis_limit_specs()) {
+      all.push_back(parameter_of(spec, fmt::format("{}.{}", axis, spec.key)));
+    }
+  }
+  for (const SettingSpec& spec : settings_of(*setup.model)) {
+    if (is_number(spec) && !is_of_machine(spec)) {
+      all.push_back(parameter_of(spec, spec.key));
+    }
+  }
+  return all;
+}
+
+std::vector<FitParameter> usual_fit_parameters(const Setup& setup) {
+  std::vector<FitParameter> all = fit_parameters(setup);
+  std::erase_if(all, [&](const FitParameter& parameter) {
+    if (parameter.key.find('.') != std::string::npos) {
+      return false;
+    }
+    SettingSpec spec;
+    spec.key = parameter.key;
+    return parameter.unit.empty() || is_period(spec) || !setup.settings.has(parameter.key);
+  });
+  return all;
+}
+
+std::vector<FitParameter> fit_parameters_of(const Setup& setup, const std::vector<std::string>& keys) {
+  const std::vector<FitParameter> all = fit_parameters(setup);
+  std::vector<std::string> known;
+  for (const FitParameter& parameter : all) {
+    known.push_back(parameter.key);
+  }
+  std::vector<FitParameter> chosen;
+  for (const std::string& key : keys) {
+    bool any = false;
+    for (const FitParameter& parameter : all) {
+      const bool of_every_axis = parameter.key.ends_with("." + key);  // "jerk": of X, Y and Z
+      if ((parameter.key == key || of_every_axis) &&
+          std::ranges::find(chosen, parameter.key, &FitParameter::key) == chosen.end()) {
+        chosen.push_back(parameter);
+      }
+      any = any || parameter.key == key || of_every_axis;
+    }
+    if (!any) {
+      const std::string nearest = nearest_name(key, known);
+      throw InputError(fmt::format("'{}' is no number of model '{}' that can be fitted; {}", key,
+                                   setup.model->info().id,
+                                   nearest.empty() ? fmt::format("known: {}", fmt::join(known, ", "))
+                                                   : fmt::format("did you mean '{}'?", nearest)));
+    }
+  }
+  return chosen;
+}
+
+double fit_value(const Setup& setup, const FitParameter& parameter) {
+  const auto dot = parameter.key.find('.');
+  if (dot != std::string::npos) {
+    return axis_limit(setup.machine, parameter.key.front(), parameter.key.substr(dot + 1));
+  }
+  return setup.settings.has(parameter.key) ? setup.settings.number(parameter.key) : 0;
+}
+
+void set_fit_value(Setup& setup, const FitParameter& parameter, double value) {
+  const double allowed = std::clamp(value, parameter.least, parameter.most);
+  const auto dot = parameter.key.find('.');
+  if (dot != std::string::npos) {
+    set_axis_limit(setup.machine, parameter.key.front(), parameter.key.substr(dot + 1), allowed);
+  } else {
+    setup.settings.set(parameter.key, allowed);
+  }
+}
+
+}  // namespace feedscope

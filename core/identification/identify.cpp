@@ -1,0 +1,226 @@
+#include "core/identification/identify.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/base/error.h"
+#include "core/base/translatable.h"
+#include "core/base/units.h"
+#include "core/identification/parameter_judgement.h"
+#include "core/identification/parameter_search.h"
+#include "core/identification/trace_limits.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double most_feed_error = 0.05;
+constexpr double most_time_error = 0.01;
+
+constexpr const char* unexplained = QT_TRANSLATE_NOOP(
+    "core", "The model does not explain the traces: a value of it would say nothing of the machine.");
+
+/// The setup with velocities, accelerations and jerks as far as the traces reach.
+Setup begun_with_reach(const std::vector<FitCase>& cases, Setup setup,
+                       const std::vector<FitParameter>& parameters) {
+  AxisVector<AxisReach> most(setup.machine.axes.axes());
+  for (const FitCase& one : cases) {
+    const AxisVector<AxisReach> reach = reach_of(one.trace(), one.found().noise);
+    for (std::size_t axis = 0; axis < most.size(); ++axis) {
+      const double scale = one.found().pose.scale;
+      most[axis].velocity = std::max(most[axis].velocity, scale * reach[axis].velocity);
+      most[axis].acceleration = std::max(most[axis].acceleration, scale * reach[axis].acceleration);
+      most[axis].jerk = std::max(most[axis].jerk, scale * reach[axis].jerk);
+    }
+  }
+  for (const FitParameter& parameter : parameters) {
+    const auto axis = setup.machine.axes.axes().find(parameter.key.front());
+    if (parameter.key.find('.') == std::string::npos || !axis || most[*axis].velocity <= 0) {
+      continue;
+    }
+    const AxisReach& reach = most[*axis];
+    constexpr double beyond = 1.5;  // a limit that is not reached must not be begun with
+    const double value = parameter.key.ends_with(".velocity")       ? beyond * units::to_m_min(reach.velocity)
+                         : parameter.key.ends_with(".acceleration") ? units::to_m(reach.acceleration)
+                                                                    : units::to_m(reach.jerk);
+    if (value > 0) {
+      set_fit_value(setup, parameter, value);
+    }
+  }
+  return setup;
+}
+
+/// Several limits of the speed can each stand for another one: releases one after the other, lets each other
+/// one take its part in turn, fits all again, and stays where that explains the traces better. Returns by
+/// parameter the least cost of an explanation without it; infinite where none was looked for.
+std::vector<double> release_speeds(ParameterSearch& search, std::vector<bool> free) {
+  constexpr double out_of_the_way = 3;
+  constexpr double better = 0.999;
+  constexpr int steps = 4;
+  std::vector<std::size_t> speeds;
+  for (std::size_t p = 0; p < search.size(); ++p) {
+    if (search.parameters()[p].unit == "m/min") {
+      speeds.push_back(p);
+      free[p] = true;
+    }
+  }
+  std::vector<double> without(search.size(), std::numeric_limits<double>::infinity());
+  const std::size_t pairs = speeds.size() * speeds.size();
+  search.stage(0.85, 0.95, pairs * (25 + static_cast<std::size_t>(steps) * (2 * search.size() + 5)));
+  for (const std::size_t p : speeds) {
+    for (const std::size_t q : speeds) {
+      if (p == q) {
+        continue;
+      }
+      const Eigen::VectorXd before = search.logarithms();
+      const double cost_before = ParameterSearch::cost(search.evaluate(before));
+      Eigen::VectorXd released = before;
+      released[static_cast<Eigen::Index>(p)] += std::log(out_of_the_way);
+      if (ParameterSearch::cost(search.evaluate(released)) <= cost_before) {
+        search.move_to(before);
+        break;  // it limits nothing
+      }
+      search.move_to(released);
+      search.scan_one(q, 2, 1.09);
+      search.scan_one(q, 1.05, 1.012);
+      search.refine(free, steps);
+      const double cost_after = ParameterSearch::cost(search.evaluate(search.logarithms()));
+      if (cost_after > better * cost_before) {
+        search.move_to(before);
+        without[p] = std::min(without[p], cost_after);
+      } else {
+        without[q] = std::min(without[q], cost_before);
+      }
+    }
+  }
+  return without;
+}
+
+std::string names_of(const std::vector<FitCase>& cases) {
+  std::string names;
+  for (const FitCase& one : cases) {
+    names += (names.empty() ? "" : ", ") + one.trace().name;
+  }
+  return names;
+}
+
+/// Values of what is not told stay those that were begun with, where that explains the traces no worse.
+void take_back(ParameterSearch& search, std::vector<IdentifiedParameter>& parameters) {
+  const double here = ParameterSearch::cost(search.evaluate(search.logarithms()));
+  constexpr double no_worse = 1e-3;
+  for (std::size_t p = 0; p < parameters.size(); ++p) {
+    if (parameters[p].told || !(parameters[p].start > 0)) {
+      continue;
+    }
+    Eigen::VectorXd at = search.logarithms();
+    at[static_cast<Eigen::Index>(p)] = std::log(parameters[p].start);
+    if (ParameterSearch::cost(search.evaluate(at)) <= here * (1 + no_worse)) {
+      search.move_to(at);
+      parameters[p].value = parameters[p].start;
+    }
+  }
+}
+
+void write_sources(Setup& setup, const std::vector<IdentifiedParameter>& parameters,
+                   const std::string& from) {
+  setup.machine.model = setup.model->info().id;
+  const Settings known = complete_settings(*setup.model, setup.machine);
+  for (const auto& [key, value] : setup.settings.values()) {
+    if (known.value(key) != value) {
+      setup.machine.settings.set(key, value);
+      setup.machine.provenance.insert_or_assign(key, Provenance{"set by hand", false});
+    }
+  }
+  for (const IdentifiedParameter& one : parameters) {
+    const std::string& key = one.parameter.key;
+    if (key.find('.') == std::string::npos) {
+      setup.machine.settings.set(key, setup.settings.value(key));
+    }
+    if (one.told) {
+      setup.machine.provenance.insert_or_assign(
+          key, Provenance{fmt::format("identified from {}, {:.4g} ± {:.2g} {}", from, one.value,
+                                      one.uncertainty, one.parameter.unit),
+                          false});
+    } else if (one.value != one.start) {
+      setup.machine.provenance.insert_or_assign(
+          key,
+          Provenance{fmt::format("not told by {}: {}", from,
+                                 one.at_least ? "at least this" : "this explains them as well as others"),
+                     true});
+    }
+  }
+}
+
+}  // namespace
+
+Identification identify(const std::vector<FitCase>& cases, const Setup& start,
+                        const std::vector<FitParameter>& parameters, const IdentifyOptions& options,
+                        Progress* progress) {
+  if (cases.empty() || parameters.empty()) {
+    throw InputError("identification needs at least one trace and one parameter");
+  }
+  std::vector<double> begun;
+  for (const FitParameter& parameter : parameters) {
+    begun.push_back(fit_value(start, parameter));
+  }
+  ParameterSearch search(cases, start, parameters, progress);
+  {
+    const Eigen::VectorXd as_it_is = search.logarithms();
+    const Eigen::VectorXd reached =
+        ParameterSearch(cases, begun_with_reach(cases, start, parameters), parameters, nullptr).logarithms();
+    const std::vector<Eigen::VectorXd> both = search.evaluate_all({as_it_is, reached});
+    search.move_to(ParameterSearch::cost(both[0]) <= ParameterSearch::cost(both[1]) ? as_it_is : reached);
+  }
+  const std::size_t count = parameters.size();
+  search.stage(0.02, 0.4, count * (7 + 9 + 9));
+  search.scan(8, 2);
+  search.scan(2, 1.19);
+  search.scan(1.2, 1.047);
+  const std::vector<bool> free = influences(search);
+  search.stage(0.4, 0.7, options.most_searched);
+  search.search_together(free, 1.5, options.most_searched);
+  constexpr int most_steps = 10;
+  search.stage(0.7, 0.85, 2 * static_cast<std::size_t>(most_steps) * (2 * count + 5) + count * 18);
+  for (const double reach : {1.05, 1.01}) {  // out of the kinks that limits make, into the bottom
+    search.refine(free, most_steps);
+    search.scan(reach, std::sqrt(std::sqrt(reach)));
+  }
+  search.refine(free, most_steps);
+  const std::vector<double> without = release_speeds(search, free);
+  search.refine(influences(search), most_steps);
+  search.stage(0.95, 1, 6 * count);
+  Identification found;
+  found.parameters = judge_parameters(search, begun, without);
+  take_back(search, found.parameters);
+  found.setup = search.setup();
+  const Eigen::VectorXd residuals = search.evaluate(search.logarithms());
+  found.residual = std::sqrt(residuals.squaredNorm() / static_cast<double>(residuals.size()));
+  found.explains = true;
+  for (const FitCase& one : cases) {
+    Run run = simulate_run(one.program(), found.setup);
+    Agreement agreement = agreement_of(one.found(), one.course(), run);
+    const double length = one.found().law.last_s() - one.found().law.first_s();
+    const double mean_feed = length / std::max(agreement.measured_time, 1e-9);
+    found.feed_error = std::max(found.feed_error, agreement.feed_rms / mean_feed);
+    found.explains = found.explains && agreement.feed_rms <= most_feed_error * mean_feed &&
+                     std::abs(agreement.time_error()) <= most_time_error;
+    found.runs.push_back(std::move(run));
+    found.agreements.push_back(std::move(agreement));
+  }
+  if (!found.explains) {
+    for (IdentifiedParameter& one : found.parameters) {
+      one.told = false;
+      one.uncertainty = 0;
+      one.reason = unexplained;
+      one.at_least.reset();
+    }
+  }
+  write_sources(found.setup, found.parameters,
+                names_of(cases) + (options.date.empty() ? "" : ", " + options.date));
+  found.simulations = search.simulations();
+  return found;
+}
+
+}  // namespace feedscope

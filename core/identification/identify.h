@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/identification/fit_case.h"
+#include "core/identification/fit_parameter.h"
+
+namespace feedscope {
+
+/// What was found out about one number.
+struct IdentifiedParameter {
+  FitParameter parameter;
+  double start = 0;        ///< of the machine that was begun with, in the unit of the key
+  double value = 0;        ///< that explains the traces best; of one that is not told what stays in use
+  double uncertainty = 0;  ///< that the value is within with 95 % probability; 0 if it is not told
+  bool told = false;       ///< the traces say it
+  std::string reason;      ///< why it is not told
+  std::optional<double> at_least;  ///< not told, but smaller ones would show
+};
+
+/// A model fitted to traces.
+struct Identification {
+  Setup setup;  ///< with the values that were found, their sources in the machine
+  std::vector<IdentifiedParameter> parameters;
+  std::vector<Run> runs;              ///< of the programs, one a trace
+  std::vector<Agreement> agreements;  ///< one a trace
+  double residual = 0;                ///< root mean square of the residuals, in units of noise and sampling
+  double feed_error = 0;              ///< largest feed_rms of a trace as a share of its mean feed
+  bool explains = false;  ///< the model says what the traces show: within 5 % of the feed and 1 % of the time
+  std::size_t simulations = 0;
+};
+
+/// How long and how the search is done.
+struct IdentifyOptions {
+  std::string date;                 ///< for the sources of the numbers; "" omits it
+  std::size_t most_searched = 300;  ///< simulations of all programs by the joint search
+};
+
+/// Finds the `parameters` of `start` with which its model explains the traces of `cases` best.
+///
+/// In stages: velocities and accelerations are begun with what the traces reach; each parameter is then
+/// searched alone over a wide range, twice; those without influence are set aside; the others are fitted
+/// together by NLopt (BOBYQA on a robust sum of residuals), and refined by Gauss-Newton steps. The
+/// uncertainty is twice the standard deviation, the larger one of what the residuals at the optimum and what
+/// leaving out each twelfth of the traces in turn say. A parameter whose uncertainty exceeds a fifth of it,
+/// or that can be half or double without showing, is not told. If the model does not explain the traces, none
+/// is. On several threads. Throws InputError, Cancelled.
+Identification identify(const std::vector<FitCase>& cases, const Setup& start,
+                        const std::vector<FitParameter>& parameters, const IdentifyOptions& options = {},
+                        Progress* progress = nullptr);
+
+}  // namespace feedscope

@@ -1,0 +1,198 @@
+#include "core/identification/parameter_judgement.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/base/roots.h"
+#include "core/base/translatable.h"
+
+namespace feedscope {
+namespace {
+
+constexpr double seen = 12;       // rise of the sum of squares over that of the optimum that is no chance
+constexpr double coarsest = 0.2;  // share of the value beyond which its uncertainty makes it no answer
+constexpr double most_in_one_block = 0.85;
+constexpr double model_error = 1e-3;  // share below which no uncertainty is claimed
+constexpr double sureness = 2;        // standard deviations
+constexpr double least_slope = 1e-3;  // of all residuals together, by the logarithm
+
+constexpr const char* without_influence =
+    QT_TRANSLATE_NOOP("core", "It changes nothing that these traces show.");
+constexpr const char* only_bound =
+    QT_TRANSLATE_NOOP("core", "These traces never reach it: larger values show the same.");
+constexpr const char* only_upper_bound =
+    QT_TRANSLATE_NOOP("core", "These traces show the same with smaller values.");
+constexpr const char* one_place = QT_TRANSLATE_NOOP(
+    "core", "One place of these traces alone speaks for it, where something else may limit.");
+constexpr const char* not_apart =
+    QT_TRANSLATE_NOOP("core", "It cannot be told apart from the others by these traces.");
+
+/// How much worse than at the optimum, in units of its own mean square.
+double rise(const Eigen::VectorXd& there, double cost_here, Eigen::Index stretches) {
+  return (ParameterSearch::cost(there) - cost_here) * static_cast<double>(stretches) /
+         std::max(cost_here, 1.0);
+}
+
+/// Variances of the logarithms by what is left over, and by leaving out a twelfth after the other; of
+/// parameters without slope infinite.
+std::vector<double> deviations(const ParameterSearch& search, const Eigen::MatrixXd& derivatives,
+                               const Eigen::VectorXd& residuals) {
+  std::vector<Eigen::Index> used;
+  for (Eigen::Index p = 0; p < derivatives.cols(); ++p) {
+    if (derivatives.col(p).norm() > least_slope) {
+      used.push_back(p);
+    }
+  }
+  std::vector<double> found(static_cast<std::size_t>(derivatives.cols()),
+                            std::numeric_limits<double>::infinity());
+  if (used.empty()) {
+    return found;
+  }
+  const auto count = static_cast<Eigen::Index>(used.size());
+  Eigen::VectorXd weights(residuals.size());
+  for (Eigen::Index i = 0; i < residuals.size(); ++i) {
+    weights[i] = 1 / std::sqrt(1 + residuals[i] * residuals[i] / 9);
+  }
+  Eigen::MatrixXd slopes(derivatives.rows(), count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    slopes.col(k) = derivatives.col(used[static_cast<std::size_t>(k)]);
+  }
+  const Eigen::MatrixXd weighted = weights.asDiagonal() * slopes;
+  const Eigen::MatrixXd square = slopes.transpose() * weighted;
+  const double noise =
+      std::max(1.0, residuals.cwiseAbs2().dot(weights) /
+                        static_cast<double>(std::max<Eigen::Index>(1, residuals.size() - count)));
+  const Eigen::MatrixXd inverse = (square + 1e-12 * square.trace() * Eigen::MatrixXd::Identity(count, count))
+                                      .ldlt()
+                                      .solve(Eigen::MatrixXd::Identity(count, count));
+  Eigen::MatrixXd shifts(count, static_cast<Eigen::Index>(ParameterSearch::block_count));
+  for (std::size_t block = 0; block < ParameterSearch::block_count; ++block) {
+    Eigen::MatrixXd part = Eigen::MatrixXd::Zero(count, count);
+    Eigen::VectorXd pull = Eigen::VectorXd::Zero(count);
+    for (Eigen::Index i = 0; i < slopes.rows(); ++i) {
+      if (search.blocks()[static_cast<std::size_t>(i)] != block) {
+        part += weights[i] * slopes.row(i).transpose() * slopes.row(i);
+        pull += weights[i] * residuals[i] * slopes.row(i).transpose();
+      }
+    }
+    part += 1e-9 * square.trace() * Eigen::MatrixXd::Identity(count, count);
+    shifts.col(static_cast<Eigen::Index>(block)) = -part.ldlt().solve(pull);
+  }
+  const Eigen::VectorXd mean = shifts.rowwise().mean();
+  constexpr auto blocks = static_cast<double>(ParameterSearch::block_count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double formal = std::sqrt(std::max(0.0, noise * inverse(k, k)));
+    const double left_out =
+        std::sqrt((blocks - 1) / blocks * (shifts.row(k).array() - mean[k]).square().sum());
+    found[static_cast<std::size_t>(used[static_cast<std::size_t>(k)])] = std::max(formal, left_out);
+  }
+  return found;
+}
+
+/// The value below which the traces would show it: where a smaller one begins to make them worse.
+double bound_below(ParameterSearch& search, Eigen::Index parameter, double cost_here,
+                   Eigen::Index stretches) {
+  constexpr int halvings = 7;
+  const Eigen::VectorXd at = search.logarithms();
+  const Bracket bracket =
+      halve({at[parameter] - std::log(2.0), at[parameter]}, halvings, [&](double logarithm) {
+        Eigen::VectorXd there = at;
+        there[parameter] = logarithm;
+        return rise(search.evaluate(there), cost_here, stretches) > seen;
+      });
+  return std::exp(bracket.low);
+}
+
+/// Largest share of what a parameter does that lies in one twelfth of the traces.
+double share_of_one_block(const ParameterSearch& search, const Eigen::VectorXd& slopes) {
+  std::array<double, ParameterSearch::block_count> sums{};
+  double all = 0;
+  for (Eigen::Index i = 0; i < slopes.size(); ++i) {
+    if (!search.is_short(static_cast<std::size_t>(i))) {
+      continue;
+    }
+    sums[search.blocks()[static_cast<std::size_t>(i)]] += slopes[i] * slopes[i];
+    all += slopes[i] * slopes[i];
+  }
+  return all > 0 ? *std::ranges::max_element(sums) / all : 1;
+}
+
+Eigen::Index stretches_of(const ParameterSearch& search) {
+  return static_cast<Eigen::Index>(search.stretches());
+}
+
+}  // namespace
+
+std::vector<bool> influences(ParameterSearch& search) {
+  const Eigen::VectorXd at = search.logarithms();
+  std::vector<Eigen::VectorXd> places{at};
+  for (Eigen::Index p = 0; p < at.size(); ++p) {
+    for (const double step : {std::log(1.5), -std::log(1.5)}) {
+      places.push_back(at);
+      places.back()[p] += step;
+    }
+  }
+  const std::vector<Eigen::VectorXd> all = search.evaluate_all(places);
+  std::vector<bool> influence(search.size());
+  for (std::size_t p = 0; p < search.size(); ++p) {
+    influence[p] =
+        (all[1 + 2 * p] - all[0]).squaredNorm() > seen || (all[2 + 2 * p] - all[0]).squaredNorm() > seen;
+  }
+  return influence;
+}
+
+std::vector<IdentifiedParameter> judge_parameters(ParameterSearch& search, const std::vector<double>& start,
+                                                  const std::vector<double>& without) {
+  const Eigen::VectorXd at = search.logarithms();
+  const Eigen::VectorXd residuals = search.evaluate(at);
+  const double here = ParameterSearch::cost(residuals);
+  const Eigen::MatrixXd derivatives = search.jacobian(at);
+  const std::vector<double> deviation = deviations(search, derivatives, residuals);
+  std::vector<Eigen::VectorXd> places;
+  for (Eigen::Index p = 0; p < at.size(); ++p) {
+    for (const double step : {std::log(2.0), -std::log(2.0)}) {
+      places.push_back(at);
+      places.back()[p] += step;
+    }
+  }
+  const std::vector<Eigen::VectorXd> all = search.evaluate_all(places);
+  std::vector<IdentifiedParameter> judged;
+  for (std::size_t p = 0; p < search.size(); ++p) {
+    IdentifiedParameter one;
+    one.parameter = search.parameters()[p];
+    one.start = start[p];
+    one.value = std::exp(at[static_cast<Eigen::Index>(p)]);
+    const bool above = rise(all[2 * p], here, stretches_of(search)) > seen;
+    const bool below = rise(all[2 * p + 1], here, stretches_of(search)) > seen;
+    const double share = std::hypot(sureness * deviation[p], model_error);
+    const auto stretches = static_cast<double>(search.stretches());
+    const bool needed = (without[p] - here) * stretches / std::max(here, 1.0) > seen;
+    const bool alone =
+        search.parameters()[p].unit == "m/min" &&
+        share_of_one_block(search, derivatives.col(static_cast<Eigen::Index>(p))) > most_in_one_block;
+    one.told = above && below && needed && !alone && share <= coarsest;
+    if (one.told) {
+      one.uncertainty = share * one.value;
+    } else if (!above && !below) {
+      one.reason = without_influence;
+    } else if (!above) {
+      one.reason = only_bound;
+      one.at_least = bound_below(search, static_cast<Eigen::Index>(p), here, stretches_of(search));
+    } else if (!below) {
+      one.reason = only_upper_bound;
+    } else if (alone) {
+      one.reason = one_place;
+    } else {
+      one.reason = not_apart;
+    }
+    judged.push_back(std::move(one));
+  }
+  return judged;
+}
+
+}  // namespace feedscope

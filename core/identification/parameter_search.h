@@ -1,0 +1,69 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "core/identification/fit_case.h"
+#include "core/identification/fit_parameter.h"
+
+namespace feedscope {
+
+/// Residuals of all cases as a function of the logarithms of some parameters.
+class ParameterSearch {
+ public:
+  ParameterSearch(const std::vector<FitCase>& cases, Setup start, std::vector<FitParameter> parameters,
+                  Progress* progress);
+
+  std::size_t size() const { return parameters_.size(); }
+  const std::vector<FitParameter>& parameters() const { return parameters_; }
+  Eigen::VectorXd logarithms() const { return at_; }  ///< where the search stands
+  void move_to(const Eigen::VectorXd& at);
+  Setup setup() const { return setup_at(at_); }
+  std::size_t simulations() const { return simulations_; }
+  std::size_t stretches() const { return stretches_; }  ///< short ones of all cases
+  /// Share of the work that the next calls are, for the progress.
+  void stage(double begin, double end, std::size_t evaluations);
+
+  Eigen::VectorXd evaluate(const Eigen::VectorXd& at);
+  /// Of several places, on several threads.
+  std::vector<Eigen::VectorXd> evaluate_all(const std::vector<Eigen::VectorXd>& places);
+  /// Robust sum: squares of small residuals, absolute values of large ones.
+  static double cost(const Eigen::VectorXd& residuals);
+  /// Derivatives of the residuals by the logarithms, by central differences.
+  Eigen::MatrixXd jacobian(const Eigen::VectorXd& at);
+
+  /// Looks for a better value of each parameter alone among those of a factor of up to `reach` either way, a
+  /// factor of `ratio` apart.
+  void scan(double reach, double ratio);
+  void scan_one(std::size_t parameter, double reach, double ratio);
+  /// NLopt's BOBYQA over the parameters with `free`.
+  void search_together(const std::vector<bool>& free, double reach, std::size_t most);
+  /// Gauss-Newton steps with halving over the parameters with `free`.
+  void refine(const std::vector<bool>& free, int most);
+  /// Number of the twelfth of its trace that a residual belongs to.
+  const std::vector<std::size_t>& blocks() const { return blocks_; }
+  bool is_short(std::size_t residual) const { return short_[residual]; }  ///< FitCase::is_short()
+  static constexpr std::size_t block_count = 12;
+
+ private:
+  Setup setup_at(const Eigen::VectorXd& at) const;
+  Eigen::VectorXd clamped(const Eigen::VectorXd& at) const;
+  void report(std::size_t evaluations);
+
+  const std::vector<FitCase>& cases_;
+  Setup start_;
+  std::vector<FitParameter> parameters_;
+  Progress* progress_;
+  Eigen::VectorXd at_;
+  std::size_t count_ = 0;
+  std::size_t stretches_ = 0;
+  std::size_t simulations_ = 0;
+  std::vector<std::size_t> blocks_;
+  std::vector<bool> short_;
+  double begin_ = 0;
+  double end_ = 1;
+  std::size_t expected_ = 1;
+  std::size_t done_ = 0;
+};
+
+}  // namespace feedscope

@@ -1,0 +1,63 @@
+#include <nlohmann/json.hpp>
+
+#include "tests/app/command_line.h"
+
+namespace feedscope::test {
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class IdentifyCommand : public CommandLine {
+ protected:
+  /// What a machine with other accelerations would have recorded.
+  IdentifyCommand() {
+    write("moves.nc",
+          "G21 G90\nG1 X30 F6000\nG4 P0.1\nX0\nG4 P0.1\nY30\nG4 P0.1\nX20 Y0\nG4 P0.1\nX0\nM30\n");
+    run("simulate moves.nc --machine linuxcnc-mill --set X.acceleration=1.3 --set Y.acceleration=0.6 "
+        "--csv trace.csv --step 0.001");
+  }
+};
+
+TEST_F(IdentifyCommand, WritesAMachineFileWithTheSourceOfEachNumber) {
+  const Result result =
+      run("identify trace.csv --program moves.nc --model linuxcnc --fit acceleration --out mine.toml --json "
+          "mine.json");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("mine.toml: machine file"));
+  const json report = json::parse(contents(folder_ / "mine.json"));
+  EXPECT_EQ(report["format"]["name"], "feedscope-identification");
+  const json& x = report["parameters"]["X.acceleration"];
+  EXPECT_TRUE(x["told"].get<bool>());
+  EXPECT_NEAR(x["value"].get<double>(), 1.3, 0.013);
+  EXPECT_NEAR(report["parameters"]["Y.acceleration"]["value"].get<double>(), 0.6, 0.006);
+  EXPECT_FALSE(report["parameters"]["Z.acceleration"]["told"].get<bool>());
+  EXPECT_TRUE(report["parameters"]["Z.acceleration"]["uncertainty"].is_null());
+  EXPECT_NEAR(report["agreement"]["cycle_time_s"].get<double>(),
+              report["agreement"]["measured_s"].get<double>(), 5e-3);
+  EXPECT_THAT(run("machines mine.toml").out, HasSubstr("identified from trace.csv"));
+  EXPECT_THAT(run("trace trace.csv moves.nc --machine mine.toml").out, HasSubstr("cycle time"));
+}
+
+TEST_F(IdentifyCommand, ComparesModelsByHowWellTheyExplain) {
+  const Result result =
+      run("identify trace.csv --program moves.nc --model klipper --model linuxcnc --fit "
+          "X.acceleration,Y.acceleration "
+          "--json -");
+  const json report = json::parse(result.out);
+  EXPECT_EQ(report["models"][0]["id"], "linuxcnc");
+  EXPECT_EQ(report["models"].size(), 2U);
+}
+
+TEST_F(IdentifyCommand, SaysWhatIsMissingOrWrong) {
+  expect_wrong_use("identify trace.csv --model linuxcnc", "needs the program of each trace");
+  expect_wrong_use("identify trace.csv --program moves.nc", "needs the model that is fitted");
+  expect_wrong_use("identify trace.csv --program moves.nc --model linuxcnc --fit X.acceleratoin",
+                   "did you mean 'X.acceleration'?");
+  expect_wrong_use("identify trace.csv trace.csv trace.csv --model linuxcnc --program moves.nc corner.nc",
+                   "3 traces and 2 programs");
+  expect_wrong_use("identify trace.csv --program moves.nc --model linuxcnc --out trace.csv", "trace.csv");
+}
+
+}  // namespace
+}  // namespace feedscope::test
