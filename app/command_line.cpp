@@ -108,7 +108,8 @@ void refuse_empty_values(const CLI::App& command) {
   for (const CLI::Option* option : command.get_options()) {
     const std::vector<std::string> values =
         option->count() > 0 ? option->results() : std::vector<std::string>();
-    if (std::ranges::find(values, "") != values.end()) {
+    const bool may_be_empty = option->get_items_expected_min() == 0;
+    if (!may_be_empty && std::ranges::find(values, "") != values.end()) {
       throw InputError(fmt::format("{} is empty; give a value or omit it", option->get_name()));
     }
   }

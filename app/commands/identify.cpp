@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "app/commands/command.h"
 #include "app/exit_codes.h"
@@ -15,8 +16,11 @@
 #include "app/run_options.h"
 #include "app/trace_columns_option.h"
 #include "app/watch.h"
+#include "core/analysis/line_times.h"
 #include "core/base/error.h"
+#include "core/base/units.h"
 #include "core/export/identification.h"
+#include "core/identification/identification_program.h"
 #include "core/trace/read_trace.h"
 
 namespace feedscope {
@@ -33,6 +37,8 @@ struct IdentifyCommandOptions {
   std::string columns;
   std::string out;
   std::string json;
+  std::optional<double> size;      ///< of the test program [mm]
+  std::optional<double> feed_max;  ///< of the test program [mm/min]
 };
 
 /// "2026-11-25".
@@ -144,7 +150,62 @@ Machine named_after(Machine machine, const std::string& out) {
   return machine;
 }
 
+/// The program for the machine, when no trace is given.
+int write_program(const IdentifyCommandOptions& options) {
+  if (!options.programs.empty() || !options.json.empty() || !options.columns.empty() ||
+      !options.fit.empty()) {
+    throw InputError(
+        "identify needs traces: feedscope identify TRACE... --program FILE... --model ID; for the test "
+        "program "
+        "write feedscope identify --program --dialect ID --out FILE");
+  }
+  if (options.dialect.empty()) {
+    throw InputError("the test program needs --dialect: fanuc, linuxcnc, grbl, sinumerik, heidenhain or iso");
+  }
+  IdentificationProgramRequest request;
+  request.dialect = dialect_of_id(options.dialect);
+  request.size = options.size.value_or(request.size);
+  request.feed_max = options.feed_max ? units::from_mm_min(*options.feed_max) : request.feed_max;
+  const IdentificationProgram made = identification_program(request);
+  const std::string out = options.out.empty() ? "-" : options.out;
+  OutputFile file(out);
+  file.stream() << made.text;
+  file.commit();
+  if (out == "-") {
+    return exit_code::done;
+  }
+  SetupRequest asked;
+  asked.machine = options.machine;
+  asked.model = options.models.empty() ? "" : options.models.front();
+  asked.assignments = options.set;
+  asked.dialect = request.dialect;
+  const Setup setup = make_setup(asked);
+  ReadOptions reading;
+  reading.dialect = request.dialect;
+  const Run run = simulate_run(
+      load_program(std::make_shared<const SourceText>(SourceText(out, made.text)), nullptr, reading), setup);
+  fmt::print("{}: X and Y within +-{:.4g} mm of the zero point, Z from it up to {:.4g} mm; {} on {}\n", out,
+             request.size / 2, made.height, time_text(run.summary.cycle_time), setup.machine.id);
+  const LineTimes times(*run.trajectory);
+  TextTable table;
+  table.add({"line", "part", "time", "tells"});
+  for (std::size_t i = 0; i < made.parts.size(); ++i) {
+    const IdentificationProgramPart& part = made.parts[i];
+    const std::uint32_t end = i + 1 < made.parts.size() ? made.parts[i + 1].line - 1 : times.line_count();
+    table.add(
+        {fmt::format("{}", part.line), part.title, time_text(times.of(part.line, end).time), part.tells});
+  }
+  fmt::print("{}", table.text("rlrl"));
+  return exit_code::done;
+}
+
 int identify_machine(const IdentifyCommandOptions& options) {
+  if (options.traces.empty()) {
+    return write_program(options);
+  }
+  if (options.size || options.feed_max) {
+    throw InputError("--size and --feed-max are of the test program; they have no effect on traces");
+  }
   check(options);
   OutputFiles files;
   std::ostream* out = options.out.empty() ? nullptr : &files.add(options.out);
@@ -186,10 +247,15 @@ int identify_machine(const IdentifyCommandOptions& options) {
 
 Command add_identify_command(CLI::App& app) {
   const auto options = std::make_shared<IdentifyCommandOptions>();
-  CLI::App* command =
-      app.add_subcommand("identify", "Find the limits and settings of a machine from traces of its control");
+  CLI::App* command = app.add_subcommand(
+      "identify",
+      "Find the limits and settings of a machine from traces of its control; without traces: "
+      "write the program that tells them");
   command->add_option("TRACE", options->traces, "Traces, as feedscope trace reads them");
-  command->add_option("--program", options->programs, "NC program of each trace, in their order")
+  command
+      ->add_option("--program", options->programs,
+                   "NC program of each trace, in their order; without traces and FILE: write the test "
+                   "program")
       ->type_name("FILE")
       ->expected(0, -1);
   command->add_option("--model", options->models, "Model that is fitted; repeat to compare several")
@@ -213,11 +279,24 @@ Command add_identify_command(CLI::App& app) {
       ->type_name("FILE.toml");
   command->add_option("--json", options->json, "Write numbers and uncertainties; - for standard output")
       ->type_name("FILE");
+  add_number_option(
+      *command, "--size", numbers(20, 2000), [options](double size) { options->size = size; },
+      "Without traces: side of the square that the test program keeps to, in mm [200]")
+      ->type_name("MM");
+  add_number_option(
+      *command, "--feed-max", numbers(100, 100'000), [options](double feed) { options->feed_max = feed; },
+      "Without traces: largest feed of the test program, in mm/min [15000]")
+      ->type_name("MM_MIN");
   state_number_rule(*command);
   command->footer(
       command->get_footer() +
-      "\nExample: feedscope identify sampler.txt --program part.ngc --model linuxcnc --out mill.toml");
-  return {command, [options] { return identify_machine(*options); }};
+      "\nExample: feedscope identify sampler.txt --program part.ngc --model linuxcnc --out mill.toml"
+      "\n         feedscope identify --program --dialect sinumerik --size 200 --feed-max 15000 --out "
+      "test.mpf");
+  return {command, [options] {
+            std::erase(options->programs, "");  // --program alone asks for the test program
+            return identify_machine(*options);
+          }};
 }
 
 }  // namespace feedscope

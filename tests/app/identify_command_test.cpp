@@ -49,6 +49,17 @@ TEST_F(IdentifyCommand, ComparesModelsByHowWellTheyExplain) {
   EXPECT_EQ(report["models"].size(), 2U);
 }
 
+TEST_F(IdentifyCommand, WritesTheTestProgramAndWhatItsPartsTell) {
+  const Result result =
+      run("identify --program --dialect heidenhain --size 100 --feed-max 6000 --out test.h");
+  EXPECT_EQ(result.code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("X and Y within +-50 mm"));
+  EXPECT_THAT(result.out, HasSubstr("CORNERS OF 10 TO 170 DEGREES"));
+  EXPECT_EQ(run("simulate test.h").code, 0);
+  expect_wrong_use("identify --program --out test.h", "the test program needs --dialect");
+  expect_wrong_use("identify --program moves.nc --model linuxcnc", "identify needs traces");
+}
+
 TEST_F(IdentifyCommand, SaysWhatIsMissingOrWrong) {
   expect_wrong_use("identify trace.csv --model linuxcnc", "needs the program of each trace");
   expect_wrong_use("identify trace.csv --program moves.nc", "needs the model that is fitted");
