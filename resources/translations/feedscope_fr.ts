@@ -2109,6 +2109,54 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>No jerk is limited: the acceleration jumps, and there is no largest jerk.</source>
         <translation>Le jerk n&apos;est pas limité : l&apos;accélération saute, et il n&apos;y a pas de jerk maximal.</translation>
     </message>
+    <message>
+        <source>Velocity, acceleration and jerk of the axis, from rest to rest.</source>
+        <translation>Vitesse, accélération et jerk de l'axe, d'un arrêt à l'autre.</translation>
+    </message>
+    <message>
+        <source>Velocity, acceleration and jerk of Z.</source>
+        <translation>Vitesse, accélération et jerk de Z.</translation>
+    </message>
+    <message>
+        <source>Acceleration and jerk along the path at speed.</source>
+        <translation>Accélération et jerk le long du trajet, en marche.</translation>
+    </message>
+    <message>
+        <source>Speed through a corner over its angle: tolerance or corner rule, and how far the control leaves the corner.</source>
+        <translation>Vitesse dans un coin selon son angle : tolérance ou règle de coin, et de combien la commande s'écarte du coin.</translation>
+    </message>
+    <message>
+        <source>Acceleration and jerk across the path, by radius.</source>
+        <translation>Accélération et jerk en travers du trajet, selon le rayon.</translation>
+    </message>
+    <message>
+        <source>Look-ahead, smoothing of points and time by block.</source>
+        <translation>Anticipation, lissage des points et temps par bloc.</translation>
+    </message>
+    <message>
+        <source>The model does not explain the traces: a value of it would say nothing of the machine.</source>
+        <translation>Le modèle n'explique pas les traces : une de ses valeurs ne dirait rien de la machine.</translation>
+    </message>
+    <message>
+        <source>It changes nothing that these traces show.</source>
+        <translation>Elle ne change rien à ce que montrent ces traces.</translation>
+    </message>
+    <message>
+        <source>These traces never reach it: larger values show the same.</source>
+        <translation>Ces traces ne l'atteignent jamais : de plus grandes valeurs montrent la même chose.</translation>
+    </message>
+    <message>
+        <source>These traces show the same with smaller values.</source>
+        <translation>Ces traces montrent la même chose avec de plus petites valeurs.</translation>
+    </message>
+    <message>
+        <source>One place of these traces alone speaks for it, where something else may limit.</source>
+        <translation>Un seul endroit de ces traces parle pour elle, où autre chose peut limiter.</translation>
+    </message>
+    <message>
+        <source>It cannot be told apart from the others by these traces.</source>
+        <translation>Ces traces ne permettent pas de la distinguer des autres.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
