@@ -276,6 +276,7 @@ TEST_F(CommandLine, FailsWhereItsTextCannotBeWritten) {
       {"check", {"check corner.nc", "check corner.nc --json -"}},
       {"explain", {"explain corner.nc", "explain corner.nc --json -"}},
       {"trace", {"trace trace.csv", "trace trace.csv --json -"}},
+      {"identify", {"identify --program --dialect iso"}},
       {"circular", {"circular --radius 5 --feed 500", "circular --radius 5 --feed 500 --json -"}},
       {"help", {"help", "help check"}},
       {"lessons", {"lessons", "lessons 1", "lessons 1 --out -"}},
