@@ -44,8 +44,9 @@ std::optional<double> field_number(std::string_view field, char decimal) {
     field.remove_prefix(1);
   }
   double value = 0;
-  const auto result = fast_float::from_chars_advanced(field.data(), field.data() + field.size(), value,
-                                                      fast_float::parse_options(fast_float::chars_format::general, decimal));
+  const auto result =
+      fast_float::from_chars_advanced(field.data(), field.data() + field.size(), value,
+                                      fast_float::parse_options(fast_float::chars_format::general, decimal));
   if (result.ec != std::errc() || result.ptr != field.data() + field.size() || !std::isfinite(value)) {
     return std::nullopt;
   }

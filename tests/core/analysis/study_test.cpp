@@ -198,8 +198,8 @@ TEST(Operations, OfCommentsHaveTheirLastHeading) {
 }
 
 TEST(Operations, BeginAgainWhereALoopComesBackToTheirHeading) {
-  const LoadedProgram program = program_of(
-      "#1=0\nWHILE [#1 LT 2] DO1\n(LEFT)\nG1 X10 F3000\n(RIGHT)\nX0\nY1\n#1=[#1+1]\nEND1\nM30\n");
+  const LoadedProgram program =
+      program_of("#1=0\nWHILE [#1 LT 2] DO1\n(LEFT)\nG1 X10 F3000\n(RIGHT)\nX0\nY1\n#1=[#1+1]\nEND1\nM30\n");
   const auto operations = split_operations(program, OperationSplit::comment);
   EXPECT_THAT(titles(operations), ElementsAre("LEFT", "RIGHT", "LEFT", "RIGHT"));
   EXPECT_EQ(operations[2].line, operations[0].line);
