@@ -144,6 +144,10 @@ void TraceBuilder::keep_longest_part() {
                      parts_.size() - 1, most, trace_.time.size()),
          "record one run in one trace");
   }
+  keep(begin, end);
+}
+
+void TraceBuilder::keep(std::size_t begin, std::size_t end) {
   cut(trace_.time, begin, end);
   for (auto& values : trace_.place) {
     cut(values, begin, end);
@@ -182,15 +186,7 @@ void TraceBuilder::drop_unknown_ends() {
   while (end > begin && !known(end - 1)) {
     --end;
   }
-  cut(trace_.time, begin, end);
-  for (auto& values : trace_.place) {
-    cut(values, begin, end);
-  }
-  cut(trace_.feed, begin, end);
-  cut(lines_, begin, end);
-  for (auto& [sample, line] : lines_of_samples_) {
-    sample = sample > begin ? sample - begin : 0;
-  }
+  keep(begin, end);
   for (float& feed : trace_.feed) {
     feed = std::isfinite(feed) ? feed : 0;
   }

@@ -51,6 +51,8 @@ class TraceBuilder {
   };
 
   void keep_longest_part();
+  /// Forgets the samples outside of [begin, end).
+  void keep(std::size_t begin, std::size_t end);
   void fill_missing();
   void drop_unknown_ends();
   void look_at_times();
