@@ -21,7 +21,7 @@ class FitCase {
   /// Simulated less measured, of a setup; a run that leaves the path altogether gets large ones.
   std::vector<double> residuals(const Setup& setup) const;
   /// Number of the short stretch that a residual belongs to, of `stretches()`; blocks of them are left out to
-  /// see how far a value hangs on a part of the trace.
+  /// see how much a value depends on a part of the trace.
   std::size_t stretch_of(std::size_t residual) const { return stretch_[residual]; }
   /// Whether it is the time of one short stretch.
   bool is_short(std::size_t residual) const { return residual + 1 < borders_.size(); }

@@ -36,8 +36,8 @@ class LengthStep {
 
 /// Path length of smoothed pulses from instant to instant in order, by a quadrature in steps: exact where the
 /// speed is constant, else halved until the rule agrees with one of lower order to 1e-7 (of two filters 1e-8)
-/// of what the largest speed covers and the speed of a step is nowhere negative. The steps hang on nothing
-/// but the two instants.
+/// of what the largest speed covers and the speed of a step is nowhere negative. The steps depend
+/// on the two instants alone.
 class LengthWalk {
  public:
   /// Starts at `t` from the start of the motion [s].

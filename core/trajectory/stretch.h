@@ -59,8 +59,8 @@ using StretchRun = std::function<void(const StretchRange& range, ProgressSteps& 
 /// Makes what runs stretches into `builder`, for one thread.
 using StretchRunner = std::function<StretchRun(TrajectoryBuilder& builder)>;
 /// Runs every stretch, cut as by next_stretch(), and lays the dwells between them. Long programs are run in
-/// parts, each by a runner of its own, on several cores; where they are cut hangs on the program alone, so
-/// that the result does not hang on how many cores there are.
+/// parts, each by a runner of its own, on several cores; where they are cut depends on the program alone,
+/// so that the result does not depend on the number of cores.
 void run_stretches(const Toolpath& toolpath, TrajectoryBuilder& builder, Progress* progress,
                    const PathRules& rules, const StretchRunner& runner, bool stop_at_arc_corners = true);
 

@@ -16,7 +16,8 @@ constexpr double usual_deviation = 0.2;  // [mm] beyond what the run leaves the 
 constexpr double moving = 2e-3;          // [mm]: so far from where it stood, a motion has begun
 constexpr std::size_t most_worst = 10;
 
-/// Places at which both have begun and not yet ended, so that both are measured alike.
+/// Places between the later beginning and the earlier end of the two, so that both are measured over the same
+/// stretch.
 struct Compared {
   double from = 0;  ///< [mm]
   double to = 0;

@@ -62,7 +62,7 @@ struct Agreement {
   bool whole = false;             ///< the trace covers the program: the times are cycle times
   double feed_rms = 0;            ///< root mean square of the difference of the feeds over the path [mm/s]
   double distance = 0;            ///< largest of the trace from the programmed path [mm]
-  double simulated_distance = 0;  ///< of the run, measured alike [mm]
+  double simulated_distance = 0;  ///< the same of the simulated run [mm]
   std::vector<AgreementCell> cells;
   std::vector<WorstPlace> worst;               ///< at most ten, the largest difference of time first
   std::vector<OperationAgreement> operations;  ///< empty: the program has one alone
