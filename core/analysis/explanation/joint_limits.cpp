@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/limits/axis_share.h"
+#include "core/models/linuxcnc/linuxcnc_segment.h"
 
 namespace feedscope {
 namespace {
@@ -26,7 +27,7 @@ Formula speed_across_arc(const ElementCurve& curve, const Vec3& acceleration, do
   if (bound.axis < 0) {
     return {};
   }
-  constexpr double across = 0.866;
+  constexpr double across = linuxcnc_across_share;
   const auto with_share = [&](double share) {
     return Formula{FormulaId::shared_radial_acceleration,
                    {{Symbol::acceleration_share, -1, share},

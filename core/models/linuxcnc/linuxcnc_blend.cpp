@@ -13,8 +13,6 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double across_of_blend = 0.86602540378443864676;
-
 /// Least over the axes of what they allow in the plane across unit vector `n`, and of which one.
 AxisBound plane_limit(const Vec3& axes, const Vec3& n) {
   constexpr double least_part = 1e-12;
@@ -225,7 +223,7 @@ std::optional<LinuxCncBlend> find_linuxcnc_blend(const LinuxCncSegment& p, const
     return std::min(s.tolerance > 0 ? s.tolerance : s.nominal_length / 4, s.nominal_length / 4);
   };
   const double tolerance = std::min(tolerance_of(p), tolerance_of(t));
-  const double across = across_of_blend * acceleration;
+  const double across = linuxcnc_across_share * acceleration;
   const bool both_lines = !p.course.is_arc && !t.course.is_arc;
   const Speeds speeds = speeds_of(p, t, settings, phi, plane_speed, both_lines);
 

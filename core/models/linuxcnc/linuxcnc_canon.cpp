@@ -9,7 +9,6 @@
 namespace feedscope {
 namespace {
 
-constexpr double across_share_of_canon = 0.866;
 constexpr std::size_t longest_chain = 101;
 
 /// Least over the axes that move of what they allow along a displacement of `length` [mm], and which.
@@ -241,7 +240,7 @@ void LinuxCncCanon::arc(std::size_t i) {
   const double smaller = std::min(course.radius, to.norm());
   const double slope = course.spiral / course.angle;
   const double effective = std::hypot(slope, smaller);
-  const double in_plane = std::min(std::sqrt(acceleration * across_share_of_canon * effective), speed);
+  const double in_plane = std::min(std::sqrt(acceleration * linuxcnc_across_share * effective), speed);
   const double turn = std::hypot(smaller * course.angle, course.spiral);
   const double length = std::hypot(turn, course.height);
   const Vec3 way = segment.end - start;

@@ -4,11 +4,6 @@
 #include <cmath>
 
 namespace feedscope {
-namespace {
-
-constexpr double across_share = 0.86602540378443864676;  // sqrt(3)/2: the other half is left along the path
-
-}  // namespace
 
 LinuxCncCourse LinuxCncCourse::line(const Vec3& from, const Vec3& to) {
   LinuxCncCourse course;
@@ -108,7 +103,7 @@ void LinuxCncSegment::limit_arc() {
   }
   const double all = reduced_acceleration();
   const double radius = course.effective_radius();
-  const double most = across_share * all;
+  const double most = linuxcnc_across_share * all;
   const double across = largest * largest / radius;
   if (across > most) {
     lower_largest(std::sqrt(most * radius), {CauseKind::radial_acceleration});

@@ -7,6 +7,10 @@
 
 namespace feedscope {
 
+/// Share of the acceleration that arcs may take across the path, sqrt(3)/2: half of it is left along the
+/// path.
+inline constexpr double linuxcnc_across_share = 0.86602540378443864676;
+
 /// How a segment ends: at rest, at rest but without its neighbours' wait (G61), overlapping with the next, or
 /// tangentially at some speed.
 enum class LinuxCncEnd : std::uint8_t { stop, exact, parabolic, tangent };

@@ -60,7 +60,7 @@ class LinuxCncTraces : public ::testing::TestWithParam<const char*> {};
 TEST_P(LinuxCncTraces, TimeSpeedAndPlaceAreThoseOfTheCompleteControl) {
   constexpr double duration = 3e-3;
   constexpr double speed = 0.5;
-  constexpr double place = 0.004;  // 2 um on lines; on arcs what the description leaves open of their length
+  constexpr double place = 3e-4;  // what the interpolator rounds: a T^2/6, 0.17 um
   constexpr double period = 1e-3;
   constexpr std::size_t delay = 2;
   const fs::path folder = testing::ControlTables::folder() / ".." / "linuxcnc" / "traces";
