@@ -234,7 +234,8 @@ void Cycles::run() {
   }
   if (const std::optional<DrillingCycle> cycle = drilling_cycle(words_.first_column("XYZR"), repeats)) {
     const PathControl modal = path().path_control();
-    if (is_linuxcnc()) {  // which runs cycles as under G61
+    if (is_linuxcnc()) {  // which runs cycles as under G61, but not the way up before them
+      rise(path(), *cycle);
       PathControl exact = modal;
       exact.mode = PathMode::exact_stop;
       exact.exact_path = true;

@@ -104,12 +104,17 @@ double peck_count(const DrillingCycle& cycle) {
   return cycle.peck > 0 ? std::ceil((cycle.retract - cycle.bottom) / least) : 1;
 }
 
-void drill(PathWriter& path, const DrillingCycle& cycle, const Vec3& hole) {
+void rise(PathWriter& path, const DrillingCycle& cycle) {
   const double from = cycle.motion == DrillingMotion::back_bore ? cycle.initial : cycle.retract;
-  const double above = std::max(path.position()[cycle.axis], from);
-  DrillPlan up(cycle.axis, path.position()[cycle.axis]);
-  up.rapid(above);
+  const double level = path.position()[cycle.axis];
+  DrillPlan up(cycle.axis, level);
+  up.rapid(std::max(level, from));
   run(up, path, path.position());
+}
+
+void drill(PathWriter& path, const DrillingCycle& cycle, const Vec3& hole) {
+  rise(path, cycle);
+  const double above = path.position()[cycle.axis];
   DrillPlan plan(cycle.axis, above);
   plan.rapid(above);
   Drill(plan, cycle).hole();

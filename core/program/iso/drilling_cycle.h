@@ -37,6 +37,9 @@ struct DrillingCycle {
 /// Feeds down that the cycle needs at most; of use as long as it is small.
 double peck_count(const DrillingCycle& cycle);
 
+/// Rapid up to the level where the cycle begins, if the tool is below it.
+void rise(PathWriter& path, const DrillingCycle& cycle);
+
 /// Rapid above `hole` at the present level, or the retract level if that is higher; then the cycle.
 void drill(PathWriter& path, const DrillingCycle& cycle, const Vec3& hole);
 
