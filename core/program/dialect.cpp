@@ -10,6 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/base/nearest_name.h"
+#include "core/program/iso/printer_words.h"
 #include "core/program/text/scanner.h"
 
 namespace feedscope {
@@ -164,6 +165,10 @@ void score_line(std::string_view line, Score& score) {
   }
   if (first == '$') {
     of(score, Dialect::grbl) += 3;
+  }
+  if (!iso::klipper_command(line).empty()) {
+    of(score, Dialect::grbl) += 5;
+    return;
   }
   score_din(line, score);
   try {

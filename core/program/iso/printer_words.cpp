@@ -67,11 +67,43 @@ bool has_printer_word(std::string_view line) {
   return false;
 }
 
+/// What names of Klipper's commands begin with, and those of macros that slicers write.
+constexpr auto klipper_names = std::to_array<std::string_view>({"SET_VELOCITY_LIMIT",
+                                                                "SET_PRESSURE_ADVANCE",
+                                                                "SET_GCODE_",
+                                                                "SET_RETRACTION",
+                                                                "SET_FAN_SPEED",
+                                                                "SET_HEATER_TEMPERATURE",
+                                                                "SET_PRINT_STATS_INFO",
+                                                                "SET_INPUT_SHAPER",
+                                                                "TEMPERATURE_WAIT",
+                                                                "SAVE_GCODE_STATE",
+                                                                "RESTORE_GCODE_STATE",
+                                                                "EXCLUDE_OBJECT",
+                                                                "BED_MESH_",
+                                                                "QUAD_GANTRY_LEVEL",
+                                                                "Z_TILT_ADJUST",
+                                                                "TIMELAPSE_TAKE_FRAME",
+                                                                "START_PRINT",
+                                                                "PRINT_START",
+                                                                "END_PRINT",
+                                                                "PRINT_END"});
+
 }  // namespace
+
+std::string_view klipper_command(std::string_view line) {
+  Scanner scan(line);
+  scan.peek();
+  const std::string_view name = scan.name();
+  const bool known = std::ranges::any_of(klipper_names, [&](std::string_view begin) {
+    return name.size() >= begin.size() && letters::same(name.substr(0, begin.size()), begin);
+  });
+  return known ? name : std::string_view();
+}
 
 bool is_for_printer(const SourceText& text) {
   for (std::uint32_t line = 1; line <= text.line_count(); ++line) {
-    if (has_printer_word(text.line(line))) {
+    if (has_printer_word(text.line(line)) || !klipper_command(text.line(line)).empty()) {
       return true;
     }
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/program/iso/faults.h"
+#include "core/program/iso/printer_words.h"
 #include "core/program/text/message.h"
 
 namespace feedscope::iso {
@@ -92,6 +93,9 @@ bool IsoReader::run_statement(const Block& line) {
     has_words_ = true;
     return false;
   }
+  if (context_.dialect == Dialect::grbl && report_klipper_command(scan)) {
+    return false;
+  }
   statements_.keep_words(line);
   if (ends_in_text(line)) {
     run_block(line, true);
@@ -99,6 +103,20 @@ bool IsoReader::run_statement(const Block& line) {
   }
   run_words(scan);
   return scan.peek() == '%';
+}
+
+bool IsoReader::report_klipper_command(const Scanner& scan) {
+  const std::string_view name = klipper_command(scan.text());
+  if (name.empty()) {
+    return false;
+  }
+  const bool limits = letters::same(name, "SET_VELOCITY_LIMIT");
+  machining().report(limits ? Severity::info : Severity::warning, "unread-statement", limits ? 2 : 3, 1, [&] {
+    return limits ? Text{"SET_VELOCITY_LIMIT is a command of Klipper", "only the model klipper follows it"}
+                  : Text{fmt::format("{} is a command or macro of Klipper", name),
+                         "what it moves is not known and missing"};
+  });
+  return true;
 }
 
 void IsoReader::run_words(Scanner& scan) {

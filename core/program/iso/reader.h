@@ -45,6 +45,8 @@ class IsoReader : public Reader {
 
   /// True if "%" follows.
   bool run_statement(const Block& line);
+  /// False: the line has none.
+  bool report_klipper_command(const Scanner& scan);
   void run_words(Scanner& scan);
   /// `readable`: false for a block of which words could not be read; it does not move.
   void run_block(const Block& block, bool readable);

@@ -79,6 +79,27 @@ TEST(Tapes, AColonIsAnO) {
             (Lines{"rapid 1 0 0 @3", "rapid 2 0 0 @7"}));
 }
 
+TEST(Printers, CommandsWithNamesMoveNothingAndAreSaid) {
+  const Program program = read_text(
+      "start_print BED=60\n"
+      "G1 X5 F600\n"
+      "SET_VELOCITY_LIMIT ACCEL=2000 VELOCITY=100\n"
+      "SET_VELOCITY_LIMIT ACCEL=1000\n"
+      "G1 X9\n");
+  EXPECT_EQ(program.dialect, Dialect::grbl);
+  EXPECT_EQ(program.motions.size(), 2U);
+  ASSERT_EQ(program.diagnostics.size(), 2U);  // the same command once
+  EXPECT_EQ(program.diagnostics[0].severity, Severity::warning);
+  EXPECT_EQ(program.diagnostics[0].line, 1U);
+  EXPECT_EQ(program.diagnostics[1].severity, Severity::info);
+  EXPECT_EQ(program.diagnostics[1].line, 3U);
+}
+
+/// Subprograms of a Sinumerik may have such names too.
+TEST(Printers, OtherNamesStayThoseOfTheSinumerik) {
+  EXPECT_EQ(read_text("MY_CONTOUR\nG1 X5 F600\nR1=4\nCYCLE832(0.01)\n").dialect, Dialect::sinumerik);
+}
+
 TEST(Printers, WaitMillisecondsAndSecondsAndDoNotLevelOnTheWay) {
   const Program program = read_as(Dialect::grbl, "M104 S200\nG0 X5\nG29\nG4 P500\nG4 S3\nG1 X9 F600");
   ASSERT_EQ(program.motions.size(), 4U);
