@@ -5,7 +5,7 @@
 namespace feedscope {
 
 std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup) {
-  return program.toolpath->source ? setup.model->read(program.toolpath, setup.settings).refused
+  return program.toolpath->may_be_read() ? setup.model->read(program.toolpath, setup.settings).refused
                                   : program.lines_not_run;
 }
 

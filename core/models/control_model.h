@@ -43,7 +43,7 @@ class ControlModel {
   /// What the control reads in the text of `toolpath`, where it reads it in a way of its own: its path and
   /// the lines that it refuses. Else `toolpath` as it is.
   ControlReading read(std::shared_ptr<const Toolpath> toolpath, const Settings& settings) const {
-    return toolpath->source ? do_read(toolpath, settings) : ControlReading{std::move(toolpath), {}};
+    return toolpath->may_be_read() ? do_read(toolpath, settings) : ControlReading{std::move(toolpath), {}};
   }
   /// Deterministic. `settings` as complete_settings gives them; the trajectory shares `toolpath`, or what
   /// read() and on_machine() make of it. Throws

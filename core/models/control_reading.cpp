@@ -21,7 +21,8 @@ ControlReading reading_of(Program read, const Toolpath& as_written) {
   ControlReading reading;
   reading.refused = std::move(read.diagnostics);
   Toolpath path = take_toolpath(read);
-  path.source = nullptr;
+  path.source = as_written.source;
+  path.read_by_control = true;
   path.path_controls = as_written.path_controls;
   path.spindles = as_written.spindles;
   path.other_axes = as_written.other_axes;

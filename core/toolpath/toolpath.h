@@ -57,10 +57,12 @@ struct Toolpath {
   Bounds bounds;                                          ///< as Program::bounds [mm]
   std::vector<std::string> other_axes;                    ///< as Program::other_axes
   std::vector<ZeroPoint> zero_points;                     ///< of Program::work_offsets
-  /// The text, where it is words of G code that a control may read in a way of its own; null where there is
-  /// none, or where it has been read so.
+  /// The text, where it is words of G code, which some controls read in ways of their own; null: none.
   std::shared_ptr<const SourceText> source;
+  bool read_by_control = false;  ///< `source` has been read in a control's own way
 
+  /// A control may read the text in its own way.
+  bool may_be_read() const { return source && !read_by_control; }
   const Vec3& start_of(std::size_t i) const { return i == 0 ? start : segments[i - 1].end; }
   const PathControl& path_control_of(std::size_t i) const { return path_controls[segments[i].path_control]; }
   const SpindleState& spindle_of(std::size_t i) const { return spindles[segments[i].spindle]; }

@@ -2,11 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "core/base/units.h"
 #include "core/blend/path_rules.h"
-#include "core/models/klipper/klipper_settings.h"
 #include "core/models/tapie/set_point.h"
 
 namespace feedscope {
@@ -28,7 +26,15 @@ ElementLimits::ElementLimits(const Run& run)
     : run_(run),
       path_(run.trajectory->path()),
       traits_(run.setup.model->info().limits),
-      axes_(run.setup.machine) {}
+      axes_(run.setup.machine) {
+  if (traits_.along_path) {
+    along_.emplace(KlipperSettings(run.setup.machine, run.setup.settings), path_.programmed()->source.get());
+  }
+}
+
+const KlipperSettings& ElementLimits::limits_along(std::uint32_t element) const {
+  return along_->at(path_.programmed()->segments[path_.segment(element)].line);
+}
 
 double ElementLimits::setting(std::string_view key) const {
   return run_.setup.settings.number(key);
@@ -105,7 +111,7 @@ Formula ElementLimits::path_acceleration(std::uint32_t element) const {
 /// The control's own limit along the path, or its limit of Z where that is lower.
 Formula ElementLimits::acceleration_along(std::uint32_t element) const {
   constexpr std::int8_t z = 2;
-  const KlipperSettings own(run_.setup.machine, run_.setup.settings);
+  const KlipperSettings& own = limits_along(element);
   const double part = std::abs(path_.curve(element).direction[z]);
   if (own.max_z_acceleration < part * own.max_acceleration) {
     return {FormulaId::path_acceleration,
@@ -117,7 +123,7 @@ Formula ElementLimits::acceleration_along(std::uint32_t element) const {
 /// The same of the velocity.
 Formula ElementLimits::velocity_along(std::uint32_t element) const {
   constexpr std::int8_t z = 2;
-  const KlipperSettings own(run_.setup.machine, run_.setup.settings);
+  const KlipperSettings& own = limits_along(element);
   const double part = std::abs(path_.curve(element).direction[z]);
   if (own.max_z_velocity < part * own.max_velocity) {
     return {FormulaId::axis_velocity,
@@ -447,11 +453,11 @@ Formula ElementLimits::square_corner(std::uint32_t element) const {
   if (!half || half->sine >= 1) {
     return {};
   }
-  const KlipperSettings own(run_.setup.machine, run_.setup.settings);
   const Quantity sine{Symbol::half_turn_sine, -1, half->sine};
   const Quantity tangent{Symbol::half_turn_tangent, -1, half->sine / half->cosine};
   Formula least;
   for (const std::uint32_t e : {element - 1, element}) {
+    const KlipperSettings& own = limits_along(e);
     const Quantity acceleration{Symbol::path_acceleration, -1, path_acceleration(e).value()};
     for (const Formula& formula :
          {Formula{FormulaId::square_corner,

@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+
 #include "core/analysis/run.h"
 #include "core/limits/formula.h"
 #include "core/models/essid/blend_law.h"
+#include "core/models/klipper/klipper_limits.h"
 
 namespace feedscope {
 
@@ -48,6 +51,8 @@ class ElementLimits {
   Formula stop_within(std::uint32_t element) const;
   Formula acceleration_along(std::uint32_t element) const;
   Formula velocity_along(std::uint32_t element) const;
+  /// Klipper's limits in force at an element.
+  const KlipperSettings& limits_along(std::uint32_t element) const;
   /// The arc of an element that runs on one; null for a line.
   const Arc* programmed_arc(std::uint32_t element) const;
   bool accelerates_by_jumps(std::uint32_t element) const;
@@ -56,6 +61,7 @@ class ElementLimits {
   const BlendedPath& path_;
   const LimitTraits& traits_;
   AxisVectors axes_;
+  std::optional<KlipperLimits> along_;  ///< of models that limit along the path
 };
 
 }  // namespace feedscope

@@ -28,8 +28,8 @@ std::optional<double> KlipperLine::number(std::string_view key) const {
     return std::nullopt;
   }
   std::string_view text = found->second;
-  if (text[0] == '+') {
-    text.remove_prefix(1);
+  for (const char sign : {'=', '+'}) {
+    text.remove_prefix(text.starts_with(sign) ? 1 : 0);
   }
   double value = 0;
   const auto [end, error] = fast_float::from_chars(text.data(), text.data() + text.size(), value);

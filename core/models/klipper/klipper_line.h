@@ -13,7 +13,7 @@ struct KlipperLine {
   std::map<std::string, std::string, std::less<>> values;
 
   bool has(std::string_view key) const { return values.find(key) != values.end(); }
-  /// None where the value is missing or no number.
+  /// None where the value is missing or no number; an "=" before it does not matter.
   std::optional<double> number(std::string_view key) const;
 };
 

@@ -5,25 +5,29 @@
 
 namespace feedscope {
 
-void KlipperMoves::add(const Vec3& direction, double length, double feed, Cause feed_cause) {
+void KlipperMoves::add(const Vec3& direction, double length, double feed, Cause feed_cause,
+                       const KlipperSettings& limits) {
   constexpr std::int8_t z = 2;
   KlipperMove move;
   move.length = length;
-  move.acceleration = settings_.max_acceleration;
+  move.acceleration = limits.max_acceleration;
+  move.smooth_acceleration = limits.max_acceleration * (1 - limits.minimum_cruise_ratio);
+  move.corner_deviation = limits.square_corner_velocity * limits.square_corner_velocity *
+                          (std::sqrt(2.0) - 1) / limits.max_acceleration;
   move.top_cause = feed_cause;
   double top = feed;
-  if (settings_.max_velocity < top) {
-    top = settings_.max_velocity;
+  if (limits.max_velocity < top) {
+    top = limits.max_velocity;
     move.top_cause = {CauseKind::path_velocity};
   }
   if (direction[z] != 0) {
     const double share = 1 / std::abs(direction[z]);
-    if (settings_.max_z_velocity * share < top) {
-      top = settings_.max_z_velocity * share;
+    if (limits.max_z_velocity * share < top) {
+      top = limits.max_z_velocity * share;
       move.top_cause = {CauseKind::axis_velocity, z};
     }
-    if (settings_.max_z_acceleration * share < move.acceleration) {
-      move.acceleration = settings_.max_z_acceleration * share;
+    if (limits.max_z_acceleration * share < move.acceleration) {
+      move.acceleration = limits.max_z_acceleration * share;
       move.z_acceleration = true;
     }
   }
@@ -33,20 +37,12 @@ void KlipperMoves::add(const Vec3& direction, double length, double feed, Cause 
   direction_ = direction;
 }
 
-/// Ds.
-double KlipperMoves::smooth_change(const KlipperMove& move) const {
-  return std::min(move.change(),
-                  2 * move.length * settings_.max_acceleration * (1 - settings_.minimum_cruise_ratio));
-}
-
 void KlipperMoves::limit_junction(const Vec3& direction) {
   KlipperMove& move = moves_.back();
   if (moves_.size() == 1) {
     return;  // from rest
   }
   const KlipperMove& before = moves_[moves_.size() - 2];
-  const double scv = settings_.square_corner_velocity;
-  const double deviation = scv * scv * (std::sqrt(2.0) - 1) / settings_.max_acceleration;
   const double cosine = -direction.dot(direction_);
   const double sine = std::sqrt(std::max(0.5 * (1 - cosine), 0.0));
   const double half_cosine = std::sqrt(std::max(0.5 * (1 + cosine), 0.0));
@@ -65,11 +61,11 @@ void KlipperMoves::limit_junction(const Vec3& direction) {
     const double radius = sine / (1 - sine);
     const double tangent = sine / half_cosine;
     for (const KlipperMove* of : {&before, static_cast<const KlipperMove*>(&move)}) {
-      lower(radius * deviation * of->acceleration, corner);
+      lower(radius * of->corner_deviation * of->acceleration, corner);
       lower(of->change() * tangent / 4, corner);
     }
   }
-  move.smooth_limit = std::min(move.limit, before.smooth_limit + smooth_change(before));
+  move.smooth_limit = std::min(move.limit, before.smooth_limit + before.smooth_change());
 }
 
 void KlipperMoves::plan() {
@@ -85,7 +81,7 @@ void KlipperMoves::plan_backward() {
   for (std::size_t i = moves_.size(); i-- > 0;) {
     KlipperMove& move = moves_[i];
     const double reach = next + move.change();
-    const double change = smooth_change(move);
+    const double change = move.smooth_change();
     const double reach_smooth = next_smooth + change;
     const double start_smooth = std::min(move.smooth_limit, reach_smooth);
     move.start = std::min(move.limit, reach);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -11,29 +12,33 @@ namespace feedscope {
 
 /// A straight move with its speeds, planned from standstill to standstill with its neighbours.
 struct KlipperMove {
-  double length = 0;        ///< L [mm]
-  double acceleration = 0;  ///< a [mm/s2]
-  double top_squared = 0;   ///< v^2, of the feed and the limits [mm2/s2]
-  double limit = 0;         ///< S, the most that the start speed squared may be [mm2/s2]
-  double smooth_limit = 0;  ///< Ss, the same with the pseudo-acceleration
-  double start = 0;         ///< speed squared at its start [mm2/s2]
-  double cruise = 0;        ///< speed squared in its middle [mm2/s2]; negative until it is known
-  double end = 0;           ///< speed squared at its end [mm2/s2]
-  Cause top_cause;          ///< of v
-  Cause limit_cause;        ///< of S
-  bool below_peak = false;  ///< the cruise ratio sets `cruise`
+  double length = 0;               ///< L [mm]
+  double acceleration = 0;         ///< a [mm/s2]
+  double smooth_acceleration = 0;  ///< A (1 - q) [mm/s2]
+  double corner_deviation = 0;     ///< (sqrt(2) - 1) V_sc^2 / A [mm]
+  double top_squared = 0;          ///< v^2, of the feed and the limits [mm2/s2]
+  double limit = 0;                ///< S, the most that the start speed squared may be [mm2/s2]
+  double smooth_limit = 0;         ///< Ss, the same with the pseudo-acceleration
+  double start = 0;                ///< speed squared at its start [mm2/s2]
+  double cruise = 0;               ///< speed squared in its middle [mm2/s2]; negative until it is known
+  double end = 0;                  ///< speed squared at its end [mm2/s2]
+  Cause top_cause;                 ///< of v
+  Cause limit_cause;               ///< of S
+  bool below_peak = false;         ///< the cruise ratio sets `cruise`
   bool z_acceleration = false;
 
   double change() const { return 2 * length * acceleration; }  ///< D, of the speed squared
+  /// Ds.
+  double smooth_change() const { return 2 * length * std::min(acceleration, smooth_acceleration); }
 };
 
 /// The queue of moves between two full stops (README.md, "Planning").
 class KlipperMoves {
  public:
-  explicit KlipperMoves(const KlipperSettings& settings) : settings_(settings) {}
-
-  /// Appends a line along unit vector `direction` at `feed` [mm/s]; `feed_cause`: where nothing else limits.
-  void add(const Vec3& direction, double length, double feed, Cause feed_cause);
+  /// Appends a line along unit vector `direction` at `feed` [mm/s]; `limits`: those in force there;
+  /// `feed_cause`: where nothing else limits.
+  void add(const Vec3& direction, double length, double feed, Cause feed_cause,
+           const KlipperSettings& limits);
   /// Finds start, cruise and end of all moves, which end at rest.
   void plan();
   const std::vector<KlipperMove>& moves() const { return moves_; }
@@ -41,11 +46,9 @@ class KlipperMoves {
 
  private:
   void limit_junction(const Vec3& direction);
-  double smooth_change(const KlipperMove& move) const;
   void plan_backward();
   void plan_forward();
 
-  const KlipperSettings& settings_;
   std::vector<KlipperMove> moves_;
   Vec3 direction_ = Vec3::Zero();  ///< of the move added last
 };

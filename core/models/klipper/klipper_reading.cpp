@@ -10,6 +10,7 @@
 #include <string>
 #include <utility>
 
+#include "core/models/klipper/klipper_limits.h"
 #include "core/models/klipper/klipper_line.h"
 
 namespace feedscope {
@@ -113,6 +114,9 @@ class KlipperReader {
     if (command == "M400") {
       wait(0);
       return {};
+    }
+    if (const std::optional<KlipperLimitChange> change = klipper_limit_change(line_)) {
+      return change->fault;
     }
     const bool known = std::ranges::find(without_motion, command) != without_motion.end();
     return known ? Refusal() : fmt::format("unknown command {}", command);

@@ -37,10 +37,10 @@ KlipperRun::KlipperRun(std::shared_ptr<const Toolpath> toolpath, const Machine& 
                        const KlipperSettings& settings)
     : toolpath_(*toolpath),
       settings_(settings),
+      limits_(settings, toolpath_.source.get()),
       executed_(path_for(toolpath_)),
       builder_(
-          builder_for(std::move(toolpath), axis_limit_vector(machine, &AxisLimits::velocity), executed_)),
-      moves_(settings_) {}
+          builder_for(std::move(toolpath), axis_limit_vector(machine, &AxisLimits::velocity), executed_)) {}
 
 Trajectory KlipperRun::run(Progress* progress) {
   builder_.reserve(toolpath_.segments.size(), toolpath_.segments.size());
@@ -99,7 +99,8 @@ void KlipperRun::queue_line(std::size_t block, const Vec3& start, const Vec3& en
   const Cause cause{rapid ? CauseKind::rapid : CauseKind::programmed_feed};
   // Rounded as Klipper does: where the path turns back on itself, that decides whether it stands still.
   const Vec3 direction = way * (1 / length);
-  moves_.add(direction, length, rapid ? settings_.max_velocity : segment.feed, cause);
+  const KlipperSettings& limits = limits_.at(segment.line);
+  moves_.add(direction, length, rapid ? limits.max_velocity : segment.feed, cause, limits);
 }
 
 /// Chords of about the resolution, from the start by angles about the programmed centre; the last ends where

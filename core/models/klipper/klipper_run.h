@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/base/progress.h"
+#include "core/models/klipper/klipper_limits.h"
 #include "core/models/klipper/klipper_moves.h"
 #include "core/trajectory/trajectory_builder.h"
 
@@ -25,6 +26,7 @@ class KlipperRun {
 
   const Toolpath& toolpath_;
   KlipperSettings settings_;
+  KlipperLimits limits_;
   std::shared_ptr<ExecutedPath> executed_;  ///< null: the programmed path is run as it is
   TrajectoryBuilder builder_;
   KlipperMoves moves_;

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "core/analysis/explanation/explanation.h"
 #include "core/analysis/run.h"
 #include "tests/support/paths.h"
 
@@ -110,6 +111,83 @@ TEST(KlipperReading, RunsNoLineWithoutItsCommand) {
   EXPECT_DOUBLE_EQ(read.path->segments[0].feed, 25);  // a rapid runs at the feed in force
   EXPECT_FALSE(read.path->segments[0].rapid);
   EXPECT_DOUBLE_EQ(read.path->segments[1].feed, 10);
+}
+
+/// A run of the program as Klipper reads it.
+Trajectory run_text(const std::string& text) {
+  return run(*reading(text).path);
+}
+
+TEST(KlipperLimits, ChangeTheMovesBehindThem) {
+  const Trajectory line = run_text(
+      "G1 X40 F3000\n"
+      "M400\n"
+      "M204 S500\n"
+      "G1 X80\n"
+      "M400\n"
+      "set_velocity_limit VELOCITY=20 ACCEL=2000\n"
+      "G1 X120\n");
+  const double first = 40.0 / 50 + 50 / acceleration;
+  const double second = 40.0 / 50 + 50.0 / 500;
+  EXPECT_NEAR(line.duration(), first + second + 40.0 / 20 + 20.0 / 2000, 1e-9);
+  EXPECT_EQ(line.state(first + second + 1).cause.kind, CauseKind::path_velocity);
+}
+
+TEST(KlipperLimits, TheLesserOfPrintAndTravelIsTaken) {
+  const Trajectory line = run_text("M204 P800 T500\nG1 X40 F3000\n");
+  EXPECT_NEAR(line.duration(), 40.0 / 50 + 50.0 / 500, 1e-9);
+}
+
+TEST(KlipperLimits, TheCornerHasThoseOfBothMoves) {
+  const Trajectory corner =
+      run_text("G1 X40 F3000\nSET_VELOCITY_LIMIT SQUARE_CORNER_VELOCITY=8\nG1 Y40\nG1 X0\n");
+  EXPECT_NEAR(corner.state_at_path(40).speed, 5, 1e-9);  // the move before keeps its own
+  EXPECT_NEAR(corner.state_at_path(80).speed, 8, 1e-9);
+}
+
+TEST(KlipperLimits, TheCruiseRatioComesByEitherWord) {
+  const double top = std::sqrt(acceleration * 4 / 2);
+  for (const char* word : {"MINIMUM_CRUISE_RATIO=0.5", "ACCEL_TO_DECEL=500"}) {
+    const Trajectory line = run_text(std::string("SET_VELOCITY_LIMIT ") + word + "\nG1 X4 F5400\n");
+    EXPECT_NEAR(line.state(line.duration() / 2).speed, top, 1e-9) << word;
+  }
+}
+
+TEST(KlipperLimits, HoldForProgramsThatRunAsTheyAreMeant) {
+  const std::string text = "M204 S500\nG1 X40 F3000\n";
+  const LoadedProgram loaded = load_program(std::make_shared<const SourceText>(SourceText("test.nc", text)));
+  EXPECT_NEAR(run(*loaded.toolpath).duration(), 40.0 / 50 + 50.0 / 500, 1e-9);
+}
+
+TEST(KlipperLimits, RejectsLinesWithoutSense) {
+  const ControlReading read = reading(
+      "M204\n"
+      "M204 P500\n"
+      "M204 S0\n"
+      "SET_VELOCITY_LIMIT MINIMUM_CRUISE_RATIO=1\n"
+      "SET_VELOCITY_LIMIT ACCEL=fast\n"
+      "SET_VELOCITY_LIMIT VELOCITY=100\n"
+      "G1 X1 F600\n");
+  std::vector<std::uint32_t> lines;
+  for (const Diagnostic& note : read.refused) {
+    lines.push_back(note.line);
+  }
+  EXPECT_THAT(lines, ElementsAre(1, 2, 3, 4, 5));
+  EXPECT_THAT(read.refused[1].message, HasSubstr("M204 needs S, or P and T"));
+  EXPECT_THAT(read.refused[4].message, HasSubstr("invalid value of ACCEL"));
+}
+
+/// *Why here?* names the limits in force at the place, not those of the machine.
+TEST(KlipperLimits, ExplainWithWhatIsInForce) {
+  const std::string text = "G1 X40 F3000\nM204 S500\nSET_VELOCITY_LIMIT VELOCITY=20\nG1 X80\nM400\nG1 X120\n";
+  const LoadedProgram loaded = load_program(std::make_shared<const SourceText>(SourceText("test.nc", text)));
+  const feedscope::Run done = simulate_run(loaded, make_setup({.machine = "klipper-corexy",
+                                                               .model = "klipper",
+                                                               .tolerance = {},
+                                                               .assignments = {"max_acceleration_m_s2=1"}}));
+  const State at = done.trajectory->state_at_path(100);
+  ASSERT_EQ(at.cause.kind, CauseKind::path_velocity);
+  EXPECT_NEAR(explain(done, at).reason.formula.value(), 20, 1e-9);
 }
 
 TEST(KlipperReading, WaitsInMilliseconds) {
