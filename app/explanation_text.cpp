@@ -38,7 +38,7 @@ std::string conclusion(const TimeReport& report) {
   text += ". ";
   if (!report.slow.groups.empty() && report.slow.groups.front().loss > worth_a_row * use.cycle_time) {
     const SlowGroup& most = report.slow.groups.front();
-    text += fmt::format("Most is lost in {}, to {}: {}. ", info_of(most.shape).title, cause_title(most.cause),
+    text += fmt::format("Most is lost in {}, to {}: {}. ", info_of(most.shape).title, lost_to(most),
                         seconds(most.loss));
   }
   if (!report.changes.best.empty()) {
@@ -160,10 +160,9 @@ std::string groups_text(const TimeReport& report) {
     }
     ++rows;
     const SlowPlace& worst = group.worst.front();
-    table.add({fmt::format("{}: {}", info_of(group.shape).title, cause_title(group.cause)),
-               seconds(group.loss), fmt::format("{}", group.count),
-               fmt::format("{}-{}", group.first_line, group.last_line), fmt::format("{}", worst.line),
-               measure_text(group)});
+    table.add({fmt::format("{}: {}", info_of(group.shape).title, lost_to(group)), seconds(group.loss),
+               fmt::format("{}", group.count), fmt::format("{}-{}", group.first_line, group.last_line),
+               fmt::format("{}", worst.line), measure_text(group)});
   }
   table.add({"elsewhere", seconds(other), "", "", "", ""});
   table.add({"all", seconds(report.slow.loss), "", "", "", ""});

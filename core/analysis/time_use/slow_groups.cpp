@@ -213,6 +213,12 @@ const PlaceShapeInfo& info_of(PlaceShape shape) {
   return shapes[static_cast<std::size_t>(shape)];
 }
 
+std::string lost_to(const SlowGroup& group) {
+  return group.kind == CauseKind::programmed_feed
+             ? QT_TRANSLATE_NOOP("core", "slowing for a lower programmed feed")
+             : cause_title(group.cause);
+}
+
 SlowGroups find_slow_groups(const Trajectory& trajectory, Progress* progress) {
   const SlowPlaces slow = find_slow_places(trajectory, most_places, progress);
   SlowGroups found;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "core/analysis/slow_places.h"
@@ -43,6 +44,10 @@ struct SlowGroup {
   double largest = 0;
   std::vector<SlowPlace> worst;  ///< those that lose most first, at most worst_places
 };
+
+/// What the places of a group lose their time to, for people: cause_title(), but for the programmed feed
+/// "slowing for a lower programmed feed", as no time is lost at the programmed feed itself.
+std::string lost_to(const SlowGroup& group);
 
 struct SlowGroups {
   static constexpr std::size_t worst_places = 20;

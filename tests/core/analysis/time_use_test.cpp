@@ -157,6 +157,19 @@ TEST(SlowGroups, CornersOfOneKindAreOneGroup) {
   EXPECT_EQ(stops, 2U) << "the start and the end of the program";
 }
 
+TEST(SlowGroups, TimeIsLostToALowerFeedAheadNotToTheProgrammedFeed) {
+  const SimulatedRun run = run_of("G21 G90\nG1 X50 F9000\nX80 F300\nM30\n", "essid");
+  const SlowGroups slow = find_slow_groups(*run.trajectory);
+  const auto lower = std::ranges::find(slow.groups, CauseKind::programmed_feed, &SlowGroup::kind);
+  ASSERT_NE(lower, slow.groups.end());
+  EXPECT_EQ(lost_to(*lower), "slowing for a lower programmed feed");
+  for (const SlowGroup& group : slow.groups) {
+    if (group.kind != CauseKind::programmed_feed) {
+      EXPECT_EQ(lost_to(group), cause_title(group.cause));
+    }
+  }
+}
+
 TEST(SlowGroups, WithEveryModelLossesAddUpToAll) {
   for (const ControlModel* model : all_models()) {
     SCOPED_TRACE(model->info().id);
