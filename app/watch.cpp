@@ -38,16 +38,29 @@ void Watch::watch() {
   const auto start = std::chrono::steady_clock::now();
   const bool terminal = is_terminal(stderr);
   for (auto event = StopSignals::Event::none; event != StopSignals::Event::wake;) {
-    event = signals_.wait(terminal ? redraw_ms : -1);
+    event = signals_.wait(terminal || in_lines_ ? redraw_ms : -1);
     if (event == StopSignals::Event::stop) {
       progress_.cancel();
     }
-    if (terminal && std::chrono::steady_clock::now() - start > quiet_time) {
+    if (in_lines_) {
+      tell();
+    } else if (terminal && std::chrono::steady_clock::now() - start > quiet_time) {
       draw(false);
     }
   }
   if (drawn_) {
     draw(true);
+  }
+}
+
+void Watch::tell() {
+  const int percent = static_cast<int>(100 * std::clamp(progress_.fraction(), 0.0, 1.0));
+  const char* const title = title_.load();
+  if (*title != '\0' && (percent != told_percent_ || title != told_title_)) {
+    fmt::print(stderr, "progress: {} {} %\n", title, percent);
+    std::fflush(stderr);
+    told_percent_ = percent;
+    told_title_ = title;
   }
 }
 

@@ -23,15 +23,23 @@ class Watch {
   Progress* stage(const char* title);
   /// The signal that cancelled work of this process, 0 if none did.
   static int stopped_by();
+  /// From now on progress is told on standard error as lines "progress: STAGE 43 %", terminal or not, for
+  /// programs that run this one.
+  static void tell_in_lines() { in_lines_ = true; }
 
  private:
   void watch();
   void draw(bool last);
+  void tell();
+
+  inline static bool in_lines_ = false;
 
   Progress progress_;
   std::atomic<const char*> title_{""};
   StopSignals signals_;
   bool drawn_ = false;
+  int told_percent_ = -1;
+  const char* told_title_ = "";
   std::thread thread_;
 };
 

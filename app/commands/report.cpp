@@ -1,21 +1,26 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <QTimeZone>
 
-#include <map>
+#include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "app/commands/command.h"
 #include "app/display_units.h"
 #include "app/exit_codes.h"
+#include "app/number_option.h"
 #include "app/output_file.h"
 #include "app/output_format.h"
 #include "app/picture_size.h"
 #include "app/print.h"
 #include "app/session_runs.h"
 #include "core/base/error.h"
+#include "core/base/nearest_name.h"
 #include "ui/report/report.h"
+#include "ui/report/template_pictures.h"
 #include "ui/theme/offscreen_application.h"
 
 namespace feedscope {
@@ -30,13 +35,56 @@ struct ReportOptions {
   std::string author;
   std::string date;
   std::string camera;  ///< "": iso, or the session's
+  std::string remarks;
+  std::string logo;                  ///< picture file
+  std::vector<std::string> without;  ///< placeholders
+  double dpi = 0;                    ///< 0: not given
+  bool progress = false;
 };
 
-const std::map<std::string, ui::ReportFormat> report_formats{{"pdf", ui::ReportFormat::pdf},
-                                                             {"html", ui::ReportFormat::html}};
+constexpr double usual_dpi = 96;
+constexpr double largest_dpi = 600;
+const std::string pages_format = "png";
+const std::vector<std::string> report_formats{"pdf", "html", pages_format};
 
-ui::ReportFormat format_of(const ReportOptions& options) {
-  return report_formats.at(output_format(options.out, options.format, {"pdf", "html"}));
+/// Throws InputError for what does not go with the format.
+std::string format_of(const ReportOptions& options) {
+  const std::string format = output_format(options.out, options.format, report_formats);
+  if (format == pages_format && options.out == "-") {
+    throw InputError("--format png writes a file for each page; give --out FILE.png instead of -");
+  }
+  if (format != pages_format && options.dpi != 0) {
+    throw InputError(fmt::format("--dpi has no effect with {}; end --out in .png", format));
+  }
+  return format;
+}
+
+/// "slot-2.png" for the second page of "slot.png".
+std::string file_of_page(const std::string& out, std::size_t page) {
+  const std::filesystem::path path(out);
+  return (path.parent_path() /
+          fmt::format("{}-{}{}", path.stem().string(), page + 1, path.extension().string()))
+      .string();
+}
+
+/// Throws InputError for a name that no placeholder of reports has.
+QStringList left_out(const ReportOptions& options) {
+  const QStringList known = ui::report_placeholders();
+  QStringList names;
+  for (const std::string& name : options.without) {
+    if (!known.contains(QString::fromStdString(name))) {
+      std::vector<std::string> all;
+      for (const QString& one : known) {
+        all.push_back(one.toStdString());
+      }
+      const std::string near = nearest_name(name, all);
+      throw InputError(fmt::format("--without '{}' is not a part of reports; {}", name,
+                                   near.empty() ? fmt::format("they are: {}", fmt::join(all, ", "))
+                                                : fmt::format("did you mean '{}'?", near)));
+    }
+    names.append(QString::fromStdString(name));
+  }
+  return names;
 }
 
 QDateTime date_of(const std::string& text) {
@@ -62,7 +110,11 @@ QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun
   add("--date", options.date);
   add("--camera", options.camera == "iso" ? "" : options.camera);
   add("--template", options.page);
+  add("--remarks", options.remarks);
+  add("--logo", options.logo);
+  add("--without", fmt::format("{}", fmt::join(options.without, ",")));
   add("--format", options.format);
+  add("--dpi", options.dpi != 0 ? fmt::format("{}", options.dpi) : "");
   add("--out", options.out);
   QStringList commands{QString::fromStdString(whole)};
   for (const AskedRun& run : runs) {
@@ -73,7 +125,10 @@ QStringList commands_of(const ReportOptions& options, const std::vector<AskedRun
 }
 
 int report(const ReportOptions& options) {
-  const ui::ReportFormat format = format_of(options);
+  const std::string format = format_of(options);
+  const QStringList without = left_out(options);
+  const QString logo =
+      options.logo.empty() ? QString() : ui::inline_picture_url(QString::fromStdString(options.logo));
   const QDateTime date = date_of(options.date);
   std::optional<ui::Session> session = asked_session(options.runs);
   if (session) {
@@ -89,8 +144,12 @@ int report(const ReportOptions& options) {
     check_outputs(session->program.string(), {options.out});
   }
   const ui::ReportTemplate page = ui::load_report_template(QString::fromStdString(options.page));
-  OutputFile out(options.out);
+  OutputFiles files;
+  std::ostream* const out = &files.add(format == pages_format ? file_of_page(options.out, 0) : options.out);
   ui::ReportInput input;
+  if (options.progress) {
+    Watch::tell_in_lines();
+  }
   {
     Watch watch;
     input = session ? simulate_session(*session, watch)
@@ -102,10 +161,23 @@ int report(const ReportOptions& options) {
       input.view = camera_views.at(options.camera.empty() ? "iso" : options.camera);
     }
     input.commands = commands_of(options, runs);
+    input.remarks = QString::fromStdString(options.remarks);
+    input.logo = logo;
+    input.without = without;
     const ui::OffscreenApplication application;
-    out.stream() << ui::make_report(input, page, format, watch.stage("drawing"));
+    Progress* const drawing = watch.stage("drawing");
+    if (format == pages_format) {
+      const std::vector<std::string> pages =
+          ui::make_report_pictures(input, page, options.dpi != 0 ? options.dpi : usual_dpi, drawing);
+      for (std::size_t i = 0; i < pages.size(); ++i) {
+        (i == 0 ? *out : files.add(file_of_page(options.out, i))) << pages[i];
+      }
+    } else {
+      *out << ui::make_report(input, page, format == "pdf" ? ui::ReportFormat::pdf : ui::ReportFormat::html,
+                              drawing);
+    }
   }
-  out.commit();
+  files.commit();
   if (!options.runs.tolerances.empty()) {
     note_replaced_tolerance(*input.program().toolpath);
   }
@@ -123,10 +195,13 @@ Command add_report_command(CLI::App& app) {
       app.add_subcommand("report", "Write a report of one or more runs of a program; needs no display");
   add_several_runs_options(*command, options->runs);
   command->add_option("--out", options->out, "The report to write; - for standard output")
-      ->type_name("FILE.pdf|FILE.html")
+      ->type_name("FILE.pdf|FILE.html|FILE.png")
       ->required();
   add_display_units_option(*command);
-  command->add_option("--format", options->format, "pdf or html [the ending of --out]")
+  command
+      ->add_option("--format", options->format,
+                   "pdf, html, or png: a picture of each page, FILE-1.png, FILE-2.png ... [the ending of "
+                   "--out]")
       ->check(CLI::IsMember(report_formats))
       ->type_name("FORMAT");
   command
@@ -134,6 +209,23 @@ Command add_report_command(CLI::App& app) {
       ->type_name("FILE.html");
   command->add_option("--title", options->title, "Title [the program's name]")->type_name("TEXT");
   command->add_option("--author", options->author, "Author of the report")->type_name("TEXT");
+  command
+      ->add_option("--remarks", options->remarks,
+                   "Words of your own below the title; an empty line begins a paragraph")
+      ->type_name("TEXT");
+  command->add_option("--logo", options->logo, "Picture above the title: PNG, JPEG or SVG")
+      ->type_name("FILE");
+  command
+      ->add_option("--without", options->without,
+                   "Parts to omit, by their names in resources/report/README.md: time_changes,charts")
+      ->delimiter(',')
+      ->type_name("NAME,...");
+  add_number_option(
+      *command, "--dpi", numbers(36, largest_dpi), [options](double dpi) { options->dpi = dpi; },
+      "Pixels an inch of pages as pictures [96]")
+      ->type_name("N");
+  command->add_flag("--progress", options->progress,
+                    "Tell the progress on standard error in lines, for programs that run this one");
   command->add_option("--date", options->date, "Date of the report [none, so that it can be reproduced]")
       ->type_name("YYYY-MM-DD");
   command

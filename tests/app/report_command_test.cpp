@@ -108,6 +108,41 @@ TEST_F(ReportCommand, FillsATemplateOfOnesOwn) {
   EXPECT_FALSE(fs::exists(folder_ / "s.html"));
 }
 
+TEST_F(ReportCommand, WritesPagesAsPictures) {
+  ASSERT_EQ(report("corner.nc --out page.png --dpi 40 --without time_changes").code, 0);
+  for (const char* name : {"page-1.png", "page-2.png"}) {
+    EXPECT_THAT(contents(folder_ / name), StartsWith("\x89PNG")) << name;
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "page.png"));
+  expect_wrong_use("report corner.nc --format png --out -", "give --out FILE.png");
+  expect_wrong_use("report corner.nc --dpi 100 --out r.pdf", "--dpi has no effect with pdf");
+}
+
+TEST_F(ReportCommand, HoldsWhatIsAskedForAndItsCommandSaysSo) {
+  write("logo.svg", "<svg xmlns='http://www.w3.org/2000/svg' width='40' height='20'/>");
+  ASSERT_EQ(
+      report("corner.nc --remarks 'In short: <1 s' --logo logo.svg --without charts,machines --out r.html")
+          .code,
+      0);
+  const std::string html = contents(folder_ / "r.html");
+  EXPECT_THAT(html, HasSubstr("<p>In short: &lt;1 s</p>"));
+  EXPECT_THAT(html, HasSubstr("<img src=\"data:image/svg+xml;base64,"));
+  EXPECT_THAT(html, HasSubstr("Where does the time go?"));
+  EXPECT_THAT(html, Not(HasSubstr("<h2>Machine</h2>")));
+  EXPECT_THAT(html, HasSubstr("--without charts,machines"));
+  expect_wrong_use("report corner.nc --without chart --out s.html", "did you mean 'charts'?");
+  expect_wrong_use("report corner.nc --logo none.png --out s.html", "picture 'none.png' cannot be read");
+  expect_wrong_use("report corner.nc --logo corner.nc --out s.html", "'corner.nc' is not a picture");
+  EXPECT_FALSE(fs::exists(folder_ / "s.html"));
+}
+
+TEST_F(ReportCommand, TellsItsProgressInLinesWhereAsked) {
+  const Result result = report("corner.nc --progress --out r.html");
+  EXPECT_EQ(result.code, 0);
+  EXPECT_THAT(result.err, HasSubstr("progress: drawing "));
+  EXPECT_THAT(contents(folder_ / "r.html"), Not(HasSubstr("--progress")));
+}
+
 TEST_F(ReportCommand, WritesTheRestOfAProgramWithErrors) {
   const Result result = report("wrong.nc --out r.html");
   EXPECT_EQ(result.code, 1);
@@ -117,7 +152,7 @@ TEST_F(ReportCommand, WritesTheRestOfAProgramWithErrors) {
 
 TEST_F(ReportCommand, WrongUseLeavesNothingBehind) {
   const std::vector<std::string> before = files();
-  expect_wrong_use("report corner.nc --out r.txt", "end it in .pdf, .html, or add --format");
+  expect_wrong_use("report corner.nc --out r.txt", "end it in .pdf, .html, .png, or add --format");
   expect_wrong_use("report corner.nc --out nowhere/r.pdf", "cannot write 'nowhere/r.pdf'");
   expect_wrong_use("report corner.nc --date yesterday --out r.pdf", "--date 'yesterday' is not a date");
   expect_wrong_use("report corner.nc --set alpah=2 --out r.pdf", "did you mean 'alpha'?");

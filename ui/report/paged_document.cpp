@@ -13,19 +13,14 @@
 
 namespace feedscope::ui {
 
-namespace {
-
-constexpr double raster_ratio = 300.0 / 96;  // 300 dots an inch
-
-}  // namespace
-
 /// Pictures of the report where the text has them.
 class PagedDocument::Pictures : public QObject, public QTextObjectInterface {
   Q_OBJECT
   Q_INTERFACES(QTextObjectInterface)
 
  public:
-  explicit Pictures(const ReportPictures& pictures) : pictures_(pictures) {}
+  Pictures(const ReportPictures& pictures, double raster_ratio)
+      : pictures_(pictures), raster_ratio_(raster_ratio) {}
 
   QSizeF intrinsicSize(QTextDocument*, int, const QTextFormat& format) override {
     const QTextImageFormat image = format.toImageFormat();
@@ -59,7 +54,7 @@ class PagedDocument::Pictures : public QObject, public QTextObjectInterface {
     painter->translate(place.topLeft());
     painter->setClipRect(QRectF(QPointF(), found->second.size), Qt::IntersectClip);
     try {
-      pictures_.paint(found->first, *painter, raster_ratio);
+      pictures_.paint(found->first, *painter, raster_ratio_);
     } catch (...) {
       failure_ = std::current_exception();  // QTextDocument passes no exceptions on
     }
@@ -88,13 +83,14 @@ class PagedDocument::Pictures : public QObject, public QTextObjectInterface {
   }
 
   const ReportPictures& pictures_;
+  double raster_ratio_;
   std::map<QString, std::optional<InlinePicture>> inside_;
   QRectF page_;
   std::exception_ptr failure_;
 };
 
-PagedDocument::PagedDocument(QString html, const ReportPictures& pictures)
-    : pictures_(std::make_unique<Pictures>(pictures)) {
+PagedDocument::PagedDocument(QString html, const ReportPictures& pictures, double raster_ratio)
+    : pictures_(std::make_unique<Pictures>(pictures, raster_ratio)) {
   document_.setDefaultFont(paper_font(11));
   document_.setUseDesignMetrics(true);
   document_.setDocumentMargin(0);

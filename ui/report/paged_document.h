@@ -19,8 +19,10 @@ inline constexpr double page_contents_height = page_height - page_margin_top - p
 /// HTML with its pictures, laid out in the width of a report and cut into pages.
 class PagedDocument {
  public:
-  /// `pictures` outlive this.
-  PagedDocument(QString html, const ReportPictures& pictures);
+  static constexpr double print_ratio = 300.0 / 96;  ///< 300 dots an inch
+
+  /// `pictures` outlive this. `raster_ratio`: pixels of rasters to 1/96 inch.
+  PagedDocument(QString html, const ReportPictures& pictures, double raster_ratio = print_ratio);
   ~PagedDocument();
 
   const QTextDocument& text() const { return document_; }

@@ -9,6 +9,7 @@
 
 #include "ui/report/paged_document.h"
 #include "ui/report/pdf_file.h"
+#include "ui/report/picture_file.h"
 #include "ui/theme/fonts.h"
 
 namespace feedscope::ui {
@@ -47,6 +48,15 @@ void draw_margins(QPainter& painter, const PageTexts& texts, int page, int pages
   painter.drawLine(QPointF(margin_side, rule), QPointF(margin_side + report_width, rule));
 }
 
+/// A page with its margins, its upper left corner at 0, 0 [1/96 inch].
+void draw_page(QPainter& painter, PagedDocument& document, const PageTexts& texts, int page) {
+  painter.save();
+  painter.translate(margin_side, margin_top);
+  document.draw(painter, page);
+  painter.restore();
+  draw_margins(painter, texts, page, static_cast<int>(document.pages().size()));
+}
+
 std::vector<PdfBookmark> bookmarks_of(const PagedDocument& document) {
   std::vector<PdfBookmark> bookmarks;
   const QTextDocument& text = document.text();
@@ -82,16 +92,29 @@ std::string paged_pdf(const QString& html, const ReportPictures& pictures, const
     if (page > 0) {
       writer.newPage();
     }
-    painter.save();
-    painter.translate(margin_side, margin_top);
-    document.draw(painter, page);
-    painter.restore();
-    draw_margins(painter, texts, page, pages);
+    draw_page(painter, document, texts, page);
   }
   painter.end();
   const QString date =
       texts.date.isValid() ? texts.date.toUTC().toString(QStringLiteral("'D:'yyyyMMddHHmmss'Z'")) : QString();
   return finished_pdf(buffer.data().toStdString(), {texts.title, texts.author, date, bookmarks_of(document)});
+}
+
+std::vector<std::string> paged_pictures(const QString& html, const ReportPictures& pictures,
+                                        const PageTexts& texts, double dpi) {
+  constexpr double units_an_inch = 96;
+  const double scale = dpi / units_an_inch;
+  PagedDocument document(html, pictures, scale);
+  std::vector<std::string> files;
+  for (int page = 0; page < static_cast<int>(document.pages().size()); ++page) {
+    PictureSpec spec;
+    spec.size = QSizeF(page_width, page_height);
+    spec.scale = scale;
+    spec.title = texts.title;
+    files.push_back(
+        make_picture(spec, [&](QPainter& painter) { draw_page(painter, document, texts, page); }));
+  }
+  return files;
 }
 
 }  // namespace feedscope::ui

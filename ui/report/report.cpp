@@ -1,15 +1,19 @@
 #include "ui/report/report.h"
 
+#include <QRegularExpression>
 #include <functional>
 #include <utility>
 #include <vector>
 
+#include "ui/report/html_table.h"
 #include "ui/report/paged_pdf.h"
 #include "ui/report/report_circles.h"
 #include "ui/report/report_contour.h"
 #include "ui/report/report_html.h"
 #include "ui/report/report_load.h"
+#include "ui/report/report_numbers.h"
 #include "ui/report/report_tables.h"
+#include "ui/report/report_time.h"
 #include "ui/report/template_pictures.h"
 
 namespace feedscope::ui {
@@ -29,6 +33,30 @@ QString commands_block(const ReportInput& input) {
 
 QString date_text(const ReportInput& input) {
   return input.date.isValid() ? input.date.toString(QStringLiteral("yyyy-MM-dd")) : QString();
+}
+
+QString remarks_block(const ReportInput& input) {
+  QString html;
+  static const QRegularExpression empty_lines(QStringLiteral("\\n\\s*\\n"));
+  for (const QString& paragraph : input.remarks.split(empty_lines, Qt::SkipEmptyParts)) {
+    if (!paragraph.trimmed().isEmpty()) {
+      html += QStringLiteral("<p>%1</p>\n")
+                  .arg(html_text(paragraph.trimmed()).replace('\n', QStringLiteral("<br/>")));
+    }
+  }
+  return html;
+}
+
+QString logo_block(const ReportInput& input) {
+  if (input.logo.isEmpty()) {
+    return {};
+  }
+  constexpr double height = 48;  // [1/96 inch]
+  constexpr double largest_width = 240;
+  const auto picture = InlinePicture::from_url(input.logo);
+  const QSizeF size = picture->size().scaled(largest_width, height, Qt::KeepAspectRatio);
+  return QStringLiteral("<img src=\"%1\" width=\"%2\" height=\"%3\" alt=\"Logo\"/>")
+      .arg(input.logo, fixed(size.width(), 0), fixed(size.height(), 0));
 }
 
 struct Block {
@@ -54,6 +82,8 @@ const std::vector<Block>& blocks() {
       {"title", plain([](const ReportInput& input) { return input.heading().toHtmlEscaped(); })},
       {"author", plain([](const ReportInput& input) { return input.author.toHtmlEscaped(); })},
       {"date", plain(date_text)},
+      {"logo", plain(logo_block)},
+      {"remarks", plain(remarks_block)},
       {"program", plain([](const ReportInput& input) {
          return program_file_name(*input.program().program).toHtmlEscaped();
        })},
@@ -64,6 +94,9 @@ const std::vector<Block>& blocks() {
       {"version", plain([](const ReportInput&) { return QStringLiteral(FEEDSCOPE_VERSION); })},
       {"summary", plain(summary_block)},
       {"comparison_table", plain(comparison_block)},
+      {"time_use", plain(time_use_block)},
+      {"time_places", plain(time_places_block)},
+      {"time_changes", plain(time_changes_block)},
       {"comparison_bars", for_several(bars_block)},
       {"peaks_table", plain(peaks_block)},
       {"causes_table", plain(causes_block)},
@@ -108,10 +141,15 @@ ReportTemplate load_report_template(const QString& file) {
 
 ReportPage report_page(const ReportInput& asked, const ReportTemplate& page, ReportFormat format,
                        Progress* progress) {
-  const QStringList wanted = page.placeholders();
+  const auto wanted = [&asked, names = page.placeholders()](const char* name) {
+    return names.contains(QLatin1String(name)) && !asked.without.contains(QLatin1String(name));
+  };
   ReportInput input = with_contour_reports(asked, progress);
-  if (wanted.contains(QStringLiteral("circles")) || wanted.contains(QStringLiteral("circle_plots"))) {
+  if (wanted("circles") || wanted("circle_plots")) {
     input = with_circles(std::move(input), progress);
+  }
+  if (wanted("time_use") || wanted("time_places") || wanted("time_changes")) {
+    input = with_time_report(std::move(input), wanted("time_changes"), progress);
   }
   ReportPage result{{}, ReportPictures(progress)};
   result.html = page.filled([&](const QString& name) {
@@ -119,7 +157,7 @@ ReportPage report_page(const ReportInput& asked, const ReportTemplate& page, Rep
       return format == ReportFormat::html ? name : QString();
     }
     for (const Block& block : blocks()) {
-      if (name == QLatin1String(block.name)) {
+      if (name == QLatin1String(block.name) && !input.without.contains(name)) {
         return block.make(input, result.pictures);
       }
     }
@@ -135,6 +173,12 @@ std::string make_report(const ReportInput& input, const ReportTemplate& page, Re
   return format == ReportFormat::pdf
              ? paged_pdf(report.html, report.pictures, {input.heading(), input.author, input.date})
              : report_html(report.html, report.pictures);
+}
+
+std::vector<std::string> make_report_pictures(const ReportInput& input, const ReportTemplate& page,
+                                              double dpi, Progress* progress) {
+  const ReportPage report = report_page(input, page, ReportFormat::pdf, progress);
+  return paged_pictures(report.html, report.pictures, {input.heading(), input.author, input.date}, dpi);
 }
 
 }  // namespace feedscope::ui

@@ -3,6 +3,7 @@
 #include <QString>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "ui/report/report_input.h"
 #include "ui/report/report_pictures.h"
@@ -32,5 +33,8 @@ ReportPage report_page(const ReportInput& input, const ReportTemplate& page, Rep
 /// Cancelled if `progress` is cancelled.
 std::string make_report(const ReportInput& input, const ReportTemplate& page, ReportFormat format,
                         Progress* progress = nullptr);
+/// The pages of the PDF file as pictures: a PNG file each, with `dpi` pixels an inch. As make_report().
+std::vector<std::string> make_report_pictures(const ReportInput& input, const ReportTemplate& page,
+                                              double dpi, Progress* progress = nullptr);
 
 }  // namespace feedscope::ui

@@ -10,6 +10,7 @@
 
 #include "core/analysis/circularity/program_circles.h"
 #include "core/analysis/contour/contour_report.h"
+#include "core/analysis/time_use/time_report.h"
 #include "ui/charts/charts_state.h"
 #include "ui/scene/scene_state.h"
 #include "ui/scene/scene_style.h"
@@ -43,9 +44,14 @@ struct ReportInput {
   QString title;         ///< empty: the program's name
   QString author;        ///< may be empty
   QDateTime date;        ///< invalid: no date is written
+  QString remarks;       ///< words of the author's own; an empty line begins a new paragraph
+  QString logo;          ///< data: URL of a picture as inline_picture_url(); may be empty
   QStringList commands;  ///< command lines that make this again
+  QStringList without;   ///< placeholders of the template that stay empty
   /// Of the current run; until with_circles().
   std::shared_ptr<const ProgramCircles> circles = nullptr;
+  /// Of the current run; until with_time_report().
+  std::shared_ptr<const TimeReport> time = nullptr;
 
   const ReportRun& run() const { return runs[current]; }
   const LoadedProgram& program() const { return runs.front().shown->run.input; }

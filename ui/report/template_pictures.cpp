@@ -18,6 +18,32 @@ namespace {
 
 constexpr qint64 largest_picture = 64 << 20;  // [bytes]
 
+QString type_of(const QByteArray& bytes) {
+  return bytes.startsWith("\x89PNG")      ? QStringLiteral("image/png")
+         : bytes.startsWith("\xff\xd8")   ? QStringLiteral("image/jpeg")
+         : bytes.startsWith("GIF8")       ? QStringLiteral("image/gif")
+         : bytes.mid(8, 4) == "WEBP"      ? QStringLiteral("image/webp")
+         : bytes.startsWith("BM")         ? QStringLiteral("image/bmp")
+         : bytes.left(1024).contains("<") ? QStringLiteral("image/svg+xml")
+                                          : QStringLiteral("image/unknown");
+}
+
+/// A file as a data: URL. Throws InputError that says what is wrong with it, without its name.
+QString picture_url(const QString& path) {
+  QFile file(path);
+  if (!file.open(QIODevice::ReadOnly)) {
+    throw InputError(fmt::format("cannot be read: {}", file.errorString().toStdString()));
+  }
+  if (file.size() > largest_picture) {
+    throw InputError(fmt::format("has {} bytes, and a picture may have {}", file.size(), largest_picture));
+  }
+  const QByteArray bytes = file.readAll();
+  if (!InlinePicture::from_bytes(bytes)) {
+    throw InputError("is not a picture; PNG, JPEG, SVG and other formats of Qt are supported");
+  }
+  return QStringLiteral("data:%1;base64,%2").arg(type_of(bytes), QString::fromLatin1(bytes.toBase64()));
+}
+
 class PictureReader {
  public:
   PictureReader(const QString& text, const QString& name) : text_(text), name_(name) {}
@@ -68,29 +94,13 @@ class PictureReader {
       fail(source, "is a URL; save the picture in the template's folder and give its file name");
     }
     const QString path = QFileInfo(name_).absoluteDir().filePath(source);
-    QFile file(path);
-    if (!file.open(QIODevice::ReadOnly)) {
-      fail(source, fmt::format("cannot be read: {}; pictures are looked for in the template's folder",
-                               file.errorString().toStdString()));
+    try {
+      return picture_url(path);
+    } catch (const InputError& error) {
+      const bool found = QFileInfo::exists(path);
+      fail(source, found ? error.what()
+                         : fmt::format("{}; pictures are looked for in the template's folder", error.what()));
     }
-    if (file.size() > largest_picture) {
-      fail(source, fmt::format("has {} bytes, and a picture may have {}", file.size(), largest_picture));
-    }
-    const QByteArray bytes = file.readAll();
-    if (!InlinePicture::from_bytes(bytes)) {
-      fail(source, "is not a picture; PNG, JPEG, SVG and other formats of Qt are supported");
-    }
-    return QStringLiteral("data:%1;base64,%2").arg(type_of(bytes), QString::fromLatin1(bytes.toBase64()));
-  }
-
-  static QString type_of(const QByteArray& bytes) {
-    return bytes.startsWith("\x89PNG")      ? QStringLiteral("image/png")
-           : bytes.startsWith("\xff\xd8")   ? QStringLiteral("image/jpeg")
-           : bytes.startsWith("GIF8")       ? QStringLiteral("image/gif")
-           : bytes.mid(8, 4) == "WEBP"      ? QStringLiteral("image/webp")
-           : bytes.startsWith("BM")         ? QStringLiteral("image/bmp")
-           : bytes.left(1024).contains("<") ? QStringLiteral("image/svg+xml")
-                                            : QStringLiteral("image/unknown");
   }
 
   const QString& text_;
@@ -102,6 +112,14 @@ class PictureReader {
 
 QString with_pictures_inside(const QString& text, const QString& name) {
   return PictureReader(text, name).read();
+}
+
+QString inline_picture_url(const QString& file) {
+  try {
+    return picture_url(file);
+  } catch (const InputError& error) {
+    throw InputError(fmt::format("picture '{}' {}", file.toStdString(), error.what()));
+  }
 }
 
 std::optional<InlinePicture> InlinePicture::from_url(const QString& url) {

@@ -16,6 +16,9 @@ namespace feedscope::ui {
 /// not one, an address in the web, and a style sheet outside the page, which pages of paper would miss.
 QString with_pictures_inside(const QString& text, const QString& name);
 
+/// The picture in `file` as a data: URL. Throws InputError naming it if it cannot be read or is no picture.
+QString inline_picture_url(const QString& file);
+
 /// The picture in a data: URL.
 class InlinePicture {
  public:

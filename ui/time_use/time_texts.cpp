@@ -60,17 +60,13 @@ QString TimeTexts::cause(Cause cause) {
 }
 
 QString TimeTexts::group(const SlowGroup& group) {
-  return tr("%1: %2").arg(with_capital(core_title(info_of(group.shape).title)),
-                          core_text(cause_title(group.cause)));
+  return tr("%1: %2").arg(with_capital(core_title(info_of(group.shape).title)), core_text(lost_to(group)));
 }
 
-QString TimeTexts::in_common(const SlowGroup& group) {
+QString TimeTexts::measure(const SlowGroup& group) {
   const PlaceShapeInfo& info = info_of(group.shape);
-  const QString count = group.count == 1
-                            ? tr("1 place")
-                            : tr("%1 places").arg(QLocale().toString(static_cast<qulonglong>(group.count)));
   if (info.measure.empty()) {
-    return count;
+    return {};
   }
   const auto value = [&](double inside) {
     return info.dimension == Dimension::angle ? tr("%1°").arg(significant_number(units::to_deg(inside), 3))
@@ -78,9 +74,17 @@ QString TimeTexts::in_common(const SlowGroup& group) {
   };
   const QString what = core_title(info.measure);
   return value(group.smallest) == value(group.largest)
-             ? tr("%1, %2 %3").arg(count, what, value(group.median))
-             : tr("%1, %2 %3 to %4, median %5")
-                   .arg(count, what, value(group.smallest), value(group.largest), value(group.median));
+             ? tr("%1 %2").arg(what, value(group.median))
+             : tr("%1 %2 to %3, median %4")
+                   .arg(what, value(group.smallest), value(group.largest), value(group.median));
+}
+
+QString TimeTexts::in_common(const SlowGroup& group) {
+  const QString count = group.count == 1
+                            ? tr("1 place")
+                            : tr("%1 places").arg(QLocale().toString(static_cast<qulonglong>(group.count)));
+  const QString measured = measure(group);
+  return measured.isEmpty() ? count : tr("%1, %2").arg(count, measured);
 }
 
 QString TimeTexts::operation(const OperationTime& operation, OperationSplit split) {

@@ -20,6 +20,8 @@ class TimeTexts {
   static QString cause(Cause cause);
   /// "Corners: radial jerk on a blend".
   static QString group(const SlowGroup& group);
+  /// "turn 4.9° to 90°, median 5°"; "" for shapes without a measure.
+  static QString measure(const SlowGroup& group);
   /// "3200 places, turn 4.9° to 90°, median 5°".
   static QString in_common(const SlowGroup& group);
   /// "Tool 3", the heading as it is, or what runs before the first tool.

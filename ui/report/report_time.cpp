@@ -1,0 +1,169 @@
+#include "ui/report/report_time.h"
+
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "core/analysis/time_use/time_report.h"
+#include "core/base/units.h"
+#include "ui/language/remedy_text.h"
+#include "ui/language/shown_numbers.h"
+#include "ui/language/texts.h"
+#include "ui/report/html_table.h"
+#include "ui/report/report_numbers.h"
+#include "ui/time_use/time_texts.h"
+
+namespace feedscope::ui {
+
+namespace {
+
+constexpr std::size_t most_rows = 12;
+constexpr double worth_a_row = 5e-4;  // of the cycle time
+
+QString seconds(double time) {
+  return fixed(time, 3);
+}
+
+QString percent(double part, double of) {
+  return of > 0 ? fixed(100 * part / of, 1) : QStringLiteral("–");
+}
+
+QString small(const QString& text) {
+  return QStringLiteral("<p class=\"small\">%1</p>\n").arg(text);
+}
+
+QString kinds_table(const TimeUse& use) {
+  HtmlTable table("lrrrr", {36, 16, 16, 16, 16});
+  table.add_head({QString(), QStringLiteral("Time [s]"), QStringLiteral("Share [%]"),
+                  QStringLiteral("Programmed [s]"), QStringLiteral("Lost [s]")});
+  const auto add = [&](const QString& title, const TimeShare& share) {
+    table.add({title, seconds(share.time), percent(share.time, use.cycle_time), seconds(share.programmed),
+               seconds(share.lost())});
+  };
+  for (std::size_t i = 0; i < time_kind_count; ++i) {
+    const TimeShare& share = use.kinds[i];
+    if (share.time > 0 || share.programmed > 0) {
+      add(TimeTexts::kind(static_cast<TimeKind>(i)), share);
+    }
+  }
+  add(QStringLiteral("<b>All</b>"), {use.cycle_time, use.programmed_time});
+  return table.html();
+}
+
+/// Those that take most, in the order of the program.
+std::vector<std::size_t> longest_operations(const TimeUse& use) {
+  std::vector<std::size_t> rows(use.operations.size());
+  std::iota(rows.begin(), rows.end(), std::size_t{0});
+  std::ranges::stable_sort(rows, std::greater(), [&](std::size_t i) { return use.operations[i].all.time; });
+  rows.resize(std::min(rows.size(), most_rows));
+  std::ranges::sort(rows);
+  return rows;
+}
+
+QString operations_table(const TimeUse& use) {
+  if (use.operations.empty()) {
+    return {};
+  }
+  HtmlTable table("lrrrrrl", {26, 8, 11, 9, 11, 11, 24});
+  table.add_head({use.split == OperationSplit::tool ? QStringLiteral("Operation by tool")
+                                                    : QStringLiteral("Operation by comment"),
+                  QStringLiteral("Line"), QStringLiteral("Time [s]"), QStringLiteral("Share [%]"),
+                  QStringLiteral("Lost [s]"), QStringLiteral("Rapids [s]"), QStringLiteral("Loses most to")});
+  for (const std::size_t row : longest_operations(use)) {
+    const OperationTime& operation = use.operations[row];
+    const bool loses = operation.worst.lost > worth_a_row * use.cycle_time;
+    table.add({html_text(TimeTexts::operation(operation, use.split)), QString::number(operation.line),
+               seconds(operation.all.time), percent(operation.all.time, use.cycle_time),
+               seconds(operation.all.lost()), seconds(operation.rapid),
+               loses ? html_text(TimeTexts::cause(operation.worst.cause)) : QStringLiteral("–")});
+  }
+  QString html = table.html();
+  if (use.operations.size() > most_rows) {
+    html += small(QStringLiteral("The %1 operations of %2 that take longest.")
+                      .arg(most_rows)
+                      .arg(use.operations.size()));
+  }
+  return html;
+}
+
+QString change_title(const ReportInput& input, const TriedChange& change) {
+  return html_text(remedy_text(change.remedy, input.run().shown->run.setup));
+}
+
+}  // namespace
+
+ReportInput with_time_report(ReportInput input, bool with_changes, Progress* progress) {
+  const Run& run = input.run().shown->run;
+  TimeReport report;
+  report.use = time_use(run, OperationSplit::none, progress);
+  report.slow = find_slow_groups(*run.trajectory, progress);
+  if (with_changes && report.use.cycle_time > 0) {
+    report.changes = try_changes(run, changes_worth_trying(run, report.use), progress);
+  }
+  input.time = std::make_shared<const TimeReport>(std::move(report));
+  return input;
+}
+
+QString time_use_block(const ReportInput& input) {
+  const TimeReport& report = *input.time;
+  if (!(report.use.cycle_time > 0)) {
+    return {};
+  }
+  return QStringLiteral("<p>%1</p>\n").arg(TimeTexts::conclusion(report)) + kinds_table(report.use) +
+         operations_table(report.use);
+}
+
+QString time_places_block(const ReportInput& input) {
+  const TimeReport& report = *input.time;
+  HtmlTable table("llrrrr", {32, 32, 10, 9, 8, 9});
+  table.add_head({QStringLiteral("Places"), QStringLiteral("In common"), QStringLiteral("Lost [s]"),
+                  QStringLiteral("Share [%]"), QStringLiteral("Number"), QStringLiteral("Worst line")});
+  std::size_t rows = 0;
+  for (const SlowGroup& group : report.slow.groups) {
+    if (rows == most_rows || group.loss < worth_a_row * report.use.cycle_time) {
+      break;
+    }
+    ++rows;
+    table.add({html_text(TimeTexts::group(group)), html_text(TimeTexts::measure(group)), seconds(group.loss),
+               percent(group.loss, report.slow.loss), QString::number(group.count),
+               QString::number(group.worst.front().line)});
+  }
+  return table.empty() ? QString()
+                       : table.html() + small(QStringLiteral("Share: of all the time that is lost along the "
+                                                             "path against the programmed feed."));
+}
+
+QString time_changes_block(const ReportInput& input) {
+  const ChangeTrials& trials = input.time->changes;
+  if (trials.tried.empty()) {
+    return {};
+  }
+  if (trials.best.empty()) {
+    return QStringLiteral("<p>None of the %1 changes that were simulated helps.</p>\n")
+        .arg(trials.tried.size());
+  }
+  const double now = input.time->use.cycle_time;
+  HtmlTable table("lrrrr", {48, 14, 13, 11, 14});
+  table.add_head({QStringLiteral("Change"), QStringLiteral("Cycle time [s]"), QStringLiteral("Gain [s]"),
+                  QStringLiteral("Gain [%]"),
+                  with_unit_of(QStringLiteral("Contour error"), Dimension::error)});
+  const auto add = [&](const QString& title, double time, const std::optional<double>& error) {
+    table.add({title, seconds(time), seconds(now - time), percent(now - time, now),
+               error ? error_number(*error) : QStringLiteral("–")});
+  };
+  table.add({QStringLiteral("As it is"), seconds(now), QStringLiteral("–"), QStringLiteral("–"),
+             error_number(input.run().shown->run.summary.max_contour_error)});
+  for (const std::size_t i : trials.best) {
+    add(change_title(input, trials.tried[i]), trials.tried[i].cycle_time, trials.tried[i].max_contour_error);
+  }
+  if (trials.together) {
+    add(QStringLiteral("Those of this machine together"), trials.together->cycle_time,
+        trials.together->max_contour_error);
+  }
+  return table.html() +
+         small(QStringLiteral("The best of %1 changes of the whole program, each simulated. Whether machine, "
+                              "tool and material bear it is not checked.")
+                   .arg(trials.tried.size()));
+}
+
+}  // namespace feedscope::ui
