@@ -432,6 +432,77 @@
     </message>
 </context>
 <context>
+    <name>ReportParts</name>
+    <message>
+        <source>Summary</source>
+        <translation>Résumé</translation>
+    </message>
+    <message>
+        <source>Comparison of the runs</source>
+        <translation>Comparaison des simulations</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>Vue 3D</translation>
+    </message>
+    <message>
+        <source>Annotations</source>
+        <translation>Annotations</translation>
+    </message>
+    <message>
+        <source>Where does the time go?</source>
+        <translation>Où passe le temps ?</translation>
+    </message>
+    <message>
+        <source>What would help (simulated)</source>
+        <translation>Quels remèdes (simulés)</translation>
+    </message>
+    <message>
+        <source>Time by limiting cause</source>
+        <translation>Temps par cause limitante</translation>
+    </message>
+    <message>
+        <source>Axes against their limits</source>
+        <translation>Axes face à leurs limites</translation>
+    </message>
+    <message>
+        <source>Charts</source>
+        <translation>Graphiques</translation>
+    </message>
+    <message>
+        <source>Places that lose most, with close-ups</source>
+        <translation>Endroits qui perdent le plus, en gros plan</translation>
+    </message>
+    <message>
+        <source>Contour error, with close-ups</source>
+        <translation>Erreur de contour, en gros plan</translation>
+    </message>
+    <message>
+        <source>Circular test</source>
+        <translation>Essai circulaire</translation>
+    </message>
+    <message>
+        <source>Cutting load</source>
+        <translation>Charge de coupe</translation>
+    </message>
+    <message>
+        <source>Program</source>
+        <translation>Programme</translation>
+    </message>
+    <message>
+        <source>Messages of the reader</source>
+        <translation>Messages de lecture</translation>
+    </message>
+    <message>
+        <source>Machine with sources</source>
+        <translation>Machine avec ses sources</translation>
+    </message>
+    <message>
+        <source>Settings and control models</source>
+        <translation>Réglages et modèles de commande</translation>
+    </message>
+</context>
+<context>
     <name>RowCopy</name>
     <message>
         <source>&amp;Copy the table</source>
@@ -757,14 +828,6 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <translation>%1°</translation>
     </message>
     <message>
-        <source>%1, %2 %3</source>
-        <translation>%1&#xa0;: %2 %3 {1,?}</translation>
-    </message>
-    <message>
-        <source>%1, %2 %3 to %4, median %5</source>
-        <translation>%1, %2 %3 à %4, médiane %5</translation>
-    </message>
-    <message>
         <source>Before the first tool</source>
         <translation>Avant le premier outil</translation>
     </message>
@@ -791,6 +854,18 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>Nothing in this program takes time.</source>
         <translation>Rien dans ce programme ne prend de temps.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>%1 %2 to %3, median %4</source>
+        <translation>%1 %2 à %3, médiane %4</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
     </message>
 </context>
 <context>
@@ -2111,7 +2186,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Velocity, acceleration and jerk of the axis, from rest to rest.</source>
-        <translation>Vitesse, accélération et jerk de l'axe, d'un arrêt à l'autre.</translation>
+        <translation>Vitesse, accélération et jerk de l&apos;axe, d&apos;un arrêt à l&apos;autre.</translation>
     </message>
     <message>
         <source>Velocity, acceleration and jerk of Z.</source>
@@ -2123,7 +2198,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>Speed through a corner over its angle: tolerance or corner rule, and how far the control leaves the corner.</source>
-        <translation>Vitesse dans un coin selon son angle : tolérance ou règle de coin, et de combien la commande s'écarte du coin.</translation>
+        <translation>Vitesse dans un coin selon son angle : tolérance ou règle de coin, et de combien la commande s&apos;écarte du coin.</translation>
     </message>
     <message>
         <source>Acceleration and jerk across the path, by radius.</source>
@@ -2135,7 +2210,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>The model does not explain the traces: a value of it would say nothing of the machine.</source>
-        <translation>Le modèle n'explique pas les traces : une de ses valeurs ne dirait rien de la machine.</translation>
+        <translation>Le modèle n&apos;explique pas les traces : une de ses valeurs ne dirait rien de la machine.</translation>
     </message>
     <message>
         <source>It changes nothing that these traces show.</source>
@@ -2143,7 +2218,7 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     </message>
     <message>
         <source>These traces never reach it: larger values show the same.</source>
-        <translation>Ces traces ne l'atteignent jamais : de plus grandes valeurs montrent la même chose.</translation>
+        <translation>Ces traces ne l&apos;atteignent jamais : de plus grandes valeurs montrent la même chose.</translation>
     </message>
     <message>
         <source>These traces show the same with smaller values.</source>
@@ -2156,6 +2231,10 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>It cannot be told apart from the others by these traces.</source>
         <translation>Ces traces ne permettent pas de la distinguer des autres.</translation>
+    </message>
+    <message>
+        <source>slowing for a lower programmed feed</source>
+        <translation>ralentissement vers une avance programmée plus faible</translation>
     </message>
 </context>
 <context>
@@ -3415,6 +3494,14 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>Machine files and configurations of controls (*.toml *.ini *.cfg *.g *.txt *.tea *.mp);;All files (*)</source>
         <translation>Fichiers machine et configurations de commandes (*.toml *.ini *.cfg *.g *.txt *.tea *.mp);;Tous les fichiers (*)</translation>
     </message>
+    <message>
+        <source>Re&amp;port …</source>
+        <translation>Ra&amp;pport …</translation>
+    </message>
+    <message>
+        <source>Report as PDF or HTML, to print or to send, with a preview of its pages</source>
+        <translation>Rapport en PDF ou HTML, à imprimer ou à envoyer, avec un aperçu de ses pages</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::FindBar</name>
@@ -4145,6 +4232,17 @@ Utiliser la machine qu’elle décrit pour la simulation courante ?</translation
     </message>
 </context>
 <context>
+    <name>feedscope::ui::PagePreview</name>
+    <message>
+        <source>Preview of the report</source>
+        <translation>Aperçu du rapport</translation>
+    </message>
+    <message>
+        <source>Page %1</source>
+        <translation>Page %1</translation>
+    </message>
+</context>
+<context>
     <name>feedscope::ui::PictureCommands</name>
     <message>
         <source>&amp;3D view</source>
@@ -4704,6 +4802,140 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Here</source>
         <translation>Ici</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ReportDialog</name>
+    <message>
+        <source>With the date of today</source>
+        <translation>Avec la date du jour</translation>
+    </message>
+    <message>
+        <source>Save the session beside it, to make it again</source>
+        <translation>Enregistrer la session à côté, pour le refaire</translation>
+    </message>
+    <message>
+        <source>&amp;Save report …</source>
+        <translation>&amp;Enregistrer …</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Fermer</translation>
+    </message>
+    <message>
+        <source>as supplied</source>
+        <translation>fourni avec Feedscope</translation>
+    </message>
+    <message>
+        <source>What is to be said first, in your words</source>
+        <translation>Ce qui est à dire d’abord, en vos mots</translation>
+    </message>
+    <message>
+        <source>Own words</source>
+        <translation>Texte libre</translation>
+    </message>
+    <message>
+        <source>&amp;Title</source>
+        <translation>&amp;Titre</translation>
+    </message>
+    <message>
+        <source>&amp;Author</source>
+        <translation>&amp;Auteur</translation>
+    </message>
+    <message>
+        <source>&amp;Own words</source>
+        <translation>Texte &amp;libre</translation>
+    </message>
+    <message>
+        <source>&amp;Logo</source>
+        <translation>Lo&amp;go</translation>
+    </message>
+    <message>
+        <source>Picture above the title: PNG, JPEG or SVG</source>
+        <translation>Image au-dessus du titre : PNG, JPEG ou SVG</translation>
+    </message>
+    <message>
+        <source>T&amp;emplate</source>
+        <translation>&amp;Modèle</translation>
+    </message>
+    <message>
+        <source>HTML template of your own</source>
+        <translation>Modèle HTML personnel</translation>
+    </message>
+    <message>
+        <source>&amp;Runs</source>
+        <translation>&amp;Simulations</translation>
+    </message>
+    <message>
+        <source>What &amp;goes in</source>
+        <translation>&amp;Contenu</translation>
+    </message>
+    <message>
+        <source>Writes a session file of the same name, and the command that makes the report of it</source>
+        <translation>Écrit un fichier de session du même nom, et la commande qui en fait le rapport</translation>
+    </message>
+    <message>
+        <source>Tick a run at least.</source>
+        <translation>Cocher au moins une simulation.</translation>
+    </message>
+    <message>
+        <source>Making the preview …</source>
+        <translation>Aperçu en préparation …</translation>
+    </message>
+    <message>
+        <source>1 page</source>
+        <translation>1 page</translation>
+    </message>
+    <message>
+        <source>%1 pages</source>
+        <translation>%1 pages</translation>
+    </message>
+    <message>
+        <source>Logo</source>
+        <translation>Logo</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg *.jpeg *.svg);;All files (*)</source>
+        <translation>Images (*.png *.jpg *.jpeg *.svg);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Template</source>
+        <translation>Modèle</translation>
+    </message>
+    <message>
+        <source>HTML (*.html *.htm);;All files (*)</source>
+        <translation>HTML (*.html *.htm);;Tous les fichiers (*)</translation>
+    </message>
+    <message>
+        <source>Save report</source>
+        <translation>Enregistrer le rapport</translation>
+    </message>
+    <message>
+        <source>Document (*.pdf);;Web page (*.html)</source>
+        <translation>Document (*.pdf);;Page web (*.html)</translation>
+    </message>
+    <message>
+        <source>%1 has been written</source>
+        <translation>%1 a été écrit</translation>
+    </message>
+    <message>
+        <source>Writing %1 …</source>
+        <translation>Écriture de %1 …</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::ReportProcess</name>
+    <message>
+        <source>%1 cannot be started: %2</source>
+        <translation>%1 ne peut pas être lancé : %2</translation>
+    </message>
+    <message>
+        <source>The report could not be made (exit code %1).</source>
+        <translation>Le rapport n’a pas pu être fait (code de retour %1).</translation>
     </message>
 </context>
 <context>
@@ -5934,6 +6166,14 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>The feed is in the program: change its F words. Runs differ only in machine, control and settings.</source>
         <translation>L&apos;avance est dans le programme&#xa0;: modifier ses mots F. Les simulations ne diffèrent que par la machine, la commande et les réglages.</translation>
+    </message>
+    <message>
+        <source>Report …</source>
+        <translation>Rapport …</translation>
+    </message>
+    <message>
+        <source>All of this as a page of a report</source>
+        <translation>Tout ceci en page d’un rapport</translation>
     </message>
 </context>
 <context>

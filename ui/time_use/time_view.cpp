@@ -64,7 +64,8 @@ TimeView::TimeView(QWidget* parent)
       state_(text_label(this)),
       progress_(new QProgressBar(this)),
       try_(new QPushButton(tr("Try changes"), this)),
-      new_run_(new QPushButton(tr("New run with this change"), this)) {
+      new_run_(new QPushButton(tr("New run with this change"), this)),
+      paper_(new QPushButton(tr("Report …"), this)) {
   tree_->setColumnCount(3);
   tree_->setHeaderHidden(true);
   tree_->header()->setStretchLastSection(false);
@@ -90,6 +91,8 @@ TimeView::TimeView(QWidget* parent)
   actions_ = {try_action_, run_action_};
   connect(try_, &QPushButton::clicked, try_action_, &QAction::trigger);
   connect(new_run_, &QPushButton::clicked, run_action_, &QAction::trigger);
+  paper_->setToolTip(tr("All of this as a page of a report"));
+  connect(paper_, &QPushButton::clicked, this, &TimeView::report_wanted);
   connect(tree_, &QTreeWidget::itemClicked, this, &TimeView::choose);
   connect(tree_, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
     choose(item);
@@ -113,6 +116,7 @@ TimeView::TimeView(QWidget* parent)
   buttons->addWidget(state_, 1);
   buttons->addWidget(try_);
   buttons->addWidget(new_run_);
+  buttons->addWidget(paper_);
   conclusion_->setContentsMargins(6, 6, 6, 6);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
@@ -236,6 +240,7 @@ void TimeView::show_state(const QString& failure) {
   state_->setText(!failure.isEmpty() ? failure : trying ? tr("Simulating what would help …") : QString());
   try_->setVisible(shown_ != nullptr && !job_.busy() && !tried_);
   try_action_->setEnabled(shown_ != nullptr);
+  paper_->setVisible(report_ != nullptr && !job_.busy());
   show_actions();
 }
 

@@ -46,6 +46,8 @@ class TimeView : public Panel {
   void time_chosen(double time);
   /// A run with this setup is wanted beside the current one.
   void run_wanted(const feedscope::ui::SetupState& setup);
+  /// What is said here is wanted on paper.
+  void report_wanted();
 
  protected:
   void showEvent(QShowEvent* event) override;
@@ -69,6 +71,7 @@ class TimeView : public Panel {
   QProgressBar* progress_;
   QPushButton* try_;
   QPushButton* new_run_;
+  QPushButton* paper_;
   QAction* try_action_ = nullptr;
   QAction* run_action_ = nullptr;
   QList<QAction*> actions_;

@@ -1,5 +1,6 @@
 #include "ui/window/file_menu.h"
 
+#include <QCoreApplication>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
@@ -13,6 +14,7 @@
 #include "ui/shared/paths.h"
 #include "ui/window/main_window.h"
 #include "ui/window/picture_commands.h"
+#include "ui/window/report_dialog.h"
 #include "ui/workbench/recent_files.h"
 
 namespace feedscope::ui {
@@ -25,7 +27,7 @@ FileMenu::FileMenu(Workbench& workbench, WindowSession& session, MainWindow& win
   addSeparator();
   add_machines();
   addSeparator();
-  add_pictures();
+  add_paper();
   addSeparator();
   connect(add(tr("&Quit"), QKeySequence::Quit, tr("Quit Feedscope")), &QAction::triggered, &window_,
           &QWidget::close);
@@ -80,7 +82,13 @@ void FileMenu::add_machines() {
           &QAction::triggered, this, &FileMenu::save_machine);
 }
 
-void FileMenu::add_pictures() {
+void FileMenu::add_paper() {
+  QAction* report = add(tr("Re&port …"), QKeySequence::Print,
+                        tr("Report as PDF or HTML, to print or to send, with a preview of its pages"));
+  connect(report, &QAction::triggered, this, &FileMenu::ask_for_report);
+  const auto follow = [this, report] { report->setEnabled(workbench_.program() != nullptr); };
+  connect(&workbench_, &Workbench::program_changed, report, follow);
+  follow();
   auto* pictures = new PictureCommands(window_);
   addMenu(tr("Save &picture"))->addActions(pictures->save_actions());
   addMenu(tr("&Copy picture"))->addActions(pictures->copy_actions());
@@ -122,6 +130,22 @@ void FileMenu::ask_for_program_in(const QString& folder) {
   if (!file.isEmpty()) {
     window_.open(to_path(file));
   }
+}
+
+void FileMenu::ask_for_report() {
+  if (workbench_.program() == nullptr) {
+    return;
+  }
+  constexpr double long_simulation = 5;  // of one run [s]
+  ReportDialog::Subject subject;
+  subject.session = session_.capture();
+  subject.run_names = run_titles(workbench_.runs().items(), workbench_.runs().feed_controls());
+  const auto shown = workbench_.shown();
+  subject.takes_long = shown != nullptr && shown->run.simulate_time > long_simulation;
+  auto* dialog = new ReportDialog(std::move(subject), QCoreApplication::applicationFilePath(), &window_);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  connect(dialog, &ReportDialog::saved, this, &FileMenu::done);
+  dialog->open();
 }
 
 void FileMenu::ask_how_to_read() {

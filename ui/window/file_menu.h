@@ -8,7 +8,7 @@ class MainWindow;
 class WindowSession;
 class Workbench;
 
-/// Programs, sessions, machine files and pictures: opened, saved, and asked for.
+/// Programs, sessions, machine files, pictures and reports: opened, saved, and asked for.
 class FileMenu : public QMenu {
   Q_OBJECT
 
@@ -21,6 +21,8 @@ class FileMenu : public QMenu {
   void ask_for_program();
   /// Among those supplied with Feedscope.
   void ask_for_sample();
+  /// Of the program that is open, as it is shown now.
+  void ask_for_report();
 
  signals:
   /// For the status bar.
@@ -31,7 +33,7 @@ class FileMenu : public QMenu {
   void add_programs();
   void add_sessions();
   void add_machines();
-  void add_pictures();
+  void add_paper();
   QAction* add(const QString& text, const QKeySequence& key, const QString& tip);
   void list_recent_files(QMenu* menu);
   /// `folder`: where the search begins.

@@ -249,6 +249,7 @@ void MainWindow::connect_panels() {
   scene().set_place_actions(annotations_->panel_actions());
   connect(&scene().annotations(), &AnnotationOverlay::edit_wanted, annotations_, &AnnotationsView::edit);
   annotations_->set_stretch([this] { return chosen_times(); });
+  connect(time_, &TimeView::report_wanted, file_menu_, &FileMenu::ask_for_report);
 }
 
 void MainWindow::connect_lessons() {

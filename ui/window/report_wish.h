@@ -1,0 +1,39 @@
+#pragma once
+
+#include <QDate>
+#include <QString>
+#include <QStringList>
+#include <vector>
+
+#include "ui/session/session.h"
+
+namespace feedscope::ui {
+
+/// A part of reports that may be omitted.
+struct ReportPart {
+  QString title;             ///< for people
+  QStringList placeholders;  ///< of the template
+};
+/// In the order of the shipped template.
+std::vector<ReportPart> report_parts();
+
+/// What a report is to be like.
+struct ReportWish {
+  QString title;   ///< empty: the program's name
+  QString author;  ///< may be empty
+  QDate date;      ///< invalid: none is written
+  QString remarks;
+  QString logo;            ///< picture file; may be empty
+  QString page;            ///< template file; empty: the shipped one
+  QStringList without;     ///< placeholders
+  std::vector<bool> runs;  ///< which runs of the session; at least one
+};
+
+/// Arguments of `feedscope report` that make it of a session file: all but --out.
+QStringList report_arguments(const ReportWish& wish, const QString& session);
+
+/// The session with these runs alone. The current run, or else the first of them, is the one that pictures
+/// show.
+Session with_runs(Session session, const std::vector<bool>& wanted);
+
+}  // namespace feedscope::ui
