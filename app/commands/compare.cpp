@@ -14,10 +14,12 @@
 #include "app/merge_text.h"
 #include "app/output_file.h"
 #include "app/print.h"
+#include "app/program_difference_text.h"
 #include "app/run_options.h"
 #include "app/study_text.h"
 #include "app/watch.h"
 #include "core/analysis/control_dialect.h"
+#include "core/analysis/program_difference/program_difference.h"
 #include "core/base/error.h"
 #include "core/export/export.h"
 #include "core/export/merge.h"
@@ -30,6 +32,7 @@ namespace feedscope {
 namespace {
 
 struct CompareOptions : ProgramOptions {
+  std::string other;  ///< a newer version of the program; may be empty
   std::vector<std::string> machines;
   std::vector<std::string> models;
   std::vector<std::string> tolerances;  // as typed, mm
@@ -194,6 +197,68 @@ int merge(const CompareOptions& options) {
   return exit_code::done;
 }
 
+/// Two programs on one setup.
+int compare_two(const CompareOptions& options) {
+  const auto refuse = [&](bool given, const char* option) {
+    if (given) {
+      throw InputError(fmt::format("{} has no effect on two programs; give one program", option));
+    }
+  };
+  refuse(!options.sweeps.empty(), "--sweep");
+  refuse(!options.within.empty(), "--within");
+  refuse(!options.operations.empty(), "--operations");
+  refuse(!options.csv.empty(), "--csv");
+  refuse(!options.png.empty(), "--png");
+  const auto one = [](const std::vector<std::string>& values, const char* option) {
+    if (values.size() > 1) {
+      throw InputError(fmt::format("two programs are compared on one setup; give {} once, not {} times",
+                                   option, values.size()));
+    }
+    return values.empty() ? std::string() : values.front();
+  };
+  const std::string tolerance = one(options.tolerances, "--tolerance");
+  SetupRequest request{one(options.machines, "--machine"), one(options.models, "--model"),
+                       tolerance.empty() ? std::nullopt : std::optional(parse_tolerance(tolerance)),
+                       options.set};
+  const ReadOptions reading = options.reading();
+  const auto old_source = std::make_shared<const SourceText>(SourceText::from_file(options.file));
+  const auto new_source = std::make_shared<const SourceText>(SourceText::from_file(options.other));
+  request.dialect = dialect_of(options, *new_source);
+  Setup setup = make_setup(request);
+  setup.load = asked_load(options.load);
+  for (const std::string& input : {options.file, options.other, options.load}) {
+    check_outputs(input, {options.json});
+  }
+  OutputFiles files;
+  std::ostream* const json = options.json.empty() ? nullptr : &files.add(options.json);
+  Run old;
+  Run now;
+  ProgramDifference difference;
+  {
+    Watch watch;
+    const ReadOptions how = reading_on(reading, setup.machine);
+    old =
+        simulate_run(load_program(old_source, watch.stage("reading"), how), setup, watch.stage("simulating"));
+    now =
+        simulate_run(load_program(new_source, watch.stage("reading"), how), setup, watch.stage("simulating"));
+    difference = compare_programs(old, now);
+  }
+  if (json != nullptr) {
+    *json << program_difference_json(old, now, difference);
+  }
+  files.commit();
+  note_runs(now.input, {now.setup});
+  for (const Run* run : {&old, &now}) {
+    print_diagnostics(*run->input.program);
+  }
+  if (options.json != "-") {
+    fmt::print("{}", program_difference_text(old, now, difference));
+  }
+  const bool faulty =
+      has_errors(old.input.program->diagnostics) || has_errors(now.input.program->diagnostics);
+  return faulty ? exit_code::program_errors : exit_code::done;
+}
+
 int compare(const CompareOptions& options) {
   if (!options.merge.empty()) {
     if (!options.file.empty()) {
@@ -203,6 +268,9 @@ int compare(const CompareOptions& options) {
   }
   if (options.file.empty()) {
     throw InputError("no program given; give one, or the results of others with --merge");
+  }
+  if (!options.other.empty()) {
+    return compare_two(options);
   }
   const AskedProgram asked = asked_program(options, {{"--machine", !options.machines.empty()},
                                                      {"--model", !options.models.empty()},
@@ -242,7 +310,8 @@ int compare(const CompareOptions& options) {
 Command add_compare_command(CLI::App& app) {
   const auto options = std::make_shared<CompareOptions>();
   CLI::App* command = app.add_subcommand(
-      "compare", "Simulate a program on several machines, models and tolerances, side by side");
+      "compare",
+      "Simulate a program on several machines, models and tolerances, side by side, or two programs");
   add_program_options(*command, *options);
   const auto add_list = [&](const char* name, std::vector<std::string>& values, const std::string& text) {
     return command->add_option(name, values, text + "; repeat for more")->allow_extra_args(false);
@@ -255,6 +324,12 @@ Command add_compare_command(CLI::App& app) {
   add_set_option(*command, options->set);
   add_load_option(*command, options->load);
   command->get_option("FILE")->required(false);
+  command
+      ->add_option(
+          "NEW", options->other,
+          "Another version of the program: where it takes less or more time, matched by the path, on "
+          "one machine with one model")
+      ->type_name("");
   add_list("--sweep", options->sweeps,
            "Study a setting: tolerance=0.005:0.1:log12, X.jerk=10:50:lin5, filters=\"2;3\"")
       ->type_name("KEY=RANGE");

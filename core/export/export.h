@@ -10,6 +10,7 @@
 namespace feedscope {
 
 struct ContourReport;
+struct ProgramDifference;
 struct TimeReport;
 
 /// Samples as CSV, columns of README.md beside this file; one row each `step` [s] and one for the very end.
@@ -35,6 +36,9 @@ std::string explanation_json(const LoadedProgram& program, const ComparedRun& ru
 std::string comparison_json(const LoadedProgram& program, std::span<const ComparedRun> runs);
 /// What `check` found.
 std::string check_json(const LoadedProgram& program);
+
+/// Two programs on one setup, matched by their paths.
+std::string program_difference_json(const Run& old, const Run& now, const ProgramDifference& difference);
 
 /// Several runs as CSV, one row each: machine,model,tolerance_mm (in force; empty where the model follows
 /// none or the program has several), cycle_time_s,programmed_time_s,against_cam,mean_feed_mm_min,

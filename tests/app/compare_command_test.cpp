@@ -158,6 +158,25 @@ TEST_F(CompareCommand, HasNoPictureWhereNoneCanBeDrawn) {
 }
 #endif
 
+TEST_F(CompareCommand, SaysWhereTwoVersionsOfAProgramDiffer) {
+  write("old.nc", "G21 G1 X20 F3000\nY20\nX40\n");
+  write("new.nc", "G21 G1 X20 F3000\nX40 Y20\n");
+  const Result text = run("compare old.nc new.nc");
+  EXPECT_EQ(text.code, 0) << text.err;
+  EXPECT_THAT(text.out, HasSubstr("new.nc instead of old.nc"));
+  EXPECT_THAT(text.out, HasSubstr("2-3"));
+  const Result json = run("compare old.nc new.nc --model cam --json -");
+  const auto written = nlohmann::json::parse(json.out);
+  EXPECT_EQ(written["model"], "cam");
+  EXPECT_NEAR(written["gained_s"].get<double>(), (40 - std::hypot(20.0, 20.0)) / 50, 1e-9);
+  EXPECT_NEAR(written["same_share"].get<double>(), 20 / (20 + std::hypot(20.0, 20.0)), 1e-9);
+  expect_wrong_use("compare old.nc new.nc --machine spinner-mvc850 --machine huron-kx10",
+                   "give --machine once, not 2 times");
+  expect_wrong_use("compare old.nc new.nc --csv a.csv", "--csv has no effect on two programs");
+  expect_wrong_use("compare old.nc missing.nc", "missing.nc");
+  expect_wrong_use("compare old.nc new.nc --json new.nc", "it is the program itself");
+}
+
 TEST_F(CompareCommand, CancelsOnInterruptAndLeavesNoFile) {
   std::string text = "G1 F6000\n";
   for (int i = 0; i < 200000; ++i) {

@@ -87,6 +87,8 @@ with tempfile.TemporaryDirectory() as folder:
         data = check_command("compare", program, "--sweep", "tolerance=0.01 0.05", "--within", "0.03", "--operations", "tool")
         studies.append(work / f"{program.stem}.json")
         studies[-1].write_text(json.dumps(data))
+    check_command("compare", samples[0], samples[3], "--machine", "spinner-mvc850")
+    check_command("compare", samples[0], work / "empty.nc")
     check_command("compare", "--within", "0.03", "--merge", *studies)
     check_command("compare", "--merge", *studies)
 

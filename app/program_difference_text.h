@@ -1,0 +1,12 @@
+#pragma once
+
+#include <string>
+
+#include "core/analysis/program_difference/program_difference.h"
+
+namespace feedscope {
+
+/// Two programs on one setup for people: cycle times, what became of the path, and where the difference lies.
+std::string program_difference_text(const Run& old, const Run& now, const ProgramDifference& difference);
+
+}  // namespace feedscope
