@@ -82,11 +82,12 @@ void check(const IdentifyCommandOptions& options) {
   }
 }
 
-/// A machine that is typical for the control that a model is of.
+/// A machine that is typical for the control that a model is of, of three axes as the programs are.
 std::string usual_machine(const std::string& model) {
   const MachineLibrary library = shipped_machines();
   for (const std::string& id : library.ids()) {
-    if (library.load(id).model == model) {
+    const Machine machine = library.load(id);
+    if (machine.model == model && machine.kinematics.empty()) {
       return id;
     }
   }

@@ -43,13 +43,30 @@ void list_machines() {
   fmt::print("{}", table.text("llll"));
 }
 
+/// Which axes carry what, and the lines about which the rotary ones turn.
+void add_kinematics(const Machine& machine, TextTable& table) {
+  if (machine.kinematics.empty()) {
+    return;
+  }
+  const auto add = [&](const std::string& key, const std::string& value, const std::string& unit) {
+    table.add({key, value, unit, source_text(machine, key)});
+  };
+  const auto numbers = [](const Vec3& v) { return fmt::format("{}, {}, {}", v.x(), v.y(), v.z()); };
+  add("kinematics.chain", machine.kinematics.chain, "");
+  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+    const std::string key = fmt::format("kinematics.{}.", axis.name);
+    add(key + "direction", numbers(axis.direction), "");
+    add(key + "point", numbers(axis.point), "mm");
+  }
+}
+
 void show_machine(const std::string& id) {
   const Machine machine = shipped_machines().load(id);
   fmt::print("{}: {}, {}\n{}\ndefault model: {}\n\n", machine.id, machine.name, machine.control,
              machine.reference, machine.model);
   TextTable table;
-  for (const auto& [axis, kind] : machine.axes.axes()) {
-    for (const SettingSpec& spec : axis_specs()) {
+  for (const char axis : axis_names(machine)) {
+    for (const SettingSpec& spec : axis_specs_of(axis)) {
       const std::string key = fmt::format("{}.{}", axis, spec.key);
       const std::string value = value_text(axis_value(machine, axis, spec.key));
       if (!value.empty()) {
@@ -57,6 +74,7 @@ void show_machine(const std::string& id) {
       }
     }
   }
+  add_kinematics(machine, table);
   for (const auto& [key, value] : machine.settings.values()) {
     table.add({key, value_text(value), "", source_text(machine, key)});
   }

@@ -129,6 +129,9 @@ Setup make_setup(const SetupRequest& request) {
     apply_setting(assignment, *setup.model, setup.machine, setup.settings);
   }
   check_drives(setup.machine);
+  if (!setup.machine.kinematics.empty()) {
+    chain_of(setup.machine.kinematics);
+  }
   return setup;
 }
 

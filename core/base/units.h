@@ -47,6 +47,18 @@ constexpr double from_deg(double v) {
 constexpr double to_deg(double v) {
   return v * 180.0 / pi;
 }  ///< rad -> degrees
+constexpr double from_turns(double v) {
+  return v * 2 * pi;
+}  ///< rev -> rad, rev/s2 -> rad/s2, rev/s3 -> rad/s3
+constexpr double to_turns(double v) {
+  return v / (2 * pi);
+}  ///< rad -> rev
+constexpr double from_turns_min(double v) {
+  return v * 2 * pi / 60;
+}  ///< rev/min -> rad/s
+constexpr double to_turns_min(double v) {
+  return v * 60 / (2 * pi);
+}  ///< rad/s -> rev/min
 constexpr double from_rev_min(double v) {
   return v / 60.0;
 }  ///< 1/min -> 1/s

@@ -190,6 +190,31 @@ Json axis_limits(const Machine& machine) {
   return axes;
 }
 
+/// Limits and travel of the rotary axes; null for an axis without end.
+Json rotary_limits(const Machine& machine) {
+  Json axes = Json::object();
+  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+    const auto degrees = [](const std::optional<double>& end) {
+      return end ? Json(units::to_deg(*end)) : Json();
+    };
+    axes[std::string(1, axis.name)] = {{"velocity_rev_min", finite(units::to_turns_min(axis.velocity))},
+                                       {"acceleration_rev_s2", finite(units::to_turns(axis.acceleration))},
+                                       {"jerk_rev_s3", finite(units::to_turns(axis.jerk))},
+                                       {"minimum_deg", degrees(axis.minimum)},
+                                       {"maximum_deg", degrees(axis.maximum)}};
+  }
+  return axes;
+}
+
+/// Of a machine; those of rotary axes only where it has some.
+Json machine_limits(const Machine& machine) {
+  Json limits{{"axes", axis_limits(machine)}};
+  if (!machine.kinematics.empty()) {
+    limits["rotary_axes"] = rotary_limits(machine);
+  }
+  return limits;
+}
+
 /// Null where all axes follow their set values exactly.
 Json actual_json(const Summary& summary) {
   if (!summary.actual) {
@@ -219,7 +244,7 @@ Json run_json(const LoadedProgram& program, const ComparedRun& run) {
   return {{"machine", {{"id", machine.id}, {"name", machine.name}, {"control", machine.control}}},
           {"model", {{"id", model.id}, {"title", model.title}, {"reference", model.reference}}},
           {"settings", settings_values(run.setup.settings)},
-          {"limits", {{"axes", axis_limits(machine)}}},
+          {"limits", machine_limits(machine)},
           {"tolerance_in_force_mm", tolerance_json(run.tolerance)},
           {"tolerance_set_by", run.tolerance ? Json(to_string(run.tolerance->set_by)) : Json()},
           {"notes", run_notes(program, run.setup)},

@@ -42,18 +42,18 @@ SettingSpec limit_spec(std::string key, std::string title, std::string unit, std
 }
 
 /// "X, Y and Z".
-std::string list_of(const AxisList& axes) {
+std::string list_of(std::string_view axes) {
   std::string list;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     list += i == 0 ? "" : i + 1 == axes.size() ? " and " : ", ";
-    list += axes[i].name;
+    list += axes[i];
   }
   return list;
 }
 
-void check_axis(const AxisList& axes, char axis) {
-  if (!axes.find(axis)) {
-    throw InputError(fmt::format("unknown axis '{}'; the axes are {}", axis, list_of(axes)));
+void check_axis(const Machine& machine, char axis) {
+  if (!machine.axes.axes().find(axis) && machine.kinematics.find(axis) == nullptr) {
+    throw InputError(fmt::format("unknown axis '{}'; the axes are {}", axis, list_of(axis_names(machine))));
   }
 }
 
@@ -94,6 +94,22 @@ void note_set_by_hand(Machine& machine, const std::string& key) {
   machine.provenance.insert_or_assign(key, Provenance{"set by hand", false});
 }
 
+/// A limit or an end of the travel of a rotary axis that the machine has.
+void set_rotary(Machine& machine, char axis, std::string_view key, const SettingValue& value) {
+  const std::size_t place = place_of(rotary_axis_specs(), axis, key);
+  RotaryAxis& target = *std::ranges::find(machine.kinematics.rotary, axis, &RotaryAxis::name);
+  if (value == rotary_value(target, place)) {
+    return;
+  }
+  set_rotary_value(target, place, value);
+  const std::string full_key = fmt::format("{}.{}", axis, key);
+  if (std::holds_alternative<double>(value)) {
+    note_set_by_hand(machine, full_key);
+  } else {
+    machine.provenance.erase(full_key);
+  }
+}
+
 }  // namespace
 
 const std::vector<SettingSpec>& axis_limit_specs() {
@@ -121,13 +137,20 @@ const std::vector<SettingSpec>& axis_limit_specs() {
 }
 
 double axis_limit(const Machine& machine, char axis, std::string_view limit) {
-  check_axis(machine.axes.axes(), axis);
+  check_axis(machine, axis);
+  if (const RotaryAxis* rotary = machine.kinematics.find(axis)) {
+    return std::get<double>(rotary_value(*rotary, place_of(rotary_axis_specs(), axis, limit)));
+  }
   const LimitField& field = limit_fields[place_of(axis_limit_specs(), axis, limit)];
   return shortest_in_unit(machine.axes.find(axis)->*field.member, field.conversion);
 }
 
 void set_axis_limit(Machine& machine, char axis, std::string_view limit, double value) {
-  check_axis(machine.axes.axes(), axis);
+  check_axis(machine, axis);
+  if (machine.kinematics.find(axis) != nullptr) {
+    set_rotary(machine, axis, limit, value);
+    return;
+  }
   const std::size_t place = place_of(axis_limit_specs(), axis, limit);
   const SettingSpec spec = spec_of_axis(axis_limit_specs()[place], axis);
   check_setting(spec, value, "");
@@ -148,8 +171,26 @@ const std::vector<SettingSpec>& axis_specs() {
   return specs;
 }
 
+std::string axis_names(const Machine& machine) {
+  std::string names;
+  for (const AxisInfo& axis : machine.axes.axes()) {
+    names += axis.name;
+  }
+  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+    names += axis.name;
+  }
+  return names;
+}
+
+const std::vector<SettingSpec>& axis_specs_of(char axis) {
+  return rotary_names.find(axis) == std::string_view::npos ? axis_specs() : rotary_axis_specs();
+}
+
 SettingValue axis_value(const Machine& machine, char axis, std::string_view key) {
-  check_axis(machine.axes.axes(), axis);
+  check_axis(machine, axis);
+  if (const RotaryAxis* rotary = machine.kinematics.find(axis)) {
+    return rotary_value(*rotary, place_of(rotary_axis_specs(), axis, key));
+  }
   const std::size_t limits = axis_limit_specs().size();
   const std::size_t place = place_of(axis_specs(), axis, key);
   if (place < limits) {
@@ -160,7 +201,11 @@ SettingValue axis_value(const Machine& machine, char axis, std::string_view key)
 }
 
 void set_axis_value(Machine& machine, char axis, std::string_view key, const SettingValue& value) {
-  check_axis(machine.axes.axes(), axis);
+  check_axis(machine, axis);
+  if (machine.kinematics.find(axis) != nullptr) {
+    set_rotary(machine, axis, key, value);
+    return;
+  }
   const std::size_t limits = axis_limit_specs().size();
   const std::size_t place = place_of(axis_specs(), axis, key);
   const SettingSpec spec = spec_of_axis(axis_specs()[place], axis);

@@ -8,6 +8,7 @@
 
 #include "core/machine/axis_drive.h"
 #include "core/machine/axis_vector.h"
+#include "core/machine/rotary_axis.h"
 #include "core/machine/settings.h"
 #include "core/machine/work_offsets.h"
 
@@ -38,9 +39,11 @@ struct Machine {
   std::string model;      ///< default model id
   AxisVector<AxisLimits> axes;
   AxisVector<AxisDrive> drives;  ///< an axis that has none here follows exactly
+  MachineKinematics kinematics;  ///< rotary axes; empty: the machine has none
   Settings settings;             ///< control settings of the file, in the units of their keys
   WorkOffsets work_offsets;      ///< of the parts that are clamped; a program or --offset may give others
-  /// By key as in set_value: "X.jerk", "lookahead_blocks", "G55".
+  /// By key as in set_value: "X.jerk", "lookahead_blocks", "G55"; "kinematics.chain",
+  /// "kinematics.A.point".
   std::map<std::string, Provenance, std::less<>> provenance;
   bool operator==(const Machine&) const = default;
 };
@@ -56,9 +59,14 @@ double axis_limit(const Machine& machine, char axis, std::string_view limit);
 /// the bounds of axis_limit_specs().
 void set_axis_limit(Machine& machine, char axis, std::string_view limit, double value);
 
-/// What --set and the editor know of an axis: axis_limit_specs(), then axis_drive_specs().
+/// What --set and the editor know of a linear axis: axis_limit_specs(), then axis_drive_specs().
 const std::vector<SettingSpec>& axis_specs();
-/// Of axis_limit() or drive_value(): an empty text where a drive has no such value. Throws as axis_limit().
+/// Names of all axes of a machine: X, Y, Z, then its rotary ones.
+std::string axis_names(const Machine& machine);
+/// axis_specs() or rotary_axis_specs(), as this axis is called.
+const std::vector<SettingSpec>& axis_specs_of(char axis);
+/// Of axis_limit(), drive_value() or rotary_value(): an empty text where an axis has no such value. Throws as
+/// axis_limit().
 SettingValue axis_value(const Machine& machine, char axis, std::string_view key);
 /// Sets it as set_axis_limit() does; an empty text takes the value of a drive back. Throws as that.
 void set_axis_value(Machine& machine, char axis, std::string_view key, const SettingValue& value);
@@ -70,7 +78,7 @@ std::string file_key(const SettingSpec& spec);
 
 /// Reads a machine file (TOML). Every number is a table, { value = 20, source = "paper, table" } or
 /// { value = 20, assumed = "reason" }; the keys of a drive may be missing; a work offset is
-/// G55 = { x_mm = 100, y_mm = 0, z_mm = 0, source = "..." }.
+/// G55 = { x_mm = 100, y_mm = 0, z_mm = 0, source = "..." }; rotary axes as read_kinematics() says.
 /// Throws InputError naming file, line, column, key, value, bound and the nearest valid name: unknown or
 /// missing key, wrong type, limit out of bounds, number without source, syntax error, unreadable file.
 /// `model_settings`: specs beyond common_settings() for [settings]; one of key "model" has the known models.

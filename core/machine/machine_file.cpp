@@ -1,14 +1,14 @@
 #include <fmt/format.h>
-#include <toml++/toml.h>
 
 #include <algorithm>
 #include <array>
 #include <optional>
-#include <sstream>
 
 #include "core/base/geometry.h"
 #include "core/machine/config_file.h"
+#include "core/machine/kinematics_file.h"
 #include "core/machine/machine.h"
+#include "core/machine/sourced_value.h"
 
 namespace feedscope {
 namespace {
@@ -29,8 +29,9 @@ class MachineReader {
   }
 
   Machine read(const ConfigNode& root) {
-    root.check_keys({"id", "name", "control", "reference", "model", "axes", "settings", "work_offsets"},
-                    "the file");
+    root.check_keys(
+        {"id", "name", "control", "reference", "model", "axes", "settings", "work_offsets", "kinematics"},
+        "the file");
     machine_.id = root.need_text("id", "the file");
     machine_.name = root.need_text("name", "the file");
     machine_.control = root.need_text("control", "the file");
@@ -42,43 +43,15 @@ class MachineReader {
     read_axes(root);
     read_settings(root);
     read_work_offsets(root);
+    read_kinematics(root, machine_);
     return std::move(machine_);
   }
 
  private:
-  /// Reads { value = ..., source = "..." } and notes the source under `provenance_key`.
+  /// With where it comes from under `provenance_key`.
   SettingValue value(const ConfigNode& table, const SettingSpec& spec, const std::string& where,
                      const std::string& provenance_key) {
-    const std::string name = fmt::format("'{}' in {}", spec.key, where);
-    const ConfigNode& entry = table.need(spec.key, where);
-    if (entry.kind() != ConfigNode::Kind::table) {
-      entry.fail(
-          fmt::format("{} needs a source: write {{ value = ..., source = \"paper, table\" }} or {{ value = "
-                      "..., assumed = \"reason\" }}",
-                      name));
-    }
-    entry.check_keys({"value", "source", "assumed"}, name);
-    machine_.provenance[provenance_key] = provenance(entry, name);
-
-    const ConfigNode& given = entry.need("value", name);
-    SettingValue result;
-    if (given.is_text()) {
-      result = given.text();
-    } else if (given.is_number()) {
-      result = given.number();
-    } else {
-      given.fail(fmt::format("value of {} must be a number{}", name, spec.choices.empty() ? "" : " or text"));
-    }
-    check_setting(spec, result, given.place());
-    return result;
-  }
-
-  static Provenance provenance(const ConfigNode& entry, const std::string& name) {
-    const bool assumed = entry.find("assumed") != nullptr;
-    if (assumed == (entry.find("source") != nullptr)) {
-      entry.fail(fmt::format("{} must have one of source = \"paper, table\" and assumed = \"reason\"", name));
-    }
-    return {entry.need_text(assumed ? "assumed" : "source", name), assumed};
+    return read_sourced_value(table, spec, where, machine_.provenance[provenance_key]);
   }
 
   void read_axes(const ConfigNode& root) {
@@ -87,6 +60,8 @@ class MachineReader {
     for (const AxisInfo& axis : known_axes) {
       names.emplace_back(1, axis.name);
     }
+    const std::vector<std::string> rotary = rotary_tables(root);
+    names.insert(names.end(), rotary.begin(), rotary.end());
     axes.check_keys(names, "[axes]");
     for (const auto& [axis, kind] : machine_.axes.axes()) {
       const ConfigNode& table = axes.need_table(std::string(1, axis), "[axes]");
@@ -148,22 +123,8 @@ class MachineReader {
         entry.fail(fmt::format("{} is given twice; remove one", name));
       }
       entry.check_keys({"x_mm", "y_mm", "z_mm", "source", "assumed"}, name);
-      machine_.provenance[WorkOffsets::key(key)] = provenance(entry, name);
-      Vec3 zero;
-      for (int axis = 0; axis < 3; ++axis) {
-        SettingSpec spec;
-        spec.key = offset_keys[static_cast<std::size_t>(axis)];
-        spec.minimum = -farthest_offset;
-        spec.maximum = farthest_offset;
-        spec.minimum_allowed = true;
-        const ConfigNode& given = entry.need(spec.key, name);
-        if (!given.is_number()) {
-          given.fail(fmt::format("{} of {} must be a number", spec.key, name));
-        }
-        check_setting(spec, given.number(), given.place());
-        zero[axis] = given.number();
-      }
-      machine_.work_offsets.set(key, zero);
+      machine_.provenance[WorkOffsets::key(key)] = read_provenance(entry, name);
+      machine_.work_offsets.set(key, read_vector(entry, offset_keys, farthest_offset, name));
     }
   }
 
@@ -171,28 +132,6 @@ class MachineReader {
   std::optional<SettingSpec> model_;
   Machine machine_;
 };
-
-std::string in_quotes(const std::string& text) {
-  std::ostringstream out;
-  out << toml::toml_formatter{toml::value<std::string>(text), toml::format_flags::allow_unicode_strings};
-  return out.str();
-}
-
-/// source = "paper, table"
-std::string provenance_text(const Machine& machine, const std::string& key) {
-  const auto found = machine.provenance.find(key);
-  const Provenance provenance =
-      found != machine.provenance.end() ? found->second : Provenance{"set by hand", false};
-  return fmt::format("{} = {}", provenance.assumed ? "assumed" : "source", in_quotes(provenance.source));
-}
-
-std::string entry(const Machine& machine, const std::string& key, const std::string& provenance_key,
-                  const SettingValue& value) {
-  const double* number = std::get_if<double>(&value);
-  return fmt::format("{} = {{ value = {}, {} }}\n", key,
-                     number != nullptr ? fmt::format("{}", *number) : in_quotes(std::get<std::string>(value)),
-                     provenance_text(machine, provenance_key));
-}
 
 }  // namespace
 
@@ -213,27 +152,29 @@ Machine parse_machine(const std::string& text, const std::string& name,
 
 std::string write_machine(const Machine& machine) {
   std::string out;
-  out += fmt::format("id = {}\nname = {}\ncontrol = {}\nreference = {}\nmodel = {}\n", in_quotes(machine.id),
-                     in_quotes(machine.name), in_quotes(machine.control), in_quotes(machine.reference),
-                     in_quotes(machine.model));
+  out += fmt::format("id = {}\nname = {}\ncontrol = {}\nreference = {}\nmodel = {}\n", toml_text(machine.id),
+                     toml_text(machine.name), toml_text(machine.control), toml_text(machine.reference),
+                     toml_text(machine.model));
   for (const auto& [axis, kind] : machine.axes.axes()) {
     out += fmt::format("\n[axes.{}]\n", axis);
     for (const SettingSpec& spec : axis_specs()) {
       const SettingValue value = axis_value(machine, axis, spec.key);
       if (value != SettingValue(std::string())) {
-        out += entry(machine, file_key(spec), fmt::format("{}.{}", axis, spec.key), value);
+        out += toml_entry(machine, file_key(spec), fmt::format("{}.{}", axis, spec.key), value);
       }
     }
   }
+  out += write_rotary_axes(machine);
   out += "\n[settings]\n";
   for (const auto& [key, value] : machine.settings.values()) {
-    out += entry(machine, key, key, value);
+    out += toml_entry(machine, key, key, value);
   }
   out += machine.work_offsets.empty() ? "" : "\n[work_offsets]\n";
   for (const auto& [name, zero] : machine.work_offsets.all()) {
-    out += fmt::format("{} = {{ x_mm = {}, y_mm = {}, z_mm = {}, {} }}\n", in_quotes(name), zero.x(),
-                       zero.y(), zero.z(), provenance_text(machine, name));
+    out += fmt::format("{} = {{ x_mm = {}, y_mm = {}, z_mm = {}, {} }}\n", toml_text(name), zero.x(),
+                       zero.y(), zero.z(), toml_provenance(machine, name));
   }
+  out += write_kinematics(machine);
   return out;
 }
 

@@ -120,8 +120,8 @@ std::vector<std::string> assignable_keys(const ControlModel& model) {
   for (const SettingSpec& spec : settings_of(model)) {
     keys.push_back(spec.key);
   }
-  for (const auto& [axis, kind] : known_axes) {
-    for (const SettingSpec& spec : axis_specs()) {
+  for (const char axis : possible_axes) {
+    for (const SettingSpec& spec : axis_specs_of(axis)) {
       keys.push_back(axis_key(axis, spec));
     }
   }
@@ -146,8 +146,8 @@ void apply_setting(const std::string& assignment, const ControlModel& model, Mac
       return;
     }
   }
-  for (const auto& [axis, kind] : known_axes) {
-    for (const SettingSpec& known : axis_specs()) {
+  for (const char axis : possible_axes) {
+    for (const SettingSpec& known : axis_specs_of(axis)) {
       SettingSpec spec = known;
       spec.key = axis_key(axis, known);
       if (spec.key == key) {

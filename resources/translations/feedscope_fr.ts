@@ -2236,6 +2236,34 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>slowing for a lower programmed feed</source>
         <translation>ralentissement vers une avance programmée plus faible</translation>
     </message>
+    <message>
+        <source>Maximum velocity of this rotary axis.</source>
+        <translation>Vitesse maximale de cet axe rotatif.</translation>
+    </message>
+    <message>
+        <source>Maximum acceleration of this rotary axis.</source>
+        <translation>Accélération maximale de cet axe rotatif.</translation>
+    </message>
+    <message>
+        <source>Maximum rate of change of the acceleration of this rotary axis.</source>
+        <translation>Vitesse de variation maximale de l&apos;accélération de cet axe rotatif.</translation>
+    </message>
+    <message>
+        <source>Minimum position</source>
+        <translation>Position minimale</translation>
+    </message>
+    <message>
+        <source>Lower end of the travel of this rotary axis; without it the axis has no end.</source>
+        <translation>Extrémité inférieure de la course de cet axe rotatif ; sans elle, l&apos;axe tourne sans fin.</translation>
+    </message>
+    <message>
+        <source>Maximum position</source>
+        <translation>Position maximale</translation>
+    </message>
+    <message>
+        <source>Upper end of the travel of this rotary axis; without it the axis has no end.</source>
+        <translation>Extrémité supérieure de la course de cet axe rotatif ; sans elle, l&apos;axe tourne sans fin.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>

@@ -48,8 +48,8 @@ std::set<AxisLimit> differing_limits(const std::vector<std::shared_ptr<const Sho
   for (const auto& run : runs) {
     const Machine& machine = run->run.setup.machine;
     const Machine& other = *first.try_emplace(machine.id, &machine).first->second;
-    for (const SettingSpec& spec : axis_specs()) {
-      for (const auto& [axis, kind] : machine.axes.axes()) {
+    for (const char axis : axis_names(machine)) {
+      for (const SettingSpec& spec : axis_specs_of(axis)) {
         if (axis_value(machine, axis, spec.key) != axis_value(other, axis, spec.key)) {
           limits.emplace(spec.key, axis);
         }

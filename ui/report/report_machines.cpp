@@ -77,6 +77,29 @@ bool has_any(const Machine& machine, const std::string& key) {
   });
 }
 
+/// Limits and travel of the rotary axes, then the chain; empty without.
+QString rotary_table(const Machine& machine) {
+  if (machine.kinematics.empty()) {
+    return QString();
+  }
+  HtmlTable table("lrll", {24, 12, 10, 54});
+  table.add_head({QStringLiteral("Rotary axis"), QStringLiteral("Value"), QStringLiteral("Unit"),
+                  QStringLiteral("Source")});
+  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+    for (const SettingSpec& spec : rotary_axis_specs()) {
+      const SettingValue value = axis_value(machine, axis.name, spec.key);
+      if (const double* number = std::get_if<double>(&value)) {
+        table.add({QStringLiteral("%1 of %2").arg(html_text(spec.title), QString(QChar(axis.name))),
+                   significant(*number, 6), html_text(spec.unit),
+                   source_text(machine, axis_key(axis.name, spec.key))});
+      }
+    }
+  }
+  table.add({QStringLiteral("Chain, part to tool"), html_text(machine.kinematics.chain), QString(),
+             source_text(machine, "kinematics.chain")});
+  return table.html();
+}
+
 QString axis_table(const Machine& machine) {
   const AxisList& axes = machine.axes.axes();
   constexpr int for_a_number = 9;  // [%] of the width
@@ -257,6 +280,7 @@ QString machines_block(const ReportInput& input) {
     html += QStringLiteral("<h3>%1%2</h3>\n<p class=\"small\">%3</p>\n")
                 .arg(html_text(machine.name), control, html_text(machine.reference));
     html += axis_table(machine);
+    html += rotary_table(machine);
     html += QStringLiteral("<p class=\"gap\"></p>\n") + control_table(machine);
   }
   return html;

@@ -17,7 +17,11 @@ bool is_axis_key(const std::string& key) {
 
 SetupState SetupState::between(Setup file, const Setup& asked) {
   SetupState state(std::move(file));
+  const std::string axes = axis_names(asked.machine);
   for (const std::string& key : assignable_keys(*asked.model)) {
+    if (is_axis_key(key) && axes.find(key[0]) == std::string::npos) {
+      continue;
+    }
     state.set(
         key, is_axis_key(key) ? axis_value(asked.machine, key[0], key.substr(2)) : asked.settings.value(key));
   }
@@ -57,7 +61,7 @@ void SetupState::set_tolerance(double tolerance) {
 SettingSpec SetupState::spec(const std::string& key) const {
   const bool axis = is_axis_key(key);
   const std::string name = axis ? key.substr(2) : key;
-  const std::vector<SettingSpec> specs = axis ? axis_specs() : settings_of(*file_.model);
+  const std::vector<SettingSpec> specs = axis ? axis_specs_of(key[0]) : settings_of(*file_.model);
   const auto found = std::ranges::find(specs, name, &SettingSpec::key);
   if (found == specs.end()) {
     throw InputError("unknown key '" + key + "'");

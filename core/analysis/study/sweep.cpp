@@ -140,8 +140,8 @@ std::vector<std::string> sweep_keys(const ControlModel& model) {
 SettingSpec sweep_spec(const std::string& key) {
   std::vector<SettingSpec> specs = common_settings();
   std::ranges::copy(all_model_settings(), std::back_inserter(specs));
-  for (const auto& [axis, kind] : known_axes) {
-    for (SettingSpec spec : axis_specs()) {
+  for (const char axis : possible_axes) {
+    for (SettingSpec spec : axis_specs_of(axis)) {
       spec.key = fmt::format("{}.{}", axis, spec.key);
       specs.push_back(std::move(spec));
     }

@@ -56,7 +56,7 @@ std::vector<Remedy> other_machines(const Setup& setup) {
   for (const std::string& id : library.ids()) {
     const Machine machine = library.load(id);
     if (id != setup.machine.id && reads_the_same(machine, setup.machine) &&
-        has_larger_limit(machine, setup.machine)) {
+        axis_names(machine) == axis_names(setup.machine) && has_larger_limit(machine, setup.machine)) {
       Remedy remedy;
       remedy.machine = id;
       found.push_back(std::move(remedy));

@@ -238,5 +238,64 @@ TEST_F(MachineFile, RefusesWorkOffsetsThatAreNone) {
   refuse("G55 = 100", "table");
 }
 
+constexpr const char* rotary_tables_text = R"(
+[axes.A]
+velocity_rev_min = { value = 25, source = "t" }
+acceleration_rev_s2 = { value = 2, source = "t" }
+jerk_rev_s3 = { value = 20, source = "t" }
+minimum_deg = { value = -100, source = "t" }
+maximum_deg = { value = 50, source = "t" }
+[axes.C]
+velocity_rev_min = { value = 50, source = "t" }
+acceleration_rev_s2 = { value = 4, source = "t" }
+jerk_rev_s3 = { value = 40, source = "t" }
+[kinematics]
+chain = { value = "C A X Y frame Z", source = "t" }
+[kinematics.A]
+direction = { x = 1, y = 0, z = 0, source = "t" }
+point = { x_mm = 0, y_mm = 20, z_mm = -310.1, assumed = "u" }
+[kinematics.C]
+direction = { x = 0, y = 0, z = 1, source = "t" }
+point = { x_mm = 0, y_mm = 0, z_mm = -320, source = "t" }
+)";
+
+std::string five_axis_file(const std::string& from = "", const std::string& to = "") {
+  std::string text = std::string(good_file) + rotary_tables_text;
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST_F(MachineFile, HoldsRotaryAxesWithUnitsAndSources) {
+  const Machine machine = read(write(five_axis_file()));
+  ASSERT_EQ(axis_names(machine), "XYZAC");
+  const RotaryAxis& a = machine.kinematics.rotary[0];
+  EXPECT_DOUBLE_EQ(a.velocity, 25 * 2 * std::acos(-1) / 60);
+  EXPECT_DOUBLE_EQ(a.acceleration, 4 * std::acos(-1));
+  EXPECT_DOUBLE_EQ(*a.maximum, 50 * std::acos(-1) / 180);
+  EXPECT_EQ(a.point, Vec3(0, 20, -310.1));
+  EXPECT_FALSE(machine.kinematics.rotary[1].minimum);
+  EXPECT_EQ(machine.provenance.at("A.velocity").source, "t");
+  EXPECT_TRUE(machine.provenance.at("kinematics.A.point").assumed);
+  EXPECT_EQ(read(write(write_machine(machine), "again.toml")), machine);
+}
+
+TEST_F(MachineFile, RefusesRotaryAxesThatAreIncomplete) {
+  const std::string text = five_axis_file();
+  const auto refuses = [&](const std::string& from, const std::string& to, const std::string& why) {
+    expect_error(write(five_axis_file(from, to)), ":", why);
+  };
+  refuses(text.substr(text.find("[kinematics]")), "", "does not say where it is; add [kinematics]");
+  refuses("[kinematics.A]", "[kinematics.B]", "[kinematics.B] has no limits; add [axes.B]");
+  refuses("jerk_rev_s3 = { value = 20, source = \"t\" }", "", "'jerk_rev_s3'");
+  refuses("velocity_rev_min", "velocity_m_min", "velocity_rev_min");
+  refuses(", source = \"t\" }\npoint", " }\npoint", "must have one of source");
+  refuses("C A X Y frame Z", "C A X Y Z", "lacks the word frame");
+  refuses("{ x = 1, y = 0, z = 0", "{ x = 0, y = 0, z = 1", "parallel");
+  refuses("{ value = 50, source = \"t\" }\n[axes.C]", "{ value = -200, source = \"t\" }\n[axes.C]",
+          "the travel of axis A is empty, from -100 to -200 degrees");
+  refuses("point = { x_mm = 0, y_mm = 20, z_mm = -310.1,", "point = { x_mm = 0, y_mm = 20,", "z_mm");
+}
+
 }  // namespace
 }  // namespace feedscope

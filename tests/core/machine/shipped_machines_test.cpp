@@ -30,13 +30,22 @@ std::string row(const Machine& machine, const std::string& name, const std::stri
 std::string readme_section(const Machine& machine) {
   std::string text = fmt::format("\n## {}\n\n{}, {}. {}.\n\n| Number | Value | Source |\n|---|---|---|\n",
                                  machine.id, machine.name, machine.control, machine.reference);
-  for (const char axis : coordinate_names) {
-    for (const SettingSpec& spec : axis_specs()) {
+  for (const char axis : axis_names(machine)) {
+    for (const SettingSpec& spec : axis_specs_of(axis)) {
       const SettingValue value = axis_value(machine, axis, spec.key);
       if (const double* number = std::get_if<double>(&value)) {
         text += row(machine, fmt::format("axes.{}.{}", axis, file_key(spec)),
                     fmt::format("{}.{}", axis, spec.key), *number);
       }
+    }
+  }
+  if (!machine.kinematics.empty()) {
+    text += row(machine, "kinematics.chain", "kinematics.chain", machine.kinematics.chain);
+  }
+  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+    for (const auto& [name, v] : {std::pair("direction", axis.direction), std::pair("point", axis.point)}) {
+      const std::string key = fmt::format("kinematics.{}.{}", axis.name, name);
+      text += row(machine, key, key, fmt::format("{}, {}, {}", v.x(), v.y(), v.z()));
     }
   }
   for (const auto& [key, value] : machine.settings.values()) {
@@ -45,9 +54,10 @@ std::string readme_section(const Machine& machine) {
   return text;
 }
 
-TEST(ShippedMachines, AreThoseOfThePapersAndOfOpenControls) {
+TEST(ShippedMachines, AreThoseOfThePapersOfOpenControlsAndOfFiveAxes) {
   EXPECT_EQ(library().ids(),
-            (std::vector<std::string>{"dmg-mori-evo40", "grbl-router", "hermle-c800u", "huron-kx10",
+            (std::vector<std::string>{"dmg-mori-evo40", "five-axis-head-b-table-c", "five-axis-head-bc",
+                                      "five-axis-table-ac", "grbl-router", "hermle-c800u", "huron-kx10",
                                       "klipper-corexy", "linuxcnc-mill", "mikron-ucp710", "spinner-mvc850"}));
 }
 

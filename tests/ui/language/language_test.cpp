@@ -45,6 +45,7 @@ std::vector<std::string> shown_texts() {
     texts.push_back(cause_title({cause.kind, -1}));
   }
   add(texts, axis_limit_specs());
+  add(texts, rotary_axis_specs());
   for (const ControlModel* model : all_models()) {
     texts.push_back(model->info().title);
     texts.push_back(model->info().summary);

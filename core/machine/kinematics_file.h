@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "core/machine/config_file.h"
+#include "core/machine/machine.h"
+
+namespace feedscope {
+
+/// Names of tables of [axes] in `root` that are rotary axes.
+std::vector<std::string> rotary_tables(const ConfigNode& root);
+
+/// Reads [kinematics] and the rotary axes of [axes] into `machine`, with where the numbers come from:
+///   [axes.A]            velocity_rev_min, acceleration_rev_s2, jerk_rev_s3, minimum_deg, maximum_deg
+///   [kinematics]        chain = { value = "C A Y frame X Z", source = "..." }
+///   [kinematics.A]      direction = { x = 1, y = 0, z = 0, source = "..." }
+///                       point = { x_mm = 0, y_mm = 0, z_mm = -50, source = "..." }
+/// Nothing where neither is there. Throws InputError naming the place and what is wrong, chains that cannot
+/// hold a direction included (KinematicChain).
+void read_kinematics(const ConfigNode& root, Machine& machine);
+
+/// As read_kinematics() reads them back, bit for bit; empty for a machine without rotary axes.
+std::string write_rotary_axes(const Machine& machine);
+std::string write_kinematics(const Machine& machine);
+
+}  // namespace feedscope

@@ -1,0 +1,184 @@
+#include "core/machine/rotary_axis.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "core/base/error.h"
+#include "core/base/translatable.h"
+#include "core/base/units.h"
+#include "core/machine/key_unit.h"
+
+namespace feedscope {
+namespace {
+
+constexpr std::string_view frame_word = "frame";
+
+constexpr std::array<KeyConversion, 5> rotary_conversions{{
+    {units::from_turns_min, units::to_turns_min},
+    {units::from_turns, units::to_turns},
+    {units::from_turns, units::to_turns},
+    {units::from_deg, units::to_deg},
+    {units::from_deg, units::to_deg},
+}};
+constexpr std::size_t rotary_limit_count = 3;
+
+constexpr std::array<double RotaryAxis::*, rotary_limit_count> rotary_limits{
+    &RotaryAxis::velocity, &RotaryAxis::acceleration, &RotaryAxis::jerk};
+constexpr std::array<std::optional<double> RotaryAxis::*, 2> rotary_travel{&RotaryAxis::minimum,
+                                                                           &RotaryAxis::maximum};
+
+SettingSpec rotary_limit_spec(std::string key, std::string title, std::string unit, std::string explanation) {
+  SettingSpec spec;
+  spec.key = std::move(key);
+  spec.title = std::move(title);
+  spec.unit = std::move(unit);
+  spec.explanation = std::move(explanation);
+  spec.minimum = 1e-6;
+  spec.maximum = 1e9;
+  return spec;
+}
+
+SettingSpec travel_spec(std::string key, std::string title, std::string explanation) {
+  constexpr double farthest = 1e6;
+  SettingSpec spec = rotary_limit_spec(std::move(key), std::move(title), "deg", std::move(explanation));
+  spec.minimum = -farthest;
+  spec.maximum = farthest;
+  spec.optional = true;
+  return spec;
+}
+
+[[noreturn]] void refuse_chain(const std::string& chain, const std::string& what) {
+  throw InputError(fmt::format(
+      "the chain '{}' {}; name X, Y, Z and the rotary axes once each from the part to the tool, with the "
+      "word "
+      "frame between those that carry the part and those that carry the tool, as in \"C A Y frame X Z\"",
+      chain, what));
+}
+
+}  // namespace
+
+const RotaryAxis* MachineKinematics::find(char axis) const {
+  const auto found = std::ranges::find(rotary, axis, &RotaryAxis::name);
+  return found == rotary.end() ? nullptr : &*found;
+}
+
+KinematicChain chain_of(const MachineKinematics& kinematics) {
+  std::vector<ChainAxis> axes;
+  std::istringstream words(kinematics.chain);
+  bool carries_part = true;
+  for (std::string word; words >> word;) {
+    if (word == frame_word) {
+      if (!carries_part) {
+        refuse_chain(kinematics.chain, "has the word frame twice");
+      }
+      carries_part = false;
+      continue;
+    }
+    const auto linear = std::ranges::find(coordinate_names, word[0]);
+    const RotaryAxis* rotary = kinematics.find(word[0]);
+    if (word.size() != 1 || (linear == coordinate_names.end() && rotary == nullptr)) {
+      refuse_chain(kinematics.chain, fmt::format("has '{}', which is no axis of this machine", word));
+    }
+    if (std::ranges::find(axes, word[0], &ChainAxis::name) != axes.end()) {
+      refuse_chain(kinematics.chain, fmt::format("has {} twice", word));
+    }
+    // ISO 841: the coordinate grows as the tool moves along the axis, or turns about it, against the part.
+    const double sense = carries_part ? -1 : 1;
+    ChainAxis axis;
+    axis.name = word[0];
+    axis.carries_part = carries_part;
+    if (rotary == nullptr) {
+      axis.direction = sense * Vec3::Unit(linear - coordinate_names.begin());
+    } else {
+      axis.rotary = true;
+      axis.direction = sense * rotary->direction;
+      if (rotary->minimum && rotary->maximum && !(*rotary->minimum < *rotary->maximum)) {
+        throw InputError(fmt::format("the travel of axis {} is empty, from {:g} to {:g} degrees",
+                                     rotary->name, units::to_deg(*rotary->minimum),
+                                     units::to_deg(*rotary->maximum)));
+      }
+      axis.point = rotary->point;
+      axis.least = rotary->minimum.value_or(axis.least);
+      axis.most = rotary->maximum.value_or(axis.most);
+    }
+    axes.push_back(axis);
+  }
+  if (carries_part) {
+    refuse_chain(kinematics.chain, "lacks the word frame");
+  }
+  for (const RotaryAxis& axis : kinematics.rotary) {
+    if (std::ranges::find(axes, axis.name, &ChainAxis::name) == axes.end()) {
+      refuse_chain(kinematics.chain, fmt::format("lacks axis {}", axis.name));
+    }
+  }
+  return KinematicChain(std::move(axes), Vec3::Zero(), Vec3::UnitZ());
+}
+
+const std::vector<SettingSpec>& rotary_axis_specs() {
+  static const std::vector<SettingSpec> specs{
+      rotary_limit_spec("velocity", QT_TRANSLATE_NOOP("core", "Velocity"), "rev/min",
+                        QT_TRANSLATE_NOOP("core", "Maximum velocity of this rotary axis.")),
+      rotary_limit_spec("acceleration", QT_TRANSLATE_NOOP("core", "Acceleration"), "rev/s2",
+                        QT_TRANSLATE_NOOP("core", "Maximum acceleration of this rotary axis.")),
+      rotary_limit_spec(
+          "jerk", QT_TRANSLATE_NOOP("core", "Jerk"), "rev/s3",
+          QT_TRANSLATE_NOOP("core", "Maximum rate of change of the acceleration of this rotary axis.")),
+      travel_spec(
+          "minimum", QT_TRANSLATE_NOOP("core", "Minimum position"),
+          QT_TRANSLATE_NOOP("core",
+                            "Lower end of the travel of this rotary axis; without it the axis has no end.")),
+      travel_spec(
+          "maximum", QT_TRANSLATE_NOOP("core", "Maximum position"),
+          QT_TRANSLATE_NOOP("core",
+                            "Upper end of the travel of this rotary axis; without it the axis has no end.")),
+  };
+  return specs;
+}
+
+SettingValue rotary_value(const RotaryAxis& axis, std::size_t i) {
+  if (i < rotary_limit_count) {
+    return shortest_in_unit(axis.*rotary_limits[i], rotary_conversions[i]);
+  }
+  const std::optional<double>& end = axis.*rotary_travel[i - rotary_limit_count];
+  return end ? SettingValue(shortest_in_unit(*end, rotary_conversions[i])) : SettingValue(std::string());
+}
+
+void set_rotary_value(RotaryAxis& axis, std::size_t i, const SettingValue& value) {
+  SettingSpec spec = rotary_axis_specs()[i];
+  spec.key = fmt::format("{}.{}", axis.name, spec.key);
+  check_setting(spec, value, "");
+  const double* number = std::get_if<double>(&value);
+  if (i < rotary_limit_count) {
+    axis.*rotary_limits[i] = rotary_conversions[i].to_internal(*number);
+  } else {
+    axis.*rotary_travel[i - rotary_limit_count] =
+        number == nullptr ? std::nullopt : std::optional(rotary_conversions[i].to_internal(*number));
+  }
+}
+
+/// Rest to rest over D with limits V, A, J: the speed v that is reached is the largest whose two ramps fit, v
+/// t(v) <= D with the ramp's time t(v) = 2 sqrt(v/J) up to v = A^2/J, v/A + A/J above; the rest of D runs at
+/// v.
+double turning_time(const RotaryAxis& axis, double angle, double feed) {
+  const double way = std::abs(angle);
+  if (way == 0) {
+    return 0;
+  }
+  const double a = axis.acceleration;
+  const double j = axis.jerk;
+  const double most = feed > 0 ? std::min(feed, axis.velocity) : axis.velocity;
+  const double knee = a * a / j;
+  const auto ramp_time = [&](double v) { return v <= knee ? 2 * std::sqrt(v / j) : v / a + a / j; };
+  double reached = std::cbrt(way * way * j / 4);
+  if (reached > knee) {
+    reached = (std::sqrt(knee * knee + 4 * a * way) - knee) / 2;
+  }
+  const double v = std::min(reached, most);
+  return ramp_time(v) + way / v;
+}
+
+}  // namespace feedscope
