@@ -102,6 +102,7 @@ void ModalWords::apply(const GCode& code, const Word& word) {
       break;
     case GAction::inch:
     case GAction::metric:
+      words_.changes_unit = modal_.inch != (code.action == GAction::inch);
       modal_.inch = code.action == GAction::inch;
       machining_.unit.set(modal_.inch ? LengthUnit::inch : LengthUnit::mm);
       break;
@@ -223,6 +224,22 @@ void ModalWords::apply_m(const Word& word) {
   }
 }
 
+/// F in mm a minute. LinuxCNC sets the feed before it changes the unit.
+double ModalWords::length_of_feed(const Word& word) const {
+  if (!is_linuxcnc() || !words_.changes_unit) {
+    return modal_.to_mm(word.value);
+  }
+  const bool inch = !modal_.inch;
+  report(Severity::warning, "feed-value", 1, word.column, [&] {
+    return Text{
+        fmt::format("F{} is in {}/min: LinuxCNC sets the feed before {} of the same block changes the unit",
+                    word.value, inch ? "inch" : "mm", inch ? "G21" : "G20"),
+        fmt::format("write {} in a block before it, or give --unit {} if the control starts so",
+                    inch ? "G21" : "G20", inch ? "mm" : "inch")};
+  });
+  return inch ? units::from_inch(word.value) : word.value;
+}
+
 void ModalWords::apply_feed() {
   if (words_.has('S') && words_['S'].value >= 0) {
     path().set_spindle_speed(words_['S'].value / 60);
@@ -242,7 +259,7 @@ void ModalWords::apply_feed() {
   }
   switch (path().feed_mode()) {
     case FeedMode::per_minute:
-      path().set_feed(units::from_mm_min(modal_.to_mm(word.value)));
+      path().set_feed(units::from_mm_min(length_of_feed(word)));
       break;
     case FeedMode::inverse_time:
       path().set_feed(word.value / 60);

@@ -33,6 +33,7 @@ class ModalWords : private Part {
   bool names_centers() const { return names_centers_; }
 
  private:
+  double length_of_feed(const Word& word) const;
   void apply(const GCode& code, const Word& word);
   void check_group(const GCode& code, const Word& word);
   void add_function(int code, std::uint32_t column);

@@ -12,6 +12,7 @@ void BlockWords::clear() {
   own_words = false;
   exact_stop = false;
   stop = false;
+  changes_unit = false;
   dwell = 0;
   macro_call = false;
   distance = nullptr;

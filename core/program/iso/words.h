@@ -34,6 +34,7 @@ struct BlockWords {
   std::uint32_t dwell = 0;                           ///< column of G4; 0: none
   bool exact_stop = false;                           ///< G9
   bool stop = false;                                 ///< M0, M1, M60
+  bool changes_unit = false;                         ///< from inch to mm or back
   bool macro_call = false;                           ///< G65, G66: the words are arguments
   const Word* distance = nullptr;                    ///< "@" of LinuxCNC
   const Word* angle = nullptr;                       ///< "^" of LinuxCNC [deg]

@@ -111,7 +111,7 @@ constexpr auto message_codes = std::to_array<MessageCodeInfo>({
     {"blank-form", "warning", "an upper corner below the lower one", "Coordinates"},
     {"motion-mode", "warning", "`X1` before any `G0` to `G3`", "Motion, feed, dwell"},
     {"feed-missing", "error", "`G1 X5` before any F; reported once", "Motion, feed, dwell"},
-    {"feed-value", "error", "`F0`, `F-5`", "Motion, feed, dwell"},
+    {"feed-value", "error, warning", "`F0`, `F-5`, `G20 F60` (LinuxCNC)", "Motion, feed, dwell"},
     {"tooth-count", "warning", "`FZ0.1`: one tooth is assumed", "Motion, feed, dwell"},
     {"dwell-time", "error", "`G4`, `G4 P-1`", "Motion, feed, dwell"},
     {"dwell-unit", "info", "`G4 P2`", "Motion, feed, dwell"},

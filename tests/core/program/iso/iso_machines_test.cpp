@@ -79,6 +79,19 @@ TEST(Tapes, AColonIsAnO) {
             (Lines{"rapid 1 0 0 @3", "rapid 2 0 0 @7"}));
 }
 
+/// Order of execution of LinuxCNC: F before G20 and G21.
+TEST(LinuxCnc, TakesTheFeedInTheUnitBeforeItsBlock) {
+  const Program program = read_as(Dialect::linuxcnc, "G20 F60\nG1 X1\nG1 X2 F60\n");
+  ASSERT_EQ(program.motions.size(), 2U);
+  EXPECT_DOUBLE_EQ(program.motions[0].feed, 1);
+  EXPECT_DOUBLE_EQ(program.motions[1].feed, 25.4);
+  EXPECT_DOUBLE_EQ(program.motions[1].target.x(), 50.8);
+  ASSERT_EQ(program.diagnostics.size(), 1U);
+  EXPECT_EQ(program.diagnostics[0].code, "feed-value");
+  const Program fanuc = read_as(Dialect::fanuc, "G20 F60\nG1 X1\n");
+  EXPECT_DOUBLE_EQ(fanuc.motions[0].feed, 25.4);
+}
+
 TEST(Printers, CommandsWithNamesMoveNothingAndAreSaid) {
   const Program program = read_text(
       "start_print BED=60\n"
