@@ -280,7 +280,7 @@ std::optional<LinuxCncBlend> find_linuxcnc_blend(const LinuxCncSegment& p, const
     return std::nullopt;
   }
   course.start = from;
-  blend.consumes_first = !p.course.is_arc && !p.blends_before && !p.waits_for_spindle && !p.active &&
+  blend.consumes_first = !p.course.is_arc && !p.blends_before && !p.waits_for_spindle &&
                          before.length / planned < gap_cycles * settings.period;
   if (blend.consumes_first) {
     course.lead = before.length;
