@@ -44,7 +44,8 @@ Workbench::Workbench(MachineLibrary machines, Setup setup, QObject* parent)
   changed_.setSingleShot(true);
   changed_.setInterval(std::chrono::milliseconds(400));
   connect(&changed_, &QTimer::timeout, this, [this] {
-    if (reload_on_change_ && QFileInfo::exists(to_qstring(file_))) {
+    const std::optional<FileState> now = file_state();
+    if (reload_on_change_ && now && now != read_state_) {
       emit noticed(tr("%1 has changed and is reloaded.").arg(to_qstring(file_.filename())));
       reload();
     }
@@ -107,7 +108,16 @@ void Workbench::begin_runs_again() {
   runs_.replace({{0, {}, run_colour(0), true, std::move(setup)}}, 0);
 }
 
+/// None where there is no such file.
+std::optional<Workbench::FileState> Workbench::file_state() const {
+  std::error_code none;
+  const FileState state{std::filesystem::last_write_time(file_, none),
+                        none ? 0 : std::filesystem::file_size(file_, none)};
+  return none ? std::nullopt : std::optional(state);
+}
+
 void Workbench::read_file() {
+  read_state_ = file_state();
   working_on_ = runs_.current_item().id;
   working_setup_ = setup_.setup();
   job_.start({file_, working_setup_, reading_});
@@ -204,9 +214,7 @@ void Workbench::save_machine(const std::filesystem::path& file, const QString& n
 
 bool Workbench::set_tolerance(double tolerance) {
   try {
-    SetupState changed = setup_.state();
-    changed.set_tolerance(tolerance);
-    runs_.set_setup(runs_.current(), changed, tr("contour tolerance"));
+    setup_.set_tolerance(tolerance);
     return true;
   } catch (const InputError&) {
     return false;

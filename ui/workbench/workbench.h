@@ -102,8 +102,16 @@ class Workbench : public QObject {
   void noticed(const QString& message);
 
  private:
+  /// What tells that a file has been written.
+  struct FileState {
+    std::filesystem::file_time_type written;
+    std::uintmax_t size = 0;
+    bool operator==(const FileState&) const = default;
+  };
+
   void begin_runs_again();
   void read_file();
+  std::optional<FileState> file_state() const;
   static Setup plain_setup(Machine machine);
   void use_default_machine();
   void schedule();
@@ -127,7 +135,8 @@ class Workbench : public QObject {
   AnnotationList annotations_;
   SimulationJob job_;
   QFileSystemWatcher watcher_;
-  QTimer changed_;  ///< a file that is being written changes more than once
+  QTimer changed_;                       ///< a file that is being written changes more than once
+  std::optional<FileState> read_state_;  ///< when the file was last read: a change before that is known
   bool reload_on_change_ = true;
   std::filesystem::path file_;
   ReadOptions reading_;

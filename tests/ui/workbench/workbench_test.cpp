@@ -55,6 +55,21 @@ TEST_F(WorkbenchTest, ReadsAndSimulatesAProgram) {
   EXPECT_TRUE(model.cursor().valid());
 }
 
+TEST_F(WorkbenchTest, AFileThatIsOpenedRightAfterItWasWrittenIsReadOnce) {
+  const std::filesystem::path part = write("part.nc", test::small_program);
+  model.open(part);
+  wait_until_idle(model);
+  write("part.nc", "G21 G1 X1 F100\n");
+  QSignalSpy noticed(&model, &Workbench::noticed);
+  model.open(part);
+  wait_until_idle(model);
+  const auto program = model.program();
+  EXPECT_FALSE(noticed.wait(1000)) << "what changed before it was read is no change";
+  EXPECT_EQ(model.program(), program);
+  write("part.nc", "G21 G1 X2 F100\nX3\n");
+  EXPECT_TRUE(noticed.wait(patience)) << "what changes later is read again";
+}
+
 TEST_F(WorkbenchTest, ReadsTheProgramAnewInAnotherWayAndAnotherProgramAsUsual) {
   const std::filesystem::path part = write("part.nc", "G21 G17\nG42 D7 G1 X10 F600\nX20\nX30\n");
   model.open(part);
