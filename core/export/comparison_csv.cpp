@@ -188,15 +188,21 @@ std::vector<std::string> cells_of(const Figures& figures, const Summary& summary
 
 }  // namespace
 
-std::string comparison_csv(std::span<const ComparedRun> runs) {
+std::string comparison_csv(std::span<const ComparedRun> runs, std::span<const std::string> names) {
   const std::vector<std::size_t> causes = causes_of(runs);
   const Figures figures = figures_of(runs);
   std::vector<std::string> titles = header(causes);
   append(titles, columns_of(figures));
+  if (!names.empty()) {
+    titles.emplace_back("run");
+  }
   std::string text = fmt::format("{}\n", fmt::join(titles, ","));
-  for (const ComparedRun& run : runs) {
-    std::vector<std::string> row = row_of(run, causes);
-    append(row, cells_of(figures, run.summary));
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    std::vector<std::string> row = row_of(runs[i], causes);
+    append(row, cells_of(figures, runs[i].summary));
+    if (!names.empty()) {
+      row.push_back(csv_field(names[i]));
+    }
     text += fmt::format("{}\n", fmt::join(row, ","));
   }
   return text;

@@ -45,7 +45,8 @@ std::string program_difference_json(const Run& old, const Run& now, const Progra
 /// peak_feed_mm_min,max_contour_error_mm,blends,tolerance_min_mm,tolerance_max_mm,tolerance_set_by,
 /// for every axis its peaks (vx_mm_min,ax_m_s2,jx_m_s3) and their share of the limits (vx_share,...), and
 /// time_CAUSE_s for every cause that any run has.
-std::string comparison_csv(std::span<const ComparedRun> runs);
+/// `names`: of the runs, as a last column `run`; empty: no such column.
+std::string comparison_csv(std::span<const ComparedRun> runs, std::span<const std::string> names = {});
 
 /// What comparison_json writes, and what was swept.
 std::string study_json(const LoadedProgram& program, const Study& study);

@@ -2,16 +2,19 @@
 
 #include <QCheckBox>
 #include <QColorDialog>
+#include <QFileDialog>
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QSaveFile>
 #include <QTableView>
 #include <QToolBar>
 #include <QVBoxLayout>
 
 #include "core/base/error.h"
+#include "core/export/export.h"
 #include "core/machine/contour_tolerance.h"
 #include "ui/fields/number_box.h"
 #include "ui/fields/number_text.h"
@@ -87,6 +90,19 @@ RunsView::RunsView(RunList& runs, QWidget* parent)
     bar->addAction(action);
     table_->addAction(action);
   }
+  for_all_ = make_action(this, tr("Change &all runs"),
+                         tr("Values that are changed from now on are changed in all runs that know them, not "
+                            "in the current one alone"),
+                         {});
+  for_all_->setCheckable(true);
+  const QList<QAction*> in_menus{
+      for_all_,
+      make_action(this, tr("Save the runs as CSV …"),
+                  tr("The numbers of the runs that are simulated, one row per run, with their names"), {},
+                  &RunsView::save_csv)};
+  set_everyday_words(in_menus.last(), tr("export table spreadsheet"));
+  table_->addActions(in_menus);
+  actions_ += in_menus;
   bar->addSeparator();
   bar->addWidget(bounded_);
   bar->addWidget(bound_);
@@ -267,7 +283,36 @@ void RunsView::show_verdict() {
   verdict_->setText(verdict());
 }
 
+std::string RunsView::csv() const {
+  std::vector<ComparedRun> runs;
+  std::vector<std::string> names;
+  for (std::size_t row = 0; row < runs_.items().size(); ++row) {
+    if (const auto result = runs_.result(row)) {
+      runs.push_back(figures_of(result->run));
+      names.push_back(runs_.title(runs_.items()[row]).toStdString());
+    }
+  }
+  return runs.empty() ? std::string() : comparison_csv(runs, names);
+}
+
+void RunsView::save_csv() {
+  const std::string text = csv();
+  if (text.empty()) {
+    verdict_->setText(tr("There is no run to save: open a program first."));
+    return;
+  }
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save the runs"), {}, tr("Tables (*.csv)"));
+  QSaveFile out(file);
+  const auto size = static_cast<qint64>(text.size());
+  if (!file.isEmpty() &&
+      (!out.open(QIODevice::WriteOnly) || out.write(text.data(), size) != size || !out.commit())) {
+    verdict_->setText(tr("%1 cannot be written: %2.").arg(file, out.errorString()));
+  }
+}
+
 void RunsView::follow(Workbench& workbench) {
+  for_all_->setChecked(workbench.setup().for_all());
+  connect(for_all_, &QAction::toggled, &workbench.setup(), &SetupEdit::set_for_all);
   connect(this, &RunsView::again_wanted, &workbench, &Workbench::simulate_again);
 }
 

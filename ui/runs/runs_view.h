@@ -32,6 +32,8 @@ class RunsView : public Panel {
   QAction* again() { return again_; }
   /// Which run is the fastest, in one sentence.
   QString verdict() const;
+  /// The runs that are simulated as CSV: columns of comparison_csv, with their names.
+  std::string csv() const;
 
  signals:
   /// The run of this row is to be simulated once more.
@@ -52,6 +54,7 @@ class RunsView : public Panel {
   void follow_current();
   void follow_status();
   void show_verdict();
+  void save_csv();
 
   RunList& runs_;
   RunTable* model_;
@@ -61,6 +64,7 @@ class RunsView : public Panel {
   QLabel* verdict_;
   QList<QAction*> actions_;
   QAction* again_ = nullptr;
+  QAction* for_all_ = nullptr;
 };
 
 }  // namespace feedscope::ui

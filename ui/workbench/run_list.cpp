@@ -185,6 +185,14 @@ void RunList::set_setup(std::size_t row, const SetupState& setup, const QString&
   push(std::move(after), text);
 }
 
+void RunList::set_setups(const std::vector<SetupState>& setups, const QString& text) {
+  Snapshot after{items_, current_, load_};
+  for (std::size_t row = 0; row < after.items.size(); ++row) {
+    after.items[row].setup = setups[row];
+  }
+  push(std::move(after), text);
+}
+
 void RunList::set_load(const LoadSetup& load, const QString& text) {
   push({items_, current_, load}, text);
 }

@@ -75,6 +75,8 @@ class RunList : public QObject {
   void set_visible(std::size_t row, bool visible);
   /// `text` names the change in the history. Nothing happens if nothing changes.
   void set_setup(std::size_t row, const SetupState& setup, const QString& text);
+  /// The same of every run, in their order, in one step.
+  void set_setups(const std::vector<SetupState>& setups, const QString& text);
   /// How the tools of the program are engaged, in every run.
   const LoadSetup& load() const { return load_; }
   void set_load(const LoadSetup& load, const QString& text);

@@ -1,5 +1,7 @@
 #include "ui/workbench/setup_edit.h"
 
+#include "core/base/error.h"
+
 namespace feedscope::ui {
 
 SetupEdit::SetupEdit(RunList& runs, QObject* parent) : QObject(parent), runs_(runs) {
@@ -35,9 +37,30 @@ void SetupEdit::set_model(const ControlModel& model) {
 }
 
 void SetupEdit::set(const std::string& key, const SettingValue& value) {
+  change([&](SetupState& setup) { setup.set(key, value); }, QString::fromStdString(key));
+}
+
+void SetupEdit::set_tolerance(double tolerance) {
+  change([&](SetupState& setup) { setup.set_tolerance(tolerance); }, tr("contour tolerance"));
+}
+
+void SetupEdit::change(const std::function<void(SetupState&)>& change, const QString& text) {
   SetupState changed = state();
-  changed.set(key, value);
-  put(changed, QString::fromStdString(key));
+  change(changed);
+  if (!for_all_) {
+    put(changed, text);
+    return;
+  }
+  std::vector<SetupState> setups;
+  for (const RunItem& run : runs_.items()) {
+    setups.push_back(run.setup);
+    try {
+      change(setups.back());
+    } catch (const InputError&) {
+      setups.back() = run.setup;
+    }
+  }
+  runs_.set_setups(setups, tr("%1 in all runs").arg(text));
 }
 
 void SetupEdit::reset() {

@@ -2,6 +2,7 @@
 
 #include <QObject>
 #include <QUndoStack>
+#include <functional>
 #include <optional>
 
 #include "ui/workbench/run_list.h"
@@ -28,6 +29,12 @@ class SetupEdit : public QObject {
   void set_file(Setup file);
   /// Another model on the same machine: edits that it reads stay.
   void set_model(const ControlModel& model);
+  /// Whether set() and set_tolerance() change all runs that know the key, not the current one alone. A run
+  /// whose model or machine does not take the value keeps its own.
+  void set_for_all(bool all) { for_all_ = all; }
+  bool for_all() const { return for_all_; }
+  /// Contour tolerance [mm]. Throws as set().
+  void set_tolerance(double tolerance);
   /// Throws InputError naming key, value and bound; nothing changes then.
   void set(const std::string& key, const SettingValue& value);
   /// Back to what the file says, in one step.
@@ -43,8 +50,10 @@ class SetupEdit : public QObject {
  private:
   void follow(std::size_t row, const SetupState& before);
   void put(const SetupState& state, const QString& text);
+  void change(const std::function<void(SetupState&)>& change, const QString& text);
 
   RunList& runs_;
+  bool for_all_ = false;
 };
 
 }  // namespace feedscope::ui

@@ -117,5 +117,17 @@ TEST_F(RunsViewTest, ANameIsTypedIntoTheTable) {
   EXPECT_EQ(runs.items()[0].name, "roughing");
 }
 
+TEST_F(RunsViewTest, TheTableIsSavedWithTheNamesOfItsRuns) {
+  EXPECT_EQ(view.csv(), "") << "nothing is simulated";
+  runs.duplicate(0);
+  runs.rename(1, "finer, in steel");
+  simulate();
+  const QStringList lines = QString::fromStdString(view.csv()).split('\n', Qt::SkipEmptyParts);
+  ASSERT_EQ(lines.size(), 3);
+  EXPECT_TRUE(lines[0].startsWith("machine,model,tolerance_mm,cycle_time_s,"));
+  EXPECT_TRUE(lines[0].endsWith(",run"));
+  EXPECT_TRUE(lines[2].endsWith(",\"finer, in steel\""));
+}
+
 }  // namespace
 }  // namespace feedscope::ui

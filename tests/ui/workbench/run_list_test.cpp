@@ -11,6 +11,7 @@
 #include "tests/support/cielab.h"
 #include "tests/ui/run_fixture.h"
 #include "ui/theme/theme.h"
+#include "ui/workbench/setup_edit.h"
 
 namespace feedscope::ui {
 namespace {
@@ -240,6 +241,33 @@ TEST(RunColour, IsThatOfNoCurveInAnyTheme) {
       EXPECT_GT(distance(run_colour(run), run_colour(other)), told_apart) << run + 1 << " and " << other + 1;
     }
   }
+}
+
+TEST_F(RunListTest, AChangeForAllChangesEveryRunThatKnowsTheKeyInOneStep) {
+  SetupEdit edit(runs);
+  runs.duplicate(0);
+  SetupState other = runs.current_item().setup;
+  other.set_model(find_model("cam"));
+  runs.duplicate_as(1, other);
+  ASSERT_EQ(runs.items().size(), 3U);
+  runs.select(0);
+  edit.set_for_all(true);
+  edit.set("alpha", 2.0);
+  EXPECT_TRUE(runs.items()[0].setup.edited("alpha"));
+  EXPECT_TRUE(runs.items()[1].setup.edited("alpha"));
+  EXPECT_FALSE(runs.items()[2].setup.edited("alpha")) << "cam knows no alpha";
+  edit.set("X.jerk", 7.0);
+  EXPECT_TRUE(runs.items()[2].setup.edited("X.jerk"));
+  runs.history().undo();
+  runs.history().undo();
+  for (const RunItem& item : runs.items()) {
+    EXPECT_TRUE(item.setup.edits().empty()) << "one step each";
+  }
+  EXPECT_THROW(edit.set("alpha", -1e9), InputError);
+  EXPECT_FALSE(runs.items()[1].setup.edited("alpha")) << "what is refused changes no run";
+  edit.set_for_all(false);
+  edit.set_tolerance(0.03);
+  EXPECT_FALSE(runs.items()[1].setup.edited("contour_tolerance_mm"));
 }
 
 }  // namespace
