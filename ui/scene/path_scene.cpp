@@ -239,7 +239,6 @@ void PathScene::set_actual_shown(bool shown) {
     impl_->rebuild();
   }
 }
-
 bool PathScene::actual_shown() const {
   return impl_->actual_shown;
 }
@@ -299,6 +298,14 @@ void PathScene::set_exaggeration(double factor) {
 }
 double PathScene::exaggeration() const {
   return impl_->look.exaggeration;
+}
+
+void PathScene::set_rapids_shown(bool shown) {
+  impl_->look.rapids = shown;
+  impl_->apply_look();
+}
+bool PathScene::rapids_shown() const {
+  return impl_->look.rapids;
 }
 
 void PathScene::set_tool(const ToolShape& shape) {

@@ -74,6 +74,9 @@ class PathScene {
   /// How much larger than they are deviations from the programmed path are drawn: 1 to 1000, clamped.
   void set_exaggeration(double factor);
   double exaggeration() const;
+  /// Whether rapids are drawn.
+  void set_rapids_shown(bool shown);
+  bool rapids_shown() const;
   void set_tool(const ToolShape& shape);
   const ToolShape& tool() const;
   /// Grid lines on the faces of the frame.

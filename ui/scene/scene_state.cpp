@@ -3,8 +3,8 @@
 namespace feedscope::ui {
 
 SceneState scene_state(const PathScene& scene) {
-  return {scene.camera(), scene.colouring(), scene.exaggeration(),
-          scene.tool(),   scene.grid(),      scene.actual_shown()};
+  return {scene.camera(), scene.colouring(),    scene.exaggeration(), scene.tool(),
+          scene.grid(),   scene.actual_shown(), scene.rapids_shown()};
 }
 
 void set_scene_state(PathScene& scene, const SceneState& state) {
@@ -13,6 +13,7 @@ void set_scene_state(PathScene& scene, const SceneState& state) {
   scene.set_tool(state.tool);
   scene.set_grid(state.grid);
   scene.set_actual_shown(state.actual);
+  scene.set_rapids_shown(state.rapids);
   scene.set_camera(state.camera);
 }
 

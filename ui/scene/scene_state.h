@@ -12,6 +12,7 @@ struct SceneState {
   ToolShape tool = {};
   bool grid = true;
   bool actual = true;  ///< the path that the axes run is drawn
+  bool rapids = true;  ///< are drawn
 
   bool operator==(const SceneState&) const = default;
 };

@@ -165,7 +165,12 @@ void SceneActions::make_views() {
                         QKeySequence(Qt::Key_A));
   actual_->setCheckable(true);
   connect(actual_, &QAction::triggered, this, [this](bool on) { view_.scene().set_actual_shown(on); });
-  views_->addActions({perspective_, grid_, actual_});
+  rapids_ = add_command(tr("Rapi&ds"), tr("Draw the rapids; without them the path that cuts lies open"),
+                        QKeySequence(Qt::Key_R));
+  rapids_->setCheckable(true);
+  set_everyday_words(rapids_, tr("hide show G0"));
+  connect(rapids_, &QAction::triggered, this, [this](bool on) { view_.scene().set_rapids_shown(on); });
+  views_->addActions({perspective_, grid_, rapids_, actual_});
 }
 
 void SceneActions::make_tools() {
@@ -268,6 +273,7 @@ void SceneActions::follow_scene() {
   perspective_->setChecked(shown.camera.perspective);
   grid_->setChecked(shown.grid);
   actual_->setChecked(shown.actual);
+  rapids_->setChecked(shown.rapids);
 }
 
 QList<QAction*> SceneActions::all() const {

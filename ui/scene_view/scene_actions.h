@@ -72,6 +72,7 @@ class SceneActions : public QObject {
   QAction* perspective_ = nullptr;
   QAction* grid_ = nullptr;
   QAction* actual_ = nullptr;
+  QAction* rapids_ = nullptr;
   std::optional<bool> drives_;  ///< whether the run shown has any, as the actions say
   std::optional<bool> load_;    ///< whether it has a cutting load
   QAction* measure_ = nullptr;

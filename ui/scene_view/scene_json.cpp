@@ -63,7 +63,8 @@ QJsonObject to_json(const SceneState& state) {
                                {"diameter_mm", state.tool.diameter},
                                {"corner_radius_mm", state.tool.corner_radius}}},
           {"grid", state.grid},
-          {"actual_path", state.actual}};
+          {"actual_path", state.actual},
+          {"rapids", state.rapids}};
 }
 
 void read_json(const QJsonObject& json, SceneState& state) {
@@ -77,6 +78,7 @@ void read_json(const QJsonObject& json, SceneState& state) {
   read_tool(json["tool"].toObject(), state.tool);
   state.grid = json["grid"].toBool(state.grid);
   state.actual = json["actual_path"].toBool(state.actual);
+  state.rapids = json["rapids"].toBool(state.rapids);
 }
 
 }  // namespace feedscope::ui

@@ -295,6 +295,28 @@ TEST_F(PathSceneTest, RapidsFarAwayLeaveThePictureToWhatIsCut) {
   }
 }
 
+TEST_F(PathSceneTest, RapidsAreDrawnUnlessTheyAreHidden) {
+  const auto run = simulate_text("G21 G90 G94 F3000\nG0 Z30\nX50\nZ0\nG1 X0\nY50\n");
+  const auto drawn_pixels = [&] {
+    window_->Render();
+    const auto shown = pixels();
+    const auto first = shown->GetPointer(0);
+    std::size_t count = 0;
+    for (int i = 0; i < width * height; ++i) {
+      count += std::equal(first + 4 * i, first + 4 * i + 3, first) ? 0 : 1;
+    }
+    return count;
+  };
+  show(run, StandardView::front);
+  EXPECT_TRUE(scene_.rapids_shown());
+  const std::size_t with = drawn_pixels();
+  scene_.set_rapids_shown(false);
+  const std::size_t without = drawn_pixels();
+  EXPECT_LT(without + 100, with);
+  scene_.set_rapids_shown(true);
+  EXPECT_EQ(drawn_pixels(), with);
+}
+
 TEST_F(PathSceneTest, StandardViewsLookAlongTheAxes) {
   const auto run = simulate_text(test::small_program);
   const auto moves = [&](const Vec3& step) {

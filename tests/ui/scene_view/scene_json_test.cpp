@@ -13,6 +13,8 @@ SceneState changed() {
           Colouring::contour_error,
           50,
           {ToolKind::bull, 6.125, 0.8},
+          false,
+          true,
           false};
 }
 

@@ -230,6 +230,7 @@ void PathLayers::colour_layers() {
 
 LegendEntries PathLayers::entries() const {
   LegendEntries shown = entries_;
+  shown.rapid = shown.rapid && look_.rapids;
   if (needs_reference(look_.colouring)) {
     shown.overlays.clear();
   }
@@ -416,7 +417,8 @@ void PathLayers::place(const SceneFrame& frame, const Projection& view, double s
   for (Layer& layer : layers_) {
     const bool emphasis = layer.role == Role::blend_edge || layer.role == Role::curve_edge || layer.discs;
     const bool shown = (!emphasis || (edges && !moving)) && (layer.role != Role::range || range_) &&
-                       (layer.role != Role::overlay || overlays_shown());
+                       (layer.role != Role::overlay || overlays_shown()) &&
+                       (layer.role != Role::rapid || look_.rapids);
     const std::size_t level =
         layer.path != nullptr ? level_of(layer.path->samples(), frame, view, moving) : 0;
     for (std::size_t i = 0; i < layer.actors.size(); ++i) {

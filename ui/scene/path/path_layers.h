@@ -31,6 +31,7 @@ struct PathLook {
   Colouring colouring = Colouring::feed;
   Rgb run{0.0, 0.447, 0.698};  ///< colour of Colouring::run
   double exaggeration = 1;     ///< factor of the deviation from the programmed path
+  bool rapids = true;          ///< are drawn
   const SceneColours* colours = &scene_colours(Background::light);
   std::string reference;  ///< name of the run that the executed path is compared with
   std::shared_ptr<const SampledPath>
