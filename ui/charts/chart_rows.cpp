@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ui/charts/mean_line.h"
+
 namespace feedscope::ui {
 
 bool ChartRows::has(const Envelope* envelope, std::size_t chart) const {
@@ -21,6 +23,16 @@ void ChartRows::show(const Envelope* envelope, const QString& abscissa, QVBoxLay
     charts[i]->label_abscissa(i == last ? abscissa : QString());
     layout.setStretchFactor(charts[i], i == last ? stretch + 1 : stretch);
   }
+}
+
+void ChartRows::show_columns(const std::shared_ptr<const Trajectory>& run, const std::vector<double>& times,
+                             std::span<const Band> bands, const OverlayCurves& overlays) const {
+  charts.front()->set_means(times.empty() ? std::vector<float>() : mean_feeds(*run, times));
+  for (std::size_t i = 0; i < charts.size(); ++i) {
+    charts[i]->show_bands(
+        bands, times.empty() ? std::vector<OverlayCurve>() : overlays.curves(i, charts[i]->spec()));
+  }
+  lost->show_runs(times.empty() ? nullptr : run, overlays.runs(), times);
 }
 
 void ChartRows::show_values(const State* state, const RunSources& sources) const {
@@ -80,6 +92,7 @@ void ChartRows::draw(QPainter& painter, const QWidget& content) const {
     draw_part(painter, content, *headers[i], [&] { headers[i]->draw(painter); });
     draw_part(painter, content, *charts[i], [&] { charts[i]->draw(painter); });
   }
+  draw_part(painter, content, *lost, [&] { lost->draw(painter); });
 }
 
 void ChartRows::set_limits(const AxisVector<AxisLimits>& limits) const {

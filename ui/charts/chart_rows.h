@@ -7,6 +7,8 @@
 #include "ui/charts/chart_header.h"
 #include "ui/charts/charts_state.h"
 #include "ui/charts/kinematic_chart.h"
+#include "ui/charts/lost_time_chart.h"
+#include "ui/charts/overlay_curves.h"
 
 namespace feedscope::ui {
 
@@ -17,6 +19,7 @@ struct ChartRows {
   std::array<ChartHeader*, chart_count> headers{};
   std::array<KinematicChart*, chart_count> charts{};
   std::array<bool, chart_count> hidden{};  ///< by the user
+  LostTimeChart* lost = nullptr;           ///< below the first chart
 
   /// Whether a run with this envelope (null: any run) has this chart.
   bool has(const Envelope* envelope, std::size_t chart) const;
@@ -24,6 +27,9 @@ struct ChartRows {
   /// Shows those that `envelope` has values for (null: the ones of every run) and that nobody has hidden; the
   /// last of them carries the abscissa, with this title.
   void show(const Envelope* envelope, const QString& abscissa, QVBoxLayout& layout) const;
+  /// What is in the columns between `times` [s]; without times none. `run`: that they belong to.
+  void show_columns(const std::shared_ptr<const Trajectory>& run, const std::vector<double>& times,
+                    std::span<const Band> bands, const OverlayCurves& overlays) const;
   /// In the headers, at `state`; null: no values. `sources`: of its run.
   void show_values(const State* state, const RunSources& sources) const;
   /// Ordinates that the user chose, in their unit.

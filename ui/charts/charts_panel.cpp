@@ -56,6 +56,8 @@ ChartsPanel::ChartsPanel(Cursor& cursor, ViewRange& range, QWidget* parent)
     layout_->addWidget(rows_.charts[i], ChartRows::stretch);
     if (i == 0) {
       layout_->addWidget(causes_);
+      rows_.lost = new LostTimeChart(range_, this);
+      layout_->addWidget(rows_.lost);
     }
   }
   show_charts_of_run();
@@ -218,6 +220,7 @@ void ChartsPanel::hide_controls() {
   abscissa_->hide();
   show_all_->hide();
   more_->hide();
+  rows_.lost->switch_off();
 }
 
 void ChartsPanel::show_curve(std::size_t chart, std::size_t curve, bool shown) {
@@ -279,13 +282,9 @@ void ChartsPanel::refresh() {
   refresh_.stop();
   refresh_columns();
   rows_.charts.front()->set_cutting_feed(cutting_feed(envelope_.get(), columns_.bands(), overlays_.runs()));
-  for (std::size_t i = 0; i < rows_.charts.size(); ++i) {
-    rows_.charts[i]->show_bands(columns_.bands(), envelope_ == nullptr
-                                                      ? std::vector<OverlayCurve>()
-                                                      : overlays_.curves(i, rows_.charts[i]->spec()));
-  }
+  const std::vector<double> times = envelope_ != nullptr ? columns_.times() : std::vector<double>();
+  rows_.show_columns(trajectory_, times, columns_.bands(), overlays_);
   if (envelope_ != nullptr) {
-    const std::vector<double>& times = columns_.times();
     causes_->set_causes(envelope_->causes().dominating(times),
                         envelope_->causes().between(times.front(), times.back()));
   } else {
@@ -315,6 +314,8 @@ void ChartsPanel::show_cursor() {
                                  second);
   }
   rows_.show_values(shown ? &cursor_.state() : nullptr, sources_);
+  rows_.lost->set_cursor(rows_.charts.front()->cursor(),
+                         shown ? std::optional(cursor_.state().time) : std::nullopt);
   show_other_runs();
   const QString text = measurement_text();
   readout_->setText(text);

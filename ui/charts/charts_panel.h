@@ -74,6 +74,7 @@ class ChartsPanel : public Panel {
   KinematicChart& chart(std::size_t i) { return *rows_.charts[i]; }
   ChartHeader& header(std::size_t i) { return *rows_.headers[i]; }
   CauseStrip& causes() { return *causes_; }
+  LostTimeChart& lost() { return *rows_.lost; }
   void show_curve(std::size_t chart, std::size_t curve, bool shown);
   void show_usual_curves();
   /// The last one that is shown stays.
@@ -94,6 +95,7 @@ class ChartsPanel : public Panel {
   void go_forward();
   void choose_abscissa(Abscissa abscissa);
 
+  bool busy() const override { return rows_.lost->busy(); }
   /// Every command of the panel, for menus, the list of keys and the command palette.
   QList<QAction*> panel_actions() const override { return commands_->actions(); }
   ChartCommands& commands() { return *commands_; }

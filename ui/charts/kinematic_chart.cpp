@@ -13,14 +13,15 @@
 #include "core/base/ticks.h"
 #include "ui/charts/chart_input.h"
 #include "ui/charts/curve_columns.h"
+#include "ui/charts/mean_line.h"
 #include "ui/charts/plot_margins.h"
 
 namespace feedscope::ui {
 
 namespace {
 
-constexpr int least_height = 60;
-constexpr int least_labelled_height = 90;
+constexpr int least_height = 50;
+constexpr int least_labelled_height = 80;
 constexpr int top_margin = 6;
 constexpr int bottom_margin = 8;
 constexpr int labelled_bottom_margin = 36;
@@ -337,8 +338,10 @@ void KinematicChart::draw_picture(QPainter& painter) {
   painter.save();
   painter.setClipRect(chart()->plotArea());
   draw_curves(painter);
+  const ThemeColours& colours = theme_colours(palette());
+  draw_mean_lines(painter, mean_lines(), curve_colour(CurveRole::path, colours), colours.plot);
   draw_limits(painter);
-  draw_rapid_note(painter);
+  draw_notes(painter);
   painter.restore();
   painter.setFont(abscissa_->labelsFont());
   painter.setPen(theme_colours(palette()).text);
@@ -408,14 +411,35 @@ void KinematicChart::draw_limits(QPainter& painter) const {
   }
 }
 
-void KinematicChart::draw_rapid_note(QPainter& painter) const {
-  if (!fastest_rapid_) {
+void KinematicChart::set_means(std::vector<float> means) {
+  means_ = std::move(means);
+}
+
+std::vector<QPolygonF> KinematicChart::mean_lines() const {
+  if (means_.empty() || columns_.empty() || !shown_.front()) {
+    return {};
+  }
+  const QRectF plot = chart()->plotArea();
+  return ui::mean_lines(plot, spans_of(*this, plot, columns_.front()), means_,
+                        [this](double value) { return height_of(spec_.convert(value)); });
+}
+
+/// What the chart leaves out or adds, in its upper left corner.
+void KinematicChart::draw_notes(QPainter& painter) const {
+  QStringList notes;
+  if (fastest_rapid_) {
+    notes.append(tr("▴ rapids up to %1").arg(QLocale().toString(*fastest_rapid_, 'f', spec_.decimals)));
+  }
+  if (!mean_lines().empty()) {
+    notes.append(tr("line: mean of the columns"));
+  }
+  if (notes.isEmpty()) {
     return;
   }
   const ThemeColours& colours = theme_colours(palette());
   painter.setFont(limit_font(font()));
   const QFontMetricsF metrics(painter.font());
-  const QString text = tr("▴ rapids up to %1").arg(QLocale().toString(*fastest_rapid_, 'f', spec_.decimals));
+  const QString text = notes.join(QStringLiteral("   "));
   const QRectF plot = chart()->plotArea();
   const QRectF label(plot.left() + 4, plot.top() + 1, metrics.horizontalAdvance(text), metrics.height());
   QColor behind = colours.plot;

@@ -2,6 +2,7 @@
 
 #include <QChartView>
 #include <QPixmap>
+#include <QPolygonF>
 #include <QString>
 #include <optional>
 #include <span>
@@ -46,6 +47,11 @@ class KinematicChart : public QChartView {
   /// What is cut at in the shown range, in core units: a feed chart leaves rapids that are far beyond out of
   /// sight, and says so. None where nothing is cut.
   void set_cutting_feed(const std::optional<CuttingFeed>& feed);
+  /// Mean of the first curve in each column, core units: drawn where the columns are high, which otherwise
+  /// tell no more than the extremes. Empty: none. Columns as of show_bands().
+  void set_means(std::vector<float> means);
+  /// Those that are drawn.
+  std::vector<QPolygonF> mean_lines() const;
   void show_curve(std::size_t curve, bool shown);
   bool curve_shown(std::size_t curve) const { return shown_[curve]; }
   /// Draws equally wide columns from the lower to the upper end of the range, and other runs behind.
@@ -99,7 +105,7 @@ class KinematicChart : public QChartView {
   void draw_extents(QPainter& painter, const std::vector<Extent>& extents, const QColor& color, double width,
                     bool dashed) const;
   void draw_limits(QPainter& painter) const;
-  void draw_rapid_note(QPainter& painter) const;
+  void draw_notes(QPainter& painter) const;
   void draw_cursors(QPainter& painter) const;
 
   ChartSpec spec_;
@@ -109,6 +115,7 @@ class KinematicChart : public QChartView {
   QString abscissa_title_;
   std::vector<std::vector<Extent>> columns_;  ///< a curve each, core units
   std::vector<bool> shown_;                   ///< a curve each
+  std::vector<float> means_;                  ///< of the first curve, core units
   std::vector<OverlayCurve> overlays_;
   std::vector<LimitLine> limits_;
   std::optional<CuttingFeed> cutting_feed_;

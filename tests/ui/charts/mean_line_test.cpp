@@ -1,0 +1,53 @@
+#include "ui/charts/mean_line.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "tests/ui/run_fixture.h"
+
+namespace feedscope::ui {
+namespace {
+
+using feedscope::test::simulate_text;
+
+TEST(MeanLine, MeansTimesTheirTimesAddUpToThePath) {
+  const auto run = simulate_text("G21 G90 F3000\nG1 X50\nY50\nG4 P500\nX0\n");
+  const double duration = run.trajectory->duration();
+  std::vector<double> times;
+  for (int i = 0; i <= 40; ++i) {
+    times.push_back(duration * i / 40);
+  }
+  const std::vector<float> means = mean_feeds(*run.trajectory, times);
+  ASSERT_EQ(means.size(), 40U);
+  const double sum = std::accumulate(means.begin(), means.end(), 0.0);
+  EXPECT_NEAR(sum * duration / 40, run.trajectory->state(duration).path_length, 1e-3);
+  EXPECT_TRUE(mean_feeds(*run.trajectory, std::vector<double>{1}).empty());
+}
+
+TEST(MeanLine, StandsAlongHighColumnsOnly) {
+  const QRectF plot(10, 0, 60, 100);
+  std::vector<ColumnSpan> columns(60, ColumnSpan{40, 45});  // low: the curve tells it all
+  for (std::size_t i = 20; i < 40; ++i) {
+    columns[i] = {10, 90};
+  }
+  for (std::size_t i = 50; i < 55; ++i) {
+    columns[i] = {10, 90};  // too few
+  }
+  const std::vector<float> means(60, 30.0F);
+  const auto height_of = [](double value) { return 100 - value; };
+  const std::vector<QPolygonF> lines = mean_lines(plot, columns, means, height_of);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_EQ(lines[0].size(), 20);
+  EXPECT_EQ(lines[0].front(), QPointF(30.5, 70));
+  EXPECT_EQ(lines[0].back(), QPointF(49.5, 70));
+  std::vector<float> broken = means;
+  broken[25] = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(mean_lines(plot, columns, broken, height_of)[0].size(), 14);
+  EXPECT_TRUE(mean_lines(plot, columns, std::vector<float>(3), height_of).empty());
+}
+
+}  // namespace
+}  // namespace feedscope::ui

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <QPolygonF>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "core/trajectory/trajectory.h"
+#include "ui/charts/curve_columns.h"
+
+namespace feedscope::ui {
+
+/// Path length over time between neighbouring `times` [mm/s]; 0 where no time passes.
+std::vector<float> mean_feeds(const Trajectory& trajectory, std::span<const double> times);
+
+/// The mean along columns so high that they tell no more than the extremes: lines over stretches of a dozen
+/// columns or more.
+///
+/// `columns`: of the curve over `plot`'s width [px]; `means`: a value each, NaN where there is none;
+/// `height_of`: place of a value [px]. Empty where the numbers of columns and means differ.
+std::vector<QPolygonF> mean_lines(const QRectF& plot, std::span<const ColumnSpan> columns,
+                                  std::span<const float> means,
+                                  const std::function<double(double)>& height_of);
+
+/// Draws them so that they stand out from the columns. `behind`: colour of the plot.
+void draw_mean_lines(QPainter& painter, const std::vector<QPolygonF>& lines, const QColor& colour,
+                     QColor behind);
+
+}  // namespace feedscope::ui
