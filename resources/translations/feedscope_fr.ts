@@ -86,12 +86,12 @@
         <translation>Trajectoire réelle des axes.</translation>
     </message>
     <message>
-        <source>Set path: this machine has no drives. Give them in Machine and control, Drives.</source>
-        <translation>Trajectoire de consigne : cette machine n&apos;a pas d&apos;entraînements. Donnez-les dans Machine et commande, Entraînements.</translation>
-    </message>
-    <message>
         <source>%1 radii and %2 feeds are %3 tests; a table has at most %4. Type fewer.</source>
         <translation>%1 rayons et %2 avances font %3 essais ; un tableau en contient au plus %4. Saisissez-en moins.</translation>
+    </message>
+    <message>
+        <source>Set path: this machine has no drives. Give them in Machine, Drives.</source>
+        <translation>Trajectoire de consigne : cette machine n’a pas d’entraînements. Donnez-les dans Machine, Entraînements.</translation>
     </message>
 </context>
 <context>
@@ -2264,6 +2264,26 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
         <source>Upper end of the travel of this rotary axis; without it the axis has no end.</source>
         <translation>Extrémité supérieure de la course de cet axe rotatif ; sans elle, l&apos;axe tourne sans fin.</translation>
     </message>
+    <message>
+        <source>same motions, same feed</source>
+        <translation>mêmes mouvements, même avance</translation>
+    </message>
+    <message>
+        <source>same motions, other feed</source>
+        <translation>mêmes mouvements, autre avance</translation>
+    </message>
+    <message>
+        <source>other motions</source>
+        <translation>autres mouvements</translation>
+    </message>
+    <message>
+        <source>removed</source>
+        <translation>supprimé</translation>
+    </message>
+    <message>
+        <source>added</source>
+        <translation>ajouté</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::ActionTable</name>
@@ -3530,6 +3550,14 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>Report as PDF or HTML, to print or to send, with a preview of its pages</source>
         <translation>Rapport en PDF ou HTML, à imprimer ou à envoyer, avec un aperçu de ses pages</translation>
     </message>
+    <message>
+        <source>print printer export paper document send</source>
+        <translation>imprimer imprimante exporter papier document envoyer</translation>
+    </message>
+    <message>
+        <source>export image screenshot print</source>
+        <translation>exporter image capture imprimer</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::FindBar</name>
@@ -3686,6 +3714,26 @@ Clic&#xa0;: masquer ou afficher. Ctrl+clic&#xa0;: celle-ci seule.</translation>
         <source>All keyboard shortcuts and mouse actions</source>
         <translation>Tous les raccourcis clavier et actions de la souris</translation>
     </message>
+    <message>
+        <source>help manual documentation how to</source>
+        <translation>aide manuel documentation comment</translation>
+    </message>
+    <message>
+        <source>&amp;About Feedscope</source>
+        <translation>À &amp;propos de Feedscope</translation>
+    </message>
+    <message>
+        <source>Version and licence</source>
+        <translation>Version et licence</translation>
+    </message>
+    <message>
+        <source>About Feedscope</source>
+        <translation>À propos de Feedscope</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Feedscope %1&lt;/h3&gt;&lt;p&gt;Shows what a CNC control does with an NC program: path, feed, acceleration and jerk, and what limits the feed.&lt;/p&gt;&lt;p&gt;Models of published controls on published machines. How far to trust a number: &lt;i&gt;Help › Handbook&lt;/i&gt;, &lt;i&gt;Models and accuracy&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;BSD 3-clause licence. With Qt %2, VTK and the DejaVu fonts.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Feedscope %1&lt;/h3&gt;&lt;p&gt;Montre ce qu’une commande CNC fait d’un programme : trajectoire, avance, accélération et jerk, et ce qui limite l’avance.&lt;/p&gt;&lt;p&gt;Modèles de commandes publiées sur des machines publiées. Jusqu’où croire un nombre : &lt;i&gt;Aide › Manuel&lt;/i&gt;, &lt;i&gt;Modèles et précision&lt;/i&gt;.&lt;/p&gt;&lt;p&gt;Licence BSD à 3 clauses. Avec Qt %2, VTK et les polices DejaVu.&lt;/p&gt;</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::JobBase</name>
@@ -3716,6 +3764,10 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>▴ rapids up to %1</source>
         <translation>▴ rapides jusqu’à %1</translation>
+    </message>
+    <message>
+        <source>line: mean of the columns</source>
+        <translation>trait : moyenne des colonnes</translation>
     </message>
 </context>
 <context>
@@ -3992,6 +4044,25 @@ Glisser au bouton droit ou Ctrl+glisser&#xa0;: zoom sur une zone. Ctrl+molette&#
     <message>
         <source>Save load file</source>
         <translation>Enregistrer le fichier de charge</translation>
+    </message>
+</context>
+<context>
+    <name>feedscope::ui::LostTimeChart</name>
+    <message>
+        <source>Time lost against other runs</source>
+        <translation>Temps perdu sur les autres simulations</translation>
+    </message>
+    <message>
+        <source>Time that the current run has lost against the others since the start, at the same place of the path; below 0 it is ahead</source>
+        <translation>Temps que la simulation courante a perdu sur les autres depuis le début, au même endroit de la trajectoire ; sous 0, elle est en avance</translation>
+    </message>
+    <message>
+        <source>%1%2 s</source>
+        <translation>%1%2 s</translation>
+    </message>
+    <message>
+        <source>Time lost against</source>
+        <translation>Temps perdu sur</translation>
     </message>
 </context>
 <context>
@@ -5277,6 +5348,42 @@ Ensemble&#xa0;: %4</translation>
         <source>Runs</source>
         <translation>Simulations</translation>
     </message>
+    <message>
+        <source>Change &amp;all runs</source>
+        <translation>Changer &amp;toutes les simulations</translation>
+    </message>
+    <message>
+        <source>Values that are changed from now on are changed in all runs that know them, not in the current one alone</source>
+        <translation>Les valeurs changées à partir de maintenant le sont dans toutes les simulations qui les connaissent, et pas seulement dans la courante</translation>
+    </message>
+    <message>
+        <source>Save the runs as CSV …</source>
+        <translation>Enregistrer les simulations en CSV …</translation>
+    </message>
+    <message>
+        <source>The numbers of the runs that are simulated, one row per run, with their names</source>
+        <translation>Les valeurs des simulations faites, une ligne par simulation, avec leurs noms</translation>
+    </message>
+    <message>
+        <source>export table spreadsheet</source>
+        <translation>exporter tableau tableur</translation>
+    </message>
+    <message>
+        <source>There is no run to save: open a program first.</source>
+        <translation>Il n’y a pas de simulation à enregistrer : ouvrir d’abord un programme.</translation>
+    </message>
+    <message>
+        <source>Save the runs</source>
+        <translation>Enregistrer les simulations</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tableaux (*.csv)</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 ne peut pas être écrit : %2.</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SceneActions</name>
@@ -5520,6 +5627,18 @@ Ensemble&#xa0;: %4</translation>
         <source>Say how the tools are engaged in the panel Cutting load</source>
         <translation>Indiquer l&apos;engagement des outils dans le panneau Charge de coupe</translation>
     </message>
+    <message>
+        <source>Rapi&amp;ds</source>
+        <translation>Ra&amp;pides</translation>
+    </message>
+    <message>
+        <source>Draw the rapids; without them the path that cuts lies open</source>
+        <translation>Dessiner les rapides ; sans eux, la trajectoire d’usinage se voit seule</translation>
+    </message>
+    <message>
+        <source>hide show G0</source>
+        <translation>cacher masquer montrer G0</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SceneRun</name>
@@ -5599,6 +5718,14 @@ Ensemble&#xa0;: %4</translation>
         <source>back to the machine file</source>
         <translation>retour au fichier machine</translation>
     </message>
+    <message>
+        <source>contour tolerance</source>
+        <translation>tolérance de contour</translation>
+    </message>
+    <message>
+        <source>%1 in all runs</source>
+        <translation>%1 dans toutes les simulations</translation>
+    </message>
 </context>
 <context>
     <name>feedscope::ui::SetupTable</name>
@@ -5676,10 +5803,6 @@ Ensemble&#xa0;: %4</translation>
         <translation>Modifié par rapport au fichier&#xa0;:</translation>
     </message>
     <message>
-        <source>Machine and control</source>
-        <translation>Machine et commande</translation>
-    </message>
-    <message>
         <source>Drives</source>
         <translation>Entraînements</translation>
     </message>
@@ -5690,6 +5813,10 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Drives: none, the axes follow exactly</source>
         <translation>Entraînements : aucun, les axes suivent exactement</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Machine</translation>
     </message>
 </context>
 <context>
@@ -6516,10 +6643,6 @@ Ensemble&#xa0;: %4</translation>
     <message>
         <source>Saved as %1.</source>
         <translation>Enregistré sous %1.</translation>
-    </message>
-    <message>
-        <source>contour tolerance</source>
-        <translation>tolérance de contour</translation>
     </message>
     <message>
         <source>Reading %1 %</source>

@@ -46,8 +46,8 @@ QString circular_message(const CircularResult& result) {
   if (!result.tests.empty()) {
     parts.append(result.actual()
                      ? CircularTexts::tr("Actual path of the axes.")
-                     : CircularTexts::tr("Set path: this machine has no drives. Give them in Machine and "
-                                         "control, Drives."));
+                     : CircularTexts::tr("Set path: this machine has no drives. Give them in Machine, "
+                                         "Drives."));
   }
   if (result.circles) {
     parts += notes_of(*result.circles);

@@ -57,7 +57,7 @@ int full_height(const QTableView* table) {
 }  // namespace
 
 SetupView::SetupView(SetupEdit& edit, QWidget* parent)
-    : Panel({QStringLiteral("machine"), tr("Machine and control"), Qt::RightDockWidgetArea}, parent),
+    : Panel({QStringLiteral("machine"), tr("Machine"), Qt::RightDockWidgetArea}, parent),
       edit_(edit),
       axis_model_(new AxisTable(edit, axis_limit_specs(), this)),
       drive_model_(new AxisTable(edit, axis_drive_specs(), this)),

@@ -11,4 +11,8 @@ QAction* make_action(QObject* owner, const QString& text, const QString& tip, co
   return action;
 }
 
+void set_everyday_words(QAction* action, const QString& words) {
+  action->setProperty(everyday_words_property, words);
+}
+
 }  // namespace feedscope::ui

@@ -3,6 +3,8 @@
 #include <QColor>
 #include <utility>
 
+#include "ui/shared/panel_action.h"
+
 namespace feedscope::ui {
 
 QString plain_text(const QString& menu_text) {
@@ -37,6 +39,9 @@ QVariant ActionTable::data(const QModelIndex& index, int role) const {
   const ListedAction& listed = actions_[index.row()];
   if (role == Qt::ToolTipRole) {
     return listed.action->toolTip();
+  }
+  if (role == words_role) {
+    return listed.action->property(everyday_words_property);
   }
   if (role == Qt::DecorationRole && index.column() == name) {
     return listed.action->icon();

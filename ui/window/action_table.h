@@ -19,6 +19,7 @@ class ActionTable : public QAbstractTableModel {
 
  public:
   enum Column { place, name, keys, columns };
+  static constexpr int words_role = Qt::UserRole;  ///< set_everyday_words() of the command
 
   using QAbstractTableModel::QAbstractTableModel;
 

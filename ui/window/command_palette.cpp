@@ -10,6 +10,7 @@
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace feedscope::ui {
 
@@ -45,7 +46,7 @@ void fit_places(QTableView& list, int width) {
                                                    static_cast<int>(largest_share * width)));
 }
 
-/// Rows that hold every word, in any order, in menu or name.
+/// Rows that hold every word, in any order, in menu, name or what the command does.
 QRegularExpression all_words(const QString& words) {
   QString pattern;
   for (const QString& word : words.split(' ', Qt::SkipEmptyParts)) {
@@ -54,17 +55,31 @@ QRegularExpression all_words(const QString& words) {
   return QRegularExpression(pattern, QRegularExpression::CaseInsensitiveOption);
 }
 
-/// Filters by menu and name together.
+/// Filters by menu, name, tip and everyday words together; what has the words in its menu or name comes
+/// first, else the order of the menus stays.
 class Found : public QSortFilterProxyModel {
  public:
-  using QSortFilterProxyModel::QSortFilterProxyModel;
+  explicit Found(QObject* parent) : QSortFilterProxyModel(parent) { sort(0); }
 
  protected:
   bool filterAcceptsRow(int row, const QModelIndex& parent) const override {
-    const auto text = [&](int column) { return sourceModel()->index(row, column, parent).data().toString(); };
+    const QModelIndex name = sourceModel()->index(row, ActionTable::name, parent);
     return filterRegularExpression()
-        .match(text(ActionTable::place) + ' ' + text(ActionTable::name))
+        .match(called(row, parent) + ' ' + name.data(Qt::ToolTipRole).toString() + ' ' +
+               name.data(ActionTable::words_role).toString())
         .hasMatch();
+  }
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override {
+    const auto rank = [this](const QModelIndex& index) {
+      return filterRegularExpression().match(called(index.row(), index.parent())).hasMatch() ? 0 : 1;
+    };
+    return std::pair(rank(left), left.row()) < std::pair(rank(right), right.row());
+  }
+
+ private:
+  QString called(int row, const QModelIndex& parent) const {
+    const auto text = [&](int column) { return sourceModel()->index(row, column, parent).data().toString(); };
+    return text(ActionTable::place) + ' ' + text(ActionTable::name);
   }
 };
 
@@ -108,6 +123,7 @@ void CommandPalette::ask(QList<ListedAction> actions) {
 
 void CommandPalette::filter(const QString& words) {
   found_->setFilterRegularExpression(all_words(words));
+  found_->invalidate();
   list_->selectRow(0);
 }
 

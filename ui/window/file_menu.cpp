@@ -85,11 +85,15 @@ void FileMenu::add_machines() {
 void FileMenu::add_paper() {
   QAction* report = add(tr("Re&port …"), QKeySequence::Print,
                         tr("Report as PDF or HTML, to print or to send, with a preview of its pages"));
+  set_everyday_words(report, tr("print printer export paper document send"));
   connect(report, &QAction::triggered, this, &FileMenu::ask_for_report);
   const auto follow = [this, report] { report->setEnabled(workbench_.program() != nullptr); };
   connect(&workbench_, &Workbench::program_changed, report, follow);
   follow();
   auto* pictures = new PictureCommands(window_);
+  for (QAction* action : pictures->save_actions() + pictures->copy_actions()) {
+    set_everyday_words(action, tr("export image screenshot print"));
+  }
   addMenu(tr("Save &picture"))->addActions(pictures->save_actions());
   addMenu(tr("&Copy picture"))->addActions(pictures->copy_actions());
   connect(pictures, &PictureCommands::failed, this, &FileMenu::failed);

@@ -1,7 +1,9 @@
 #include "ui/window/help_menu.h"
 
+#include <QApplication>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QMessageBox>
 
 #include "ui/help/handbook_window.h"
 #include "ui/shared/panel_action.h"
@@ -29,8 +31,9 @@ HelpMenu::HelpMenu(Panel& lessons, QMainWindow& window)
       handbook_(new HandbookWindow(&window)),
       palette_(new CommandPalette(&window)),
       key_list_(new KeyList(&window)) {
-  connect(add(tr("Hand&book"), QKeySequence::HelpContents, tr("First steps, panels, commands")),
-          &QAction::triggered, this, [this] { handbook_->show_page(QStringLiteral("index")); });
+  QAction* handbook = add(tr("Hand&book"), QKeySequence::HelpContents, tr("First steps, panels, commands"));
+  set_everyday_words(handbook, tr("help manual documentation how to"));
+  connect(handbook, &QAction::triggered, this, [this] { handbook_->show_page(QStringLiteral("index")); });
   connect(add(tr("&Lessons"), {}, tr("Lessons for courses, with questions on the simulation")),
           &QAction::triggered, &lessons, &Panel::attention_wanted);
   QMenu* lesson = addMenu(tr("L&esson"));
@@ -42,6 +45,22 @@ HelpMenu::HelpMenu(Panel& lessons, QMainWindow& window)
   connect(add(tr("&Keyboard and mouse"), QKeySequence(tr("Ctrl+F1")),
               tr("All keyboard shortcuts and mouse actions")),
           &QAction::triggered, this, [this] { key_list_->show_keys(commands()); });
+  addSeparator();
+  connect(add(tr("&About Feedscope"), {}, tr("Version and licence")), &QAction::triggered, this,
+          &HelpMenu::show_about);
+}
+
+void HelpMenu::show_about() {
+  QMessageBox about(
+      QMessageBox::NoIcon, tr("About Feedscope"),
+      tr("<h3>Feedscope %1</h3><p>Shows what a CNC control does with an NC program: path, feed, "
+         "acceleration and jerk, and what limits the feed.</p><p>Models of published controls on "
+         "published machines. How far to trust a number: <i>Help › Handbook</i>, <i>Models and "
+         "accuracy</i>.</p><p>BSD 3-clause licence. With Qt %2, VTK and the DejaVu fonts.</p>")
+          .arg(QStringLiteral(FEEDSCOPE_VERSION), QString::fromLatin1(qVersion())),
+      QMessageBox::Close, &window_);
+  about.setIconPixmap(QApplication::windowIcon().pixmap(64));
+  about.exec();
 }
 
 QAction* HelpMenu::add(const QString& text, const QKeySequence& key, const QString& tip) {

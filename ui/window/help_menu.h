@@ -23,6 +23,7 @@ class HelpMenu : public QMenu {
   QList<ListedAction> commands() const;
 
  private:
+  void show_about();
   QAction* add(const QString& text, const QKeySequence& key, const QString& tip);
 
   QMainWindow& window_;

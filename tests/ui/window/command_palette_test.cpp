@@ -11,6 +11,8 @@
 #include <QTest>
 #include <array>
 
+#include "ui/shared/panel_action.h"
+
 namespace feedscope::ui {
 namespace {
 
@@ -49,6 +51,19 @@ TEST_F(CommandPaletteTest, AnyWordsInAnyOrderFindACommandAndEnterRunsIt) {
   QTest::keyClick(palette.input(), Qt::Key_Return);
   EXPECT_EQ(triggered, &fit);
   EXPECT_FALSE(palette.isVisible());
+}
+
+TEST_F(CommandPaletteTest, EverydayWordsFindACommandAndItsNameComesFirst) {
+  fit.setToolTip("Shows it all from the top");
+  set_everyday_words(&top, "above bird");
+  palette.ask(actions());
+  QTest::keyClicks(palette.input(), "bird");
+  ASSERT_EQ(palette.list()->model()->rowCount(), 1);
+  palette.ask({{"Charts", &fit}, {"View", &top}});
+  QTest::keyClicks(palette.input(), "top");
+  ASSERT_EQ(palette.list()->model()->rowCount(), 2);
+  QTest::keyClick(palette.input(), Qt::Key_Return);
+  EXPECT_EQ(triggered, &top) << "not what only says so in its tip";
 }
 
 TEST_F(CommandPaletteTest, ArrowKeysChoose) {
