@@ -218,7 +218,12 @@ void StudyView::list_keys() {
   const QString chosen = key_->currentData().toString();
   const QSignalBlocker quiet(key_);
   key_->clear();
+  const std::string axes = axis_names(setup.file().machine);
   for (const std::string& key : sweep_keys(*setup.file().model)) {
+    const bool of_absent_axis = key.size() > 2 && key[1] == '.' && axes.find(key[0]) == std::string::npos;
+    if (of_absent_axis) {
+      continue;
+    }
     const bool known = key != tolerance || setup.file().settings.has(setting_of(key));
     if (!known || (key != tolerance && setting_of(tolerance) == key)) {
       continue;
