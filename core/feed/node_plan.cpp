@@ -4,280 +4,221 @@
 #include <cmath>
 #include <deque>
 
+#include "core/base/make_room.h"
+#include "core/feed/node_planner.h"
 #include "core/feed/profile_walk.h"
 
 namespace feedscope {
 namespace {
 
-constexpr double slack = 1 + 1e-7;
-/// Places whose ceilings differ by less are equally slow: which of them becomes a node must not depend on
-/// the rounding of coordinates, and in short blocks curvatures of a few values come again and again.
-constexpr double equal = 1 + 1e-3;
+using Outcome = NodePlanner::Outcome;
 
-/// Nodes, and per gap between neighbours its limits and whether it still has to be checked.
-class NodePlanner {
+/// What is planned in one go, in elements: what of it is looked at again and again stays in a fast cache.
+constexpr std::uint32_t part_elements = 1024;
+
+/// Plans the parts of a stretch one after the other. Ends of parts are places that probably keep their
+/// ceiling; where one does not, the part is planned again with the one beside it.
+class PartsPlanner {
  public:
-  NodePlanner(std::span<const PlanElement> elements, std::span<const SpeedBound> ceiling,
-              std::span<const std::uint32_t> level)
-      : elements_(elements), ceiling_(ceiling), found_(level.begin(), level.end()) {
-    const Cause rest{CauseKind::exact_stop};
-    nodes_ = {{0, 0, rest}, {static_cast<std::uint32_t>(elements.size()), 0, rest}};
-    forward_ = {{0, false}, {0, false}};
-    gaps_ = {gap_between(0, elements.size())};
-    insert_found();
-    make_reachable();
+  PartsPlanner(std::span<const PlanElement> elements, std::span<const SpeedBound> ceiling)
+      : elements_(elements), ceiling_(ceiling), planner_(elements, ceiling) {}
+
+  std::vector<PlanNode> plan(std::span<const std::uint32_t> level) {
+    std::vector<std::uint32_t> junctions{0};
+    junctions.insert(junctions.end(), level.begin(), level.end());
+    junctions.push_back(static_cast<std::uint32_t>(elements_.size()));
+    add(std::move(junctions));
+    return finish();
   }
 
-  /// Begins with the nodes of `before`. Of those between two level ones at their ceilings, which part what
-  /// lies before from what lies behind, the level ones alone stay if an element is `changed` there.
-  NodePlanner(std::span<const PlanElement> elements, std::span<const SpeedBound> ceiling,
-              std::span<const std::uint32_t> level, std::span<const PlanNode> before,
-              std::span<const std::uint32_t> changed)
-      : elements_(elements), ceiling_(ceiling), nodes_{before.front()}, forward_{{0, false}} {
+  /// As plan_nodes_again(): between two nodes that part what lies before from what lies behind, the level
+  /// ones alone are nodes again if an element is `changed` there, else all are as they were.
+  std::vector<PlanNode> plan_again(std::span<const std::uint32_t> level, std::span<const PlanNode> before,
+                                   std::span<const std::uint32_t> changed) {
+    const std::vector<Section> sections = sections_of(level, before, changed);
+    const auto junctions_of = [&](std::size_t first, std::size_t last) {
+      std::vector<std::uint32_t> junctions;
+      for (std::size_t i = first; i < last; ++i) {
+        const Section& section = sections[i];
+        junctions.push_back(section.nodes.front().junction);
+        if (section.changed) {
+          junctions.insert(junctions.end(), section.level.begin(), section.level.end());
+        } else {
+          for (const PlanNode& node : section.nodes.subspan(1, section.nodes.size() - 2)) {
+            junctions.push_back(node.junction);
+          }
+        }
+      }
+      junctions.push_back(sections[last - 1].nodes.back().junction);
+      return junctions;
+    };
+    in_turn(sections.size(), [&](std::size_t first, std::size_t last) {
+      if (last - first == 1 && !sections[first].changed) {
+        const std::span<const PlanNode> nodes = sections[first].nodes;
+        keep(nodes.first(nodes.size() - 1));
+        return Outcome::planned;
+      }
+      return add(junctions_of(first, last));
+    });
+    return finish();
+  }
+
+ private:
+  /// A part of the plan before, from one parting node to another.
+  struct Section {
+    std::span<const PlanNode> nodes;       ///< both ends included
+    std::span<const std::uint32_t> level;  ///< inside it
+    bool changed = false;
+  };
+
+  std::vector<Section> sections_of(std::span<const std::uint32_t> level, std::span<const PlanNode> before,
+                                   std::span<const std::uint32_t> changed) const {
+    std::vector<Section> sections;
     auto change = changed.begin();
     auto next_level = level.begin();
-    auto parting = level.begin();
-    for (std::size_t b = 1; b < before.size();) {
-      // To the next node that parts: `last` of `before`, or its end.
-      std::size_t last = b;
+    for (std::size_t b = 0; b + 1 < before.size();) {
+      std::size_t last = b + 1;
+      auto parting = next_level;
       for (; last + 1 < before.size(); ++last) {
         const PlanNode& node = before[last];
         parting = std::find_if(parting, level.end(), [&](std::uint32_t j) { return j >= node.junction; });
         if (parting != level.end() && *parting == node.junction &&
-            node.speed == ceiling[node.junction].value) {
+            node.speed == ceiling_[node.junction].value) {
           break;
         }
       }
       const std::uint32_t end = before[last].junction;
       const auto behind = std::find_if(change, changed.end(), [&](std::uint32_t e) { return e >= end; });
-      if (behind == change) {
-        for (; b <= last; ++b) {
-          append(before[b], false);
-        }
-        next_level = std::find_if(next_level, level.end(), [&](std::uint32_t j) { return j > end; });
-      } else {
-        for (; next_level != level.end() && *next_level < end; ++next_level) {
-          append({*next_level, ceiling[*next_level].value, ceiling[*next_level].cause}, true);
-        }
-        append(before[last], true);
-        next_level += next_level != level.end() && *next_level == end ? 1 : 0;
-        b = last + 1;
-      }
+      const auto level_end = std::find_if(next_level, level.end(), [&](std::uint32_t j) { return j >= end; });
+      add_section(sections, {before.subspan(b, last - b + 1), {next_level, level_end}, behind != change});
+      next_level = level_end + (level_end != level.end() && *level_end == end ? 1 : 0);
       change = behind;
+      b = last;
     }
-    forward_.back() = {0, false};
-    make_reachable();
+    return sections;
   }
 
-  std::vector<PlanNode> plan() {
-    constexpr int careful_rounds = 24;
-    for (int round = 0; any_unchecked(); ++round) {
-      find_too_fast(round < careful_rounds);
-      insert_found();
-      make_reachable();
+  /// Sections of one kind that follow each other become one, those that are changed up to a part.
+  static void add_section(std::vector<Section>& sections, const Section& section) {
+    if (!sections.empty() && sections.back().changed == section.changed) {
+      Section& before = sections.back();
+      const std::uint32_t elements = section.nodes.back().junction - before.nodes.front().junction;
+      if (!section.changed || elements <= part_elements) {
+        before.nodes = {before.nodes.begin(), section.nodes.end()};
+        before.level = {before.level.data(), section.level.data() + section.level.size()};
+        return;
+      }
     }
+    sections.push_back(section);
+  }
+
+  /// Plans between the first and the last of `junctions` and keeps the nodes but the last.
+  Outcome add(std::vector<std::uint32_t> junctions) {
+    const std::uint32_t elements = junctions.back() - junctions.front();
+    if (elements <= part_elements + part_elements / 2) {
+      return add(junctions, 0);
+    }
+    int round = 0;
+    if (longest_gap(junctions) > part_elements) {
+      junctions = planner_.first_round(junctions);
+      round = 1;
+    }
+    const std::vector<std::size_t> ends = ends_of_parts(junctions);
+    return in_turn(ends.size() - 1, [&](std::size_t first, std::size_t last) {
+      return add(std::span(junctions).subspan(ends[first], ends[last] - ends[first] + 1), round);
+    });
+  }
+
+  Outcome add(std::span<const std::uint32_t> junctions, int round) {
+    const Outcome outcome = planner_.plan(junctions, round);
+    if (outcome == Outcome::planned) {
+      keep(std::span(planner_.nodes()).first(planner_.nodes().size() - 1));
+    }
+    return outcome;
+  }
+
+  void keep(std::span<const PlanNode> nodes) {
+    const double planned = std::max(part_elements, nodes.back().junction);
+    make_room(nodes_, nodes.size(), std::min(1.0, planned / static_cast<double>(elements_.size())));
+    nodes_.insert(nodes_.end(), nodes.begin(), nodes.end());
+  }
+
+  static std::uint32_t longest_gap(std::span<const std::uint32_t> junctions) {
+    std::uint32_t longest = 0;
+    for (std::size_t i = 1; i < junctions.size(); ++i) {
+      longest = std::max(longest, junctions[i] - junctions[i - 1]);
+    }
+    return longest;
+  }
+
+  /// Which of `junctions` are ends of parts: about every part_elements the slowest of some.
+  std::vector<std::size_t> ends_of_parts(std::span<const std::uint32_t> junctions) const {
+    constexpr std::uint32_t choice = part_elements / 4;
+    std::vector<std::size_t> ends{0};
+    std::size_t i = 1;
+    while (i + 1 < junctions.size()) {
+      const std::uint32_t from = junctions[ends.back()] + part_elements;
+      std::size_t slowest = 0;
+      for (; i + 1 < junctions.size() && junctions[i] < from; ++i) {
+      }
+      for (; i + 1 < junctions.size() && (slowest == 0 || junctions[i] < from + choice); ++i) {
+        if (slowest == 0 || ceiling_[junctions[i]].value < ceiling_[junctions[slowest]].value) {
+          slowest = i;
+        }
+      }
+      if (slowest != 0) {
+        ends.push_back(slowest);
+        i = slowest + 1;
+      }
+    }
+    ends.push_back(junctions.size() - 1);
+    return ends;
+  }
+
+  /// Calls plan(first, last), which keeps nodes, for parts [first, last) that together are all `count`: at
+  /// first for each by itself, then for more where an end between two is slower. An end of the whole that is
+  /// slower is what it returns.
+  template <class Plan>
+  Outcome in_turn(std::size_t count, const Plan& plan) {
+    struct Planned {
+      std::size_t first;
+      std::size_t nodes;  ///< before them
+    };
+    std::vector<Planned> planned;
+    for (std::size_t first = 0; first < count;) {
+      std::size_t last = first + 1;
+      std::size_t kept = nodes_.size();
+      for (Outcome outcome; (outcome = plan(first, last)) != Outcome::planned;) {
+        nodes_.resize(kept);
+        const std::size_t wanted = 2 * (last - first);
+        if (outcome == Outcome::end_slower ? last == count : planned.empty()) {
+          return outcome;
+        }
+        if (outcome == Outcome::end_slower) {
+          last = std::min(count, first + wanted);
+        }
+        for (; outcome == Outcome::begin_slower && !planned.empty() && last - first < wanted;
+             planned.pop_back()) {
+          first = planned.back().first;
+          kept = planned.back().nodes;
+        }
+        nodes_.resize(kept);
+      }
+      planned.push_back({first, kept});
+      first = last;
+    }
+    return Outcome::planned;
+  }
+
+  std::vector<PlanNode> finish() {
+    nodes_.push_back(planner_.end_at(static_cast<std::uint32_t>(elements_.size())));
     return std::move(nodes_);
-  }
-
- private:
-  struct Gap {
-    double length = 0;      ///< [mm]
-    double ceiling = 0;     ///< highest of its elements [mm/s]
-    double least = 0;       ///< ceiling of its elements and of the junctions inside it [mm/s]
-    RampLimits ramp{};      ///< least of its elements
-    bool unchecked = true;  ///< whether the law in it passes something too fast
-    bool is_new = true;     ///< what can be reached through it is not known yet
-  };
-  /// Of a node: the speed that can be reached from the nodes before it, and whether it has just changed.
-  struct Forward {
-    double speed = std::numeric_limits<double>::quiet_NaN();
-    bool changed = true;
-  };
-
-  void append(const PlanNode& node, bool unchecked) {
-    gaps_.push_back(gap_between(nodes_.back().junction, node.junction));
-    gaps_.back().unchecked = unchecked;
-    nodes_.push_back(node);
-    forward_.emplace_back();
-  }
-
-  Gap gap_between(std::size_t first, std::size_t last) const {
-    SpanLimits limits;
-    double least = std::numeric_limits<double>::infinity();
-    for (std::size_t e = first; e < last; ++e) {
-      limits.add(elements_[e]);
-      least = std::min(least, elements_[e].limits.speed.value);
-      if (e > first) {
-        least = std::min(least, ceiling_[e].value);
-      }
-    }
-    return {limits.length, limits.ceiling, least, limits.ramp()};
-  }
-
-  bool any_unchecked() const {
-    return std::any_of(gaps_.begin(), gaps_.end(), [](const Gap& gap) { return gap.unchecked; });
-  }
-
-  /// Fills found_ with junctions that have to become nodes, in order. Of neighbouring places that are too
-  /// fast only the slowest of a few, the first of equals, does when `careful`, so that ramps still run over
-  /// the others.
-  void find_too_fast(bool careful) {
-    constexpr std::size_t together = 8;
-    found_.clear();
-    for (std::size_t g = 0; g < gaps_.size(); ++g) {
-      if (!gaps_[g].unchecked) {
-        continue;
-      }
-      gaps_[g].unchecked = false;
-      const std::size_t first = nodes_[g].junction;
-      const std::size_t last = nodes_[g + 1].junction;
-      if (last - first < 2) {
-        continue;
-      }
-      const SpeedProfile profile = plan_profile(nodes_[g].speed, 0, nodes_[g + 1].speed, gaps_[g].length,
-                                                gaps_[g].ceiling, gaps_[g].ramp);
-      const double fastest = std::max({nodes_[g].speed, nodes_[g + 1].speed, profile.peak});
-      if (fastest <= gaps_[g].least * slack) {
-        continue;
-      }
-      ProfileWalk walk(profile);
-      double s = 0;
-      std::size_t slowest = last;
-      std::size_t run = 0;
-      bool before = false;  // the junction before the element is passed too fast
-      const auto take = [&] {
-        if (slowest != last) {
-          found_.push_back(static_cast<std::uint32_t>(slowest));
-        }
-        slowest = last;
-        run = 0;
-      };
-      bool behind = false;  // the walk, where nothing can be too fast
-      for (std::size_t e = first; e < last; ++e) {
-        if (fastest <= elements_[e].limits.speed.value * slack &&
-            (e + 1 == last || fastest <= ceiling_[e + 1].value * slack)) {
-          s += elements_[e].length;
-          behind = true;
-          before = false;
-          take();
-          continue;
-        }
-        if (behind) {
-          walk.move_to(s);
-          behind = false;
-        }
-        s += elements_[e].length;
-        const double v = walk.move_to(s).v;
-        const bool inside = walk.largest_speed() > elements_[e].limits.speed.value * slack;
-        const bool after = e + 1 < last && v > ceiling_[e + 1].value * slack;
-        const bool only_inside = inside && !after && !before;
-        before = after;
-        if (only_inside) {  // hold the element by its two ends
-          take();
-          if (e > first) {
-            found_.push_back(static_cast<std::uint32_t>(e));
-          }
-          if (e + 1 < last) {
-            found_.push_back(static_cast<std::uint32_t>(e + 1));
-          }
-          continue;
-        }
-        if (!after) {
-          take();
-          continue;
-        }
-        if (slowest == last || ceiling_[e + 1].value * equal < ceiling_[slowest].value) {
-          slowest = e + 1;
-        }
-        if (++run == together || !careful) {
-          take();
-        }
-      }
-      take();
-    }
-    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
-  }
-
-  /// From the back, so that every node behind moves once and the others not at all.
-  void insert_found() {
-    std::size_t left = found_.size();
-    std::size_t g = gaps_.size();
-    // Exactly what is needed: the rounds are few, and room for twice as many is the peak of a simulation.
-    const std::size_t count = nodes_.size() + left;
-    nodes_.reserve(count);
-    forward_.reserve(count);
-    gaps_.reserve(count - 1);
-    nodes_.resize(count);
-    forward_.resize(count);
-    gaps_.resize(count - 1);
-    while (left > 0) {
-      --g;
-      std::size_t last = nodes_[g + 1].junction;
-      nodes_[g + 1 + left] = nodes_[g + 1];
-      forward_[g + 1 + left] = forward_[g + 1];
-      if (found_[left - 1] <= nodes_[g].junction) {
-        gaps_[g + left] = gaps_[g];
-        continue;
-      }
-      for (; left > 0 && found_[left - 1] > nodes_[g].junction; --left) {
-        const std::uint32_t junction = found_[left - 1];
-        gaps_[g + left] = gap_between(junction, last);
-        nodes_[g + left] = {junction, ceiling_[junction].value, ceiling_[junction].cause};
-        forward_[g + left] = {};
-        last = junction;
-      }
-      gaps_[g + left] = gap_between(nodes_[g].junction, last);
-    }
-  }
-
-  /// Every node to its ceiling, or to what its neighbours let it reach: the same whatever order the nodes
-  /// were found in. Only what new gaps change is computed again.
-  void make_reachable() {
-    for (std::size_t g = 0; g + 1 < gaps_.size(); ++g) {
-      Forward& after = forward_[g + 1];
-      const double before = after.speed;
-      if (gaps_[g].is_new || forward_[g].changed) {
-        after.speed = through(g, forward_[g].speed, ceiling_[nodes_[g + 1].junction].value);
-      }
-      after.changed = after.speed != before;
-    }
-    bool changed = false;  // the node behind the gap
-    for (std::size_t g = gaps_.size(); g-- > 1;) {
-      changed = (gaps_[g].is_new || changed || forward_[g].changed) && settle(g);
-      gaps_[g].is_new = forward_[g].changed = false;
-    }
-    gaps_[0].is_new = false;
-  }
-
-  /// Sets node `g` by the one behind it; whether that changes it.
-  bool settle(std::size_t g) {
-    PlanNode& node = nodes_[g];
-    const PlanNode before = node;
-    const double reach = through(g, nodes_[g + 1].speed, forward_[g].speed);
-    node.cause = reach < forward_[g].speed ? nodes_[g + 1].cause : ceiling_[node.junction].cause;
-    node.speed = reach;
-    if (node.speed != before.speed) {
-      gaps_[g - 1].unchecked = gaps_[g].unchecked = true;
-    }
-    return node.speed != before.speed || node.cause != before.cause;
-  }
-
-  /// The speed, at most `wanted`, that gap `g` lets reach from `other` at its far end.
-  double through(std::size_t g, double other, double wanted) const {
-    const double length = gaps_[g].length;
-    const RampLimits ramp = gaps_[g].ramp;
-    if (wanted <= other || ramp_length(other, wanted, ramp) <= length) {
-      return wanted;
-    }
-    return std::min(wanted, reachable_speed(other, length, ramp));
   }
 
   std::span<const PlanElement> elements_;
   std::span<const SpeedBound> ceiling_;
+  NodePlanner planner_;
   std::vector<PlanNode> nodes_;
-  std::vector<Forward> forward_;  ///< a node
-  std::vector<Gap> gaps_;
-  std::vector<std::uint32_t> found_;
 };
 
 }  // namespace
@@ -304,14 +245,14 @@ SpanLimits span_limits(std::span<const PlanElement> elements, std::size_t first,
 std::vector<PlanNode> plan_nodes(std::span<const PlanElement> elements,
                                  std::span<const SpeedBound> junction_ceiling,
                                  std::span<const std::uint32_t> level) {
-  return NodePlanner(elements, junction_ceiling, level).plan();
+  return PartsPlanner(elements, junction_ceiling).plan(level);
 }
 
 std::vector<PlanNode> plan_nodes_again(std::span<const PlanElement> elements,
                                        std::span<const SpeedBound> junction_ceiling,
                                        std::span<const std::uint32_t> level, std::span<const PlanNode> before,
                                        std::span<const std::uint32_t> changed) {
-  return NodePlanner(elements, junction_ceiling, level, before, changed).plan();
+  return PartsPlanner(elements, junction_ceiling).plan_again(level, before, changed);
 }
 
 std::size_t first_too_fast(std::span<const PlanElement> elements,
@@ -322,8 +263,8 @@ std::size_t first_too_fast(std::span<const PlanElement> elements,
   for (std::size_t e = first; e < last; ++e) {
     s += elements[e].length;
     const double v = walk.move_to(s).v;
-    if (walk.largest_speed() > elements[e].limits.speed.value * slack ||
-        (e + 1 < last && v > junction_ceiling[e + 1].value * slack)) {
+    if (walk.largest_speed() > elements[e].limits.speed.value * plan_slack ||
+        (e + 1 < last && v > junction_ceiling[e + 1].value * plan_slack)) {
       return e;
     }
   }

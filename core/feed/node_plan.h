@@ -9,6 +9,9 @@
 
 namespace feedscope {
 
+/// What a plan lets the speed be above a ceiling, as a factor: what rounding may do to it.
+inline constexpr double plan_slack = 1 + 1e-7;
+
 /// One element of a stretch between two standstills, for planning.
 struct PlanElement {
   double length = 0;    ///< > 0 [mm]
@@ -45,7 +48,8 @@ SpanLimits span_limits(std::span<const PlanElement> elements, std::size_t first,
 /// every node to what can be reached from its neighbours, and repeats until nothing is too fast.
 /// `junction_ceiling`: elements.size() + 1 values, the first and last taken as 0 [mm/s].
 /// `level`: junctions, in order and not the ends, that are nodes whatever their speed.
-/// Cost linear in the number of elements: a bounded number of passes.
+/// Cost linear in the number of elements: a bounded number of passes. Long stretches are planned part by
+/// part, with the same result.
 std::vector<PlanNode> plan_nodes(std::span<const PlanElement> elements,
                                  std::span<const SpeedBound> junction_ceiling,
                                  std::span<const std::uint32_t> level = {});

@@ -8,8 +8,6 @@
 namespace feedscope {
 namespace {
 
-constexpr double slack = 1 + 1e-7;  // as of plan_nodes()
-
 /// How a stretch is planned: the step of ramps that each of its elements has come to, and whether ramps over
 /// blends run over the short lines between them too.
 struct Steps {
@@ -171,7 +169,7 @@ class BlendChains {
         s += plan_[e].length;
         walk.move_to(s);
         if (is_blend(e) && steps.of[e] != Steps::level &&
-            walk.largest_speed() > ramps(e)[steps.of[e]].speed * slack) {
+            walk.largest_speed() > ramps(e)[steps.of[e]].speed * plan_slack) {
           ++steps.of[e];
           for (std::uint32_t beside = is_blend(e - 1) ? e : e - 1; beside <= e + (is_blend(e + 1) ? 0 : 1);
                ++beside) {

@@ -6,6 +6,10 @@
 #include <cmath>
 #include <random>
 
+#include "core/feed/node_planner.h"
+#include "core/feed/profile_speeds.h"
+#include "core/feed/profile_walk.h"
+
 namespace feedscope {
 namespace {
 
@@ -170,6 +174,87 @@ TEST(NodePlan, KeepsEveryCeilingOnStairsThatRiseBlockByBlock) {
     elements.push_back(element(0.01, 1 + 0.001 * i));
   }
   expect_kept(elements, plan_nodes(elements, ceilings(elements)));
+}
+
+TEST(NodePlan, ALongStretchIsPlannedInPartsAsItWouldBeInOneGo) {
+  // With slow ramps over short blocks a ramp is longer than a part, so that ends of parts are not kept.
+  std::mt19937 random(6);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int run = 0; run < 24; ++run) {
+    SCOPED_TRACE(run);
+    const double length = std::pow(10, -3 * unit(random));
+    const double jerk = std::pow(10, 1 + 3 * unit(random));
+    const std::uint32_t count = 3000 + static_cast<std::uint32_t>(12000 * unit(random));
+    std::vector<PlanElement> elements;
+    std::vector<std::uint32_t> level;
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const double slow = unit(random) < 0.01 ? 0.05 : 1;
+      elements.push_back(element(length * (0.5 + unit(random)), slow * (50 + 50 * unit(random)), jerk));
+      if (run % 3 > 0 && i > 0 && unit(random) < (run % 3 == 1 ? 0.001 : 0.2)) {
+        level.push_back(i);
+      }
+    }
+    std::vector<std::uint32_t> junctions{0};
+    junctions.insert(junctions.end(), level.begin(), level.end());
+    junctions.push_back(count);
+    const std::vector<SpeedBound> ceiling = ceilings(elements);
+    NodePlanner whole(elements, ceiling);
+    ASSERT_EQ(whole.plan(junctions, 0), NodePlanner::Outcome::planned);
+
+    const std::vector<PlanNode> nodes = plan_nodes(elements, ceiling, level);
+    ASSERT_EQ(nodes.size(), whole.nodes().size());
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      ASSERT_EQ(nodes[n].junction, whole.nodes()[n].junction);
+      ASSERT_EQ(nodes[n].speed, whole.nodes()[n].speed);
+      ASSERT_EQ(nodes[n].cause, whole.nodes()[n].cause);
+    }
+  }
+}
+
+TEST(NodePlanner, SaysWhichEndCannotKeepItsSpeed) {
+  const std::vector<PlanElement> elements{element(1, 50), element(0.01, 50), element(1, 2), element(0.01, 50),
+                                          element(1, 50)};
+  const std::vector<SpeedBound> ceiling = ceilings(elements);
+  NodePlanner planner(elements, ceiling);
+  EXPECT_EQ(planner.plan(std::vector<std::uint32_t>{1, 2}, 0), NodePlanner::Outcome::begin_slower);
+  EXPECT_EQ(planner.plan(std::vector<std::uint32_t>{3, 4}, 0), NodePlanner::Outcome::end_slower);
+  EXPECT_EQ(planner.plan(std::vector<std::uint32_t>{2, 3}, 0), NodePlanner::Outcome::planned);
+}
+
+TEST(ProfileSpeeds, AreAboveASpeedWhereAWalkAlongTheProfileIs) {
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(0, 1);
+  for (int run = 0; run < 2000; ++run) {
+    SCOPED_TRACE(run);
+    const RampLimits limits{std::pow(10, 1 + 3 * unit(random)), std::pow(10, 2 + 3 * unit(random))};
+    const double v0 = unit(random) < 0.2 ? 0 : 50 * unit(random);
+    const double v1 = unit(random) < 0.2 ? 0 : 50 * unit(random);
+    const double least = ramp_length(v0, v1, limits);
+    const double length = least * (unit(random) < 0.2 ? 1 : 1 + 3 * unit(random)) + 1e-3;
+    const SpeedProfile profile = plan_profile(v0, 0, v1, length, 60, limits);
+    ASSERT_TRUE(profile.feasible);
+    const ProfileSpeeds speeds(profile);
+    const double speed = 60 * unit(random);
+    const Bracket above = speeds.above(speed);
+    ProfileWalk walk(profile);
+    for (int i = 1; i < 64; ++i) {
+      const double s = length * i / 64;
+      const double v = walk.move_to(s).v;
+      if (std::abs(v - speed) > 1e-6 * (1 + speed)) {
+        EXPECT_EQ(v > speed, above.low < s && s < above.high) << "at " << s;
+      }
+    }
+  }
+}
+
+TEST(ProfileSpeeds, AreInClosedFormOnAGentleRamp) {
+  // The ramp takes 2 sqrt(20/500) = 0.4 s and 20/2 times that, 4 mm; half of the speed is reached after half
+  // of the time, J t^3 / 6 from the start.
+  const SpeedProfile profile = plan_profile(0, 0, 20, 4, 20, {1000, 500});
+  const Bracket above = ProfileSpeeds(profile).above(10);
+  EXPECT_NEAR(above.low, 500 * 0.2 * 0.2 * 0.2 / 6, 1e-12);
+  EXPECT_NEAR(above.high, 4, 1e-12);
+  EXPECT_LT(ProfileSpeeds(profile).above(20).high, ProfileSpeeds(profile).above(20).low);
 }
 
 TEST(LookaheadHorizon, LetsTheToolStopWithinTheBlocksAhead) {

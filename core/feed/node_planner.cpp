@@ -1,0 +1,244 @@
+#include "core/feed/node_planner.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/feed/profile_speeds.h"
+
+namespace feedscope {
+namespace {
+
+/// Places whose ceilings differ by less are equally slow: which of them becomes a node must not depend on
+/// the rounding of coordinates, and in short blocks curvatures of a few values come again and again.
+constexpr double equal = 1 + 1e-3;
+
+}  // namespace
+
+PlanNode NodePlanner::end_at(std::uint32_t junction) const {
+  if (junction == 0 || junction == elements_.size()) {
+    return {junction, 0, {CauseKind::exact_stop}};
+  }
+  return {junction, ceiling_[junction].value, ceiling_[junction].cause};
+}
+
+NodePlanner::Outcome NodePlanner::plan(std::span<const std::uint32_t> junctions, int round) {
+  constexpr int careful_rounds = 24;
+  begin(junctions);
+  Outcome outcome = make_reachable();
+  for (; outcome == Outcome::planned && any_unchecked(); ++round) {
+    find_too_fast(round < careful_rounds);
+    insert_found();
+    outcome = make_reachable();
+  }
+  return outcome;
+}
+
+std::vector<std::uint32_t> NodePlanner::first_round(std::span<const std::uint32_t> junctions) {
+  begin(junctions);
+  found_.clear();
+  if (make_reachable() == Outcome::planned) {
+    find_too_fast(true);
+  }
+  std::vector<std::uint32_t> all(junctions.size() + found_.size());
+  std::ranges::merge(junctions, found_, all.begin());
+  return all;
+}
+
+void NodePlanner::begin(std::span<const std::uint32_t> junctions) {
+  nodes_.clear();
+  forward_.clear();
+  gaps_.clear();
+  for (const std::uint32_t junction : junctions) {
+    if (!nodes_.empty()) {
+      gaps_.push_back(gap_between(nodes_.back().junction, junction));
+    }
+    nodes_.push_back(end_at(junction));
+    forward_.emplace_back();
+  }
+  forward_.front() = {nodes_.front().speed, false};
+}
+
+NodePlanner::Gap NodePlanner::gap_between(std::size_t first, std::size_t last) const {
+  SpanLimits limits;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t e = first; e < last; ++e) {
+    limits.add(elements_[e]);
+    least = std::min(least, elements_[e].limits.speed.value);
+    if (e > first) {
+      least = std::min(least, ceiling_[e].value);
+    }
+  }
+  return {limits.length, limits.ceiling, least, limits.ramp()};
+}
+
+bool NodePlanner::any_unchecked() const {
+  return std::ranges::any_of(gaps_, [](const Gap& gap) { return gap.unchecked; });
+}
+
+/// Fills found_ with junctions that have to become nodes, in order.
+void NodePlanner::find_too_fast(bool careful) {
+  found_.clear();
+  for (std::size_t g = 0; g < gaps_.size(); ++g) {
+    if (gaps_[g].unchecked) {
+      gaps_[g].unchecked = false;
+      find_too_fast(gaps_[g], nodes_[g], nodes_[g + 1], careful);
+    }
+  }
+  found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+}
+
+/// Of neighbouring places that are too fast only the slowest of a few, the first of equals, does when
+/// `careful`, so that ramps still run over the others.
+void NodePlanner::find_too_fast(const Gap& gap, const PlanNode& from, const PlanNode& to, bool careful) {
+  constexpr std::size_t together = 8;
+  const std::size_t first = from.junction;
+  const std::size_t last = to.junction;
+  if (last - first < 2) {
+    return;
+  }
+  const double fastest_end = std::max(from.speed, to.speed);
+  if (fastest_end <= gap.least * plan_slack && !rises_above(gap.least, gap, from, to)) {
+    return;
+  }
+  const SpeedProfile profile = plan_profile(from.speed, 0, to.speed, gap.length, gap.ceiling, gap.ramp);
+  const double fastest = std::max(fastest_end, profile.peak);
+  if (fastest <= gap.least * plan_slack) {
+    return;
+  }
+  const ProfileSpeeds speeds(profile);
+  double s = 0;
+  std::size_t slowest = last;
+  std::size_t run = 0;
+  bool before = false;  // the junction before the element is passed too fast
+  const auto take = [&] {
+    if (slowest != last) {
+      found_.push_back(static_cast<std::uint32_t>(slowest));
+    }
+    slowest = last;
+    run = 0;
+  };
+  for (std::size_t e = first; e < last; ++e) {
+    const double begin = s;
+    s += elements_[e].length;
+    const double ceiling = elements_[e].limits.speed.value * plan_slack;
+    bool inside = fastest > ceiling;
+    if (inside) {
+      const Bracket faster = speeds.above(ceiling);
+      inside = faster.low < s && faster.high > begin;
+    }
+    bool after = e + 1 < last && fastest > ceiling_[e + 1].value * plan_slack;
+    if (after) {
+      const Bracket faster = speeds.above(ceiling_[e + 1].value * plan_slack);
+      after = faster.low < s && faster.high > s;
+    }
+    const bool only_inside = inside && !after && !before;
+    before = after;
+    if (only_inside) {  // hold the element by its two ends
+      take();
+      if (e > first) {
+        found_.push_back(static_cast<std::uint32_t>(e));
+      }
+      if (e + 1 < last) {
+        found_.push_back(static_cast<std::uint32_t>(e + 1));
+      }
+      continue;
+    }
+    if (!after) {
+      take();
+      continue;
+    }
+    if (slowest == last || ceiling_[e + 1].value * equal < ceiling_[slowest].value) {
+      slowest = e + 1;
+    }
+    if (++run == together || !careful) {
+      take();
+    }
+  }
+  take();
+}
+
+/// Whether the law in a gap may be faster than `speed`, at least that of both nodes, somewhere: then ramps up
+/// to it and back are shorter than the gap.
+bool NodePlanner::rises_above(double speed, const Gap& gap, const PlanNode& from, const PlanNode& to) {
+  return gap.ceiling > speed &&
+         ramp_length(from.speed, speed, gap.ramp) + ramp_length(speed, to.speed, gap.ramp) < gap.length;
+}
+
+/// From the back, so that every node behind moves once and the others not at all.
+void NodePlanner::insert_found() {
+  std::size_t left = found_.size();
+  std::size_t g = gaps_.size();
+  const std::size_t count = nodes_.size() + left;
+  nodes_.resize(count);
+  forward_.resize(count);
+  gaps_.resize(count - 1);
+  while (left > 0) {
+    --g;
+    std::uint32_t last = nodes_[g + 1].junction;
+    nodes_[g + 1 + left] = nodes_[g + 1];
+    forward_[g + 1 + left] = forward_[g + 1];
+    if (found_[left - 1] <= nodes_[g].junction) {
+      gaps_[g + left] = gaps_[g];
+      continue;
+    }
+    for (; left > 0 && found_[left - 1] > nodes_[g].junction; --left) {
+      const std::uint32_t junction = found_[left - 1];
+      gaps_[g + left] = gap_between(junction, last);
+      nodes_[g + left] = end_at(junction);
+      forward_[g + left] = {};
+      last = junction;
+    }
+    gaps_[g + left] = gap_between(nodes_[g].junction, last);
+  }
+}
+
+/// Every node to its ceiling, or to what its neighbours let it reach: the same whatever order the nodes
+/// were found in. Only what new gaps change is computed again.
+NodePlanner::Outcome NodePlanner::make_reachable() {
+  const std::size_t last = gaps_.size() - 1;
+  for (std::size_t g = 0; g < last; ++g) {
+    Forward& after = forward_[g + 1];
+    const double before = after.speed;
+    if (gaps_[g].is_new || forward_[g].changed) {
+      after.speed = through(g, forward_[g].speed, ceiling_[nodes_[g + 1].junction].value);
+    }
+    after.changed = after.speed != before;
+  }
+  const double end = nodes_.back().speed;
+  if (through(last, forward_[last].speed, end) != end) {
+    return Outcome::end_slower;
+  }
+  bool changed = false;  // the node behind the gap
+  for (std::size_t g = last; g > 0; --g) {
+    changed = (gaps_[g].is_new || changed || forward_[g].changed) && settle(g);
+    gaps_[g].is_new = forward_[g].changed = false;
+  }
+  gaps_[0].is_new = false;
+  const double begin = nodes_.front().speed;
+  return through(0, nodes_[1].speed, begin) == begin ? Outcome::planned : Outcome::begin_slower;
+}
+
+/// Sets node `g` by the one behind it; whether that changes it.
+bool NodePlanner::settle(std::size_t g) {
+  PlanNode& node = nodes_[g];
+  const PlanNode before = node;
+  const double reach = through(g, nodes_[g + 1].speed, forward_[g].speed);
+  node.cause = reach < forward_[g].speed ? nodes_[g + 1].cause : ceiling_[node.junction].cause;
+  node.speed = reach;
+  if (node.speed != before.speed) {
+    gaps_[g - 1].unchecked = gaps_[g].unchecked = true;
+  }
+  return node.speed != before.speed || node.cause != before.cause;
+}
+
+/// The speed, at most `wanted`, that gap `g` lets reach from `other` at its far end.
+double NodePlanner::through(std::size_t g, double other, double wanted) const {
+  const double length = gaps_[g].length;
+  const RampLimits ramp = gaps_[g].ramp;
+  if (wanted <= other || ramp_length(other, wanted, ramp) <= length) {
+    return wanted;
+  }
+  return std::min(wanted, reachable_speed(other, length, ramp));
+}
+
+}  // namespace feedscope
