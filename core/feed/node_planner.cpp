@@ -97,15 +97,15 @@ void NodePlanner::find_too_fast(const Gap& gap, const PlanNode& from, const Plan
     return;
   }
   const double fastest_end = std::max(from.speed, to.speed);
-  if (fastest_end <= gap.least * plan_slack && !rises_above(gap.least, gap, from, to)) {
+  if (fastest_end <= gap.least * plan_slack &&
+      !rises_above(gap.least, from.speed, to.speed, gap.length, gap.ceiling, gap.ramp)) {
     return;
   }
-  const SpeedProfile profile = plan_profile(from.speed, 0, to.speed, gap.length, gap.ceiling, gap.ramp);
-  const double fastest = std::max(fastest_end, profile.peak);
+  const ProfileSpeeds speeds(from.speed, to.speed, gap.length, gap.ceiling, gap.ramp);
+  const double fastest = speeds.largest();
   if (fastest <= gap.least * plan_slack) {
     return;
   }
-  const ProfileSpeeds speeds(profile);
   double s = 0;
   std::size_t slowest = last;
   std::size_t run = 0;
@@ -155,13 +155,6 @@ void NodePlanner::find_too_fast(const Gap& gap, const PlanNode& from, const Plan
     }
   }
   take();
-}
-
-/// Whether the law in a gap may be faster than `speed`, at least that of both nodes, somewhere: then ramps up
-/// to it and back are shorter than the gap.
-bool NodePlanner::rises_above(double speed, const Gap& gap, const PlanNode& from, const PlanNode& to) {
-  return gap.ceiling > speed &&
-         ramp_length(from.speed, speed, gap.ramp) + ramp_length(speed, to.speed, gap.ramp) < gap.length;
 }
 
 /// From the back, so that every node behind moves once and the others not at all.

@@ -54,7 +54,6 @@ class NodePlanner {
   bool any_unchecked() const;
   void find_too_fast(bool careful);
   void find_too_fast(const Gap& gap, const PlanNode& from, const PlanNode& to, bool careful);
-  static bool rises_above(double speed, const Gap& gap, const PlanNode& from, const PlanNode& to);
   void insert_found();
   Outcome make_reachable();
   bool settle(std::size_t g);

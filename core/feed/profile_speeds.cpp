@@ -1,16 +1,21 @@
 #include "core/feed/profile_speeds.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace feedscope {
 
-ProfileSpeeds::Rise::Rise(double slow, double fast, const Phase& first, const Phase& second)
-    : slow_(slow), fast_(fast), jerk_(std::abs(first.jerk)), held_time_(second.duration) {
-  held_ = advance({0, slow, 0}, jerk_, first.duration);
-  const Motion1d released = advance(held_, 0, held_time_);
+ProfileSpeeds::Rise::Rise(double slow, double fast, const RampLimits& limits)
+    : slow_(slow), fast_(fast), jerk_(limits.jerk) {
+  const auto [A, J] = limits;
+  const double step = std::max(fast - slow, 0.0);
+  const bool is_gentle = step <= A * A / J;
+  const double growth = is_gentle ? std::sqrt(step / J) : A / J;
+  held_ = advance({0, slow, 0}, J, growth);
+  const Motion1d released = is_gentle ? held_ : advance(held_, 0, step / A - growth);
   held_speed_ = released.v;
-  length_ = advance(released, -jerk_, first.duration).s;
+  length_ = advance(released, -J, growth).s;
 }
 
 double ProfileSpeeds::Rise::length_to(double speed) const {
@@ -28,29 +33,18 @@ double ProfileSpeeds::Rise::length_to(double speed) const {
   return length_ - time * (fast_ - jerk_ * time * time / 6);
 }
 
-ProfileSpeeds::ProfileSpeeds(const SpeedProfile& profile) {
-  const auto& phases = profile.phases;
-  const auto change = [](const Phase& first, const Phase& second) {
-    return first.jerk * first.duration * (first.duration + second.duration);
-  };
-  if (profile.peak < profile.v0) {  // slows down at once, and holds what it comes to
-    top_ = profile.v0;
-    down_ = Rise(top_ + change(phases[0], phases[1]), top_, phases[0], phases[1]);
-    end_of_fall_ = down_.length();
-    return;
-  }
-  top_ = profile.peak;
-  up_ = Rise(profile.v0, top_, phases[0], phases[1]);
-  down_ = Rise(top_ + change(phases[4], phases[5]), top_, phases[4], phases[5]);
-  end_of_fall_ = up_.length() + top_ * phases[SpeedProfile::held].duration + down_.length();
-}
+ProfileSpeeds::ProfileSpeeds(double v0, double v1, double length, double ceiling, const RampLimits& limits)
+    : top_(std::max(v0, profile_peak(v0, v1, length, ceiling, limits))),
+      up_(v0, top_, limits),
+      down_(v1, top_, limits),
+      length_(length) {}
 
 Bracket ProfileSpeeds::above(double speed) const {
   if (speed >= top_) {
     constexpr double nowhere = std::numeric_limits<double>::infinity();
     return {nowhere, -nowhere};
   }
-  return {up_.length_to(speed), end_of_fall_ - down_.length_to(speed)};
+  return {up_.length_to(speed), length_ - down_.length_to(speed)};
 }
 
 }  // namespace feedscope

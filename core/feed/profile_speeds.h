@@ -5,6 +5,13 @@
 
 namespace feedscope {
 
+/// Whether plan_profile() from (v0, 0) is faster than `speed`, at least v0 and v1, somewhere: then ramps up
+/// to it and back are shorter than the way.
+inline bool rises_above(double speed, double v0, double v1, double length, double ceiling,
+                        const RampLimits& limits) {
+  return ceiling > speed && ramp_length(v0, speed, limits) + ramp_length(speed, v1, limits) < length;
+}
+
 /// Where along a speed profile that begins without acceleration the tool is faster than some speed, in closed
 /// form: a root where ProfileWalk searches.
 ///
@@ -14,8 +21,10 @@ namespace feedscope {
 ///         +---|-----------|----> path
 class ProfileSpeeds {
  public:
-  explicit ProfileSpeeds(const SpeedProfile& profile);
+  /// Of plan_profile() from (v0, 0), which is feasible.
+  ProfileSpeeds(double v0, double v1, double length, double ceiling, const RampLimits& limits);
 
+  double largest() const { return top_; }  ///< [mm/s]
   /// The part of the path on which the profile is faster than `speed` [mm]; high < low where it nowhere is.
   Bracket above(double speed) const;
 
@@ -23,26 +32,23 @@ class ProfileSpeeds {
   /// A rise of the speed from no acceleration to none: jerk, constant acceleration, opposite jerk.
   class Rise {
    public:
-    Rise() = default;
-    Rise(double slow, double fast, const Phase& first, const Phase& second);
+    Rise(double slow, double fast, const RampLimits& limits);
     /// Length from its slow end to where it has `speed` [mm]; 0 for less than its slowest.
     double length_to(double speed) const;
-    double length() const { return length_; }
 
    private:
     double slow_ = 0;
     double fast_ = 0;
     double jerk_ = 0;
     Motion1d held_{};        ///< where the acceleration stops growing
-    double held_time_ = 0;   ///< how long it is held [s]
     double held_speed_ = 0;  ///< when it is no longer held [mm/s]
     double length_ = 0;
   };
 
+  double top_;
   Rise up_;
-  Rise down_;  ///< seen from its end
-  double top_ = 0;
-  double end_of_fall_ = 0;  ///< [mm]
+  Rise down_;      ///< seen from its end
+  double length_;  ///< [mm]
 };
 
 }  // namespace feedscope

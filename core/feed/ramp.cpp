@@ -248,4 +248,31 @@ SpeedProfile plan_profile(double v0, double a0, double v1, double length, double
   return profile;
 }
 
+double profile_peak(double v0, double v1, double length, double ceiling, const RampLimits& limits) {
+  const auto excess = [&](double peak) {
+    return ramp_length(v0, peak, limits) + ramp_length(peak, v1, limits) - length;
+  };
+  const double high = std::max(ceiling, v1);
+  if (excess(high) <= 0) {
+    return high;
+  }
+  const double low = std::max(v0, v1);
+  if (low <= high) {
+    if (const double at_low = excess(low); at_low <= 0) {
+      return peak_between(v0, v1, length, -at_low, high, limits);
+    }
+  }
+  return plan_profile(v0, 0, v1, length, ceiling, limits).peak;
+}
+
+double profile_time(double v0, double v1, double length, double ceiling, const RampLimits& limits) {
+  const double peak = profile_peak(v0, v1, length, ceiling, limits);
+  if (!(limits.acceleration > 0) && (peak != v0 || peak != v1)) {
+    return std::numeric_limits<double>::infinity();
+  }
+  const double rest = length - ramp_length(v0, peak, limits) - ramp_length(peak, v1, limits);
+  return ramp_time(v0, peak, limits) + ramp_time(peak, v1, limits) +
+         (peak > 0 ? std::max(rest, 0.0) / peak : 0);
+}
+
 }  // namespace feedscope

@@ -69,4 +69,9 @@ struct SpeedProfile {
 SpeedProfile plan_profile(double v0, double a0, double v1, double length, double ceiling,
                           const RampLimits& limits);
 
+/// The peak of plan_profile() from (v0, 0), and how long that takes, to rounding: at half of the cost.
+/// Without any acceleration that takes for ever, unless the speed stays.
+double profile_peak(double v0, double v1, double length, double ceiling, const RampLimits& limits);
+double profile_time(double v0, double v1, double length, double ceiling, const RampLimits& limits);
+
 }  // namespace feedscope

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/feed/profile_walk.h"
+#include "core/feed/profile_speeds.h"
 
 namespace feedscope {
 namespace {
@@ -134,9 +134,8 @@ class BlendChains {
     }
   }
 
-  SpeedProfile profile(const PlanNode& from, const PlanNode& to) const {
-    const SpanLimits span = span_limits(plan_, from.junction, to.junction);
-    return plan_profile(from.speed, 0, to.speed, span.length, span.ceiling, span.ramp());
+  bool ramps_over(const Steps& steps, std::size_t e) const {
+    return is_blend(e) && steps.of[e] != Steps::level;
   }
 
   bool is_level(const PlanNode& from, const PlanNode& to) const {
@@ -162,14 +161,27 @@ class BlendChains {
       if (is_same || is_level(from, to)) {
         continue;
       }
-      const SpeedProfile law = profile(from, to);
-      ProfileWalk walk(law);
+      double least = std::numeric_limits<double>::infinity();
+      for (std::uint32_t e = from.junction; e < to.junction; ++e) {
+        if (ramps_over(steps, e)) {
+          least = std::min(least, ramps(e)[steps.of[e]].speed);
+        }
+      }
+      const SpanLimits span = span_limits(plan_, from.junction, to.junction);
+      if (std::max(from.speed, to.speed) <= least * plan_slack &&
+          !rises_above(least, from.speed, to.speed, span.length, span.ceiling, span.ramp())) {
+        continue;
+      }
+      const ProfileSpeeds speeds(from.speed, to.speed, span.length, span.ceiling, span.ramp());
       double s = 0;
       for (std::uint32_t e = from.junction; e < to.junction; ++e) {
+        const double begin = s;
         s += plan_[e].length;
-        walk.move_to(s);
-        if (is_blend(e) && steps.of[e] != Steps::level &&
-            walk.largest_speed() > ramps(e)[steps.of[e]].speed * plan_slack) {
+        if (!ramps_over(steps, e)) {
+          continue;
+        }
+        const Bracket faster = speeds.above(ramps(e)[steps.of[e]].speed * plan_slack);
+        if (faster.low < s && faster.high > begin) {
           ++steps.of[e];
           for (std::uint32_t beside = is_blend(e - 1) ? e : e - 1; beside <= e + (is_blend(e + 1) ? 0 : 1);
                ++beside) {
@@ -190,8 +202,14 @@ class BlendChains {
   double planned_time(const std::vector<PlanNode>& nodes) const {
     double time = 0;
     for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
-      time += is_level(nodes[n], nodes[n + 1]) ? plan_[nodes[n].junction].length / nodes[n].speed
-                                               : profile(nodes[n], nodes[n + 1]).duration();
+      const PlanNode& from = nodes[n];
+      const PlanNode& to = nodes[n + 1];
+      if (is_level(from, to)) {
+        time += plan_[from.junction].length / from.speed;
+      } else {
+        const SpanLimits span = span_limits(plan_, from.junction, to.junction);
+        time += profile_time(from.speed, to.speed, span.length, span.ceiling, span.ramp());
+      }
     }
     return time;
   }

@@ -233,7 +233,9 @@ TEST(ProfileSpeeds, AreAboveASpeedWhereAWalkAlongTheProfileIs) {
     const double length = least * (unit(random) < 0.2 ? 1 : 1 + 3 * unit(random)) + 1e-3;
     const SpeedProfile profile = plan_profile(v0, 0, v1, length, 60, limits);
     ASSERT_TRUE(profile.feasible);
-    const ProfileSpeeds speeds(profile);
+    const ProfileSpeeds speeds(v0, v1, length, 60, limits);
+    EXPECT_NEAR(speeds.largest(), profile.peak, 1e-9 * profile.peak);
+    EXPECT_NEAR(profile_time(v0, v1, length, 60, limits), profile.duration(), 1e-9 * profile.duration());
     const double speed = 60 * unit(random);
     const Bracket above = speeds.above(speed);
     ProfileWalk walk(profile);
@@ -250,11 +252,11 @@ TEST(ProfileSpeeds, AreAboveASpeedWhereAWalkAlongTheProfileIs) {
 TEST(ProfileSpeeds, AreInClosedFormOnAGentleRamp) {
   // The ramp takes 2 sqrt(20/500) = 0.4 s and 20/2 times that, 4 mm; half of the speed is reached after half
   // of the time, J t^3 / 6 from the start.
-  const SpeedProfile profile = plan_profile(0, 0, 20, 4, 20, {1000, 500});
-  const Bracket above = ProfileSpeeds(profile).above(10);
+  const ProfileSpeeds speeds(0, 20, 4, 20, {1000, 500});
+  const Bracket above = speeds.above(10);
   EXPECT_NEAR(above.low, 500 * 0.2 * 0.2 * 0.2 / 6, 1e-12);
   EXPECT_NEAR(above.high, 4, 1e-12);
-  EXPECT_LT(ProfileSpeeds(profile).above(20).high, ProfileSpeeds(profile).above(20).low);
+  EXPECT_LT(speeds.above(20).high, speeds.above(20).low);
 }
 
 TEST(LookaheadHorizon, LetsTheToolStopWithinTheBlocksAhead) {
