@@ -225,12 +225,12 @@ class PartsPlanner {
 
 void SpanLimits::add(const PlanElement& element) {
   length += element.length;
-  ceiling = std::max(ceiling, element.limits.speed.value);
-  if (element.limits.acceleration.value < acceleration.value) {
-    acceleration = element.limits.acceleration;
+  ceiling = std::max(ceiling, element.speed().value);
+  if (const AxisBound own = element.acceleration(); own.value < acceleration.value) {
+    acceleration = own;
   }
-  if (element.limits.jerk.value < jerk.value) {
-    jerk = element.limits.jerk;
+  if (const AxisBound own = element.jerk(); own.value < jerk.value) {
+    jerk = own;
   }
 }
 
@@ -263,7 +263,7 @@ std::size_t first_too_fast(std::span<const PlanElement> elements,
   for (std::size_t e = first; e < last; ++e) {
     s += elements[e].length;
     const double v = walk.move_to(s).v;
-    if (walk.largest_speed() > elements[e].limits.speed.value * plan_slack ||
+    if (walk.largest_speed() > elements[e].speed().value * plan_slack ||
         (e + 1 < last && v > junction_ceiling[e + 1].value * plan_slack)) {
       return e;
     }
@@ -271,8 +271,8 @@ std::size_t first_too_fast(std::span<const PlanElement> elements,
   return last;
 }
 
-void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<const std::uint32_t> block_of,
-                             std::uint32_t horizon, std::span<SpeedBound> junction_ceiling) {
+void apply_lookahead_horizon(std::span<const PlanElement> elements, std::uint32_t horizon,
+                             std::span<SpeedBound> junction_ceiling) {
   // Least acceleration and jerk of the elements ahead, each by a queue of rising values.
   std::deque<std::size_t> by_acceleration;
   std::deque<std::size_t> by_jerk;
@@ -282,13 +282,13 @@ void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<co
     }
     queue.push_back(e);
   };
-  const auto acceleration = [&](std::size_t e) { return elements[e].limits.acceleration.value; };
-  const auto jerk = [&](std::size_t e) { return elements[e].limits.jerk.value; };
+  const auto acceleration = [&](std::size_t e) { return elements[e].acceleration().value; };
+  const auto jerk = [&](std::size_t e) { return elements[e].jerk().value; };
 
   std::size_t ahead = 0;
   double length = 0;
   for (std::size_t e = 0; e < elements.size(); ++e) {
-    for (; ahead < elements.size() && block_of[ahead] - block_of[e] < horizon; ++ahead) {
+    for (; ahead < elements.size() && elements[ahead].order - elements[e].order < horizon; ++ahead) {
       push(by_acceleration, ahead, acceleration);
       push(by_jerk, ahead, jerk);
       length += elements[ahead].length;

@@ -12,10 +12,39 @@ namespace feedscope {
 /// What a plan lets the speed be above a ceiling, as a factor: what rounding may do to it.
 inline constexpr double plan_slack = 1 + 1e-7;
 
-/// One element of a stretch between two standstills, for planning.
-struct PlanElement {
-  double length = 0;    ///< > 0 [mm]
-  MotionLimits limits;  ///< ceiling over the whole element, ramps along it
+/// One element of a stretch between two standstills, for planning: 40 bytes.
+class PlanElement {
+ public:
+  PlanElement() = default;
+  /// `limits`: ceiling over the whole element, ramps along it.
+  PlanElement(double length, const MotionLimits& limits) : length(length) { set_limits(limits); }
+
+  SpeedBound speed() const { return {speed_, speed_cause_}; }
+  AxisBound acceleration() const { return {acceleration_, acceleration_axis_}; }
+  AxisBound jerk() const { return {jerk_, jerk_axis_}; }
+  MotionLimits limits() const { return {speed(), acceleration(), jerk()}; }
+  void set_limits(const MotionLimits& limits) {
+    speed_ = limits.speed.value;
+    speed_cause_ = limits.speed.cause;
+    set_ramps(limits.acceleration, limits.jerk);
+  }
+  void set_ramps(const AxisBound& acceleration, const AxisBound& jerk) {
+    acceleration_ = acceleration.value;
+    acceleration_axis_ = acceleration.axis;
+    jerk_ = jerk.value;
+    jerk_axis_ = jerk.axis;
+  }
+
+  double length = 0;        ///< > 0 [mm]
+  std::uint32_t order = 0;  ///< number of the block as a look-ahead counts
+
+ private:
+  Cause speed_cause_;
+  std::int8_t acceleration_axis_ = -1;
+  std::int8_t jerk_axis_ = -1;
+  double speed_ = 0;
+  double acceleration_ = 0;
+  double jerk_ = 0;
 };
 
 /// A junction where the law touches its planned speed with zero acceleration.
@@ -62,10 +91,10 @@ std::vector<PlanNode> plan_nodes_again(std::span<const PlanElement> elements,
                                        std::span<const std::uint32_t> level, std::span<const PlanNode> before,
                                        std::span<const std::uint32_t> changed);
 
-/// Lowers `junction_ceiling` so that from every junction standstill is reached within `horizon` programmed
-/// blocks: the look-ahead of core/models/README.md. `block_of`: the programmed block of each element.
-void apply_lookahead_horizon(std::span<const PlanElement> elements, std::span<const std::uint32_t> block_of,
-                             std::uint32_t horizon, std::span<SpeedBound> junction_ceiling);
+/// Lowers `junction_ceiling` so that from every junction standstill is reached within `horizon` blocks, by
+/// the `order` of the elements: the look-ahead of core/models/README.md.
+void apply_lookahead_horizon(std::span<const PlanElement> elements, std::uint32_t horizon,
+                             std::span<SpeedBound> junction_ceiling);
 
 /// First element, or junction, of [first, last) that `profile` passes faster than allowed; `last` if none.
 std::size_t first_too_fast(std::span<const PlanElement> elements,

@@ -63,7 +63,7 @@ NodePlanner::Gap NodePlanner::gap_between(std::size_t first, std::size_t last) c
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t e = first; e < last; ++e) {
     limits.add(elements_[e]);
-    least = std::min(least, elements_[e].limits.speed.value);
+    least = std::min(least, elements_[e].speed().value);
     if (e > first) {
       least = std::min(least, ceiling_[e].value);
     }
@@ -120,7 +120,7 @@ void NodePlanner::find_too_fast(const Gap& gap, const PlanNode& from, const Plan
   for (std::size_t e = first; e < last; ++e) {
     const double begin = s;
     s += elements_[e].length;
-    const double ceiling = elements_[e].limits.speed.value * plan_slack;
+    const double ceiling = elements_[e].speed().value * plan_slack;
     bool inside = fastest > ceiling;
     if (inside) {
       const Bracket faster = speeds.above(ceiling);

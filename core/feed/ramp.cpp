@@ -43,10 +43,7 @@ double reachable_speed(double v0, double length, const RampLimits& limits) {
   // x^3 + 2 v0 x = length sqrt(J) with x = sqrt(v1 - v0): convex, so that Newton's steps from above only
   // fall. Each of the two terms alone gives an upper bound.
   const double rhs = length * std::sqrt(J);
-  double x = std::cbrt(rhs);
-  if (2 * v0 * x > rhs) {
-    x = rhs / (2 * v0);
-  }
+  double x = 8 * v0 * v0 * v0 > rhs * rhs ? rhs / (2 * v0) : std::cbrt(rhs);
   for (int i = 0; i < 60; ++i) {
     const double step = (x * (x * x + 2 * v0) - rhs) / (3 * x * x + 2 * v0);
     if (!(step > 1e-15 * x)) {

@@ -28,7 +28,7 @@ class BlendChains {
       if (is_blend(e)) {
         blend_[e] = static_cast<std::uint32_t>(ramps_.size());
         ramps_.push_back(ramps_of(e));
-        level_limits_.push_back({plan_[e].limits.acceleration, plan_[e].limits.jerk});
+        level_limits_.push_back({plan_[e].acceleration(), plan_[e].jerk()});
       }
     }
     for (std::size_t e = 1; e < count; ++e) {
@@ -76,7 +76,7 @@ class BlendChains {
     constexpr std::size_t usual = 1;  // step
     const BlendRamp& before = ramps(e - 1)[usual];
     const BlendRamp& after = ramps(e + 1)[usual];
-    const MotionLimits& line = plan_[e].limits;
+    const MotionLimits line = plan_[e].limits();
     const double speed = std::min({before.speed, after.speed, line.speed.value});
     const double alone = reachable_speed(speed, plan_[e].length, {line.acceleration.value, line.jerk.value});
     const double length = plan_[e].length + (plan_[e - 1].length + plan_[e + 1].length) / 2;
@@ -106,14 +106,11 @@ class BlendChains {
       if (!is_blend(e)) {
         continue;
       }
-      MotionLimits& limits = plan_[e].limits;
-      limits.acceleration = level_limits_[blend_[e]].acceleration;
-      limits.jerk = level_limits_[blend_[e]].jerk;
       if (step == Steps::level) {
+        plan_[e].set_ramps(level_limits_[blend_[e]].acceleration, level_limits_[blend_[e]].jerk);
         stretch_.hold_level(static_cast<std::uint32_t>(e));
       } else {
-        limits.acceleration = ramps(e)[step].acceleration;
-        limits.jerk = ramps(e)[step].jerk;
+        plan_[e].set_ramps(ramps(e)[step].acceleration, ramps(e)[step].jerk);
       }
     }
   }

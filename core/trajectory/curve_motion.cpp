@@ -44,7 +44,7 @@ bool lower_curve_ceilings(const TrajectoryBuilder& builder, const TrajectoryBuil
     if (path.kind(part.element) != ElementKind::curve) {
       continue;
     }
-    while (stretch.element[e] < part.element) {
+    while (stretch.element(e) < part.element) {
       ++e;
     }
     if (part.a == 0 && part.j == 0) {
@@ -62,8 +62,9 @@ bool lower_curve_ceilings(const TrajectoryBuilder& builder, const TrajectoryBuil
     }
     if (factor < 1) {
       any = true;
-      MotionLimits& limits = stretch.plan[e].limits;
+      MotionLimits limits = stretch.plan[e].limits();
       limits.speed.lower(factor * speed, {CauseKind::radial_jerk, limits.speed.cause.axis});
+      stretch.plan[e].set_limits(limits);
     }
   }
   return any;

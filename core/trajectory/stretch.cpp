@@ -15,9 +15,6 @@ namespace feedscope {
 
 void Stretch::clear() {
   plan.clear();
-  element.clear();
-  block.clear();
-  order.clear();
   has_curves = false;
   blend.clear();
   ceiling.clear();
@@ -26,31 +23,34 @@ void Stretch::clear() {
 
 void Stretch::reserve(std::size_t elements) {
   plan.reserve(elements);
-  element.reserve(elements);
-  block.reserve(elements);
-  order.reserve(elements);
   blend.reserve(elements);
   ceiling.reserve(elements + 1);
 }
 
-void Stretch::add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed,
+void Stretch::add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t block,
                   bool is_blend) {
-  order.push_back(block.empty() ? 0 : order.back() + (programmed - block.back()));
+  std::uint32_t order = 0;
+  if (plan.empty()) {
+    first_element_ = path_element;
+  } else {
+    order = plan.back().order + (block - last_block_);
+  }
+  last_block_ = block;
   plan.push_back(planned);
-  element.push_back(path_element);
-  block.push_back(programmed);
+  plan.back().order = order;
   blend.push_back(is_blend ? 1 : 0);
 }
 
-void Stretch::add_span(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed) {
-  const std::uint32_t next = order.empty() ? 0 : order.back() + 1;
-  add(planned, path_element, programmed);
-  order.back() = next;
+void Stretch::add_span(const PlanElement& planned, std::uint32_t path_element, std::uint32_t block) {
+  const std::uint32_t next = plan.empty() ? 0 : plan.back().order + 1;
+  add(planned, path_element, block);
+  plan.back().order = next;
   has_curves = true;
 }
 
 void Stretch::hold_level(std::uint32_t e) {
-  plan[e].limits.acceleration.value = plan[e].limits.jerk.value = no_ramp;
+  const MotionLimits limits = plan[e].limits();
+  plan[e].set_ramps({no_ramp, limits.acceleration.axis}, {no_ramp, limits.jerk.axis});
   if (level.empty() || level.back() < e) {
     level.push_back(e);
   }
@@ -145,10 +145,10 @@ void follow_acceleration_mode(Stretch& stretch, const BlendedPath& path, const P
     return;
   }
   for (std::size_t e = 0; e < stretch.plan.size(); ++e) {
-    const std::size_t last = stretch.block[e] + (path.in_corner(stretch.element[e]) ? 1U : 0U);
-    if (rules.acceleration_jumps(stretch.block[e]) && rules.acceleration_jumps(last)) {
-      MotionLimits& limits = stretch.plan[e].limits;
-      limits = with_acceleration_jumps(limits, interpolation_period);
+    const std::size_t first = path.base_segment_of(stretch.element(e));
+    const std::size_t last = first + (path.in_corner(stretch.element(e)) ? 1 : 0);
+    if (rules.acceleration_jumps(first) && rules.acceleration_jumps(last)) {
+      stretch.plan[e].set_limits(with_acceleration_jumps(stretch.plan[e].limits(), interpolation_period));
     }
   }
 }
@@ -169,10 +169,10 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
   stretch.ceiling.assign(count + 1, {0, {CauseKind::exact_stop}});
   for (std::size_t j = 1; j < count; ++j) {
     SpeedBound& ceiling = stretch.ceiling[j];
-    ceiling = stretch.plan[j - 1].limits.speed;
-    ceiling.lower(stretch.plan[j].limits.speed.value, stretch.plan[j].limits.speed.cause);
-    const std::uint32_t before = stretch.element[j - 1];
-    const std::uint32_t after = stretch.element[j];
+    ceiling = stretch.plan[j - 1].speed();
+    ceiling.lower(stretch.plan[j].speed().value, stretch.plan[j].speed().cause);
+    const std::uint32_t before = stretch.element(j - 1);
+    const std::uint32_t after = stretch.element(j);
     const bool arcs = path.kind(before) == ElementKind::arc || path.kind(after) == ElementKind::arc ||
                       path.kind(before) == ElementKind::connecting_arc ||
                       path.kind(after) == ElementKind::connecting_arc;
@@ -182,7 +182,7 @@ void set_junction_ceilings(Stretch& stretch, const BlendedPath& path, const Vec3
       ceiling.lower(crossing.value, crossing.cause);
     }
   }
-  apply_lookahead_horizon(stretch.plan, stretch.order, lookahead_blocks, stretch.ceiling);
+  apply_lookahead_horizon(stretch.plan, lookahead_blocks, stretch.ceiling);
   stretch.ceiling.front() = stretch.ceiling.back() = {0, {CauseKind::exact_stop}};
 }
 
@@ -266,10 +266,10 @@ class ProfileLayer {
     constexpr std::size_t max_elements = 256;  // of one piece, so that none takes long to look into
     at_.a = 0;
     while (duration > 0) {
-      const Cause cause = stretch_.plan[element_].limits.speed.cause;
+      const Cause cause = stretch_.plan[element_].speed().cause;
       double end = start_ + stretch_.plan[element_].length;
       for (std::size_t e = element_ + 1;
-           e < last_ && e - element_ < max_elements && stretch_.plan[e].limits.speed.cause == cause &&
+           e < last_ && e - element_ < max_elements && stretch_.plan[e].speed().cause == cause &&
            !stretch_.by_parameter(e) && !stretch_.by_parameter(element_) && end < at_.s + at_.v * duration;
            ++e) {
         end += stretch_.plan[e].length;
@@ -301,7 +301,7 @@ class ProfileLayer {
     const bool by_parameter = stretch_.by_parameter(element_);
     const double per_length = by_parameter ? 1 / stretch_.plan[element_].length : 1;
     builder_.add_piece({0, (at_.s - start_) * per_length, at_.v * per_length, a * per_length, j * per_length,
-                        stretch_.element[element_], cause, by_parameter ? Law::parameter : law, second},
+                        stretch_.element(element_), cause, by_parameter ? Law::parameter : law, second},
                        duration);
   }
 
@@ -374,13 +374,13 @@ void add_planned_motion(TrajectoryBuilder& builder, const Stretch& stretch,
   for (std::size_t n = 0; n + 1 < nodes.size(); ++n) {
     const std::size_t first = nodes[n].junction;
     const std::size_t last = nodes[n + 1].junction;
-    steps.at(stretch.block[first]);
+    steps.at(builder.path().segment(stretch.element(first)));
     if (last == first + 1 && stretch.is_level(first)) {
-      const SpeedBound& limit = stretch.plan[first].limits.speed;
+      const SpeedBound limit = stretch.plan[first].speed();
       const bool below = speed < limit.value * (1 - 1e-9);
       const bool slows_next = n + 2 < nodes.size() && nodes[n + 2].speed < speed;
       const Cause held = slows_next ? Cause{CauseKind::ramp_down} : gained;
-      builder.add_piece({0, 0, speed, 0, 0, stretch.element[first], below ? held : limit.cause,
+      builder.add_piece({0, 0, speed, 0, 0, stretch.element(first), below ? held : limit.cause,
                          Law::path_length, code_of(nodes[n + 1].cause)},
                         stretch.plan[first].length / speed);
       continue;

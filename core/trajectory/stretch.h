@@ -15,13 +15,9 @@ namespace feedscope {
 /// from stretch to stretch so that nothing is allocated again.
 struct Stretch {
   std::vector<PlanElement> plan;
-  std::vector<std::uint32_t> element;  ///< index into the path
-  std::vector<std::uint32_t> block;    ///< programmed segment
-  std::vector<std::uint32_t> order;    ///< number of the block as a look-ahead counts: spans of curves are
-                                       ///< blocks of their own
-  std::vector<std::uint8_t> blend;     ///< 1: a corner blend, whose speed the model itself sets
-  std::vector<SpeedBound> ceiling;     ///< at the plan.size() + 1 junctions [mm/s]
-  std::vector<std::uint32_t> level;    ///< junctions that are nodes of the plan in any case
+  std::vector<std::uint8_t> blend;   ///< 1: a corner blend, whose speed the model itself sets
+  std::vector<SpeedBound> ceiling;   ///< at the plan.size() + 1 junctions [mm/s]
+  std::vector<std::uint32_t> level;  ///< junctions that are nodes of the plan in any case
   /// Blends are planned and run by their own parameter u: what the plan calls path length there is u times
   /// the blend's planned length, which is |dS/du| at both of its ends, so that the speed goes on there.
   bool blends_by_parameter = false;
@@ -30,18 +26,27 @@ struct Stretch {
   void clear();
   /// Makes room for that many, so that long stretches are not copied while they grow.
   void reserve(std::size_t elements);
-  void add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed,
+  /// Adds the element of the path that follows those added. `block`: of the path that it is a part of, by
+  /// which a look-ahead counts.
+  void add(const PlanElement& planned, std::uint32_t path_element, std::uint32_t block,
            bool is_blend = false);
-  /// The same for a span of a smooth curve.
-  void add_span(const PlanElement& planned, std::uint32_t path_element, std::uint32_t programmed);
+  /// The same for a span of a smooth curve, which counts as a block of its own.
+  void add_span(const PlanElement& planned, std::uint32_t path_element, std::uint32_t block);
+
+  /// Its index in the path.
+  std::uint32_t element(std::size_t e) const { return first_element_ + static_cast<std::uint32_t>(e); }
 
   /// Makes element `e` a level place of the plan: one speed for both of its ends. In order of e, after
   /// set_junction_ceilings().
   void hold_level(std::uint32_t e);
-  bool is_level(std::size_t e) const { return plan[e].limits.jerk.value == no_ramp; }
+  bool is_level(std::size_t e) const { return plan[e].jerk().value == no_ramp; }
   bool by_parameter(std::size_t e) const { return blends_by_parameter && blend[e] != 0; }
 
   static constexpr double no_ramp = 1e-12;  ///< limits of a level element [mm/s2, mm/s3]
+
+ private:
+  std::uint32_t first_element_ = 0;
+  std::uint32_t last_block_ = 0;  ///< of the element added last
 };
 
 /// Segments [first, last) from standstill to standstill.

@@ -94,11 +94,11 @@ CornerPiece EssidRunner::blend_corner(const CornerPlace& place) {
 }
 
 EssidRunner::Blend EssidRunner::blend_of(std::size_t element) const {
-  const std::size_t segment = stretch_.block[element];
+  const BlendedPath& path = builder_.path();
+  const std::size_t segment = path.segment(stretch_.element(element));
   const Vec3 in = toolpath_.tangent_at_end(segment);
   const Vec3 out = toolpath_.tangent_at_start(segment + 1);
-  const BlendedPath& path = builder_.path();
-  const double transition = path.corner_transition(path.index(stretch_.element[element]));
+  const double transition = path.corner_transition(path.index(stretch_.element(element)));
   SpeedBound feed = programmed_speed(toolpath_, segment, axes_.velocity);
   const SpeedBound next = programmed_speed(toolpath_, segment + 1, axes_.velocity);
   feed.lower(next.value, next.cause);
@@ -120,9 +120,9 @@ void EssidRunner::move(const std::vector<PlanNode>& nodes, ProgressSteps& steps)
   speed_ = 0;
   for (std::size_t n = 0; n + 1 < nodes.size();) {
     const std::size_t first = nodes[n].junction;
-    steps.at(stretch_.block[first]);
+    steps.at(builder_.path().segment(stretch_.element(first)));
     if (n >= next_reserve) {
-      builder_.reserve_for_path(4 * reserve_each, stretch_.element[first]);
+      builder_.reserve_for_path(4 * reserve_each, stretch_.element(first));
       next_reserve += reserve_each;
     }
     if (is_blend(first)) {
@@ -221,9 +221,9 @@ std::optional<std::size_t> EssidRunner::move_over_blend(const std::vector<PlanNo
 
 void EssidRunner::pass_level(std::size_t element) {
   const Blend blend = blend_of(element);
-  const Cause cause = stretch_.plan[element].limits.speed.cause;
+  const Cause cause = stretch_.plan[element].speed().cause;
   if (settings_.reading != EssidReading::strict && keeps_rows_at(blend.shape, speed_, blend_limits_)) {
-    builder_.add_piece({0, 0, speed_, 0, 0, stretch_.element[element], cause},
+    builder_.add_piece({0, 0, speed_, 0, 0, stretch_.element(element), cause},
                        stretch_.plan[element].length / speed_);
   } else {
     const double du = speed_ / blend.shape.at(0).sigma;
@@ -234,7 +234,7 @@ void EssidRunner::pass_level(std::size_t element) {
 void EssidRunner::add_blend_steps(const std::vector<BlendStep>& blend_steps, std::size_t element,
                                   Cause slower_place) {
   for (const BlendStep& step : blend_steps) {
-    builder_.add_piece({0, step.u, step.du, step.ddu, step.dddu, stretch_.element[element], step.cause,
+    builder_.add_piece({0, step.u, step.du, step.ddu, step.dddu, stretch_.element(element), step.cause,
                         Law::parameter, static_cast<std::uint8_t>(cause_index(slower_place))},
                        step.duration);
   }

@@ -147,9 +147,9 @@ void MsaddekRunner::add_connection(std::size_t segment, const ConnectingArc& con
 
 void MsaddekRunner::move_static(ProgressSteps& steps) {
   for (std::size_t e = 0; e < stretch_.plan.size(); ++e) {
-    steps.at(stretch_.block[e]);
-    const SpeedBound& speed = stretch_.plan[e].limits.speed;
-    builder_.add_piece({0, 0, speed.value, 0, 0, stretch_.element[e], speed.cause},
+    steps.at(builder_.path().segment(stretch_.element(e)));
+    const SpeedBound speed = stretch_.plan[e].speed();
+    builder_.add_piece({0, 0, speed.value, 0, 0, stretch_.element(e), speed.cause},
                        stretch_.plan[e].length / speed.value);
   }
 }

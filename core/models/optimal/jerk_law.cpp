@@ -297,7 +297,7 @@ void JerkLaw::add_planned(std::uint32_t first, std::uint32_t last) {
 }
 
 Cause JerkLaw::planned_cause(const PlanElement& element, double jerk, const Motion1d& at) const {
-  const MotionLimits& limits = element.limits;
+  const MotionLimits limits = element.limits();
   const double least = 1e-9 * limits.acceleration.value;
   if (jerk == 0 && std::abs(at.a) < least) {
     return limits.speed.cause;

@@ -88,12 +88,12 @@ void StaticLaw::add_element(const std::vector<PathCell>& cells, std::uint32_t in
 void StaticLaw::add_part(const PathCell* first, const PathCell* last, const SpeedBound& feed,
                          const AxisVectors& axes, const Vec3& jerk) {
   PlanElement part;
+  MotionLimits limits;
   Largest largest;
   for (const PathCell* cell = first; cell != last; ++cell) {
     part.length += cell->length;
     largest.add(*cell);
   }
-  MotionLimits& limits = part.limits;
   if (all_straight({first, last})) {
     limits.speed = feed;
     const AxisBound velocity = axis_share(axes.velocity, largest.t);
@@ -107,6 +107,7 @@ void StaticLaw::add_part(const PathCell* first, const PathCell* last, const Spee
     limits.acceleration.value = std::min(limits.acceleration.value, mixed.value);
     limits.jerk = axis_share(along * jerk, largest.t);
   }
+  part.set_limits(limits);
   begins_.push_back(length_);
   fineness_.push_back(1);
   ends_element_.push_back(0);
@@ -122,10 +123,11 @@ double StaticLaw::lower_at(double s, double lowered) {
   if (begins_[part] == lowered) {
     return lowered;
   }
-  MotionLimits& limits = parts_[part].limits;
+  MotionLimits limits = parts_[part].limits();
   limits.speed.value *= slower;
   limits.acceleration.value *= slower * slower;
   limits.jerk.value *= slower * slower * slower;
+  parts_[part].set_limits(limits);
   fineness_[part] *= finer;
   return begins_[part];
 }
@@ -133,8 +135,8 @@ double StaticLaw::lower_at(double s, double lowered) {
 void StaticLaw::plan() {
   std::vector<SpeedBound> ceilings(parts_.size() + 1);
   for (std::size_t j = 1; j < parts_.size(); ++j) {
-    ceilings[j] = parts_[j].limits.speed;
-    ceilings[j].lower(parts_[j - 1].limits.speed.value, parts_[j - 1].limits.speed.cause);
+    ceilings[j] = parts_[j].speed();
+    ceilings[j].lower(parts_[j - 1].speed().value, parts_[j - 1].speed().cause);
   }
   lay_phases(plan_nodes(parts_, ceilings));
 }

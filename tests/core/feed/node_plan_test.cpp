@@ -14,14 +14,14 @@ namespace feedscope {
 namespace {
 
 PlanElement element(double length, double speed, double jerk = 15000) {
-  return {length, {{speed, {}}, {1000, 0}, {jerk, 0}}};
+  return {length, MotionLimits{{speed, {}}, {1000, 0}, {jerk, 0}}};
 }
 
 std::vector<SpeedBound> ceilings(const std::vector<PlanElement>& elements) {
   std::vector<SpeedBound> ceiling(elements.size() + 1);
   for (std::size_t j = 1; j < elements.size(); ++j) {
-    ceiling[j] = elements[j - 1].limits.speed;
-    ceiling[j].lower(elements[j].limits.speed.value, elements[j].limits.speed.cause);
+    ceiling[j] = elements[j - 1].speed();
+    ceiling[j].lower(elements[j].speed().value, elements[j].speed().cause);
   }
   return ceiling;
 }
@@ -149,8 +149,9 @@ TEST(NodePlan, PlannedAgainKeepsEveryCeilingAndIsAsFastAsPlannedFromTheStart) {
       for (std::uint32_t e = 1; e + 1 < count; ++e) {
         if (unit(random) < 0.02) {
           changed.push_back(e);
-          elements[e].limits.acceleration.value *= unit(random);
-          elements[e].limits.jerk.value *= unit(random);
+          const double acceleration = elements[e].acceleration().value * unit(random);
+          const double jerk = elements[e].jerk().value * unit(random);
+          elements[e].set_ramps({acceleration, 0}, {jerk, 0});
           is_level[e] = is_level[e + 1] = unit(random) < 0.8;
         }
       }
@@ -260,13 +261,12 @@ TEST(ProfileSpeeds, AreInClosedFormOnAGentleRamp) {
 }
 
 TEST(LookaheadHorizon, LetsTheToolStopWithinTheBlocksAhead) {
-  const std::vector<PlanElement> elements(100, element(0.1, 200));
-  std::vector<std::uint32_t> block_of(100);
+  std::vector<PlanElement> elements(100, element(0.1, 200));
   for (std::uint32_t i = 0; i < 100; ++i) {
-    block_of[i] = i;
+    elements[i].order = i;
   }
   auto ceiling = ceilings(elements);
-  apply_lookahead_horizon(elements, block_of, 8, ceiling);
+  apply_lookahead_horizon(elements, 8, ceiling);
   EXPECT_EQ(ceiling[50].cause.kind, CauseKind::lookahead_horizon);
   EXPECT_NEAR(ceiling[50].value, reachable_speed(0, 0.8, {1000, 15000}), 1e-9);
   EXPECT_DOUBLE_EQ(ceiling[99].value,
