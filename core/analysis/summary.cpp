@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "core/analysis/programmed_time.h"
 #include "core/base/exact_sum.h"
+#include "core/base/parallel.h"
 #include "core/trajectory/part_walk.h"
 
 namespace feedscope {
@@ -31,6 +33,15 @@ class Peaks {
       add_straight(part, motion.curve().direction);
     } else {
       add_curved(part, motion);
+    }
+  }
+
+  void add(const Peaks& other) {
+    speed_ = std::max(speed_, other.speed_);
+    for (std::size_t i = 0; i < axes_.size(); ++i) {
+      axes_[i].velocity = std::max(axes_[i].velocity, other.axes_[i].velocity);
+      axes_[i].acceleration = std::max(axes_[i].acceleration, other.axes_[i].acceleration);
+      axes_[i].jerk = std::max(axes_[i].jerk, other.axes_[i].jerk);
     }
   }
 
@@ -90,6 +101,82 @@ class Peaks {
   AxisVector<AxisPeaks> axes_;
 };
 
+/// What the pieces of a trajectory add up to.
+class Totals {
+ public:
+  explicit Totals(const Trajectory& trajectory)
+      : trajectory_(trajectory),
+        peaks_(trajectory),
+        by_cause_(all_causes().size()),
+        by_slower_place_(all_causes().size()) {}
+
+  /// Of pieces [first, last).
+  void add_pieces(std::size_t first, std::size_t last) {
+    for (PartWalk walk(trajectory_, first); !walk.done() && walk.part().piece < last; walk.next()) {
+      const Part& part = walk.part();
+      by_cause_[cause_index(part.cause)].add(part.duration);
+      if (part.cause.kind == CauseKind::ramp_down) {
+        by_slower_place_[cause_index(trajectory_.slower_place(part.piece))].add(part.duration);
+      }
+      if (trajectory_.path().kind(part.element) == ElementKind::dwell) {
+        waiting_.add(part.duration);
+      }
+      peaks_.add_part(part, walk.motion());
+    }
+  }
+
+  void add(const Totals& other) {
+    peaks_.add(other.peaks_);
+    for (std::size_t i = 0; i < by_cause_.size(); ++i) {
+      by_cause_[i].add(other.by_cause_[i]);
+      by_slower_place_[i].add(other.by_slower_place_[i]);
+    }
+    waiting_.add(other.waiting_);
+  }
+
+  const Peaks& peaks() const { return peaks_; }
+  double waiting() const { return waiting_.value(); }  ///< [s]
+  std::vector<double> time_by_cause() const { return times(by_cause_); }
+  std::vector<double> time_by_slower_place() const { return times(by_slower_place_); }
+
+ private:
+  std::vector<double> times(const std::vector<ExactSum>& sums) const {
+    const double rounding = 1e-14 * trajectory_.duration();  // what pieces leave that end where others begin
+    std::vector<double> seconds;
+    for (const ExactSum& sum : sums) {
+      seconds.push_back(sum.value() < rounding ? 0 : sum.value());
+    }
+    return seconds;
+  }
+
+  const Trajectory& trajectory_;
+  Peaks peaks_;
+  std::vector<ExactSum> by_cause_;
+  std::vector<ExactSum> by_slower_place_;
+  ExactSum waiting_;
+};
+
+/// The pieces in runs of a length that does not depend on the number of processors, on all of them; `also` is
+/// called meanwhile.
+Totals totals_of(const Trajectory& trajectory, const std::function<void()>& also) {
+  constexpr std::size_t pieces_a_run = 16384;
+  const std::size_t pieces = trajectory.pieces().size();
+  const std::size_t runs = (pieces + pieces_a_run - 1) / pieces_a_run;
+  std::vector<Totals> totals(std::max<std::size_t>(runs, 1), Totals(trajectory));
+  in_parallel(runs + 1, [&](std::size_t i) {
+    if (i == 0) {
+      also();
+    } else {
+      totals[i - 1].add_pieces((i - 1) * pieces_a_run, std::min(i * pieces_a_run, pieces));
+    }
+  });
+  Totals sum = totals.front();
+  for (std::size_t i = 1; i < runs; ++i) {
+    sum.add(totals[i]);
+  }
+  return sum;
+}
+
 }  // namespace
 
 Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const Vec3& rapid_speed) {
@@ -98,34 +185,14 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
   summary.programmed_time = programmed_time(toolpath, rapid_speed);
   summary.not_counted = not_counted(toolpath);
 
-  Peaks peaks(trajectory);
-  std::vector<ExactSum> by_cause(all_causes().size());
-  std::vector<ExactSum> by_slower_place(all_causes().size());
-  ExactSum waiting;
-  for (PartWalk walk(trajectory); !walk.done(); walk.next()) {
-    const Part& part = walk.part();
-    by_cause[cause_index(part.cause)].add(part.duration);
-    if (part.cause.kind == CauseKind::ramp_down) {
-      by_slower_place[cause_index(trajectory.slower_place(part.piece))].add(part.duration);
-    }
-    if (trajectory.path().kind(part.element) == ElementKind::dwell) {
-      waiting.add(part.duration);
-    }
-    peaks.add_part(part, walk.motion());
-  }
-  const double rounding = 1e-14 * summary.cycle_time;  // what pieces leave that end where others begin
-  const auto times = [rounding](const std::vector<ExactSum>& sums) {
-    std::vector<double> seconds;
-    for (const ExactSum& sum : sums) {
-      seconds.push_back(sum.value() < rounding ? 0 : sum.value());
-    }
-    return seconds;
-  };
-  summary.time_by_slower_place = times(by_slower_place);
-  summary.time_by_cause = times(by_cause);
-  ContourRequest worst;
-  worst.places = 1;
-  const ContourErrors errors = contour_errors(trajectory, worst);
+  ContourErrors errors;
+  const Totals totals = totals_of(trajectory, [&] {
+    ContourRequest worst;
+    worst.places = 1;
+    errors = contour_errors(trajectory, worst);
+  });
+  summary.time_by_cause = totals.time_by_cause();
+  summary.time_by_slower_place = totals.time_by_slower_place();
   summary.max_contour_error = errors.largest;
   if (!errors.worst.empty()) {
     summary.worst_place = errors.worst.front();
@@ -137,10 +204,10 @@ Summary summarise(const Trajectory& trajectory, const Toolpath& toolpath, const 
   for (std::size_t i = 0; i < trajectory.path().corner_count(); ++i) {
     summary.max_corner_distance = std::max(summary.max_corner_distance, trajectory.path().corner(i).epsilon);
   }
-  const double moving = summary.cycle_time - waiting.value();
+  const double moving = summary.cycle_time - totals.waiting();
   summary.mean_feed = moving > 0 ? trajectory.path_length() / moving : 0;
-  summary.peak_feed = peaks.speed();
-  summary.axes = peaks.axes();
+  summary.peak_feed = totals.peaks().speed();
+  summary.axes = totals.peaks().axes();
   return summary;
 }
 

@@ -12,6 +12,10 @@ class ExactSum {
     correction_ += std::abs(sum_) >= std::abs(x) ? (sum_ - sum) + x : (x - sum) + sum_;
     sum_ = sum;
   }
+  void add(const ExactSum& other) {
+    add(other.sum_);
+    correction_ += other.correction_;
+  }
   double value() const { return sum_ + correction_; }
 
  private:
