@@ -54,6 +54,7 @@ int explain(const ExplainOptions& options) {
   note_runs(run.input, {run.setup});
   print_diagnostics(*run.input.program);
   print_diagnostics(run.input.lines_not_run, *run.input.program);
+  print_diagnostics(run.input.toolpath->machine_faults, *run.input.program);
   if (options.json != "-") {
     fmt::print("{}", explanation_text(run, report));
   }

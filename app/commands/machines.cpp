@@ -53,6 +53,9 @@ void add_kinematics(const Machine& machine, TextTable& table) {
   };
   const auto numbers = [](const Vec3& v) { return fmt::format("{}, {}, {}", v.x(), v.y(), v.z()); };
   add("kinematics.chain", machine.kinematics.chain, "");
+  if (machine.kinematics.tool_length) {
+    add("kinematics.tool_length", fmt::format("{}", *machine.kinematics.tool_length), "mm");
+  }
   for (const RotaryAxis& axis : machine.kinematics.rotary) {
     const std::string key = fmt::format("kinematics.{}.", axis.name);
     add(key + "direction", numbers(axis.direction), "");

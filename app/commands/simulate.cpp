@@ -125,10 +125,13 @@ int simulate(const SimulateOptions& options) {
   note_runs(run.input, {run.setup});
   print_diagnostics(*run.input.program);
   print_diagnostics(run.input.lines_not_run, *run.input.program);
+  print_diagnostics(run.input.toolpath->machine_faults, *run.input.program);
   if (!results.to_standard_output()) {
     fmt::print("{}", summary_text(run));
   }
-  return has_errors(run.input.program->diagnostics) ? exit_code::program_errors : exit_code::done;
+  return has_errors(run.input.program->diagnostics) || has_errors(run.input.toolpath->machine_faults)
+             ? exit_code::program_errors
+             : exit_code::done;
 }
 
 }  // namespace

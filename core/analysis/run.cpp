@@ -113,6 +113,9 @@ LoadedProgram load_program(const std::filesystem::path& file, Progress* progress
 
 ReadOptions reading_on(ReadOptions options, const Machine& machine) {
   options.offsets.add_missing(machine.work_offsets);
+  for (const RotaryAxis& axis : machine.kinematics.rotary) {
+    options.rotary_axes += axis.name;
+  }
   return options;
 }
 
@@ -158,11 +161,16 @@ Run simulate_motion(const LoadedProgram& input, Setup setup, Progress* progress)
   Run run;
   run.input = input;
   run.setup = std::move(setup);
-  std::optional<LoadModel> load = load_model(input, run.setup.load);
   ControlReading reading = run.setup.model->read(input.toolpath, run.setup.settings);
+  const bool turns = !run.setup.machine.kinematics.empty() && !reading.path->rotary_moves.empty();
+  LoadedProgram loaded = input;
+  if (turns) {  // its pauses shift the segments
+    loaded.toolpath = on_machine(reading.path, run.setup.machine, run.setup.settings);
+  }
+  std::optional<LoadModel> load = load_model(loaded, run.setup.load);
   run.trajectory = std::make_shared<const Trajectory>(
       run.setup.model->simulate(reading.path, run.setup.machine, run.setup.settings, progress));
-  run.input.toolpath = on_machine(std::move(reading.path), run.setup.settings);
+  run.input.toolpath = on_machine(std::move(reading.path), run.setup.machine, run.setup.settings);
   run.input.lines_not_run = std::move(reading.refused);
   run.sources.limits_jerk = run.setup.model->guarantees(run.setup.settings).limits_jerk;
   if (has_drives(run.setup.machine)) {

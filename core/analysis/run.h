@@ -71,7 +71,7 @@ LoadedProgram load_program(std::shared_ptr<const SourceText> source, Progress* p
 LoadedProgram load_program(const std::filesystem::path& file, Progress* progress = nullptr,
                            const ReadOptions& options = {});
 
-/// `options` with the work offsets of a machine for those that they do not give.
+/// `options` with the work offsets of a machine for those that they do not give, and its rotary axes.
 ReadOptions reading_on(ReadOptions options, const Machine& machine);
 
 /// Throws InputError naming the value, its bounds and the nearest valid name: unknown machine, model or

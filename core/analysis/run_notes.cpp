@@ -8,6 +8,7 @@
 #include "core/analysis/refused_lines.h"
 #include "core/analysis/unadvised_tolerance.h"
 #include "core/base/translatable.h"
+#include "core/toolpath/rotary_resolver.h"
 
 namespace feedscope {
 
@@ -79,6 +80,14 @@ const char* jump_note(const Setup& setup) {
                    : nullptr;
 }
 
+std::string machine_fault_note(const std::vector<Diagnostic>& faults) {
+  return faults.empty()
+             ? ""
+             : fmt::format("Positions of rotary axes that the machine does not reach: line {}: {}.{}",
+                           faults.front().line, faults.front().message,
+                           faults.size() == 1 ? "" : fmt::format(" {} more.", faults.size() - 1));
+}
+
 std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& setup) {
   std::vector<std::string> notes = ignored_path_control(program, setup);
   if (const auto mismatch = control_mismatch(setup.machine, program.program->dialect)) {
@@ -92,6 +101,11 @@ std::vector<std::string> run_notes(const LoadedProgram& program, const Setup& se
   }
   if (std::string refused = refused_note(refused_lines(program, setup)); !refused.empty()) {
     notes.push_back(std::move(refused));
+  }
+  if (std::string faults = machine_fault_note(
+          with_rotary_moves(program.toolpath, setup.machine, setup.settings)->machine_faults);
+      !faults.empty()) {
+    notes.push_back(std::move(faults));
   }
   if (const char* const jumps = jump_note(setup)) {
     notes.emplace_back(jumps);

@@ -26,6 +26,9 @@ std::vector<std::string> drive_notes(const Machine& machine);
 /// translatable.
 const char* jump_note(const Setup& setup);
 
+/// What of the program the machine cannot do, in one sentence; empty if nothing.
+std::string machine_fault_note(const std::vector<Diagnostic>& faults);
+
 /// What is to be known of a run before its figures are trusted, one sentence each: a control that does not
 /// read the program's dialect, a machine that gives work offsets which the program was not read with,
 /// ignored_path_control(), refused_note(), jump_note(), a tolerance that Heidenhain advises against, then

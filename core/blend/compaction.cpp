@@ -64,7 +64,8 @@ class Compactor {
  private:
   bool is_short(std::size_t i) const {
     const Segment& segment = toolpath_.segments[i];
-    return segment.kind == SegmentKind::line && !segment.rapid && segment.length < longest_;
+    return segment.kind == SegmentKind::line && !segment.rapid && segment.length < longest_ &&
+           toolpath_.segment_turn(i) == nullptr;
   }
 
   const Toolpath& toolpath_;
@@ -90,6 +91,10 @@ CompactedPath compact(const Toolpath& toolpath, double longest, const PathRules&
       segment.end = toolpath.segments[i + count - 1].end;
       segment.length = (segment.end - toolpath.start_of(i)).norm();
       result.deviation = std::max(result.deviation, compactor.deviation(i, count).value());
+    }
+    if (const SegmentTurn* turn = toolpath.segment_turn(i)) {
+      result.path.segment_turns.push_back(*turn);
+      result.path.segment_turns.back().segment = result.path.segments.size();
     }
     result.path.segments.push_back(segment);
     result.first.push_back(static_cast<std::uint32_t>(i));

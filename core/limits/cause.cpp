@@ -11,8 +11,8 @@
 namespace feedscope {
 namespace {
 
-/// In the order of CauseKind. Any two colours are 15 or more apart in CIELAB
-/// (tests/ui/scene/cause_colour_test).
+/// In the order of CauseKind. Any two colours are 15 or more apart in CIELAB, that of indexing, which is
+/// never on the path, 13 from the others (tests/ui/scene/cause_colour_test).
 constexpr std::array kinds{
     CauseInfo{CauseKind::programmed_feed, "programmed_feed", QT_TRANSLATE_NOOP("core", "programmed feed"), "",
               0xc3cad2, 0xcbd0d7},
@@ -77,6 +77,8 @@ constexpr std::array kinds{
               0xa725ff},
     CauseInfo{CauseKind::spindle_start, "spindle_start", QT_TRANSLATE_NOOP("core", "spindle start"), "",
               0xf0f800, 0xfffe3b},
+    CauseInfo{CauseKind::indexing, "indexing", QT_TRANSLATE_NOOP("core", "indexing of rotary axes"),
+              QT_TRANSLATE_NOOP("core", "indexing of axis %1"), 0xedccff, 0x734140},
 };
 
 constexpr bool in_order() {
@@ -89,13 +91,33 @@ constexpr bool in_order() {
 }
 static_assert(in_order());
 
+/// Which axes can set a cause: first of cause_axes, and how many.
+struct AxisRange {
+  std::size_t first = 0;
+  std::size_t count = 0;
+};
+
+/// Rotary axes set it, too.
+constexpr bool turns_too(CauseKind kind) {
+  return kind == CauseKind::axis_velocity || kind == CauseKind::axis_acceleration ||
+         kind == CauseKind::axis_jerk;
+}
+
+constexpr AxisRange axes_of(const CauseInfo& info) {
+  constexpr std::size_t linear = known_axes.size();
+  return !info.by_axis()                    ? AxisRange{}
+         : info.kind == CauseKind::indexing ? AxisRange{linear, cause_axes.size() - linear}
+         : turns_too(info.kind)             ? AxisRange{0, cause_axes.size()}
+                                            : AxisRange{0, linear};
+}
+
 /// Index in all_causes() of each kind without axis; its axes follow.
 constexpr std::array<std::size_t, kinds.size()> first_indices() {
   std::array<std::size_t, kinds.size()> first{};
   std::size_t next = 0;
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     first[i] = next;
-    next += kinds[i].by_axis() ? 1 + known_axes.size() : 1;
+    next += 1 + axes_of(kinds[i]).count;
   }
   return first;
 }
@@ -108,7 +130,8 @@ std::vector<Cause> list_causes() {
   std::vector<Cause> causes;
   for (const CauseInfo& info : kinds) {
     causes.push_back({info.kind, -1});
-    for (std::size_t axis = 0; info.by_axis() && axis < known_axes.size(); ++axis) {
+    const AxisRange axes = axes_of(info);
+    for (std::size_t axis = axes.first; axis < axes.first + axes.count; ++axis) {
       causes.push_back({info.kind, static_cast<std::int8_t>(axis)});
     }
   }
@@ -118,7 +141,7 @@ std::vector<Cause> list_causes() {
 }  // namespace
 
 char axis_name(Cause cause) {
-  return cause.axis < 0 ? ' ' : known_axes[static_cast<std::size_t>(cause.axis)].name;
+  return cause.axis < 0 ? ' ' : cause_axes[static_cast<std::size_t>(cause.axis)].name;
 }
 
 const CauseInfo& info_of(CauseKind kind) {
@@ -147,7 +170,8 @@ const std::vector<Cause>& all_causes() {
 std::size_t cause_index(Cause cause) {
   static constexpr auto first = first_indices();
   const auto kind = static_cast<std::size_t>(cause.kind);
-  return first[kind] + (has_axis(cause) ? static_cast<std::size_t>(cause.axis) + 1 : 0);
+  return first[kind] +
+         (has_axis(cause) ? static_cast<std::size_t>(cause.axis) - axes_of(kinds[kind]).first + 1 : 0);
 }
 
 }  // namespace feedscope

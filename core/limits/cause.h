@@ -39,9 +39,10 @@ enum class CauseKind : std::uint8_t {
   dwell,
   tool_change,
   spindle_start,
+  indexing,  ///< rotary axes turn while the tool stands
 };
-inline constexpr std::size_t cause_kind_count = static_cast<std::size_t>(CauseKind::spindle_start) + 1;
-/// No axis moves, so nothing limits a feed.
+inline constexpr std::size_t cause_kind_count = static_cast<std::size_t>(CauseKind::indexing) + 1;
+/// X, Y and Z stand, so nothing limits a feed.
 constexpr bool is_pause(CauseKind kind) {
   return kind >= CauseKind::dwell;
 }
@@ -49,7 +50,7 @@ constexpr bool is_pause(CauseKind kind) {
 /// Limiting cause, with the axis that sets it where one does.
 struct Cause {
   CauseKind kind = CauseKind::programmed_feed;
-  std::int8_t axis = -1;  ///< place in known_axes; -1 none
+  std::int8_t axis = -1;  ///< place in cause_axes; -1 none
   bool operator==(const Cause&) const = default;
 };
 

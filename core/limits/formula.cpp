@@ -231,7 +231,7 @@ std::string symbol_text(const Quantity& quantity) {
     return std::string(pattern);
   }
   const std::string axis(quantity.axis < 0 ? 0 : 1,
-                         quantity.axis < 0 ? ' ' : known_axes[static_cast<std::size_t>(quantity.axis)].name);
+                         quantity.axis < 0 ? ' ' : cause_axes[static_cast<std::size_t>(quantity.axis)].name);
   return fmt::format("{}{}{}", pattern.substr(0, place), axis, pattern.substr(place + 2));
 }
 

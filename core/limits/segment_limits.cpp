@@ -42,6 +42,14 @@ ArcExtremes::ArcExtremes(const Arc& arc) {
   }
 }
 
+namespace {
+
+AxisBound lower_of(const AxisBound& a, const AxisBound& b) {
+  return b.value < a.value ? b : a;
+}
+
+}  // namespace
+
 AxisVectors::AxisVectors(const Machine& machine)
     : velocity(axis_limit_vector(machine, &AxisLimits::velocity)),
       acceleration(axis_limit_vector(machine, &AxisLimits::acceleration)),
@@ -65,10 +73,21 @@ SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3&
   return {bound.value, {segment.rapid ? CauseKind::rapid : CauseKind::axis_velocity, bound.axis}};
 }
 
+SpeedBound feed_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity) {
+  SpeedBound bound = programmed_speed(toolpath, i, velocity);
+  if (const SegmentTurn* turn = toolpath.segment_turn(i)) {
+    const CauseKind kind = turn->speed_order == 1   ? CauseKind::axis_velocity
+                           : turn->speed_order == 2 ? CauseKind::axis_acceleration
+                                                    : CauseKind::axis_jerk;
+    bound.lower(turn->speed, {kind, turn->speed_axis});
+  }
+  return bound;
+}
+
 SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element, const Vec3& velocity) {
   const Toolpath& toolpath = *path.programmed();
   const std::size_t first = path.segment(element);
-  SpeedBound bound = programmed_speed(toolpath, first, velocity);
+  SpeedBound bound = feed_ceiling(toolpath, first, velocity);
   if (element + 1 == path.size()) {
     return bound;
   }
@@ -78,23 +97,28 @@ SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element
     --last;  // the curve ends with a block
   }
   for (std::size_t i = first + 1; i <= last; ++i) {
-    const SpeedBound other = programmed_speed(toolpath, i, velocity);
+    const SpeedBound other = feed_ceiling(toolpath, i, velocity);
     bound.lower(other.value, other.cause);
   }
   return bound;
 }
 
 MotionLimits segment_limits(const Toolpath& toolpath, std::size_t i, const AxisVectors& axes) {
-  MotionLimits limits{programmed_speed(toolpath, i, axes.velocity), {}, {}};
+  MotionLimits limits{feed_ceiling(toolpath, i, axes.velocity), {}, {}};
   if (toolpath.segments[i].kind == SegmentKind::line) {
     const Vec3 direction = direction_of(toolpath, i);
     const AxisBound velocity = axis_share(axes.velocity, direction);
     limits.speed.lower(velocity.value, by_axis(CauseKind::axis_velocity, velocity));
     limits.acceleration = axis_share(axes.acceleration, direction);
     limits.jerk = axis_share(axes.jerk, direction);
-    return limits;
+  } else {
+    limits = arc_limits(arc_of(toolpath, i), limits.speed, axes);
   }
-  return arc_limits(arc_of(toolpath, i), limits.speed, axes);
+  if (const SegmentTurn* turn = toolpath.segment_turn(i)) {
+    limits.acceleration = lower_of(limits.acceleration, {turn->acceleration, turn->acceleration_axis});
+    limits.jerk = lower_of(limits.jerk, {turn->jerk, turn->jerk_axis});
+  }
+  return limits;
 }
 
 MotionLimits arc_limits(const Arc& arc, const SpeedBound& programmed, const AxisVectors& axes) {

@@ -51,7 +51,11 @@ AxisBound axis_speed(const Toolpath& toolpath, std::size_t i, const Vec3& veloci
 /// 0 for a dwell.
 SpeedBound programmed_speed(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);
 
-/// The same of a span of a smooth curve, the lowest of the blocks along it.
+/// programmed_speed(), or what the machine's rotary axes allow along the segment where that is less
+/// (Toolpath::segment_turns): the ceiling that a motion along it starts from [mm/s].
+SpeedBound feed_ceiling(const Toolpath& toolpath, std::size_t i, const Vec3& velocity);
+
+/// feed_ceiling() of a span of a smooth curve, the lowest of the blocks along it.
 SpeedBound programmed_speed_of_span(const BlendedPath& path, std::size_t element, const Vec3& velocity);
 
 /// Static limits of segment `i` (a line or an arc), least along the segment.

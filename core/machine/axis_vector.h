@@ -51,9 +51,12 @@ class AxisList {
   std::size_t size_ = 0;
 };
 
-/// The axes that machines can have. The axis of a limiting cause is a place in this list; its first three
-/// move the coordinates X, Y and Z.
+/// The linear axes that machines can have: they move the coordinates X, Y and Z.
 inline constexpr AxisList known_axes{{'X'}, {'Y'}, {'Z'}};
+/// The axes that can limit a motion. The axis of a limiting cause is a place in this list, whose first are
+/// known_axes.
+inline constexpr AxisList cause_axes{
+    {'X'}, {'Y'}, {'Z'}, {'A', AxisKind::rotary}, {'B', AxisKind::rotary}, {'C', AxisKind::rotary}};
 
 /// One value for each axis of a machine. The names go with the values, so that whoever lists them needs
 /// nothing else: tables, files, charts.

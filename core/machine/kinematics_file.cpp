@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::array direction_keys{"x", "y", "z"};
 constexpr std::array point_keys{"x_mm", "y_mm", "z_mm"};
+constexpr const char* tool_length_key = "tool_length_mm";
 constexpr double farthest_point = 1e6;  // [mm]
 
 std::string table_name(char axis) {
@@ -76,7 +77,7 @@ void read_kinematics(const ConfigNode& root, Machine& machine) {
     return;
   }
   const ConfigNode& table = root.need_table("kinematics", "the file");
-  std::vector<std::string> keys{"chain"};
+  std::vector<std::string> keys{"chain", tool_length_key};
   keys.insert(keys.end(), names.begin(), names.end());
   for (const std::string& key : table.keys()) {
     if (key.size() == 1 && rotary_names.find(key[0]) != std::string_view::npos &&
@@ -95,6 +96,13 @@ void read_kinematics(const ConfigNode& root, Machine& machine) {
     axis.direction = read_place(own, "direction", direction_keys, letter, machine);
     axis.point = read_place(own, "point", point_keys, letter, machine);
     kinematics.rotary.push_back(axis);
+  }
+  if (table.find(tool_length_key) != nullptr) {
+    SettingSpec spec;
+    spec.key = tool_length_key;
+    spec.maximum = farthest_point;
+    kinematics.tool_length = std::get<double>(
+        read_sourced_value(table, spec, "[kinematics]", machine.provenance["kinematics.tool_length"]));
   }
   const ConfigNode& chain = table.need_table("chain", "[kinematics]");
   chain.check_keys({"value", "source", "assumed"}, "'chain' in [kinematics]");
@@ -128,6 +136,9 @@ std::string write_kinematics(const Machine& machine) {
   }
   std::string out =
       "\n[kinematics]\n" + toml_entry(machine, "chain", "kinematics.chain", machine.kinematics.chain);
+  if (machine.kinematics.tool_length) {
+    out += toml_entry(machine, tool_length_key, "kinematics.tool_length", *machine.kinematics.tool_length);
+  }
   for (const RotaryAxis& axis : machine.kinematics.rotary) {
     const std::string key = fmt::format("kinematics.{}.", axis.name);
     out += fmt::format("\n[kinematics.{}]\ndirection = {{ x = {}, y = {}, z = {}, {} }}\n", axis.name,

@@ -13,6 +13,7 @@ std::vector<std::string> rotary_tables(const ConfigNode& root);
 /// Reads [kinematics] and the rotary axes of [axes] into `machine`, with where the numbers come from:
 ///   [axes.A]            velocity_rev_min, acceleration_rev_s2, jerk_rev_s3, minimum_deg, maximum_deg
 ///   [kinematics]        chain = { value = "C A Y frame X Z", source = "..." }
+///                       tool_length_mm = { value = 150, source = "..." }, may be missing
 ///   [kinematics.A]      direction = { x = 1, y = 0, z = 0, source = "..." }
 ///                       point = { x_mm = 0, y_mm = 0, z_mm = -50, source = "..." }
 /// Nothing where neither is there. Throws InputError naming the place and what is wrong, chains that cannot

@@ -163,22 +163,25 @@ void set_rotary_value(RotaryAxis& axis, std::size_t i, const SettingValue& value
 /// Rest to rest over D with limits V, A, J: the speed v that is reached is the largest whose two ramps fit, v
 /// t(v) <= D with the ramp's time t(v) = 2 sqrt(v/J) up to v = A^2/J, v/A + A/J above; the rest of D runs at
 /// v.
-double turning_time(const RotaryAxis& axis, double angle, double feed) {
-  const double way = std::abs(angle);
+double rest_to_rest_time(double way, double velocity, double acceleration, double jerk) {
   if (way == 0) {
     return 0;
   }
-  const double a = axis.acceleration;
-  const double j = axis.jerk;
-  const double most = feed > 0 ? std::min(feed, axis.velocity) : axis.velocity;
-  const double knee = a * a / j;
-  const auto ramp_time = [&](double v) { return v <= knee ? 2 * std::sqrt(v / j) : v / a + a / j; };
-  double reached = std::cbrt(way * way * j / 4);
+  const double knee = acceleration * acceleration / jerk;
+  const auto ramp_time = [&](double v) {
+    return v <= knee ? 2 * std::sqrt(v / jerk) : v / acceleration + acceleration / jerk;
+  };
+  double reached = std::cbrt(way * way * jerk / 4);
   if (reached > knee) {
-    reached = (std::sqrt(knee * knee + 4 * a * way) - knee) / 2;
+    reached = (std::sqrt(knee * knee + 4 * acceleration * way) - knee) / 2;
   }
-  const double v = std::min(reached, most);
+  const double v = std::min(reached, velocity);
   return ramp_time(v) + way / v;
+}
+
+double turning_time(const RotaryAxis& axis, double angle, double feed) {
+  const double velocity = feed > 0 ? std::min(feed, axis.velocity) : axis.velocity;
+  return rest_to_rest_time(std::abs(angle), velocity, axis.acceleration, axis.jerk);
 }
 
 }  // namespace feedscope

@@ -31,7 +31,8 @@ struct MachineKinematics {
   /// Axes from the part to the tool: those that carry the part, the word "frame", those that carry the tool:
   /// "C A Y frame X Z".
   std::string chain;
-  std::vector<RotaryAxis> rotary;  ///< by name
+  std::vector<RotaryAxis> rotary;     ///< by name
+  std::optional<double> tool_length;  ///< from the gauge point to the tip [mm]; none: not known
   bool empty() const { return rotary.empty(); }
   /// Null if there is none.
   const RotaryAxis* find(char axis) const;
@@ -54,6 +55,9 @@ SettingValue rotary_value(const RotaryAxis& axis, std::size_t i);
 /// Sets it; an empty text takes an optional value back. Throws InputError as check_setting().
 void set_rotary_value(RotaryAxis& axis, std::size_t i, const SettingValue& value);
 
+/// The least time over `way` from rest to rest with these limits, all > 0, phases of constant jerk and
+/// symmetric ramps (core/models/README.md), in the units of the way and s.
+double rest_to_rest_time(double way, double velocity, double acceleration, double jerk);
 /// Time of a turn by `angle` [rad] from rest to rest: jerk-limited, at most at `feed` [rad/s], 0: as fast as
 /// the axis may (core/models/README.md) [s].
 double turning_time(const RotaryAxis& axis, double angle, double feed = 0);

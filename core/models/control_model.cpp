@@ -41,7 +41,8 @@ std::string axis_key(char axis, const SettingSpec& spec) {
 
 Trajectory ControlModel::simulate(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                                   const Settings& settings, Progress* progress) const {
-  const std::shared_ptr<const Toolpath> run = on_machine(read(std::move(toolpath), settings).path, settings);
+  const std::shared_ptr<const Toolpath> run =
+      on_machine(read(std::move(toolpath), settings).path, machine, settings);
   check_axes(*run, machine);
   return do_simulate(run, machine, settings, progress);
 }
@@ -53,7 +54,8 @@ Trajectory ControlModel::simulate(const Toolpath& toolpath, const Machine& machi
 
 Trajectory ControlModel::lay_path(std::shared_ptr<const Toolpath> toolpath, const Machine& machine,
                                   const Settings& settings, Progress* progress) const {
-  const std::shared_ptr<const Toolpath> run = on_machine(read(std::move(toolpath), settings).path, settings);
+  const std::shared_ptr<const Toolpath> run =
+      on_machine(read(std::move(toolpath), settings).path, machine, settings);
   check_axes(*run, machine);
   return do_lay_path(run, machine, settings, progress);
 }

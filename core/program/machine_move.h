@@ -11,6 +11,7 @@ enum class Pause : std::uint8_t {
   tool_change,    ///< M6, TOOL CALL; its time is the machine's
   spindle_start,  ///< M3 or M4 with the spindle at rest; its time is the machine's
   stop,           ///< M0, M1; its time is the operator's
+  indexing,       ///< rotary axes turn; how long, the machine says
   machine_move,   ///< they move, but to, at or from a place that only the machine knows
 };
 

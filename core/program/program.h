@@ -15,6 +15,7 @@
 #include "core/program/machine_move.h"
 #include "core/program/path_control.h"
 #include "core/program/program_unit.h"
+#include "core/program/rotary_move.h"
 #include "core/program/spindle_state.h"
 #include "core/program/text/source_text.h"
 #include "core/program/tools/cutter_radii.h"
@@ -99,8 +100,12 @@ struct Program {
   WorkOffsets given_offsets;               ///< ReadOptions::offsets that it was read with
   std::uint64_t call_count = 0;            ///< subprogram calls that were run
   std::vector<std::shared_ptr<const SourceText>> called_files;
-  bool cut_off = false;                 ///< at the limit of ReadOptions: what would follow is missing
-  std::vector<std::string> other_axes;  ///< rotary and secondary axes that move; their time is not counted
+  bool cut_off = false;  ///< at the limit of ReadOptions: what would follow is missing
+  /// Rotary and secondary axes that move; on a machine that does not have them their time is not counted.
+  std::vector<std::string> other_axes;
+  /// Those of other_axes that no machine counts: other than A, B and C.
+  std::vector<std::string> cutting_axes;
+  std::vector<RotaryMove> rotary_moves;  ///< in their order
   /// Of the whole path, arcs with their full extent [mm]. The tool starts at X0 Y0 Z0, an assumed place that
   /// is not part of it: a coordinate belongs to it from the first block that programs its axis, or from the
   /// start of the first feed motion.
@@ -129,6 +134,7 @@ struct ReadOptions {
   /// 0, whatever program and tool table say, unless `radii` name it.
   bool wear_only = false;
   bool simulate_cut_off = false;  ///< a program that the limits cut off is simulated all the same
+  std::string rotary_axes = {};   ///< that the machine has: their positions are simulated and not reported
 
   bool operator==(const ReadOptions&) const = default;
 };

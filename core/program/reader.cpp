@@ -24,7 +24,7 @@ Reader::Reader(std::shared_ptr<const SourceText> source, const ReadOptions& opti
       lines_(source, options_, log_),
       files_(source->folder()),
       tools_(options_, files_, program_, path_, lines_, log_),
-      other_axes_(program_, lines_, log_),
+      other_axes_(program_, lines_, log_, options_),
       unit_(options_, program_),
       machining_{options_, log_, path_, lines_, tools_, other_axes_, unit_} {
   program_.source = std::move(source);

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/toolpath/rotary_resolver.h"
+
 namespace feedscope {
 
 namespace {
@@ -146,7 +148,9 @@ class Resolver {
 
 }  // namespace
 
-std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Settings& settings) {
+std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
+                                           const Settings& settings) {
+  path = with_rotary_moves(std::move(path), machine, settings);
   return path->pauses.empty() ? path : Resolver(path, settings).run();
 }
 
@@ -159,6 +163,7 @@ NotCounted not_counted(const Toolpath& path) {
     }
     switch (path.pause_of(segment).kind) {
       case Pause::dwell:
+      case Pause::indexing:
         break;
       case Pause::tool_change:
         ++count.tool_changes;

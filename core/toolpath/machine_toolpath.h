@@ -5,16 +5,18 @@
 #include <string>
 #include <vector>
 
-#include "core/machine/settings.h"
+#include "core/machine/machine.h"
 #include "core/toolpath/toolpath.h"
 
 namespace feedscope {
 
-/// The same path as a machine with these machine_settings() runs it: tool changes and spindle starts take the
-/// times that are given, and moves whose two ends are known become lines, rapids where the program gives no
-/// feed. What the settings do not say stays as it is. Every segment keeps its index. Returns `path` itself
-/// where nothing changes.
-std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Settings& settings);
+/// The same path as a machine runs it, with these machine_settings(): tool changes and spindle starts take
+/// the times that are given, and moves whose two ends are known become lines, rapids where the program gives
+/// no feed. What the settings do not say stays as it is. Every segment keeps its index but for pauses in
+/// which the machine's rotary axes turn, see with_rotary_moves(). Returns `path` itself where nothing
+/// changes.
+std::shared_ptr<const Toolpath> on_machine(std::shared_ptr<const Toolpath> path, const Machine& machine,
+                                           const Settings& settings);
 
 /// What of a path has no time, since neither program nor machine say it.
 struct NotCounted {

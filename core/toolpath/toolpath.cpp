@@ -1,6 +1,9 @@
 #include "core/toolpath/toolpath.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <limits>
 #include <numbers>
 
 namespace feedscope {
@@ -67,6 +70,11 @@ Vec3 tangent(const Toolpath& toolpath, std::size_t i, bool at_end) {
 
 }  // namespace
 
+const SegmentTurn* Toolpath::segment_turn(std::size_t i) const {
+  const auto found = std::ranges::lower_bound(segment_turns, i, std::less(), &SegmentTurn::segment);
+  return found != segment_turns.end() && found->segment == i ? &*found : nullptr;
+}
+
 Vec3 Toolpath::tangent_at_start(std::size_t i) const {
   return tangent(*this, i, false);
 }
@@ -88,6 +96,7 @@ Toolpath build_toolpath(const Program& program) {
   toolpath.source = is_g_code(program.dialect) ? program.source : nullptr;
   toolpath.bounds = program.bounds;
   toolpath.other_axes = program.other_axes;
+  toolpath.cutting_axes = program.cutting_axes;
   for (const OffsetUse& use : program.work_offsets) {
     toolpath.zero_points.push_back({use.name, use.zero, !use.given});
   }
@@ -102,7 +111,16 @@ Toolpath build_toolpath(const Program& program) {
   Vec3 position = toolpath.start;  // where the last segment ends
   MotionBlock skipped;             // the last line too short to be a segment
   skipped.target = position;
+  auto turn = program.rotary_moves.begin();
+  const auto take_turns = [&](std::uint64_t motion) {
+    for (; turn != program.rotary_moves.end() && turn->motion <= motion; ++turn) {
+      toolpath.rotary_moves.push_back(*turn);
+      toolpath.rotary_moves.back().motion = toolpath.segments.size();
+    }
+  };
+  std::uint64_t motion = 0;
   for (const MotionBlock& block : program.motions) {
+    take_turns(motion++);
     // An arc is exact only from its programmed start.
     if (block.motion == Motion::arc && (skipped.target - position).norm() > arc_gap) {
       toolpath.segments.push_back(line_segment(position, skipped));
@@ -158,6 +176,7 @@ Toolpath build_toolpath(const Program& program) {
     }
     toolpath.segments.push_back(segment);
   }
+  take_turns(std::numeric_limits<std::uint64_t>::max());
   return toolpath;
 }
 
@@ -166,6 +185,7 @@ Toolpath take_toolpath(Program& program) {
   program.motions = std::vector<MotionBlock>();
   program.arcs = std::vector<ArcWords>();
   program.machine_moves = std::vector<MachineMove>();
+  program.rotary_moves = std::vector<RotaryMove>();
   return toolpath;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -19,6 +20,17 @@ struct ToolpathPause {
   Pause kind = Pause::dwell;
   bool timed = true;       ///< the time is known
   std::uint32_t move = 0;  ///< machine moves: index into Toolpath::machine_moves
+  std::int8_t axis = -1;   ///< indexing: the axis that turns longest, a place in cause_axes
+};
+
+/// A turn of rotary axes on a machine, from rest to rest.
+struct RotaryTurn {
+  std::size_t segment = 0;       ///< its pause, or what follows it where it has none
+  std::array<double, 3> from{};  ///< angles of A, B and C [rad]
+  std::array<double, 3> to{};
+  double time = 0;            ///< that it takes [s]
+  std::int8_t axis = -1;      ///< that takes this time, a place in cause_axes
+  bool beside_rapid = false;  ///< begins with the rapid before `segment`; its pause is what is left then
 };
 
 /// One geometric element of the programmed path; it starts where the one before ends. A dwell ends where it
@@ -36,6 +48,21 @@ struct Segment {
   bool on_curve = false;  ///< stands for a part of a curve of the program, within curve_tolerance
 };
 static_assert(sizeof(Segment) == 56);
+
+/// What the rotary axes of a machine, and its linear axes that make up for them, allow along a segment in
+/// which they turn, and which axis says so, a place in cause_axes.
+struct SegmentTurn {
+  std::size_t segment = 0;
+  std::array<double, 3> from{};  ///< angles of A, B and C [rad]
+  std::array<double, 3> to{};
+  double speed = 0;              ///< along the segment [mm/s]
+  std::uint8_t speed_order = 1;  ///< by a limit of velocity (1), acceleration (2) or jerk (3) of its axis
+  double acceleration = 0;       ///< along it, at this speed [mm/s2]
+  double jerk = 0;               ///< [mm/s3]
+  std::int8_t speed_axis = -1;
+  std::int8_t acceleration_axis = -1;
+  std::int8_t jerk_axis = -1;
+};
 
 /// The zero point of a work offset that the program uses.
 struct ZeroPoint {
@@ -56,7 +83,13 @@ struct Toolpath {
   std::vector<SpindleState> spindles{SpindleState()};     ///< as Program::spindles
   Bounds bounds;                                          ///< as Program::bounds [mm]
   std::vector<std::string> other_axes;                    ///< as Program::other_axes
-  std::vector<ZeroPoint> zero_points;                     ///< of Program::work_offsets
+  std::vector<std::string> cutting_axes;                  ///< as Program::cutting_axes
+  /// As Program::rotary_moves with segments for motions; none once a machine has made pauses of them.
+  std::vector<RotaryMove> rotary_moves;
+  std::vector<SegmentTurn> segment_turns;  ///< in which rotary axes turn, by segment
+  std::vector<RotaryTurn> rotary_turns;    ///< what they came to on the machine
+  std::vector<Diagnostic> machine_faults;  ///< what the machine cannot do
+  std::vector<ZeroPoint> zero_points;      ///< of Program::work_offsets
   /// The text, where it is words of G code, which some controls read in ways of their own; null: none.
   std::shared_ptr<const SourceText> source;
   bool read_by_control = false;  ///< `source` has been read in a control's own way
@@ -83,6 +116,8 @@ struct Toolpath {
   bool is_gap(const Segment& segment) const {
     return segment.kind == SegmentKind::dwell && pause_of(segment).kind == Pause::machine_move;
   }
+  /// Of segment `i`; null where no rotary axis turns in it.
+  const SegmentTurn* segment_turn(std::size_t i) const;
   Vec3 tangent_at_start(std::size_t i) const;  ///< unit; zero for a dwell
   Vec3 tangent_at_end(std::size_t i) const;    ///< unit; zero for a dwell
   double length() const;                       ///< sum of the segments [mm]

@@ -29,8 +29,8 @@ CornerPlace corner_behind(const Toolpath& toolpath, const PathRules& rules, std:
     place.longest = left;
   }
   place.tolerance = rules.corner_tolerance(segment);
-  place.feed = programmed_speed(toolpath, segment, velocity);
-  const SpeedBound next = programmed_speed(toolpath, segment + 1, velocity);
+  place.feed = feed_ceiling(toolpath, segment, velocity);
+  const SpeedBound next = feed_ceiling(toolpath, segment + 1, velocity);
   place.feed.lower(next.value, next.cause);
   return place;
 }
@@ -102,9 +102,9 @@ void add_smooth_curve(const SmoothCurve& curve, const Toolpath& toolpath, const 
     const SpanExtremes extremes(span);
     const std::uint32_t block = curve.blocks[k];
     const std::size_t end = k + 1 < curve.blocks.size() ? curve.blocks[k + 1] : curve.run.last;
-    SpeedBound feed = programmed_speed(toolpath, block, axes.velocity);
+    SpeedBound feed = feed_ceiling(toolpath, block, axes.velocity);
     for (std::size_t other = block + std::size_t{1}; other <= end; ++other) {
-      const SpeedBound next = programmed_speed(toolpath, other, axes.velocity);
+      const SpeedBound next = feed_ceiling(toolpath, other, axes.velocity);
       feed.lower(next.value, next.cause);
     }
     MotionLimits limits = curve_limits(extremes, feed, axes);

@@ -25,6 +25,8 @@ CauseKind cause_of(Pause pause) {
       return CauseKind::tool_change;
     case Pause::spindle_start:
       return CauseKind::spindle_start;
+    case Pause::indexing:
+      return CauseKind::indexing;
     case Pause::dwell:
     case Pause::stop:
     case Pause::machine_move:
@@ -136,7 +138,8 @@ void TrajectoryBuilder::pass_pause(std::uint32_t element) {
 
 void TrajectoryBuilder::pass_pause(std::uint32_t element, double time) {
   const Segment& segment = programmed().segments[path().segment(element)];
-  add_piece({0, 0, 0, 0, 0, element, {cause_of(programmed().pause_of(segment).kind)}}, time);
+  const ToolpathPause& pause = programmed().pause_of(segment);
+  add_piece({0, 0, 0, 0, 0, element, {cause_of(pause.kind), pause.axis}}, time);
 }
 
 void TrajectoryBuilder::add_piece(Piece piece, double duration) {

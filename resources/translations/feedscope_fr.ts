@@ -543,6 +543,10 @@
         <source>The contour tolerance of %1 is %2 % of the estimated chord error of the short lines (%3); Heidenhain advises 110 to 200 %.</source>
         <translation>La tolérance de contour de %1 vaut %2 % de l’erreur de corde estimée des lignes courtes (%3) ; Heidenhain conseille 110 à 200 %.</translation>
     </message>
+    <message>
+        <source>Rotary axes: line %1: %2.</source>
+        <translation>Axes rotatifs : ligne %1 : %2.</translation>
+    </message>
 </context>
 <context>
     <name>Scene</name>
@@ -1104,6 +1108,22 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>On the radius of %1 turning takes %2 of the acceleration of axis %3; the control keeps the rest for changes of speed.</source>
         <translation>Sur le rayon de %1, le virage prend %2 de l’accélération de l’axe %3 ; la commande garde le reste pour changer de vitesse.</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1 turns along this block as fast as its velocity limit allows.</source>
+        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc aussi vite que le permet sa limite de vitesse.</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1 turns along this block: its acceleration limit holds the change of speed.</source>
+        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc : sa limite d&apos;accélération retient la variation de vitesse.</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1 turns along this block: its jerk limit holds the change of speed.</source>
+        <translation>L&apos;axe rotatif %1 tourne le long de ce bloc : sa limite de jerk retient la variation de vitesse.</translation>
+    </message>
+    <message>
+        <source>Rotary axis %1 turns while the tool stands: it takes what the limits of this axis allow, or the programmed feed if that is lower.</source>
+        <translation>L&apos;axe rotatif %1 tourne pendant que l&apos;outil s&apos;arrête : cela prend ce que permettent les limites de cet axe, ou l&apos;avance programmée si elle est plus basse.</translation>
     </message>
 </context>
 <context>
@@ -2283,6 +2303,14 @@ Cliquer pour aller au pire endroit, ligne %2.</translation>
     <message>
         <source>added</source>
         <translation>ajouté</translation>
+    </message>
+    <message>
+        <source>indexing of rotary axes</source>
+        <translation>positionnement des axes rotatifs</translation>
+    </message>
+    <message>
+        <source>indexing of axis %1</source>
+        <translation>positionnement de l&apos;axe %1</translation>
     </message>
 </context>
 <context>

@@ -41,7 +41,7 @@ QString one(const Change& change, std::optional<double> before, const Setup& set
   const auto& [key, value] = change;
   const bool axis = of_axis(key);
   const std::string name = axis ? key.substr(2) : key;
-  for (const SettingSpec& spec : axis ? axis_limit_specs() : settings_of(*setup.model)) {
+  for (const SettingSpec& spec : axis ? axis_specs_of(key[0]) : settings_of(*setup.model)) {
     if (spec.key != name) {
       continue;
     }

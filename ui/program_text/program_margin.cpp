@@ -54,6 +54,7 @@ QString not_counted_tip(Pause pause) {
           "Neither drawn nor in the cycle time: move to or from a machine position; give the positions of "
           "the machine");
     case Pause::dwell:
+    case Pause::indexing:
       break;
   }
   return {};

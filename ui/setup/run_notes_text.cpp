@@ -62,6 +62,11 @@ QStringList run_note_texts(const Run& run) {
     sentences.append(RunNotes::tr("Lines that the control refuses are not run: %1.")
                          .arg(QString::fromStdString(line_list(refused))));
   }
+  if (const std::vector<Diagnostic>& faults = run.input.toolpath->machine_faults; !faults.empty()) {
+    sentences.append(RunNotes::tr("Rotary axes: line %1: %2.")
+                         .arg(faults.front().line)
+                         .arg(QString::fromStdString(faults.front().message)));
+  }
   if (const auto unadvised = unadvised_tolerance(run.input.chord_error,
                                                  tolerance_in_force(run.input.feed_controls, run.setup))) {
     sentences.append(tolerance_text(*unadvised));

@@ -38,6 +38,20 @@ QString axis_text(Cause cause) {
   return cause.axis < 0 ? QString() : QString(QLatin1Char(axis_name(cause)));
 }
 
+QString turn_sentence(Cause cause) {
+  const QString text =
+      cause.kind == CauseKind::axis_velocity
+          ? WhyText::tr("Rotary axis %1 turns along this block as fast as its velocity limit allows.")
+      : cause.kind == CauseKind::axis_acceleration
+          ? WhyText::tr(
+                "Rotary axis %1 turns along this block: its acceleration limit holds the "
+                "change of speed.")
+          : WhyText::tr(
+                "Rotary axis %1 turns along this block: its jerk limit holds the change of "
+                "speed.");
+  return text.arg(axis_text(cause));
+}
+
 /// The axis that the numbers of the formula are of.
 QString axis_of_formula(const Reason& reason) {
   const auto of_axis = [](const Quantity& quantity) { return quantity.axis >= 0; };
@@ -219,6 +233,10 @@ QString WhyText::joint_sentence(const Reason& reason) {
 
 QString WhyText::limit_sentence(const Reason& reason, const State& state) {
   const QString axis = axis_text(reason.cause);
+  const bool rotary = reason.cause.axis >= static_cast<std::int8_t>(known_axes.size());
+  if (rotary && !is_pause(reason.cause.kind)) {
+    return turn_sentence(reason.cause);
+  }
   const QString radius = of_symbol(reason, Symbol::radius);
   switch (reason.cause.kind) {
     case CauseKind::programmed_feed:
@@ -288,6 +306,10 @@ QString WhyText::limit_sentence(const Reason& reason, const State& state) {
       return tr(
           "The axes wait until the spindle has reached its speed; the time is the machine's spindle "
           "start time.");
+    case CauseKind::indexing:
+      return tr("Rotary axis %1 turns while the tool stands: it takes what the limits of this axis allow, or "
+                "the programmed feed if that is lower.")
+          .arg(QLatin1Char(axis_name(reason.cause)));
     default:
       return blend_sentence(reason);
   }

@@ -48,6 +48,18 @@ double mismatch(const Formula& formula, double reached) {
                                            : std::abs(formula.value() / reached - 1);
 }
 
+/// Rotary axes that turn along the segment set it.
+bool is_of_turn(const Trajectory& run, const State& state, Cause cause) {
+  if (cause.axis >= static_cast<std::int8_t>(known_axes.size())) {
+    return true;
+  }
+  const BlendedPath& path = run.path();
+  const bool by_limit = cause.kind == CauseKind::axis_velocity ||
+                        cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk;
+  return by_limit && cause.axis >= 0 && !path.is_executed() && path.programmed() != nullptr &&
+         path.programmed()->segment_turn(path.segment(state.element)) != nullptr;
+}
+
 }  // namespace
 
 bool Reason::sets_it() const {
@@ -67,6 +79,9 @@ Reason ReasonFinder::find(const State& state, Cause cause) const {
                           cause.kind == CauseKind::path_acceleration;
   if (cause.kind == CauseKind::exact_stop || is_pause(cause.kind)) {
     return made(cause, {}, 0, state.element);
+  }
+  if (is_of_turn(run_, state, cause)) {
+    return made(cause, {}, state.speed, state.element);  // no formula speaks of it
   }
   if (run_.path().kind(state.element) == ElementKind::filtered) {
     return filtered(state, cause);
@@ -101,7 +116,9 @@ Reason ReasonFinder::find_at_start(const State& state, Cause cause) const {
   const bool axis = cause.kind == CauseKind::axis_acceleration || cause.kind == CauseKind::axis_jerk ||
                     cause.kind == CauseKind::path_acceleration;
   const bool filtered = run_.path().kind(state.element) == ElementKind::filtered;
-  return is_of_junction(cause.kind) || stop || axis || filtered ? find(state, cause) : of_speed(state, cause);
+  return is_of_junction(cause.kind) || stop || axis || filtered || is_of_turn(run_, state, cause)
+             ? find(state, cause)
+             : of_speed(state, cause);
 }
 
 /// The ramp has the limits of the element that allows least; the axis tells which one that is.

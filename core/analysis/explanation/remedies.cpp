@@ -33,7 +33,7 @@ class Candidates {
       : setup_(setup), specs_(settings_of(*setup.model)), tolerance_(tolerance) {}
 
   void axis(int axis, const std::string& limit, double factor = more) {
-    add(axis_changes(known_axes[static_cast<std::size_t>(axis)].name, limit, factor));
+    add(axis_changes(cause_axes[static_cast<std::size_t>(axis)].name, limit, factor));
   }
 
   void all_axes(const std::string& limit) {

@@ -29,6 +29,7 @@ constexpr std::array<KindText, time_kind_count> kind_texts{{
     {"dwell", QT_TRANSLATE_NOOP("core", "dwells")},
     {"tool_change", QT_TRANSLATE_NOOP("core", "tool changes")},
     {"spindle_start", QT_TRANSLATE_NOOP("core", "spindle starts")},
+    {"indexing", QT_TRANSLATE_NOOP("core", "indexing of rotary axes")},
 }};
 
 TimeKind kind_of_pause(Pause pause) {
@@ -37,6 +38,8 @@ TimeKind kind_of_pause(Pause pause) {
       return TimeKind::tool_change;
     case Pause::spindle_start:
       return TimeKind::spindle_start;
+    case Pause::indexing:
+      return TimeKind::indexing;
     default:
       return TimeKind::dwell;
   }
@@ -198,6 +201,7 @@ TimeUse time_use(const Run& run, OperationSplit split, Progress* progress) {
     const TimeKind kind = !waits ? (rapid ? TimeKind::rapid : TimeKind::cutting)
                           : part.cause.kind == CauseKind::tool_change   ? TimeKind::tool_change
                           : part.cause.kind == CauseKind::spindle_start ? TimeKind::spindle_start
+                          : part.cause.kind == CauseKind::indexing      ? TimeKind::indexing
                                                                         : TimeKind::dwell;
     const double as_programmed =
         waits ? part.duration : length_of(trajectory, walk) / trajectory.feed_of(part.element);

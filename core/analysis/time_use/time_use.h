@@ -10,9 +10,9 @@
 namespace feedscope {
 
 /// What the time of a run is spent on.
-enum class TimeKind : std::uint8_t { cutting, rapid, dwell, tool_change, spindle_start };
-inline constexpr std::size_t time_kind_count = static_cast<std::size_t>(TimeKind::spindle_start) + 1;
-/// Stable key for files: "cutting", "rapid", "dwell", "tool_change", "spindle_start".
+enum class TimeKind : std::uint8_t { cutting, rapid, dwell, tool_change, spindle_start, indexing };
+inline constexpr std::size_t time_kind_count = static_cast<std::size_t>(TimeKind::indexing) + 1;
+/// Stable key for files: "cutting", "rapid", "dwell", "tool_change", "spindle_start", "indexing".
 std::string_view time_kind_key(TimeKind kind);
 /// For people: "cutting (programmed feed)", "rapids" ...
 std::string_view time_kind_title(TimeKind kind);

@@ -131,8 +131,8 @@ void MsaddekRunner::add_curve(const SmoothCurve& curve) {
 
 void MsaddekRunner::add_connection(std::size_t segment, const ConnectingArc& connection) {
   const Toolpath& path = compacted_.path;
-  SpeedBound feed = programmed_speed(path, segment, axes_.velocity);
-  const SpeedBound next = programmed_speed(path, segment + 1, axes_.velocity);
+  SpeedBound feed = feed_ceiling(path, segment, axes_.velocity);
+  const SpeedBound next = feed_ceiling(path, segment + 1, axes_.velocity);
   feed.lower(next.value, next.cause);
 
   const Arc& arc = connection.arc;

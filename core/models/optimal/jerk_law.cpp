@@ -68,7 +68,7 @@ const Vec3& JerkLaw::jerk_of(std::uint32_t index) const {
 
 void JerkLaw::load_element(std::uint32_t index, int fineness) {
   rule_.fineness = fineness;
-  feed_ = programmed_speed(toolpath_, builder_.path().segment(index), axes_.velocity);
+  feed_ = feed_ceiling(toolpath_, builder_.path().segment(index), axes_.velocity);
   rule_.speed = feed_.value;
   geometry_.clear();
   append_cells(builder_.path(), index, rule_, geometry_);

@@ -31,7 +31,7 @@ LawCells::LawCells(const Toolpath& toolpath, const AxisVectors& axes, int finene
 }
 
 void LawCells::add_element(const BlendedPath& path, std::uint32_t index) {
-  const SpeedBound programmed = programmed_speed(toolpath_, path.segment(index), axes_.velocity);
+  const SpeedBound programmed = feed_ceiling(toolpath_, path.segment(index), axes_.velocity);
   rule_.speed = programmed.value;
   path_cells_.clear();
   append_cells(path, index, rule_, path_cells_);

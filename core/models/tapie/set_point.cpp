@@ -104,7 +104,7 @@ MotionLimits SetPointRule::limits(const Toolpath& toolpath, std::size_t i) const
   if (segment.kind == SegmentKind::arc) {
     const SteadyPlace place = steady_place(toolpath.arc_of(segment), axes, control_jerk);
     const AxisBound drive = axis_speed(toolpath, i, axes.velocity);
-    SpeedBound speed = programmed_speed(toolpath, i, axes.velocity);
+    SpeedBound speed = feed_ceiling(toolpath, i, axes.velocity);
     speed.lower(place.control_jerk, {CauseKind::curvilinear_jerk});
     speed.lower(place.jerk.value, {CauseKind::radial_jerk, place.jerk.axis});
     speed.lower(place.acceleration.value, {CauseKind::radial_acceleration, place.acceleration.axis});

@@ -22,7 +22,7 @@ void Context::set_inch(bool inch) {
   machining.unit.set(inch ? LengthUnit::inch : LengthUnit::mm);
 }
 
-double Context::unset_value(const QName& name) const {
+double Context::unset_value(const QName& name) {
   constexpr int tool_radius = 108;
   constexpr int tool_axis = 109;
   constexpr int unit = 113;
@@ -45,6 +45,10 @@ double Context::unset_value(const QName& name) const {
   }
   if (name.kind == QName::Kind::global && name.number >= first_rotary_axis &&
       name.number <= last_rotary_axis) {
+    modal.calculated_angles = true;
+    if (machining.other_axes.turns()) {
+      return 0;  // the axes go where the plane is
+    }
     report(Severity::info, "unset-parameter", name.number, name.column, [&] {
       return DiagnosticLog::Text{
           fmt::format("{} is the angle of a rotary axis that the control calculates for a tilted plane",

@@ -38,7 +38,7 @@ struct Context {
 
  private:
   /// The value of a parameter that the program has not set.
-  double unset_value(const QName& name) const;
+  double unset_value(const QName& name);
 };
 
 /// Throws ReadFault "unread-word" about the rest of the statement, which does not belong into `where`.

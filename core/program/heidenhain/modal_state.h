@@ -22,6 +22,10 @@ struct ModalState {
   std::optional<Vec3> pole;
   Plane pole_plane = Plane::xy;
 
+  /// Q120 to Q122 were read: the angles that the control has calculated for the tilted plane.
+  bool calculated_angles = false;
+  bool tool_centre_point = false;  ///< M128: X, Y and Z are those of the tip
+
   bool is_inch() const { return unit != 1; }
   double to_mm(double value) const { return value * unit; }
   /// A feed as written, in mm/s. In inch programs the control counts feeds in tenths of an inch a minute

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "core/base/units.h"
 #include "core/program/path/plane_points.h"
@@ -46,9 +47,9 @@ void Motions::check_words(PathKind kind, const MotionWords& words) const {
 
 void Motions::run(PathKind kind, const MotionWords& words) {
   check_words(kind, words);
-  move_other_axes(words);
   m_functions_.start(words);
   feeds_.apply(words);
+  move_other_axes(words);
   tools_.select_side(words);
   const bool moves =
       words.has_axes() || words.has_polar() || (kind == PathKind::center_arc || kind == PathKind::polar_arc);
@@ -239,20 +240,42 @@ bool Motions::goes_to_machine_position(const MotionWords& words) {
 
 void Motions::move_other_axes(const MotionWords& words) {
   if (!words.has_other_axes) {
+    modal_.tool_centre_point = (modal_.tool_centre_point || words.has_m(128)) && !words.has_m(129);
     return;
   }
   const bool moves = words.has_axes() || words.has_polar();
+  const bool rapid = words.feed_word == FeedWord::rapid;
+  if (machining_.other_axes.turns()) {
+    end_contour(words.first_column);
+    if (std::exchange(modal_.calculated_angles, false)) {
+      machining_.other_axes.turn_tool(path().frame().turned(Vec3::UnitZ()), 0, turning(rapid).feed);
+      return;
+    }
+  }
+  modal_.tool_centre_point = (modal_.tool_centre_point || words.has_m(128)) && !words.has_m(129);
+  AxisBlock block = moves ? AxisBlock() : turning(rapid);
+  block.at_tip = modal_.tool_centre_point;
   for (std::size_t i = 0; i < other_axis_letters.size(); ++i) {
     const bool rotary = i < 3;
     const double target = words.other_axes[i].from(other_places_[i]);
     if (target != other_places_[i]) {
       const bool positions = rotary && (!moves || words.feed_word == FeedWord::rapid);
       machining_.other_axes.move(other_axis_letters.substr(i, 1), target,
-                                 positions ? AxisMotion::positions : AxisMotion::cuts,
-                                 words.other_columns[i]);
+                                 positions ? AxisMotion::positions : AxisMotion::cuts, words.other_columns[i],
+                                 block);
     }
     other_places_[i] = target;
   }
+}
+
+/// Rotary axes alone: F in degrees a minute, the number as it is written.
+AxisBlock Motions::turning(bool rapid) const {
+  AxisBlock block;
+  block.alone = true;
+  if (!rapid && modal_.feed.mode == FeedMode::per_minute) {
+    block.feed = units::from_deg(modal_.feed.value / modal_.to_feed(units::to_mm_min(1)));
+  }
+  return block;
 }
 
 }  // namespace feedscope::heidenhain

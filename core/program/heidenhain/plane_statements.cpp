@@ -59,8 +59,9 @@ bool PlaneStatements::run(Scanner& scanner, std::uint32_t column) {
     coordinates_.set_tilt(std::nullopt, column);
     return false;
   }
-  skip_positioning(scanner);
+  const Positioning positioning = read_positioning(scanner);
   coordinates_.set_tilt(tilt, column);
+  turn_axes(positioning, !tilt, column);
   return true;
 }
 
@@ -119,22 +120,31 @@ CoordinateFrame PlaneStatements::by_points(Scanner& scanner, std::uint32_t colum
 }
 
 /// How the axes turn there: no matter for the path on the workpiece.
-void PlaneStatements::skip_positioning(Scanner& scanner) const {
-  constexpr std::array<std::string_view, 9> names{"MOVE",  "TURN",  "STAY",  "MAX", "FMAX",
+PlaneStatements::Positioning PlaneStatements::read_positioning(Scanner& scanner) const {
+  Positioning positioning;
+  constexpr std::array<std::string_view, 8> names{"MOVE",  "TURN",  "MAX",   "FMAX",
                                                   "FAUTO", "TABLE", "COORD", "ROT"};
   const auto take_a_name = [&] {
     return std::any_of(names.begin(), names.end(),
                        [&](std::string_view name) { return scanner.take_keyword(name); });
   };
   while (!scanner.at_end()) {
+    if (scanner.take_keyword("STAY")) {
+      positioning.turns = false;
+      continue;
+    }
     if (take_a_name()) {
       continue;
     }
     if (scanner.take("SEQ") || scanner.take("SYM")) {
-      scanner.take('+') || scanner.take('-');
-    } else if (scanner.take("MB") || scanner.take('F')) {
-      if (!scanner.take_keyword("MAX") && !scanner.take_keyword("AUTO")) {
+      positioning.side = scanner.take('+') ? 1 : scanner.take('-') ? -1 : 0;
+    } else if (scanner.take("MB")) {
+      if (!scanner.take_keyword("MAX")) {
         read_value(scanner);
+      }
+    } else if (scanner.take('F')) {
+      if (!scanner.take_keyword("MAX") && !scanner.take_keyword("AUTO")) {
+        positioning.feed = units::from_deg(read_value(scanner) / 60);
       }
     } else if (scanner.take("DIST") || scanner.take("ABST") || scanner.take("SETUP")) {
       read_value(scanner);
@@ -142,12 +152,36 @@ void PlaneStatements::skip_positioning(Scanner& scanner) const {
       throw_unread_words(scanner, "PLANE");
     }
   }
+  return positioning;
+}
+
+/// RESET goes to zero. With STAY the program positions the axes itself, by Q120 to Q122.
+void PlaneStatements::turn_axes(const Positioning& positioning, bool resets, std::uint32_t column) {
+  OtherAxes& axes = machining_.other_axes;
+  if (!positioning.turns) {
+    if (axes.turns()) {
+      report(Severity::info, "rotary-position", 1, column, [] {
+        return Text{"the rotary axes stay where they are (STAY)",
+                    "they turn where the program positions them, as with L A+Q120 C+Q122"};
+      });
+    }
+  } else if (resets) {
+    axes.turn_to_zero(positioning.feed);
+  } else {
+    axes.turn_tool(path().frame().turned(Vec3::UnitZ()), positioning.side, positioning.feed);
+  }
 }
 
 void PlaneStatements::run_cycle(Scanner& scanner, std::uint32_t column) {
   const std::optional<CoordinateFrame> tilt = by_axes(scanner, column);
-  skip_positioning(scanner);
+  read_positioning(scanner);
   coordinates_.set_tilt(tilt, column);
+  if (machining_.other_axes.turns()) {
+    report(Severity::info, "rotary-position", 2, column, [] {
+      return Text{"cycle 19 tilts the plane",
+                  "the rotary axes turn where the program positions them, as with L A+Q120 C+Q122"};
+    });
+  }
 }
 
 std::optional<CoordinateFrame> PlaneStatements::by_axes(Scanner& scanner, std::uint32_t column) const {

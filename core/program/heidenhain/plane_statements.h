@@ -29,7 +29,14 @@ class PlaneStatements : private Part {
   CoordinateFrame by_points(Scanner& scanner, std::uint32_t column) const;
   /// By A, B and C; none if none of them is next.
   std::optional<CoordinateFrame> by_axes(Scanner& scanner, std::uint32_t column) const;
-  void skip_positioning(Scanner& scanner) const;
+  /// How the rotary axes get there.
+  struct Positioning {
+    bool turns = true;  ///< MOVE, TURN
+    int side = 0;       ///< SEQ, SYM
+    double feed = 0;    ///< [rad/s]; 0: a rapid
+  };
+  Positioning read_positioning(Scanner& scanner) const;
+  void turn_axes(const Positioning& positioning, bool resets, std::uint32_t column);
 
   Coordinates& coordinates_;
 };

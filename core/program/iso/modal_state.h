@@ -26,12 +26,13 @@ struct ModalState {
   int spline_code = 0;  ///< of MotionMode::spline
   Plane plane = Plane::xy;
   bool inch = false;
-  bool incremental = false;       ///< G91
-  bool absolute_centers = false;  ///< G90.1
-  double selected_tool = 0;       ///< T; 0: none yet
-  double tool = 0;                ///< that M6 brought in; 0: none yet
-  bool to_initial_level = true;   ///< G98, against G99
-  int work_offset = 0;            ///< key of Frames; 0: none yet
+  bool tool_centre_point = false;  ///< G43.4: X, Y and Z are those of the tip
+  bool incremental = false;        ///< G91
+  bool absolute_centers = false;   ///< G90.1
+  double selected_tool = 0;        ///< T; 0: none yet
+  double tool = 0;                 ///< that M6 brought in; 0: none yet
+  bool to_initial_level = true;    ///< G98, against G99
+  int work_offset = 0;             ///< key of Frames; 0: none yet
 
   double to_mm(double value) const { return inch ? units::from_inch(value) : value; }
   bool is_arc() const { return motion == MotionMode::arc_cw || motion == MotionMode::arc_ccw; }

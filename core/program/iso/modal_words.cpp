@@ -54,6 +54,14 @@ void ModalWords::apply_g(const Block& block, const Word& word) {
     });
   }
   apply(*code, word);
+  constexpr int tool_centre_point = 434;
+  constexpr int turn_tool_axis = 531;
+  if (code->group == GGroup::tool_length) {
+    modal_.tool_centre_point = number == tool_centre_point;
+  }
+  if (number == turn_tool_axis) {
+    machining_.other_axes.turn_tool(path().frame().turned(Vec3::UnitZ()));
+  }
 }
 
 void ModalWords::check_group(const GCode& code, const Word& word) {

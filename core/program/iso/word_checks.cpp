@@ -16,6 +16,7 @@ void WordChecks::check_other_axes() {
   }
   const bool cuts =
       modal_.motion == MotionMode::line || modal_.is_arc() || modal_.motion == MotionMode::spline;
+  const bool alone = !words_.has_any("XYZIJKRUVW") && modal_.motion != MotionMode::cycle;
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (!words_.has(axes[i])) {
       continue;
@@ -25,10 +26,20 @@ void WordChecks::check_other_axes() {
     if (target != other_axes_[i]) {
       const bool rotary = i < 3;
       machining_.other_axes.move(axes.substr(i, 1), target,
-                                 rotary && !cuts ? AxisMotion::positions : AxisMotion::cuts, word.column);
+                                 rotary && !cuts ? AxisMotion::positions : AxisMotion::cuts, word.column,
+                                 alone ? turning_alone(path(), modal_.to_mm(1), !cuts) : beside_motion());
     }
     other_axes_[i] = target;
   }
+}
+
+/// F of Fanuc and its kin holds along all axes, a degree as a millimetre or inch; LinuxCNC's along X, Y and
+/// Z.
+AxisBlock WordChecks::beside_motion() const {
+  AxisBlock block;
+  block.at_tip = modal_.tool_centre_point;
+  block.per_degree = is_linuxcnc() || path().feed_mode() == FeedMode::inverse_time ? 0 : modal_.to_mm(1);
+  return block;
 }
 
 void WordChecks::check_unused() const {

@@ -15,6 +15,7 @@ class WordChecks : private Part {
 
  private:
   void check_other_axes();
+  AxisBlock beside_motion() const;
   void check_unused() const;
 
   std::array<double, 6> other_axes_{};  ///< A B C U V W as written

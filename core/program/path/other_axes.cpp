@@ -3,16 +3,123 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
+
+#include "core/base/units.h"
+#include "core/machine/rotary_axis.h"
 
 namespace feedscope {
 
-void OtherAxes::move(std::string_view axis, double target, AxisMotion motion, std::uint32_t column) {
+AxisBlock turning_alone(const PathWriter& path, double unit, bool rapid) {
+  AxisBlock block;
+  block.alone = true;
+  if (rapid) {
+    return block;
+  }
+  if (path.feed_mode() == FeedMode::inverse_time) {
+    block.time = path.feed() > 0 ? 1 / path.feed() : 0;
+  } else {
+    block.feed = units::from_deg(path.feed_rate() / unit);
+  }
+  return block;
+}
+
+/// What the block in force has said of rotary axes, or a new one.
+RotaryMove& OtherAxes::move_of_block() {
+  std::vector<RotaryMove>& moves = program_.rotary_moves;
+  const std::uint64_t block = lines_.block_count();
+  if (moves.empty() || moves.back().block != block || moves.back().motion != program_.motions.size() ||
+      moves.back().direction) {
+    RotaryMove move;
+    move.block = block;
+    move.motion = program_.motions.size();
+    move.line = lines_.shown_line();
+    moves.push_back(move);
+  }
+  return moves.back();
+}
+
+void OtherAxes::report_feed(char axis, bool at_tip, std::uint32_t column) {
+  log_.add(
+      at_tip ? Severity::info : Severity::warning, "rotary-feed", at_tip ? 1 : 0, lines_.place(column), [&] {
+        return at_tip
+                   ? DiagnosticLog::Text{fmt::format("axis {} turns in feed motions of the tool's tip", axis),
+                                         "its limits hold along each block; where blocks meet, its "
+                                         "velocity may jump"}
+                   : DiagnosticLog::Text{
+                         fmt::format("axis {} turns in a feed motion of X, Y and Z without tool centre "
+                                     "point control",
+                                     axis),
+                         "X, Y and Z are shown as programmed, not as the tool moves on the part; the "
+                         "limits of the axis hold along each block"};
+      });
+}
+
+void OtherAxes::note_turn(std::size_t axis, double target, AxisMotion motion, std::uint32_t column,
+                          const AxisBlock& block) {
+  constexpr double half = 180;
+  double way = target - programmed_[axis];
+  if (block.shortest) {
+    way -= 2 * half * std::round(way / (2 * half));
+  } else if (std::abs(way) > half && options_.rotary_axes.find(rotary_names[axis]) != std::string::npos) {
+    log_.add(Severity::info, "rotary-way", static_cast<int>(axis), lines_.place(column), [&] {
+      return DiagnosticLog::Text{
+          fmt::format("axis {} turns by {:g} degrees, from {:g} to {:g}", rotary_names[axis], way,
+                      programmed_[axis], target),
+          "a control whose axis takes the shortest way turns less; its time is that of the way as written"};
+    });
+  }
+  RotaryMove& move = move_of_block();
+  move.to[axis] = units::from_deg(at_[axis] + way);
+  at_[axis] += way;
+  programmed_[axis] = target;
+  move.feed = block.feed;
+  move.time = block.time;
+  move.with_rapid = !block.alone && motion == AxisMotion::positions;
+  move.with_feed = !block.alone && motion != AxisMotion::positions;
+  move.at_tip = move.with_feed && (block.at_tip || motion == AxisMotion::at_tip);
+  move.per_degree = move.at_tip ? 0 : block.per_degree;
+}
+
+void OtherAxes::turn_tool(const Vec3& direction, int side, double feed) {
+  RotaryMove move;
+  move.block = lines_.block_count();
+  move.motion = program_.motions.size();
+  move.line = lines_.shown_line();
+  move.direction = direction.normalized();
+  move.side = side;
+  move.feed = feed;
+  program_.rotary_moves.push_back(move);
+}
+
+void OtherAxes::turn_to_zero(double feed) {
+  RotaryMove& move = move_of_block();
+  move.to = {0, 0, 0};
+  move.feed = feed;
+  at_ = programmed_ = {};
+}
+
+void OtherAxes::move(std::string_view axis, double target, AxisMotion motion, std::uint32_t column,
+                     const AxisBlock& block) {
   auto known =
       std::find_if(axes_.begin(), axes_.end(), [&](const Axis& other) { return other.name == axis; });
   if (known == axes_.end()) {
     program_.other_axes.emplace_back(axis);
     known = axes_.insert(known, {std::string(axis), {}});
+  }
+  const std::size_t rotary = axis.size() == 1 ? rotary_names.find(axis[0]) : std::string_view::npos;
+  if (rotary != std::string_view::npos) {
+    note_turn(rotary, target, motion, column, block);
+    if (options_.rotary_axes.find(axis[0]) != std::string::npos) {
+      if (motion != AxisMotion::positions && !block.alone) {
+        report_feed(axis[0], block.at_tip || motion == AxisMotion::at_tip, column);
+      }
+      return;
+    }
+  } else if (std::vector<std::string>& cutting = program_.cutting_axes;
+             std::find(cutting.begin(), cutting.end(), axis) == cutting.end()) {
+    cutting.emplace_back(axis);
   }
   if (std::exchange(known->reported[static_cast<std::size_t>(motion)], true)) {
     return;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/program/language/line_runner.h"
+#include "core/program/path/path_writer.h"
 #include "core/program/program.h"
 
 namespace feedscope {
@@ -18,16 +19,38 @@ enum class AxisMotion : std::uint8_t {
   at_tip,     ///< in a feed move whose X, Y and Z are those of the tool's tip
 };
 
-/// Axes other than X, Y and Z, which are not simulated: Program::other_axes names those that move, and each
-/// is reported once for each kind of motion.
+/// What else a block with rotary axes says.
+struct AxisBlock {
+  bool alone = false;     ///< X, Y and Z do not move in it
+  double feed = 0;        ///< of the rotary axes [rad/s]; 0: a rapid
+  double time = 0;        ///< that the program gives it [s]; 0: none
+  bool at_tip = false;    ///< in a feed motion: X, Y and Z are those of the tool's tip
+  double per_degree = 0;  ///< in one: RotaryMove::per_degree [mm]
+  bool shortest = false;  ///< an endless axis goes the shortest way
+};
+
+/// The speed of rotary axes that move alone: F is in degrees where it is in `unit` [mm] for X, Y and Z, and
+/// inverse time stays that.
+AxisBlock turning_alone(const PathWriter& path, double unit, bool rapid);
+
+/// Axes other than X, Y and Z. Program::other_axes names those that move, and each is reported once for each
+/// kind of motion, unless it is a rotary axis of ReadOptions; what A, B and C do is in
+/// Program::rotary_moves.
 class OtherAxes {
  public:
   /// All outlive it.
-  OtherAxes(Program& program, const LineRunner& lines, DiagnosticLog& log)
-      : program_(program), lines_(lines), log_(log) {}
+  OtherAxes(Program& program, const LineRunner& lines, DiagnosticLog& log, const ReadOptions& options)
+      : program_(program), lines_(lines), log_(log), options_(options) {}
 
-  /// It goes to `target`; a name with a blank in it, "tool orientation", stands for several axes.
-  void move(std::string_view axis, double target, AxisMotion motion, std::uint32_t column);
+  /// It goes to `target` [mm], [deg]; a name with a blank in it, "tool orientation", stands for several axes.
+  void move(std::string_view axis, double target, AxisMotion motion, std::uint32_t column,
+            const AxisBlock& block = {});
+  /// The control turns the rotary axes so that the tool has this unit direction in the coordinates shown.
+  void turn_tool(const Vec3& direction, int side = 0, double feed = 0);
+  /// All of them go to zero.
+  void turn_to_zero(double feed = 0);
+  /// The machine has rotary axes.
+  bool turns() const { return !options_.rotary_axes.empty(); }
 
  private:
   struct Axis {
@@ -35,10 +58,18 @@ class OtherAxes {
     std::array<bool, 3> reported{};  ///< by AxisMotion
   };
 
+  RotaryMove& move_of_block();
+  void note_turn(std::size_t axis, double target, AxisMotion motion, std::uint32_t column,
+                 const AxisBlock& block);
+  void report_feed(char axis, bool at_tip, std::uint32_t column);
+
   Program& program_;
   const LineRunner& lines_;
   DiagnosticLog& log_;
+  const ReadOptions& options_;
   std::vector<Axis> axes_;
+  std::array<double, 3> programmed_{};  ///< last words of A, B and C [deg]
+  std::array<double, 3> at_{};          ///< where they have sent the axes, whole turns included [deg]
 };
 
 }  // namespace feedscope

@@ -109,7 +109,7 @@ void Addresses::run_numbered(Scanner& scanner, std::string_view name, std::uint3
   if (names_axis) {
     words_.set(letter, value);
   } else {
-    parts_.other_axes.move(name, column, value.value);
+    parts_.other_axes.move(name, value);
   }
 }
 

@@ -16,7 +16,7 @@ struct Kind {
 
 constexpr auto kinds = std::to_array<Kind>({{"AC", Reading::absolute},
                                             {"IC", Reading::incremental},
-                                            {"DC", Reading::absolute},
+                                            {"DC", Reading::shortest},
                                             {"ACP", Reading::absolute},
                                             {"ACN", Reading::absolute},
                                             {"DAC", Reading::absolute, Across::diameter},

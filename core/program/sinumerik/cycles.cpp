@@ -188,6 +188,30 @@ void Cycles::swivel(const SubprogramCall& call) {
   frame = frame * CoordinateFrame::shift(vector(10) * to_mm(1));
   const bool additive = static_cast<int>(number_at(values, 2)) % 10 == 1;
   parts_.coordinates.swivel(frame, additive);
+  turn_tool(call);
+}
+
+/// Where CYCLE800 turns the rotary axes: _DIR is the side, 0: it only calculates the plane. Without arguments
+/// it cancels the plane, and the axes stay.
+void Cycles::turn_tool(const SubprogramCall& call) {
+  constexpr std::size_t direction_place = 13;
+  constexpr double missing = 2;
+  if (call.arguments.empty()) {
+    return;
+  }
+  const double side = number_at(call.arguments, direction_place, missing);
+  if (side == 0) {
+    return;
+  }
+  if (side == missing && machining_.other_axes.turns()) {
+    report(Severity::info, "rotary-position", 0, call.column, [] {
+      return Text{"CYCLE800 says no direction (_DIR) of the rotary axes",
+                  "they turn the shortest way to the plane"};
+    });
+  }
+  machining_.other_axes.turn_tool(path().frame().turned(Vec3::UnitZ()), side == missing ? 0
+                                                                        : side > 0      ? 1
+                                                                                        : -1);
 }
 
 }  // namespace feedscope::sinumerik

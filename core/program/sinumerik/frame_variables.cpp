@@ -101,7 +101,7 @@ void FrameVariables::set_part(FrameValue& value, FrameValue::Part part, std::str
                               std::uint32_t column) {
   const int linear = linear_axis(axis);
   if (linear < 0) {
-    other_axes_.move(axis, column, number);
+    other_axes_.move(axis, {.value = number, .column = column, .reading = Reading::absolute});
     return;
   }
   if (part == FrameValue::Part::scale && number == 0) {

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "core/base/units.h"
 #include "core/program/sinumerik/names.h"
 #include "core/program/text/scanner.h"
 
@@ -18,27 +19,36 @@ bool OtherAxisWords::is_orientation(std::string_view name) {
                                   [&](std::string_view known) { return letters::same(known, name); });
 }
 
-void OtherAxisWords::move(std::string_view name, std::uint32_t column, double value) {
-  double& last = places_[upper_case(name)];
+void OtherAxisWords::go(const std::string& name, const BlockWords::Value& word, bool alone) {
+  double& last = places_[name];
+  const double value = modal_.is_incremental(word) && !is_orientation(name) ? last + word.value : word.value;
   if (std::exchange(last, value) == value) {
     return;
   }
   const bool cuts = modal_.motion == nullptr || modal_.moves_at_feed();
-  machining_.other_axes.move(is_orientation(name) ? "tool orientation" : upper_case(name), value,
+  const double unit = modal_.inch_feed ? units::from_inch(1) : 1;
+  AxisBlock block = alone ? turning_alone(path(), unit, !cuts) : AxisBlock();
+  block.shortest = word.reading == Reading::shortest;
+  machining_.other_axes.move(is_orientation(name) ? "tool orientation" : name, value,
                              !cuts       ? AxisMotion::positions
                              : oriented_ ? AxisMotion::at_tip
                                          : AxisMotion::cuts,
-                             column);
+                             word.column, block);
 }
 
-void OtherAxisWords::run() {
+void OtherAxisWords::run(bool own) {
   constexpr std::string_view axes = "ABCUVW";
-  if (functions_.machine_axes != nullptr || !words_.has_any(axes)) {
+  const bool alone = !words_.has_any("XYZIJKUVW");
+  for (const auto& [name, value] : named_) {
+    go(upper_case(name), value, alone);
+  }
+  named_.clear();
+  if (own || functions_.machine_axes != nullptr || !words_.has_any(axes)) {
     return;
   }
   for (const char letter : axes) {
     if (words_.has(letter)) {
-      move(std::string_view(&letter, 1), words_[letter].column, words_[letter].value);
+      go(std::string(1, letter), words_[letter], alone);
     }
   }
 }

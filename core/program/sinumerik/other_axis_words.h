@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/program/sinumerik/context.h"
 
@@ -22,13 +24,18 @@ class OtherAxisWords : private Part {
   void follow(const Function& function) {
     oriented_ = (oriented_ || function.name == "TRAORI") && function.name != "TRAFOOF";
   }
-  /// The axis goes to `value`, [mm] or [deg]; nothing if it is there.
-  void move(std::string_view name, std::uint32_t column, double value);
-  /// A, B, C, U, V, W of the block.
-  void run();
+  void begin_block() { named_.clear(); }
+  /// The axis goes to `value`, [mm] or [deg], with the block; nothing if it is there.
+  void move(std::string_view name, const BlockWords::Value& value) { named_.emplace_back(name, value); }
+  /// A, B, C, U, V, W of the block and what move() was given; `own`: the block's coordinates are not a
+  /// motion.
+  void run(bool own);
 
  private:
-  std::map<std::string, double> places_;  ///< by upper-case name
+  void go(const std::string& name, const BlockWords::Value& value, bool alone);
+
+  std::map<std::string, double> places_;                          ///< by upper-case name
+  std::vector<std::pair<std::string, BlockWords::Value>> named_;  ///< of the block
   bool oriented_ = false;
 };
 

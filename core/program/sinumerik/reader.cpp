@@ -113,6 +113,7 @@ void SinumerikReader::begin_block() {
   context_.functions = {};
   calls_.begin_block();
   positioning_axes_.begin_block();
+  other_axes_.begin_block();
   polynomials_.begin_block();
 }
 
@@ -156,11 +157,11 @@ void SinumerikReader::execute_block(bool sound) {
     compensation_.run();
   }
   run_m_functions();
+  other_axes_.run(own || !sound);
   if (sound && own) {
     splines_.finish();
     run_own_block();
   } else if (sound) {
-    other_axes_.run();
     const bool moved = motions_.run();
     if (positioning_axes_.has_positions()) {
       positioning_axes_.move(motions_.has_words());

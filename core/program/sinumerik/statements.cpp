@@ -182,7 +182,7 @@ bool Statements::run_value(std::string_view name, std::uint32_t column, Scanner&
     functions_.fixed_point = static_cast<int>(std::clamp(point, 0.0, max_point));
   } else if (after == '=' && OtherAxisWords::is_orientation(name)) {
     scanner.take('=');
-    parts_.other_axes.move(name, column, read_coordinate(parts_.values, scanner, column).value);
+    parts_.other_axes.move(name, read_coordinate(parts_.values, scanner, column));
   } else {
     report(Severity::error, "unknown-name", kind_of(name), column, [&] {
       return Text{fmt::format("{} is not a known variable, address or axis", in_quotes(name)),

@@ -65,7 +65,9 @@ Vec3 Targets::center() const {
     const char letter = center_letters[static_cast<std::size_t>(axis)];
     if (words_.has(letter)) {
       const double value = to_mm(words_[letter].value);
-      center[axis] = words_[letter].reading == Reading::absolute ? value : center[axis] + value;
+      const Reading reading = words_[letter].reading;
+      const bool absolute = reading == Reading::absolute || reading == Reading::shortest;
+      center[axis] = absolute ? value : center[axis] + value;
     }
   }
   return center;

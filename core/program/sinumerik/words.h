@@ -13,6 +13,7 @@ enum class Reading : std::uint8_t {
   modal,        ///< as G90 or G91 say
   absolute,     ///< AC()
   incremental,  ///< IC()
+  shortest,     ///< DC()
 };
 
 /// How a coordinate across the turning axis is meant.

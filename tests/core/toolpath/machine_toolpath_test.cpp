@@ -81,7 +81,8 @@ TEST(MachineToolpath, BehindAReferencePointThePathGoesOnWhereAllAxesAreProgramme
 }
 
 TEST(MachineToolpath, AMachineThatGivesItsHomeHasTheWholePath) {
-  const auto run = on_machine(path_of(two_holes), machine({0, 0, 500}, {0, 0, 0}, {-300, -200, 100}));
+  const auto run =
+      on_machine(path_of(two_holes), Machine(), machine({0, 0, 500}, {0, 0, 0}, {-300, -200, 100}));
   const std::vector<std::string> expected{"0 0 0 > 100 50 0 rapid",        "100 50 0 > 100 50 5 rapid",
                                           "100 50 5 > 100 50 -20",         "100 50 -20 > 150 50 -20",
                                           "150 50 -20 > 150 50 400 rapid", "150 50 400 > 0 0 400 rapid",
@@ -101,15 +102,15 @@ TEST(MachineToolpath, CountsWhatHasNoTime) {
   Settings times;
   times.set("tool_change_time_s", 4.0);
   times.set("spindle_start_time_s", 0.0);
-  const auto timed = on_machine(path, times);
+  const auto timed = on_machine(path, Machine(), times);
   double waits = 0;
   for (const Segment& segment : timed->segments) {
     waits += segment.kind == SegmentKind::dwell ? timed->dwell_of(segment) : 0;
   }
   EXPECT_EQ(waits, 8);
   EXPECT_EQ(not_counted(*timed), (NotCounted{0, 0, 1, 3}));
-  EXPECT_EQ(on_machine(timed, times), timed) << "nothing is left to change";
-  EXPECT_EQ(on_machine(path, Settings()), path);
+  EXPECT_EQ(on_machine(timed, Machine(), times), timed) << "nothing is left to change";
+  EXPECT_EQ(on_machine(path, Machine(), Settings()), path);
 }
 
 TEST(MachineToolpath, ToolChangesAndSpindleStartsAreThoseThatChangeSomething) {
@@ -146,7 +147,7 @@ TEST(MachineToolpath, AFeedMoveAssumesWhatIsNotKnown) {
   ASSERT_EQ(lines.size(), 4U);
   EXPECT_EQ(lines[1], "~");
   EXPECT_EQ(lines[2], "1 2 3 > 5 2 3");
-  const auto run = on_machine(path, machine({0, 0, 500}, {0, 0, 0}, {0, 0, 0}));
+  const auto run = on_machine(path, Machine(), machine({0, 0, 500}, {0, 0, 0}, {0, 0, 0}));
   EXPECT_EQ(text_of(*run)[1], "1 2 3 > 1 2 500 rapid");
   EXPECT_EQ(text_of(*run)[2], "~") << "how the tool comes back is not known";
 }
@@ -292,7 +293,7 @@ TEST_P(MachineToolpathOf, RandomProgramsIsWhereTheAxesAre) {
   for (std::uint32_t seed = 1; seed <= 100; ++seed) {
     const RandomMachineProgram random(seed, GetParam(), home, change, zero);
     const auto path = path_of(random.text(), GetParam());
-    const auto run = on_machine(path, machine(home, change, zero));
+    const auto run = on_machine(path, Machine(), machine(home, change, zero));
     std::vector<std::string> all, known;
     const auto line = [](const Vec3& from, const Vec3& to) {
       return fmt::format("{:.4f} {:.4f} {:.4f} > {:.4f} {:.4f} {:.4f}", from.x() + 0.0, from.y() + 0.0,

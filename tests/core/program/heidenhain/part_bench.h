@@ -23,7 +23,7 @@ struct PartBench {
   LineRunner lines;
   SubprogramFiles files{{}};
   ToolRack tools{options, files, program, path, lines, log};
-  OtherAxes other_axes{program, lines, log};
+  OtherAxes other_axes{program, lines, log, options};
   UnitTracker unit{options, program};
   Machining machining{options, log, path, lines, tools, other_axes, unit};
   Context context{machining, Dialect::heidenhain};

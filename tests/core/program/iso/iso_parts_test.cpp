@@ -30,7 +30,7 @@ struct PartBench {
   LineRunner lines{std::make_shared<const SourceText>("test.nc", "G0 X1\n"), options, log};
   SubprogramFiles files{{}};
   ToolRack tools{options, files, program, path, lines, log};
-  OtherAxes other_axes{program, lines, log};
+  OtherAxes other_axes{program, lines, log, options};
   UnitTracker unit{options, program};
   Machining machining{options, log, path, lines, tools, other_axes, unit};
   Context context{machining, Dialect::fanuc};

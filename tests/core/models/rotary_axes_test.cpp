@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+#include <string>
+
+#include "core/base/units.h"
+#include "core/models/control_model.h"
+#include "core/toolpath/machine_toolpath.h"
+#include "tests/support/folders.h"
+
+namespace feedscope {
+namespace {
+
+Machine five_axes() {
+  return MachineLibrary(std::filesystem::path(FEEDSCOPE_SOURCE_DIR) / "machines", all_model_settings())
+      .load("five-axis-table-ac");
+}
+
+std::shared_ptr<const Toolpath> turning_path(const std::string& text) {
+  ReadOptions options;
+  options.dialect = Dialect::sinumerik;
+  options.unit = LengthUnit::mm;
+  options.rotary_axes = "AC";
+  return std::make_shared<const Toolpath>(
+      build_toolpath(read_program(std::make_shared<const SourceText>("test.mpf", text), nullptr, options)));
+}
+
+class RotaryAxes : public testing::TestWithParam<const char*> {
+ protected:
+  Trajectory run(const std::string& text) const {
+    const Machine machine = five_axes();
+    const ControlModel& model = find_model(GetParam());
+    return model.simulate(turning_path(text), machine, complete_settings(model, machine));
+  }
+};
+
+double time_by(const Trajectory& trajectory, Cause cause) {
+  double sum = 0;
+  for (std::size_t i = 0; i < trajectory.pieces().size(); ++i) {
+    const double end =
+        i + 1 < trajectory.pieces().size() ? trajectory.pieces()[i + 1].time : trajectory.duration();
+    sum += trajectory.pieces()[i].cause == cause ? end - trajectory.pieces()[i].time : 0;
+  }
+  return sum;
+}
+
+TEST_P(RotaryAxes, WaitForIndexingAsForADwell) {
+  const Machine machine = five_axes();
+  const double turn = turning_time(*machine.kinematics.find('C'), units::from_deg(170));
+  const Trajectory indexed = run("G0 X10\nG0 A20 C170\nG1 X50 F3000\n");
+  const Trajectory dwelled = run(fmt::format("G0 X10\nG4 F{:.12f}\nG1 X50 F3000\n", turn));
+  EXPECT_NEAR(indexed.duration(), dwelled.duration(), 1e-9);
+  EXPECT_NEAR(time_by(indexed, {CauseKind::indexing, 5}), turn, 1e-9);
+}
+
+TEST_P(RotaryAxes, KeepTheirVelocityAlongRandomFeedBlocks) {
+  std::mt19937 random(22);
+  std::uniform_real_distribution<double> share(-1, 1);
+  std::string text = "TRAORI\nG0 X0 Y0 Z0\nG1 F20000\n";
+  for (int i = 0; i < 60; ++i) {
+    text += fmt::format("X{:.3f} Y{:.3f} A{:.3f} C{:.3f}\n", 5 * i + 2 * share(random), 3 * share(random),
+                        20 * share(random), 40 * share(random));
+  }
+  const Machine machine = five_axes();
+  const Trajectory trajectory = run(text);
+  const Toolpath& path = *trajectory.path().programmed();
+  ASSERT_GT(path.segment_turns.size(), 50);
+  constexpr int samples = 4000;
+  double largest = 0;
+  for (int i = 0; i <= samples; ++i) {
+    const State state = trajectory.state(trajectory.duration() * i / samples);
+    const SegmentTurn* turn = path.segment_turn(trajectory.path().segment(state.element));
+    const ElementKind kind = trajectory.path().kind(state.element);
+    if (turn == nullptr || (kind != ElementKind::line && kind != ElementKind::arc)) {
+      continue;
+    }
+    for (const std::size_t axis : {0, 2}) {
+      const double limit = machine.kinematics.find("ABC"[axis])->velocity;
+      const double slope = std::abs(turn->to[axis] - turn->from[axis]) / path.segments[turn->segment].length;
+      EXPECT_LE(state.speed * slope, limit * (1 + 1e-6)) << "line " << path.segments[turn->segment].line;
+      largest = std::max(largest, state.speed * slope / limit);
+    }
+  }
+  // Filtered motion has no element of its own at a time.
+  EXPECT_TRUE(largest > 0.8 || GetParam() == std::string("ward")) << "the limit is reached somewhere";
+}
+
+TEST_P(RotaryAxes, TakeTheLongerTheSlowerTheyAre) {
+  Machine machine = five_axes();
+  const ControlModel& model = find_model(GetParam());
+  const auto path = turning_path("TRAORI\nG0 X0 Y0 Z0\nG1 X100 C180 F20000\n");
+  double before = 0;
+  for (const double velocity : {100.0, 10.0, 5.0}) {
+    set_axis_value(machine, 'C', "velocity", velocity);
+    const double time = model.simulate(path, machine, complete_settings(model, machine)).duration();
+    EXPECT_GT(time, before) << velocity;
+    EXPECT_GE(time, 0.5 / velocity * 60) << "half a turn";
+    before = time;
+  }
+}
+
+std::string model_name(const testing::TestParamInfo<const char*>& info) {
+  return info.param;
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, RotaryAxes,
+                         testing::Values("essid", "gassara", "tapie", "msaddek", "ward", "optimal"),
+                         model_name);
+
+TEST(RotaryAxesOfCam, WaitToo) {
+  const Machine machine = five_axes();
+  const ControlModel& model = find_model("cam");
+  const Trajectory trajectory = model.simulate(turning_path("G0 X10\nG0 A20\nG1 X50 F3000\n"), machine,
+                                               complete_settings(model, machine));
+  EXPECT_NEAR(time_by(trajectory, {CauseKind::indexing, 3}),
+              turning_time(*machine.kinematics.find('A'), units::from_deg(20)), 1e-12);
+}
+
+}  // namespace
+}  // namespace feedscope
