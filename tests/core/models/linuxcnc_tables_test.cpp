@@ -44,7 +44,7 @@ std::shared_ptr<const Toolpath> path_of(const std::filesystem::path& file) {
   for (const char axis : {'x', 'y', 'z'}) {
     places.set(std::string("part_zero_") + axis + "_mm", 0.0);
   }
-  return on_machine(load_program(file).toolpath, places);
+  return on_machine(load_program(file).toolpath, Machine(), places);
 }
 
 Trajectory run_of(const testing::ControlRow& row, const testing::ControlTables& tables) {
