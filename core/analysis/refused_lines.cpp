@@ -6,7 +6,7 @@ namespace feedscope {
 
 std::vector<Diagnostic> refused_lines(const LoadedProgram& program, const Setup& setup) {
   return program.toolpath->may_be_read() ? setup.model->read(program.toolpath, setup.settings).refused
-                                  : program.lines_not_run;
+                                         : program.lines_not_run;
 }
 
 std::string line_list(const std::vector<Diagnostic>& lines) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/analysis/explanation/joint_limits.h"
 #include "core/base/units.h"
 #include "core/blend/path_rules.h"
 #include "core/models/tapie/set_point.h"
@@ -413,26 +414,6 @@ Formula ElementLimits::stop_within(std::uint32_t element) const {
   return {FormulaId::stop_within_blocks,
           {{Symbol::path_acceleration, -1, gained / length}, {Symbol::length_ahead, -1, length}}};
 }
-
-namespace {
-
-/// Of a corner: half the angle between the blocks that meet.
-struct HalfTurn {
-  double sine = 1;  ///< 1: straight on
-  double cosine = 0;
-};
-
-std::optional<HalfTurn> half_turn(const BlendedPath& path, std::uint32_t element) {
-  if (element == 0 || element >= path.size() || path.kind(element) == ElementKind::dwell ||
-      path.kind(element - 1) == ElementKind::dwell) {
-    return std::nullopt;
-  }
-  const double cosine = -path.curve(element - 1).direction.dot(path.curve(element).direction);
-  const HalfTurn half{std::sqrt(std::max(0.0, (1 - cosine) / 2)), std::sqrt(std::max(0.0, (1 + cosine) / 2))};
-  return half.cosine > 1e-6 ? std::optional(half) : std::nullopt;
-}
-
-}  // namespace
 
 Formula ElementLimits::junction_deviation(std::uint32_t element) const {
   const std::optional<HalfTurn> half = half_turn(path_, element);

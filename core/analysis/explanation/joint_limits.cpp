@@ -1,5 +1,6 @@
 #include "core/analysis/explanation/joint_limits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -49,6 +50,16 @@ Formula acceleration_of_joints(const ElementCurve& curve, const Vec3& accelerati
   return nearer({FormulaId::path_acceleration, {limit, part}},
                 {FormulaId::shared_acceleration, {{Symbol::acceleration_share, -1, half}, limit, part}},
                 reached);
+}
+
+std::optional<HalfTurn> half_turn(const BlendedPath& path, std::uint32_t element) {
+  if (element == 0 || element >= path.size() || path.kind(element) == ElementKind::dwell ||
+      path.kind(element - 1) == ElementKind::dwell) {
+    return std::nullopt;
+  }
+  const double cosine = -path.curve(element - 1).direction.dot(path.curve(element).direction);
+  const HalfTurn half{std::sqrt(std::max(0.0, (1 - cosine) / 2)), std::sqrt(std::max(0.0, (1 + cosine) / 2))};
+  return half.cosine > 1e-6 ? std::optional(half) : std::nullopt;
 }
 
 }  // namespace feedscope

@@ -124,7 +124,7 @@ TEST(MCalls, ABlockThatCannotBeReadCallsNothing) {
 
 TEST(ModalState, IsKeptAndRestored) {
   const Program program =
-      read_clean_as(Dialect::linuxcnc, "G1 G90 F600 G64 P0.1\nX1\nM70\nG20 G91 G18 F1 G61\nX1\nM72\nX2\n");
+      read_clean_as(Dialect::linuxcnc, "G1 G90 F600 G64 P0.1\nX1\nM70\nG20\nG91 G18 F1 G61\nX1\nM72\nX2\n");
   ASSERT_EQ(program.motions.size(), 3U);
   EXPECT_NEAR(program.motions[1].target.x(), 26.4, 1e-12);
   EXPECT_EQ(program.motions[2].target.x(), 2);

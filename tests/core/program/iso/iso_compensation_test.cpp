@@ -36,7 +36,7 @@ TEST(IsoCompensation, TakesTheToolInTheSpindleWithoutD) {
 
 TEST(IsoCompensation, TakesADiameter) {
   EXPECT_EQ(compensated(linuxcnc, "G1 G41.1 D4 X10 F100").at(0), "line 10 2 0 @1");
-  EXPECT_EQ(compensated(linuxcnc, "G20 G1 G42.1 D2 X10 F100").at(0), "line 254 -25.4 0 @1");
+  EXPECT_EQ(compensated(linuxcnc, "G20\nG1 G42.1 D2 X10 F100").at(0), "line 254 -25.4 0 @2");
 }
 
 TEST(IsoCompensation, OffsetZeroIsTheContour) {

@@ -101,11 +101,12 @@ TEST(Printers, CommandsWithNamesMoveNothingAndAreSaid) {
       "G1 X9\n");
   EXPECT_EQ(program.dialect, Dialect::grbl);
   EXPECT_EQ(program.motions.size(), 2U);
-  ASSERT_EQ(program.diagnostics.size(), 2U);  // the same command once
+  ASSERT_EQ(program.diagnostics.size(), 3U);
   EXPECT_EQ(program.diagnostics[0].severity, Severity::warning);
   EXPECT_EQ(program.diagnostics[0].line, 1U);
   EXPECT_EQ(program.diagnostics[1].severity, Severity::info);
   EXPECT_EQ(program.diagnostics[1].line, 3U);
+  EXPECT_EQ(program.diagnostics[2].line, 4U);
 }
 
 /// Subprograms of a Sinumerik may have such names too.
