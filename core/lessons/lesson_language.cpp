@@ -102,6 +102,8 @@ const std::map<std::string, std::string>& french_words() {
       {"contour tolerance", "tolérance de contour"},
       {"look-ahead horizon", "horizon d’anticipation"},
       {"velocity filters", "filtres de vitesse"},
+      {"indexing of rotary axes", "positionnement des axes rotatifs"},
+      {"indexing of axis %1", "positionnement de l’axe %1"},
       {"junction deviation", "écart de jonction (junction deviation)"},
       {"square corner velocity", "vitesse de coin à 90° (square corner velocity)"},
       {"minimum cruise ratio", "part minimale à vitesse constante"},

@@ -32,8 +32,14 @@ class Candidates {
   Candidates(const Setup& setup, const std::optional<ToleranceInForce>& tolerance)
       : setup_(setup), specs_(settings_of(*setup.model)), tolerance_(tolerance) {}
 
+  /// Nothing where the machine has no such axis, or the axis no such limit.
   void axis(int axis, const std::string& limit, double factor = more) {
-    add(axis_changes(cause_axes[static_cast<std::size_t>(axis)].name, limit, factor));
+    const char name = cause_axes[static_cast<std::size_t>(axis)].name;
+    const bool is_there = axis_names(setup_.machine).find(name) != std::string::npos;
+    const std::vector<SettingSpec>& specs = axis_specs_of(name);
+    if (is_there && std::ranges::find(specs, limit, &SettingSpec::key) != specs.end()) {
+      add(axis_changes(name, limit, factor));
+    }
   }
 
   void all_axes(const std::string& limit) {
@@ -96,7 +102,7 @@ class Candidates {
 
  private:
   Remedy axis_changes(char name, const std::string& limit, double factor) const {
-    const SettingSpec& spec = *std::ranges::find(axis_limit_specs(), limit, &SettingSpec::key);
+    const SettingSpec& spec = *std::ranges::find(axis_specs_of(name), limit, &SettingSpec::key);
     const double value = axis_limit(setup_.machine, name, limit);
     const double changed = nearest_within(spec, rounded(value * factor));
     return changed == value ? Remedy() : Remedy{{{fmt::format("{}.{}", name, limit), changed}}};

@@ -31,13 +31,14 @@ TEST(DefaultMachine, HasAControlForTheDialectWhereAShippedMachineHas) {
   }
 }
 
+/// Or the machine is of no particular control.
 TEST(ControlDialect, EveryShippedControlIsKnown) {
   const MachineLibrary library = shipped_machines();
   for (const std::string& id : library.ids()) {
     const bool reads_any = std::ranges::any_of(all_dialects(), [&](const DialectInfo& info) {
       return control_reads(library.load(id), info.dialect).value_or(false);
     });
-    EXPECT_TRUE(reads_any) << id;
+    EXPECT_TRUE(reads_any || library.load(id).control.starts_with("any")) << id;
   }
 }
 

@@ -105,6 +105,8 @@ class Files {
       add('s', simulation_json(each->input, figures_of(*each), &contour));
       add('e', explanation_json(each->input, figures_of(*each), time_report(*each, OperationSplit::tool)));
     }
+    const Setup with_rotary_axes = make_setup({"five-axis-table-ac", "gassara", 0.05, {}});
+    add('s', simulation_json(corners, figures_of(simulate_run(corners, with_rotary_axes)), nullptr));
     for (const LoadedProgram* each : {&program, &corners}) {
       add('k', check_json(*each));
       // One right angle is passed slower with a blend than with a stop.
@@ -112,11 +114,12 @@ class Files {
       for (const double tolerance : {0.0, 0.001, 0.1}) {
         setups.push_back(session("gassara", tolerance));
       }
+      setups.push_back(with_rotary_axes);
       const std::string comparison = comparison_json(*each, compare_runs(*each, setups));
       add('c', comparison);
       const StudyRequest request{
-          {"spinner-mvc850"},   {"gassara"}, {}, drive_of_x, {parse_sweep("tolerance=0 0.001 0.1")},
-          OperationSplit::tool, 0.05};
+          {"spinner-mvc850", "five-axis-table-ac"}, {"gassara"},          {},  drive_of_x,
+          {parse_sweep("tolerance=0 0.001 0.1")},   OperationSplit::tool, 0.05};
       const std::string study = study_json(*each, run_study(*each, request));
       add('t', study);
       merged_.push_back({"file" + std::to_string(merged_.size()), study});
